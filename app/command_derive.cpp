@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "app/commands.hpp"
+#include "app/shipped_models.hpp"
+#include "codegen/print_json.hpp"
+#include "codegen/print_text.hpp"
+#include "perturb/model.hpp"
+#include "report/whole_file.hpp"
+
+namespace secular::app {
+
+void add_derive_command(CLI::App& root, Action& chosen) {
+  struct Options {
+    std::string model, resonance, format = "text", output;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = root.add_subcommand(
+      "derive",
+      "Expansion, solvability, modulation equations, frequency response, lumps and certificate of a model");
+  command->add_option("MODEL", options->model, "model file, or the name of a shipped model")->required();
+  command->add_option("--case", options->resonance, "one resonance case; all without it");
+  command->add_option("--format", options->format, "text or json")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "same as --format json");
+  command->add_option("-o,--output", options->output, "file to write; standard output without it");
+  command->footer(
+      "Exit status 1 if a certificate does not hold.\n"
+      "Example: secular derive two_mass_mode1 --case principal_parametric");
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      const CanonicalModel model = canonical_model(read_model(resolve_model(options->model)), options->resonance);
+      const bool json = options->json || options->format == "json";
+      const std::string text = json ? derivation_json(model) : derivation_text(model);
+      if (options->output.empty())
+        fmt::print("{}", text);
+      else
+        report::write_whole_file(options->output, text);
+      bool certified = true;
+      for (const CanonicalCase& resonance : model.cases) {
+        for (const std::string& warning : resonance.warnings) fmt::print(stderr, "warning: {}\n", warning);
+        certified = certified && resonance.certificate.holds;
+      }
+      return certified ? 0 : 1;
+    };
+  });
+}
+
+}  // namespace secular::app

@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/estimate_json.hpp"
+#include "app/identification.hpp"
+#include "app/identification_report.hpp"
+#include "input/input_error.hpp"
+#include "report/number_format.hpp"
+#include "report/whole_file.hpp"
+
+namespace secular::app {
+namespace {
+
+struct Options {
+  IdentificationRequest request;
+  std::string folder;
+  std::vector<std::string> fixed;
+  bool json = false;
+};
+
+void parse_fixed(Options& options) {
+  for (const std::string& text : options.fixed) {
+    const std::size_t equals = text.find('=');
+    char* end = nullptr;
+    const double value = equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
+    if (equals == std::string::npos || equals == 0 || end == text.c_str() + equals + 1 || *end != '\0')
+      throw InputError("--fix " + text, "", "is not NAME=VALUE", "for example --fix mu2=0");
+    options.request.fixed[text.substr(0, equals)] = value;
+  }
+}
+
+void print_summary(const Identification& id, const std::string& folder) {
+  fmt::print("model {}, case {}: {} observations\n", id.model->name, id.resonance->name,
+             id.measured.observations.size());
+  const auto print = [](const EstimatedValue& v) {
+    if (v.fixed)
+      fmt::print("  {:<12} {:>20} {:<14} given\n", v.name, report::format_number(*v.value, 6), v.unit);
+    else if (v.value)
+      fmt::print("  {:<12} {:>20} {:<14} sd {}{}\n", v.name, report::format_uncertain(*v.value, v.sd), v.unit,
+                 report::format_percent(v.sd / std::abs(*v.value)), v.significant ? "" : ", not significant");
+    else {
+      std::string with;
+      for (const std::string& other : v.entangled_with) with += (with.empty() ? "" : ", ") + other;
+      fmt::print("  {:<12} {:>20} {}\n", v.name, "not identifiable", with.empty() ? "" : "entangled with " + with);
+    }
+  };
+  fmt::print("parameters\n");
+  for (const EstimatedValue& v : id.estimate.parameters) print(v);
+  fmt::print("lumps\n");
+  for (const EstimatedValue& v : id.estimate.lumps)
+    if (v.value) print(v);
+  for (const HeldOutPrediction& p : id.held_out) {
+    const bool angle = id.coordinate_unit == "rad";
+    fmt::print("held out: {:.1f} s to {:.1f} s predicted within {:.3g} {} RMS\n", p.from_s, p.to_s,
+               angle ? p.rms * 180 / std::numbers::pi : p.rms, angle ? "degrees" : id.coordinate_unit);
+  }
+  fmt::print("written: {0}/estimate.json, {0}/report.html\n", folder);
+}
+
+}  // namespace
+
+void add_identify_command(CLI::App& root, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  options->request.threads = std::max(1U, std::thread::hardware_concurrency());
+  CLI::App* command = root.add_subcommand("identify", "Estimates of a model's parameters from a campaign");
+  command->add_option("CAMPAIGN", options->request.campaign, "campaign folder")->required();
+  command->add_option("--model", options->request.model, "model file, or the name of a shipped model")->required();
+  command->add_option("-o,--output", options->folder, "folder for estimate.json and report.html")->required();
+  command->add_option("--case", options->request.resonance, "resonance case; chosen from the records without it");
+  command->add_option("--from", options->request.window.from_s, "use every record from this time on, s");
+  command->add_option("--to", options->request.window.to_s, "use every record up to this time, s");
+  command->add_option("--records", options->request.window.records,
+                      "use the records whose file matches this pattern");
+  command->add_option("--fix", options->fixed, "NAME=VALUE: a parameter that is known");
+  command->add_option("--threads", options->request.threads, "threads; the result does not depend on it")
+      ->check(CLI::Range(1U, 1024U));
+  command->add_flag("--json", options->json, "print estimate.json instead of the summary");
+  command->footer("Example: secular identify campaign --model two_mass_mode1 -o results");
+  command->callback([options, command, &chosen] {
+    chosen = [options, command] {
+      parse_fixed(*options);
+      if (options->request.window.from_s >= options->request.window.to_s)
+        throw InputError("--from, --to", "", "the window is empty", "--from must be before --to");
+      const Identification result = identify(options->request);
+      const std::string json = estimate_json(result);
+      std::string line = "secular identify " + options->request.campaign + " --model " + options->request.model +
+                         " -o " + options->folder;
+      if (command->count("--from")) line += fmt::format(" --from {}", options->request.window.from_s);
+      if (command->count("--to")) line += fmt::format(" --to {}", options->request.window.to_s);
+      const std::string html = identification_report(result, line);
+      std::error_code error;
+      std::filesystem::create_directories(options->folder, error);
+      if (error)
+        throw InputError(options->folder, "", "cannot be made a folder", "name a folder that can be written");
+      report::write_whole_file(std::filesystem::path(options->folder) / "estimate.json", json);
+      report::write_whole_file(std::filesystem::path(options->folder) / "report.html", html);
+      for (const std::string& warning : result.estimate.warnings) fmt::print(stderr, "warning: {}\n", warning);
+      if (options->json)
+        fmt::print("{}", json);
+      else
+        print_summary(result, options->folder);
+      return 0;
+    };
+  });
+}
+
+}  // namespace secular::app

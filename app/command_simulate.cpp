@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "app/commands.hpp"
+#include "app/shipped_models.hpp"
+#include "generated/registry.hpp"
+#include "input/input_error.hpp"
+#include "simulate/virtual_test.hpp"
+
+namespace secular::app {
+namespace {
+
+const CompiledModel& compiled_model(const std::string& name, const std::string& file) {
+  if (const CompiledModel* model = generated::find_compiled_model(name)) return *model;
+  std::string known;
+  for (const CompiledModel* model : generated::compiled_models())
+    known += (known.empty() ? "" : ", ") + std::string(model->name);
+  throw InputError(file, "key model", "'" + name + "' is not compiled into this program", "compiled are " + known);
+}
+
+// Records done and time left, on a terminal and after two seconds.
+class ProgressLine {
+ public:
+  void operator()(std::size_t done, std::size_t total) {
+    const std::lock_guard lock(guard_);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun_;
+    if (!isatty(STDERR_FILENO) || spent.count() < 2) return;
+    const double left = spent.count() * static_cast<double>(total - done) / static_cast<double>(done);
+    fmt::print(stderr, "\r{} of {} records, {:.0f} s left  {}", done, total, left, done == total ? "\n" : "");
+  }
+
+ private:
+  std::mutex guard_;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+void add_simulate_command(CLI::App& root, Action& chosen) {
+  struct Options {
+    std::string experiment, folder;
+    std::uint64_t seed = 1;
+    unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = root.add_subcommand("simulate", "Virtual test on the full equations of motion");
+  command->add_option("EXPERIMENT", options->experiment, "experiment file, or experiments/NAME of a shipped one")
+      ->required();
+  command->add_option("-o,--output", options->folder, "campaign folder to make")->required();
+  command->add_option("--seed", options->seed, "of the measurement noise")->capture_default_str();
+  command->add_option("--threads", options->threads, "records computed at once; the result does not depend on it")
+      ->check(CLI::Range(1U, 1024U));
+  command->add_flag("--json", options->json, "summary as JSON");
+  command->footer("Example: secular simulate experiments/principal_parametric -o campaign");
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      if (std::filesystem::exists(options->folder) && !std::filesystem::is_empty(options->folder))
+        throw InputError(options->folder, "", "exists and is not an empty folder",
+                         "name a new folder or remove this one");
+      const std::filesystem::path path = resolve_model(options->experiment);
+      const CompiledModel& model = compiled_model(experiment_model(path), path.string());
+      const Experiment experiment = read_experiment(path, model);
+      ProgressLine line;
+      const SimulatedCampaign simulated =
+          run_virtual_test(experiment, model, options->seed, options->threads,
+                           [&line](std::size_t done, std::size_t total) { line(done, total); });
+      write_campaign(simulated.campaign, simulated.samples, options->folder);
+      if (options->json)
+        fmt::print("{{\"records\": {}, \"seed\": {}}}\n", simulated.samples.size(), options->seed);
+      else
+        fmt::print("{} records of {} in {}\n", simulated.samples.size(), experiment.name, options->folder);
+      return 0;
+    };
+  });
+}
+
+}  // namespace secular::app

@@ -1,0 +1,343 @@
+#include "app/identification_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "estimator/regression/confidence.hpp"
+#include "report/html_report.hpp"
+#include "report/number_format.hpp"
+
+namespace secular::app {
+namespace {
+
+using report::Axis;
+using report::Column;
+using report::Figure;
+using report::Panel;
+using report::Series;
+using report::SeriesRole;
+using report::SeriesStyle;
+using report::Table;
+using report::Tone;
+
+constexpr double to_hz = 1 / (2 * std::numbers::pi);
+
+// Ensembles of one condition: mean and scatter of the peak amplitude of the first active mode.
+struct Condition {
+  std::string group;
+  double frequency_hz = 0, amplitude = 0, amplitude_sd = 0, forcing = 0;
+  double model_amplitude = 0, phase_difference = 0;
+};
+
+std::size_t first_mode(const Identification& id) {
+  for (std::size_t k = 0; k < id.model->modes(); ++k)
+    if (!id.resonance->mode_at_rest[k]) return k;
+  return 0;
+}
+
+std::vector<Condition> conditions_of(const Identification& id) {
+  const std::size_t mode = first_mode(id);
+  std::map<std::size_t, std::vector<std::size_t>> members;
+  const auto& seen = id.measured.observations;
+  for (std::size_t i = 0; i < seen.size(); ++i) members[seen[i].record].push_back(i);
+  const bool replayed = id.replayed.observations.size() == seen.size();
+  std::vector<Condition> conditions;
+  for (const auto& [record, ensembles] : members) {
+    Condition c;
+    c.group = id.campaign.records[record].group;
+    const auto n = static_cast<double>(ensembles.size());
+    double square = 0;
+    for (const std::size_t i : ensembles) {
+      const Observation& o = seen[i];
+      c.frequency_hz += o.excitation_frequency[0] * to_hz / n;
+      c.forcing += std::abs(o.forcing[0]) / n;
+      const double peak = 2 * std::abs(o.amplitude[mode]);
+      c.amplitude += peak / n;
+      square += peak * peak / n;
+      if (!replayed) continue;
+      const Observation& m = id.replayed.observations[i];
+      c.model_amplitude += 2 * std::abs(m.amplitude[mode]) / n;
+      // Phase relative to the excitation: twice the response's phase minus the excitation's in a 2:1 lock. The
+      // square of both sides takes the sign ambiguity of half a phase away.
+      const double ratio = m.rate[mode].imag() / m.excitation_frequency[0];
+      const auto relative = [&](const Observation& x) {
+        return std::arg(x.amplitude[mode]) - ratio * std::arg(x.forcing[0]);
+      };
+      const double turn = 2 * std::numbers::pi * ratio;
+      c.phase_difference += std::remainder(relative(o) - relative(m), turn) * 180 / std::numbers::pi / n;
+    }
+    c.amplitude_sd = std::sqrt(std::max(0.0, square - c.amplitude * c.amplitude));
+    conditions.push_back(c);
+  }
+  return conditions;
+}
+
+Figure dwell_response(const Identification& id) {
+  const std::vector<Condition> conditions = conditions_of(id);
+  const bool replayed = !id.replayed.observations.empty();
+  Figure figure;
+  figure.title = "Steady response: measured and computed";
+  figure.x = {"Excitation frequency", "Hz", false, {}};
+  Panel panel;
+  panel.y = {
+      fmt::format("Peak amplitude of {}", id.model->coordinates[first_mode(id)]), id.coordinate_unit, false, {}};
+  std::vector<std::string> groups;
+  for (const Condition& c : conditions)
+    if (std::find(groups.begin(), groups.end(), c.group) == groups.end()) groups.push_back(c.group);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    Series data, model;
+    data.name = groups[g].empty() ? "measured" : groups[g];
+    data.style = SeriesStyle::error_bars;
+    data.role = SeriesRole::data;
+    data.group = static_cast<int>(g);
+    model.name = g == 0 ? "full equations, estimated parameters" : "";
+    model.style = SeriesStyle::line;
+    model.role = SeriesRole::model;
+    std::vector<const Condition*> sorted;
+    for (const Condition& c : conditions)
+      if (c.group == groups[g]) sorted.push_back(&c);
+    std::sort(sorted.begin(), sorted.end(), [](auto* a, auto* b) { return a->frequency_hz < b->frequency_hz; });
+    for (const Condition* c : sorted) {
+      data.x.push_back(c->frequency_hz);
+      data.y.push_back(c->amplitude);
+      data.y_error.push_back(2 * c->amplitude_sd);
+      model.x.push_back(c->frequency_hz);
+      model.y.push_back(c->model_amplitude);
+    }
+    panel.series.push_back(std::move(data));
+    if (replayed) panel.series.push_back(std::move(model));
+  }
+  figure.panels.push_back(std::move(panel));
+  return figure;
+}
+
+Figure dwell_differences(const Identification& id) {
+  Figure figure;
+  figure.title = "Measured minus computed";
+  figure.x = {"Peak amplitude", id.coordinate_unit, false, {}};
+  Series amplitude, phase;
+  amplitude.style = phase.style = SeriesStyle::points;
+  amplitude.role = phase.role = SeriesRole::data;
+  for (const Condition& c : conditions_of(id)) {
+    amplitude.x.push_back(c.amplitude);
+    amplitude.y.push_back(100 * (c.amplitude / c.model_amplitude - 1));
+    phase.x.push_back(c.amplitude);
+    phase.y.push_back(c.phase_difference);
+  }
+  figure.panels.push_back({"", {"Amplitude difference", "%", false, {}}, {amplitude}});
+  figure.panels.push_back({"", {"Phase difference", "degrees", false, {}}, {phase}});
+  return figure;
+}
+
+Figure decay_response(const Identification& id) {
+  Figure figure;
+  figure.title = "Free decay: frequency and damping against amplitude";
+  figure.x = {fmt::format("Peak amplitude of {}", id.model->coordinates[0]), id.coordinate_unit, false, {}};
+  Series frequency, damping, model_frequency, model_damping;
+  frequency.name = damping.name = "measured, windows";
+  frequency.style = damping.style = SeriesStyle::error_bars;
+  frequency.role = damping.role = SeriesRole::data;
+  model_frequency.name = model_damping.name = "modulation equation, estimated parameters";
+  double low = INFINITY, high = 0;
+  for (const Observation& o : id.measured.observations) {
+    const double peak = 2 * std::abs(o.amplitude[0]);
+    low = std::min(low, peak);
+    high = std::max(high, peak);
+    frequency.x.push_back(peak);
+    frequency.y.push_back(o.rate[0].imag() * to_hz);
+    frequency.y_error.push_back(2 * o.frequency_sd[0] * to_hz);
+    damping.x.push_back(peak);
+    damping.y.push_back(-o.rate[0].real());
+    damping.y_error.push_back(2 * o.growth_sd[0]);
+  }
+  constexpr int points = 200;
+  const std::vector<double> excitation(std::max<std::size_t>(1, id.model->excitations.size()), 0.0);
+  const std::vector<std::complex<double>> forcing(excitation.size());
+  for (int i = 0; i <= points; ++i) {
+    const double peak = low * std::pow(high / low, static_cast<double>(i) / points);
+    const std::complex<double> amplitude = 0.5 * peak;
+    std::complex<double> rate;
+    id.resonance->modulation(id.estimate.parameter_values.data(), excitation.data(), &amplitude, forcing.data(),
+                             &rate);
+    rate /= amplitude;
+    model_frequency.x.push_back(peak);
+    model_frequency.y.push_back((id.estimate.parameter_values(0) + rate.imag()) * to_hz);
+    model_damping.x.push_back(peak);
+    model_damping.y.push_back(-rate.real());
+  }
+  figure.panels.push_back({"", {"Frequency", "Hz", false, {}}, {frequency, model_frequency}});
+  figure.panels.push_back({"", {"Decay rate", "1/s", false, {}}, {damping, model_damping}});
+  return figure;
+}
+
+Figure held_out_figure(const Identification& id, const HeldOutPrediction& prediction) {
+  Figure figure;
+  figure.title = "Held out: the rest of the decay, predicted";
+  figure.x = {"Time in the record", "s", false, {}};
+  Series measured, predicted, difference;
+  measured.name = "measured, not used";
+  measured.role = SeriesRole::held_out;
+  predicted.name = "predicted by the full equations";
+  predicted.role = SeriesRole::model;
+  difference.role = SeriesRole::data;
+  measured.x = predicted.x = difference.x = prediction.time;
+  measured.y = prediction.measured;
+  predicted.y = prediction.predicted;
+  for (std::size_t i = 0; i < prediction.time.size(); ++i)
+    difference.y.push_back(prediction.measured[i] - prediction.predicted[i]);
+  const std::string name(id.model->coordinates[0]);
+  figure.panels.push_back({"", {name, id.coordinate_unit, false, {}}, {measured, predicted}});
+  figure.panels.push_back({"", {"Measured minus predicted", id.coordinate_unit, false, {}}, {difference}});
+  return figure;
+}
+
+Figure decay_residuals(const Identification& id) {
+  Figure figure;
+  figure.title = "Measured minus modulation equation";
+  figure.x = {"Time in the record", "s", false, {}};
+  Series frequency, damping;
+  frequency.style = damping.style = SeriesStyle::error_bars;
+  frequency.role = damping.role = SeriesRole::data;
+  const std::vector<double> excitation(std::max<std::size_t>(1, id.model->excitations.size()), 0.0);
+  const std::vector<std::complex<double>> forcing(excitation.size());
+  for (const Observation& o : id.measured.observations) {
+    std::complex<double> rate;
+    id.resonance->modulation(id.estimate.parameter_values.data(), excitation.data(), o.amplitude.data(),
+                             forcing.data(), &rate);
+    rate /= o.amplitude[0];
+    frequency.x.push_back(o.centre_s);
+    frequency.y.push_back((o.rate[0].imag() - id.estimate.parameter_values(0) - rate.imag()) * to_hz);
+    frequency.y_error.push_back(2 * o.frequency_sd[0] * to_hz);
+    damping.x.push_back(o.centre_s);
+    damping.y.push_back(o.rate[0].real() - rate.real());
+    damping.y_error.push_back(2 * o.growth_sd[0]);
+  }
+  figure.panels.push_back({"", {"Frequency difference", "Hz", false, {}}, {frequency}});
+  figure.panels.push_back({"", {"Growth difference", "1/s", false, {}}, {damping}});
+  return figure;
+}
+
+void add_values(report::HtmlReport& page, const std::vector<EstimatedValue>& values, bool lumps) {
+  Table table;
+  table.columns = {{lumps ? "Lump" : "Parameter", Column::Kind::text, ""},
+                   {"Estimate", Column::Kind::number, ""},
+                   {"Unit", Column::Kind::text, ""},
+                   {"95 % interval", Column::Kind::text, ""},
+                   {"sd / value", Column::Kind::number, ""},
+                   {"Truncation corrected", Column::Kind::number, ""},
+                   {lumps ? "Definition" : "From", Column::Kind::text, ""}};
+  for (const EstimatedValue& v : values) {
+    if (lumps && v.from == "not used") continue;
+    std::vector<std::string> row{v.name};
+    if (v.fixed) {
+      row.insert(row.end(), {report::format_number(*v.value, 6), report::pretty_unit(v.unit), "given", "", ""});
+    } else if (v.value) {
+      const Interval interval = confidence_interval(*v.value, v.sd, v.degrees_of_freedom);
+      row.insert(row.end(), {report::format_uncertain(*v.value, v.sd), report::pretty_unit(v.unit),
+                             report::format_interval(interval.low, interval.high),
+                             report::format_percent(v.sd / std::abs(*v.value)),
+                             report::format_percent(-v.truncation / std::abs(*v.value))});
+    } else {
+      std::string with;
+      for (const std::string& other : v.entangled_with) with += (with.empty() ? "" : ", ") + other;
+      row.insert(row.end(), {"not identifiable", report::pretty_unit(v.unit),
+                             with.empty() ? "" : "entangled with " + with, "", ""});
+    }
+    row.push_back(lumps ? v.definition : v.from);
+    table.rows.push_back(std::move(row));
+    table.row_tones.push_back(!v.value ? Tone::caution
+                                       : (v.fixed || v.significant ? Tone::neutral : Tone::caution));
+  }
+  page.table(table);
+}
+
+}  // namespace
+
+Figure response_figure(const Identification& id) {
+  return id.resonance->excited ? dwell_response(id) : decay_response(id);
+}
+
+std::string identification_report(const Identification& id, const std::string& command) {
+  report::HtmlReport page("Identification of " + std::string(id.model->name),
+                          "Campaign " + id.campaign.name + ", case " + std::string(id.resonance->name));
+  for (const std::string& warning : id.estimate.warnings) page.warn(warning);
+  int cards = 0;
+  for (const EstimatedValue& v : id.estimate.parameters)
+    if (v.value && !v.fixed && v.significant && cards < 6) {
+      page.card({v.name, report::format_quantity(*v.value, v.sd, v.unit),
+                 "sd " + report::format_percent(v.sd / std::abs(*v.value)), Tone::neutral});
+      ++cards;
+    }
+  const bool angle = id.coordinate_unit == "rad";
+  for (const HeldOutPrediction& p : id.held_out)
+    page.card({"Held out, predicted within",
+               angle ? report::format_number(p.rms * 180 / std::numbers::pi, 3) + " degrees RMS"
+                     : report::format_number(p.rms, 3) + " " + report::pretty_unit(id.coordinate_unit) + " RMS",
+               fmt::format("{:.1f} s to {:.1f} s, not used in the fit", p.from_s, p.to_s), Tone::good});
+
+  page.section("Parameters");
+  page.paragraph(
+      "Physical parameters of the model as far as these data determine them. A parameter in the second column's "
+      "words "
+      "\"not identifiable\" cannot be told apart from those it is entangled with: no number is given for it. "
+      "Standard "
+      "deviations come from the scatter between test conditions and include half of the correction for the "
+      "expansion's "
+      "truncation.");
+  add_values(page, id.estimate.parameters, false);
+  page.section("Response");
+  if (id.resonance->excited) {
+    page.figure(dwell_response(id),
+                "Peak amplitude of the modal displacement (mean over the ensembles of a dwell, bars: two standard "
+                "deviations) and what the full equations of motion do with the estimated parameters.");
+    if (!id.replayed.observations.empty())
+      page.figure(dwell_differences(id),
+                  "What is left: amplitude and phase of every dwell against the full equations.");
+  } else {
+    page.figure(decay_response(id),
+                "Every window of the decay (bars: two standard deviations) and the modulation equation with the "
+                "estimated parameters.");
+    if (id.held_out.empty())
+      page.figure(decay_residuals(id), "What is left of frequency and growth rate in every window.");
+    for (const HeldOutPrediction& p : id.held_out)
+      page.figure(held_out_figure(id, p),
+                  "The part of the record after the fitted window, integrated from the state at the window's end.");
+  }
+  page.section("Lumps");
+  page.paragraph("The parameter combinations that the regression sees near this resonance.");
+  add_values(page, id.estimate.lumps, true);
+  page.section("Quality of the regression");
+  Table table;
+  table.columns = {{"Equation", Column::Kind::text, ""},          {"Rows", Column::Kind::number, ""},
+                   {"Conditions", Column::Kind::number, ""},      {"Residual over noise", Column::Kind::number, ""},
+                   {"Condition index", Column::Kind::number, ""}, {"Error bars", Column::Kind::text, ""}};
+  for (const BlockQuality& block : id.estimate.blocks)
+    table.rows.push_back({block.name, std::to_string(block.equations), std::to_string(block.conditions),
+                          report::format_number(block.normalised_residual, 3),
+                          report::format_number(block.condition_index, 3),
+                          block.clustered ? "clustered by condition (jackknife)" : "from residuals"});
+  page.table(table);
+  page.paragraph(
+      "Residual over noise is one where measurement noise explains everything. It grows where the expansion is "
+      "truncated "
+      "or the model lacks an effect. A condition index above about 30 warns of parameters that the data separate "
+      "poorly.");
+  page.details("Model and equations", [&] {
+    std::string text = "Source: " + std::string(id.model->source) + "\n";
+    for (const CompiledLump& lump : id.resonance->lumps)
+      text += std::string(lump.name) + " = " + std::string(lump.definition) + "\n";
+    page.preformatted(text);
+  });
+  page.provenance({command,
+                   "secular 0.1.0",
+                   {fmt::format("campaign {}, {} records, {} observations used", id.campaign.name,
+                                id.campaign.records.size(), id.measured.observations.size())}});
+  return page.html();
+}
+
+}  // namespace secular::app

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "codegen/canonical_model.hpp"
+
+namespace secular {
+
+struct GeneratedFile {
+  std::string name;  ///< relative to the output folder
+  std::string text;
+};
+
+/// The C++ of a model: NAME.hpp with readable functions templated on the scalar, NAME.cpp with the table that the
+/// estimator reads (estimator/compiled_model.hpp). Same model, same bytes. Throws InputError for what cannot be
+/// computed from data: excitation clocks without an amplitude, cases without a steady frame.
+std::vector<GeneratedFile> emit_cpp(const CanonicalModel& model);
+
+/// registry.hpp and registry.cpp: all models by name.
+std::vector<GeneratedFile> emit_registry(const std::vector<std::string>& model_names);
+
+/// Writes files into a folder (made if needed), each whole or not at all; unchanged files are left alone.
+void write_generated(const std::vector<GeneratedFile>& files, const std::string& folder);
+
+}  // namespace secular

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace secular {
+
+/// One term of a polynomial: an integer (decimal digits, with '-') times powers of the symbols of a SymbolOrder.
+struct PolynomialTerm {
+  std::string coefficient;
+  std::vector<int> exponents;
+  bool operator==(const PolynomialTerm&) const = default;
+};
+
+/// numerator/denominator with coprime integer coefficients and a positive leading denominator coefficient; terms in
+/// descending lexicographic order of exponents. One value has one representation: everything that is printed or
+/// emitted goes through it, because GiNaC's own order and signs change from run to run. Plain data, no GiNaC.
+struct RationalFunction {
+  std::vector<PolynomialTerm> numerator;    ///< empty: zero
+  std::vector<PolynomialTerm> denominator;  ///< never empty
+  bool operator==(const RationalFunction&) const = default;
+
+  bool is_zero() const { return numerator.empty(); }
+  bool is_constant() const;  ///< a number
+  bool is_one() const;       ///< 1
+  bool denominator_is_number() const;
+};
+
+/// The symbols that exponents refer to, in declared order; "pi" is one of them.
+using SymbolOrder = std::vector<std::string>;
+
+}  // namespace secular

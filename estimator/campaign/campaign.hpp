@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace secular {
+
+enum class ChannelRole { excitation, response };
+enum class Quantity { acceleration, velocity, displacement, force, voltage, strain, angle };
+enum class RecordKind { dwell, sweep, free_decay, impact, broadband };
+
+std::string to_string(ChannelRole role);
+std::string to_string(Quantity quantity);
+std::string to_string(RecordKind kind);
+
+struct Channel {
+  std::string name;
+  ChannelRole role = ChannelRole::response;
+  Quantity quantity = Quantity::acceleration;
+  std::string unit;
+};
+
+/// Mass-normalised mode shapes: modal displacements = pinv(shapes) * channel displacements (thesis Eq. (5.32)).
+struct ModalBasis {
+  std::vector<std::string> channels;
+  std::vector<std::string> modes;
+  std::vector<std::vector<double>> mass_normalised_shapes;  ///< channels x modes
+};
+
+/// What campaign.toml says of one record; the samples are read on demand by read_record.
+struct RecordEntry {
+  std::string file;  ///< relative to the campaign folder
+  RecordKind kind = RecordKind::dwell;
+  std::optional<double> excitation_frequency_hz;
+  std::optional<double> excitation_amplitude;
+  std::optional<double> ensemble_s;
+  std::optional<double> started_s;
+  std::string group;
+  std::map<std::string, std::string> variables;  ///< MAT only: channel name or "t" -> variable path in the file
+  std::uint32_t line = 0;                        ///< of its [[record]] in campaign.toml, 0 when made in memory
+};
+
+struct Campaign {
+  std::filesystem::path folder;
+  std::string name;
+  double sample_rate_hz = 0;
+  std::vector<Channel> channels;
+  std::optional<ModalBasis> modal_basis;
+  std::vector<RecordEntry> records;
+};
+
+/// Samples of one record, evenly spaced: channels[c][i] at start_s + i / sample_rate_hz, in channel units.
+struct Record {
+  double start_s = 0;
+  double sample_rate_hz = 0;
+  std::vector<std::vector<double>> channels;  ///< by Campaign::channels
+  std::size_t samples() const { return channels.empty() ? 0 : channels.front().size(); }
+};
+
+/// Reads campaign.toml of a folder (CONTRACT: schema 1). Throws InputError.
+Campaign read_campaign(const std::filesystem::path& folder);
+
+/// Reads one record's samples: CSV or MAT v5. The record's rate is campaign.toml's wherever the time stamps follow
+/// it. Throws InputError for a missing column, text where a number should be, NaN or infinity, time that does not
+/// increase evenly (names the place), a sample rate that contradicts campaign.toml by more than 0.1 %.
+Record read_record(const Campaign& campaign, const RecordEntry& entry);
+
+/// Writes a whole campaign folder, records as CSV (whatever the extension of RecordEntry::file): all of it or
+/// nothing (built beside the target, then renamed). samples[r] belongs to campaign.records[r]. What is written is
+/// what read_campaign and read_record restore bit by bit. Throws InputError if `folder` exists and is not empty,
+/// for samples that are not finite and for whatever read_campaign would refuse; std::invalid_argument if samples
+/// and campaign do not fit together.
+void write_campaign(const Campaign& campaign, const std::vector<Record>& samples,
+                    const std::filesystem::path& folder);
+
+/// Throws the InputError that write_campaign would throw for a folder that is taken: to ask before long work.
+void check_campaign_target(const std::filesystem::path& folder);
+
+}  // namespace secular

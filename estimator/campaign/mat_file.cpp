@@ -1,0 +1,198 @@
+#include "estimator/campaign/mat_file.hpp"
+
+#include <matio.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "estimator/campaign/mat_structure.hpp"
+#include "input/input_error.hpp"
+
+namespace secular {
+namespace {
+
+struct Closer {
+  void operator()(mat_t* file) const { Mat_Close(file); }
+  void operator()(matvar_t* variable) const { Mat_VarFree(variable); }
+};
+using File = std::unique_ptr<mat_t, Closer>;
+using Variable = std::unique_ptr<matvar_t, Closer>;
+
+constexpr int deepest_struct = 16;
+
+void keep_quiet(int, char*) {}
+
+File open(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  Mat_LogInitFunc("secular", keep_quiet);  // complaints become InputErrors
+  {
+    std::ifstream probe(path, std::ios::binary);
+    std::array<char, 128> header{};
+    if (!probe) throw InputError(name, "", "cannot be opened for reading", "check the path and its permissions");
+    probe.read(header.data(), header.size());
+    const std::string text(header.data(), static_cast<std::size_t>(probe.gcount()));
+    if (text.rfind("MATLAB 7.3", 0) == 0)
+      throw InputError(name, "", "is a MAT v7.3 (HDF5) file, which is not supported yet",
+                       "save it in MATLAB with save(..., '-v7') or export CSV");
+    if (text.size() < 128 || text.rfind("MATLAB 5.0", 0) != 0)
+      throw InputError(name, "", "is not a MAT v5 file", "a MAT v5 file or a CSV was expected");
+  }
+  check_mat_structure(path);
+  File file(Mat_Open(name.c_str(), MAT_ACC_RDONLY));
+  if (!file || Mat_GetVersion(file.get()) != MAT_FT_MAT5)
+    throw InputError(name, "", "is not a readable MAT v5 file", "it may be damaged or cut short");
+  return file;
+}
+
+const char* type_name(matio_classes type) {
+  switch (type) {
+    case MAT_C_DOUBLE:
+      return "double";
+    case MAT_C_SINGLE:
+      return "single";
+    case MAT_C_INT8:
+      return "int8";
+    case MAT_C_UINT8:
+      return "uint8";
+    case MAT_C_INT16:
+      return "int16";
+    case MAT_C_UINT16:
+      return "uint16";
+    case MAT_C_INT32:
+      return "int32";
+    case MAT_C_UINT32:
+      return "uint32";
+    case MAT_C_INT64:
+      return "int64";
+    case MAT_C_UINT64:
+      return "uint64";
+    default:
+      return nullptr;
+  }
+}
+
+std::size_t element_count(const matvar_t& variable) {
+  std::size_t count = 1;
+  for (int i = 0; i < variable.rank; ++i) {
+    if (variable.dims[i] != 0 && count > (std::size_t{1} << 40) / variable.dims[i]) return 0;
+    count *= variable.dims[i];
+  }
+  return variable.rank > 0 ? count : 0;
+}
+
+using Visitor = std::function<void(const std::string& path, matvar_t& variable)>;
+
+// Calls `visit` for every numeric leaf.
+void walk(const std::string& path, matvar_t* variable, int depth, const Visitor& visit) {
+  if (!variable || depth > deepest_struct) return;
+  const std::size_t count = element_count(*variable);
+  if (variable->class_type == MAT_C_STRUCT) {
+    const unsigned fields = Mat_VarGetNumberOfFields(variable);
+    char* const* names = Mat_VarGetStructFieldnames(variable);
+    if (!names || !variable->data) return;
+    for (std::size_t i = 0; i < count; ++i)
+      for (unsigned f = 0; f < fields; ++f)
+        walk(path + (count > 1 ? "(" + std::to_string(i + 1) + ")" : "") + "." + names[f],
+             Mat_VarGetStructFieldByIndex(variable, f, i), depth + 1, visit);
+    return;
+  }
+  if (variable->class_type == MAT_C_CELL) {
+    if (!variable->data) return;
+    for (std::size_t i = 0; i < count; ++i)
+      walk(path + "{" + std::to_string(i + 1) + "}", Mat_VarGetCell(variable, static_cast<int>(i)), depth + 1,
+           visit);
+    return;
+  }
+  if (type_name(variable->class_type)) visit(path, *variable);
+}
+
+void visit_all(const std::filesystem::path& path, const Visitor& visit) {
+  const File file = open(path);
+  bool any = false;
+  while (const Variable variable{Mat_VarReadNext(file.get())}) {
+    if (!variable->name) continue;
+    any = true;
+    walk(variable->name, variable.get(), 0, visit);
+  }
+  if (!any) throw InputError(path.string(), "", "holds no readable variable", "it may be damaged or cut short");
+}
+
+template <class Element>
+std::vector<double> converted(const matvar_t& variable) {
+  const auto* data = static_cast<const Element*>(variable.data);
+  const std::size_t count = element_count(variable);
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i) values[i] = static_cast<double>(data[i]);
+  return values;
+}
+
+std::vector<double> numbers(const matvar_t& variable) {
+  switch (variable.class_type) {
+    case MAT_C_DOUBLE:
+      return converted<double>(variable);
+    case MAT_C_SINGLE:
+      return converted<float>(variable);
+    case MAT_C_INT8:
+      return converted<std::int8_t>(variable);
+    case MAT_C_UINT8:
+      return converted<std::uint8_t>(variable);
+    case MAT_C_INT16:
+      return converted<std::int16_t>(variable);
+    case MAT_C_UINT16:
+      return converted<std::uint16_t>(variable);
+    case MAT_C_INT32:
+      return converted<std::int32_t>(variable);
+    case MAT_C_UINT32:
+      return converted<std::uint32_t>(variable);
+    case MAT_C_INT64:
+      return converted<std::int64_t>(variable);
+    case MAT_C_UINT64:
+      return converted<std::uint64_t>(variable);
+    default:
+      return {};
+  }
+}
+
+// Why a variable is no vector of real numbers; empty if it is one.
+std::string vector_fault(const matvar_t& variable) {
+  if (variable.isComplex) return "is complex";
+  const auto longer =
+      std::count_if(variable.dims, variable.dims + variable.rank, [](std::size_t n) { return n > 1; });
+  if (longer > 1) return "is a matrix";
+  const std::size_t count = element_count(variable);
+  if (count == 0) return "is empty";
+  if (!variable.data || variable.nbytes < count * static_cast<std::size_t>(variable.data_size))
+    return "has no complete data";
+  return {};
+}
+
+}  // namespace
+
+bool looks_like_mat(const std::filesystem::path& path) {
+  std::ifstream probe(path, std::ios::binary);
+  std::array<char, 6> header{};
+  probe.read(header.data(), header.size());
+  return probe && std::string(header.data(), header.size()) == "MATLAB";
+}
+
+std::vector<MatVariable> read_mat(const std::filesystem::path& path, const std::vector<std::string>& wanted) {
+  std::vector<MatVariable> variables;
+  visit_all(path, [&](const std::string& name, matvar_t& variable) {
+    MatVariable found;
+    found.path = name;
+    found.shape.assign(variable.dims, variable.dims + variable.rank);
+    found.type = (variable.isComplex ? "complex " : "") + std::string(type_name(variable.class_type));
+    found.fault = vector_fault(variable);
+    const bool read = wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+    if (read && found.fault.empty()) found.values = numbers(variable);
+    variables.push_back(std::move(found));
+  });
+  return variables;
+}
+
+}  // namespace secular

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace secular {
+
+/// Named columns of numbers of equal length, as read from a file.
+struct NumberTable {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> columns;
+  std::size_t first_line = 2;  ///< of the file, counted from 1: where row 0 stands; the rows follow without a break
+  std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
+};
+
+/// What becomes of a field that holds no finite number (empty, text, NaN, infinity).
+enum class MissingNumbers { refuse, keep_as_nan };
+
+/// Reads a CSV with one header line: comma, semicolon or tabulator between fields (a semicolon allows decimal
+/// commas), quoted names, CRLF, byte order mark, blanks and trailing empty lines are accepted. Only the `wanted`
+/// columns are read, in that order (empty: all). Throws InputError with the line for a row of another length, a
+/// field that is no finite number (MissingNumbers::refuse), a wanted column that is not there, two columns of one
+/// name, and for a file without rows.
+NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& wanted = {},
+                     MissingNumbers missing = MissingNumbers::refuse);
+
+/// The header of a CSV, by the same rules.
+std::vector<std::string> read_csv_names(const std::filesystem::path& path);
+
+/// Writes numbers so that reading restores them bit by bit.
+std::string csv_text(const NumberTable& table);
+
+/// Shortest decimal text that restores the number.
+std::string number_text(double value);
+
+}  // namespace secular

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace secular {
+
+/// The grid that finite samples lie on, as an encoder, a converter or printed decimals leave it.
+struct ValueGrid {
+  std::size_t levels = 0;      ///< different values, up to a billionth of the range
+  std::optional<double> step;  ///< smallest gap between levels, if (nearly) all gaps are multiples of it
+  bool visited = false;  ///< most neighbouring levels are few steps apart: the step is the channel's resolution
+};
+
+/// Sorts a copy of the samples: O(n log n). All samples must be finite.
+ValueGrid value_grid(std::span<const double> samples);
+
+}  // namespace secular

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace secular {
+
+/// How messages name a row of a file: "line 7" of a CSV whose first row is line 2, "element 6" of a MAT vector.
+struct RowPlace {
+  std::string noun = "line";
+  std::size_t first = 2;
+  std::string of(std::size_t row) const { return noun + " " + std::to_string(first + row); }
+};
+
+struct TimeAxis {
+  double start_s = 0;
+  double sample_rate_hz = 0;
+};
+
+/// Checks that finite time stamps increase evenly and gives their start and rate. The rate is the least-squares
+/// line's, or rather the simplest number that follows the stamps as closely as that line: `expected_rate_hz` if it
+/// does, else the rate or step with the fewest digits. Stamps may jitter by a quarter of the step (rounding of
+/// printed times). Throws InputError naming `file` and the row for a gap, a repeated or backward stamp.
+TimeAxis even_time_axis(const std::vector<double>& stamps, const std::string& file, const RowPlace& place,
+                        std::optional<double> expected_rate_hz = {});
+
+}  // namespace secular

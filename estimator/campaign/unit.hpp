@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "estimator/campaign/campaign.hpp"
+
+namespace secular {
+
+/// What is wrong with a unit for a quantity, or empty. SI only: acceleration m/s^2, velocity m/s, displacement m,
+/// force N, voltage V, strain 1 or m/m, angle rad.
+std::string unit_fault(Quantity quantity, const std::string& unit);
+
+/// The unit of a quantity: "m/s^2".
+std::string si_unit(Quantity quantity);
+
+}  // namespace secular

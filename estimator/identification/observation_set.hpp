@@ -1,0 +1,60 @@
+#pragma once
+
+#include <complex>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "estimator/campaign/campaign.hpp"
+#include "estimator/compiled_model.hpp"
+
+namespace secular {
+
+/// One ensemble of a dwell or one window of a decay, ready for the generated rows. Amplitudes are of modal
+/// displacements, half of the peak, with phases at the window's centre.
+struct Observation {
+  int condition = 0;       ///< what repeats of one test condition share; the clusters of the regression
+  std::size_t record = 0;  ///< index into Campaign::records
+  double centre_s = 0;     ///< in the record's time
+  std::vector<double> excitation_frequency;  ///< [excitation] rad/s
+  std::vector<double> excitation_frequency_sd;
+  std::vector<std::complex<double>> forcing;    ///< [excitation] F exp(i*phase)
+  std::vector<double> forcing_sd;               ///< of real and imaginary part
+  std::vector<std::complex<double>> amplitude;  ///< [mode]
+  std::vector<double> amplitude_sd;
+  std::vector<std::complex<double>> rate;       ///< [mode] growth + i*(observed frequency)
+  std::vector<double> growth_sd, frequency_sd;  ///< [mode]
+  std::vector<std::complex<double>> harmonic;   ///< [block] measured harmonic, 0 where not measured
+  std::vector<double> harmonic_sd;              ///< [block], negative where not measured
+};
+
+struct ObservationSet {
+  const CompiledModel* model = nullptr;
+  const CompiledCase* resonance = nullptr;
+  std::vector<Observation> observations;
+  std::vector<std::string> warnings;
+};
+
+/// The part of each record to use, and which records.
+struct Window {
+  double from_s = -1e300, to_s = 1e300;
+  std::string records = "*";  ///< shell pattern on the record's file
+};
+
+/// Samples of one of a campaign's records by its index: read from its file, or replayed on a model.
+using RecordReader = std::function<Record(std::size_t record)>;
+
+/// Ensembles of every dwell: excitation by circular-hyperbolic decomposition and maximum likelihood, responses by
+/// least squares at the frequencies that the case predicts from it. Dwells on the trivial branch and records that
+/// have not settled are reported and left out.
+ObservationSet observe_dwells(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+                              const CompiledCase& resonance, const Window& window);
+
+/// Sliding windows over every free decay, from its start (found) to where it sinks into the noise.
+ObservationSet observe_free_decays(const Campaign& campaign, const RecordReader& read_samples,
+                                   const CompiledModel& model, const CompiledCase& resonance, const Window& window);
+
+/// True if `file` matches a shell pattern with * and ?.
+bool matches_pattern(const std::string& pattern, const std::string& file);
+
+}  // namespace secular

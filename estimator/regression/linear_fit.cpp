@@ -1,0 +1,97 @@
+#include "estimator/regression/linear_fit.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+}  // namespace
+
+LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<const VectorXd>& response,
+                     std::span<const int> cluster, double tolerance) {
+  const Index rows = design.rows(), columns = design.cols();
+  if (response.size() != rows || static_cast<Index>(cluster.size()) != rows)
+    throw std::invalid_argument("rows of design, response and clusters differ");
+  if (rows == 0 || columns == 0) throw std::invalid_argument("a regression without rows or columns");
+  LinearFit fit;
+  VectorXd scale = design.colwise().norm().transpose();
+  for (Index c = 0; c < columns; ++c) scale(c) = scale(c) > 0 ? 1 / scale(c) : 1;
+  const MatrixXd scaled = design * scale.asDiagonal();
+  const Eigen::BDCSVD<MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeFullV);
+  const VectorXd singular = svd.singularValues();
+  const double cut = tolerance * std::max(singular(0), std::numeric_limits<double>::min());
+  while (fit.rank < singular.size() && singular(fit.rank) > cut) ++fit.rank;
+  const Index rank = fit.rank;
+  const MatrixXd u = svd.matrixU().leftCols(rank), v = svd.matrixV().leftCols(rank);
+  const VectorXd inverse = singular.head(rank).cwiseInverse();
+  const VectorXd solution = v * inverse.asDiagonal() * (u.transpose() * response);
+  fit.coefficients = scale.asDiagonal() * solution;
+  fit.residual = response - design * fit.coefficients;
+  fit.leverage = u.rowwise().squaredNorm();
+  fit.residual_sd = rows > rank ? std::sqrt(fit.residual.squaredNorm() / static_cast<double>(rows - rank))
+                                : std::numeric_limits<double>::quiet_NaN();
+  fit.condition_indices = VectorXd::Constant(columns, std::numeric_limits<double>::infinity());
+  for (Index i = 0; i < rank; ++i) fit.condition_indices(i) = singular(0) / singular(i);
+
+  // A column is identifiable if no null direction of the scaled columns has a part in it.
+  const MatrixXd null = svd.matrixV().rightCols(columns - rank);
+  fit.identifiable.assign(static_cast<std::size_t>(columns), true);
+  fit.entangled_with.resize(static_cast<std::size_t>(columns));
+  const MatrixXd null_projection = null * null.transpose();
+  for (Index c = 0; c < columns; ++c) {
+    if (null_projection(c, c) < 1e-10) continue;
+    fit.identifiable[static_cast<std::size_t>(c)] = false;
+    for (Index other = 0; other < columns; ++other)
+      if (other != c && std::abs(null_projection(c, other)) > 1e-8)
+        fit.entangled_with[static_cast<std::size_t>(c)].push_back(static_cast<int>(other));
+  }
+
+  const MatrixXd normal_inverse = v * inverse.cwiseAbs2().asDiagonal() * v.transpose();  // of scaled columns
+  fit.variance_inflation = normal_inverse.diagonal();
+  const MatrixXd plain =
+      fit.residual_sd * fit.residual_sd * (scale.asDiagonal() * normal_inverse * scale.asDiagonal());
+
+  std::map<int, std::vector<Index>> members;
+  for (Index r = 0; r < rows; ++r) members[cluster[static_cast<std::size_t>(r)]].push_back(r);
+  const auto groups = static_cast<Index>(members.size());
+  fit.influence = MatrixXd::Zero(groups, columns);
+  bool clustered = groups >= rank + 2 && rows > rank;
+  Index g = 0;
+  for (const auto& [label, group] : members) {
+    fit.cluster_labels.push_back(label);
+    const auto size = static_cast<Index>(group.size());
+    MatrixXd basis(size, rank);
+    VectorXd residual(size);
+    for (Index i = 0; i < size; ++i) {
+      basis.row(i) = u.row(group[static_cast<std::size_t>(i)]);
+      residual(i) = fit.residual(group[static_cast<std::size_t>(i)]);
+    }
+    // Leaving rows out changes the coordinates in u by -(I - U_g' U_g)^-1 U_g' e_g.
+    const MatrixXd kept = MatrixXd::Identity(rank, rank) - basis.transpose() * basis;
+    const Eigen::LDLT<MatrixXd> solver(kept);
+    if (solver.vectorD().minCoeff() < 1e-10) clustered = false;
+    const VectorXd change = -(v * (inverse.asDiagonal() * solver.solve(basis.transpose() * residual)));
+    fit.influence.row(g++) = (scale.asDiagonal() * change).transpose();
+  }
+  if (clustered) {
+    const auto n = static_cast<double>(groups);
+    fit.covariance = (n - 1) / n * fit.influence.transpose() * fit.influence;
+    fit.covariance_kind = CovarianceKind::clustered;
+    fit.degrees_of_freedom = n - 1;
+  } else {
+    fit.covariance = plain;
+    fit.degrees_of_freedom = static_cast<double>(std::max<Index>(1, rows - rank));
+  }
+  return fit;
+}
+
+}  // namespace secular

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+namespace secular {
+
+enum class CovarianceKind {
+  clustered,  ///< jackknife over clusters (CR3)
+  plain,      ///< residual variance times the inverse normal matrix: too few clusters for the other
+};
+
+/// Least squares with honest error bars. Rows are whitened by the caller (divided by their noise level).
+struct LinearFit {
+  Eigen::VectorXd coefficients;  ///< minimum-norm in scaled columns where not identifiable
+  Eigen::MatrixXd covariance;    ///< of the identifiable part
+  CovarianceKind covariance_kind = CovarianceKind::plain;
+  double degrees_of_freedom = 0;  ///< for Student's t: clusters - 1 if clustered, rows - rank otherwise
+  Eigen::Index rank = 0;
+  std::vector<bool> identifiable;                ///< by column
+  std::vector<std::vector<int>> entangled_with;  ///< by column: the others of its null directions
+  Eigen::VectorXd condition_indices;             ///< largest over each singular value of the scaled columns
+  Eigen::VectorXd variance_inflation;            ///< by column, uncentred
+  Eigen::VectorXd residual;
+  Eigen::VectorXd leverage;  ///< by row
+  double residual_sd = 0;
+  Eigen::MatrixXd influence;        ///< [cluster][column]: change of a coefficient when it is left out
+  std::vector<int> cluster_labels;  ///< rows of `influence`
+};
+
+/// Columns are scaled to unit norm; singular values below `tolerance` times the largest count as zero. `cluster`
+/// labels rows that share one condition (ten ensembles of one dwell are not ten independent conditions). The
+/// covariance is the delete-one-cluster jackknife, exact by solving without each cluster; its bias is upward for
+/// few clusters, which keeps intervals honest where the usual sandwich is too narrow. With fewer than columns + 2
+/// clusters, or where leaving a cluster out loses rank, the plain covariance is used and said. Throws
+/// std::invalid_argument for sizes that differ.
+LinearFit linear_fit(const Eigen::Ref<const Eigen::MatrixXd>& design,
+                     const Eigen::Ref<const Eigen::VectorXd>& response, std::span<const int> cluster,
+                     double tolerance = 1e-9);
+
+}  // namespace secular

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace secular {
+
+enum class FitStatus { converged, iteration_limit, no_descent };
+
+/// How a nonlinear least-squares fit ended.
+struct FitReport {
+  FitStatus status = FitStatus::iteration_limit;
+  std::string reason;
+  int iterations = 0;
+  double cost = 0;  ///< half the sum of squared residuals
+  Eigen::VectorXd parameters;
+  Eigen::MatrixXd covariance;  ///< of the identifiable directions, for residuals of unit variance
+  double condition = 0;        ///< of the scaled Jacobian, identifiable part
+  std::vector<bool> identifiable;
+  std::vector<std::vector<int>> entangled_with;
+};
+
+/// Residuals (whitened by the caller) and their Jacobian at `parameters`; both have their size already.
+using ResidualFunction =
+    std::function<void(const Eigen::VectorXd& parameters, Eigen::VectorXd& residual, Eigen::MatrixXd& jacobian)>;
+
+/// Levenberg-Marquardt in columns scaled to unit norm. Directions that the residuals do not see (singular values
+/// below 1e-9 of the largest) stay at their start and are reported, never regularised away.
+FitReport nonlinear_fit(const ResidualFunction& function, Eigen::Index residuals, const Eigen::VectorXd& start,
+                        int iteration_limit = 100);
+
+}  // namespace secular

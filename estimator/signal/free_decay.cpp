@@ -1,0 +1,149 @@
+#include "estimator/signal/free_decay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "estimator/signal/circular_hyperbolic.hpp"
+#include "estimator/signal/tone_fit.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Crossings of `level` from `first` on, with hysteresis against noise, interpolated between samples.
+std::vector<double> crossings(const Eigen::Ref<const VectorXd>& y, double level, double hysteresis, Index first) {
+  std::vector<double> times;
+  int side = 0;
+  Index last_opposite = first;
+  for (Index i = first; i < y.size(); ++i) {
+    const double x = y(i) - level;
+    const int here = x > hysteresis ? 1 : (x < -hysteresis ? -1 : 0);
+    if (here == 0) continue;
+    if (side != 0 && here != side) {
+      // The sign change lies between the last sample beyond the band on the other side and this one.
+      Index low = last_opposite;
+      for (Index j = last_opposite; j < i; ++j)
+        if ((y(j) - level) * side > 0) low = j;
+      const double a = y(low) - level, b = y(low + 1) - level;
+      times.push_back(static_cast<double>(low) + (a == b ? 0 : a / (a - b)));
+    }
+    side = here;
+    last_opposite = i;
+  }
+  return times;
+}
+
+}  // namespace
+
+double decomposed_frequency(const Eigen::Ref<const VectorXd>& samples, double rate, double expected) {
+  const double per_period = rate * 2 * std::numbers::pi / expected;
+  const auto block = std::max<Index>(1, static_cast<Index>(per_period / 16));
+  const Index count = samples.size() / block;
+  constexpr int order = 3;
+  if (count < 4 * order) return expected;
+  VectorXd reduced(count);
+  for (Index i = 0; i < count; ++i) reduced(i) = samples.segment(i * block, block).mean();
+  reduced.array() -= reduced.mean();
+  const CircularHyperbolicFit fit =
+      circular_hyperbolic_decomposition(reduced, rate / static_cast<double>(block), order);
+  double best = expected, largest = 0;
+  const auto consider = [&](double frequency, double power) {
+    if (std::abs(frequency / expected - 1) > 0.2 || power <= largest) return;
+    largest = power;
+    best = frequency;
+  };
+  for (const CircularTerm& term : fit.circular) consider(term.frequency, std::hypot(term.p, term.q));
+  for (const ProductTerm& term : fit.products) consider(term.frequency, std::hypot(term.e, term.f));
+  return best;
+}
+
+std::optional<DecayStart> find_decay_start(const Eigen::Ref<const VectorXd>& samples, double rate) {
+  if (samples.size() < 64) return std::nullopt;
+  // A first level from the last quarter, where the motion is small; the whole-record mean would be pulled by a
+  // hold.
+  const Index quarter = samples.size() / 4;
+  std::vector<double> tail(samples.data() + samples.size() - quarter, samples.data() + samples.size());
+  const double level = median(std::move(tail));
+  const double largest = (samples.array() - level).abs().maxCoeff();
+  if (largest <= 0) return std::nullopt;
+  Index last_large = 0;
+  for (Index i = 0; i < samples.size(); ++i)
+    if (std::abs(samples(i) - level) >= 0.95 * largest) last_large = i;
+  const std::vector<double> zeros = crossings(samples, level, 0.05 * largest, last_large);
+  if (zeros.size() < 8) return std::nullopt;
+  std::vector<double> halves;
+  for (std::size_t i = 0; i + 1 < std::min<std::size_t>(zeros.size(), 13); ++i)
+    halves.push_back(zeros[i + 1] - zeros[i]);
+  const double half_period = median(halves);
+  const double frequency = std::numbers::pi * rate / half_period;
+  const auto window = static_cast<Index>(4 * half_period);
+  const auto residual = [&](double start) {
+    const auto from = static_cast<Index>(start);
+    if (from + window > samples.size()) return 0.0;
+    ToneOptions options;
+    options.harmonics = {1, 2, 3};
+    options.fit_growth = true;
+    options.fit_sweep = true;
+    const ToneFit fit = fit_harmonic_tone(samples.segment(from, window), rate, frequency, options);
+    return fit.noise_sd(0) / std::max(1e-300, std::abs(fit.amplitude(0, 0)));
+  };
+  std::size_t first = 0;
+  std::vector<double> later;
+  for (std::size_t i = 4; i + 4 < std::min<std::size_t>(zeros.size(), 16); i += 2)
+    later.push_back(residual(zeros[i]));
+  if (!later.empty()) {
+    const double usual = std::max(median(later), 1e-6);
+    while (first < 6 && first + 8 < zeros.size() && residual(zeros[first]) > 3 * usual) ++first;
+  }
+  const auto start = static_cast<Index>(std::ceil(zeros[first]));
+  if (start + window > samples.size()) return std::nullopt;
+  return DecayStart{start, decomposed_frequency(samples.segment(start, window), rate, frequency)};
+}
+
+std::vector<DecayWindow> sliding_windows(const Eigen::Ref<const Eigen::MatrixXd>& channels, double rate,
+                                         double frequency, const WindowOptions& options) {
+  std::vector<DecayWindow> windows;
+  double expected = frequency;
+  double begin = 0;
+  for (;;) {
+    const auto length = static_cast<Index>(std::lround(options.periods * 2 * std::numbers::pi / expected * rate));
+    const auto first = static_cast<Index>(std::lround(begin));
+    if (length < 8 || first + length > channels.rows()) break;
+    const Eigen::MatrixXd samples = channels.middleRows(first, length);
+    Index strongest = 0;
+    double range = -1;
+    for (Index c = 0; c < samples.cols(); ++c) {
+      const double here = samples.col(c).maxCoeff() - samples.col(c).minCoeff();
+      if (here > range) {
+        range = here;
+        strongest = c;
+      }
+    }
+    ToneOptions tone;
+    tone.harmonics = options.harmonics;
+    tone.fit_growth = true;
+    tone.fit_sweep = true;
+    const ToneFit fit =
+        fit_harmonic_tone(samples, rate, decomposed_frequency(samples.col(strongest), rate, expected), tone);
+    begin += (1 - options.overlap) * static_cast<double>(length);
+    const bool lost = fit.status == ToneStatus::ill_conditioned || std::abs(fit.frequency / expected - 1) > 0.2 ||
+                      std::abs(fit.amplitude(0, strongest)) * 2 < options.end_at_noise * fit.noise_sd(strongest);
+    if (lost) break;  // the motion has sunk into the noise
+    expected = fit.frequency;
+    windows.push_back({(static_cast<double>(first) + 0.5 * static_cast<double>(length - 1)) / rate, fit.frequency,
+                       fit.growth, fit.frequency_sd, fit.growth_sd, fit.amplitude, fit.amplitude_sd, fit.offset,
+                       fit.noise_sd});
+  }
+  return windows;
+}
+
+}  // namespace secular

@@ -1,0 +1,899 @@
+// Model two_mass_mode1: generated code, never edited by hand.
+// Source: S. O'F. Fahey, dissertation, Virginia Tech, 2000, Eqs. (5.1)-(5.5)
+// Equation of motion: 0 = omega0^2*v + delta3*v*D(v)^2 + 2*delta2*v*D2(v) - eta2*v*F*cos(Omega*t) + alpha2*v^2
+// + delta3*v^2*D2(v) + alpha3*v^3 + 2*mu1*D(v) + mu2*D(v)*abs(D(v)) + delta2*D(v)^2 + mu3*D(v)^3 + D2(v) -
+// eta1*F*cos(Omega*t)
+// Case principal_parametric: Omega = 2*omega0 + eps^2*sigma, multiple scales to eps^2. Valid near that
+// resonance for small amplitudes; what is left out is of order eps^3.
+// Case free: free vibration, multiple scales to eps^2. Valid near that resonance for small amplitudes; what is
+// left out is of order eps^3.
+// Case primary: Omega = omega0 + eps^2*sigma, multiple scales to eps^2. Valid near that resonance for small
+// amplitudes; what is left out is of order eps^3.
+// Units: SI; frequencies in rad/s; amplitudes as in estimator/compiled_model.hpp.
+// Made by: secular generate two_mass_mode1
+#pragma once
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+
+#include "estimator/compiled_model.hpp"
+#include "estimator/integer_power.hpp"
+
+namespace secular::generated::two_mass_mode1 {
+
+/// Accelerations of the full equations of motion, solved from the state-dependent mass matrix.
+/// 0 = omega0^2*v + delta3*v*D(v)^2 + 2*delta2*v*D2(v) - eta2*v*F*cos(Omega*t) + alpha2*v^2 + delta3*v^2*D2(v) +
+/// alpha3*v^3 + 2*mu1*D(v) + mu2*D(v)*abs(D(v)) + delta2*D(v)^2 + mu3*D(v)^3 + D2(v) - eta1*F*cos(Omega*t)
+/// parameters: [0] omega0, [1] mu1, [2] mu2, [3] mu3, [4] alpha2, [5] alpha3, [6] delta2, [7] delta3, [8] eta1,
+/// [9] eta2. displacement, velocity, acceleration: 1 values. 2 operations.
+template <class Scalar>
+void accelerations(const Scalar* parameters, [[maybe_unused]] const ExcitationSample* excitation,
+                   [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
+                   Scalar* acceleration) {
+  const Scalar omega0 = parameters[0];
+  const Scalar mu1 = parameters[1];
+  const Scalar mu2 = parameters[2];
+  const Scalar mu3 = parameters[3];
+  const Scalar alpha2 = parameters[4];
+  const Scalar alpha3 = parameters[5];
+  const Scalar delta2 = parameters[6];
+  const Scalar delta3 = parameters[7];
+  const Scalar eta1 = parameters[8];
+  const Scalar eta2 = parameters[9];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar mass = Scalar(2.0) * delta2 * displacement[0] + delta3 * displacement[0] * displacement[0]
+      + Scalar(1.0);
+  const Scalar force = omega0_2 * displacement[0] + delta3 * displacement[0] * velocity[0] * velocity[0]
+      - eta2 * displacement[0] * Scalar(excitation[0].value) + alpha2 * displacement[0] * displacement[0]
+      + alpha3 * displacement[0] * displacement[0] * displacement[0] + Scalar(2.0) * mu1 * velocity[0]
+      + mu2 * velocity[0] * std::abs(velocity[0]) + delta2 * velocity[0] * velocity[0]
+      + mu3 * velocity[0] * velocity[0] * velocity[0] - eta1 * Scalar(excitation[0].value);
+  acceleration[0] = -force / mass;
+}
+
+namespace principal_parametric {
+
+/// Lumps: the parameter combinations that multiply data.
+/// lumps[0]: mu1 = mu1
+/// lumps[1]: mu2 = mu2
+/// lumps[2]: mu3 = mu3
+/// lumps[3]: alpha_e = (6*omega0^4*delta2^2 - 6*omega0^4*delta3 + 12*omega0^2*alpha2*delta2 + 9*omega0^2*alpha3
+/// - 10*alpha2^2)/(24*omega0^2)
+/// lumps[4]: eta_e = (-6*omega0^2*delta2*eta1 + 3*omega0^2*eta2 + 2*alpha2*eta1)/(12*omega0^2)
+/// lumps[5]: alpha_0 = -omega0^2*delta2 + alpha2
+/// lumps[6]: eta1 = eta1
+/// lumps[7]: alpha_q = -3*omega0^2*delta2 + alpha2
+/// lumps[8]: harmonic_re_v_A_v_F = (14*omega0^2*delta2*eta1 - 3*omega0^2*eta2 - 2*alpha2*eta1)/(48*omega0^4)
+/// lumps[9]: harmonic_re_v_A_v3 = (42*omega0^4*delta2^2 - 6*omega0^4*delta3 - 20*omega0^2*alpha2*delta2 +
+/// 3*omega0^2*alpha3 + 2*alpha2^2)/(24*omega0^4)
+/// 59 operations.
+template <class Scalar>
+void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* lumps) {
+  const Scalar omega0 = parameters[0];
+  const Scalar mu1 = parameters[1];
+  const Scalar mu2 = parameters[2];
+  const Scalar mu3 = parameters[3];
+  const Scalar alpha2 = parameters[4];
+  const Scalar alpha3 = parameters[5];
+  const Scalar delta2 = parameters[6];
+  const Scalar delta3 = parameters[7];
+  const Scalar eta1 = parameters[8];
+  const Scalar eta2 = parameters[9];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar omega0_3 = omega0_2 * omega0;
+  const Scalar omega0_4 = omega0_3 * omega0;
+  const Scalar alpha2_2 = alpha2 * alpha2;
+  const Scalar delta2_2 = delta2 * delta2;
+  lumps[0] = mu1;  // mu1
+  lumps[1] = mu2;  // mu2
+  lumps[2] = mu3;  // mu3
+  // alpha_e
+  lumps[3] = (Scalar(6.0) * omega0_4 * delta2_2 - Scalar(6.0) * omega0_4 * delta3
+      + Scalar(12.0) * omega0_2 * alpha2 * delta2 + Scalar(9.0) * omega0_2 * alpha3
+      - Scalar(10.0) * alpha2_2) / (Scalar(24.0) * omega0_2);
+  // eta_e
+  lumps[4] = (-Scalar(6.0) * omega0_2 * delta2 * eta1 + Scalar(3.0) * omega0_2 * eta2
+      + Scalar(2.0) * alpha2 * eta1) / (Scalar(12.0) * omega0_2);
+  lumps[5] = -omega0_2 * delta2 + alpha2;  // alpha_0
+  lumps[6] = eta1;  // eta1
+  lumps[7] = -Scalar(3.0) * omega0_2 * delta2 + alpha2;  // alpha_q
+  // harmonic_re_v_A_v_F
+  lumps[8] = (Scalar(14.0) * omega0_2 * delta2 * eta1 - Scalar(3.0) * omega0_2 * eta2
+      - Scalar(2.0) * alpha2 * eta1) / (Scalar(48.0) * omega0_4);
+  // harmonic_re_v_A_v3
+  lumps[9] = (Scalar(42.0) * omega0_4 * delta2_2 - Scalar(6.0) * omega0_4 * delta3
+      - Scalar(20.0) * omega0_2 * alpha2 * delta2 + Scalar(3.0) * omega0_2 * alpha3
+      + Scalar(2.0) * alpha2_2) / (Scalar(24.0) * omega0_4);
+}
+
+/// jacobian[l * 10 + p] = d lumps[l] / d parameters[p]. 84 operations.
+template <class Scalar>
+void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* jacobian) {
+  const Scalar omega0 = parameters[0];
+  const Scalar alpha2 = parameters[4];
+  const Scalar alpha3 = parameters[5];
+  const Scalar delta2 = parameters[6];
+  const Scalar delta3 = parameters[7];
+  const Scalar eta1 = parameters[8];
+  const Scalar eta2 = parameters[9];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar omega0_3 = omega0_2 * omega0;
+  const Scalar omega0_4 = omega0_3 * omega0;
+  const Scalar omega0_5 = omega0_4 * omega0;
+  const Scalar alpha2_2 = alpha2 * alpha2;
+  const Scalar delta2_2 = delta2 * delta2;
+  for (std::size_t i = 0; i < 100; ++i) jacobian[i] = Scalar(0.0);
+  jacobian[1] = Scalar(1.0);  // d mu1 / d mu1
+  jacobian[12] = Scalar(1.0);  // d mu2 / d mu2
+  jacobian[23] = Scalar(1.0);  // d mu3 / d mu3
+  // d alpha_e / d omega0
+  jacobian[30] = (Scalar(3.0) * omega0_4 * delta2_2 - Scalar(3.0) * omega0_4 * delta3
+      + Scalar(5.0) * alpha2_2) / (Scalar(6.0) * omega0_3);
+  // d alpha_e / d alpha2
+  jacobian[34] = (Scalar(3.0) * omega0_2 * delta2 - Scalar(5.0) * alpha2) / (Scalar(6.0) * omega0_2);
+  jacobian[35] = Scalar(3.0) / Scalar(8.0);  // d alpha_e / d alpha3
+  jacobian[36] = (omega0_2 * delta2 + alpha2) / Scalar(2.0);  // d alpha_e / d delta2
+  jacobian[37] = -omega0_2 / Scalar(4.0);  // d alpha_e / d delta3
+  jacobian[40] = -alpha2 * eta1 / (Scalar(3.0) * omega0_3);  // d eta_e / d omega0
+  jacobian[44] = eta1 / (Scalar(6.0) * omega0_2);  // d eta_e / d alpha2
+  jacobian[46] = -eta1 / Scalar(2.0);  // d eta_e / d delta2
+  jacobian[48] = (-Scalar(3.0) * omega0_2 * delta2 + alpha2) / (Scalar(6.0) * omega0_2);  // d eta_e / d eta1
+  jacobian[49] = Scalar(1.0) / Scalar(4.0);  // d eta_e / d eta2
+  jacobian[50] = -Scalar(2.0) * omega0 * delta2;  // d alpha_0 / d omega0
+  jacobian[54] = Scalar(1.0);  // d alpha_0 / d alpha2
+  jacobian[56] = -omega0_2;  // d alpha_0 / d delta2
+  jacobian[68] = Scalar(1.0);  // d eta1 / d eta1
+  jacobian[70] = -Scalar(6.0) * omega0 * delta2;  // d alpha_q / d omega0
+  jacobian[74] = Scalar(1.0);  // d alpha_q / d alpha2
+  jacobian[76] = -Scalar(3.0) * omega0_2;  // d alpha_q / d delta2
+  // d harmonic_re_v_A_v_F / d omega0
+  jacobian[80] = (-Scalar(14.0) * omega0_2 * delta2 * eta1 + Scalar(3.0) * omega0_2 * eta2
+      + Scalar(4.0) * alpha2 * eta1) / (Scalar(24.0) * omega0_5);
+  jacobian[84] = -eta1 / (Scalar(24.0) * omega0_4);  // d harmonic_re_v_A_v_F / d alpha2
+  jacobian[86] = Scalar(7.0) * eta1 / (Scalar(24.0) * omega0_2);  // d harmonic_re_v_A_v_F / d delta2
+  // d harmonic_re_v_A_v_F / d eta1
+  jacobian[88] = (Scalar(7.0) * omega0_2 * delta2 - alpha2) / (Scalar(24.0) * omega0_4);
+  jacobian[89] = -Scalar(1.0) / (Scalar(16.0) * omega0_2);  // d harmonic_re_v_A_v_F / d eta2
+  // d harmonic_re_v_A_v3 / d omega0
+  jacobian[90] = (Scalar(20.0) * omega0_2 * alpha2 * delta2 - Scalar(3.0) * omega0_2 * alpha3
+      - Scalar(4.0) * alpha2_2) / (Scalar(12.0) * omega0_5);
+  // d harmonic_re_v_A_v3 / d alpha2
+  jacobian[94] = (-Scalar(5.0) * omega0_2 * delta2 + alpha2) / (Scalar(6.0) * omega0_4);
+  jacobian[95] = Scalar(1.0) / (Scalar(8.0) * omega0_2);  // d harmonic_re_v_A_v3 / d alpha3
+  // d harmonic_re_v_A_v3 / d delta2
+  jacobian[96] = (Scalar(21.0) * omega0_2 * delta2 - Scalar(5.0) * alpha2) / (Scalar(6.0) * omega0_2);
+  jacobian[97] = -Scalar(1.0) / Scalar(4.0);  // d harmonic_re_v_A_v3 / d delta3
+}
+
+/// Regressor rows of the modulation of v: target = sum of columns[j][i] * lump_j.
+/// (rate - i*omega0)*A_v = -mu1*A_v - 8*omega0/(3*Pi)*mu2*A_v*abs(A_v) - 3*omega0^2/2*mu3*A_v^2*conj(A_v) +
+/// 4/omega0*i*alpha_e*A_v^2*conj(A_v) - 1/omega0*i*eta_e*conj(A_v)*F
+/// 5 columns; per observation 9 complex products, 0 complex sums.
+inline void columns_0(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar omega0 = data.natural_frequency[0];
+  const Scalar pi = std::numbers::pi;
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar factor_0_0 = -Scalar(1.0);
+  const Scalar factor_1_0 = -Scalar(8.0) * omega0 / (Scalar(3.0) * pi);
+  const Scalar factor_2_0 = -Scalar(3.0) * omega0_2 / Scalar(2.0);
+  const Scalar factor_3_0 = Scalar(4.0) / omega0;
+  const Scalar factor_4_0 = -Scalar(1.0) / omega0;
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Complex conj_A_v = std::conj(A_v);
+    const Scalar norm_A_v = std::norm(A_v);
+    const Scalar abs_A_v = std::abs(A_v);
+    const Complex F = data.forcing[0][i];
+    columns[0][i] = factor_0_0 * (A_v);  // mu1
+    columns[1][i] = factor_1_0 * (abs_A_v * A_v);  // mu2
+    columns[2][i] = factor_2_0 * (norm_A_v * A_v);  // mu3
+    columns[3][i] = Complex(Scalar(0), Scalar(1)) * factor_3_0 * (norm_A_v * A_v);  // alpha_e
+    columns[4][i] = Complex(Scalar(0), Scalar(1)) * factor_4_0 * (conj_A_v * F);  // eta_e
+  }
+}
+
+/// Regressor rows of the harmonic 0 of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(0)*t) in v = -2/omega0^2*alpha_0*A_v*conj(A_v)
+/// 1 columns; per observation 1 complex products, 0 complex sums.
+inline void columns_1(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar omega0 = data.natural_frequency[0];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar factor_0_0 = -Scalar(2.0) / omega0_2;
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Scalar norm_A_v = std::norm(A_v);
+    columns[0][i] = factor_0_0 * (norm_A_v);  // alpha_0
+  }
+}
+
+/// Regressor rows of the harmonic Omega of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(Omega)*t) in v = 1/(2*omega0^2 - 2*Omega^2)*eta1*F + 1/(3*omega0^2)*alpha_q*A_v^2
+/// 2 columns; per observation 3 complex products, 0 complex sums.
+inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar omega0 = data.natural_frequency[0];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar factor_1_0 = Scalar(1.0) / (Scalar(3.0) * omega0_2);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Complex F = data.forcing[0][i];
+    const Scalar Omega = data.excitation_frequency[0][i];
+    const Scalar Omega_2 = Omega * Omega;
+    const Scalar factor_0_0 = Scalar(1.0) / (Scalar(2.0) * omega0_2 - Scalar(2.0) * Omega_2);
+    columns[0][i] = factor_0_0 * (F);  // eta1
+    columns[1][i] = factor_1_0 * (A_v * A_v);  // alpha_q
+  }
+}
+
+/// Regressor rows of the harmonic omega0+Omega of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(omega0 + Omega)*t) in v = -2/(15*Pi)*i*mu2*A_v^3*abs(A_v)^-1 - omega0/8*i*mu3*A_v^3 +
+/// harmonic_re_v_A_v_F*A_v*F + harmonic_re_v_A_v3*A_v^3
+/// 4 columns; per observation 11 complex products, 0 complex sums.
+inline void columns_3(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar omega0 = data.natural_frequency[0];
+  const Scalar pi = std::numbers::pi;
+  const Scalar factor_0_0 = -Scalar(2.0) / (Scalar(15.0) * pi);
+  const Scalar factor_1_0 = -omega0 / Scalar(8.0);
+  const Scalar factor_2_0 = Scalar(1.0);
+  const Scalar factor_3_0 = Scalar(1.0);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Scalar abs_A_v = std::abs(A_v);
+    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+    const Complex F = data.forcing[0][i];
+    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (unit_A_v * A_v * A_v);  // mu2
+    columns[1][i] = Complex(Scalar(0), Scalar(1)) * factor_1_0 * (A_v * A_v * A_v);  // mu3
+    columns[2][i] = factor_2_0 * (A_v * F);  // harmonic_re_v_A_v_F
+    columns[3][i] = factor_3_0 * (A_v * A_v * A_v);  // harmonic_re_v_A_v3
+  }
+}
+
+/// Regressor rows of the harmonic 5*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(5*omega0)*t) in v = -2/(315*Pi)*i*mu2*A_v^5*abs(A_v)^-3
+/// 1 columns; per observation 5 complex products, 0 complex sums.
+inline void columns_4(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar pi = std::numbers::pi;
+  const Scalar factor_0_0 = -Scalar(2.0) / (Scalar(315.0) * pi);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Scalar abs_A_v = std::abs(A_v);
+    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+    // mu2
+    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (unit_A_v * unit_A_v * unit_A_v * A_v * A_v);
+  }
+}
+
+/// Regressor rows of the harmonic 7*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(7*omega0)*t) in v = -1/(945*Pi)*i*mu2*A_v^7*abs(A_v)^-5
+/// 1 columns; per observation 3 complex products, 0 complex sums.
+inline void columns_5(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar pi = std::numbers::pi;
+  const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(945.0) * pi);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Scalar abs_A_v = std::abs(A_v);
+    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (integer_power(unit_A_v, 5) * A_v * A_v);  // mu2
+  }
+}
+
+/// Regressor rows of the harmonic 9*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(9*omega0)*t) in v = -1/(3465*Pi)*i*mu2*A_v^9*abs(A_v)^-7
+/// 1 columns; per observation 3 complex products, 0 complex sums.
+inline void columns_6(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar pi = std::numbers::pi;
+  const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(3465.0) * pi);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Scalar abs_A_v = std::abs(A_v);
+    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (integer_power(unit_A_v, 7) * A_v * A_v);  // mu2
+  }
+}
+
+/// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state.
+/// dB_v/dt + i*(w_v - omega0)*B_v = -mu1*A_v - 8*omega0/(3*Pi)*mu2*A_v*abs(A_v) -
+/// 3*omega0^2/2*mu3*A_v^2*conj(A_v) + 4/omega0*i*alpha_e*A_v^2*conj(A_v) - 1/omega0*i*eta_e*conj(A_v)*F with A =
+/// B in that frame
+template <class Scalar>
+void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
+                const std::complex<Scalar>* amplitude,
+                [[maybe_unused]] const std::complex<Scalar>* forcing, std::complex<Scalar>* derivative) {
+  using Complex = std::complex<Scalar>;
+  const Scalar omega0 = parameters[0];
+  const Scalar pi = std::numbers::pi_v<Scalar>;
+  const Scalar omega0_2 = omega0 * omega0;
+  Scalar lumps[10];
+  evaluate_lumps(parameters, lumps);
+  const Complex A_v = amplitude[0];
+  const Complex conj_A_v = std::conj(A_v);
+  const Scalar norm_A_v = std::norm(A_v);
+  const Scalar abs_A_v = std::abs(A_v);
+  const Complex F = forcing[0];
+  derivative[0] = (lumps[0] * -Scalar(1.0) * (A_v))
+       + (lumps[1] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * (abs_A_v * A_v))
+       + (lumps[2] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * (norm_A_v * A_v))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(4.0) / omega0 * (norm_A_v * A_v))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[4] * -Scalar(1.0) / omega0 * (conj_A_v * F))
+       - Complex(Scalar(0), Scalar(-1.0) / Scalar(1.0) * omega0
+      + Scalar(1.0) / Scalar(2.0) * excitation_frequency[0]) * A_v;
+}
+
+}  // namespace principal_parametric
+
+namespace free {
+
+/// Lumps: the parameter combinations that multiply data.
+/// lumps[0]: mu1 = mu1
+/// lumps[1]: mu2 = mu2
+/// lumps[2]: mu3 = mu3
+/// lumps[3]: alpha_e = (6*omega0^4*delta2^2 - 6*omega0^4*delta3 + 12*omega0^2*alpha2*delta2 + 9*omega0^2*alpha3
+/// - 10*alpha2^2)/(24*omega0^2)
+/// lumps[4]: alpha_0 = -omega0^2*delta2 + alpha2
+/// lumps[5]: alpha_q = -3*omega0^2*delta2 + alpha2
+/// lumps[6]: harmonic_re_v_A_v3 = (42*omega0^4*delta2^2 - 6*omega0^4*delta3 - 20*omega0^2*alpha2*delta2 +
+/// 3*omega0^2*alpha3 + 2*alpha2^2)/(24*omega0^4)
+/// 37 operations.
+template <class Scalar>
+void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* lumps) {
+  const Scalar omega0 = parameters[0];
+  const Scalar mu1 = parameters[1];
+  const Scalar mu2 = parameters[2];
+  const Scalar mu3 = parameters[3];
+  const Scalar alpha2 = parameters[4];
+  const Scalar alpha3 = parameters[5];
+  const Scalar delta2 = parameters[6];
+  const Scalar delta3 = parameters[7];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar omega0_3 = omega0_2 * omega0;
+  const Scalar omega0_4 = omega0_3 * omega0;
+  const Scalar alpha2_2 = alpha2 * alpha2;
+  const Scalar delta2_2 = delta2 * delta2;
+  lumps[0] = mu1;  // mu1
+  lumps[1] = mu2;  // mu2
+  lumps[2] = mu3;  // mu3
+  // alpha_e
+  lumps[3] = (Scalar(6.0) * omega0_4 * delta2_2 - Scalar(6.0) * omega0_4 * delta3
+      + Scalar(12.0) * omega0_2 * alpha2 * delta2 + Scalar(9.0) * omega0_2 * alpha3
+      - Scalar(10.0) * alpha2_2) / (Scalar(24.0) * omega0_2);
+  lumps[4] = -omega0_2 * delta2 + alpha2;  // alpha_0
+  lumps[5] = -Scalar(3.0) * omega0_2 * delta2 + alpha2;  // alpha_q
+  // harmonic_re_v_A_v3
+  lumps[6] = (Scalar(42.0) * omega0_4 * delta2_2 - Scalar(6.0) * omega0_4 * delta3
+      - Scalar(20.0) * omega0_2 * alpha2 * delta2 + Scalar(3.0) * omega0_2 * alpha3
+      + Scalar(2.0) * alpha2_2) / (Scalar(24.0) * omega0_4);
+}
+
+/// jacobian[l * 10 + p] = d lumps[l] / d parameters[p]. 49 operations.
+template <class Scalar>
+void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* jacobian) {
+  const Scalar omega0 = parameters[0];
+  const Scalar alpha2 = parameters[4];
+  const Scalar alpha3 = parameters[5];
+  const Scalar delta2 = parameters[6];
+  const Scalar delta3 = parameters[7];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar omega0_3 = omega0_2 * omega0;
+  const Scalar omega0_4 = omega0_3 * omega0;
+  const Scalar omega0_5 = omega0_4 * omega0;
+  const Scalar alpha2_2 = alpha2 * alpha2;
+  const Scalar delta2_2 = delta2 * delta2;
+  for (std::size_t i = 0; i < 70; ++i) jacobian[i] = Scalar(0.0);
+  jacobian[1] = Scalar(1.0);  // d mu1 / d mu1
+  jacobian[12] = Scalar(1.0);  // d mu2 / d mu2
+  jacobian[23] = Scalar(1.0);  // d mu3 / d mu3
+  // d alpha_e / d omega0
+  jacobian[30] = (Scalar(3.0) * omega0_4 * delta2_2 - Scalar(3.0) * omega0_4 * delta3
+      + Scalar(5.0) * alpha2_2) / (Scalar(6.0) * omega0_3);
+  // d alpha_e / d alpha2
+  jacobian[34] = (Scalar(3.0) * omega0_2 * delta2 - Scalar(5.0) * alpha2) / (Scalar(6.0) * omega0_2);
+  jacobian[35] = Scalar(3.0) / Scalar(8.0);  // d alpha_e / d alpha3
+  jacobian[36] = (omega0_2 * delta2 + alpha2) / Scalar(2.0);  // d alpha_e / d delta2
+  jacobian[37] = -omega0_2 / Scalar(4.0);  // d alpha_e / d delta3
+  jacobian[40] = -Scalar(2.0) * omega0 * delta2;  // d alpha_0 / d omega0
+  jacobian[44] = Scalar(1.0);  // d alpha_0 / d alpha2
+  jacobian[46] = -omega0_2;  // d alpha_0 / d delta2
+  jacobian[50] = -Scalar(6.0) * omega0 * delta2;  // d alpha_q / d omega0
+  jacobian[54] = Scalar(1.0);  // d alpha_q / d alpha2
+  jacobian[56] = -Scalar(3.0) * omega0_2;  // d alpha_q / d delta2
+  // d harmonic_re_v_A_v3 / d omega0
+  jacobian[60] = (Scalar(20.0) * omega0_2 * alpha2 * delta2 - Scalar(3.0) * omega0_2 * alpha3
+      - Scalar(4.0) * alpha2_2) / (Scalar(12.0) * omega0_5);
+  // d harmonic_re_v_A_v3 / d alpha2
+  jacobian[64] = (-Scalar(5.0) * omega0_2 * delta2 + alpha2) / (Scalar(6.0) * omega0_4);
+  jacobian[65] = Scalar(1.0) / (Scalar(8.0) * omega0_2);  // d harmonic_re_v_A_v3 / d alpha3
+  // d harmonic_re_v_A_v3 / d delta2
+  jacobian[66] = (Scalar(21.0) * omega0_2 * delta2 - Scalar(5.0) * alpha2) / (Scalar(6.0) * omega0_2);
+  jacobian[67] = -Scalar(1.0) / Scalar(4.0);  // d harmonic_re_v_A_v3 / d delta3
+}
+
+/// Regressor rows of the modulation of v: target = sum of columns[j][i] * lump_j.
+/// (rate - i*omega0)*A_v = -mu1*A_v - 8*omega0/(3*Pi)*mu2*A_v*abs(A_v) - 3*omega0^2/2*mu3*A_v^2*conj(A_v) +
+/// 4/omega0*i*alpha_e*A_v^2*conj(A_v)
+/// 4 columns; per observation 7 complex products, 0 complex sums.
+inline void columns_0(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar omega0 = data.natural_frequency[0];
+  const Scalar pi = std::numbers::pi;
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar factor_0_0 = -Scalar(1.0);
+  const Scalar factor_1_0 = -Scalar(8.0) * omega0 / (Scalar(3.0) * pi);
+  const Scalar factor_2_0 = -Scalar(3.0) * omega0_2 / Scalar(2.0);
+  const Scalar factor_3_0 = Scalar(4.0) / omega0;
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Scalar norm_A_v = std::norm(A_v);
+    const Scalar abs_A_v = std::abs(A_v);
+    columns[0][i] = factor_0_0 * (A_v);  // mu1
+    columns[1][i] = factor_1_0 * (abs_A_v * A_v);  // mu2
+    columns[2][i] = factor_2_0 * (norm_A_v * A_v);  // mu3
+    columns[3][i] = Complex(Scalar(0), Scalar(1)) * factor_3_0 * (norm_A_v * A_v);  // alpha_e
+  }
+}
+
+/// Regressor rows of the harmonic 0 of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(0)*t) in v = -2/omega0^2*alpha_0*A_v*conj(A_v)
+/// 1 columns; per observation 1 complex products, 0 complex sums.
+inline void columns_1(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar omega0 = data.natural_frequency[0];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar factor_0_0 = -Scalar(2.0) / omega0_2;
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Scalar norm_A_v = std::norm(A_v);
+    columns[0][i] = factor_0_0 * (norm_A_v);  // alpha_0
+  }
+}
+
+/// Regressor rows of the harmonic 2*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(2*omega0)*t) in v = 1/(3*omega0^2)*alpha_q*A_v^2
+/// 1 columns; per observation 2 complex products, 0 complex sums.
+inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar omega0 = data.natural_frequency[0];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar factor_0_0 = Scalar(1.0) / (Scalar(3.0) * omega0_2);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    columns[0][i] = factor_0_0 * (A_v * A_v);  // alpha_q
+  }
+}
+
+/// Regressor rows of the harmonic 3*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(3*omega0)*t) in v = -2/(15*Pi)*i*mu2*A_v^3*abs(A_v)^-1 - omega0/8*i*mu3*A_v^3 +
+/// harmonic_re_v_A_v3*A_v^3
+/// 3 columns; per observation 9 complex products, 0 complex sums.
+inline void columns_3(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar omega0 = data.natural_frequency[0];
+  const Scalar pi = std::numbers::pi;
+  const Scalar factor_0_0 = -Scalar(2.0) / (Scalar(15.0) * pi);
+  const Scalar factor_1_0 = -omega0 / Scalar(8.0);
+  const Scalar factor_2_0 = Scalar(1.0);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Scalar abs_A_v = std::abs(A_v);
+    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (unit_A_v * A_v * A_v);  // mu2
+    columns[1][i] = Complex(Scalar(0), Scalar(1)) * factor_1_0 * (A_v * A_v * A_v);  // mu3
+    columns[2][i] = factor_2_0 * (A_v * A_v * A_v);  // harmonic_re_v_A_v3
+  }
+}
+
+/// Regressor rows of the harmonic 5*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(5*omega0)*t) in v = -2/(315*Pi)*i*mu2*A_v^5*abs(A_v)^-3
+/// 1 columns; per observation 5 complex products, 0 complex sums.
+inline void columns_4(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar pi = std::numbers::pi;
+  const Scalar factor_0_0 = -Scalar(2.0) / (Scalar(315.0) * pi);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Scalar abs_A_v = std::abs(A_v);
+    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+    // mu2
+    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (unit_A_v * unit_A_v * unit_A_v * A_v * A_v);
+  }
+}
+
+/// Regressor rows of the harmonic 7*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(7*omega0)*t) in v = -1/(945*Pi)*i*mu2*A_v^7*abs(A_v)^-5
+/// 1 columns; per observation 3 complex products, 0 complex sums.
+inline void columns_5(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar pi = std::numbers::pi;
+  const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(945.0) * pi);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Scalar abs_A_v = std::abs(A_v);
+    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (integer_power(unit_A_v, 5) * A_v * A_v);  // mu2
+  }
+}
+
+/// Regressor rows of the harmonic 9*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(9*omega0)*t) in v = -1/(3465*Pi)*i*mu2*A_v^9*abs(A_v)^-7
+/// 1 columns; per observation 3 complex products, 0 complex sums.
+inline void columns_6(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar pi = std::numbers::pi;
+  const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(3465.0) * pi);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Scalar abs_A_v = std::abs(A_v);
+    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (integer_power(unit_A_v, 7) * A_v * A_v);  // mu2
+  }
+}
+
+/// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state.
+/// dB_v/dt + i*(w_v - omega0)*B_v = -mu1*A_v - 8*omega0/(3*Pi)*mu2*A_v*abs(A_v) -
+/// 3*omega0^2/2*mu3*A_v^2*conj(A_v) + 4/omega0*i*alpha_e*A_v^2*conj(A_v) with A = B in that frame
+template <class Scalar>
+void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
+                const std::complex<Scalar>* amplitude,
+                [[maybe_unused]] const std::complex<Scalar>* forcing, std::complex<Scalar>* derivative) {
+  using Complex = std::complex<Scalar>;
+  const Scalar omega0 = parameters[0];
+  const Scalar pi = std::numbers::pi_v<Scalar>;
+  const Scalar omega0_2 = omega0 * omega0;
+  Scalar lumps[7];
+  evaluate_lumps(parameters, lumps);
+  const Complex A_v = amplitude[0];
+  const Scalar norm_A_v = std::norm(A_v);
+  const Scalar abs_A_v = std::abs(A_v);
+  derivative[0] = (lumps[0] * -Scalar(1.0) * (A_v))
+       + (lumps[1] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * (abs_A_v * A_v))
+       + (lumps[2] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * (norm_A_v * A_v))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(4.0) / omega0 * (norm_A_v * A_v));
+}
+
+}  // namespace free
+
+namespace primary {
+
+/// Lumps: the parameter combinations that multiply data.
+/// lumps[0]: conservative_v_A_v2_F = (-3*omega0^2*delta2*eta2 + 5*alpha2*eta2)/(12*omega0^3)
+/// lumps[1]: mu1 = mu1
+/// lumps[2]: conservative_v_A_v_F2 = -eta2^2/(12*omega0^3)
+/// lumps[3]: mu2 = mu2
+/// lumps[4]: mu3 = mu3
+/// lumps[5]: alpha_e = (6*omega0^4*delta2^2 - 6*omega0^4*delta3 + 12*omega0^2*alpha2*delta2 + 9*omega0^2*alpha3
+/// - 10*alpha2^2)/(24*omega0^2)
+/// lumps[6]: eta1 = eta1
+/// lumps[7]: eta2 = eta2
+/// lumps[8]: alpha_0 = -omega0^2*delta2 + alpha2
+/// lumps[9]: alpha_q = -3*omega0^2*delta2 + alpha2
+/// lumps[10]: harmonic_re_v_A_v2_F = (17*omega0^2*delta2*eta2 - 3*alpha2*eta2)/(48*omega0^4)
+/// lumps[11]: harmonic_re_v_A_v3 = (42*omega0^4*delta2^2 - 6*omega0^4*delta3 - 20*omega0^2*alpha2*delta2 +
+/// 3*omega0^2*alpha3 + 2*alpha2^2)/(24*omega0^4)
+/// 55 operations.
+template <class Scalar>
+void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* lumps) {
+  const Scalar omega0 = parameters[0];
+  const Scalar mu1 = parameters[1];
+  const Scalar mu2 = parameters[2];
+  const Scalar mu3 = parameters[3];
+  const Scalar alpha2 = parameters[4];
+  const Scalar alpha3 = parameters[5];
+  const Scalar delta2 = parameters[6];
+  const Scalar delta3 = parameters[7];
+  const Scalar eta1 = parameters[8];
+  const Scalar eta2 = parameters[9];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar omega0_3 = omega0_2 * omega0;
+  const Scalar omega0_4 = omega0_3 * omega0;
+  const Scalar alpha2_2 = alpha2 * alpha2;
+  const Scalar delta2_2 = delta2 * delta2;
+  const Scalar eta2_2 = eta2 * eta2;
+  // conservative_v_A_v2_F
+  lumps[0] = (-Scalar(3.0) * omega0_2 * delta2 * eta2 + Scalar(5.0) * alpha2 * eta2) / (Scalar(12.0) * omega0_3);
+  lumps[1] = mu1;  // mu1
+  lumps[2] = -eta2_2 / (Scalar(12.0) * omega0_3);  // conservative_v_A_v_F2
+  lumps[3] = mu2;  // mu2
+  lumps[4] = mu3;  // mu3
+  // alpha_e
+  lumps[5] = (Scalar(6.0) * omega0_4 * delta2_2 - Scalar(6.0) * omega0_4 * delta3
+      + Scalar(12.0) * omega0_2 * alpha2 * delta2 + Scalar(9.0) * omega0_2 * alpha3
+      - Scalar(10.0) * alpha2_2) / (Scalar(24.0) * omega0_2);
+  lumps[6] = eta1;  // eta1
+  lumps[7] = eta2;  // eta2
+  lumps[8] = -omega0_2 * delta2 + alpha2;  // alpha_0
+  lumps[9] = -Scalar(3.0) * omega0_2 * delta2 + alpha2;  // alpha_q
+  // harmonic_re_v_A_v2_F
+  lumps[10] = (Scalar(17.0) * omega0_2 * delta2 * eta2 - Scalar(3.0) * alpha2 * eta2) / (Scalar(48.0) * omega0_4);
+  // harmonic_re_v_A_v3
+  lumps[11] = (Scalar(42.0) * omega0_4 * delta2_2 - Scalar(6.0) * omega0_4 * delta3
+      - Scalar(20.0) * omega0_2 * alpha2 * delta2 + Scalar(3.0) * omega0_2 * alpha3
+      + Scalar(2.0) * alpha2_2) / (Scalar(24.0) * omega0_4);
+}
+
+/// jacobian[l * 10 + p] = d lumps[l] / d parameters[p]. 90 operations.
+template <class Scalar>
+void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* jacobian) {
+  const Scalar omega0 = parameters[0];
+  const Scalar alpha2 = parameters[4];
+  const Scalar alpha3 = parameters[5];
+  const Scalar delta2 = parameters[6];
+  const Scalar delta3 = parameters[7];
+  const Scalar eta2 = parameters[9];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar omega0_3 = omega0_2 * omega0;
+  const Scalar omega0_4 = omega0_3 * omega0;
+  const Scalar omega0_5 = omega0_4 * omega0;
+  const Scalar alpha2_2 = alpha2 * alpha2;
+  const Scalar delta2_2 = delta2 * delta2;
+  const Scalar eta2_2 = eta2 * eta2;
+  for (std::size_t i = 0; i < 120; ++i) jacobian[i] = Scalar(0.0);
+  // d conservative_v_A_v2_F / d omega0
+  jacobian[0] = (omega0_2 * delta2 * eta2 - Scalar(5.0) * alpha2 * eta2) / (Scalar(4.0) * omega0_4);
+  jacobian[4] = Scalar(5.0) * eta2 / (Scalar(12.0) * omega0_3);  // d conservative_v_A_v2_F / d alpha2
+  jacobian[6] = -eta2 / (Scalar(4.0) * omega0);  // d conservative_v_A_v2_F / d delta2
+  // d conservative_v_A_v2_F / d eta2
+  jacobian[9] = (-Scalar(3.0) * omega0_2 * delta2 + Scalar(5.0) * alpha2) / (Scalar(12.0) * omega0_3);
+  jacobian[11] = Scalar(1.0);  // d mu1 / d mu1
+  jacobian[20] = eta2_2 / (Scalar(4.0) * omega0_4);  // d conservative_v_A_v_F2 / d omega0
+  jacobian[29] = -eta2 / (Scalar(6.0) * omega0_3);  // d conservative_v_A_v_F2 / d eta2
+  jacobian[32] = Scalar(1.0);  // d mu2 / d mu2
+  jacobian[43] = Scalar(1.0);  // d mu3 / d mu3
+  // d alpha_e / d omega0
+  jacobian[50] = (Scalar(3.0) * omega0_4 * delta2_2 - Scalar(3.0) * omega0_4 * delta3
+      + Scalar(5.0) * alpha2_2) / (Scalar(6.0) * omega0_3);
+  // d alpha_e / d alpha2
+  jacobian[54] = (Scalar(3.0) * omega0_2 * delta2 - Scalar(5.0) * alpha2) / (Scalar(6.0) * omega0_2);
+  jacobian[55] = Scalar(3.0) / Scalar(8.0);  // d alpha_e / d alpha3
+  jacobian[56] = (omega0_2 * delta2 + alpha2) / Scalar(2.0);  // d alpha_e / d delta2
+  jacobian[57] = -omega0_2 / Scalar(4.0);  // d alpha_e / d delta3
+  jacobian[68] = Scalar(1.0);  // d eta1 / d eta1
+  jacobian[79] = Scalar(1.0);  // d eta2 / d eta2
+  jacobian[80] = -Scalar(2.0) * omega0 * delta2;  // d alpha_0 / d omega0
+  jacobian[84] = Scalar(1.0);  // d alpha_0 / d alpha2
+  jacobian[86] = -omega0_2;  // d alpha_0 / d delta2
+  jacobian[90] = -Scalar(6.0) * omega0 * delta2;  // d alpha_q / d omega0
+  jacobian[94] = Scalar(1.0);  // d alpha_q / d alpha2
+  jacobian[96] = -Scalar(3.0) * omega0_2;  // d alpha_q / d delta2
+  // d harmonic_re_v_A_v2_F / d omega0
+  jacobian[100] = (-Scalar(17.0) * omega0_2 * delta2 * eta2
+      + Scalar(6.0) * alpha2 * eta2) / (Scalar(24.0) * omega0_5);
+  jacobian[104] = -eta2 / (Scalar(16.0) * omega0_4);  // d harmonic_re_v_A_v2_F / d alpha2
+  jacobian[106] = Scalar(17.0) * eta2 / (Scalar(48.0) * omega0_2);  // d harmonic_re_v_A_v2_F / d delta2
+  // d harmonic_re_v_A_v2_F / d eta2
+  jacobian[109] = (Scalar(17.0) * omega0_2 * delta2 - Scalar(3.0) * alpha2) / (Scalar(48.0) * omega0_4);
+  // d harmonic_re_v_A_v3 / d omega0
+  jacobian[110] = (Scalar(20.0) * omega0_2 * alpha2 * delta2 - Scalar(3.0) * omega0_2 * alpha3
+      - Scalar(4.0) * alpha2_2) / (Scalar(12.0) * omega0_5);
+  // d harmonic_re_v_A_v3 / d alpha2
+  jacobian[114] = (-Scalar(5.0) * omega0_2 * delta2 + alpha2) / (Scalar(6.0) * omega0_4);
+  jacobian[115] = Scalar(1.0) / (Scalar(8.0) * omega0_2);  // d harmonic_re_v_A_v3 / d alpha3
+  // d harmonic_re_v_A_v3 / d delta2
+  jacobian[116] = (Scalar(21.0) * omega0_2 * delta2 - Scalar(5.0) * alpha2) / (Scalar(6.0) * omega0_2);
+  jacobian[117] = -Scalar(1.0) / Scalar(4.0);  // d harmonic_re_v_A_v3 / d delta3
+}
+
+/// Regressor rows of the modulation of v: target = sum of columns[j][i] * lump_j.
+/// (rate - i*omega0)*A_v = i*conservative_v_A_v2_F*A_v^2*F + 2*i*conservative_v_A_v2_F*A_v*conj(A_v)*F - mu1*A_v
+/// + i*conservative_v_A_v_F2*A_v*F^2 + 3/2*i*conservative_v_A_v_F2*conj(A_v)*F^2 -
+/// 8*omega0/(3*Pi)*mu2*A_v*abs(A_v) - 3*omega0^2/2*mu3*A_v^2*conj(A_v) + 4/omega0*i*alpha_e*A_v^2*conj(A_v) -
+/// 1/(4*omega0)*i*eta1*F
+/// 7 columns; per observation 18 complex products, 2 complex sums.
+inline void columns_0(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar omega0 = data.natural_frequency[0];
+  const Scalar pi = std::numbers::pi;
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar factor_0_0 = Scalar(1.0);
+  const Scalar factor_0_1 = Scalar(2.0);
+  const Scalar factor_1_0 = -Scalar(1.0);
+  const Scalar factor_2_0 = Scalar(1.0);
+  const Scalar factor_2_1 = Scalar(3.0) / Scalar(2.0);
+  const Scalar factor_3_0 = -Scalar(8.0) * omega0 / (Scalar(3.0) * pi);
+  const Scalar factor_4_0 = -Scalar(3.0) * omega0_2 / Scalar(2.0);
+  const Scalar factor_5_0 = Scalar(4.0) / omega0;
+  const Scalar factor_6_0 = -Scalar(1.0) / (Scalar(4.0) * omega0);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Complex conj_A_v = std::conj(A_v);
+    const Scalar norm_A_v = std::norm(A_v);
+    const Scalar abs_A_v = std::abs(A_v);
+    const Complex F = data.forcing[0][i];
+    const Complex conj_F = std::conj(F);
+    const Scalar norm_F = std::norm(F);
+    // conservative_v_A_v2_F
+    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (A_v * A_v * conj_F)
+        + Complex(Scalar(0), Scalar(1)) * factor_0_1 * (norm_A_v * F);
+    columns[1][i] = factor_1_0 * (A_v);  // mu1
+    // conservative_v_A_v_F2
+    columns[2][i] = Complex(Scalar(0), Scalar(1)) * factor_2_0 * (A_v * norm_F)
+        + Complex(Scalar(0), Scalar(1)) * factor_2_1 * (conj_A_v * F * F);
+    columns[3][i] = factor_3_0 * (abs_A_v * A_v);  // mu2
+    columns[4][i] = factor_4_0 * (norm_A_v * A_v);  // mu3
+    columns[5][i] = Complex(Scalar(0), Scalar(1)) * factor_5_0 * (norm_A_v * A_v);  // alpha_e
+    columns[6][i] = Complex(Scalar(0), Scalar(1)) * factor_6_0 * (F);  // eta1
+  }
+}
+
+/// Regressor rows of the harmonic 0 of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(0)*t) in v = 1/(4*omega0*Omega - 2*Omega^2)*eta2*conj(A_v)*F + 1/(4*omega0*Omega -
+/// 2*Omega^2)*eta2*A_v*F - 2/omega0^2*alpha_0*A_v*conj(A_v)
+/// 2 columns; per observation 5 complex products, 1 complex sums.
+inline void columns_1(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar omega0 = data.natural_frequency[0];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar factor_1_0 = -Scalar(2.0) / omega0_2;
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Complex conj_A_v = std::conj(A_v);
+    const Scalar norm_A_v = std::norm(A_v);
+    const Complex F = data.forcing[0][i];
+    const Complex conj_F = std::conj(F);
+    const Scalar Omega = data.excitation_frequency[0][i];
+    const Scalar Omega_2 = Omega * Omega;
+    const Scalar factor_0_0 = Scalar(1.0) / (Scalar(4.0) * omega0 * Omega - Scalar(2.0) * Omega_2);
+    const Scalar factor_0_1 = Scalar(1.0) / (Scalar(4.0) * omega0 * Omega - Scalar(2.0) * Omega_2);
+    columns[0][i] = factor_0_0 * (conj_A_v * F) + factor_0_1 * (A_v * conj_F);  // eta2
+    columns[1][i] = factor_1_0 * (norm_A_v);  // alpha_0
+  }
+}
+
+/// Regressor rows of the harmonic omega0+Omega of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(omega0 + Omega)*t) in v = -1/(4*omega0*Omega + 2*Omega^2)*eta2*A_v*F +
+/// 1/(3*omega0^2)*alpha_q*A_v^2
+/// 2 columns; per observation 4 complex products, 0 complex sums.
+inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar omega0 = data.natural_frequency[0];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar factor_1_0 = Scalar(1.0) / (Scalar(3.0) * omega0_2);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Complex F = data.forcing[0][i];
+    const Scalar Omega = data.excitation_frequency[0][i];
+    const Scalar Omega_2 = Omega * Omega;
+    const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(4.0) * omega0 * Omega + Scalar(2.0) * Omega_2);
+    columns[0][i] = factor_0_0 * (A_v * F);  // eta2
+    columns[1][i] = factor_1_0 * (A_v * A_v);  // alpha_q
+  }
+}
+
+/// Regressor rows of the harmonic omega0+2*Omega of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(omega0 + 2*Omega)*t) in v = -1/(8*omega0)*conservative_v_A_v_F2*A_v*F^2 -
+/// 2/(15*Pi)*i*mu2*A_v^3*abs(A_v)^-1 - omega0/8*i*mu3*A_v^3 + harmonic_re_v_A_v2_F*A_v^2*F +
+/// harmonic_re_v_A_v3*A_v^3
+/// 5 columns; per observation 15 complex products, 0 complex sums.
+inline void columns_3(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar omega0 = data.natural_frequency[0];
+  const Scalar pi = std::numbers::pi;
+  const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(8.0) * omega0);
+  const Scalar factor_1_0 = -Scalar(2.0) / (Scalar(15.0) * pi);
+  const Scalar factor_2_0 = -omega0 / Scalar(8.0);
+  const Scalar factor_3_0 = Scalar(1.0);
+  const Scalar factor_4_0 = Scalar(1.0);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Scalar abs_A_v = std::abs(A_v);
+    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+    const Complex F = data.forcing[0][i];
+    columns[0][i] = factor_0_0 * (A_v * F * F);  // conservative_v_A_v_F2
+    columns[1][i] = Complex(Scalar(0), Scalar(1)) * factor_1_0 * (unit_A_v * A_v * A_v);  // mu2
+    columns[2][i] = Complex(Scalar(0), Scalar(1)) * factor_2_0 * (A_v * A_v * A_v);  // mu3
+    columns[3][i] = factor_3_0 * (A_v * A_v * F);  // harmonic_re_v_A_v2_F
+    columns[4][i] = factor_4_0 * (A_v * A_v * A_v);  // harmonic_re_v_A_v3
+  }
+}
+
+/// Regressor rows of the harmonic 5*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(5*omega0)*t) in v = -2/(315*Pi)*i*mu2*A_v^5*abs(A_v)^-3
+/// 1 columns; per observation 5 complex products, 0 complex sums.
+inline void columns_4(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar pi = std::numbers::pi;
+  const Scalar factor_0_0 = -Scalar(2.0) / (Scalar(315.0) * pi);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Scalar abs_A_v = std::abs(A_v);
+    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+    // mu2
+    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (unit_A_v * unit_A_v * unit_A_v * A_v * A_v);
+  }
+}
+
+/// Regressor rows of the harmonic 7*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(7*omega0)*t) in v = -1/(945*Pi)*i*mu2*A_v^7*abs(A_v)^-5
+/// 1 columns; per observation 3 complex products, 0 complex sums.
+inline void columns_5(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar pi = std::numbers::pi;
+  const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(945.0) * pi);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Scalar abs_A_v = std::abs(A_v);
+    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (integer_power(unit_A_v, 5) * A_v * A_v);  // mu2
+  }
+}
+
+/// Regressor rows of the harmonic 9*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// amplitude of exp(i*(9*omega0)*t) in v = -1/(3465*Pi)*i*mu2*A_v^9*abs(A_v)^-7
+/// 1 columns; per observation 3 complex products, 0 complex sums.
+inline void columns_6(const ObservationBatch& data, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = std::complex<double>;
+  const Scalar pi = std::numbers::pi;
+  const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(3465.0) * pi);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = data.amplitude[0][i];
+    const Scalar abs_A_v = std::abs(A_v);
+    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (integer_power(unit_A_v, 7) * A_v * A_v);  // mu2
+  }
+}
+
+/// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state.
+/// dB_v/dt + i*(w_v - omega0)*B_v = i*conservative_v_A_v2_F*A_v^2*F + 2*i*conservative_v_A_v2_F*A_v*conj(A_v)*F
+/// - mu1*A_v + i*conservative_v_A_v_F2*A_v*F^2 + 3/2*i*conservative_v_A_v_F2*conj(A_v)*F^2 -
+/// 8*omega0/(3*Pi)*mu2*A_v*abs(A_v) - 3*omega0^2/2*mu3*A_v^2*conj(A_v) + 4/omega0*i*alpha_e*A_v^2*conj(A_v) -
+/// 1/(4*omega0)*i*eta1*F with A = B in that frame
+template <class Scalar>
+void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
+                const std::complex<Scalar>* amplitude,
+                [[maybe_unused]] const std::complex<Scalar>* forcing, std::complex<Scalar>* derivative) {
+  using Complex = std::complex<Scalar>;
+  const Scalar omega0 = parameters[0];
+  const Scalar pi = std::numbers::pi_v<Scalar>;
+  const Scalar omega0_2 = omega0 * omega0;
+  Scalar lumps[12];
+  evaluate_lumps(parameters, lumps);
+  const Complex A_v = amplitude[0];
+  const Complex conj_A_v = std::conj(A_v);
+  const Scalar norm_A_v = std::norm(A_v);
+  const Scalar abs_A_v = std::abs(A_v);
+  const Complex F = forcing[0];
+  const Complex conj_F = std::conj(F);
+  const Scalar norm_F = std::norm(F);
+  derivative[0] = Complex(Scalar(0), Scalar(1)) * (lumps[0] * Scalar(1.0) * (A_v * A_v * conj_F))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[0] * Scalar(2.0) * (norm_A_v * F))
+       + (lumps[1] * -Scalar(1.0) * (A_v))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[2] * Scalar(1.0) * (A_v * norm_F))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[2] * Scalar(3.0) / Scalar(2.0) * (conj_A_v * F * F))
+       + (lumps[3] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * (abs_A_v * A_v))
+       + (lumps[4] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * (norm_A_v * A_v))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[5] * Scalar(4.0) / omega0 * (norm_A_v * A_v))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[6] * -Scalar(1.0) / (Scalar(4.0) * omega0) * (F))
+       - Complex(Scalar(0), Scalar(-1.0) / Scalar(1.0) * omega0
+      + Scalar(1.0) / Scalar(1.0) * excitation_frequency[0]) * A_v;
+}
+
+}  // namespace primary
+
+}  // namespace secular::generated::two_mass_mode1

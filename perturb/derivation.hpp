@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "perturb/field.hpp"
+#include "perturb/model.hpp"
+#include "perturb/resonance.hpp"
+
+namespace secular {
+
+/// Which value an excitation frequency has inside coefficients. nominal: the one that the relations give it
+/// (2*omega0), its difference acting through slow time; kept: its own symbol wherever the forcing put it.
+enum class OmegaPolicy { nominal, kept };
+
+/// A second- or higher-order expansion by the method of multiple scales.
+///
+/// v_k = A_k exp(i w_k t) + conj + sum_n eps^n v_{k,n}, dA_k/dt = sum_n eps^n D_n A_k.
+/// Gauge: A_k is the whole coefficient of exp(i w_k t) in v_k; homogeneous solutions are left out at every order.
+struct Derivation {
+  const Model* model = nullptr;
+  const ResonanceCase* resonance = nullptr;
+  OmegaPolicy policy = OmegaPolicy::nominal;
+  FieldLayout layout;
+  ResonanceLattice lattice;
+  std::vector<FieldSeries> response;  ///< [mode][order], order 0 with its leading oscillation
+  std::vector<FieldSeries>
+      slow_derivative;                ///< [mode][n] = D_n A_mode (empty at n = 0), phases reduced to slow ones
+  std::vector<std::string> warnings;  ///< small divisors and unlisted resonances at the nominal frequencies
+
+  /// dA_mode/dt in true time, all orders summed with eps = 1.
+  Field modulation(std::size_t mode) const;
+  /// Phase of a key in true frequencies: its slow part put back as multiples of the relations.
+  Phase full_phase(const FieldKey& key) const;
+};
+
+/// Throws InputError for what cannot be derived (see ordered_equations, and nonsmooth terms below the highest order
+/// or acting on more than one harmonic). `model` must outlive the result.
+Derivation derive(const Model& model, const ResonanceCase& resonance, OmegaPolicy policy = OmegaPolicy::nominal);
+
+}  // namespace secular

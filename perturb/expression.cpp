@@ -1,0 +1,262 @@
+#include "perturb/expression.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "input/input_error.hpp"
+
+namespace secular {
+
+void fail_at(const FormulaSource& source, const SourcePlace& place, const std::string& wrong,
+             const std::string& right) {
+  throw InputError(source.file, "line " + std::to_string(place.line) + ", column " + std::to_string(place.column),
+                   wrong, right);
+}
+
+namespace {
+
+constexpr int deepest_nesting =
+    200;  // two levels a parenthesis: far more than a formula needs, far less than the stack
+constexpr std::array<std::string_view, 6> function_names = {"D", "D2", "abs", "sgn", "cos", "sin"};
+
+bool starts_identifier(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+class Parser {
+ public:
+  explicit Parser(const FormulaSource& source) : source_(source), line_(source.first_line) { skip_blanks(); }
+
+  Expression sum() {
+    const Nesting guard(*this);
+    std::vector<Expression> terms;
+    const SourcePlace start = place();
+    terms.push_back(product());
+    while (next() == '+' || next() == '-') {
+      const bool minus = next() == '-';
+      const SourcePlace at = place();
+      advance();
+      Expression term = product();
+      if (minus) term = Expression{Expression::Kind::negation, at, "-", {std::move(term)}};
+      terms.push_back(std::move(term));
+    }
+    if (terms.size() == 1) return std::move(terms.front());
+    return Expression{Expression::Kind::sum, start, "+", std::move(terms)};
+  }
+
+  bool take(char c) {
+    if (next() != c) return false;
+    advance();
+    return true;
+  }
+
+  void expect_end() {
+    if (next() == '\0' && position_ >= source_.text.size()) return;
+    if (next() == ')') fail_at(source_, place(), "')' without its '('", "remove it or open the parenthesis");
+    if (next() == '=') fail_at(source_, place(), "a second '='", "one equation has one '='");
+    fail_at(source_, place(), "unexpected " + shown(), "an operator + - * / ^ or the end was expected");
+  }
+
+  void expect_more(const char* what) {
+    if (position_ >= source_.text.size()) fail_at(source_, place(), "the formula ends too early", what);
+  }
+
+ private:
+  // Limits recursion: a formula nested a million deep is an error, not a stack overflow.
+  class Nesting {
+   public:
+    explicit Nesting(Parser& parser) : parser_(parser) {
+      if (++parser_.depth_ > deepest_nesting)
+        fail_at(parser_.source_, parser_.place(),
+                "nested deeper than " + std::to_string(deepest_nesting) + " levels",
+                "write the formula with fewer parentheses");
+    }
+    ~Nesting() { --parser_.depth_; }
+    Nesting(const Nesting&) = delete;
+    Nesting& operator=(const Nesting&) = delete;
+
+   private:
+    Parser& parser_;
+  };
+
+  Expression product() {
+    const SourcePlace start = place();
+    std::vector<Expression> factors;
+    factors.push_back(signed_power());
+    while (next() == '*' || next() == '/') {
+      const bool divides = next() == '/';
+      const SourcePlace at = place();
+      advance();
+      Expression factor = signed_power();
+      if (!divides) {
+        factors.push_back(std::move(factor));
+        continue;
+      }
+      Expression numerator = collapse(std::move(factors), start);
+      factors.clear();
+      factors.push_back(Expression{Expression::Kind::quotient, at, "/", {std::move(numerator), std::move(factor)}});
+      if (++quotients_ > deepest_nesting)
+        fail_at(source_, at, "more than " + std::to_string(deepest_nesting) + " divisions in one formula",
+                "collect them into one denominator");
+    }
+    return collapse(std::move(factors), start);
+  }
+
+  static Expression collapse(std::vector<Expression> factors, SourcePlace start) {
+    if (factors.size() == 1) return std::move(factors.front());
+    return Expression{Expression::Kind::product, start, "*", std::move(factors)};
+  }
+
+  Expression signed_power() {
+    const Nesting guard(*this);
+    const SourcePlace at = place();
+    if (take('-')) return Expression{Expression::Kind::negation, at, "-", {signed_power()}};
+    if (take('+')) return signed_power();
+    Expression base = primary();
+    const SourcePlace power_at = place();
+    if (!take('^')) return base;
+    return Expression{Expression::Kind::power, power_at, "^", {std::move(base), signed_power()}};
+  }
+
+  Expression primary() {
+    expect_more("a number, a symbol or '(' was expected");
+    const SourcePlace at = place();
+    if (take('(')) {
+      Expression inside = sum();
+      if (!take(')')) fail_at(source_, at, "'(' is never closed", "add the missing ')'");
+      return inside;
+    }
+    if (is_digit(next()) || next() == '.') return Expression{Expression::Kind::number, at, number_text(), {}};
+    if (starts_identifier(next())) {
+      std::string name = identifier_text();
+      if (next() != '(') {
+        if (is_function(name))
+          fail_at(source_, at, "function " + name + " without argument", "write " + name + "(...)");
+        return Expression{Expression::Kind::symbol, at, std::move(name), {}};
+      }
+      if (!is_function(name))
+        fail_at(source_, at, "unknown function " + name, "known are D, D2, abs, sgn, cos, sin");
+      advance();
+      Expression argument = sum();
+      if (!take(')'))
+        fail_at(source_, place(), "the argument of " + name + " is not closed", "')' was expected here");
+      return Expression{Expression::Kind::call, at, std::move(name), {std::move(argument)}};
+    }
+    fail_at(source_, at, "unexpected " + shown(), "a number, a symbol, a function or '(' was expected");
+  }
+
+  static bool is_function(const std::string& name) {
+    return std::find(function_names.begin(), function_names.end(), name) != function_names.end();
+  }
+
+  std::string number_text() {
+    const SourcePlace at = place();
+    const std::size_t begin = position_;
+    const auto digits = [&] {
+      while (is_digit(raw())) ++position_;
+    };
+    digits();
+    if (raw() == '.') {
+      ++position_;
+      digits();
+    }
+    if (position_ - begin == 1 && source_.text[begin] == '.')
+      fail_at(source_, at, "'.' is not a number", "write digits, for example 0.25");
+    if (raw() == 'e' || raw() == 'E') {
+      std::size_t probe = position_ + 1;
+      if (probe < source_.text.size() && (source_.text[probe] == '+' || source_.text[probe] == '-')) ++probe;
+      if (probe >= source_.text.size() || !is_digit(source_.text[probe]))
+        fail_at(source_, at, "a number with an empty exponent", "write for example 1.5e-3");
+      position_ = probe;
+      digits();
+    }
+    std::string text = source_.text.substr(begin, position_ - begin);
+    if (text.size() > 400) fail_at(source_, at, "a number of more than 400 characters", "shorten it");
+    if (starts_identifier(raw()))
+      fail_at(source_, place(), "a symbol directly after the number " + text, "write '*' between them");
+    skip_blanks();
+    return text;
+  }
+
+  std::string identifier_text() {
+    const SourcePlace at = place();
+    const std::size_t begin = position_;
+    while (starts_identifier(raw()) || is_digit(raw())) ++position_;
+    std::string text = source_.text.substr(begin, position_ - begin);
+    if (text.size() > 64) fail_at(source_, at, "a symbol of more than 64 characters", "choose a shorter name");
+    skip_blanks();
+    return text;
+  }
+
+  char raw() const { return position_ < source_.text.size() ? source_.text[position_] : '\0'; }
+  char next() const { return raw(); }
+  void advance() {
+    ++position_;
+    skip_blanks();
+  }
+  void skip_blanks() {
+    for (; position_ < source_.text.size(); ++position_) {
+      const char c = source_.text[position_];
+      if (c == '\n') {
+        ++line_;
+        line_begin_ = position_ + 1;
+      } else if (c != ' ' && c != '\t' && c != '\r') {
+        break;
+      }
+    }
+  }
+  SourcePlace place() const { return {line_, static_cast<std::uint32_t>(position_ - line_begin_ + 1)}; }
+  std::string shown() const {
+    const auto c = static_cast<unsigned char>(raw());
+    if (position_ >= source_.text.size()) return "end of the formula";
+    if (c < 0x20 || c >= 0x7f) return "character with code " + std::to_string(static_cast<int>(c));
+    return "'" + std::string(1, static_cast<char>(c)) + "'";
+  }
+
+  const FormulaSource& source_;
+  std::size_t position_ = 0;
+  std::size_t line_begin_ = 0;
+  std::uint32_t line_ = 1;
+  int depth_ = 0;
+  int quotients_ = 0;
+};
+
+void collect_identifiers(const Expression& expression, std::vector<std::string>& names) {
+  if (expression.kind == Expression::Kind::symbol &&
+      std::find(names.begin(), names.end(), expression.text) == names.end())
+    names.push_back(expression.text);
+  for (const Expression& operand : expression.operands) collect_identifiers(operand, names);
+}
+
+}  // namespace
+
+Expression parse_expression(const FormulaSource& source) {
+  Parser parser(source);
+  Expression expression = parser.sum();
+  parser.expect_end();
+  return expression;
+}
+
+Equation parse_equation(const FormulaSource& source) {
+  Parser parser(source);
+  Equation equation{parser.sum(), {}};
+  if (!parser.take('=')) {
+    parser.expect_end();
+    fail_at(source, {source.first_line, 1}, "is not an equation", "write left = right");
+  }
+  equation.right.push_back(parser.sum());
+  parser.expect_end();
+  return equation;
+}
+
+std::vector<std::string> identifiers(const Expression& expression) {
+  std::vector<std::string> names;
+  collect_identifiers(expression, names);
+  return names;
+}
+
+}  // namespace secular

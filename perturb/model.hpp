@@ -1,0 +1,88 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "perturb/expression.hpp"
+#include "perturb/symbol_table.hpp"
+
+namespace secular {
+
+/// One degree of freedom and its equation of motion. For a Lagrangian model `equation` is absent and `force` is the
+/// non-conservative right-hand side.
+struct Mode {
+  std::string coordinate;
+  std::string frequency;  ///< symbol of the natural frequency
+  FormulaSource source;
+  std::optional<Equation> equation;
+  std::optional<Expression> force;
+};
+
+/// F*cos(Omega*t): `amplitude` is F, `frequency` is Omega.
+struct Excitation {
+  std::string amplitude;
+  std::string frequency;
+};
+
+/// An integer relation between frequencies: sum_j multiples[j] * f_j = coefficient * eps^order * detuning, over the
+/// natural frequencies and then the excitation frequencies.
+struct ResonanceRelation {
+  std::vector<int> multiples;
+  std::string detuning;  ///< empty: exactly resonant
+  int order = 0;
+  GiNaC::numeric coefficient = 1;
+  std::string text;
+  std::uint32_t line = 0;
+};
+
+struct ResonanceCase {
+  std::string name;
+  std::vector<ResonanceRelation> relations;
+  std::map<std::string, int> order;  ///< power of eps a coefficient symbol brings
+  bool degree_ordering = false;
+  int expand_to = 2;
+  std::vector<bool> mode_at_rest;
+  bool excited = true;
+  std::uint32_t line = 0;
+};
+
+/// A named combination of symbols, so that printed results read like the source.
+struct Shorthand {
+  std::string name;
+  FormulaSource source;
+  Expression expression;
+};
+
+struct Lagrangian {
+  FormulaSource kinetic_source, potential_source;
+  Expression kinetic, potential;
+};
+
+/// A model file (schema 1), read and checked. Physics once, resonance cases many.
+struct Model {
+  std::string file;
+  std::string name;
+  std::string source;
+  std::vector<Mode> modes;
+  std::optional<Lagrangian> lagrangian;
+  std::vector<Excitation> excitations;
+  std::vector<std::string> parameters;  ///< coefficient symbols in order of first appearance
+  std::vector<ResonanceCase> cases;
+  std::vector<Shorthand> shorthands;
+  std::map<std::string, double> nominal;
+  SymbolTable symbols;
+
+  const ResonanceCase& find_case(const std::string& name) const;  ///< throws InputError listing the cases
+  GiNaC::ex frequency(std::size_t index) const;  ///< natural frequencies, then excitation frequencies
+  const std::string& frequency_name(std::size_t index) const;
+  std::size_t frequency_count() const { return modes.size() + excitations.size(); }
+};
+
+/// Throws InputError with file, line and the offending piece.
+Model read_model(const std::filesystem::path& path);
+Model read_model_text(const std::string& text, const std::string& name);
+
+}  // namespace secular

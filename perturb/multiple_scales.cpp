@@ -1,0 +1,395 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+#include "input/input_error.hpp"
+#include "perturb/derivation.hpp"
+#include "perturb/nonsmooth.hpp"
+#include "perturb/ordered_equation.hpp"
+
+namespace secular {
+namespace {
+
+class MultipleScales {
+ public:
+  explicit MultipleScales(Derivation& derivation)
+      : d_(derivation),
+        layout_(derivation.layout),
+        equations_(ordered_equations(*derivation.model, *derivation.resonance)),
+        highest_(derivation.resonance->expand_to) {
+    for (std::size_t i = 0; i < layout_.modes; ++i) frequencies_.push_back(d_.model->frequency(i));
+    for (std::size_t j = 0; j < layout_.excitations; ++j)
+      frequencies_.push_back(nominal() ? d_.lattice.resonant_frequency(j) : d_.model->frequency(layout_.modes + j));
+    refuse_unsupported_nonsmooth_terms();
+  }
+
+  void run() {
+    const auto size = static_cast<std::size_t>(highest_) + 1;
+    d_.response.assign(layout_.modes, FieldSeries(size));
+    d_.slow_derivative.assign(layout_.modes, FieldSeries(size));
+    for (std::size_t k = 0; k < layout_.modes; ++k) leading_order(k);
+    for (int order = 1; order <= highest_; ++order) {
+      const SeriesCache cache(*this);
+      std::vector<Field> forcing(layout_.modes);
+      for (std::size_t k = 0; k < layout_.modes; ++k) forcing[k] = right_hand_side(k, order, cache);
+      for (std::size_t k = 0; k < layout_.modes; ++k) solve(k, order, forcing[k]);
+    }
+  }
+
+ private:
+  bool nominal() const { return d_.policy == OmegaPolicy::nominal; }
+
+  // Time derivatives of every mode and excitation with what is known before an order is solved.
+  struct SeriesCache {
+    explicit SeriesCache(const MultipleScales& m) {
+      for (std::size_t k = 0; k < m.layout_.modes; ++k) {
+        const FieldSeries first = m.time_derivative(m.d_.response[k]);
+        coordinate.push_back({m.d_.response[k], first, m.time_derivative(first)});
+      }
+      for (std::size_t j = 0; j < m.layout_.excitations; ++j) {
+        FieldSeries value(static_cast<std::size_t>(m.highest_) + 1);
+        value[0] = m.harmonic_wave(j, 1, GiNaC::numeric(1, 2), true);
+        const FieldSeries first = m.time_derivative(value);
+        excitation.push_back({value, first, m.time_derivative(first)});
+      }
+    }
+    std::vector<std::vector<FieldSeries>> coordinate, excitation;  // [index][derivative]
+  };
+
+  // coefficient*exp(i*multiple*Omega*t) + conjugate, with or without the amplitude F.
+  Field harmonic_wave(std::size_t excitation, int multiple, const GiNaC::ex& coefficient, bool amplitude) const {
+    Field wave;
+    for (const int sign : {1, -1}) {
+      FieldKey key(layout_.size(), 0);
+      key[layout_.modes + excitation] = sign * multiple;
+      if (amplitude) key[layout_.forcing(excitation)] = 1;
+      wave.add(key, sign > 0 ? coefficient : coefficient.conjugate());
+    }
+    return wave;
+  }
+
+  GiNaC::ex fast_frequency(const FieldKey& key) const {
+    GiNaC::ex sum = 0;
+    for (std::size_t i = 0; i < layout_.frequencies(); ++i)
+      if (key[i] != 0) sum += key[i] * frequencies_[i];
+    return sum.expand();
+  }
+
+  // D_0: every term times i*(phase.f).
+  Field fast_derivative(const Field& field) const {
+    Field result;
+    for (const auto& [key, coefficient] : field.terms()) {
+      const GiNaC::ex frequency = fast_frequency(key);
+      if (!frequency.is_zero()) result.add(key, (coefficient * GiNaC::I * frequency).expand());
+    }
+    return result;
+  }
+
+  // Rate of the explicit slow phases on scale T_n: detunings in the slow part, and (nominal policy) what each
+  // excitation frequency has beyond its resonant value.
+  GiNaC::ex explicit_slow_rate(const FieldKey& key, int n) const {
+    GiNaC::ex rate = 0;
+    for (std::size_t r = 0; r < layout_.relations; ++r) {
+      const ResonanceRelation& relation = d_.resonance->relations[r];
+      if (relation.detuning.empty() || relation.order != n) continue;
+      GiNaC::numeric multiple = relation.coefficient * key[layout_.slow(r)];
+      if (nominal())
+        for (std::size_t j = 0; j < layout_.excitations; ++j)
+          multiple += d_.lattice.resonant_offset(j)[r] * key[layout_.modes + j];
+      if (!multiple.is_zero()) rate += multiple * d_.model->symbols.at(relation.detuning);
+    }
+    return rate;
+  }
+
+  // D_n for n >= 1: chain rule through A, conj A, |A| with the D_n A known so far, and the explicit slow phases.
+  Field slow_derivative(const Field& field, int n) const {
+    Field result;
+    const auto scale = static_cast<std::size_t>(n);
+    for (const auto& [key, coefficient] : field.terms()) {
+      const GiNaC::ex rate = explicit_slow_rate(key, n);
+      if (!rate.is_zero()) result.add(key, (coefficient * GiNaC::I * rate).expand());
+      for (std::size_t k = 0; k < layout_.modes; ++k) {
+        const Field& forward = d_.slow_derivative[k][scale];
+        if (forward.empty()) continue;
+        const auto chain = [&](std::size_t lowered, int by, const GiNaC::ex& factor, const Field& derivative,
+                               std::size_t raised) {
+          Field one;
+          FieldKey lower = key;
+          lower[lowered] -= by;
+          if (raised != lowered) ++lower[raised];
+          one.add(lower, (coefficient * factor).expand());
+          result += one * derivative;
+        };
+        if (const int power = key[layout_.amplitude(k)])
+          chain(layout_.amplitude(k), 1, power, forward, layout_.amplitude(k));
+        const int conjugate_power = key[layout_.conjugate(k)], modulus_power = key[layout_.modulus(k)];
+        if (conjugate_power == 0 && modulus_power == 0) continue;
+        const Field backward = forward.conjugated(layout_);
+        if (conjugate_power) chain(layout_.conjugate(k), 1, conjugate_power, backward, layout_.conjugate(k));
+        if (modulus_power) {
+          // D|A| = (conj(A) DA + A D conj(A)) / (2|A|)
+          const GiNaC::ex half = GiNaC::numeric(modulus_power, 2);
+          chain(layout_.modulus(k), 2, half, forward, layout_.conjugate(k));
+          chain(layout_.modulus(k), 2, half, backward, layout_.amplitude(k));
+        }
+      }
+    }
+    return result.with_moduli_joined(layout_);
+  }
+
+  FieldSeries time_derivative(const FieldSeries& series) const {
+    FieldSeries result(series.size());
+    for (std::size_t order = 0; order < series.size(); ++order) {
+      result[order] += fast_derivative(series[order]);
+      for (std::size_t n = 1; n <= order; ++n)
+        if (!series[order - n].empty()) result[order] += slow_derivative(series[order - n], static_cast<int>(n));
+    }
+    return result;
+  }
+
+  void leading_order(std::size_t k) {
+    Field& field = d_.response[k][0];
+    if (!d_.resonance->mode_at_rest[k])
+      for (const int sign : {1, -1}) {
+        FieldKey key(layout_.size(), 0);
+        key[k] = sign;
+        key[sign > 0 ? layout_.amplitude(k) : layout_.conjugate(k)] = 1;
+        field.add(key, 1);
+      }
+    // Hard forcing: excitation terms at order 0.
+    const SeriesCache cache(*this);
+    const Field forcing = right_hand_side(k, 0, cache);
+    for (const auto& [key, coefficient] : forcing.terms()) {
+      if (d_.lattice.slow_multipliers(relative_phase(key, k)))
+        throw InputError(d_.model->file, place(),
+                         "forcing of order eps^0 excites mode '" + d_.model->modes[k].coordinate + "' at resonance",
+                         "give the coefficient of the direct excitation a positive order");
+      field.add(key, coefficient / divisor(key, k));
+    }
+  }
+
+  Phase relative_phase(const FieldKey& key, std::size_t k) const {
+    Phase phase = d_.full_phase(key);
+    --phase[k];
+    return phase;
+  }
+
+  // omega_k^2 - (phase.f)^2, factored so that it stays small.
+  GiNaC::ex divisor(const FieldKey& key, std::size_t k) const {
+    const GiNaC::ex frequency = fast_frequency(key);
+    const GiNaC::ex low = (frequencies_[k] - frequency).expand(), high = (frequencies_[k] + frequency).expand();
+    if (low.is_zero() || high.is_zero())
+      throw InputError(d_.model->file, place(), "division by zero for mode '" + d_.model->modes[k].coordinate + "'",
+                       "the relations hide a resonance: list it");
+    return low * high;
+  }
+
+  // What the equation of mode k has at eps^order besides its own oscillator and D_order A, all moved to the right.
+  Field right_hand_side(std::size_t k, int order, const SeriesCache& cache) const {
+    Field sum;
+    if (order > 0) sum += cache.coordinate[k][2][static_cast<std::size_t>(order)].scaled(-1);
+    for (const OrderedTerm& term : equations_[k].right_hand_side) {
+      if (term.order > order) continue;
+      sum += product(term.factors, order - term.order, cache).scaled(term.coefficient);
+    }
+    return sum;
+  }
+
+  Field product(const FactorProduct& factors, int order, const SeriesCache& cache) const {
+    std::vector<FieldSeries> made;  // clocks and nonsmooth factors, not in the cache
+    made.reserve(factors.size());
+    std::vector<const FieldSeries*> series;
+    int degree = 0;
+    bool nonsmooth = false;
+    for (const auto& [factor, power] : factors) {
+      const auto index = static_cast<std::size_t>(factor.index);
+      const auto derivative = static_cast<std::size_t>(factor.derivative);
+      const FieldSeries* one = nullptr;
+      switch (factor.kind) {
+        case Factor::Kind::coordinate:
+          one = &cache.coordinate[index][derivative];
+          degree += power;
+          break;
+        case Factor::Kind::excitation:
+          one = &cache.excitation[index][derivative];
+          break;
+        case Factor::Kind::clock_cos:
+          made.push_back({harmonic_wave(index, factor.multiple, GiNaC::numeric(1, 2), false)});
+          break;
+        case Factor::Kind::clock_sin:
+          made.push_back({harmonic_wave(index, factor.multiple, -GiNaC::I / 2, false)});
+          break;
+        case Factor::Kind::absolute:
+        case Factor::Kind::sign:
+          nonsmooth = true;
+          break;
+      }
+      if (factor.nonsmooth()) continue;
+      if (!one) one = &made.back();
+      series.insert(series.end(), static_cast<std::size_t>(power), one);
+    }
+    if (!nonsmooth) {
+      if (series.empty()) {
+        Field unit;
+        if (order == 0) unit.add(FieldKey(layout_.size(), 0), 1);
+        return unit;
+      }
+      return product_at_order(series, order);
+    }
+    return nonsmooth_product(factors, series, degree, order);
+  }
+
+  // One nonsmooth factor times smooth ones at leading order: harmonics up to highest_nonsmooth_harmonic are exact,
+  // because the nonsmooth factor is taken `degree` harmonics further.
+  Field nonsmooth_product(const FactorProduct& factors, const std::vector<const FieldSeries*>& smooth, int degree,
+                          int order) const {
+    if (order > 0) return {};  // refused in the constructor unless the term enters at the highest order
+    Field product;
+    for (const auto& [factor, power] : factors) {
+      if (!factor.nonsmooth()) continue;
+      const auto mode = static_cast<std::size_t>(factor.index);
+      if (d_.resonance->mode_at_rest[mode]) return {};
+      product = nonsmooth_harmonics(factor, layout_, frequencies_[mode], highest_nonsmooth_harmonic + degree);
+      for (const FieldSeries* series : smooth) product = product * (*series)[0];
+      Field exact;
+      for (const auto& [key, coefficient] : product.terms())
+        if (std::abs(key[mode]) <= highest_nonsmooth_harmonic) exact.add(key, coefficient);
+      return exact.with_moduli_joined(layout_);
+    }
+    return product;
+  }
+
+  void refuse_unsupported_nonsmooth_terms() const {
+    for (std::size_t k = 0; k < equations_.size(); ++k)
+      for (const OrderedTerm& term : equations_[k].right_hand_side) {
+        int count = 0;
+        for (const auto& [factor, power] : term.factors)
+          if (factor.nonsmooth()) count += power;
+        if (count == 0) continue;
+        const std::string text = to_string(term.factors, *d_.model);
+        if (count > 1)
+          throw InputError(d_.model->file, place(), "term " + text + " multiplies nonsmooth functions",
+                           "write abs(x)^2 as x^2 and sgn(x)^2 as 1");
+        if (term.order < highest_)
+          throw InputError(d_.model->file, place(),
+                           fmt::format("nonsmooth term {} enters at eps^{}, below the order of expansion {}", text,
+                                       term.order, highest_),
+                           fmt::format("give its coefficient order {}", highest_));
+        for (const OrderedTerm& other : equations_[k].right_hand_side)
+          if (other.order == 0)
+            throw InputError(d_.model->file, place(),
+                             "nonsmooth term " + text + " acts on a motion of several harmonics (hard forcing)",
+                             "give the direct excitation a positive order");
+      }
+  }
+
+  void solve(std::size_t k, int order, const Field& forcing) {
+    const auto n = static_cast<std::size_t>(order);
+    for (const auto& [key, raw] : forcing.terms()) {
+      const GiNaC::ex coefficient = cleaned(raw);
+      if (coefficient.is_zero()) continue;
+      if (const auto multipliers = d_.lattice.slow_multipliers(relative_phase(key, k))) {
+        if (d_.resonance->mode_at_rest[k])
+          throw InputError(
+              d_.model->file, place(),
+              "mode '" + d_.model->modes[k].coordinate + "' is listed in modes_at_rest but is excited at resonance",
+              "remove it from modes_at_rest");
+        FieldKey slow = key;
+        for (std::size_t i = 0; i < layout_.frequencies(); ++i) slow[i] = 0;
+        for (std::size_t r = 0; r < layout_.relations; ++r) slow[layout_.slow(r)] = (*multipliers)[r];
+        // -2 i omega_k D_n A_k + coefficient = 0
+        d_.slow_derivative[k][n].add(slow, (coefficient / (2 * GiNaC::I * frequencies_[k])).expand());
+        continue;
+      }
+      Phase opposite = d_.full_phase(key);
+      for (int& multiple : opposite) multiple = -multiple;
+      --opposite[k];
+      if (d_.lattice.slow_multipliers(opposite)) continue;  // conjugate of a secular term
+      warn_if_nearly_resonant(key, k, order);
+      d_.response[k][n].add(key, cleaned(coefficient / divisor(key, k)));
+    }
+  }
+
+  static GiNaC::ex cleaned(const GiNaC::ex& coefficient) {
+    const GiNaC::ex expanded = coefficient.expand();
+    // A zero may hide behind different denominators.
+    return GiNaC::is_a<GiNaC::add>(expanded) && expanded.normal().is_zero() ? GiNaC::ex(0) : expanded;
+  }
+
+  void warn_if_nearly_resonant(const FieldKey& key, std::size_t k, int order) {
+    const auto nominal_value = [&](std::size_t i) {
+      const auto entry = d_.model->nominal.find(d_.model->frequency_name(i));
+      return entry == d_.model->nominal.end() ? std::numeric_limits<double>::quiet_NaN() : entry->second;
+    };
+    double phase_frequency = 0;
+    std::string text;
+    const Phase phase = d_.full_phase(key);
+    for (std::size_t i = 0; i < phase.size(); ++i) {
+      if (phase[i] == 0) continue;
+      double value = nominal_value(i);
+      if (i >= layout_.modes && std::isnan(value)) {
+        GiNaC::exmap numbers;
+        for (std::size_t j = 0; j < layout_.modes; ++j)
+          if (!std::isnan(nominal_value(j))) numbers[d_.model->frequency(j)] = nominal_value(j);
+        const GiNaC::ex resonant = d_.lattice.resonant_frequency(i - layout_.modes).subs(numbers).evalf();
+        if (GiNaC::is_a<GiNaC::numeric>(resonant)) value = GiNaC::ex_to<GiNaC::numeric>(resonant).to_double();
+      }
+      phase_frequency += phase[i] * value;
+      text += fmt::format("{}{}*{}", phase[i] < 0 ? " - " : (text.empty() ? "" : " + "), std::abs(phase[i]),
+                          d_.model->frequency_name(i));
+    }
+    const double omega = nominal_value(k), ratio = 1 - std::abs(phase_frequency) / omega;
+    if (!(std::abs(ratio) < 0.05)) return;
+    const std::string warning = fmt::format(
+        "case {}: at order {} the phase {} excites mode {} within {:.1f} % of its natural frequency: if that is a "
+        "resonance, add a relation for it with its own detuning",
+        d_.resonance->name, order, text, d_.model->modes[k].coordinate, 100 * std::abs(ratio));
+    if (std::find(d_.warnings.begin(), d_.warnings.end(), warning) == d_.warnings.end())
+      d_.warnings.push_back(warning);
+  }
+
+  std::string place() const {
+    return "line " + std::to_string(d_.resonance->line) + ", case " + d_.resonance->name;
+  }
+
+  Derivation& d_;
+  FieldLayout layout_;
+  std::vector<OrderedEquation> equations_;
+  int highest_;
+  std::vector<GiNaC::ex> frequencies_;
+};
+
+}  // namespace
+
+Field Derivation::modulation(std::size_t mode) const {
+  Field sum;
+  for (const Field& field : slow_derivative[mode]) sum += field;
+  return sum;
+}
+
+Phase Derivation::full_phase(const FieldKey& key) const {
+  std::vector<int> multipliers(layout.relations);
+  for (std::size_t r = 0; r < layout.relations; ++r) multipliers[r] = key[layout.slow(r)];
+  Phase phase = lattice.phase_of(multipliers);
+  for (std::size_t i = 0; i < phase.size(); ++i) phase[i] += key[i];
+  return phase;
+}
+
+Derivation derive(const Model& model, const ResonanceCase& resonance, OmegaPolicy policy) {
+  Derivation derivation{&model,
+                        &resonance,
+                        policy,
+                        FieldLayout{model.modes.size(), model.excitations.size(), resonance.relations.size()},
+                        ResonanceLattice(model, resonance),
+                        {},
+                        {},
+                        {}};
+  MultipleScales(derivation).run();
+  return derivation;
+}
+
+}  // namespace secular

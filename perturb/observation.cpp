@@ -1,0 +1,320 @@
+#include "perturb/observation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "input/input_error.hpp"
+#include "perturb/formula_value.hpp"
+
+namespace secular {
+namespace {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+
+// Reduced row echelon form; free unknowns are zero. Nothing if inconsistent. Rows hold coefficients and right side.
+std::optional<std::vector<numeric>> solve(std::vector<std::vector<numeric>> rows, std::size_t unknowns) {
+  std::vector<std::size_t> pivot_column;
+  std::size_t rank = 0;
+  for (std::size_t column = 0; column < unknowns && rank < rows.size(); ++column) {
+    std::size_t pivot = rank;
+    while (pivot < rows.size() && rows[pivot][column].is_zero()) ++pivot;
+    if (pivot == rows.size()) continue;
+    std::swap(rows[pivot], rows[rank]);
+    const numeric lead = rows[rank][column];
+    for (numeric& entry : rows[rank]) entry = entry / lead;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      if (r == rank || rows[r][column].is_zero()) continue;
+      const numeric scale = rows[r][column];
+      for (std::size_t c = 0; c <= unknowns; ++c) rows[r][c] = rows[r][c] - scale * rows[rank][c];
+    }
+    pivot_column.push_back(column);
+    ++rank;
+  }
+  for (std::size_t r = rank; r < rows.size(); ++r)
+    if (!rows[r][unknowns].is_zero()) return std::nullopt;
+  std::vector<numeric> solution(unknowns, 0);
+  for (std::size_t r = 0; r < rank; ++r) solution[pivot_column[r]] = rows[r][unknowns];
+  return solution;
+}
+
+class LumpFinder {
+ public:
+  explicit LumpFinder(const Model& model) : model_(model) {
+    for (const Shorthand& shorthand : model.shorthands)
+      named_.push_back(
+          {shorthand.name, formula_value(shorthand.expression, shorthand.source,
+                                         [&](const Expression& s) { return ex(model.symbols.at(s.text)); })});
+  }
+
+  struct Split {
+    std::size_t lump;
+    ex factor;
+  };
+
+  // coefficient = factor(frequencies) * lump. Nothing if the only fitting lump would depend on an excitation
+  // frequency.
+  std::optional<Split> split(const ex& coefficient, const std::string& fallback_name) {
+    std::vector<std::string> present;
+    for (const std::string& name : model_.parameters)
+      if (coefficient.has(model_.symbols.at(name))) present.push_back(name);
+    if (present.empty()) return Split{use({"one", 1}), coefficient};
+    if (present.size() == 1) {
+      const ex parameter = model_.symbols.at(present.front());
+      const ex ratio = (coefficient / parameter).normal();
+      if (free_of_parameters(ratio)) return Split{use({present.front(), parameter}), ratio};
+    }
+    for (const std::vector<Lump>* candidates : {&named_, &lumps_})
+      for (const Lump& candidate : *candidates) {
+        const ex ratio = (coefficient / candidate.definition).normal();
+        if (free_of_parameters(ratio)) return Split{use(candidate), ratio};
+      }
+    for (const Excitation& excitation : model_.excitations)
+      if (coefficient.has(model_.symbols.at(excitation.frequency))) return std::nullopt;
+    return Split{use({fallback_name, coefficient}), 1};
+  }
+
+  const std::vector<Lump>& lumps() const { return lumps_; }
+  void forget_after(std::size_t count) { lumps_.resize(count); }
+
+ private:
+  bool free_of_parameters(const ex& e) const {
+    return std::none_of(model_.parameters.begin(), model_.parameters.end(),
+                        [&](const std::string& name) { return e.has(model_.symbols.at(name)); });
+  }
+
+  std::size_t use(Lump lump) {
+    for (std::size_t i = 0; i < lumps_.size(); ++i)
+      if (lumps_[i].name == lump.name) return i;
+    lumps_.push_back(std::move(lump));
+    return lumps_.size() - 1;
+  }
+
+  const Model& model_;
+  std::vector<Lump> named_;
+  std::vector<Lump> lumps_;
+};
+
+std::string powers_name(const FieldKey& key, const FieldLayout& layout, const Model& model) {
+  std::string name;
+  const auto add = [&](const std::string& base, int power) {
+    if (power == 0) return;
+    name += (name.empty() ? "" : "_") + base +
+            (power == 1 ? "" : (power < 0 ? "m" : "") + std::to_string(std::abs(power)));
+  };
+  for (std::size_t k = 0; k < layout.modes; ++k) add("A_" + model.modes[k].coordinate, key[layout.amplitude(k)]);
+  for (std::size_t k = 0; k < layout.modes; ++k)
+    add("conjA_" + model.modes[k].coordinate, key[layout.conjugate(k)]);
+  for (std::size_t k = 0; k < layout.modes; ++k) add("absA_" + model.modes[k].coordinate, key[layout.modulus(k)]);
+  for (std::size_t j = 0; j < layout.excitations; ++j) add(model.excitations[j].amplitude, key[layout.forcing(j)]);
+  return name;
+}
+
+// A term of a field with its key, in a fixed order (by key).
+bool append_terms(ObservationBlock& block, LumpFinder& finder, const Derivation& d,
+                  const std::vector<std::pair<FieldKey, ex>>& terms) {
+  for (const auto& [key, coefficient] : terms)
+    for (const bool imaginary : {false, true}) {
+      const ex part = (imaginary ? coefficient.imag_part() : coefficient.real_part()).expand();
+      if (part.is_zero()) continue;
+      const std::string kind = block.modulation ? (imaginary ? "conservative_" : "dissipative_")
+                                                : (imaginary ? "harmonic_im_" : "harmonic_re_");
+      const auto split = finder.split(
+          part, kind + d.model->modes[block.mode].coordinate + "_" + powers_name(key, d.layout, *d.model));
+      if (!split) return false;
+      auto column = std::find_if(block.columns.begin(), block.columns.end(),
+                                 [&](const ObservationBlock::Column& c) { return c.lump == split->lump; });
+      if (column == block.columns.end()) column = block.columns.insert(block.columns.end(), {split->lump, {}});
+      column->terms.push_back({split->factor, imaginary, key});
+    }
+  return true;
+}
+
+std::vector<std::pair<FieldKey, ex>> terms_of(const Field& field) {
+  return {field.terms().begin(), field.terms().end()};
+}
+
+struct PhaseRowLess {
+  bool operator()(const std::vector<numeric>& a, const std::vector<numeric>& b) const {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (a[i] != b[i]) return a[i] < b[i];
+    return false;
+  }
+};
+
+// Harmonic terms of one mode by the frequency at which they are seen.
+std::vector<ObservationBlock> harmonic_blocks(const Derivation& d, const ObservedFrequencies& frequencies,
+                                              std::size_t mode,
+                                              std::vector<std::vector<std::pair<FieldKey, ex>>>& terms) {
+  std::map<std::vector<numeric>, std::size_t, PhaseRowLess> groups;
+  std::vector<ObservationBlock> blocks;
+  for (std::size_t n = 0; n < d.response[mode].size(); ++n)
+    for (const auto& [key, coefficient] : d.response[mode][n].terms()) {
+      Phase phase = d.full_phase(key);
+      Phase own(phase.size(), 0);
+      own[mode] = 1;
+      if (n == 0 && (phase == own || d.lattice.slow_multipliers([&] {
+            Phase opposite = phase;
+            ++opposite[mode];
+            return opposite;
+          }())))
+        continue;  // the oscillation itself
+      const std::vector<numeric> seen = frequencies.of_phase(phase);
+      const bool zero = std::all_of(seen.begin(), seen.end(), [](const numeric& x) { return x.is_zero(); });
+      Phase oriented = phase;
+      if (!zero && orient(oriented, d)) continue;  // its conjugate is listed
+      const auto [group, added] = groups.try_emplace(seen, blocks.size());
+      if (added) {
+        ObservationBlock block;
+        block.modulation = false;
+        block.mode = mode;
+        block.order = static_cast<int>(n);
+        block.phase = zero ? Phase(phase.size(), 0) : phase;
+        blocks.push_back(std::move(block));
+        terms.emplace_back();
+      }
+      ObservationBlock& block = blocks[group->second];
+      const auto cost = [&](const Phase& p) {
+        int total = 0, natural = 0;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+          total += std::abs(p[i]);
+          if (i < d.layout.modes) natural += std::abs(p[i]);
+        }
+        return std::pair(total, natural);
+      };
+      if (!zero && cost(phase) < cost(block.phase)) block.phase = phase;
+      terms[group->second].emplace_back(key, coefficient);
+    }
+  return blocks;
+}
+
+}  // namespace
+
+std::vector<numeric> ObservedFrequencies::of_phase(const Phase& phase) const {
+  std::vector<numeric> row(phase.size(), 0);
+  for (std::size_t i = 0; i < phase.size(); ++i) {
+    if (phase[i] == 0) continue;
+    if (i >= of_mode.size()) {
+      row[i] = row[i] + phase[i];
+      continue;
+    }
+    for (std::size_t c = 0; c < row.size(); ++c) row[c] = row[c] + phase[i] * of_mode[i][c];
+  }
+  return row;
+}
+
+std::optional<ObservedFrequencies> observed_frequencies(const Derivation& d) {
+  const FieldLayout& layout = d.layout;
+  // Unknown x_k per relation: w_k = omega_k + sum_r x_kr * relation_r.
+  std::vector<std::vector<numeric>> shifts(layout.modes, std::vector<numeric>(layout.relations, 0));
+  for (std::size_t r = 0; r < layout.relations; ++r) {
+    std::vector<std::vector<numeric>> rows;
+    for (std::size_t k = 0; k < layout.modes; ++k) {
+      const Field modulation = d.modulation(k);
+      for (const auto& [key, coefficient] : modulation.terms()) {
+        std::vector<numeric> row(layout.modes + 1, 0);
+        for (std::size_t j = 0; j < layout.modes; ++j) row[j] = key[layout.amplitude(j)] - key[layout.conjugate(j)];
+        row[k] = row[k] - 1;
+        row[layout.modes] = -key[layout.slow(r)];
+        rows.push_back(std::move(row));
+      }
+    }
+    const auto solution = solve(std::move(rows), layout.modes);
+    if (!solution) return std::nullopt;
+    for (std::size_t k = 0; k < layout.modes; ++k) shifts[k][r] = (*solution)[k];
+  }
+  ObservedFrequencies frequencies;
+  for (std::size_t k = 0; k < layout.modes; ++k) {
+    std::vector<numeric> row(layout.frequencies(), 0);
+    row[k] = 1;
+    for (std::size_t r = 0; r < layout.relations; ++r) {
+      std::vector<int> single(layout.relations, 0);
+      single[r] = 1;
+      const Phase relation = d.lattice.phase_of(single);
+      for (std::size_t i = 0; i < row.size(); ++i) row[i] = row[i] + shifts[k][r] * relation[i];
+    }
+    frequencies.of_mode.push_back(std::move(row));
+  }
+  return frequencies;
+}
+
+bool orient(Phase& phase, const Derivation& d) {
+  const Model& model = *d.model;
+  const auto nominal = [&](std::size_t i) {
+    const auto entry = model.nominal.find(model.frequency_name(i));
+    return entry == model.nominal.end() ? std::numeric_limits<double>::quiet_NaN() : entry->second;
+  };
+  double frequency = 0;
+  for (std::size_t i = 0; i < phase.size(); ++i) {
+    if (phase[i] == 0) continue;
+    double value = nominal(i);
+    if (std::isnan(value) && i >= model.modes.size()) {
+      GiNaC::exmap numbers;
+      for (std::size_t k = 0; k < model.modes.size(); ++k)
+        if (!std::isnan(nominal(k))) numbers[model.frequency(k)] = nominal(k);
+      const ex resonant = d.lattice.resonant_frequency(i - model.modes.size()).subs(numbers).evalf();
+      if (GiNaC::is_a<numeric>(resonant)) value = GiNaC::ex_to<numeric>(resonant).to_double();
+    }
+    frequency += phase[i] * value;
+  }
+  bool turn = frequency < 0;
+  if (std::isnan(frequency) || frequency == 0) {
+    const auto first = std::find_if(phase.begin(), phase.end(), [](int p) { return p != 0; });
+    turn = first != phase.end() && *first < 0;
+  }
+  if (turn)
+    for (int& multiple : phase) multiple = -multiple;
+  return turn;
+}
+
+Observations observations(const Derivation& nominal, const Derivation& kept) {
+  const Model& model = *nominal.model;
+  const auto frequencies = observed_frequencies(nominal);
+  if (!frequencies)
+    throw InputError(model.file, "case " + nominal.resonance->name,
+                     "no rotating frame makes its modulation equations autonomous",
+                     "its relations are incommensurate: estimation needs one steady state per excitation");
+  Observations result;
+  result.frequencies = *frequencies;
+  LumpFinder finder(model);
+  for (std::size_t k = 0; k < nominal.layout.modes; ++k) {
+    if (nominal.resonance->mode_at_rest[k]) continue;
+    ObservationBlock block;
+    block.mode = k;
+    if (!append_terms(block, finder, nominal, terms_of(nominal.modulation(k))))
+      throw InputError(model.file, "case " + nominal.resonance->name,
+                       "a lump depends on an excitation frequency that no relation fixes",
+                       "relate the excitation frequency to a natural one");
+    if (!block.columns.empty()) result.blocks.push_back(std::move(block));
+  }
+  for (std::size_t k = 0; k < nominal.layout.modes; ++k) {
+    std::vector<std::vector<std::pair<FieldKey, ex>>> kept_terms, nominal_terms;
+    std::vector<ObservationBlock> kept_blocks = harmonic_blocks(kept, *frequencies, k, kept_terms);
+    std::vector<ObservationBlock> nominal_blocks = harmonic_blocks(nominal, *frequencies, k, nominal_terms);
+    for (std::size_t b = 0; b < nominal_blocks.size(); ++b) {
+      // The same observed frequency in both derivations.
+      const auto seen = frequencies->of_phase(nominal_blocks[b].phase);
+      const auto same = std::find_if(kept_blocks.begin(), kept_blocks.end(), [&](const ObservationBlock& block) {
+        return frequencies->of_phase(block.phase) == seen;
+      });
+      const std::size_t lumps_before = finder.lumps().size();
+      if (same != kept_blocks.end()) {
+        ObservationBlock attempt = *same;
+        if (append_terms(attempt, finder, kept, kept_terms[static_cast<std::size_t>(same - kept_blocks.begin())])) {
+          result.blocks.push_back(std::move(attempt));
+          continue;
+        }
+        finder.forget_after(lumps_before);
+      }
+      if (append_terms(nominal_blocks[b], finder, nominal, nominal_terms[b]))
+        result.blocks.push_back(std::move(nominal_blocks[b]));
+    }
+  }
+  result.lumps = finder.lumps();
+  return result;
+}
+
+}  // namespace secular

@@ -1,0 +1,159 @@
+#include "perturb/ordered_equation.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "input/input_error.hpp"
+
+namespace secular {
+namespace {
+
+std::string factor_text(const Factor& factor, const Model& model) {
+  const auto derived = [&](const std::string& inner) {
+    if (factor.derivative == 0) return inner;
+    return std::string(factor.derivative == 1 ? "D(" : "D2(") + inner + ")";
+  };
+  const auto index = static_cast<std::size_t>(factor.index);
+  switch (factor.kind) {
+    case Factor::Kind::coordinate:
+      return derived(model.modes[index].coordinate);
+    case Factor::Kind::excitation:
+      return derived(model.excitations[index].amplitude + "*cos(" + model.excitations[index].frequency + "*t)");
+    case Factor::Kind::clock_cos:
+    case Factor::Kind::clock_sin:
+      return (factor.kind == Factor::Kind::clock_cos ? "cos(" : "sin(") +
+             (factor.multiple == 1 ? "" : std::to_string(factor.multiple) + "*") +
+             model.excitations[index].frequency + "*t)";
+    case Factor::Kind::absolute:
+      return "abs(" + derived(model.modes[index].coordinate) + ")";
+    case Factor::Kind::sign:
+      return "sgn(" + derived(model.modes[index].coordinate) + ")";
+  }
+  return {};
+}
+
+bool excited(const FactorProduct& product) {
+  return std::any_of(product.begin(), product.end(), [](const auto& entry) {
+    const Factor::Kind kind = entry.first.kind;
+    return kind == Factor::Kind::excitation || kind == Factor::Kind::clock_cos || kind == Factor::Kind::clock_sin;
+  });
+}
+
+// Power of eps of one monomial of a coefficient. `unknown` receives a symbol without an order.
+class CoefficientOrder {
+ public:
+  CoefficientOrder(const Model& model, const ResonanceCase& resonance) : model_(model), resonance_(resonance) {
+    for (std::size_t i = 0; i < model.frequency_count(); ++i) free_.insert(model.frequency_name(i));
+  }
+
+  int of(const GiNaC::ex& monomial, const std::string& where) const {
+    int order = 0;
+    if (GiNaC::is_a<GiNaC::mul>(monomial)) {
+      for (std::size_t i = 0; i < monomial.nops(); ++i) order += of_factor(monomial.op(i), where);
+    } else {
+      order = of_factor(monomial, where);
+    }
+    return order;
+  }
+
+ private:
+  int of_factor(const GiNaC::ex& factor, const std::string& where) const {
+    if (GiNaC::is_a<GiNaC::symbol>(factor)) return of_symbol(GiNaC::ex_to<GiNaC::symbol>(factor), where);
+    if (GiNaC::is_a<GiNaC::power>(factor) && GiNaC::is_a<GiNaC::symbol>(factor.op(0)) &&
+        GiNaC::is_a<GiNaC::numeric>(factor.op(1)))
+      return of_symbol(GiNaC::ex_to<GiNaC::symbol>(factor.op(0)), where) *
+             GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int();
+    for (GiNaC::const_preorder_iterator it = factor.preorder_begin(); it != factor.preorder_end(); ++it)
+      if (GiNaC::is_a<GiNaC::symbol>(*it) && of_symbol(GiNaC::ex_to<GiNaC::symbol>(*it), where) != 0)
+        throw InputError(model_.file, "case " + resonance_.name,
+                         "symbol '" + GiNaC::ex_to<GiNaC::symbol>(*it).get_name() +
+                             "' stands in a sum in a denominator (term " + where + ") and carries a power of eps",
+                         "give it order 0 or expand the coefficient");
+    return 0;
+  }
+
+  int of_symbol(const GiNaC::symbol& symbol, const std::string& where) const {
+    const std::string name = symbol.get_name();
+    if (free_.count(name)) return 0;
+    const auto entry = resonance_.order.find(name);
+    if (entry != resonance_.order.end()) return entry->second;
+    if (resonance_.degree_ordering) return 0;
+    throw InputError(model_.file, "line " + std::to_string(resonance_.line) + ", case " + resonance_.name,
+                     "coefficient symbol '" + name + "' (term " + where + ") has no order",
+                     "add " + name + " = 1 (or another power of eps) to this case's order table");
+  }
+
+  const Model& model_;
+  const ResonanceCase& resonance_;
+  std::set<std::string> free_;
+};
+
+int degree_in_coordinates(const FactorProduct& product) {
+  int degree = 0;
+  for (const auto& [factor, power] : product)
+    if (factor.kind == Factor::Kind::coordinate || factor.kind == Factor::Kind::absolute) degree += power;
+  return degree;
+}
+
+}  // namespace
+
+std::string to_string(const FactorProduct& product, const Model& model) {
+  std::string text;
+  for (const auto& [factor, power] : product) {
+    const std::string one = factor_text(factor, model);
+    const bool compound = factor.kind == Factor::Kind::excitation && factor.derivative == 0;
+    text += (text.empty() ? "" : "*") +
+            (power == 1 ? one : (compound ? "(" + one + ")" : one) + "^" + std::to_string(power));
+  }
+  return text.empty() ? "constant" : text;
+}
+
+std::vector<OrderedEquation> ordered_equations(const Model& model, const ResonanceCase& resonance) {
+  const CoefficientOrder coefficient_order(model, resonance);
+  const std::vector<TermSum> equations = equations_of_motion(model);
+  std::vector<OrderedEquation> ordered(equations.size());
+  for (std::size_t k = 0; k < equations.size(); ++k) {
+    std::map<FactorProduct, std::map<int, GiNaC::ex>> by_order;
+    for (const auto& [product, coefficient] : equations[k].terms()) {
+      if (!resonance.excited && excited(product)) continue;
+      const std::string where = to_string(product, model);
+      const int base = resonance.degree_ordering ? std::max(0, degree_in_coordinates(product) - 1) : 0;
+      const GiNaC::ex expanded = coefficient.expand();
+      const bool is_sum = GiNaC::is_a<GiNaC::add>(expanded);
+      for (std::size_t i = 0; i < (is_sum ? expanded.nops() : 1); ++i) {
+        const GiNaC::ex monomial = is_sum ? expanded.op(i) : expanded;
+        const int order = base + coefficient_order.of(monomial, where);
+        if (order < 0)
+          throw InputError(model.file, "line " + std::to_string(resonance.line) + ", case " + resonance.name,
+                           "term " + where + " would be of order eps^" + std::to_string(order),
+                           "raise the order of its coefficient symbols");
+        by_order[product][order] += monomial;
+      }
+    }
+    const Factor position{Factor::Kind::coordinate, static_cast<int>(k), 0, 1};
+    const Factor acceleration{Factor::Kind::coordinate, static_cast<int>(k), 2, 1};
+    by_order[{{position, 1}}][0] -= GiNaC::pow(model.frequency(k), 2);
+    by_order[{{acceleration, 1}}][0] -= 1;
+    for (const auto& [product, orders] : by_order)
+      for (const auto& [order, sum] : orders) {
+        const GiNaC::ex coefficient = sum.expand();
+        if (coefficient.is_zero()) continue;
+        const bool hard_forcing =
+            excited(product) && std::all_of(product.begin(), product.end(), [](const auto& entry) {
+              return entry.first.kind != Factor::Kind::coordinate && !entry.first.nonsmooth();
+            });
+        if (order == 0 && !hard_forcing)
+          throw InputError(model.file, "line " + std::to_string(resonance.line) + ", case " + resonance.name,
+                           "equation of '" + model.modes[k].coordinate + "': term " + to_string(product, model) +
+                               " at order eps^0 is not part of the linear oscillator D2(" +
+                               model.modes[k].coordinate + ") + " + model.modes[k].frequency + "^2*" +
+                               model.modes[k].coordinate,
+                           "give its coefficient a positive order, or correct the equation's linear part");
+        if (order > resonance.expand_to) continue;
+        ordered[k].right_hand_side.push_back({product, order, (-coefficient).expand()});
+      }
+  }
+  return ordered;
+}
+
+}  // namespace secular

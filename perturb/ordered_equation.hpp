@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "perturb/term_sum.hpp"
+
+namespace secular {
+
+/// One term of an equation of motion moved to the right-hand side, with the power of eps it carries in a case.
+struct OrderedTerm {
+  FactorProduct factors;
+  int order = 0;
+  GiNaC::ex coefficient;
+};
+
+/// D2(v) + omega^2 v = sum of terms.
+struct OrderedEquation {
+  std::vector<OrderedTerm> right_hand_side;
+};
+
+/// Assigns powers of eps by the case's `order` table (or by degree) and checks that what is left at order 0 is the
+/// linear oscillator D2(v) + omega^2*v, plus possibly hard forcing. Terms with an excitation are left out where the
+/// case is not excited. Throws InputError for a coefficient symbol without an order, and for any other term at
+/// order 0.
+std::vector<OrderedEquation> ordered_equations(const Model& model, const ResonanceCase& resonance);
+
+/// A factor product as the model text writes it, for messages: "v*D2(v)".
+std::string to_string(const FactorProduct& product, const Model& model);
+
+}  // namespace secular

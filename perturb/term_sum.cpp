@@ -1,0 +1,306 @@
+#include "perturb/term_sum.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "perturb/formula_value.hpp"
+
+namespace secular {
+
+void TermSum::add(const FactorProduct& product, const GiNaC::ex& coefficient) {
+  const auto [position, added] = terms_.try_emplace(product, coefficient);
+  if (!added) position->second = (position->second + coefficient).expand();
+  if (position->second.is_zero()) terms_.erase(position);
+}
+
+TermSum TermSum::constant(const GiNaC::ex& value) {
+  TermSum sum;
+  sum.add({}, value);
+  return sum;
+}
+
+TermSum TermSum::factor(const Factor& factor) {
+  TermSum sum;
+  sum.add({{factor, 1}}, 1);
+  return sum;
+}
+
+TermSum& TermSum::operator+=(const TermSum& other) {
+  for (const auto& [product, coefficient] : other.terms_) add(product, coefficient);
+  return *this;
+}
+
+TermSum operator*(const TermSum& left, const TermSum& right) {
+  TermSum result;
+  for (const auto& [left_product, left_coefficient] : left.terms_)
+    for (const auto& [right_product, right_coefficient] : right.terms_) {
+      FactorProduct product = left_product;
+      for (const auto& [factor, power] : right_product) product[factor] += power;
+      result.add(product, (left_coefficient * right_coefficient).expand());
+    }
+  return result;
+}
+
+TermSum TermSum::scaled(const GiNaC::ex& scale) const {
+  return *this * constant(scale);
+}
+
+TermSum TermSum::power(int exponent) const {
+  TermSum result = constant(1);
+  for (int i = 0; i < exponent; ++i) result = result * *this;
+  return result;
+}
+
+TermSum TermSum::time_derivative() const {
+  TermSum result;
+  for (const auto& [product, coefficient] : terms_)
+    for (const auto& [factor, power] : product) {
+      FactorProduct derived = product;
+      if (--derived[factor] == 0) derived.erase(factor);
+      Factor raised = factor;
+      ++raised.derivative;
+      ++derived[raised];
+      result.add(derived, coefficient * power);
+    }
+  return result;
+}
+
+TermSum TermSum::partial(const Factor& by) const {
+  TermSum result;
+  for (const auto& [product, coefficient] : terms_) {
+    const auto found = product.find(by);
+    if (found == product.end()) continue;
+    FactorProduct derived = product;
+    if (--derived[by] == 0) derived.erase(by);
+    result.add(derived, coefficient * found->second);
+  }
+  return result;
+}
+
+namespace {
+
+// Reads one formula into a TermSum. F*cos(Omega*t) is one factor, recognised when a product is complete.
+class TermReader {
+ public:
+  TermReader(const Model& model, const FormulaSource& source) : model_(model), source_(source) {}
+
+  TermSum read(const Expression& expression) {
+    return without_bare_amplitudes(value(expression), expression.place);
+  }
+
+ private:
+  TermSum value(const Expression& e) {
+    switch (e.kind) {
+      case Expression::Kind::number:
+        return TermSum::constant(exact_number(e.text));
+      case Expression::Kind::symbol:
+        return symbol(e);
+      case Expression::Kind::sum: {
+        TermSum sum;
+        for (const Expression& operand : e.operands) sum += value(operand);
+        return sum;
+      }
+      case Expression::Kind::product: {
+        TermSum product = TermSum::constant(1);
+        for (const Expression& operand : e.operands) product = limited(product * value(operand), e.place);
+        return joined_excitation(product);
+      }
+      case Expression::Kind::quotient:
+        return joined_excitation(value(e.operands[0]).scaled(1 / coefficient(e.operands[1], "a denominator")));
+      case Expression::Kind::power:
+        return power(e);
+      case Expression::Kind::negation:
+        return value(e.operands[0]).scaled(-1);
+      case Expression::Kind::call:
+        return call(e);
+    }
+    return {};
+  }
+
+  TermSum limited(TermSum sum, const SourcePlace& place) const {
+    if (sum.terms().size() > 20000)
+      fail_at(source_, place, "expands to more than 20000 terms", "simplify the formula");
+    return sum;
+  }
+
+  TermSum symbol(const Expression& e) const {
+    for (std::size_t i = 0; i < model_.modes.size(); ++i)
+      if (model_.modes[i].coordinate == e.text)
+        return TermSum::factor({Factor::Kind::coordinate, static_cast<int>(i), 0, 1});
+    if (e.text == "t")
+      fail_at(source_, e.place, "time stands outside cos and sin", "write for example F*cos(Omega*t)");
+    if (e.text == "Pi") return TermSum::constant(GiNaC::Pi);
+    return TermSum::constant(model_.symbols.at(e.text));
+  }
+
+  // A factor-free value: parameters and numbers only.
+  GiNaC::ex coefficient(const Expression& e, const char* where) {
+    const TermSum sum = value(e);
+    if (sum.empty()) fail_at(source_, e.place, "division by zero", "correct the denominator");
+    if (sum.terms().size() != 1 || !sum.terms().begin()->first.empty())
+      fail_at(source_, e.place, std::string("a coordinate or excitation in ") + where,
+              "expand the term into a polynomial first");
+    return sum.terms().begin()->second;
+  }
+
+  TermSum power(const Expression& e) {
+    const int exponent = integer_exponent(e, source_);
+    if (exponent < 0)
+      return TermSum::constant(GiNaC::pow(coefficient(e.operands[0], "a negative power"), exponent));
+    const TermSum base = value(e.operands[0]);
+    TermSum result = TermSum::constant(1);
+    for (int i = 0; i < exponent; ++i) result = limited(result * base, e.place);
+    return joined_excitation(result);
+  }
+
+  TermSum call(const Expression& e) {
+    const Expression& argument = e.operands[0];
+    if (e.text == "D" || e.text == "D2") {
+      const TermSum inside = without_bare_amplitudes(value(argument), argument.place);
+      for (const auto& [product, ignored] : inside.terms())
+        for (const auto& [factor, power] : product)
+          if (factor.nonsmooth() || factor.kind == Factor::Kind::clock_cos ||
+              factor.kind == Factor::Kind::clock_sin)
+            fail_at(source_, e.place, "derivative of a function that is not a coordinate or F*cos(Omega*t)",
+                    "write the derivative out");
+      const TermSum derived = e.text == "D" ? inside.time_derivative() : inside.time_derivative().time_derivative();
+      for (const auto& [product, ignored] : derived.terms())
+        for (const auto& [factor, power] : product)
+          if (factor.derivative > 2)
+            fail_at(source_, e.place, "a time derivative above the second",
+                    "equations of motion are of second order");
+      return derived;
+    }
+    if (e.text == "abs" || e.text == "sgn") return nonsmooth(e);
+    return clock(e);
+  }
+
+  // abs(c*x) = |c| abs(x), sgn(c*x) = sgn(c) sgn(x) for a number c and x one of v, D(v).
+  TermSum nonsmooth(const Expression& e) {
+    const TermSum inside = value(e.operands[0]);
+    const bool one = inside.terms().size() == 1 && inside.terms().begin()->first.size() == 1;
+    const auto factor = one ? inside.terms().begin()->first.begin()->first : Factor{};
+    const bool fits = one && inside.terms().begin()->first.begin()->second == 1 &&
+                      factor.kind == Factor::Kind::coordinate && factor.derivative <= 1 &&
+                      GiNaC::is_a<GiNaC::numeric>(inside.terms().begin()->second);
+    if (!fits)
+      fail_at(source_, e.place, e.text + " of something else than a coordinate or its velocity",
+              "supported are " + e.text + "(v) and " + e.text + "(D(v)), times a number");
+    const GiNaC::ex scale = inside.terms().begin()->second;
+    const bool negative = GiNaC::ex_to<GiNaC::numeric>(scale).is_negative();
+    if (e.text == "abs")
+      return TermSum::factor({Factor::Kind::absolute, factor.index, factor.derivative, 1})
+          .scaled(negative ? -scale : scale);
+    return TermSum::factor({Factor::Kind::sign, factor.index, factor.derivative, 1}).scaled(negative ? -1 : 1);
+  }
+
+  // cos(n*Omega*t), sin(n*Omega*t) with an integer n.
+  TermSum clock(const Expression& e) {
+    const GiNaC::symbol time("t");
+    const GiNaC::ex phase =
+        formula_value(e.operands[0], source_, [&](const Expression& symbol) -> GiNaC::ex {
+          if (symbol.text == "t") return time;
+          if (model_.symbols.contains(symbol.text)) return model_.symbols.at(symbol.text);
+          fail_at(source_, symbol.place, e.text + " of the coordinate '" + symbol.text + "'",
+                  "expand " + e.text + " into a polynomial; cos and sin are for the excitation, cos(Omega*t)");
+        }).expand();
+    for (std::size_t i = 0; i < model_.excitations.size(); ++i) {
+      const GiNaC::ex multiple = phase / (model_.symbols.at(model_.excitations[i].frequency) * time);
+      if (!GiNaC::is_a<GiNaC::numeric>(multiple) || !GiNaC::ex_to<GiNaC::numeric>(multiple).is_integer()) continue;
+      int n = GiNaC::ex_to<GiNaC::numeric>(multiple).to_int();
+      const bool cosine = e.text == "cos";
+      const int sign = n < 0 && !cosine ? -1 : 1;
+      n = std::abs(n);
+      if (n == 0) return cosine ? TermSum::constant(1) : TermSum();
+      return TermSum::factor(
+                 {cosine ? Factor::Kind::clock_cos : Factor::Kind::clock_sin, static_cast<int>(i), 0, n})
+          .scaled(sign);
+    }
+    fail_at(source_, e.place, "the argument of " + e.text + " is not n*Omega*t",
+            "write " + e.text + "(Omega*t) with the excitation frequency Omega and time t");
+  }
+
+  // Replaces F*cos(Omega*t) by the excitation factor wherever both stand in one term.
+  TermSum joined_excitation(const TermSum& sum) const {
+    TermSum result;
+    for (const auto& [product, whole] : sum.terms()) {
+      FactorProduct factors = product;
+      GiNaC::ex rest = whole;
+      for (std::size_t i = 0; i < model_.excitations.size(); ++i) {
+        const GiNaC::ex& amplitude = model_.symbols.at(model_.excitations[i].amplitude);
+        const auto cosine = factors.find({Factor::Kind::clock_cos, static_cast<int>(i), 0, 1});
+        if (cosine == factors.end()) continue;
+        const int count = std::min(cosine->second, amplitude_power(rest, amplitude));
+        if (count <= 0) continue;
+        if ((cosine->second -= count) == 0) factors.erase(cosine);
+        factors[{Factor::Kind::excitation, static_cast<int>(i), 0, 1}] += count;
+        rest = (rest * GiNaC::pow(amplitude, -count)).expand();
+      }
+      TermSum term = TermSum::constant(rest);
+      for (const auto& [factor, power] : factors) term = term * TermSum::factor(factor).power(power);
+      result += term;
+    }
+    return result;
+  }
+
+  static int amplitude_power(const GiNaC::ex& coefficient, const GiNaC::ex& amplitude) {
+    return coefficient.has(amplitude) ? coefficient.ldegree(amplitude) : 0;
+  }
+
+  TermSum without_bare_amplitudes(TermSum sum, const SourcePlace& place) const {
+    for (const auto& [product, whole] : sum.terms())
+      for (const Excitation& excitation : model_.excitations)
+        if (whole.has(model_.symbols.at(excitation.amplitude)))
+          fail_at(source_, place, excitation.amplitude + " without its cos(" + excitation.frequency + "*t)",
+                  "the excitation enters as " + excitation.amplitude + "*cos(" + excitation.frequency +
+                      "*t), written as one product");
+    return sum;
+  }
+
+  const Model& model_;
+  const FormulaSource& source_;
+};
+
+TermSum read_terms(const Model& model, const FormulaSource& source, const Expression& expression) {
+  return TermReader(model, source).read(expression);
+}
+
+std::vector<TermSum> lagrange_equations(const Model& model) {
+  const Lagrangian& lagrangian = *model.lagrangian;
+  const TermSum kinetic = read_terms(model, lagrangian.kinetic_source, lagrangian.kinetic);
+  const TermSum potential = read_terms(model, lagrangian.potential_source, lagrangian.potential);
+  for (const auto& [sum, source] :
+       {std::pair(&kinetic, &lagrangian.kinetic_source), std::pair(&potential, &lagrangian.potential_source)})
+    for (const auto& [product, ignored] : sum->terms())
+      for (const auto& [factor, power] : product)
+        if (factor.nonsmooth() || (factor.kind == Factor::Kind::coordinate && factor.derivative > 1))
+          fail_at(*source, {source->first_line, 1}, "energy with abs, sgn or D2",
+                  "energies are polynomials in coordinates and velocities");
+  std::vector<TermSum> equations;
+  for (std::size_t i = 0; i < model.modes.size(); ++i) {
+    const Factor position{Factor::Kind::coordinate, static_cast<int>(i), 0, 1};
+    const Factor velocity{Factor::Kind::coordinate, static_cast<int>(i), 1, 1};
+    TermSum equation = kinetic.partial(velocity).time_derivative();
+    equation += kinetic.partial(position).scaled(-1);
+    equation += potential.partial(position);
+    equation += read_terms(model, model.modes[i].source, *model.modes[i].force).scaled(-1);
+    equations.push_back(std::move(equation));
+  }
+  return equations;
+}
+
+}  // namespace
+
+std::vector<TermSum> equations_of_motion(const Model& model) {
+  if (model.lagrangian) return lagrange_equations(model);
+  std::vector<TermSum> equations;
+  for (const Mode& mode : model.modes) {
+    TermSum equation = read_terms(model, mode.source, mode.equation->left);
+    equation += read_terms(model, mode.source, mode.equation->right.front()).scaled(-1);
+    equations.push_back(std::move(equation));
+  }
+  return equations;
+}
+
+}  // namespace secular

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <compare>
+#include <map>
+#include <vector>
+
+#include "perturb/model.hpp"
+
+namespace secular {
+
+/// What a term of an equation of motion is made of besides its coefficient.
+struct Factor {
+  enum class Kind {
+    coordinate,  ///< v, D(v), D2(v): `index` mode, `derivative` 0, 1, 2
+    excitation,  ///< F*cos(Omega*t) and its derivatives: `index` excitation
+    clock_cos,   ///< cos(multiple*Omega*t) without F: `index` excitation
+    clock_sin,   ///< sin(multiple*Omega*t)
+    absolute,    ///< abs of a coordinate factor
+    sign,        ///< sgn of a coordinate factor
+  };
+  Kind kind = Kind::coordinate;
+  int index = 0;
+  int derivative = 0;
+  int multiple = 1;
+  auto operator<=>(const Factor&) const = default;
+  bool nonsmooth() const { return kind == Kind::absolute || kind == Kind::sign; }
+};
+
+/// Factors with positive powers.
+using FactorProduct = std::map<Factor, int>;
+
+/// A sum of terms coefficient * factors: the polynomial form of an equation. Coefficients hold parameters and
+/// frequencies only.
+class TermSum {
+ public:
+  TermSum() = default;
+  static TermSum constant(const GiNaC::ex& value);
+  static TermSum factor(const Factor& factor);
+
+  TermSum& operator+=(const TermSum& other);
+  friend TermSum operator*(const TermSum& left, const TermSum& right);
+  TermSum scaled(const GiNaC::ex& scale) const;
+  TermSum power(int exponent) const;
+  /// Total time derivative by the product rule.
+  TermSum time_derivative() const;
+  /// Partial derivative with respect to one coordinate factor.
+  TermSum partial(const Factor& by) const;
+
+  const std::map<FactorProduct, GiNaC::ex>& terms() const { return terms_; }
+  bool empty() const { return terms_.empty(); }
+
+ private:
+  void add(const FactorProduct& product, const GiNaC::ex& coefficient);
+  std::map<FactorProduct, GiNaC::ex> terms_;
+};
+
+/// The equations of motion as "left - right", one per mode; for a Lagrangian model d/dt(dT/dq') - dT/dq + dV/dq -
+/// force. Throws InputError at the offending piece.
+std::vector<TermSum> equations_of_motion(const Model& model);
+
+}  // namespace secular

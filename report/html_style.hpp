@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string_view>
+
+namespace secular::report {
+
+/// The style sheet of a report page.
+inline constexpr std::string_view html_style = R"css(
+:root { color-scheme: light dark; --ink: #1b1f24; --soft: #57606a; --rule: #d5dae0; --page: #ffffff; --panel: #f5f7f9;
+  --good: #00795a; --caution: #9a6700; --bad: #b3261e; --accent: #0072b2; }
+@media (prefers-color-scheme: dark) { :root { --ink: #e4e7eb; --soft: #9aa4af; --rule: #3a424b; --page: #15181c;
+  --panel: #1e2329; --good: #3fc79a; --caution: #e3b341; --bad: #ff8a80; --accent: #56b4e9; } }
+* { box-sizing: border-box; }
+body { margin: 0; background: var(--page); color: var(--ink); font: 16px/1.55 Helvetica, Arial, "Liberation Sans",
+  sans-serif; }
+main { max-width: 880px; margin: 0 auto; padding: 40px 24px 56px; }
+h1 { font-size: 28px; line-height: 1.2; margin: 0; letter-spacing: -0.01em; }
+h2 { font-size: 20px; line-height: 1.3; margin: 44px 0 12px; padding-bottom: 6px; border-bottom: 1px solid var(--rule); }
+h3 { font-size: 16px; margin: 28px 0 8px; }
+p, ul { margin: 10px 0; max-width: 72ch; }
+ul { padding-left: 22px; }
+.subtitle { color: var(--soft); margin: 6px 0 0; }
+nav { margin: 18px 0 0; font-size: 14px; }
+nav a { color: var(--accent); text-decoration: none; margin-right: 18px; white-space: nowrap; }
+.cards { display: grid; grid-template-columns: repeat(auto-fit, minmax(190px, 1fr)); gap: 12px; margin: 26px 0 8px; }
+.card { border: 1px solid var(--rule); border-left: 4px solid var(--rule); border-radius: 4px; padding: 11px 14px 12px;
+  background: var(--panel); break-inside: avoid; }
+.card .label { font-size: 13px; color: var(--soft); }
+.card .value { font-size: 21px; font-weight: 600; line-height: 1.35; font-variant-numeric: tabular-nums; }
+.card .note { font-size: 13px; color: var(--soft); }
+.card.good { border-left-color: var(--good); } .card.caution { border-left-color: var(--caution); }
+.card.bad { border-left-color: var(--bad); }
+.warnings { border: 1px solid var(--caution); border-left-width: 4px; border-radius: 4px; padding: 10px 16px;
+  margin: 22px 0 8px; }
+.warnings strong { color: var(--caution); }
+.warnings ul { margin: 4px 0; max-width: none; }
+.scroll { overflow-x: auto; margin: 16px 0; }
+table { border-collapse: collapse; font-size: 14.5px; line-height: 1.4; }
+caption { text-align: left; color: var(--soft); font-size: 14px; padding-bottom: 6px; }
+th, td { padding: 6px 14px 6px 0; text-align: left; vertical-align: baseline; }
+th { font-weight: 600; border-bottom: 1.5px solid var(--ink); vertical-align: bottom; }
+th .unit { display: block; font-weight: 400; color: var(--soft); font-size: 13px; }
+td { border-bottom: 1px solid var(--rule); }
+th.number, td.number { text-align: right; padding: 6px 22px 6px 10px; }
+td.number { font-variant-numeric: tabular-nums; white-space: nowrap; }
+tr.good td:first-child { color: var(--good); } tr.caution td:first-child { color: var(--caution); }
+tr.bad td:first-child { color: var(--bad); }
+figure { margin: 22px 0; break-inside: avoid; }
+figure svg { display: block; width: 100%; height: auto; max-width: 800px; }
+figcaption { font-size: 14px; color: var(--soft); margin-top: 6px; max-width: 80ch; }
+pre { background: var(--panel); border: 1px solid var(--rule); border-radius: 4px; padding: 10px 14px; overflow-x: auto;
+  font: 13.5px/1.5 "DejaVu Sans Mono", Menlo, Consolas, monospace; }
+details { border: 1px solid var(--rule); border-radius: 4px; padding: 8px 16px; margin: 16px 0; }
+summary { cursor: pointer; font-weight: 600; }
+footer { margin-top: 56px; padding-top: 12px; border-top: 1px solid var(--rule); font-size: 13.5px; color: var(--soft); }
+footer pre { white-space: pre-wrap; overflow-wrap: anywhere; }
+@media print {
+  :root { color-scheme: light; --ink: #000000; --soft: #444444; --rule: #bbbbbb; --page: #ffffff; --panel: #ffffff;
+    --good: #00795a; --caution: #7a5200; --bad: #9b1c15; }
+  body { font-size: 10.5pt; } main { max-width: none; padding: 0; } nav { display: none; }
+  h2, h3 { break-after: avoid; } tr { break-inside: avoid; } pre { white-space: pre-wrap; }
+}
+)css";
+
+}  // namespace secular::report

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "estimator/campaign/campaign.hpp"
+#include "estimator/compiled_model.hpp"
+
+namespace secular {
+
+/// A sensor of the virtual test.
+struct SimulatedChannel {
+  Channel channel;
+  double noise_sd = 0;      ///< white Gaussian, channel units
+  double quantisation = 0;  ///< step, 0: none
+  std::string coordinate;   ///< measures this coordinate directly; empty with mode shapes or for the excitation
+};
+
+/// Steady sinusoidal excitation at every combination of frequency and amplitude, in the order listed.
+struct DwellProgramme {
+  std::vector<double> frequencies_hz, amplitudes;
+  int ensembles = 1;
+  double ensemble_s = 4;
+  double settle_s = 60;
+  bool carry_state = false;  ///< goes on from the state in which the dwell before ended, as a laboratory sweep does
+  std::vector<double> initial_displacement;  ///< by mode; a small kick lets a parametric resonance leave rest
+  std::string group;
+};
+
+struct FreeDecayProgramme {
+  std::vector<double> initial_displacement, initial_velocity;  ///< by mode
+  double duration_s = 0;
+  std::string group;
+};
+
+/// A virtual vibration test: model with numbers, sensors, programme.
+struct Experiment {
+  std::string file, name;
+  std::string model;
+  Eigen::VectorXd parameters;  ///< by CompiledModel::symbols
+  double sample_rate_hz = 0;
+  std::optional<SimulatedChannel> excitation;
+  std::vector<SimulatedChannel> responses;
+  std::optional<ModalBasis> modal_basis;
+  std::vector<DwellProgramme> dwells;
+  std::vector<FreeDecayProgramme> free_decays;
+};
+
+/// Name of the model that an experiment file asks for.
+std::string experiment_model(const std::filesystem::path& path);
+
+/// Reads an experiment file (schema 1, see models/experiments/principal_parametric.toml for its keys) for `model`.
+/// Throws InputError with line and key.
+Experiment read_experiment(const std::filesystem::path& path, const CompiledModel& model);
+
+}  // namespace secular

@@ -1,0 +1,212 @@
+#include "simulate/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <numbers>
+#include <thread>
+
+#include "estimator/identification/modal_projection.hpp"
+#include "input/input_error.hpp"
+#include "simulate/motion.hpp"
+
+namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Time in which a steady motion that starts at the measured one comes to rest on its own: many decay times.
+constexpr double settle_cycles = 600;
+
+class Replay {
+ public:
+  Replay(const Campaign& campaign, const ObservationSet& measured, const Eigen::VectorXd& parameters)
+      : campaign_(campaign),
+        measured_(measured),
+        model_(*measured.model),
+        parameters_(parameters),
+        projection_(modal_projection(campaign, model_)) {
+    if (campaign.modal_basis)
+      for (const std::vector<double>& row : campaign.modal_basis->mass_normalised_shapes) shapes_.push_back(row);
+    if (measured.resonance->excited) excitations_ = excitation_channels(campaign, model_);
+  }
+
+  Record record(const Observation& first, const Observation& last, std::size_t index) const {
+    return measured_.resonance->excited ? dwell(first, index) : decay(first, last, index);
+  }
+
+ private:
+  MotionSettings settings(std::size_t index) const {
+    MotionSettings s;
+    s.label = fmt::format("{}, replayed with the estimated parameters", campaign_.records[index].file);
+    s.relative_tolerance = 1e-9;
+    return s;
+  }
+
+  Record empty(std::size_t samples, double start) const {
+    Record r;
+    r.start_s = start;
+    r.sample_rate_hz = campaign_.sample_rate_hz;
+    r.channels.assign(campaign_.channels.size(), std::vector<double>(samples, 0.0));
+    return r;
+  }
+
+  void store(const MotionSample& sample, std::size_t i, Record& record) const {
+    const std::vector<double>& modal = projection_.derivatives == 2   ? sample.acceleration
+                                       : projection_.derivatives == 1 ? sample.velocity
+                                                                      : sample.displacement;
+    for (std::size_t c = 0; c < projection_.channels.size(); ++c) {
+      double value = 0;
+      for (std::size_t k = 0; k < modal.size(); ++k)
+        value += (campaign_.modal_basis ? shapes_[c][mode_column(k)] : (c == k ? 1.0 : 0.0)) * modal[k];
+      record.channels[projection_.channels[c]][i] = value;
+    }
+  }
+
+  std::size_t mode_column(std::size_t k) const {
+    const std::vector<std::string>& modes = campaign_.modal_basis->modes;
+    return static_cast<std::size_t>(std::find(modes.begin(), modes.end(), model_.coordinates[k]) - modes.begin());
+  }
+
+  // Starts from the measured oscillation and harmonics, phases at time zero.
+  void initial_state(const Observation& o, std::vector<double>& q, std::vector<double>& v) const {
+    q.assign(model_.modes(), 0);
+    v.assign(model_.modes(), 0);
+    for (std::size_t k = 0; k < model_.modes(); ++k) {
+      q[k] += 2 * o.amplitude[k].real();
+      v[k] += 2 * (o.rate[k] * o.amplitude[k]).real();
+    }
+  }
+
+  Record dwell(const Observation& o, std::size_t index) const {
+    const double rate = campaign_.sample_rate_hz;
+    const auto count = static_cast<std::size_t>(std::lround(
+        campaign_.records[index].ensemble_s.value_or(200 * 2 * std::numbers::pi / o.excitation_frequency[0]) *
+        rate));
+    const ExcitationSignal signal = [&](double t, ExcitationSample* s) {
+      for (std::size_t j = 0; j < o.forcing.size(); ++j) {
+        const double w = o.excitation_frequency[j];
+        const Complex wave = o.forcing[j] * std::polar(1.0, w * t);
+        s[j] = {wave.real(), -w * wave.imag(), -w * w * wave.real()};
+      }
+    };
+    std::vector<double> q, v;
+    initial_state(o, q, v);
+    const double settle = settle_cycles * 2 * std::numbers::pi / o.rate[0].imag();
+    Record record = empty(count, 0);
+    std::size_t i = 0;
+    integrate_motion(model_, parameters_.data(), signal, 0, q, v, settle, 1 / rate, count, settings(index),
+                     [&](const MotionSample& sample) { store(sample, i++, record); });
+    ExcitationSample sample[8];
+    for (std::size_t n = 0; n < count; ++n) {
+      signal(settle + static_cast<double>(n) / rate, sample);
+      for (std::size_t j = 0; j < excitations_.size(); ++j) record.channels[excitations_[j]][n] = sample[j].value;
+    }
+    return record;
+  }
+
+  Record decay(const Observation& first, const Observation& last, std::size_t index) const {
+    const double rate = campaign_.sample_rate_hz;
+    std::vector<double> q, v;
+    initial_state(first, q, v);
+    // A few periods longer than what was seen, so that as many windows fit in; the start is found at a zero
+    // crossing.
+    const double margin = 4 * 2 * std::numbers::pi / last.rate[0].imag();
+    const auto count = static_cast<std::size_t>((last.centre_s - first.centre_s + margin) * rate);
+    const ExcitationSignal silent = [&](double, ExcitationSample* s) {
+      for (std::size_t j = 0; j < model_.excitations.size(); ++j) s[j] = {};
+    };
+    Record record = empty(count, first.centre_s);
+    std::size_t i = 0;
+    integrate_motion(model_, parameters_.data(), silent, 0, q, v, 0, 1 / rate, count, settings(index),
+                     [&](const MotionSample& sample) { store(sample, i++, record); });
+    return record;
+  }
+
+  const Campaign& campaign_;
+  const ObservationSet& measured_;
+  const CompiledModel& model_;
+  const Eigen::VectorXd& parameters_;
+  ModalProjection projection_;
+  std::vector<std::vector<double>> shapes_;
+  std::vector<std::size_t> excitations_;
+};
+
+}  // namespace
+
+std::vector<Record> replay_records(const Campaign& campaign, const ObservationSet& measured,
+                                   const Eigen::VectorXd& parameters, unsigned threads) {
+  const Replay replay(campaign, measured, parameters);
+  std::vector<Record> records(campaign.records.size());
+  std::atomic<std::size_t> next{0};
+  std::mutex guard;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    for (std::size_t r = next++; r < records.size(); r = next++) {
+      const auto first = std::find_if(measured.observations.begin(), measured.observations.end(),
+                                      [&](const Observation& o) { return o.record == r; });
+      if (first == measured.observations.end()) continue;
+      const auto last = std::find_if(measured.observations.rbegin(), measured.observations.rend(),
+                                     [&](const Observation& o) { return o.record == r; });
+      try {
+        records[r] = replay.record(*first, *last, r);
+      } catch (...) {
+        const std::lock_guard lock(guard);
+        if (!failure) failure = std::current_exception();
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> workers;
+    for (unsigned i = 1; i < std::max(1U, threads); ++i) workers.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+  return records;
+}
+
+ObservationSet observe_replay(const Campaign& campaign, const ObservationSet& measured,
+                              const std::vector<Record>& replayed) {
+  Campaign reduced = campaign;
+  std::vector<std::size_t> original;
+  reduced.records.clear();
+  for (std::size_t r = 0; r < replayed.size(); ++r)
+    if (replayed[r].samples() > 0) {
+      reduced.records.push_back(campaign.records[r]);
+      original.push_back(r);
+    }
+  const RecordReader read = [&](std::size_t r) { return replayed[original[r]]; };
+  const ObservationSet exact = measured.resonance->excited
+                                   ? observe_dwells(reduced, read, *measured.model, *measured.resonance, {})
+                                   : observe_free_decays(reduced, read, *measured.model, *measured.resonance, {});
+  // Every measured observation takes the exact values seen nearest to it in the same record, and keeps its noise.
+  ObservationSet result = measured;
+  result.warnings.clear();
+  std::vector<Observation> kept;
+  for (const Observation& seen : measured.observations) {
+    const Observation* nearest = nullptr;
+    for (const Observation& o : exact.observations) {
+      if (original[o.record] != seen.record) continue;
+      if (!nearest || (!measured.resonance->excited &&
+                       std::abs(std::abs(o.amplitude[0]) - std::abs(seen.amplitude[0])) <
+                           std::abs(std::abs(nearest->amplitude[0]) - std::abs(seen.amplitude[0]))))
+        nearest = &o;
+    }
+    if (!nearest) continue;
+    Observation mixed = seen;
+    mixed.excitation_frequency = nearest->excitation_frequency;
+    mixed.forcing = nearest->forcing;
+    mixed.amplitude = nearest->amplitude;
+    mixed.rate = nearest->rate;
+    mixed.harmonic = nearest->harmonic;
+    kept.push_back(std::move(mixed));
+  }
+  result.observations = std::move(kept);
+  return result;
+}
+
+}  // namespace secular

@@ -1,0 +1,172 @@
+#include "estimator/campaign/data_file.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "estimator/campaign/number_table.hpp"
+#include "tests/campaign/mat_writer.hpp"
+#include "tests/campaign/temporary_folder.hpp"
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Csv : public TemporaryFolder {
+ protected:
+  NumberTable table(const std::string& text) const { return read_csv(write("a.csv", text)); }
+  std::string complaint(const std::string& text) const {
+    return refusal([&] { table(text); });
+  }
+};
+
+using Columns = std::vector<std::vector<double>>;
+
+TEST_F(Csv, AcceptsWhatProgramsWrite) {
+  const Columns expected = {{0, 0.5}, {-1.5, 2e-3}};
+  for (const char* const text :
+       {"t,a\n0,-1.5\n0.5,2e-3\n", "t,a\r\n0,-1.5\r\n0.5,2e-3\r\n", "\xEF\xBB\xBFt,a\n0,-1.5\n0.5,2e-3",
+        " t , a \n 0 ,\t-1.5\n +0.5 , 2E-03 \n", "t,a\n0,-1.5\n0.5,2e-3\n\n \r\n\n",
+        "\n\nt,a\n\n0,-1.5\n0.5,2e-3\n", "t;a\n0;-1,5\n0,5;2e-3\n", "t;a\n0;-1.5\n0.5;2e-3\n",
+        "t\ta\n0\t-1.5\n0.5\t2e-3\n", "\"t\",\"a\",\n0,-1.5,\n0.5,2e-3,\n",
+        "t,a\n\"0\",\"-1.5\"\n\"0.5\",\"0.002\"\n"}) {
+    const NumberTable read = table(text);
+    EXPECT_EQ(read.names, (std::vector<std::string>{"t", "a"})) << text;
+    EXPECT_EQ(read.columns, expected) << text;
+  }
+  EXPECT_EQ(table("\"a, b\",\"c;d\"\n1,2\n").names, (std::vector<std::string>{"a, b", "c;d"}));
+}
+
+TEST_F(Csv, ReadsOnlyWantedColumns) {
+  const fs::path path = write("a.csv", "t,note,a\n0,first,1\n1,,2\n");
+  const NumberTable read = read_csv(path, {"a", "t"});
+  EXPECT_EQ(read.columns, (Columns{{1, 2}, {0, 1}}));
+  EXPECT_TRUE(contains(refusal([&] { read_csv(path); }), "line 2, column note: 'first' is not a number"));
+  EXPECT_TRUE(contains(refusal([&] { read_csv(path, {"b"}); }), "its columns are t, note, a"));
+}
+
+TEST_F(Csv, KeepsMissingNumbersOnRequest) {
+  const NumberTable read =
+      read_csv(write("a.csv", "t,a\n0,\n1,nan\n2,7\n3,-inf\n4,bad\n"), {}, MissingNumbers::keep_as_nan);
+  EXPECT_EQ(read.columns[0], (std::vector<double>{0, 1, 2, 3, 4}));
+  for (const std::size_t i : {0u, 1u, 3u, 4u}) EXPECT_TRUE(std::isnan(read.columns[1][i]));
+  EXPECT_EQ(read.columns[1][2], 7);
+}
+
+TEST_F(Csv, ComplaintsNameTheLine) {
+  EXPECT_TRUE(contains(complaint("t,a\n0,1\n\n2,3\n"), "line 3: an empty line between rows"));
+  EXPECT_TRUE(contains(complaint("0,1\n2,3\n"), "line 1: numbers where the column names should be"));
+  EXPECT_TRUE(contains(complaint("t,a,a\n0,1,2\n"), "line 1: names two columns 'a'"));
+  EXPECT_TRUE(contains(complaint("t,,a\n0,1,2\n"), "line 1, column 2: has no name"));
+  EXPECT_TRUE(contains(complaint("t,a\n0,1,2\n"), "line 2: has 3 fields, the header names 2"));
+  EXPECT_TRUE(contains(complaint("t,a\n0,1.2.3\n"), "line 2, column a: '1.2.3' is not a number"));
+  EXPECT_TRUE(contains(complaint("t,a\n0,0x10\n"), "line 2, column a"));
+  EXPECT_TRUE(contains(complaint("t,a\n0,+-1\n"), "line 2, column a"));
+  EXPECT_TRUE(contains(complaint("\n\nt,a\n\n0,x\n"), "line 5, column a"));
+  EXPECT_TRUE(contains(complaint("t,a\n"), "no rows"));
+  EXPECT_TRUE(contains(complaint("\n \n"), "is empty"));
+  EXPECT_TRUE(contains(complaint("\xFF\xFEt\0"), "UTF-16"));
+  EXPECT_TRUE(contains(complaint(std::string("P\0\0K,\n1,2\n", 10)), "is not text"));
+  EXPECT_TRUE(contains(refusal([&] { read_csv(folder_); }), "is a folder"));
+  EXPECT_TRUE(contains(refusal([&] { read_csv(folder_ / "none.csv"); }), "cannot be opened"));
+}
+
+TEST_F(Csv, RestoresALargeTable) {
+  NumberTable made{{"t", "a", "b"}, Columns(3, std::vector<double>(131072))};
+  for (std::size_t i = 0; i < 131072; ++i)
+    for (std::size_t c = 0; c < 3; ++c) made.columns[c][i] = std::sin(static_cast<double>(3 * i + c)) / 3;
+  const fs::path path = write("big.csv", csv_text(made));
+  EXPECT_EQ(read_csv(path).columns, made.columns);
+}
+
+class Mat : public TemporaryFolder {};
+
+TEST_F(Mat, ListsAndReadsEveryNumericClass) {
+  const fs::path path = folder_ / "a.mat";
+  {
+    MatWriter writer(path);
+    writer.add(MatWriter::array<double>("d", MAT_C_DOUBLE, MAT_T_DOUBLE, 3, 1, {0.1, -2, 3e300}));
+    writer.add(MatWriter::array<float>("s", MAT_C_SINGLE, MAT_T_SINGLE, 1, 3, {0.5f, -2, 3}), true);
+    writer.add(MatWriter::array<std::int8_t>("i8", MAT_C_INT8, MAT_T_INT8, 1, 3, {-128, 0, 127}));
+    writer.add(MatWriter::array<std::uint8_t>("u8", MAT_C_UINT8, MAT_T_UINT8, 3, 1, {0, 1, 255}), true);
+    writer.add(MatWriter::array<std::int16_t>("i16", MAT_C_INT16, MAT_T_INT16, 1, 2, {-32768, 32767}));
+    writer.add(MatWriter::array<std::uint16_t>("u16", MAT_C_UINT16, MAT_T_UINT16, 1, 2, {0, 65535}));
+    writer.add(MatWriter::array<std::int32_t>("i32", MAT_C_INT32, MAT_T_INT32, 1, 2, {-2147483647, 5}));
+    writer.add(MatWriter::array<std::uint32_t>("u32", MAT_C_UINT32, MAT_T_UINT32, 1, 2, {0, 4294967295u}), true);
+    writer.add(MatWriter::array<std::int64_t>("i64", MAT_C_INT64, MAT_T_INT64, 1, 2, {-5, 1LL << 40}));
+    writer.add(MatWriter::array<std::uint64_t>("u64", MAT_C_UINT64, MAT_T_UINT64, 1, 2, {5, 1ULL << 40}));
+    writer.add(MatWriter::array<double>("m", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, 2, {1, 2, 3, 4}));
+    writer.add(MatWriter::array<double>("none", MAT_C_DOUBLE, MAT_T_DOUBLE, 0, 0, {}));
+  }
+  const DataFile data = read_data_file(path);
+  EXPECT_EQ(data.format, "MAT v5");
+  EXPECT_EQ(data.vector("d").values, (std::vector<double>{0.1, -2, 3e300}));
+  EXPECT_EQ(data.vector("s").values, (std::vector<double>{0.5, -2, 3}));
+  EXPECT_EQ(data.vector("s").shape, (std::vector<std::size_t>{1, 3}));
+  EXPECT_EQ(data.vector("s").type, "single");
+  EXPECT_EQ(data.vector("i8").values, (std::vector<double>{-128, 0, 127}));
+  EXPECT_EQ(data.vector("u8").values, (std::vector<double>{0, 1, 255}));
+  EXPECT_EQ(data.vector("i16").values, (std::vector<double>{-32768, 32767}));
+  EXPECT_EQ(data.vector("u16").values, (std::vector<double>{0, 65535}));
+  EXPECT_EQ(data.vector("i32").values, (std::vector<double>{-2147483647, 5}));
+  EXPECT_EQ(data.vector("u32").values, (std::vector<double>{0, 4294967295.0}));
+  EXPECT_EQ(data.vector("i64").values, (std::vector<double>{-5, 1099511627776.0}));
+  EXPECT_EQ(data.vector("u64").values, (std::vector<double>{5, 1099511627776.0}));
+  EXPECT_TRUE(contains(refusal([&] { data.vector("m"); }), "variable m: is a matrix"));
+  EXPECT_TRUE(contains(refusal([&] { data.vector("none"); }), "is empty"));
+  EXPECT_TRUE(contains(refusal([&] { data.vector("x"); }), "its variables are d, s, i8"));
+}
+
+TEST_F(Mat, NonFiniteNumbersAreRefusedWithTheirPlace) {
+  const fs::path path = folder_ / "a.mat";
+  { MatWriter(path).add(MatWriter::column("a", {1, 2, std::nan("")})); }
+  EXPECT_TRUE(contains(refusal([&] { read_data_file(path); }), "variable a, element 3: is not a finite number"));
+  EXPECT_TRUE(std::isnan(read_data_file(path, {}, MissingNumbers::keep_as_nan).vector("a").values[2]));
+}
+
+TEST_F(Mat, NestedStructsAndCellsHavePaths) {
+  const fs::path path = folder_ / "a.mat";
+  {
+    MatWriter writer(path);
+    std::size_t shape[2] = {1, 2};
+    matvar_t* cells[2] = {MatWriter::row("", {1, 2}), MatWriter::row("", {3, 4, 5})};
+    matvar_t* const cell = Mat_VarCreate("c", MAT_C_CELL, MAT_T_CELL, 2, shape, cells, 0);
+    matvar_t* const inner =
+        MatWriter::structure("in", 2, {"x"}, {MatWriter::row("", {6, 7}), MatWriter::column("", {8, 9})});
+    writer.add(MatWriter::structure("s", 1, {"in", "c"}, {inner, cell}), true);
+  }
+  EXPECT_EQ(data_variable_names(path), (std::vector<std::string>{"s.in(1).x", "s.in(2).x", "s.c{1}", "s.c{2}"}));
+  const DataFile data = read_data_file(path, {"s.in(2).x", "s.c{2}"});
+  EXPECT_EQ(data.vector("s.in(2).x").values, (std::vector<double>{8, 9}));
+  EXPECT_EQ(data.vector("s.c{2}").values, (std::vector<double>{3, 4, 5}));
+}
+
+TEST_F(Mat, FilesThatOnlyLookLikeMatAreRefused) {
+  EXPECT_TRUE(contains(refusal([&] { read_data_file(write("a.mat", "t,a\n0,1\n")); }), "not a MAT v5 file"));
+  EXPECT_TRUE(contains(refusal([&] { read_data_file(write("a.mat", "")); }), "not a MAT v5 file"));
+  EXPECT_TRUE(contains(refusal([&] { read_data_file(folder_ / "none.mat"); }), "does not exist"));
+  EXPECT_TRUE(contains(refusal([&] { read_data_file(folder_); }), "not a regular file"));
+}
+
+TEST(MeasuredFiles, Pendulum) {
+  const fs::path path = fs::path(SECULAR_SOURCE_DIR) / "../shared/data/pendulum/cdip_pend_data.mat";
+  if (!fs::exists(path)) GTEST_SKIP() << path << " is not there";
+  const DataFile data = read_data_file(path);
+  ASSERT_EQ(data.vector("t").values.size(), data.vector("theta").values.size());
+  EXPECT_EQ(even_time_axis(data.vector("t").values, data.file, data.place).sample_rate_hz, 1000);
+  double largest = 0;
+  for (const double theta : data.vector("theta").values) largest = std::max(largest, std::abs(theta));
+  EXPECT_NEAR(largest * 180 / std::numbers::pi, 57, 1);
+}
+
+TEST(MeasuredFiles, BoltedBeam) {
+  const fs::path path = fs::path(SECULAR_SOURCE_DIR) / "../shared/data/brake_reuss_beam/HammerImpact.mat";
+  if (!fs::exists(path)) GTEST_SKIP() << path << " is not there";
+  const DataFile data = read_data_file(path);
+  ASSERT_EQ(data.variables.size(), 4u);
+  EXPECT_EQ(even_time_axis(data.vector("HIdata.time").values, data.file, data.place).sample_rate_hz, 12800);
+}
+
+}  // namespace
+}  // namespace secular

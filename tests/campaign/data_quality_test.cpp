@@ -1,0 +1,214 @@
+#include "estimator/campaign/data_quality.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "estimator/campaign/clipping.hpp"
+#include "estimator/campaign/data_file.hpp"
+#include "estimator/campaign/noise_floor.hpp"
+#include "estimator/campaign/resolution.hpp"
+
+namespace secular {
+namespace {
+
+using Samples = std::vector<double>;
+
+Samples sine(std::size_t count, double per_period, double amplitude = 1) {
+  Samples samples(count);
+  for (std::size_t i = 0; i < count; ++i)
+    samples[i] = amplitude * std::sin(2 * std::numbers::pi * static_cast<double>(i) / per_period + 0.3);
+  return samples;
+}
+
+Samples quantised(Samples samples, double quantum) {
+  for (double& x : samples) x = std::round(x / quantum) * quantum;
+  return samples;
+}
+
+Samples limited(Samples samples, double limit) {
+  for (double& x : samples) x = std::clamp(x, -limit, limit);
+  return samples;
+}
+
+// Unit normal numbers by Box and Muller: the same on every machine.
+Samples noise(std::size_t count, double sd) {
+  std::mt19937_64 random(11);
+  const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
+  Samples samples(count);
+  for (double& x : samples)
+    x = sd * std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform());
+  return samples;
+}
+
+Samples sum(Samples a, const Samples& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
+  return a;
+}
+
+bool has(const ChannelQuality& quality, const std::string& kind) {
+  return std::any_of(quality.faults.begin(), quality.faults.end(),
+                     [&](const DataFault& f) { return f.kind == kind; });
+}
+
+TEST(Clipping, FindsLimitedSignals) {
+  for (const double per_period : {40.0, 100.3, 1234.5})
+    for (const double limit : {0.5, 0.8, 0.95}) {
+      const Samples samples = limited(sine(20000, per_period), limit);
+      const Clipping clipping = find_clipping(samples);
+      const auto periods = static_cast<std::size_t>(20000 / per_period);
+      EXPECT_GE(clipping.runs_high + clipping.runs_low, periods) << per_period << " " << limit;
+      const auto stuck =
+          std::count_if(samples.begin(), samples.end(), [&](double x) { return std::abs(x) == limit; });
+      EXPECT_LE(clipping.samples, static_cast<std::size_t>(stuck));
+    }
+}
+
+TEST(Clipping, FindsLimitsOfAConverterAndOfASingleKnock) {
+  EXPECT_TRUE(find_clipping(limited(quantised(sine(20000, 100.3), 1.0 / 2048), 0.9)).found());
+  EXPECT_TRUE(find_clipping(limited(sum(sine(20000, 100.3), noise(20000, 0.01)), 0.8)).found());
+  Samples knock(2000, 0.0);
+  for (std::size_t i = 0; i < 40; ++i) knock[500 + i] = std::sin(std::numbers::pi * static_cast<double>(i) / 40);
+  EXPECT_FALSE(find_clipping(knock).found());
+  EXPECT_EQ(find_clipping(limited(knock, 0.7)).runs_high, 1u);
+  EXPECT_EQ(find_clipping(limited(knock, 0.7)).runs_low, 0u);
+}
+
+TEST(Clipping, FlatTurningPointsOfQuantisedSignalsAreNone) {
+  for (const double per_period : {50.0, 317.7, 1000.0, 20000.1})
+    for (const double quantum : {0.05, 0.011, 0.003, 0.0004})
+      for (const double amplitude : {1.0, 0.987, 1.0173}) {
+        const Samples samples = quantised(sine(40000, per_period, amplitude), quantum);
+        EXPECT_FALSE(find_clipping(samples).found()) << per_period << " " << quantum << " " << amplitude;
+      }
+}
+
+TEST(Clipping, APendulumHeldBeforeItsReleaseIsNone) {
+  // Lifted within two seconds, held for three, released: quantum 0.025 degrees as of an encoder, 1 kHz.
+  Samples angle;
+  for (int i = 0; i < 2000; ++i) angle.push_back(57 * std::sin(0.5 * std::numbers::pi * i / 2000));
+  for (int i = 0; i < 3000; ++i) angle.push_back(57);
+  for (int i = 0; i < 60000; ++i) angle.push_back(57 * std::exp(-2e-5 * i) * std::cos(5.77e-3 * i));
+  EXPECT_FALSE(find_clipping(quantised(angle, 0.025)).found());
+  // The same when it is lifted at constant speed: it arrives with a slope, but leaves from rest.
+  for (int i = 0; i < 2000; ++i) angle[static_cast<std::size_t>(i)] = 57.0 * i / 2000;
+  EXPECT_FALSE(find_clipping(quantised(angle, 0.025)).found());
+}
+
+TEST(Clipping, SquareWavesRestAndNoiseAreNone) {
+  Samples square = sine(5000, 100.3);
+  for (double& x : square) x = x > 0 ? 1 : -1;
+  EXPECT_FALSE(find_clipping(square).found());
+  EXPECT_FALSE(find_clipping(noise(20000, 1)).found());
+  // A hammer's force: zero between knocks is rest, its flattened peaks are not.
+  Samples force(20000, 0.0);
+  for (std::size_t i = 0; i < 20000; ++i)
+    if (i % 1000 < 40) force[i] = std::sin(std::numbers::pi * static_cast<double>(i % 1000) / 40);
+  EXPECT_FALSE(find_clipping(force).found());
+  EXPECT_EQ(find_clipping(limited(force, 0.7)).runs_high, 20u);
+  EXPECT_EQ(find_clipping(limited(force, 0.7)).runs_low, 0u);
+  EXPECT_FALSE(find_clipping(quantised(noise(20000, 1), 0.01)).found());
+  EXPECT_FALSE(find_clipping(Samples(100, 3.0)).found());
+  EXPECT_FALSE(find_clipping({}).found());
+}
+
+TEST(NoiseFloor, IsThatOfWhiteNoiseUnderALine) {
+  for (const double sd : {1e-5, 1e-3, 0.2}) {
+    const std::optional<double> level = noise_floor(sum(sine(60000, 37.7, 3), noise(60000, sd)));
+    ASSERT_TRUE(level);
+    EXPECT_NEAR(*level, sd, 0.05 * sd);
+  }
+}
+
+TEST(NoiseFloor, IgnoresASingleKnockAndALineInTheUpperHalf) {
+  Samples samples = sum(noise(60000, 0.01), sine(60000, 2.7, 5));
+  samples[3000] += 100;
+  const std::optional<double> level = noise_floor(samples);
+  ASSERT_TRUE(level);
+  EXPECT_NEAR(*level, 0.01, 0.05 * 0.01);
+  EXPECT_FALSE(noise_floor(noise(200, 1)));
+}
+
+TEST(Resolution, IsTheQuantumOfAnEncoder) {
+  const double quantum = 0.025 * std::numbers::pi / 180;
+  const ValueGrid grid = value_grid(quantised(sine(50000, 333.3), quantum));
+  ASSERT_TRUE(grid.step);
+  EXPECT_NEAR(*grid.step, quantum, 1e-6 * quantum);
+  EXPECT_FALSE(value_grid(sine(50000, 333.3)).step);
+  EXPECT_FALSE(value_grid(noise(50000, 1)).step);
+  EXPECT_EQ(value_grid(Samples(5, 2.0)).levels, 1u);
+}
+
+TEST(ChannelQuality, LevelsOfASine) {
+  const ChannelQuality quality = check_channel(sine(10000, 100, 2));
+  EXPECT_NEAR(quality.mean, 0, 1e-12);
+  EXPECT_NEAR(quality.rms, std::sqrt(2), 1e-12);
+  EXPECT_NEAR(quality.peak, 2, 1e-3);
+  EXPECT_EQ(quality.samples, 10000u);
+  EXPECT_TRUE(quality.faults.empty());
+}
+
+TEST(ChannelQuality, NamesFaults) {
+  Samples samples = sine(10000, 100);
+  samples[70] = samples[71] = std::numeric_limits<double>::quiet_NaN();
+  const ChannelQuality missing = check_channel(samples);
+  EXPECT_EQ(missing.missing, 2u);
+  EXPECT_NEAR(missing.rms, std::sqrt(0.5), 1e-3);
+  ASSERT_TRUE(has(missing, "missing"));
+  EXPECT_NE(missing.faults.front().text.find("sample 71"), std::string::npos);
+  EXPECT_TRUE(has(check_channel(Samples(100, 0.0)), "constant"));
+  EXPECT_TRUE(has(check_channel(limited(sine(10000, 100.3), 0.7)), "clipping"));
+  EXPECT_TRUE(has(check_channel(quantised(sine(10000, 100.3), 0.1)), "coarse"));
+  EXPECT_TRUE(has(check_channel(sum(sine(10000, 100.3), Samples(10000, 0.2))), "offset"));
+  EXPECT_FALSE(has(check_channel(sum(sine(10000, 100.3), Samples(10000, 0.01))), "offset"));
+  EXPECT_TRUE(has(check_channel(Samples(3, std::nan(""))), "missing"));
+  EXPECT_EQ(check_channel({}).samples, 0u);
+}
+
+// A free decay has a mean that is no offset: less than one swing is left over.
+TEST(ChannelQuality, AFreeDecayHasNoOffset) {
+  Samples samples = sine(50000, 700.7);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] *= std::exp(-1e-3 * static_cast<double>(i));
+  EXPECT_TRUE(check_channel(samples).faults.empty());
+}
+
+ChannelQuality measured(const std::string& file, const std::string& variable) {
+  return check_channel(
+      read_data_file(std::filesystem::path(SECULAR_SOURCE_DIR) / "../shared/data" / file).vector(variable).values);
+}
+
+class MeasuredQuality : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(std::filesystem::path(SECULAR_SOURCE_DIR) / "../shared/data"))
+      GTEST_SKIP() << "../shared/data is not there";
+  }
+};
+
+TEST_F(MeasuredQuality, ThePendulumIsFaultlessAndOnItsEncodersGrid) {
+  const ChannelQuality theta = measured("pendulum/cdip_pend_data.mat", "theta");
+  EXPECT_TRUE(theta.faults.empty());
+  ASSERT_TRUE(theta.resolution);
+  EXPECT_NEAR(*theta.resolution * 180 / std::numbers::pi, 0.025, 1e-6);
+}
+
+TEST_F(MeasuredQuality, TheSilverboxInputHasAnOffset) {
+  const ChannelQuality input = measured("silverbox/SNLS80mV.csv", "V1");
+  ASSERT_EQ(input.faults.size(), 1u);
+  EXPECT_EQ(input.faults.front().kind, "offset");
+  EXPECT_NEAR(input.mean, 6.2e-3, 0.1e-3);
+  EXPECT_TRUE(measured("silverbox/SNLS80mV.csv", "V2").faults.empty());
+}
+
+TEST_F(MeasuredQuality, TheBeamIsFaultless) {
+  for (const char* const channel : {"HIdata.acc1", "HIdata.acc2", "HIdata.acc3"})
+    EXPECT_TRUE(measured("brake_reuss_beam/HammerImpact.mat", channel).faults.empty()) << channel;
+}
+
+}  // namespace
+}  // namespace secular

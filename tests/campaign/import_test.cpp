@@ -1,0 +1,187 @@
+#include <numbers>
+
+#include "estimator/campaign/import_files.hpp"
+#include "estimator/campaign/inspection.hpp"
+#include "tests/campaign/mat_writer.hpp"
+#include "tests/campaign/temporary_folder.hpp"
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Import : public TemporaryFolder {
+ protected:
+  void SetUp() override {
+    TemporaryFolder::SetUp();
+    options_.files = {write("run.csv", "t,base,tip\n0,1,2\n0.01,3,4\n0.02,5,6\n")};
+    options_.kind = "sweep";
+    options_.channels = {"base:excitation:acceleration:m/s^2", "tip:response:acceleration:m/s^2"};
+  }
+  std::string complaint() const {
+    return refusal([&] { import_files(options_); });
+  }
+  ImportOptions options_;
+};
+
+TEST_F(Import, MakesACampaignThatReadsBack) {
+  options_.files.push_back(write("b/run.csv", "t;tip;base\n1;-2,5;7\n1,01;4;5\n"));
+  options_.files.push_back(write("run 2.5.csv", "t,base,tip\n0,1,2\n0.01,3,4\n"));
+  options_.frequencies_hz = {20, 21, 22};
+  options_.amplitudes = {0.5};
+  options_.group = "up";
+  options_.ensemble_s = 0.02;
+  const ImportedCampaign imported = import_files(options_);
+  write_campaign(imported.campaign, imported.samples, folder_ / "c");
+  const Campaign campaign = read_campaign(folder_ / "c");
+  EXPECT_EQ(campaign.name, "run");
+  EXPECT_EQ(campaign.sample_rate_hz, 100);
+  ASSERT_EQ(campaign.records.size(), 3u);
+  EXPECT_EQ(campaign.records[0].file, "records/run.csv");
+  EXPECT_EQ(campaign.records[1].file, "records/run-2.csv");
+  EXPECT_EQ(campaign.records[2].file, "records/run_2.5.csv");
+  EXPECT_EQ(campaign.records[1].excitation_frequency_hz, 21);
+  EXPECT_EQ(campaign.records[2].excitation_amplitude, 0.5);
+  EXPECT_EQ(campaign.records[2].group, "up");
+  const Record second = read_record(campaign, campaign.records[1]);
+  EXPECT_EQ(second.start_s, 1);
+  EXPECT_EQ(second.channels, (std::vector<std::vector<double>>{{7, 5}, {-2.5, 4}}));
+}
+
+TEST_F(Import, FilesWithoutTimeTakeTheSampleRate) {
+  options_.files = {write("a.csv", "\"V1\",\"V2\",\n0.5,0.25,\n1,2,\n")};
+  options_.channels = {"V1:excitation:voltage:V", "V2:response:voltage:V"};
+  EXPECT_TRUE(contains(complaint(), "--time"));
+  EXPECT_TRUE(contains(complaint(), "--sample-rate"));
+  EXPECT_TRUE(contains(complaint(), "V1, V2"));
+  options_.sample_rate_hz = 610.35;
+  const ImportedCampaign imported = import_files(options_);
+  EXPECT_EQ(imported.campaign.sample_rate_hz, 610.35);
+  EXPECT_EQ(imported.samples[0].channels, (std::vector<std::vector<double>>{{0.5, 1}, {0.25, 2}}));
+}
+
+TEST_F(Import, AsksForWhatFilesCannotSayByTheOptionsName) {
+  const ImportOptions good = options_;
+  options_.kind = "";
+  EXPECT_TRUE(contains(complaint(), "--kind"));
+  EXPECT_TRUE(contains(complaint(), "free_decay"));
+  options_.kind = "swept";
+  EXPECT_TRUE(contains(complaint(), "--kind swept"));
+  options_ = good;
+  options_.channels.clear();
+  EXPECT_TRUE(contains(complaint(), "t, base, tip"));
+  EXPECT_TRUE(contains(complaint(), "--channel NAME:ROLE:QUANTITY:UNIT"));
+  options_ = good;
+  options_.time = "clock";
+  EXPECT_TRUE(contains(complaint(), "--time clock"));
+  options_ = good;
+  options_.sample_rate_hz = 0;
+  EXPECT_TRUE(contains(complaint(), "--sample-rate"));
+  options_ = good;
+  options_.time = "t";
+  options_.sample_rate_hz = 200;
+  EXPECT_TRUE(contains(complaint(), "sampled at 100 Hz; --sample-rate says 200"));
+  options_ = good;
+  options_.frequencies_hz = {1, 2};
+  EXPECT_TRUE(contains(complaint(), "--frequency: has 2 values for 1 files"));
+  options_.frequencies_hz = {50};
+  EXPECT_TRUE(contains(complaint(), "half the sample rate"));
+  options_ = good;
+  options_.amplitudes = {-1};
+  EXPECT_TRUE(contains(complaint(), "--amplitude"));
+  options_ = good;
+  options_.files.push_back(write("fast.csv", "t,base,tip\n0,1,2\n0.001,3,4\n"));
+  EXPECT_TRUE(contains(complaint(), "fast.csv"));
+}
+
+TEST_F(Import, ChannelDescriptionsAreChecked) {
+  const struct {
+    const char *text, *part;
+  } cases[] = {
+      {"tip:response:m", "--channel tip:response:m: has 3 of four fields"},
+      {"top:response:acceleration:m/s^2", "has no variable 'top'; its variables are t, base, tip"},
+      {"tip:output:acceleration:m/s^2", "role: is 'output'; excitation or response"},
+      {"tip:response:accel:m/s^2", "quantity: is 'accel'"},
+      {"tip:response:acceleration:g", "9.80665"},
+      {"t=tip:response:acceleration:m/s^2", "names time"},
+      {"base:excitation:acceleration:m/s^2", "described twice"},
+  };
+  for (const auto& test : cases) {
+    options_.channels = {"base:response:acceleration:m/s^2", test.text};
+    EXPECT_TRUE(contains(complaint(), test.part));
+  }
+  options_.channels = {"base:excitation:acceleration:m/s^2"};
+  EXPECT_TRUE(contains(complaint(), "no channel is a response"));
+}
+
+TEST_F(Import, StructFieldsOfMatFilesCanBeRenamed) {
+  {
+    MatWriter writer(folder_ / "a.mat");
+    writer.add(MatWriter::structure("run", 1, {"time", "x", "y"},
+                                    {MatWriter::column("", {0, 0.5, 1}),
+                                     MatWriter::array<std::int16_t>("", MAT_C_INT16, MAT_T_INT16, 1, 3, {1, 2, 3}),
+                                     MatWriter::row("", {4, 5, 6})}));
+  }
+  options_.files = {folder_ / "a.mat"};
+  options_.channels = {"tip=run.x:response:angle:rad"};
+  options_.time = "run.time";
+  const ImportedCampaign imported = import_files(options_);
+  EXPECT_EQ(imported.campaign.channels.front().name, "tip");
+  EXPECT_EQ(imported.campaign.sample_rate_hz, 2);
+  EXPECT_EQ(imported.samples.front().channels, (std::vector<std::vector<double>>{{1, 2, 3}}));
+  EXPECT_EQ(imported.left_out, std::vector<std::string>{"run.y"});
+}
+
+TEST_F(Import, ThePendulumKeepsEverySample) {
+  const fs::path path = fs::path(SECULAR_SOURCE_DIR) / "../shared/data/pendulum/cdip_pend_data.mat";
+  if (!fs::exists(path)) GTEST_SKIP() << path << " is not there";
+  ImportOptions options;
+  options.files = {path};
+  options.kind = "free_decay";
+  options.channels = {"theta:response:angle:rad"};
+  options.time = "t";
+  const ImportedCampaign imported = import_files(options);
+  write_campaign(imported.campaign, imported.samples, folder_ / "c");
+  const Campaign campaign = read_campaign(folder_ / "c");
+  EXPECT_EQ(campaign.sample_rate_hz, 1000);
+  EXPECT_EQ(read_record(campaign, campaign.records.front()).channels, imported.samples.front().channels);
+  const std::vector<RecordInspection> inspected = inspect_records(campaign);
+  EXPECT_TRUE(inspected.front().faults.empty());
+  EXPECT_TRUE(inspected.front().channels.front().faults.empty());
+}
+
+class Inspection : public TemporaryFolder {};
+
+TEST_F(Inspection, BrokenRecordsAreFaultsNotFailures) {
+  write("c/campaign.toml",
+        "schema = 1\nname = \"x\"\nsample_rate_hz = 10.0\n[[channel]]\nname = \"a\"\nrole = \"response\"\n"
+        "quantity = \"angle\"\nunit = \"rad\"\n[[record]]\nfile = \"1.csv\"\nkind = \"impact\"\n[[record]]\n"
+        "file = \"2.csv\"\nkind = \"impact\"\n[[record]]\nfile = \"3.csv\"\nkind = \"impact\"\n");
+  write("c/1.csv", "t,a\n0,1\n0.1,nan\n0.2,3\n0.3,4\n");
+  write("c/2.csv", "t,a\n0,1\n0.1,2\n0.2,3\n0.5,4\n");
+  write("c/3.csv", "t,b\n0,1\n");
+  const std::vector<RecordInspection> records = inspect_records(read_campaign(folder_ / "c"));
+  ASSERT_EQ(records.size(), 3u);
+  EXPECT_TRUE(records[0].faults.empty());
+  EXPECT_EQ(records[0].channels.at(0).faults.at(0).kind, "missing");
+  EXPECT_EQ(records[1].faults.at(0).kind, "time");
+  EXPECT_TRUE(contains(records[1].faults.at(0).text, "line 5"));
+  EXPECT_EQ(records[1].channels.size(), 1u);
+  EXPECT_EQ(records[2].faults.at(0).kind, "unreadable");
+  EXPECT_TRUE(contains(records[2].faults.at(0).text, "'a'"));
+}
+
+TEST_F(Inspection, AFileShowsItsVariables) {
+  const FileInspection file = inspect_file(write("a.csv", "Time,a,note\n5,1,x\n5.5,2,y\n6,4,z\n"));
+  EXPECT_EQ(file.format, "CSV");
+  EXPECT_EQ(file.time, "Time");
+  ASSERT_TRUE(file.axis);
+  EXPECT_EQ(file.axis->sample_rate_hz, 2);
+  ASSERT_EQ(file.variables.size(), 3u);
+  EXPECT_EQ(file.variables[1].quality->maximum, 4);
+  EXPECT_EQ(file.variables[2].type, "text");
+  EXPECT_FALSE(file.variables[2].quality);
+}
+
+}  // namespace
+}  // namespace secular

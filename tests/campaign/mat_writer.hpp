@@ -1,0 +1,53 @@
+#pragma once
+
+#include <matio.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace secular {
+
+/// Writes MAT v5 files for tests. Shapes are {rows, columns}.
+class MatWriter {
+ public:
+  explicit MatWriter(const std::filesystem::path& path, mat_ft version = MAT_FT_MAT5)
+      : file_(Mat_CreateVer(path.c_str(), "MATLAB 5.0 MAT-file", version)) {}
+  MatWriter(const MatWriter&) = delete;
+  MatWriter& operator=(const MatWriter&) = delete;
+  ~MatWriter() { Mat_Close(file_); }
+
+  template <class Element>
+  static matvar_t* array(const std::string& name, matio_classes type, matio_types storage, std::size_t rows,
+                         std::size_t columns, std::vector<Element> values) {
+    std::size_t shape[2] = {rows, columns};
+    return Mat_VarCreate(name.c_str(), type, storage, 2, shape, values.data(), 0);
+  }
+  static matvar_t* column(const std::string& name, const std::vector<double>& values) {
+    return array(name, MAT_C_DOUBLE, MAT_T_DOUBLE, values.size(), 1, values);
+  }
+  static matvar_t* row(const std::string& name, const std::vector<double>& values) {
+    return array(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 1, values.size(), values);
+  }
+  /// A 1 x count struct array; fields[i * names.size() + f]: field f of element i. Takes the fields over.
+  static matvar_t* structure(const std::string& name, std::size_t count, std::vector<const char*> names,
+                             const std::vector<matvar_t*>& fields) {
+    std::size_t shape[2] = {1, count};
+    matvar_t* const made =
+        Mat_VarCreateStruct(name.c_str(), 2, shape, names.data(), static_cast<unsigned>(names.size()));
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t f = 0; f < names.size(); ++f)
+        Mat_VarSetStructFieldByName(made, names[f], i, fields[i * names.size() + f]);
+    return made;
+  }
+
+  void add(matvar_t* variable, bool compressed = false) {
+    Mat_VarWrite(file_, variable, compressed ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE);
+    Mat_VarFree(variable);
+  }
+
+ private:
+  mat_t* file_;
+};
+
+}  // namespace secular

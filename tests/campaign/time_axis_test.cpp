@@ -1,0 +1,78 @@
+#include "estimator/campaign/time_axis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/campaign/temporary_folder.hpp"
+
+namespace secular {
+namespace {
+
+std::vector<double> stamps(double start, double rate, std::size_t count, double rounded_to = 0) {
+  std::vector<double> times;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = start + static_cast<double>(i) / rate;
+    times.push_back(rounded_to > 0 ? std::round(t / rounded_to) * rounded_to : t);
+  }
+  return times;
+}
+
+TEST(TimeAxis, FindsTheExactRateOfExactStamps) {
+  for (const double rate : {1000.0, 256.0, 610.35, 0.01, 12800.0, 1e6})
+    for (const double start : {0.0, -0.01, 12.5}) {
+      const TimeAxis axis = even_time_axis(stamps(start, rate, 5000), "f", {});
+      EXPECT_EQ(axis.sample_rate_hz, rate);
+      EXPECT_EQ(axis.start_s, start);
+    }
+  EXPECT_EQ(even_time_axis(stamps(0, 1 / 0.0015, 5000), "f", {}).sample_rate_hz, 1 / 0.0015);
+}
+
+TEST(TimeAxis, PrefersTheExpectedRateWhereTheStampsFollowIt) {
+  const double rate = 1000.0 / 3;
+  EXPECT_EQ(even_time_axis(stamps(0, rate, 1000), "f", {}, rate).sample_rate_hz, rate);
+  EXPECT_EQ(even_time_axis(stamps(0, 500, 1000), "f", {}, 500.4).sample_rate_hz, 500);
+}
+
+TEST(TimeAxis, RoundedStampsKeepTheRate) {
+  // Stamps printed to a fifth of the step.
+  const TimeAxis axis = even_time_axis(stamps(0.25, 2000, 20000, 1e-4), "f", {});
+  EXPECT_EQ(axis.sample_rate_hz, 2000);
+  const TimeAxis odd = even_time_axis(stamps(0, 610.35, 20000, 1e-4), "f", {});
+  EXPECT_NEAR(odd.sample_rate_hz, 610.35, 610.35 * 1e-6);
+  EXPECT_NEAR(odd.start_s, 0, 1e-5);
+}
+
+TEST(TimeAxis, EpochTimeIsAccepted) {
+  EXPECT_EQ(even_time_axis(stamps(1.7e9, 1000, 10000), "f", {}).sample_rate_hz, 1000);
+}
+
+TEST(TimeAxis, RefusesUnevenTimeWithItsPlace) {
+  std::vector<double> times = stamps(0, 10, 100);
+  const auto complaint = [&](std::vector<double> changed) {
+    return refusal([&] { even_time_axis(changed, "f.csv", {"line", 2}); });
+  };
+  std::vector<double> changed = times;
+  changed.erase(changed.begin() + 50);
+  EXPECT_TRUE(
+      contains(complaint(changed), "f.csv, line 52 (t = 5.1): a gap of 0.2 s where samples are 0.1 s apart"));
+  changed = times;
+  changed[50] = changed[49];
+  EXPECT_TRUE(contains(complaint(changed), "line 52 (t = 4.9): repeats"));
+  changed = times;
+  std::swap(changed[50], changed[51]);
+  EXPECT_TRUE(contains(complaint(changed), "line 52"));
+  changed = times;
+  changed[50] += 0.04;
+  EXPECT_TRUE(contains(complaint(changed), "line 52 (t = 5.04): samples are not even"));
+  // A rate that changes half way has no single step out of proportion.
+  changed = stamps(0, 10, 50);
+  for (int i = 0; i < 50; ++i) changed.push_back(changed.back() + 0.12);
+  EXPECT_TRUE(contains(complaint(changed), "samples are not even"));
+  EXPECT_TRUE(contains(complaint({3}), "fewer than two samples"));
+  EXPECT_TRUE(contains(complaint({-1e308, 1e308}), "out of all proportion"));
+}
+
+}  // namespace
+}  // namespace secular

@@ -1,0 +1,228 @@
+// The committed code in generated/: up to date, the same whatever GiNaC's order of terms is, and right.
+#include <ginac/ginac.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <vector>
+
+#include "codegen/emit_cpp.hpp"
+#include "codegen/evaluation.hpp"
+#include "generated/registry.hpp"
+#include "perturb/model.hpp"
+#include "perturb/observation.hpp"
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path root = SECULAR_SOURCE_DIR;
+const std::vector<std::string> shipped = {"pendulum", "two_mass_mode1"};
+
+std::string text_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+std::vector<GeneratedFile> generate_all() {
+  std::vector<GeneratedFile> files;
+  for (const std::string& name : shipped)
+    for (GeneratedFile& file : emit_cpp(canonical_model(read_model(root / "models" / (name + ".toml")))))
+      files.push_back(std::move(file));
+  for (GeneratedFile& file : emit_registry(shipped)) files.push_back(std::move(file));
+  return files;
+}
+
+// First line that differs, with both texts.
+std::string difference(const std::string& committed, const std::string& fresh) {
+  std::istringstream a(committed), b(fresh);
+  std::string left, right;
+  for (int line = 1;; ++line) {
+    const bool more_left = static_cast<bool>(std::getline(a, left)),
+               more_right = static_cast<bool>(std::getline(b, right));
+    if (!more_left && !more_right) return {};
+    if (more_left != more_right || left != right)
+      return "line " + std::to_string(line) + "\n- " + left + "\n+ " + right;
+  }
+}
+
+TEST(Generated, FolderIsWhatTheGeneratorWrites) {
+  std::vector<std::string> names;
+  for (const GeneratedFile& file : generate_all()) {
+    names.push_back(file.name);
+    const std::string committed = text_of(root / "generated" / file.name);
+    EXPECT_EQ(committed, file.text) << "generated/" << file.name
+                                    << " has drifted; build with -DSECULAR_REGENERATE=ON. "
+                                    << difference(committed, file.text);
+  }
+  for (const auto& entry : fs::directory_iterator(root / "generated"))
+    EXPECT_NE(std::find(names.begin(), names.end(), entry.path().filename().string()), names.end())
+        << entry.path() << " is not made by the generator";
+}
+
+TEST(Generated, BytesDoNotDependOnGinacsOrderOfTerms) {
+  // GiNaC orders terms by hashes that depend on how many symbols were made before.
+  const std::vector<GeneratedFile> first = generate_all();
+  std::mt19937 random(7);
+  for (int run = 0; run < 3; ++run) {
+    std::vector<GiNaC::symbol> junk;
+    for (std::size_t i = 0, count = random() % 667; i < count; ++i) junk.emplace_back("junk");
+    const std::vector<GeneratedFile> again = generate_all();
+    ASSERT_EQ(first.size(), again.size());
+    for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].text, again[i].text) << first[i].name;
+  }
+}
+
+TEST(Generated, WritingLeavesUnchangedFilesAloneAndNothingHalfWritten) {
+  const fs::path folder = fs::path(testing::TempDir()) / "generated_write";
+  fs::remove_all(folder);
+  write_generated({{"a.hpp", "one\n"}}, folder.string());
+  const auto stamp = fs::last_write_time(folder / "a.hpp");
+  write_generated({{"a.hpp", "one\n"}}, folder.string());
+  EXPECT_EQ(stamp, fs::last_write_time(folder / "a.hpp"));
+  EXPECT_EQ(text_of(folder / "a.hpp"), "one\n");
+  EXPECT_FALSE(fs::exists(folder / "a.hpp.new"));
+}
+
+// Random values of order one for every parameter.
+std::vector<double> random_parameters(const CompiledModel& model, std::mt19937_64& random) {
+  std::vector<double> values;
+  for (std::size_t p = 0; p < model.symbols.size(); ++p)
+    values.push_back(0.5 + static_cast<double>(random() >> 11) * 0x1p-53);
+  return values;
+}
+
+class GeneratedModel : public testing::TestWithParam<std::string> {
+ protected:
+  const CompiledModel& compiled = *generated::find_compiled_model(GetParam());
+  Model model = read_model(root / "models" / (GetParam() + ".toml"));
+  std::mt19937_64 random{11};
+
+  GiNaC::exmap numbers(const std::vector<double>& values) const {
+    GiNaC::exmap map;
+    for (std::size_t p = 0; p < compiled.symbols.size(); ++p)
+      map[model.symbols.at(std::string(compiled.symbols[p].name))] = values[p];
+    return map;
+  }
+};
+
+double number(const GiNaC::ex& e) {
+  return GiNaC::ex_to<GiNaC::numeric>(e.evalf()).to_double();
+}
+
+TEST_P(GeneratedModel, LumpsEqualGinacAtFiftyDigits) {
+  GiNaC::Digits = 50;
+  for (std::size_t c = 0; c < compiled.cases.size(); ++c) {
+    const CompiledCase& resonance = compiled.cases[c];
+    const Derivation nominal = derive(model, model.cases[c], OmegaPolicy::nominal);
+    const Observations seen = observations(nominal, derive(model, model.cases[c], OmegaPolicy::kept));
+    ASSERT_EQ(seen.lumps.size(), resonance.lumps.size());
+    for (int draw = 0; draw < 20; ++draw) {
+      const std::vector<double> values = random_parameters(compiled, random);
+      std::vector<double> lumps(resonance.lumps.size());
+      resonance.evaluate_lumps(values.data(), lumps.data());
+      const GiNaC::exmap map = numbers(values);
+      for (std::size_t l = 0; l < lumps.size(); ++l) {
+        // Condition: the sum of absolute values of the expanded terms.
+        const GiNaC::ex expanded = seen.lumps[l].definition.expand();
+        double size = 0;
+        const bool sum = GiNaC::is_a<GiNaC::add>(expanded);
+        for (std::size_t i = 0; i < (sum ? expanded.nops() : 1); ++i)
+          size += std::abs(number((sum ? expanded.op(i) : expanded).subs(map)));
+        EXPECT_NEAR(lumps[l], number(expanded.subs(map)), 64 * 0x1p-52 * size) << seen.lumps[l].name;
+      }
+    }
+  }
+}
+
+TEST_P(GeneratedModel, LumpJacobianEqualsCentralDifferences) {
+  for (const CompiledCase& resonance : compiled.cases) {
+    const std::vector<double> values = random_parameters(compiled, random);
+    const std::size_t count = values.size();
+    std::vector<double> jacobian(resonance.lumps.size() * count), up(resonance.lumps.size()), down(up.size());
+    resonance.evaluate_lumps_jacobian(values.data(), jacobian.data());
+    for (std::size_t p = 0; p < count; ++p) {
+      const double h = 1e-5;
+      std::vector<double> moved = values;
+      moved[p] += h;
+      resonance.evaluate_lumps(moved.data(), up.data());
+      moved[p] -= 2 * h;
+      resonance.evaluate_lumps(moved.data(), down.data());
+      for (std::size_t l = 0; l < up.size(); ++l) {
+        const double difference = (up[l] - down[l]) / (2 * h);
+        EXPECT_NEAR(jacobian[l * count + p], difference, 1e-7 * (1 + std::abs(difference)))
+            << resonance.lumps[l].name;
+      }
+    }
+  }
+}
+
+TEST_P(GeneratedModel, ModulationAndRowsAgree) {
+  // sum of columns*lumps is dB/dt in the observed frame plus its rotation.
+  for (const CompiledCase& resonance : compiled.cases) {
+    const std::vector<double> values = random_parameters(compiled, random);
+    const double omega = 2.3;
+    const std::complex<double> amplitude(0.7, -0.4), forcing(0.3, 0.9);
+    std::complex<double> rate;
+    resonance.modulation(values.data(), &omega, &amplitude, &forcing, &rate);
+    std::vector<double> lumps(resonance.lumps.size());
+    resonance.evaluate_lumps(values.data(), lumps.data());
+    const RegressorBlock& block = resonance.blocks[0];
+    ASSERT_EQ(block.kind, BlockKind::modulation);
+    std::vector<std::complex<double>> columns(block.lumps.size());
+    std::vector<std::complex<double>*> pointers;
+    for (auto& column : columns) pointers.push_back(&column);
+    const double* frequencies = &omega;
+    const std::complex<double>*amplitudes = &amplitude, *forcings = &forcing;
+    block.columns({1, values.data(), &frequencies, &amplitudes, &forcings}, pointers.data());
+    std::complex<double> sum = 0;
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      sum += columns[j] * lumps[static_cast<std::size_t>(block.lumps[j])];
+    double observed = 0;
+    for (std::size_t i = 0; i < resonance.observed_frequency.size(); ++i)
+      observed += static_cast<double>(resonance.observed_frequency[i].numerator) /
+                  resonance.observed_frequency[i].denominator * (i == 0 ? values[0] : omega);
+    EXPECT_LT(std::abs(sum - (rate + std::complex<double>(0, observed - values[0]) * amplitude)),
+              1e-12 * (1 + std::abs(sum)));
+  }
+}
+
+TEST_P(GeneratedModel, ZeroAmplitudeIsSafe) {
+  for (const CompiledCase& resonance : compiled.cases) {
+    const std::vector<double> values = random_parameters(compiled, random);
+    const double omega = 2;
+    const std::complex<double> zero;
+    std::complex<double> rate(1, 1);
+    resonance.modulation(values.data(), &omega, &zero, &zero, &rate);
+    EXPECT_EQ(rate, std::complex<double>());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, GeneratedModel, testing::ValuesIn(shipped));
+
+TEST(Evaluation, MatchesThesisFormulasAndIsByteStable) {
+  const Model model = read_model(root / "models/two_mass_mode1.toml");
+  const std::map<std::string, double> values = {{"omega0", 1.5}, {"mu1", 0.1},    {"mu2", 0.2},    {"mu3", 0.3},
+                                                {"alpha2", 0.4}, {"alpha3", 0.5}, {"delta2", 0.6}, {"delta3", 0.7},
+                                                {"eta1", 0.8},   {"eta2", 0.9}};
+  const Derivation derivation = derive(model, model.find_case("principal_parametric"));
+  const std::string text = evaluation_json(derivation, values, "values");
+  EXPECT_EQ(text, evaluation_json(derivation, values, "values"));
+  // -i*eta_e/omega0 multiplies conj(A) F exp(i sigma t), Eqs. (5.14), (5.16).
+  const double eta_e = 0.9 / 4 + (0.4 - 3 * 0.6 * 2.25) * 0.8 / (6 * 2.25);
+  std::ostringstream expected;
+  expected.precision(12);
+  expected << -eta_e / 1.5;
+  EXPECT_NE(text.find(expected.str().substr(0, 10)), std::string::npos) << text;
+  EXPECT_NE(text.find("\"conj_A_v\": 1"), std::string::npos);
+  EXPECT_NE(text.find("\"abs_A_v\": 1"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace secular

@@ -1,0 +1,119 @@
+// Virtual tests of known parameters, identified: every true value inside its error bar.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "estimator/campaign/campaign.hpp"
+#include "estimator/identification/estimate.hpp"
+#include "estimator/identification/modal_projection.hpp"
+#include "estimator/identification/unit_text.hpp"
+#include "generated/registry.hpp"
+#include "input/input_error.hpp"
+#include "simulate/replay.hpp"
+#include "simulate/virtual_test.hpp"
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path root = SECULAR_SOURCE_DIR;
+
+struct Recovered {
+  Experiment experiment;
+  const CompiledModel* model = nullptr;
+  const CompiledCase* resonance = nullptr;
+  ObservationSet measured;
+  Estimate estimate;
+
+  const EstimatedValue& value(const std::string& name) const {
+    for (const auto* list : {&estimate.parameters, &estimate.lumps})
+      for (const EstimatedValue& v : *list)
+        if (v.name == name) return v;
+    throw std::out_of_range(name);
+  }
+  double truth(const std::string& name) const {
+    for (std::size_t p = 0; p < model->symbols.size(); ++p)
+      if (model->symbols[p].name == name) return experiment.parameters(static_cast<Eigen::Index>(p));
+    std::vector<double> lumps(resonance->lumps.size());
+    resonance->evaluate_lumps(experiment.parameters.data(), lumps.data());
+    for (std::size_t l = 0; l < lumps.size(); ++l)
+      if (resonance->lumps[l].name == name) return lumps[l];
+    throw std::out_of_range(name);
+  }
+};
+
+Recovered recover(const std::string& name, std::uint64_t seed, const EstimateOptions& options = {}) {
+  Recovered r;
+  const fs::path path = root / "models/experiments" / (name + ".toml");
+  r.model = generated::find_compiled_model(experiment_model(path));
+  r.experiment = read_experiment(path, *r.model);
+  SimulatedCampaign simulated = run_virtual_test(r.experiment, *r.model, seed, 2);
+  const bool dwells = simulated.campaign.records.front().kind == RecordKind::dwell;
+  for (const CompiledCase& candidate : r.model->cases)
+    if (candidate.excited == dwells && !r.resonance) r.resonance = &candidate;
+  const RecordReader read = [&](std::size_t i) { return simulated.samples[i]; };
+  const std::string unit = modal_projection(simulated.campaign, *r.model).unit;
+  r.measured = dwells ? observe_dwells(simulated.campaign, read, *r.model, *r.resonance, {})
+                      : observe_free_decays(simulated.campaign, read, *r.model, *r.resonance, {});
+  r.estimate = estimate(r.measured, unit, {"m/s^2"}, options);
+  const ObservationSet replayed =
+      observe_replay(simulated.campaign, r.measured,
+                     replay_records(simulated.campaign, r.measured, r.estimate.parameter_values, 2));
+  correct_truncation(r.estimate, estimate(replayed, unit, {"m/s^2"}, options), *r.model, *r.resonance);
+  return r;
+}
+
+TEST(Recovery, PrincipalParametricCampaignWithTheThesisValues) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Recovered r = recover("principal_parametric", seed);
+    for (const char* name : {"omega0", "mu1", "mu2", "mu3", "eta1", "eta2", "alpha_e", "eta_e", "alpha_q"}) {
+      const EstimatedValue& v = r.value(name);
+      ASSERT_TRUE(v.value) << name;
+      EXPECT_LT(std::abs(*v.value - r.truth(name)), 3 * v.sd) << name << ", seed " << seed;
+    }
+    for (const char* name : {"mu1", "mu3", "alpha_e", "eta_e"})
+      EXPECT_LT(r.value(name).sd, 0.05 * std::abs(r.truth(name))) << name;
+  }
+}
+
+TEST(Recovery, WhatTheDataCannotSeparateIsNamed) {
+  const Recovered r = recover("principal_parametric", 1);
+  for (const char* name : {"alpha2", "alpha3", "delta2", "delta3"}) {
+    EXPECT_FALSE(r.value(name).identifiable) << name;
+    EXPECT_FALSE(r.value(name).value) << name;
+    EXPECT_EQ(r.value(name).entangled_with.size(), 3U) << name;
+  }
+  EXPECT_EQ(r.value("mu3").unit, "s/m^2");
+  EXPECT_EQ(r.value("eta_e").unit, "1/m");
+}
+
+TEST(Recovery, FixedParametersAreGivenAndSharpenTheOthers) {
+  const Recovered open = recover("principal_parametric", 1);
+  const Recovered fixed = recover("principal_parametric", 1, {{{"mu2", 0.0}}});
+  EXPECT_TRUE(fixed.value("mu2").fixed);
+  EXPECT_LT(fixed.value("mu1").sd, open.value("mu1").sd);
+  EXPECT_LT(std::abs(*fixed.value("mu3").value - fixed.truth("mu3")), 3 * fixed.value("mu3").sd);
+  EXPECT_THROW(recover("principal_parametric", 1, {{{"nu", 0.0}}}), InputError);
+}
+
+TEST(Recovery, PendulumDecay) {
+  const Recovered r = recover("pendulum_decay", 1);
+  for (const char* name : {"omega0", "alpha3", "alpha5", "mu1", "mu2", "fc"}) {
+    const EstimatedValue& v = r.value(name);
+    ASSERT_TRUE(v.value) << name;
+    EXPECT_LT(std::abs(*v.value - r.truth(name)), 3 * v.sd) << name << " " << *v.value << " sd " << v.sd;
+  }
+  EXPECT_LT(r.value("alpha3").sd, 0.01 * std::abs(r.truth("alpha3")));
+}
+
+TEST(Units, FromDimensions) {
+  const Ratio s_per_length_squared[] = {{-2, 1}, {0, 1}, {1, 1}};
+  EXPECT_EQ(unit_text(s_per_length_squared, {"kg^(1/2) m"}, {"m/s^2"}), "s/(kg m^2)");
+  const Ratio parametric[] = {{0, 1}, {-1, 1}, {-2, 1}};
+  EXPECT_EQ(unit_text(parametric, {"kg^(1/2) m"}, {"m/s^2"}), "1/m");
+  EXPECT_EQ(unit_text({}, {"m"}, {}), "");
+}
+
+}  // namespace
+}  // namespace secular

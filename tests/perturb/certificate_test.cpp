@@ -1,0 +1,55 @@
+#include "perturb/certificate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace secular {
+namespace {
+
+std::filesystem::path shipped(const std::string& name) {
+  return std::filesystem::path(SECULAR_SOURCE_DIR) / "models" / (name + ".toml");
+}
+
+class ShippedModel : public testing::TestWithParam<const char*> {};
+
+TEST_P(ShippedModel, EveryCaseIsCertifiedUnderBothOmegaPolicies) {
+  const Model model = read_model(shipped(GetParam()));
+  for (const ResonanceCase& resonance : model.cases)
+    for (const OmegaPolicy policy : {OmegaPolicy::nominal, OmegaPolicy::kept}) {
+      const Certificate certificate = certify(derive(model, resonance, policy));
+      EXPECT_TRUE(certificate.holds) << resonance.name;
+      EXPECT_GT(certificate.coefficients_checked, 10U);
+      EXPECT_LT(certificate.nonsmooth_error, 1e-12);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedModel, testing::Values("two_mass_mode1", "pendulum"));
+
+// The certificate must refuse an expansion with any single coefficient changed.
+TEST(Certificate, NoticesEveryChangedCoefficient) {
+  const Model model = read_model(shipped("two_mass_mode1"));
+  const Derivation right = derive(model, model.find_case("principal_parametric"));
+  const auto changed = [&](FieldSeries& series, std::size_t order, const FieldKey& key) {
+    series[order].add(key, series[order].terms().at(key));  // doubles it
+  };
+  int refused = 0, tried = 0;
+  for (std::size_t n = 1; n < right.response[0].size(); ++n)
+    for (const auto& [key, ignored] : right.response[0][n].terms()) {
+      Derivation wrong = right;
+      changed(wrong.response[0], n, key);
+      ++tried;
+      refused += !certify(wrong).holds;
+    }
+  for (const auto& [key, ignored] : right.slow_derivative[0][2].terms()) {
+    Derivation wrong = right;
+    changed(wrong.slow_derivative[0], 2, key);
+    ++tried;
+    refused += !certify(wrong).holds;
+  }
+  EXPECT_GT(tried, 20);
+  EXPECT_EQ(refused, tried);
+}
+
+}  // namespace
+}  // namespace secular

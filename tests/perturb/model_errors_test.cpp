@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "input/input_error.hpp"
+#include "perturb/derivation.hpp"
+#include "textbook_models.hpp"
+
+namespace secular {
+namespace {
+
+// The message of the InputError that reading and deriving ends with.
+std::string complaint(const std::string& text) {
+  try {
+    const Model model = read_model_text(text, "model.toml");
+    for (const ResonanceCase& resonance : model.cases) derive(model, resonance);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no complaint";
+}
+
+void expect_complaint(const std::string& equation, const std::string& resonance, const std::string& part) {
+  const std::string message = complaint(textbook::one_mode(equation, resonance));
+  EXPECT_NE(message.find(part), std::string::npos) << message;
+  EXPECT_NE(message.find("model.toml"), std::string::npos) << message;
+}
+
+TEST(ModelErrors, FormulaMistakesNameLineAndColumn) {
+  expect_complaint("D2(x) + w^2*x = -g*x^3)", "", "line 6, column 23: ')' without its '('");
+  expect_complaint("D2(x) + w^2*x = -g*(x^3", "", "'(' is never closed");
+  expect_complaint("D2(x) + w^2*x = -2g*x", "", "a symbol directly after the number 2");
+  expect_complaint("D2(x) + w^2*x = -g*tan(x)", "", "unknown function tan");
+  expect_complaint("D2(x) + w^2*x = -g*sin(x)", "", "sin of the coordinate 'x'");
+  expect_complaint("D2(x) + w^2*x = -g*x^w", "", "symbol 'w' in an exponent");
+  expect_complaint("D2(x) + w^2*x = -g/x", "", "a coordinate or excitation in a denominator");
+  expect_complaint("D2(x) + w^2*x = -g*x/0", "", "division by zero");
+  expect_complaint("D2(x) + w^2*x", "", "is not an equation");
+  expect_complaint("D2(x) + w^2*x = -g*x^3 = 0", "", "a second '='");
+  expect_complaint("D2(x) + w^2*x = -g*F", "", "F without its cos(Omega*t)");
+  expect_complaint("D2(x) + w^2*x = -g*t*x", "", "time stands outside cos and sin");
+}
+
+TEST(ModelErrors, DeepNestingIsAnErrorNotACrash) {
+  const std::size_t depth = 1000000;
+  expect_complaint("D2(x) + w^2*x = " + std::string(depth, '(') + "x" + std::string(depth, ')'), "",
+                   "nested deeper");
+  expect_complaint("D2(x) + w^2*x = " + std::string(depth, '-') + "x", "", "nested deeper");
+}
+
+TEST(ModelErrors, OrdersAndResonances) {
+  expect_complaint("D2(x) + w^2*x = -g*x^3", "excitation = false",
+                   "coefficient symbol 'g' (term x^3) has no order");
+  expect_complaint("D2(x) + w^2*x = -g*x^3", "order = { g = 0 }\nexcitation = false",
+                   "not part of the linear oscillator");
+  expect_complaint("D2(x) + 2*w^2*x = -g*x^3", "order = { g = 1 }\nexcitation = false",
+                   "not part of the linear oscillator");
+  expect_complaint("D2(x) + w^2*x = -g*x^3", "order = { h = 1 }", "no coefficient symbol");
+  expect_complaint("D2(x) + w^2*x = g*F*cos(Omega*t)", "order = { g = 1 }\nrelations = [\"Omega = 1.5*w + eps*s\"]",
+                   "not an integer");
+  expect_complaint("D2(x) + w^2*x = g*F*cos(Omega*t)",
+                   "order = { g = 1 }\nrelations = [\"Omega = w + eps*s\", \"Omega = 2*w + eps*q\"]",
+                   "together make");
+  expect_complaint("D2(x) + w^2*x = g*F*cos(Omega*t)", "order = { g = 1 }\nrelations = [\"Omega = w + s\"]",
+                   "does not enter as eps^n");
+  expect_complaint("D2(x) + w^2*x = g*F*cos(Omega*t)", "order = { g = 1 }\nrelations = [\"Omega3 = w + eps*s\"]",
+                   "unknown frequency 'Omega3'");
+  expect_complaint("D2(x) + w^2*x = -g*abs(D(x))*D(x)", "order = { g = 1 }\nexcitation = false",
+                   "below the order of expansion");
+}
+
+TEST(ModelErrors, KeysAndNames) {
+  EXPECT_NE(complaint("schema = 2\nname = \"a\"").find("schema"), std::string::npos);
+  EXPECT_NE(complaint("schema = 1\nname = \"a\"").find("no [[mode]]"), std::string::npos);
+  EXPECT_NE(complaint("schema = 1\nname = \"a b\"").find("is not a symbol"), std::string::npos);
+  const std::string model = textbook::one_mode("D2(x) + w^2*x = -g*x^3", "order = { g = 1 }\nexpand = 2");
+  EXPECT_NE(complaint(model).find("key expand: is not a known key"), std::string::npos) << complaint(model);
+}
+
+TEST(ModelReader, NumbersAreExactRationals) {
+  const Model model = read_model_text(
+      textbook::one_mode("D2(x) + w^2*x = -0.1*g*x^3", "order = { g = 1 }\nexpand_to = 1\nexcitation = false"),
+      "m");
+  const Field field = derive(model, model.cases[0]).modulation(0);
+  ASSERT_EQ(field.terms().size(), 1U);
+  const GiNaC::ex expected = GiNaC::I * GiNaC::numeric(3, 20) * model.symbols.at("g") / model.symbols.at("w");
+  EXPECT_TRUE((field.terms().begin()->second - expected).expand().is_zero());
+}
+
+}  // namespace
+}  // namespace secular

@@ -1,0 +1,103 @@
+#include "simulate/motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "input/input_error.hpp"
+
+namespace secular {
+namespace {
+
+// Hand-written models: nothing of the generator is involved.
+constexpr std::string_view coordinates[] = {"x"};
+constexpr std::string_view excitations[] = {"F"};
+
+CompiledModel model_of(void (*acceleration)(const double*, const ExcitationSample*, const double*, const double*,
+                                            double*)) {
+  CompiledModel model;
+  model.name = "hand_written";
+  model.coordinates = coordinates;
+  model.excitations = excitations;
+  model.acceleration = acceleration;
+  return model;
+}
+
+const ExcitationSignal silent = [](double, ExcitationSample* s) { s[0] = {}; };
+
+TEST(Motion, ForcedLinearOscillatorReachesItsClosedForm) {
+  const CompiledModel model =
+      model_of([](const double* p, const ExcitationSample* u, const double* x, const double* v, double* a) {
+        a[0] = u[0].value - 2 * p[1] * v[0] - p[0] * p[0] * x[0];
+      });
+  const double parameters[] = {10, 0.5}, omega = 7;
+  const ExcitationSignal wave = [&](double t, ExcitationSample* s) {
+    s[0] = {std::cos(omega * t), -omega * std::sin(omega * t), -omega * omega * std::cos(omega * t)};
+  };
+  std::vector<double> q{0}, v{0};
+  double worst = 0;
+  integrate_motion(model, parameters, wave, 0, q, v, 80, 0.01, 500, {}, [&](const MotionSample& s) {
+    const std::complex<double> response =
+        std::polar(1.0, omega * s.time) / std::complex<double>(100 - omega * omega, omega);
+    worst = std::max(
+        {worst, std::abs(s.displacement[0] - response.real()) / std::abs(response),
+         std::abs(s.acceleration[0] + omega * omega * response.real()) / (omega * omega * std::abs(response))});
+  });
+  EXPECT_LT(worst, 1e-7);
+}
+
+TEST(Motion, PendulumPeriodIsTheEllipticIntegralAndEnergyStays) {
+  const CompiledModel model = model_of([](const double*, const ExcitationSample*, const double* x, const double*,
+                                          double* a) { a[0] = -std::sin(x[0]); });
+  const double angle = 2;
+  const double period = 4 * boost::math::ellint_1(std::sin(angle / 2));
+  std::vector<double> q{angle}, v{0};
+  double energy_change = 0;
+  const double energy = 1 - std::cos(angle);
+  integrate_motion(model, nullptr, silent, 0, q, v, 0, period, 51, {}, [&](const MotionSample& s) {
+    EXPECT_NEAR(s.displacement[0], angle, 1e-7);
+    energy_change = std::max(
+        energy_change, std::abs(0.5 * s.velocity[0] * s.velocity[0] + 1 - std::cos(s.displacement[0]) - energy));
+  });
+  EXPECT_LT(energy_change, 1e-7);
+}
+
+TEST(Motion, DryFrictionDecaysByEqualStepsAndComesToRest) {
+  // x'' + w^2 x = -fc sgn(x'): the amplitude falls by 4 fc/w^2 a cycle and the motion stops inside |x| <= fc/w^2.
+  const CompiledModel model =
+      model_of([](const double* p, const ExcitationSample*, const double* x, const double* v, double* a) {
+        a[0] = -p[0] * p[0] * x[0] - p[1] * (static_cast<double>(v[0] > 0) - static_cast<double>(v[0] < 0));
+      });
+  const double parameters[] = {2, 0.1};
+  const double period = std::numbers::pi, step = 4 * 0.1 / 4;
+  std::vector<double> q{1}, v{0};
+  int cycle = 0;
+  integrate_motion(model, parameters, silent, 0, q, v, 0, period, 9, {}, [&](const MotionSample& s) {
+    EXPECT_NEAR(s.displacement[0], 1 - cycle * step, 1e-6) << cycle;
+    ++cycle;
+  });
+  q = {1};
+  v = {0};
+  integrate_motion(model, parameters, silent, 0, q, v, 100, 1, 3, {}, [&](const MotionSample& s) {
+    EXPECT_EQ(s.velocity[0], 0);
+    EXPECT_EQ(s.acceleration[0], 0);
+    EXPECT_LE(std::abs(s.displacement[0]), 0.1 / 4 + 1e-9);
+  });
+}
+
+TEST(Motion, GrowthBeyondBoundsIsReportedWithItsTime) {
+  const CompiledModel model = model_of([](const double*, const ExcitationSample*, const double* x, const double*,
+                                          double* a) { a[0] = x[0] * x[0] * x[0]; });
+  std::vector<double> q{1}, v{0};
+  try {
+    integrate_motion(model, nullptr, silent, 0, q, v, 0, 0.01, 10000, {}, [](const MotionSample&) {});
+    FAIL() << "no complaint";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("t = "), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace secular
