@@ -65,7 +65,7 @@ void print_summary(const Identification& id, const std::string& folder) {
     fmt::print("held out: {:.1f} s to {:.1f} s predicted within {:.3g} {} RMS\n", p.from_s, p.to_s,
                angle ? p.rms * 180 / std::numbers::pi : p.rms, angle ? "degrees" : id.coordinate_unit);
   }
-  fmt::print("written: {0}/estimate.json, {0}/report.html\n", folder);
+  fmt::print("written: {0}/estimate.json, {0}/report.html, {0}/response.svg\n", folder);
 }
 
 }  // namespace
@@ -105,6 +105,9 @@ void add_identify_command(CLI::App& root, Action& chosen) {
         throw InputError(options->folder, "", "cannot be made a folder", "name a folder that can be written");
       report::write_whole_file(std::filesystem::path(options->folder) / "estimate.json", json);
       report::write_whole_file(std::filesystem::path(options->folder) / "report.html", html);
+      report::write_whole_file(
+          std::filesystem::path(options->folder) / "response.svg",
+          report::render_figure(response_figure(result), "response", report::FigureUse::standalone).svg);
       for (const std::string& warning : result.estimate.warnings) fmt::print(stderr, "warning: {}\n", warning);
       if (options->json)
         fmt::print("{}", json);

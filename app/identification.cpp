@@ -17,6 +17,9 @@
 namespace secular::app {
 namespace {
 
+/// The correction is evaluated at the estimate and once more at the corrected one.
+constexpr int truncation_passes = 2;
+
 std::string compiled_names() {
   std::string names;
   for (const CompiledModel* model : generated::compiled_models())
@@ -118,15 +121,23 @@ Identification identify(const IdentificationRequest& request) {
                         ? observe_dwells(campaign, read, model, *result.resonance, request.window)
                         : observe_free_decays(campaign, read, model, *result.resonance, request.window);
   const EstimateOptions options{request.fixed};
-  result.estimate = estimate(result.measured, result.coordinate_unit, result.excitation_units, options);
+  const Estimate raw = estimate(result.measured, result.coordinate_unit, result.excitation_units, options);
+  result.estimate = raw;
+  const auto replay = [&] {
+    return observe_replay(
+        campaign, result.measured,
+        replay_records(campaign, result.measured, result.estimate.parameter_values, request.threads));
+  };
   try {
-    const std::vector<Record> records =
-        replay_records(campaign, result.measured, result.estimate.parameter_values, request.threads);
-    result.replayed = observe_replay(campaign, result.measured, records);
-    const Estimate again = estimate(result.replayed, result.coordinate_unit, result.excitation_units, options);
-    correct_truncation(result.estimate, again, model, *result.resonance);
+    for (int pass = 0; pass < truncation_passes; ++pass) {
+      const Estimate again = estimate(replay(), result.coordinate_unit, result.excitation_units, options);
+      result.estimate =
+          truncation_corrected(raw, again, result.estimate.parameter_values, model, *result.resonance);
+    }
+    result.replayed = replay();
   } catch (const InputError& error) {
     result.replayed = {};
+    result.estimate = raw;
     result.estimate.warnings.push_back(
         std::string("the expansion's truncation could not be corrected by the full equations (") + error.what() +
         "): standard deviations do not contain it");

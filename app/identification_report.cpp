@@ -79,7 +79,7 @@ std::vector<Condition> conditions_of(const Identification& id) {
 
 Figure dwell_response(const Identification& id) {
   const std::vector<Condition> conditions = conditions_of(id);
-  const bool replayed = !id.replayed.observations.empty();
+  const bool replayed = id.replayed.observations.size() == id.measured.observations.size();
   Figure figure;
   figure.title = "Steady response: measured and computed";
   figure.x = {"Excitation frequency", "Hz", false, {}};
@@ -98,6 +98,7 @@ Figure dwell_response(const Identification& id) {
     model.name = g == 0 ? "full equations, estimated parameters" : "";
     model.style = SeriesStyle::line;
     model.role = SeriesRole::model;
+    model.group = static_cast<int>(g);
     std::vector<const Condition*> sorted;
     for (const Condition& c : conditions)
       if (c.group == groups[g]) sorted.push_back(&c);
@@ -142,12 +143,9 @@ Figure decay_response(const Identification& id) {
   frequency.name = damping.name = "measured, windows";
   frequency.style = damping.style = SeriesStyle::error_bars;
   frequency.role = damping.role = SeriesRole::data;
-  model_frequency.name = model_damping.name = "modulation equation, estimated parameters";
-  double low = INFINITY, high = 0;
+  model_frequency.name = model_damping.name = "full equations, estimated parameters";
   for (const Observation& o : id.measured.observations) {
     const double peak = 2 * std::abs(o.amplitude[0]);
-    low = std::min(low, peak);
-    high = std::max(high, peak);
     frequency.x.push_back(peak);
     frequency.y.push_back(o.rate[0].imag() * to_hz);
     frequency.y_error.push_back(2 * o.frequency_sd[0] * to_hz);
@@ -155,20 +153,17 @@ Figure decay_response(const Identification& id) {
     damping.y.push_back(-o.rate[0].real());
     damping.y_error.push_back(2 * o.growth_sd[0]);
   }
-  constexpr int points = 200;
-  const std::vector<double> excitation(std::max<std::size_t>(1, id.model->excitations.size()), 0.0);
-  const std::vector<std::complex<double>> forcing(excitation.size());
-  for (int i = 0; i <= points; ++i) {
-    const double peak = low * std::pow(high / low, static_cast<double>(i) / points);
-    const std::complex<double> amplitude = 0.5 * peak;
-    std::complex<double> rate;
-    id.resonance->modulation(id.estimate.parameter_values.data(), excitation.data(), &amplitude, forcing.data(),
-                             &rate);
-    rate /= amplitude;
+  std::vector<const Observation*> computed;
+  for (const Observation& o : id.replayed.observations) computed.push_back(&o);
+  std::sort(computed.begin(), computed.end(), [](const Observation* a, const Observation* b) {
+    return std::abs(a->amplitude[0]) < std::abs(b->amplitude[0]);
+  });
+  for (const Observation* o : computed) {
+    const double peak = 2 * std::abs(o->amplitude[0]);
     model_frequency.x.push_back(peak);
-    model_frequency.y.push_back((id.estimate.parameter_values(0) + rate.imag()) * to_hz);
+    model_frequency.y.push_back(o->rate[0].imag() * to_hz);
     model_damping.x.push_back(peak);
-    model_damping.y.push_back(-rate.real());
+    model_damping.y.push_back(-o->rate[0].real());
   }
   figure.panels.push_back({"", {"Frequency", "Hz", false, {}}, {frequency, model_frequency}});
   figure.panels.push_back({"", {"Decay rate", "1/s", false, {}}, {damping, model_damping}});
@@ -198,24 +193,20 @@ Figure held_out_figure(const Identification& id, const HeldOutPrediction& predic
 
 Figure decay_residuals(const Identification& id) {
   Figure figure;
-  figure.title = "Measured minus modulation equation";
+  figure.title = "Measured minus computed";
   figure.x = {"Time in the record", "s", false, {}};
   Series frequency, damping;
   frequency.style = damping.style = SeriesStyle::error_bars;
   frequency.role = damping.role = SeriesRole::data;
-  const std::vector<double> excitation(std::max<std::size_t>(1, id.model->excitations.size()), 0.0);
-  const std::vector<std::complex<double>> forcing(excitation.size());
-  for (const Observation& o : id.measured.observations) {
-    std::complex<double> rate;
-    id.resonance->modulation(id.estimate.parameter_values.data(), excitation.data(), o.amplitude.data(),
-                             forcing.data(), &rate);
-    rate /= o.amplitude[0];
-    frequency.x.push_back(o.centre_s);
-    frequency.y.push_back((o.rate[0].imag() - id.estimate.parameter_values(0) - rate.imag()) * to_hz);
-    frequency.y_error.push_back(2 * o.frequency_sd[0] * to_hz);
-    damping.x.push_back(o.centre_s);
-    damping.y.push_back(o.rate[0].real() - rate.real());
-    damping.y_error.push_back(2 * o.growth_sd[0]);
+  for (std::size_t i = 0; i < id.replayed.observations.size(); ++i) {
+    const Observation &seen = id.measured.observations[i], &computed = id.replayed.observations[i];
+    const std::complex<double> difference = seen.rate[0] - computed.rate[0];
+    frequency.x.push_back(seen.centre_s);
+    frequency.y.push_back(difference.imag() * to_hz);
+    frequency.y_error.push_back(2 * seen.frequency_sd[0] * to_hz);
+    damping.x.push_back(seen.centre_s);
+    damping.y.push_back(difference.real());
+    damping.y_error.push_back(2 * seen.growth_sd[0]);
   }
   figure.panels.push_back({"", {"Frequency difference", "Hz", false, {}}, {frequency}});
   figure.panels.push_back({"", {"Growth difference", "1/s", false, {}}, {damping}});
@@ -295,14 +286,15 @@ std::string identification_report(const Identification& id, const std::string& c
     page.figure(dwell_response(id),
                 "Peak amplitude of the modal displacement (mean over the ensembles of a dwell, bars: two standard "
                 "deviations) and what the full equations of motion do with the estimated parameters.");
-    if (!id.replayed.observations.empty())
+    if (id.replayed.observations.size() == id.measured.observations.size())
       page.figure(dwell_differences(id),
                   "What is left: amplitude and phase of every dwell against the full equations.");
   } else {
-    page.figure(decay_response(id),
-                "Every window of the decay (bars: two standard deviations) and the modulation equation with the "
-                "estimated parameters.");
-    if (id.held_out.empty())
+    page.figure(
+        decay_response(id),
+        "Every window of the decay (bars: two standard deviations) and the same windows on the full equations "
+        "with the estimated parameters.");
+    if (id.held_out.empty() && id.replayed.observations.size() == id.measured.observations.size())
       page.figure(decay_residuals(id), "What is left of frequency and growth rate in every window.");
     for (const HeldOutPrediction& p : id.held_out)
       page.figure(held_out_figure(id, p),

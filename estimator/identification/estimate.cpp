@@ -579,10 +579,48 @@ Estimate estimate(const ObservationSet& set, const std::string& coordinate_unit,
   return Estimator(set, coordinate_unit, excitation_units, options).run();
 }
 
-void correct_truncation(Estimate& estimate, const Estimate& replayed, const CompiledModel& model,
+namespace {
+
+// Parameters near `start` that give the estimated lumps and natural frequencies, each weighed by its error bar.
+VectorXd representative(const Estimate& estimate, const VectorXd& start, const CompiledModel& model,
                         const CompiledCase& resonance) {
+  const Index count = start.size();
+  std::vector<std::size_t> lumps_used, parameters_used;
+  for (std::size_t l = 0; l < estimate.lumps.size(); ++l)
+    if (estimate.lumps[l].value && estimate.lumps[l].sd > 0) lumps_used.push_back(l);
+  for (std::size_t p = 0; p < model.symbols.size(); ++p)
+    if (estimate.parameters[p].value && (estimate.parameters[p].sd > 0 || estimate.parameters[p].fixed))
+      parameters_used.push_back(p);
+  VectorXd lumps(static_cast<Index>(resonance.lumps.size()));
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> slope(lumps.size(), count);
+  const ResidualFunction function = [&](const VectorXd& parameters, VectorXd& residual, MatrixXd& jacobian) {
+    resonance.evaluate_lumps(parameters.data(), lumps.data());
+    resonance.evaluate_lumps_jacobian(parameters.data(), slope.data());
+    Index r = 0;
+    for (const std::size_t l : lumps_used) {
+      const EstimatedValue& v = estimate.lumps[l];
+      residual(r) = (lumps(static_cast<Index>(l)) - *v.value) / v.sd;
+      jacobian.row(r++) = slope.row(static_cast<Index>(l)) / v.sd;
+    }
+    for (const std::size_t p : parameters_used) {
+      const EstimatedValue& v = estimate.parameters[p];
+      const double sd = v.fixed ? 1e-9 * (1e-9 + std::abs(*v.value)) : v.sd;
+      residual(r) = (parameters(static_cast<Index>(p)) - *v.value) / sd;
+      jacobian.row(r).setZero();
+      jacobian(r++, static_cast<Index>(p)) = 1 / sd;
+    }
+  };
+  const auto rows = static_cast<Index>(lumps_used.size() + parameters_used.size());
+  return rows > 0 ? nonlinear_fit(function, rows, start).parameters : start;
+}
+
+}  // namespace
+
+Estimate truncation_corrected(const Estimate& raw, const Estimate& replayed, const VectorXd& replay_parameters,
+                              const CompiledModel& model, const CompiledCase& resonance) {
+  Estimate corrected = raw;
   std::vector<double> lumps(resonance.lumps.size());
-  resonance.evaluate_lumps(estimate.parameter_values.data(), lumps.data());
+  resonance.evaluate_lumps(replay_parameters.data(), lumps.data());
   const auto correct = [](EstimatedValue& value, const EstimatedValue& again, double truth) {
     if (!value.value || !again.value || value.fixed) return;
     value.truncation = *again.value - truth;
@@ -590,12 +628,11 @@ void correct_truncation(Estimate& estimate, const Estimate& replayed, const Comp
     value.sd = std::hypot(value.sd, 0.5 * value.truncation);
     value.significant = value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
   };
-  for (std::size_t l = 0; l < estimate.lumps.size(); ++l) correct(estimate.lumps[l], replayed.lumps[l], lumps[l]);
-  for (std::size_t p = 0; p < model.symbols.size(); ++p) {
-    const auto index = static_cast<Eigen::Index>(p);
-    correct(estimate.parameters[p], replayed.parameters[p], estimate.parameter_values(index));
-    if (estimate.parameters[p].value) estimate.parameter_values(index) = *estimate.parameters[p].value;
-  }
+  for (std::size_t l = 0; l < corrected.lumps.size(); ++l) correct(corrected.lumps[l], replayed.lumps[l], lumps[l]);
+  for (std::size_t p = 0; p < model.symbols.size(); ++p)
+    correct(corrected.parameters[p], replayed.parameters[p], replay_parameters(static_cast<Index>(p)));
+  corrected.parameter_values = representative(corrected, replay_parameters, model, resonance);
+  return corrected;
 }
 
 }  // namespace secular

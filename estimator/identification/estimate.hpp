@@ -56,10 +56,12 @@ Estimate estimate(const ObservationSet& set, const std::string& coordinate_unit,
                   const std::vector<std::string>& excitation_units, const EstimateOptions& options);
 
 /// Takes the expansion's truncation out of an estimate. `replayed` is the same regression on what the full
-/// equations do at the estimated parameters: where it does not return them, the expansion is biased by the
-/// difference, which is subtracted. Half of it joins the standard deviation, because it depends somewhat on how
-/// lumps split into parameters.
-void correct_truncation(Estimate& estimate, const Estimate& replayed, const CompiledModel& model,
-                        const CompiledCase& resonance);
+/// equations do at `replay_parameters`: where it does not return them, the expansion is biased by the difference,
+/// which is subtracted. Half of it joins the standard deviation, because it depends somewhat on how lumps split
+/// into parameters. The result's parameter_values reproduce the corrected lumps, so that the correction can be
+/// repeated from there.
+Estimate truncation_corrected(const Estimate& raw, const Estimate& replayed,
+                              const Eigen::VectorXd& replay_parameters, const CompiledModel& model,
+                              const CompiledCase& resonance);
 
 }  // namespace secular

@@ -56,11 +56,11 @@ Recovered recover(const std::string& name, std::uint64_t seed, const EstimateOpt
   const std::string unit = modal_projection(simulated.campaign, *r.model).unit;
   r.measured = dwells ? observe_dwells(simulated.campaign, read, *r.model, *r.resonance, {})
                       : observe_free_decays(simulated.campaign, read, *r.model, *r.resonance, {});
-  r.estimate = estimate(r.measured, unit, {"m/s^2"}, options);
-  const ObservationSet replayed =
-      observe_replay(simulated.campaign, r.measured,
-                     replay_records(simulated.campaign, r.measured, r.estimate.parameter_values, 2));
-  correct_truncation(r.estimate, estimate(replayed, unit, {"m/s^2"}, options), *r.model, *r.resonance);
+  const Estimate raw = estimate(r.measured, unit, {"m/s^2"}, options);
+  const ObservationSet replayed = observe_replay(
+      simulated.campaign, r.measured, replay_records(simulated.campaign, r.measured, raw.parameter_values, 2));
+  r.estimate = truncation_corrected(raw, estimate(replayed, unit, {"m/s^2"}, options), raw.parameter_values,
+                                    *r.model, *r.resonance);
   return r;
 }
 

@@ -1,0 +1,168 @@
+// The program as a user meets it: exit status, one clear message, nothing half-written.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path root = SECULAR_SOURCE_DIR;
+
+struct Outcome {
+  int status = -1;
+  std::string output, errors;
+};
+
+std::string text_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+class CommandLine : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = fs::path(testing::TempDir()) /
+             ("secular_cli_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  Outcome run(const std::string& arguments) const {
+    const fs::path out = folder / "stdout.txt", err = folder / "stderr.txt";
+    const int raw = std::system((std::string(SECULAR_PROGRAM) + " " + arguments + " > " + out.string() + " 2> " +
+                                 err.string() + " < /dev/null")
+                                    .c_str());
+    return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, text_of(out), text_of(err)};
+  }
+  std::string written(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name) << text;
+    return (folder / name).string();
+  }
+
+  fs::path folder;
+};
+
+void expect_bad_input(const Outcome& outcome, const std::string& part) {
+  EXPECT_EQ(outcome.status, 2) << outcome.errors;
+  EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
+  EXPECT_TRUE(outcome.output.empty()) << outcome.output;
+}
+
+TEST_F(CommandLine, EveryCommandHelpsWithAnExample) {
+  for (const char* command : {"derive", "evaluate", "generate", "simulate", "identify", "import", "inspect"}) {
+    const Outcome outcome = run(std::string(command) + " --help");
+    EXPECT_EQ(outcome.status, 0) << command;
+    EXPECT_NE(outcome.output.find("xample"), std::string::npos) << command;
+  }
+  EXPECT_EQ(run("").status, 2);
+  EXPECT_EQ(run("frobnicate").status, 2);
+}
+
+TEST_F(CommandLine, DerivePrintsCertifiedEquations) {
+  const Outcome outcome = run("derive two_mass_mode1 --case principal_parametric");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  for (const char* part : {"frequency response", "vanish exactly", "da_v/dt", "dx_v/dt", "alpha_e = "})
+    EXPECT_NE(outcome.output.find(part), std::string::npos) << part;
+  const Outcome json = run("derive pendulum --json");
+  EXPECT_TRUE(nlohmann::json::parse(json.output)["cases"][0]["certificate"]["holds"].get<bool>());
+  expect_bad_input(run("derive two_mass_mode1 --case resonance"), "principal_parametric");
+  expect_bad_input(run("derive no_such_model"), "two_mass_mode1");
+}
+
+TEST_F(CommandLine, EvaluateIsTheContractsJsonAndByteStable) {
+  const std::string values = written(
+      "values.json",
+      R"({"omega0": 2, "mu1": 0.1, "mu2": 0.2, "mu3": 0.3, "alpha2": 0.4, "alpha3": 0.5, "delta2": 0.6, "delta3": 0.7,
+          "eta1": 0.8, "eta2": 0.9, "F": 1, "Omega": 4.1, "sigma": 0.1})");
+  const Outcome first = run("evaluate two_mass_mode1 --case principal_parametric --at " + values);
+  EXPECT_EQ(first.status, 0) << first.errors;
+  EXPECT_EQ(first.output, run("evaluate two_mass_mode1 --case principal_parametric --at " + values).output);
+  const auto json = nlohmann::json::parse(first.output);
+  EXPECT_EQ(json["omega_policy"], "nominal");
+  bool found = false;
+  for (const auto& term : json["modulation"]["v"])
+    if (term["powers"] == nlohmann::json{{"conj_A_v", 1}, {"F", 1}}) {
+      found = true;
+      EXPECT_EQ(term["slow_phase"], (nlohmann::json{{"sigma", 1}}));
+      // -i eta_e/omega0, thesis Eqs. (5.14) and (5.16)
+      EXPECT_NEAR(term["value"][1].get<double>(), -(0.9 / 4 + (0.4 - 3 * 0.6 * 4) * 0.8 / 24) / 2, 1e-15);
+    }
+  EXPECT_TRUE(found);
+  const auto kept = nlohmann::json::parse(
+      run("evaluate two_mass_mode1 --case principal_parametric --omega-policy kept --at " + values).output);
+  bool direct = false;
+  for (const auto& term : kept["harmonics"]["v"]) {
+    if (term["phase"] != nlohmann::json{{"Omega", 1}}) continue;
+    direct = true;
+    EXPECT_NEAR(term["value"][0].get<double>(), 0.4 / (4 - 4.1 * 4.1), 1e-15);
+  }
+  EXPECT_TRUE(direct);
+  expect_bad_input(run("evaluate pendulum --case free --at " + written("few.json", R"({"omega0": 1})")),
+                   "has no value for symbol");
+  expect_bad_input(run("evaluate pendulum --case free --at " + written("bad.json", "{")), "is not JSON");
+}
+
+TEST_F(CommandLine, GenerateWritesWhatIsCommitted) {
+  const Outcome outcome = run("generate two_mass_mode1 pendulum -o " + (folder / "g").string());
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  for (const char* name :
+       {"two_mass_mode1.hpp", "two_mass_mode1.cpp", "pendulum.hpp", "pendulum.cpp", "registry.cpp"})
+    EXPECT_EQ(text_of(folder / "g" / name), text_of(root / "generated" / name)) << name;
+}
+
+TEST_F(CommandLine, SimulateRefusesToOverwriteAndIdentifyRefusesNonsense) {
+  const std::string campaign = (folder / "campaign").string();
+  ASSERT_EQ(run("simulate experiments/pendulum_decay -o " + campaign).status, 0);
+  expect_bad_input(run("simulate experiments/pendulum_decay -o " + campaign), "exists and is not an empty folder");
+  const std::string out = " -o " + (folder / "out").string();
+  expect_bad_input(run("identify " + campaign + " --model two_mass_mode1 --case principal_parametric" + out),
+                   "excitation");
+  expect_bad_input(run("identify " + campaign + " --model pendulum --fix nu=1" + out), "is no symbol of model");
+  expect_bad_input(run("identify " + campaign + " --model pendulum --from 5 --to 3" + out), "window is empty");
+  expect_bad_input(run("identify " + (folder / "nowhere").string() + " --model pendulum" + out), "does not exist");
+  EXPECT_FALSE(fs::exists(folder / "out"));
+  const Outcome good = run("identify " + campaign + " --model pendulum --to 60" + out);
+  EXPECT_EQ(good.status, 0) << good.errors;
+  const auto estimate = nlohmann::json::parse(text_of(folder / "out/estimate.json"));
+  EXPECT_EQ(estimate["schema"], 1);
+  EXPECT_EQ(estimate["estimates"][0]["name"], "omega0");
+  EXPECT_LT(estimate["quality"]["held_out"][0]["rms"].get<double>(), 0.01);
+  const std::string html = text_of(folder / "out/report.html");
+  EXPECT_NE(html.find("<svg"), std::string::npos);
+  EXPECT_EQ(html.find("http://"), html.find("http://www.w3.org"));  // nothing is fetched
+}
+
+TEST_F(CommandLine, MeasuredPendulumFollowsTheGeometryOfTheSine) {
+  const fs::path data = root.parent_path() / "shared/data/pendulum/cdip_pend_data.mat";
+  if (!fs::exists(data)) GTEST_SKIP() << data << " is not here: the measured pendulum is not checked";
+  const std::string campaign = (folder / "campaign").string(), out = (folder / "out").string();
+  ASSERT_EQ(run("import " + data.string() + " -o " + campaign +
+                " --kind free_decay --time t --channel theta:response:angle:rad")
+                .status,
+            0);
+  ASSERT_EQ(run("identify " + campaign + " --model pendulum --to 43 -o " + out).status, 0);
+  const auto estimate = nlohmann::json::parse(text_of(fs::path(out) / "estimate.json"));
+  const auto value = [&](const std::string& name) {
+    for (const auto& entry : estimate["estimates"])
+      if (entry["name"] == name) return entry["value"].get<double>();
+    return std::nan("");
+  };
+  const double square = value("omega0") * value("omega0");
+  EXPECT_NEAR(value("alpha3") / square, -1.0 / 6, 0.03 / 6);
+  EXPECT_NEAR(square, 33.3, 0.333);
+  EXPECT_LT(estimate["quality"]["held_out"][0]["rms"].get<double>() * 180 / 3.14159265358979, 0.6);
+}
+
+}  // namespace
+}  // namespace secular
