@@ -72,13 +72,14 @@ class Replay {
     return static_cast<std::size_t>(std::find(modes.begin(), modes.end(), model_.coordinates[k]) - modes.begin());
   }
 
-  // Starts from the measured oscillation and harmonics, phases at time zero.
-  void initial_state(const Observation& o, std::vector<double>& q, std::vector<double>& v) const {
+  // State of the measured oscillation `earlier` seconds before the observation's centre.
+  void initial_state(const Observation& o, double earlier, std::vector<double>& q, std::vector<double>& v) const {
     q.assign(model_.modes(), 0);
     v.assign(model_.modes(), 0);
     for (std::size_t k = 0; k < model_.modes(); ++k) {
-      q[k] += 2 * o.amplitude[k].real();
-      v[k] += 2 * (o.rate[k] * o.amplitude[k]).real();
+      const Complex amplitude = o.amplitude[k] * std::exp(-o.rate[k] * earlier);
+      q[k] += 2 * amplitude.real();
+      v[k] += 2 * (o.rate[k] * amplitude).real();
     }
   }
 
@@ -95,7 +96,7 @@ class Replay {
       }
     };
     std::vector<double> q, v;
-    initial_state(o, q, v);
+    initial_state(o, 0, q, v);
     const double settle = settle_cycles * 2 * std::numbers::pi / o.rate[0].imag();
     Record record = empty(count, 0);
     std::size_t i = 0;
@@ -112,15 +113,15 @@ class Replay {
   Record decay(const Observation& first, const Observation& last, std::size_t index) const {
     const double rate = campaign_.sample_rate_hz;
     std::vector<double> q, v;
-    initial_state(first, q, v);
-    // A few periods longer than what was seen, so that as many windows fit in; the start is found at a zero
-    // crossing.
-    const double margin = 4 * 2 * std::numbers::pi / last.rate[0].imag();
-    const auto count = static_cast<std::size_t>((last.centre_s - first.centre_s + margin) * rate);
+    // Some periods earlier and longer than what was seen, so that as many windows fit in after the start is found.
+    const double before = 2.5 * 2 * std::numbers::pi / first.rate[0].imag();
+    const double after = 4 * 2 * std::numbers::pi / last.rate[0].imag();
+    initial_state(first, before, q, v);
+    const auto count = static_cast<std::size_t>((last.centre_s - first.centre_s + before + after) * rate);
     const ExcitationSignal silent = [&](double, ExcitationSample* s) {
       for (std::size_t j = 0; j < model_.excitations.size(); ++j) s[j] = {};
     };
-    Record record = empty(count, first.centre_s);
+    Record record = empty(count, first.centre_s - before);
     std::size_t i = 0;
     integrate_motion(model_, parameters_.data(), silent, 0, q, v, 0, 1 / rate, count, settings(index),
                      [&](const MotionSample& sample) { store(sample, i++, record); });

@@ -77,7 +77,7 @@ std::optional<DecayStart> find_decay_start(const Eigen::Ref<const VectorXd>& sam
   if (largest <= 0) return std::nullopt;
   Index last_large = 0;
   for (Index i = 0; i < samples.size(); ++i)
-    if (std::abs(samples(i) - level) >= 0.95 * largest) last_large = i;
+    if (std::abs(samples(i) - level) >= 0.99 * largest) last_large = i;
   const std::vector<double> zeros = crossings(samples, level, 0.05 * largest, last_large);
   if (zeros.size() < 8) return std::nullopt;
   std::vector<double> halves;

@@ -14,7 +14,7 @@ struct DecayStart {
 
 /// Finds the beginning of a free decay: whatever the structure did before release (held still, pulled, struck), the
 /// largest excursion comes last before it swings freely. The decay is taken from the first crossing of the rest
-/// position after the signal was last within 5 % of its largest excursion, moved on by half periods while a damped
+/// position after the signal was last within 1 % of its largest excursion, moved on by half periods while a damped
 /// sine with harmonics leaves clearly more there than later on (a hand that still touches). Nothing if no
 /// oscillation of at least eight half periods follows. samples: one channel; rate in Hz.
 std::optional<DecayStart> find_decay_start(const Eigen::Ref<const Eigen::VectorXd>& samples, double rate);
