@@ -136,6 +136,10 @@ void print_campaign(const std::filesystem::path& folder) {
 void print_file(const std::filesystem::path& path) {
   const FileInspection file = inspect_file(path);
   fmt::print("{}: {} with {}\n", path.string(), file.format, count(file.variables.size(), "numeric variable"));
+  if (file.variables.empty()) {
+    fmt::print("nothing in it can be imported\n");
+    return;
+  }
   if (file.axis)
     fmt::print("time in {}, from {:.6g} s at {} Hz\n", file.time, file.axis->start_s, file.axis->sample_rate_hz);
   std::vector<std::vector<std::string>> rows = {{"variable", "shape", "type"}};

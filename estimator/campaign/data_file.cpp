@@ -4,7 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -23,6 +26,14 @@ std::string lower_extension(const fs::path& path) {
   return extension;
 }
 
+// A universal file begins with the delimiter of its first data set: -1 in columns 5 and 6, nothing else.
+bool begins_like_uff(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::array<char, 8> line{};
+  stream.getline(line.data(), line.size());
+  return stream && std::string_view(line.data()).starts_with("    -1");
+}
+
 // Decides by name and content: a MAT file says in its first bytes what it is.
 bool is_mat(const fs::path& path) {
   std::error_code ignored;
@@ -31,10 +42,10 @@ bool is_mat(const fs::path& path) {
   if (!fs::is_regular_file(path, ignored))
     throw InputError(path.string(), "", "is not a regular file", "a CSV or MAT v5 file was expected");
   const std::string extension = lower_extension(path);
-  for (const char* other : {".uff", ".unv", ".uf", ".bunv"})
-    if (extension == other)
-      throw InputError(path.string(), "", "is a UFF file, which is not supported yet",
-                       "export it as CSV or MAT v5");
+  constexpr std::array uff_extensions = {".uff", ".unv", ".uf", ".bunv"};
+  if (std::find(uff_extensions.begin(), uff_extensions.end(), extension) != uff_extensions.end() ||
+      begins_like_uff(path))
+    throw InputError(path.string(), "", "is a UFF file, which is not supported yet", "export it as CSV or MAT v5");
   for (const char* other : {".h5", ".hdf5"})
     if (extension == other)
       throw InputError(path.string(), "", "is an HDF5 file, which is not supported yet",

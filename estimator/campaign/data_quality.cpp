@@ -90,7 +90,8 @@ ChannelQuality check_channel(std::span<const double> samples) {
   quality.rms = std::sqrt(square / static_cast<double>(finite));
   if (quality.minimum == quality.maximum) {
     quality.rms = 0;
-    quality.faults.push_back({"constant", fmt::format("every sample is {}: a dead channel", quality.minimum)});
+    if (finite > 1)  // a single number is a setting, no channel
+      quality.faults.push_back({"constant", fmt::format("every sample is {}: a dead channel", quality.minimum)});
     return quality;
   }
   const std::span<const double> whole = longest_finite(samples);

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <fstream>
 #include <limits>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ namespace {
 using Bytes = std::span<const unsigned char>;
 
 constexpr std::size_t header_size = 128;
+constexpr std::size_t tag_size = 8;
+constexpr std::size_t padding_limit = 8;  // that may follow a compressed variable
 constexpr int deepest_nesting = 32;
 constexpr std::uint64_t most_elements = std::uint64_t{1} << 40;
 
@@ -93,23 +96,28 @@ class ElementReader {
   bool swapped_;
 };
 
-std::vector<unsigned char> inflated(Bytes compressed) {
+// The variable in a compressed element; never more than its own tag says, whatever the stream would inflate to.
+std::vector<unsigned char> inflated(Bytes compressed, bool swapped) {
   z_stream stream{};
   if (inflateInit(&stream) != Z_OK) throw Damage{"zlib does not start"};
-  std::vector<unsigned char> output;
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> ended(&stream, inflateEnd);
+  std::vector<unsigned char> output(tag_size);
   stream.next_in = const_cast<unsigned char*>(compressed.data());  // zlib reads it only
   stream.avail_in = static_cast<uInt>(compressed.size());
-  int status = Z_OK;
-  for (std::size_t room = 4 * compressed.size() + 1024; status == Z_OK; room *= 2) {
-    output.resize(output.size() + room);
+  std::size_t limit = 0;
+  for (int status = Z_OK; status != Z_STREAM_END;) {
+    if (stream.total_out == output.size()) {
+      if (limit == 0) limit = tag_size + ElementReader(output, swapped).word(output, 4) + padding_limit;
+      if (output.size() > limit) throw Damage{"a compressed element is longer than its variable"};
+      output.resize(std::min(2 * output.size() + 4 * compressed.size(), limit + 1));
+    }
     stream.next_out = output.data() + stream.total_out;
     stream.avail_out = static_cast<uInt>(
         std::min<std::size_t>(output.size() - stream.total_out, std::numeric_limits<uInt>::max()));
     status = inflate(&stream, Z_NO_FLUSH);
+    if (status != Z_OK && status != Z_STREAM_END) throw Damage{"a compressed element does not inflate"};
   }
   output.resize(stream.total_out);
-  inflateEnd(&stream);
-  if (status != Z_STREAM_END) throw Damage{"a compressed element does not inflate"};
   return output;
 }
 
@@ -172,13 +180,15 @@ void check_matrix(Bytes content, bool swapped, int depth) {
   } else if (array_class >= mx_first_number) {
     check_numbers(reader, count);
     if ((flag_word & complex_flag) != 0) check_numbers(reader, count);
+  } else {  // text and sparse matrices, which nobody reads: their elements have to fit into them all the same
+    while (reader.left() >= tag_size) reader.next();
   }
 }
 
 void check_top_level(const Element& element, bool swapped) {
   if (element.type == mi_matrix) return check_matrix(element.content, swapped, 0);
   if (element.type != mi_compressed) throw Damage{"something stands where a variable should be"};
-  const std::vector<unsigned char> content = inflated(element.content);
+  const std::vector<unsigned char> content = inflated(element.content, swapped);
   ElementReader reader(content, swapped);
   const Element matrix = reader.next();
   if (matrix.type != mi_matrix) throw Damage{"a compressed element holds no variable"};

@@ -11,6 +11,8 @@
 namespace secular {
 namespace {
 
+constexpr double largest_jitter = 0.25;  // of the step
+
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -75,6 +77,11 @@ double simplest_rate(const std::vector<double>& stamps, const StampLine& fitted,
            largest_deviation(stamps, line) <= allowed;
   };
   if (expected && follows(*expected)) return *expected;
+  // Clocks that differ by a millionth: the integer is meant, as long as no stamp moves further than jitter may.
+  const double whole = std::round(1 / fitted.step);
+  if (std::abs(whole * fitted.step - 1) <= 1e-6 &&
+      largest_deviation(stamps, {fitted.mean, fitted.middle, 1 / whole}) <= largest_jitter * fitted.step)
+    return whole;
   for (int digits = 1; digits <= 12; ++digits) {
     if (const double rate = rounded(1 / fitted.step, digits); follows(rate)) return rate;
     if (const double rate = 1 / rounded(fitted.step, digits); follows(rate)) return rate;
@@ -95,7 +102,7 @@ TimeAxis even_time_axis(const std::vector<double>& stamps, const std::string& fi
   double jitter = 0;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
     const double deviation = stamps[i] - fitted.at(i);
-    if (!(std::abs(deviation) <= 0.25 * fitted.step))
+    if (!(std::abs(deviation) <= largest_jitter * fitted.step))
       throw InputError(
           file, fmt::format("{} (t = {})", place.of(i), stamps[i]),
           fmt::format("samples are not even: {:.6g} s away from an even {:.6g} Hz", deviation, 1 / fitted.step),

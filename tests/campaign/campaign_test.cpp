@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "estimator/campaign/data_file.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 
@@ -187,6 +188,8 @@ TEST_F(CampaignFolder, OtherFormatsAreRefusedByName) {
     const Campaign campaign = read_campaign(folder_ / "c");
     EXPECT_TRUE(contains(refusal([&] { read_record(campaign, campaign.records.front()); }), "not supported yet"));
   }
+  write("c/data", "    -1\r\n    58\r\n");
+  EXPECT_TRUE(contains(refusal([&] { read_data_file(folder_ / "c/data"); }), "is a UFF file"));
   write("c/b.mat", "MATLAB 7.3 MAT-file" + std::string(600, ' '));
   store(toml("records/0001.csv", "b.mat"));
   const Campaign campaign = read_campaign(folder_ / "c");

@@ -1,5 +1,7 @@
 #include "estimator/campaign/data_file.hpp"
 
+#include <zlib.h>
+
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -140,6 +142,45 @@ TEST_F(Mat, NestedStructsAndCellsHavePaths) {
   const DataFile data = read_data_file(path, {"s.in(2).x", "s.c{2}"});
   EXPECT_EQ(data.vector("s.in(2).x").values, (std::vector<double>{8, 9}));
   EXPECT_EQ(data.vector("s.c{2}").values, (std::vector<double>{3, 4, 5}));
+}
+
+TEST_F(Mat, TextAndSparseMatricesAreLeftOut) {
+  const fs::path path = folder_ / "a.mat";
+  {
+    MatWriter writer(path);
+    writer.add(MatWriter::text("note", "second run"));
+    writer.add_sparse_identity("selection", 4, true);
+    writer.add(MatWriter::row("a", {1, 2}), true);
+  }
+  EXPECT_EQ(data_variable_names(path), std::vector<std::string>{"a"});
+}
+
+// A few bytes can inflate to any size: only what the variable's tag announces is.
+TEST_F(Mat, ACompressedElementThatIsLongerThanItsVariableIsRefused) {
+  const fs::path path = folder_ / "a.mat";
+  { MatWriter(path).add(MatWriter::row("a", std::vector<double>(1000, 0)), true); }
+  std::string bytes = read("a.mat");
+  constexpr std::size_t content = 128 + 8;  // behind the header and the element's tag
+  std::string variable(1 << 14, '\0');
+  auto size = static_cast<uLongf>(variable.size());
+  ASSERT_EQ(uncompress(reinterpret_cast<Bytef*>(variable.data()), &size,
+                       reinterpret_cast<const Bytef*>(bytes.data()) + content, bytes.size() - content),
+            Z_OK);
+  variable.resize(size);
+  const auto packed = [&](const std::string& text) {
+    std::string stream(compressBound(text.size()), '\0');
+    auto length = static_cast<uLongf>(stream.size());
+    compress(reinterpret_cast<Bytef*>(stream.data()), &length, reinterpret_cast<const Bytef*>(text.data()),
+             text.size());
+    stream.resize(length);
+    std::string file = bytes.substr(0, content);
+    for (std::size_t i = 0; i < 4; ++i) file[content - 4 + i] = static_cast<char>(length >> (8 * i));
+    return file + stream;
+  };
+  write("a.mat", packed(variable));
+  EXPECT_EQ(read_data_file(path).vector("a").values.size(), 1000u);
+  write("a.mat", packed(variable + std::string(1 << 20, '\0')));
+  EXPECT_TRUE(contains(refusal([&] { read_data_file(path); }), "longer than its variable"));
 }
 
 TEST_F(Mat, FilesThatOnlyLookLikeMatAreRefused) {

@@ -162,6 +162,7 @@ TEST(ChannelQuality, NamesFaults) {
   ASSERT_TRUE(has(missing, "missing"));
   EXPECT_NE(missing.faults.front().text.find("sample 71"), std::string::npos);
   EXPECT_TRUE(has(check_channel(Samples(100, 0.0)), "constant"));
+  EXPECT_TRUE(check_channel(Samples(1, 1000.0)).faults.empty());  // a rate among the variables of a file
   EXPECT_TRUE(has(check_channel(limited(sine(10000, 100.3), 0.7)), "clipping"));
   EXPECT_TRUE(has(check_channel(quantised(sine(10000, 100.3), 0.1)), "coarse"));
   EXPECT_TRUE(has(check_channel(sum(sine(10000, 100.3), Samples(10000, 0.2))), "offset"));

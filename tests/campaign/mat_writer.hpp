@@ -29,6 +29,27 @@ class MatWriter {
   static matvar_t* row(const std::string& name, const std::vector<double>& values) {
     return array(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 1, values.size(), values);
   }
+  static matvar_t* text(const std::string& name, const std::string& value) {
+    return array(name, MAT_C_CHAR, MAT_T_UTF8, 1, value.size(), std::vector<char>(value.begin(), value.end()));
+  }
+  /// A square sparse matrix with ones on its diagonal; matio keeps the pointers until it is written.
+  void add_sparse_identity(const std::string& name, mat_uint32_t size, bool compressed = false) {
+    std::vector<mat_uint32_t> rows, columns = {0};
+    for (mat_uint32_t i = 0; i < size; ++i) {
+      rows.push_back(i);
+      columns.push_back(i + 1);
+    }
+    std::vector<double> ones(size, 1);
+    mat_sparse_t sparse{};
+    sparse.nzmax = sparse.nir = sparse.ndata = size;
+    sparse.njc = size + 1;
+    sparse.ir = rows.data();
+    sparse.jc = columns.data();
+    sparse.data = ones.data();
+    std::size_t shape[2] = {size, size};
+    add(Mat_VarCreate(name.c_str(), MAT_C_SPARSE, MAT_T_DOUBLE, 2, shape, &sparse, MAT_F_DONT_COPY_DATA),
+        compressed);
+  }
   /// A 1 x count struct array; fields[i * names.size() + f]: field f of element i. Takes the fields over.
   static matvar_t* structure(const std::string& name, std::size_t count, std::vector<const char*> names,
                              const std::vector<matvar_t*>& fields) {

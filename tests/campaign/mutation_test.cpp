@@ -122,6 +122,8 @@ void use_mat(const std::filesystem::path& path) {
 
 void write_mat(const std::filesystem::path& path, bool compressed) {
   MatWriter writer(path);
+  writer.add(MatWriter::text("note", "second run"), compressed);
+  writer.add_sparse_identity("selection", 3, compressed);
   writer.add(MatWriter::column("t", {0, 0.1, 0.2, 0.3, 0.4, 0.5}), compressed);
   writer.add(
       MatWriter::structure("run", 1, {"a", "b"},

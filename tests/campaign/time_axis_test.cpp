@@ -44,6 +44,15 @@ TEST(TimeAxis, RoundedStampsKeepTheRate) {
   EXPECT_NEAR(odd.start_s, 0, 1e-5);
 }
 
+TEST(TimeAxis, ARateWithinAMillionthOfAnIntegerIsThatInteger) {
+  EXPECT_EQ(even_time_axis(stamps(0, 1000 * (1 + 8e-7), 120000), "f", {}).sample_rate_hz, 1000);
+  const double other = 1000 * (1 + 2e-6);
+  EXPECT_NEAR(even_time_axis(stamps(0, other, 120000), "f", {}).sample_rate_hz, other, 1e-9 * other);
+  // Not where the integer would move a stamp by half a step.
+  const double drifting = 1000 * (1 + 8e-7);
+  EXPECT_NEAR(even_time_axis(stamps(0, drifting, 1250000), "f", {}).sample_rate_hz, drifting, 1e-9 * drifting);
+}
+
 TEST(TimeAxis, EpochTimeIsAccepted) {
   EXPECT_EQ(even_time_axis(stamps(1.7e9, 1000, 10000), "f", {}).sample_rate_hz, 1000);
 }
