@@ -1,513 +1,608 @@
 #include "perturb/certificate.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <complex>
+#include <cstdlib>
 #include <map>
 #include <numbers>
-#include <random>
+#include <optional>
 #include <utility>
 
-#include "input/input_error.hpp"
 #include "perturb/formula_value.hpp"
+#include "perturb/graded_polynomial.hpp"
 #include "perturb/nonsmooth.hpp"
+#include "perturb/prime_field.hpp"
 
 namespace secular {
 namespace {
 
-using GiNaC::ex;
-using GiNaC::symbol;
-
-// Coefficients of eps^0, eps^1, ..., eps^N, each expanded.
-using Series = std::vector<ex>;
-
-struct NonsmoothCall {
-  symbol value;  // stands for abs(argument) or sgn(argument)
-  bool absolute = true;
-  ex argument;  // in q, qd
+// What the substitution needs of numbers, exact (prime field) or floating.
+struct Exact {
+  using Number = PrimeFieldComplex;
+  static constexpr bool floating = false;
+  std::uint64_t draw;
+  Number number(const GiNaC::numeric& value) const { return Number(value); }
+  Number pi() const { return random_value("Pi", draw); }
+  Number symbol(const std::string& name) const { return random_value(name, draw); }
+  static Number i() { return Number::i(); }
+  static Number conjugate(const Number& value) { return value.conjugate(); }
+  static Number inverse(const Number& value) { return value.inverse(); }
 };
 
-// The equations as the file states them, in symbols for displacement, velocity, acceleration and excitation. Reads
-// the parsed text itself: nothing here uses TermSum or Field products.
+struct Floating {
+  using Number = std::complex<double>;
+  static constexpr bool floating = true;
+  std::uint64_t draw;
+  Number number(const GiNaC::numeric& value) const { return {value.real().to_double(), value.imag().to_double()}; }
+  Number pi() const { return std::numbers::pi; }
+  Number symbol(const std::string& name) const { return 0.5 + random_value(name, draw).fraction(); }
+  static Number i() { return {0, 1}; }
+  static Number conjugate(const Number& value) { return std::conj(value); }
+  static Number inverse(const Number& value) { return 1.0 / value; }
+};
+
+// Highest harmonic of a nonsmooth function that the check integrates; smooth factors shift it by their degree.
+constexpr int highest_integrated_harmonic = 2 * highest_nonsmooth_harmonic;
+
+// The equations of motion as the file states them, evaluated on the expansion as a function of true time. Variables
+// of the polynomials: exp(i f_j t) of every frequency | A_k | conj A_k | |A_k| | degree in the coordinates.
+template <class Kind>
 class Substitution {
  public:
-  explicit Substitution(const Derivation& d) : d_(d), model_(*d.model), order_(d.resonance->expand_to) {
-    const auto numbered = [](const char* stem, std::size_t i) { return symbol(stem + std::to_string(i)); };
-    for (std::size_t k = 0; k < model_.modes.size(); ++k) {
-      q_.push_back({numbered("q", k), numbered("qd", k), numbered("qdd", k)});
-      amplitude_.push_back(numbered("A", k));
-      conjugate_.push_back(numbered("Ac", k));
-      modulus_.push_back(numbered("R", k));
-    }
-    for (std::size_t j = 0; j < model_.excitations.size(); ++j)
-      u_.push_back({numbered("u", j), numbered("ud", j), numbered("udd", j)});
-    for (std::size_t i = 0; i < model_.frequency_count(); ++i) wave_.push_back(numbered("E", i));
+  using Number = typename Kind::Number;
+  using Series = EpsSeries<Number>;
+  using Polynomial = GradedPolynomial<Number>;
+  using Powers = typename Polynomial::Powers;
+
+  Substitution(const Derivation& d, Kind kind)
+      : d_(d), model_(*d.model), kind_(kind), size_(static_cast<std::size_t>(d.resonance->expand_to) + 1) {
     solve_relations();
+    for (std::size_t k = 0; k < model_.modes.size(); ++k) {
+      amplitude_rate_.push_back(graded(d.slow_derivative[k]));
+      conjugate_rate_.push_back(conjugated(amplitude_rate_.back()));
+    }
+    for (std::size_t k = 0; k < model_.modes.size(); ++k) {
+      const Polynomial position = graded(d.response[k], true);
+      const Polynomial velocity = time_derivative(position);
+      motion_.push_back({position, velocity, time_derivative(velocity)});
+    }
   }
 
-  Certificate certify() {
-    Certificate certificate;
-    certificate.order = order_;
-    certificate.holds = true;
-    const std::vector<ex> equations = equations_in_symbols();
-    make_response();
-    for (std::size_t k = 0; k < equations.size(); ++k) check_equation(k, equations[k], certificate);
-    return certificate;
+  bool nonsmooth() const { return nonsmooth_; }
+
+  // What is left of mode k's equation; zero everywhere if the expansion solves it.
+  Polynomial residual(std::size_t k) {
+    Polynomial sum(static_cast<int>(size_) - 1);
+    if (model_.lagrangian) {
+      const Lagrangian& lagrangian = *model_.lagrangian;
+      varied_ = k;
+      const Jet kinetic = jet(lagrangian.kinetic, lagrangian.kinetic_source);
+      const Jet potential = jet(lagrangian.potential, lagrangian.potential_source);
+      varied_.reset();
+      sum += time_derivative(kinetic.by_velocity);
+      sum += kinetic.by_position.negated();
+      sum += potential.by_position;
+      sum += jet(*model_.modes[k].force, model_.modes[k].source).value.negated();
+    } else {
+      const Mode& mode = model_.modes[k];
+      sum += jet(mode.equation->left, mode.source).value;
+      sum += jet(mode.equation->right.front(), mode.source).value.negated();
+    }
+    return d_.resonance->degree_ordering ? ordered_by_degree(sum) : normal_form(sum);
+  }
+
+  // Sum over amplitude powers at random amplitudes, by harmonic.
+  std::map<Powers, Number> at_amplitudes(const typename Polynomial::Terms& terms) const {
+    std::map<Powers, Number> harmonics;
+    for (const auto& [powers, value] : terms) {
+      Number whole = value;
+      for (std::size_t k = 0; k < model_.modes.size(); ++k) {
+        const Number a = amplitude(k);
+        whole *= std::pow(a, powers[at_amplitude(k)]) * std::pow(std::conj(a), powers[at_conjugate(k)]) *
+                 std::pow(std::abs(a), powers[at_modulus(k)]);
+      }
+      harmonics[Powers(powers.begin(), powers.begin() + static_cast<std::ptrdiff_t>(model_.frequency_count()))] +=
+          whole;
+    }
+    return harmonics;
+  }
+
+  // Largest harmonic of mode k's acceleration: the scale of its equation.
+  double largest_acceleration(std::size_t k) const {
+    double largest = 0;
+    for (const auto& terms : motion_[k][2].orders())
+      for (const auto& [waves, value] : at_amplitudes(terms)) largest = std::max(largest, std::abs(value));
+    return largest;
+  }
+
+  bool has_odd_modulus(const Powers& powers) const {
+    for (std::size_t k = 0; k < model_.modes.size(); ++k)
+      if (powers[at_modulus(k)] != 0) return true;
+    return false;
+  }
+
+  std::string text(const Powers& powers) const {
+    std::string product, phase;
+    const auto factor = [&](const std::string& name, int power) {
+      if (power == 0) return;
+      product += (product.empty() ? "" : "*") + name + (power == 1 ? "" : "^" + std::to_string(power));
+    };
+    for (std::size_t k = 0; k < model_.modes.size(); ++k) {
+      factor("A_" + model_.modes[k].coordinate, powers[at_amplitude(k)]);
+      factor("conj(A_" + model_.modes[k].coordinate + ")", powers[at_conjugate(k)]);
+      factor("abs(A_" + model_.modes[k].coordinate + ")", powers[at_modulus(k)]);
+    }
+    for (std::size_t i = 0; i < model_.frequency_count(); ++i) {
+      if (powers[i] == 0) continue;
+      phase += (powers[i] < 0 ? "-" : (phase.empty() ? "" : "+")) +
+               (std::abs(powers[i]) == 1 ? "" : std::to_string(std::abs(powers[i])) + "*") +
+               model_.frequency_name(i);
+    }
+    return (product.empty() ? "" : product + "*") + "exp(i*(" + (phase.empty() ? "0" : phase) + ")*t)";
   }
 
  private:
-  // --- frequencies
-  // ------------------------------------------------------------------------------------------------- Each relation
-  // gives one frequency in terms of the others and eps^n*detuning, solved by GiNaC's lsolve.
+  // A value with its derivatives by the varied mode's coordinate and velocity (Lagrange's equations).
+  struct Jet {
+    Polynomial value, by_position, by_velocity;
+  };
+
+  std::size_t at_amplitude(std::size_t k) const { return model_.frequency_count() + k; }
+  std::size_t at_conjugate(std::size_t k) const { return at_amplitude(model_.modes.size()) + k; }
+  std::size_t at_modulus(std::size_t k) const { return at_conjugate(model_.modes.size()) + k; }
+  std::size_t at_degree() const { return at_modulus(model_.modes.size()); }
+  std::size_t variables() const { return at_degree() + 1; }
+
+  Number amplitude(std::size_t k) const requires Kind::floating {
+    const std::string& name = model_.modes[k].coordinate;
+    return std::polar(kind_.symbol("abs " + name).real(),
+                      2 * std::numbers::pi * kind_.symbol("arg " + name).real());
+  }
+
+  Series series(const Number& value, std::size_t order = 0) const {
+    Series result(size_);
+    if (order < size_) result[order] = value;
+    return result;
+  }
+  Polynomial zero() const { return Polynomial(static_cast<int>(size_) - 1); }
+  Polynomial constant(const Number& value, std::size_t order = 0) const {
+    return Polynomial::constant(series(value, order), variables());
+  }
+
+  // --- frequencies: each relation gives one of them in terms of the others and eps^n*detuning
+
   void solve_relations() {
-    GiNaC::lst equations, unknowns;
-    std::vector<bool> used(model_.frequency_count(), false);
+    const std::size_t count = model_.frequency_count();
+    for (std::size_t i = 0; i < count; ++i) frequency_.push_back(series(kind_.symbol(model_.frequency_name(i))));
+    struct Row {
+      std::vector<Number> multiples;
+      Series right;
+    };
+    std::vector<Row> rows;
     for (const ResonanceRelation& relation : d_.resonance->relations) {
-      ex sum = 0;
+      Row row{std::vector<Number>(count), Series(size_)};
       for (std::size_t i = 0; i < relation.multiples.size(); ++i)
-        sum += relation.multiples[i] * model_.frequency(i);
-      if (!relation.detuning.empty())
-        sum -= relation.coefficient * GiNaC::pow(eps_, relation.order) * model_.symbols.at(relation.detuning);
-      equations.append(sum == 0);
-      for (std::size_t i = relation.multiples.size(); i-- > 0;) {
-        if (relation.multiples[i] == 0 || used[i]) continue;
-        used[i] = true;
-        unknowns.append(model_.frequency(i));
-        break;
+        row.multiples[i] = kind_.number(relation.multiples[i]);
+      const auto order = static_cast<std::size_t>(relation.order);
+      if (!relation.detuning.empty() && order < size_)
+        row.right[order] = kind_.number(relation.coefficient) * kind_.symbol(relation.detuning);
+      rows.push_back(std::move(row));
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> pivots;  // row, frequency
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      std::size_t column = count;  // the last frequency not yet solved for, so that excitations come first
+      while (column > 0 && rows[r].multiples[column - 1] == Number{}) --column;
+      if (column == 0) continue;  // the lattice has refused dependent relations
+      --column;
+      const Number scale = Kind::inverse(rows[r].multiples[column]);
+      for (Number& multiple : rows[r].multiples) multiple *= scale;
+      for (Number& value : rows[r].right) value *= scale;
+      for (std::size_t other = 0; other < rows.size(); ++other) {
+        if (other == r || rows[other].multiples[column] == Number{}) continue;
+        const Number lead = rows[other].multiples[column];
+        for (std::size_t i = 0; i < count; ++i) rows[other].multiples[i] += -(lead * rows[r].multiples[i]);
+        for (std::size_t n = 0; n < size_; ++n) rows[other].right[n] += -(lead * rows[r].right[n]);
+        rows[other].multiples[column] = Number{};
       }
+      pivots.emplace_back(r, column);
     }
-    if (unknowns.nops() == 0) return;
-    const ex solution = GiNaC::lsolve(equations, unknowns);
-    for (std::size_t i = 0; i < solution.nops(); ++i)
-      frequency_values_[solution.op(i).lhs()] = solution.op(i).rhs();
+    const std::vector<Series> free = frequency_;
+    for (const auto& [r, column] : pivots) {
+      Series value = rows[r].right;
+      for (std::size_t i = 0; i < count; ++i)
+        if (i != column) value[0] += -(rows[r].multiples[i] * free[i][0]);
+      frequency_[column] = value;
+    }
   }
 
-  // A coefficient with dependent frequencies put in, as a series in eps from eps^first on.
-  Series graded_coefficient(const ex& coefficient, int first) const {
-    Series series(static_cast<std::size_t>(order_) + 1);
-    const ex substituted = frequency_values_.empty() ? coefficient : coefficient.subs(frequency_values_);
-    if (!substituted.has(eps_)) {
-      if (first <= order_) series[static_cast<std::size_t>(first)] = substituted.expand();
-      return series;
+  // A coefficient of the expansion, whose natural and excitation frequencies move with the detunings.
+  Series coefficient(const GiNaC::ex& e) const {
+    if (GiNaC::is_a<GiNaC::numeric>(e)) return series(kind_.number(GiNaC::ex_to<GiNaC::numeric>(e)));
+    if (GiNaC::is_a<GiNaC::symbol>(e)) return symbol(GiNaC::ex_to<GiNaC::symbol>(e).get_name());
+    if (GiNaC::is_a<GiNaC::constant>(e)) return series(kind_.pi());
+    if (GiNaC::is_a<GiNaC::add>(e)) {
+      Series sum(size_);
+      for (std::size_t i = 0; i < e.nops(); ++i) {
+        const Series term = coefficient(e.op(i));
+        for (std::size_t n = 0; n < size_; ++n) sum[n] += term[n];
+      }
+      return sum;
     }
-    const ex expanded = GiNaC::series_to_poly(substituted.series(eps_ == 0, order_ - first + 1)).expand();
-    for (int n = first; n <= order_; ++n)
-      series[static_cast<std::size_t>(n)] = expanded.coeff(eps_, n - first).expand();
-    return series;
+    if (GiNaC::is_a<GiNaC::mul>(e)) {
+      Series whole = series(1);
+      for (std::size_t i = 0; i < e.nops(); ++i) whole = product(whole, coefficient(e.op(i)));
+      return whole;
+    }
+    const int exponent = GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int();
+    Series base = coefficient(e.op(0)), whole = series(1);
+    if (exponent < 0) base = reciprocal(base, Kind::inverse);
+    for (int n = std::abs(exponent); n > 0; --n) whole = product(whole, base);
+    return whole;
   }
 
-  // --- series arithmetic
-  // -------------------------------------------------------------------------------------------
-  Series constant(const ex& value) const {
-    Series series(static_cast<std::size_t>(order_) + 1);
-    series[0] = value;
-    return series;
-  }
-  Series times(const Series& a, const Series& b) const {
-    Series product(a.size());
-    for (std::size_t i = 0; i < a.size(); ++i)
-      for (std::size_t j = 0; i + j < a.size(); ++j)
-        if (!a[i].is_zero() && !b[j].is_zero()) product[i + j] += (a[i] * b[j]).expand();
-    for (ex& e : product) e = e.expand();
-    return product;
-  }
-  static void accumulate(Series& sum, const Series& addend) {
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = (sum[i] + addend[i]).expand();
+  Series symbol(const std::string& name) const {
+    for (std::size_t i = 0; i < model_.frequency_count(); ++i)
+      if (model_.frequency_name(i) == name) return frequency_[i];
+    return series(kind_.symbol(name));
   }
 
   // --- the expansion as a function of true time
-  // --------------------------------------------------------------------
-  ex monomial(const FieldKey& key) const {
-    const FieldLayout& layout = d_.layout;
-    ex product = 1;
-    for (std::size_t k = 0; k < layout.modes; ++k)
-      product *= GiNaC::pow(amplitude_[k], key[layout.amplitude(k)]) *
-                 GiNaC::pow(conjugate_[k], key[layout.conjugate(k)]) *
-                 GiNaC::pow(modulus_[k], key[layout.modulus(k)]);
-    for (std::size_t j = 0; j < layout.excitations; ++j)
-      product *= GiNaC::pow(model_.symbols.at(model_.excitations[j].amplitude), key[layout.forcing(j)]);
-    const Phase phase = d_.full_phase(key);
-    for (std::size_t i = 0; i < phase.size(); ++i) product *= GiNaC::pow(wave_[i], phase[i]);
-    return product;
-  }
 
-  Series graded_field(const FieldSeries& fields) const {
-    Series sum = constant(0);
+  Polynomial graded(const FieldSeries& fields, bool coordinate = false) const {
+    const FieldLayout& layout = d_.layout;
+    Polynomial sum = zero();
     for (std::size_t n = 0; n < fields.size(); ++n)
-      for (const auto& [key, coefficient] : fields[n].terms()) {
-        const Series series = graded_coefficient(coefficient, static_cast<int>(n));
-        const ex powers = monomial(key);
-        for (std::size_t i = 0; i < sum.size(); ++i)
-          if (!series[i].is_zero()) sum[i] += (series[i] * powers).expand();
+      for (const auto& [key, value] : fields[n].terms()) {
+        Powers powers(variables(), 0);
+        const Phase phase = d_.full_phase(key);
+        for (std::size_t i = 0; i < phase.size(); ++i) powers[i] = static_cast<std::int8_t>(phase[i]);
+        for (std::size_t k = 0; k < layout.modes; ++k) {
+          powers[at_amplitude(k)] = static_cast<std::int8_t>(key[layout.amplitude(k)]);
+          powers[at_conjugate(k)] = static_cast<std::int8_t>(key[layout.conjugate(k)]);
+          powers[at_modulus(k)] = static_cast<std::int8_t>(key[layout.modulus(k)]);
+        }
+        if (coordinate) powers[at_degree()] = 1;
+        Series factor = coefficient(value);
+        for (std::size_t j = 0; j < layout.excitations; ++j)
+          for (int p = 0; p < key[layout.forcing(j)]; ++p)
+            factor = product(factor, series(kind_.symbol(model_.excitations[j].amplitude)));
+        for (std::size_t m = 0; n + m < size_; ++m) sum.add(n + m, powers, factor[m]);
       }
-    for (ex& e : sum) e = e.expand();
     return sum;
   }
 
-  void make_response() {
-    for (std::size_t k = 0; k < model_.modes.size(); ++k) {
-      amplitude_rate_.push_back(graded_field(d_.slow_derivative[k]));
-      FieldSeries mirrored;
-      for (const Field& field : d_.slow_derivative[k]) mirrored.push_back(field.conjugated(d_.layout));
-      conjugate_rate_.push_back(graded_field(mirrored));
-    }
-    for (std::size_t i = 0; i < wave_.size(); ++i)
-      wave_rate_.push_back(times(graded_coefficient(model_.frequency(i), 0), constant(GiNaC::I * wave_[i])));
-    for (std::size_t k = 0; k < model_.modes.size(); ++k) {
-      const Series x = graded_field(d_.response[k]), v = time_derivative(x), a = time_derivative(v);
-      values_[q_[k][0]] = x;
-      values_[q_[k][1]] = v;
-      values_[q_[k][2]] = a;
-    }
-    for (std::size_t j = 0; j < u_.size(); ++j) {
-      const symbol& wave = wave_[model_.modes.size() + j];
-      const ex amplitude = model_.symbols.at(model_.excitations[j].amplitude);
-      const Series x = constant(d_.resonance->excited ? (amplitude * (wave + 1 / wave) / 2).expand() : ex(0));
-      const Series v = time_derivative(x);
-      values_[u_[j][0]] = x;
-      values_[u_[j][1]] = v;
-      values_[u_[j][2]] = time_derivative(v);
-    }
+  Polynomial conjugated(const Polynomial& p) const {
+    Polynomial result = zero();
+    for (std::size_t n = 0; n < size_; ++n)
+      for (const auto& [powers, value] : p.orders()[n]) {
+        Powers mirrored = powers;
+        for (std::size_t i = 0; i < model_.frequency_count(); ++i)
+          mirrored[i] = static_cast<std::int8_t>(-powers[i]);
+        for (std::size_t k = 0; k < model_.modes.size(); ++k)
+          std::swap(mirrored[at_amplitude(k)], mirrored[at_conjugate(k)]);
+        result.add(n, mirrored, Kind::conjugate(value));
+      }
+    return result;
   }
 
   // d/dt by the chain rule through everything that moves.
-  Series time_derivative(const Series& x) const {
-    Series sum = constant(0);
-    const auto through = [&](const symbol& variable, const Series& rate) {
-      Series partial(x.size());
-      bool any = false;
-      for (std::size_t n = 0; n < x.size(); ++n) {
-        partial[n] = x[n].diff(variable);
-        any = any || !partial[n].is_zero();
-      }
-      if (any) accumulate(sum, times(partial, rate));
+  Polynomial time_derivative(const Polynomial& p) const {
+    Polynomial sum = zero();
+    const auto through = [&](std::size_t order, Powers powers, const Number& value, std::size_t variable,
+                             int lowered, const Polynomial& rate) {
+      powers[variable] = static_cast<std::int8_t>(powers[variable] - lowered);
+      for (std::size_t n = 0; order + n < size_; ++n)
+        for (const auto& [factor, number] : rate.orders()[n]) {
+          Powers whole = powers;
+          for (std::size_t v = 0; v < whole.size(); ++v) whole[v] = static_cast<std::int8_t>(whole[v] + factor[v]);
+          sum.add(order + n, whole, value * number);
+        }
     };
-    for (std::size_t k = 0; k < amplitude_.size(); ++k) {
-      through(amplitude_[k], amplitude_rate_[k]);
-      through(conjugate_[k], conjugate_rate_[k]);
-      Series modulus_rate = times(amplitude_rate_[k], constant(conjugate_[k] / modulus_[k] / 2));
-      accumulate(modulus_rate, times(conjugate_rate_[k], constant(amplitude_[k] / modulus_[k] / 2)));
-      through(modulus_[k], modulus_rate);
-    }
-    for (std::size_t i = 0; i < wave_.size(); ++i) through(wave_[i], wave_rate_[i]);
+    for (std::size_t n = 0; n < size_; ++n)
+      for (const auto& [powers, value] : p.orders()[n]) {
+        Series frequency(size_);
+        for (std::size_t i = 0; i < model_.frequency_count(); ++i)
+          if (powers[i] != 0)
+            for (std::size_t m = 0; m < size_; ++m) frequency[m] += Number(powers[i]) * frequency_[i][m];
+        for (std::size_t m = 0; n + m < size_; ++m)
+          if (frequency[m] != Number{}) sum.add(n + m, powers, Kind::i() * value * frequency[m]);
+        for (std::size_t k = 0; k < model_.modes.size(); ++k) {
+          if (const int power = powers[at_amplitude(k)])
+            through(n, powers, Number(power) * value, at_amplitude(k), 1, amplitude_rate_[k]);
+          if (const int power = powers[at_conjugate(k)])
+            through(n, powers, Number(power) * value, at_conjugate(k), 1, conjugate_rate_[k]);
+          if (const int power = powers[at_modulus(k)]) {
+            // d|A|/dt = (conj(A) dA/dt + A d conj(A)/dt)/(2|A|)
+            const Number half = Number(power) * Kind::inverse(Number(2)) * value;
+            Powers beside = powers;
+            ++beside[at_conjugate(k)];
+            through(n, beside, half, at_modulus(k), 2, amplitude_rate_[k]);
+            beside = powers;
+            ++beside[at_amplitude(k)];
+            through(n, beside, half, at_modulus(k), 2, conjugate_rate_[k]);
+          }
+        }
+      }
     return sum;
   }
 
-  // --- the original equations
-  // --------------------------------------------------------------------------------------
-  std::vector<ex> equations_in_symbols() {
-    std::vector<ex> equations;
-    if (!model_.lagrangian) {
-      for (const Mode& mode : model_.modes)
-        equations.push_back(in_symbols(mode.equation->left, mode.source) -
-                            in_symbols(mode.equation->right.front(), mode.source));
-      return equations;
+  // |A|^2 = A conj(A), used so that |A| is left to the power 0 or 1; the degree is dropped.
+  Powers normal_form(Powers powers) const {
+    for (std::size_t k = 0; k < model_.modes.size(); ++k) {
+      auto& modulus = powers[at_modulus(k)];
+      const int odd = std::abs(modulus % 2), pairs = (modulus - odd) / 2;
+      powers[at_amplitude(k)] = static_cast<std::int8_t>(powers[at_amplitude(k)] + pairs);
+      powers[at_conjugate(k)] = static_cast<std::int8_t>(powers[at_conjugate(k)] + pairs);
+      modulus = static_cast<std::int8_t>(odd);
     }
-    const Lagrangian& lagrangian = *model_.lagrangian;
-    const ex difference = in_symbols(lagrangian.kinetic, lagrangian.kinetic_source) -
-                          in_symbols(lagrangian.potential, lagrangian.potential_source);
-    for (std::size_t k = 0; k < model_.modes.size(); ++k)
-      equations.push_back(derived(difference.diff(q_[k][1])) - difference.diff(q_[k][0]) -
-                          in_symbols(*model_.modes[k].force, model_.modes[k].source));
-    return equations;
+    powers[at_degree()] = 0;
+    return powers;
+  }
+  Polynomial normal_form(const Polynomial& p) const {
+    Polynomial result = zero();
+    for (std::size_t n = 0; n < size_; ++n)
+      for (const auto& [powers, value] : p.orders()[n]) result.add(n, normal_form(powers), value);
+    return result;
+  }
+  // A term of degree d in the coordinates carries eps^(d-1).
+  Polynomial ordered_by_degree(const Polynomial& p) const {
+    Polynomial result = zero();
+    for (std::size_t n = 0; n < size_; ++n)
+      for (const auto& [powers, value] : p.orders()[n])
+        result.add(n + static_cast<std::size_t>(std::max(0, powers[at_degree()] - 1)), normal_form(powers), value);
+    return result;
   }
 
-  ex derived(const ex& value) const {
-    ex sum = 0;
-    for (const auto* group : {&q_, &u_})
-      for (const std::vector<symbol>& levels : *group)
-        for (std::size_t level = 0; level < 2; ++level) sum += value.diff(levels[level]) * levels[level + 1];
-    return sum;
+  // --- the original equations, node by node
+
+  Jet still(Polynomial value) const { return {std::move(value), zero(), zero()}; }
+  Jet times(const Jet& a, const Jet& b) const {
+    Jet result = still(a.value * b.value);
+    if (varied_) {
+      result.by_position = a.by_position * b.value;
+      result.by_position += a.value * b.by_position;
+      result.by_velocity = a.by_velocity * b.value;
+      result.by_velocity += a.value * b.by_velocity;
+    }
+    return result;
+  }
+  static void accumulate(Jet& sum, const Jet& addend) {
+    sum.value += addend.value;
+    sum.by_position += addend.by_position;
+    sum.by_velocity += addend.by_velocity;
   }
 
-  ex in_symbols(const Expression& e, const FormulaSource& source) {
+  Jet jet(const Expression& e, const FormulaSource& source) {
     switch (e.kind) {
       case Expression::Kind::number:
-        return exact_number(e.text);
+        return still(constant(kind_.number(exact_number(e.text))));
       case Expression::Kind::symbol:
-        for (std::size_t k = 0; k < model_.modes.size(); ++k)
-          if (model_.modes[k].coordinate == e.text) return q_[k][0];
-        if (e.text == "Pi") return GiNaC::Pi;
-        return model_.symbols.at(e.text);
+        return symbol_jet(e);
       case Expression::Kind::sum: {
-        ex sum = 0;
-        for (const Expression& operand : e.operands) sum += in_symbols(operand, source);
+        Jet sum = still(zero());
+        for (const Expression& operand : e.operands) accumulate(sum, jet(operand, source));
         return sum;
       }
       case Expression::Kind::product: {
-        ex product = 1;
-        for (const Expression& operand : e.operands) product *= in_symbols(operand, source);
-        return joined(product);
+        Jet whole = jet(e.operands.front(), source);
+        for (std::size_t i = 1; i < e.operands.size(); ++i) whole = times(whole, jet(e.operands[i], source));
+        return whole;
       }
       case Expression::Kind::quotient:
-        return joined(in_symbols(e.operands[0], source) / in_symbols(e.operands[1], source));
-      case Expression::Kind::power:
-        return joined(GiNaC::pow(in_symbols(e.operands[0], source), integer_exponent(e, source)));
-      case Expression::Kind::negation:
-        return -in_symbols(e.operands[0], source);
+        return times(jet(e.operands[0], source), reciprocal_constant(jet(e.operands[1], source)));
+      case Expression::Kind::power: {
+        const int exponent = integer_exponent(e, source);
+        Jet base = jet(e.operands[0], source), whole = still(constant(1));
+        if (exponent < 0) base = reciprocal_constant(base);
+        for (int n = std::abs(exponent); n > 0; --n) whole = times(whole, base);
+        return whole;
+      }
+      case Expression::Kind::negation: {
+        Jet inner = jet(e.operands[0], source);
+        return {inner.value.negated(), inner.by_position.negated(), inner.by_velocity.negated()};
+      }
       case Expression::Kind::call:
         break;
     }
-    if (e.text == "cos" || e.text == "sin") return clock(e, source);
-    const ex argument = in_symbols(e.operands[0], source);
-    if (e.text == "D") return derived(argument);
-    if (e.text == "D2") return derived(derived(argument));
-    nonsmooth_.push_back({symbol("N" + std::to_string(nonsmooth_.size())), e.text == "abs", argument});
-    return nonsmooth_.back().value;
-  }
-
-  // cos(n Omega t) as a symbol of its own, joined with F to the excitation u.
-  ex clock(const Expression& e, const FormulaSource& source) {
-    const symbol time("t");
-    const ex phase = formula_value(e.operands[0], source, [&](const Expression& s) -> ex {
-      return s.text == "t" ? ex(time) : ex(model_.symbols.at(s.text));
-    });
-    for (std::size_t j = 0; j < model_.excitations.size(); ++j) {
-      const ex multiple = (phase / (model_.symbols.at(model_.excitations[j].frequency) * time)).normal();
-      if (!GiNaC::is_a<GiNaC::numeric>(multiple)) continue;
-      const auto [entry, added] = clocks_.try_emplace(
-          {j, GiNaC::ex_to<GiNaC::numeric>(multiple).to_int(), e.text == "cos"}, symbol("clock"));
-      return entry->second;
+    if (e.text == "cos" || e.text == "sin") return still(clock(e, source));
+    if (e.text == "D") return derived(jet(e.operands[0], source));
+    if (e.text == "D2") {
+      // The coordinates' own accelerations are at hand.
+      if (e.operands[0].kind == Expression::Kind::symbol)
+        for (std::size_t k = 0; k < model_.modes.size(); ++k)
+          if (model_.modes[k].coordinate == e.operands[0].text) return still(motion_[k][2]);
+      return derived(derived(jet(e.operands[0], source)));
     }
-    return 0;
+    nonsmooth_ = true;
+    const Jet argument = jet(e.operands[0], source);
+    if (e.text == "max" || e.text == "min") {  // max(a, b) = (a + b + |a - b|)/2
+      Jet other = jet(e.operands[1], source);
+      Polynomial difference = argument.value, sum = argument.value;
+      difference += other.value.negated();
+      sum += other.value;
+      const Polynomial distance = function("abs", difference);
+      sum += e.text == "max" ? distance : distance.negated();
+      return still(sum * constant(Kind::inverse(Number(2))));
+    }
+    return still(function(e.text, argument.value));
   }
 
-  ex joined(const ex& product) const {
-    ex result = product;
-    for (std::size_t j = 0; j < model_.excitations.size(); ++j) {
-      const auto cosine = clocks_.find({j, 1, true});
-      if (cosine == clocks_.end() || !result.has(cosine->second)) continue;
-      const ex amplitude = model_.symbols.at(model_.excitations[j].amplitude);
-      result =
-          result.expand().subs(GiNaC::lst{amplitude * cosine->second == u_[j][0]}, GiNaC::subs_options::algebraic);
+  // Denominators hold symbols and numbers only: a constant with one power of eps per symbol.
+  Jet reciprocal_constant(const Jet& divisor) const {
+    Series value(size_);
+    for (std::size_t n = 0; n < size_; ++n)
+      for (const auto& [powers, number] : divisor.value.orders()[n]) value[n] += number;
+    return still(Polynomial::constant(reciprocal(value, Kind::inverse), variables()));
+  }
+
+  Jet symbol_jet(const Expression& e) const {
+    for (std::size_t k = 0; k < model_.modes.size(); ++k)
+      if (model_.modes[k].coordinate == e.text) {
+        Jet coordinate = still(motion_[k][0]);
+        if (varied_ == k) coordinate.by_position = constant(1);
+        return coordinate;
+      }
+    if (e.text == "Pi") return still(constant(kind_.pi()));
+    const auto entry = d_.resonance->order.find(e.text);
+    if (entry != d_.resonance->order.end() && entry->second > 0)
+      return still(constant(kind_.symbol(e.text), static_cast<std::size_t>(entry->second)));
+    return still(Polynomial::constant(symbol(e.text), variables()));
+  }
+
+  // d/dt of f(q, q'): its derivative by q' is df/dq, by q the time derivative of df/dq.
+  Jet derived(const Jet& inner) const {
+    Jet result = still(time_derivative(inner.value));
+    if (varied_) {
+      result.by_position = time_derivative(inner.by_position);
+      result.by_velocity = inner.by_position;
+      result.by_velocity += time_derivative(inner.by_velocity);
     }
     return result;
   }
 
-  // --- substitution
-  // ------------------------------------------------------------------------------------------------
-  Series graded(const ex& e) const {
-    if (GiNaC::is_a<GiNaC::add>(e)) {
-      Series sum = constant(0);
-      for (std::size_t i = 0; i < e.nops(); ++i) accumulate(sum, graded(e.op(i)));
-      return sum;
+  // cos(n Omega t), sin(n Omega t).
+  Polynomial clock(const Expression& e, const FormulaSource& source) const {
+    Polynomial wave = zero();
+    if (!d_.resonance->excited) return wave;
+    const GiNaC::symbol time("t");
+    const GiNaC::ex phase = formula_value(e.operands[0], source, [&](const Expression& s) -> GiNaC::ex {
+      return s.text == "t" ? GiNaC::ex(time) : model_.symbols.at(s.text);
+    });
+    for (std::size_t i = model_.modes.size(); i < model_.frequency_count(); ++i) {
+      const GiNaC::ex multiple = (phase / (model_.frequency(i) * time)).normal();
+      if (!GiNaC::is_a<GiNaC::numeric>(multiple)) continue;
+      Powers powers(variables(), 0);
+      powers[i] = static_cast<std::int8_t>(GiNaC::ex_to<GiNaC::numeric>(multiple).to_int());
+      const bool cosine = e.text == "cos";
+      const Number half = Kind::inverse(Number(2)), turned = cosine ? half : -(half * Kind::i());
+      wave.add(0, powers, turned);
+      powers[i] = static_cast<std::int8_t>(-powers[i]);
+      wave.add(0, powers, cosine ? turned : -turned);
     }
-    if (GiNaC::is_a<GiNaC::mul>(e)) {
-      Series product = constant(1);
-      for (std::size_t i = 0; i < e.nops(); ++i) product = times(product, graded(e.op(i)));
-      return product;
-    }
-    if (GiNaC::is_a<GiNaC::power>(e) && GiNaC::is_a<GiNaC::numeric>(e.op(1)) &&
-        GiNaC::ex_to<GiNaC::numeric>(e.op(1)).is_pos_integer()) {
-      Series product = constant(1);
-      const Series base = graded(e.op(0));
-      for (int i = GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int(); i > 0; --i) product = times(product, base);
-      return product;
-    }
-    const auto moving =
-        std::find_if(values_.begin(), values_.end(), [&](const auto& entry) { return e.is_equal(entry.first); });
-    if (moving != values_.end()) return moving->second;
-    for (const auto& [key, clock_symbol] : clocks_)
-      if (e.is_equal(clock_symbol)) {
-        const auto& [j, multiple, cosine] = key;
-        const ex wave = GiNaC::pow(wave_[model_.modes.size() + j], multiple);
-        if (!d_.resonance->excited) return constant(0);
-        return constant(cosine ? (wave + 1 / wave) / 2 : (wave - 1 / wave) / (2 * GiNaC::I));
-      }
-    if (GiNaC::is_a<symbol>(e)) {
-      const auto entry = d_.resonance->order.find(GiNaC::ex_to<symbol>(e).get_name());
-      const int order = entry == d_.resonance->order.end() ? 0 : entry->second;
-      if (order > 0) {
-        Series series = constant(0);
-        if (order <= order_) series[static_cast<std::size_t>(order)] = e;
-        return series;
-      }
-    }
-    return graded_coefficient(e, 0);
+    return wave;
   }
 
-  // Terms of degree d in the coordinates start at eps^(d-1) where the case is ordered by degree.
-  Series residual_of(const ex& equation) const {
-    if (!d_.resonance->degree_ordering) return graded(equation.expand());
-    const ex expanded = equation.expand();
-    Series sum = constant(0);
-    const bool is_sum = GiNaC::is_a<GiNaC::add>(expanded);
-    for (std::size_t i = 0; i < (is_sum ? expanded.nops() : 1); ++i) {
-      const ex term = is_sum ? expanded.op(i) : expanded;
-      int degree = 0;
-      for (const std::vector<symbol>& levels : q_)
-        for (const symbol& level : levels) degree += term.degree(level);
-      for (const NonsmoothCall& call : nonsmooth_)
-        if (call.absolute) degree += term.degree(call.value);
-      const auto shift = static_cast<std::size_t>(std::max(0, degree - 1));
-      const Series series = graded(term);
-      for (std::size_t n = shift; n < sum.size(); ++n) sum[n] += series[n - shift];
-    }
-    for (ex& e : sum) e = e.expand();
-    return sum;
-  }
-
-  // Splits a sum into coefficients of distinct powers of waves, amplitudes and nonsmooth values.
-  std::map<std::vector<int>, ex> collected(const ex& sum) const {
-    std::vector<symbol> variables = wave_;
-    variables.insert(variables.end(), amplitude_.begin(), amplitude_.end());
-    variables.insert(variables.end(), conjugate_.begin(), conjugate_.end());
-    variables.insert(variables.end(), modulus_.begin(), modulus_.end());
-    for (const NonsmoothCall& call : nonsmooth_) variables.push_back(call.value);
-    std::map<std::vector<int>, ex> parts;
-    const bool is_sum = GiNaC::is_a<GiNaC::add>(sum);
-    for (std::size_t i = 0; i < (is_sum ? sum.nops() : 1); ++i) {
-      ex coefficient = is_sum ? sum.op(i) : sum;
-      std::vector<int> powers;
-      for (const symbol& variable : variables) {
-        const int power = coefficient.degree(variable);
-        powers.push_back(power);
-        if (power != 0) coefficient = coefficient * GiNaC::pow(variable, -power);
-      }
-      parts[powers] += coefficient;
-    }
-    return parts;
-  }
-
-  void check_equation(std::size_t k, const ex& equation, Certificate& certificate) {
-    const Series residual = residual_of(equation);
-    for (std::size_t n = 0; n < residual.size(); ++n) {
-      const bool nonsmooth = std::any_of(nonsmooth_.begin(), nonsmooth_.end(),
-                                         [&](const NonsmoothCall& call) { return residual[n].has(call.value); });
-      if (nonsmooth) {
-        check_nonsmooth(k, residual[n], certificate);
-        continue;
-      }
-      for (const auto& [powers, coefficient] : collected(residual[n])) {
-        ++certificate.coefficients_checked;
-        if (coefficient.expand().is_zero() || coefficient.normal().is_zero()) continue;
-        certificate.holds = false;
-        certificate.remainders.push_back("equation of " + model_.modes[k].coordinate + ", eps^" +
-                                         std::to_string(n));
-      }
-    }
-  }
-
-  // Every harmonic of the residual, smooth part plus nonsmooth part by quadrature, at random values.
-  void check_nonsmooth(std::size_t k, const ex& residual, Certificate& certificate) {
-    std::mt19937_64 random(20240229 + k);
-    const auto uniform = [&](double low, double high) {
-      return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
-    };
-    certificate.nonsmooth_harmonics = highest_nonsmooth_harmonic;
-    for (int draw = 0; draw < 3; ++draw) {
-      GiNaC::exmap numbers;
-      for (const std::string& name : model_.symbols.names()) numbers[model_.symbols.at(name)] = uniform(0.5, 1.5);
-      std::vector<std::complex<double>> amplitudes;
-      for (std::size_t m = 0; m < amplitude_.size(); ++m) {
-        const std::complex<double> a = std::polar(uniform(0.5, 1.5), uniform(-3, 3));
-        amplitudes.push_back(a);
-        numbers[amplitude_[m]] = a.real() + GiNaC::I * a.imag();
-        numbers[conjugate_[m]] = a.real() - GiNaC::I * a.imag();
-        numbers[modulus_[m]] = std::abs(a);
-      }
-      // Waves other than the oscillator's own appear in the smooth part only and vanish coefficient by coefficient.
-      std::map<std::vector<int>, std::complex<double>> harmonics;
-      double largest = 0;
-      const auto record = [&](const std::vector<int>& waves, std::complex<double> value) {
-        harmonics[waves] += value;
-        largest = std::max(largest, std::abs(value));
+  // abs(x) or sgn(x). Exact arithmetic leaves it out: it makes odd powers of |A| only, which are checked by
+  // numbers.
+  Polynomial function(const std::string& name, const Polynomial& x) const {
+    Polynomial result = zero();
+    if constexpr (Kind::floating) {
+      const std::map<Powers, Number> leading = at_amplitudes(x.orders()[0]);
+      std::optional<std::size_t> mode;
+      Number phasor{};
+      for (const auto& [waves, value] : leading)
+        for (std::size_t k = 0; k < model_.modes.size(); ++k)
+          if (waves[k] == 1) {
+            mode = k;
+            phasor = 2.0 * value;
+          }
+      if (!mode) return result;  // the mode is at rest
+      const bool absolute = name == "abs";
+      const auto put = [&](std::size_t order, const Powers& waves, int harmonic, const Number& value) {
+        Powers powers(variables(), 0);
+        std::copy(waves.begin(), waves.end(), powers.begin());
+        powers[*mode] = static_cast<std::int8_t>(powers[*mode] + harmonic);
+        if (absolute) powers[at_degree()] = 1;
+        result.add(order, powers, value);
       };
-      const auto number = [&](const ex& e) {
-        const ex value = e.subs(numbers).evalf();
-        const auto& n = GiNaC::ex_to<GiNaC::numeric>(value);
-        return std::complex<double>(n.real().to_double(), n.imag().to_double());
-      };
-      for (const auto& [powers, coefficient] : collected(residual)) {
-        const std::vector<int> waves(powers.begin(), powers.begin() + static_cast<std::ptrdiff_t>(wave_.size()));
-        ex whole = coefficient;
-        std::size_t at = wave_.size();
-        for (const auto* group : {&amplitude_, &conjugate_, &modulus_})
-          for (const symbol& variable : *group) whole = whole * GiNaC::pow(variable, powers[at++]);
-        const NonsmoothCall* call = nullptr;
-        for (const NonsmoothCall& candidate : nonsmooth_)
-          if (powers[at++] != 0) call = &candidate;
-        const std::complex<double> value = number(whole);
-        if (!call) {
-          record(waves, value);
-          continue;
-        }
-        const auto [mode, samples] = fourier_integrals(*call, amplitudes, numbers);
-        for (int n = -40; n <= 40; ++n) {
-          std::vector<int> shifted = waves;
-          shifted[mode] += n;
-          if (std::abs(shifted[mode]) <= highest_nonsmooth_harmonic)
-            record(shifted, value * samples[static_cast<std::size_t>(n + 40)]);
-        }
-      }
-      for (const auto& [waves, value] : harmonics) {
-        ++certificate.coefficients_checked;
-        const double error = std::abs(value) / largest;
-        certificate.nonsmooth_error = std::max(certificate.nonsmooth_error, error);
-        if (error < 1e-9) continue;
-        certificate.holds = false;
-        certificate.remainders.push_back("equation of " + model_.modes[k].coordinate +
-                                         ", harmonic of a nonsmooth term");
+      const Powers still(model_.frequency_count(), 0);
+      for (int n = -highest_integrated_harmonic; n <= highest_integrated_harmonic; ++n) {
+        put(0, still, n, fourier(phasor, absolute, n));
+        if (!absolute || size_ < 2) continue;
+        const Number slope = fourier(phasor, false, n);  // |x0 + eps x1| = |x0| + eps sgn(x0) x1 + ...
+        for (const auto& [waves, value] : at_amplitudes(x.orders()[1])) put(1, waves, n, slope * value);
       }
     }
+    return result;
   }
 
-  // Fourier coefficients -40..40 of abs(x) or sgn(x) for the leading motion x of one mode, over exp(i w t).
-  std::pair<std::size_t, std::vector<std::complex<double>>> fourier_integrals(
-      const NonsmoothCall& call, const std::vector<std::complex<double>>& amplitudes,
-      const GiNaC::exmap& numbers) const {
-    std::size_t mode = 0;
-    std::size_t derivative = 0;
-    for (std::size_t m = 0; m < q_.size(); ++m)
-      for (std::size_t level = 0; level < 2; ++level)
-        if (call.argument.has(q_[m][level])) {
-          mode = m;
-          derivative = level;
-        }
-    const double scale = GiNaC::ex_to<GiNaC::numeric>(call.argument.diff(q_[mode][derivative]).evalf()).to_double();
-    const double omega = GiNaC::ex_to<GiNaC::numeric>(ex(model_.frequency(mode)).subs(numbers)).to_double();
-    std::complex<double> phasor = 2.0 * scale * amplitudes[mode];
-    if (derivative == 1) phasor *= std::complex<double>(0, omega);
+  // Coefficient of exp(i n phi) in |x| or sgn(x), x = Re(phasor exp(i phi)), integrated between the sign changes.
+  static std::complex<double> fourier(std::complex<double> phasor, bool absolute, int n) {
     const auto x = [&](double phi) { return (phasor * std::polar(1.0, phi)).real(); };
-    // cos(phi + arg) changes sign at phi = pi/2 - arg and one half turn later.
     const double zero = std::numbers::pi / 2 - std::arg(phasor);
-    std::vector<std::complex<double>> coefficients;
-    for (int n = -40; n <= 40; ++n) {
-      std::complex<double> sum = 0;
-      for (int half = 0; half < 2; ++half) {
-        const double from = zero + half * std::numbers::pi, to = from + std::numbers::pi;
-        const double sign = x(0.5 * (from + to)) > 0 ? 1 : -1;
-        const auto integral = [&](auto part) {
-          return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
-              [&](double phi) { return (call.absolute ? sign * x(phi) : sign) * part(n * phi); }, from, to, 8,
-              1e-13);
-        };
-        sum += std::complex<double>(integral([](double a) { return std::cos(a); }),
-                                    -integral([](double a) { return std::sin(a); }));
-      }
-      coefficients.push_back(sum / (2 * std::numbers::pi));
+    std::complex<double> sum = 0;
+    constexpr int panels = 8;  // four to each sign, 20 nodes each
+    for (int panel = 0; panel < panels; ++panel) {
+      const double from = zero + 2 * std::numbers::pi * panel / panels, to = from + 2 * std::numbers::pi / panels;
+      const double sign = x(0.5 * (from + to)) > 0 ? 1 : -1;
+      const auto integral = [&](auto part) {
+        return boost::math::quadrature::gauss<double, 20>::integrate(
+            [&](double phi) { return (absolute ? sign * x(phi) : sign) * part(n * phi); }, from, to);
+      };
+      sum += std::complex<double>(integral([](double a) { return std::cos(a); }),
+                                  -integral([](double a) { return std::sin(a); }));
     }
-    return {mode, coefficients};
+    return sum / (2 * std::numbers::pi);
   }
 
   const Derivation& d_;
   const Model& model_;
-  int order_;
-  symbol eps_{"eps"};
-  std::vector<std::vector<symbol>> q_, u_;  // [index][derivative]
-  std::vector<symbol> amplitude_, conjugate_, modulus_, wave_;
-  std::vector<Series> amplitude_rate_, conjugate_rate_, wave_rate_;
-  std::map<ex, Series, GiNaC::ex_is_less> values_;
-  std::map<std::tuple<std::size_t, int, bool>, symbol> clocks_;
-  std::vector<NonsmoothCall> nonsmooth_;
-  GiNaC::exmap frequency_values_;
+  Kind kind_;
+  std::size_t size_;
+  std::vector<Series> frequency_;
+  std::vector<Polynomial> amplitude_rate_, conjugate_rate_;
+  std::vector<std::vector<Polynomial>> motion_;  // [mode][derivative]
+  std::optional<std::size_t> varied_;
+  bool nonsmooth_ = false;
 };
+
+// Floating check of the coefficients that nonsmooth terms touch.
+void check_nonsmooth(const Derivation& d, Certificate& certificate) {
+  certificate.nonsmooth_harmonics = highest_nonsmooth_harmonic;
+  for (std::uint64_t draw = 11; draw < 14; ++draw) {
+    Substitution<Floating> substitution(d, Floating{draw});
+    for (std::size_t k = 0; k < d.model->modes.size(); ++k) {
+      const auto residual = substitution.residual(k);
+      const double largest = substitution.largest_acceleration(k);
+      for (std::size_t n = 0; n < residual.orders().size(); ++n) {
+        for (const auto& [waves, value] : substitution.at_amplitudes(residual.orders()[n])) {
+          const bool compared = std::all_of(waves.begin(), waves.end(),
+                                            [](int w) { return std::abs(w) <= highest_nonsmooth_harmonic; });
+          if (!compared) continue;
+          ++certificate.coefficients_checked;
+          const double error = std::abs(value) / largest;
+          certificate.nonsmooth_error = std::max(certificate.nonsmooth_error, error);
+          if (error < 1e-10) continue;
+          certificate.holds = false;
+          certificate.remainders.push_back("equation of " + d.model->modes[k].coordinate + ", eps^" +
+                                           std::to_string(n) + ", harmonic of a nonsmooth term");
+        }
+      }
+    }
+  }
+}
 
 }  // namespace
 
-Certificate certify(const Derivation& derivation) {
-  return Substitution(derivation).certify();
+Certificate certify(const Derivation& d) {
+  Certificate certificate;
+  certificate.order = d.resonance->expand_to;
+  certificate.holds = true;
+  bool nonsmooth = false;
+  for (const std::uint64_t draw : {std::uint64_t{1}, std::uint64_t{2}}) {
+    Substitution<Exact> substitution(d, Exact{draw});
+    certificate.coefficients_checked = 0;
+    for (std::size_t k = 0; k < d.model->modes.size(); ++k) {
+      const auto residual = substitution.residual(k);
+      for (std::size_t n = 0; n < residual.orders().size(); ++n)
+        for (const auto& [powers, value] : residual.orders()[n]) {
+          if (substitution.has_odd_modulus(powers)) continue;
+          ++certificate.coefficients_checked;
+          if (value.is_zero()) continue;
+          certificate.holds = false;
+          const std::string left = "equation of " + d.model->modes[k].coordinate + ", eps^" + std::to_string(n) +
+                                   ", coefficient of " + substitution.text(powers);
+          if (std::find(certificate.remainders.begin(), certificate.remainders.end(), left) ==
+              certificate.remainders.end())
+            certificate.remainders.push_back(left);
+        }
+    }
+    nonsmooth = substitution.nonsmooth();
+  }
+  if (nonsmooth) check_nonsmooth(d, certificate);
+  return certificate;
 }
 
 }  // namespace secular

@@ -10,6 +10,7 @@
 #include "perturb/derivation.hpp"
 #include "perturb/nonsmooth.hpp"
 #include "perturb/ordered_equation.hpp"
+#include "perturb/prime_field.hpp"
 
 namespace secular {
 namespace {
@@ -314,10 +315,10 @@ class MultipleScales {
     }
   }
 
+  // A zero may hide behind different denominators.
   static GiNaC::ex cleaned(const GiNaC::ex& coefficient) {
     const GiNaC::ex expanded = coefficient.expand();
-    // A zero may hide behind different denominators.
-    return GiNaC::is_a<GiNaC::add>(expanded) && expanded.normal().is_zero() ? GiNaC::ex(0) : expanded;
+    return vanishes(expanded) ? GiNaC::ex(0) : expanded;
   }
 
   void warn_if_nearly_resonant(const FieldKey& key, std::size_t k, int order) {

@@ -8,6 +8,7 @@
 
 #include "input/input_error.hpp"
 #include "perturb/formula_value.hpp"
+#include "perturb/prime_field.hpp"
 
 namespace secular {
 namespace {
@@ -64,13 +65,12 @@ class LumpFinder {
     if (present.empty()) return Split{use({"one", 1}), coefficient};
     if (present.size() == 1) {
       const ex parameter = model_.symbols.at(present.front());
-      const ex ratio = (coefficient / parameter).normal();
-      if (free_of_parameters(ratio)) return Split{use({present.front(), parameter}), ratio};
+      if (const auto ratio = proportion(coefficient, parameter))
+        return Split{use({present.front(), parameter}), *ratio};
     }
     for (const std::vector<Lump>* candidates : {&named_, &lumps_})
       for (const Lump& candidate : *candidates) {
-        const ex ratio = (coefficient / candidate.definition).normal();
-        if (free_of_parameters(ratio)) return Split{use(candidate), ratio};
+        if (const auto ratio = proportion(coefficient, candidate.definition)) return Split{use(candidate), *ratio};
       }
     for (const Excitation& excitation : model_.excitations)
       if (coefficient.has(model_.symbols.at(excitation.frequency))) return std::nullopt;
@@ -81,9 +81,39 @@ class LumpFinder {
   void forget_after(std::size_t count) { lumps_.resize(count); }
 
  private:
-  bool free_of_parameters(const ex& e) const {
-    return std::none_of(model_.parameters.begin(), model_.parameters.end(),
-                        [&](const std::string& name) { return e.has(model_.symbols.at(name)); });
+  bool is_parameter(const std::string& name) const {
+    return std::find(model_.parameters.begin(), model_.parameters.end(), name) != model_.parameters.end();
+  }
+
+  // coefficient/definition if it is free of parameters. Decided at random points that differ in the parameters
+  // only; then parameters that show the ratio are put in, so that a common denominator of frequencies alone is
+  // formed.
+  std::optional<ex> proportion(const ex& coefficient, const ex& definition) const {
+    const auto ratio_at = [&](std::uint64_t parameter_draw) {
+      const DrawOfSymbol draw = [&](const std::string& name) {
+        return is_parameter(name) ? parameter_draw : std::uint64_t{0};
+      };
+      return value_at_random_point(coefficient, draw) * value_at_random_point(definition, draw).inverse();
+    };
+    if (ratio_at(1) != ratio_at(2)) return std::nullopt;
+    for (const std::string& chosen : model_.parameters) {
+      if (!definition.has(model_.symbols.at(chosen))) continue;
+      GiNaC::exmap values;
+      for (const std::string& name : model_.parameters) values[model_.symbols.at(name)] = name == chosen ? 1 : 0;
+      try {
+        const ex below = definition.subs(values, GiNaC::subs_options::no_pattern);
+        if (vanishes(below)) continue;
+        return (coefficient.subs(values, GiNaC::subs_options::no_pattern) / below).normal();
+      } catch (const GiNaC::pole_error&) {
+        continue;
+      }
+    }
+    long next = 2;  // every single parameter alone makes it vanish, as in a product of two
+    GiNaC::exmap values;
+    for (const std::string& name : model_.parameters) values[model_.symbols.at(name)] = next++;
+    return (coefficient.subs(values, GiNaC::subs_options::no_pattern) /
+            definition.subs(values, GiNaC::subs_options::no_pattern))
+        .normal();
   }
 
   std::size_t use(Lump lump) {

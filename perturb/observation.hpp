@@ -41,7 +41,7 @@ struct ObservationBlock {
   bool modulation = true;
   std::size_t mode = 0;
   int order = 0;  ///< lowest power of eps of its terms
-  Phase phase;  ///< harmonic: representative phase
+  Phase phase;    ///< harmonic: representative phase
   struct Column {
     std::size_t lump = 0;
     std::vector<ColumnTerm> terms;

@@ -1,0 +1,96 @@
+#include "perturb/prime_field.hpp"
+
+#include <stdexcept>
+#include <string>
+
+namespace secular {
+namespace {
+
+std::uint64_t residue(const GiNaC::numeric& integer) {
+  static const GiNaC::numeric prime(static_cast<long>(PrimeFieldComplex::prime));
+  return static_cast<std::uint64_t>(GiNaC::mod(integer, prime).to_long());
+}
+
+PrimeFieldComplex rational(const GiNaC::numeric& value) {
+  const PrimeFieldComplex numerator(residue(value.numer()), std::uint64_t{0});
+  if (value.is_integer()) return numerator;
+  return numerator * PrimeFieldComplex(residue(value.denom()), std::uint64_t{0}).inverse();
+}
+
+std::uint64_t scrambled(std::uint64_t x) {  // splitmix64
+  x += 0x9e3779b97f4a7c15ULL;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31);
+}
+
+}  // namespace
+
+PrimeFieldComplex::PrimeFieldComplex(const GiNaC::numeric& value) {
+  if (!value.is_crational()) throw std::domain_error("number is not a complex rational");
+  if (value.is_real()) {
+    *this = rational(value);
+    return;
+  }
+  *this = rational(value.real()) + i() * rational(value.imag());
+}
+
+PrimeFieldComplex PrimeFieldComplex::power(std::uint64_t exponent) const {
+  PrimeFieldComplex result = 1, square = *this;
+  for (; exponent != 0; exponent >>= 1) {
+    if (exponent & 1) result *= square;
+    square *= square;
+  }
+  return result;
+}
+
+PrimeFieldComplex PrimeFieldComplex::inverse() const {
+  if (is_zero()) throw std::domain_error("division by zero");
+  const PrimeFieldComplex norm = *this * conjugate();  // real; its inverse is norm^(p-2)
+  return conjugate() * norm.power(prime - 2);
+}
+
+PrimeFieldComplex random_value(const std::string& name, std::uint64_t draw) {
+  std::uint64_t hash = scrambled(draw + 0x5ec01a5ULL);
+  for (const char c : name) hash = scrambled(hash ^ static_cast<unsigned char>(c));
+  return {hash >> 3, std::uint64_t{0}};
+}
+
+PrimeFieldComplex value_at_random_point(const GiNaC::ex& e, const DrawOfSymbol& draw) {
+  if (GiNaC::is_a<GiNaC::numeric>(e)) return PrimeFieldComplex(GiNaC::ex_to<GiNaC::numeric>(e));
+  if (GiNaC::is_a<GiNaC::symbol>(e)) {
+    const std::string name = GiNaC::ex_to<GiNaC::symbol>(e).get_name();
+    return random_value(name, draw(name));
+  }
+  if (GiNaC::is_a<GiNaC::constant>(e) && e.is_equal(GiNaC::Pi)) return random_value("Pi", draw("Pi"));
+  if (GiNaC::is_a<GiNaC::add>(e)) {
+    PrimeFieldComplex sum;
+    for (std::size_t k = 0; k < e.nops(); ++k) sum += value_at_random_point(e.op(k), draw);
+    return sum;
+  }
+  if (GiNaC::is_a<GiNaC::mul>(e)) {
+    PrimeFieldComplex product = 1;
+    for (std::size_t k = 0; k < e.nops(); ++k) product *= value_at_random_point(e.op(k), draw);
+    return product;
+  }
+  if (GiNaC::is_a<GiNaC::power>(e) && GiNaC::is_a<GiNaC::numeric>(e.op(1)) &&
+      GiNaC::ex_to<GiNaC::numeric>(e.op(1)).is_integer()) {
+    const int exponent = GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int();
+    const PrimeFieldComplex base = value_at_random_point(e.op(0), draw);
+    return exponent >= 0 ? base.power(static_cast<std::uint64_t>(exponent))
+                         : base.inverse().power(static_cast<std::uint64_t>(-exponent));
+  }
+  throw std::domain_error("expression is not rational");
+}
+
+PrimeFieldComplex value_at_random_point(const GiNaC::ex& expression) {
+  return value_at_random_point(expression, [](const std::string&) { return std::uint64_t{0}; });
+}
+
+bool vanishes(const GiNaC::ex& expression) {
+  if (expression.is_zero()) return true;
+  if (!GiNaC::is_a<GiNaC::add>(expression)) return false;
+  return value_at_random_point(expression).is_zero();
+}
+
+}  // namespace secular
