@@ -49,6 +49,7 @@ std::vector<PolynomialTerm> CanonicalForm::polynomial(const GiNaC::ex& expanded,
 }
 
 RationalFunction CanonicalForm::of(const GiNaC::ex& expression) const {
+  if (expression.is_zero()) return {{}, {{"1", std::vector<int>(symbols_.size(), 0)}}};
   const GiNaC::ex fraction = expression.subs(GiNaC::Pi == pi_).numer_denom();
   GiNaC::numeric above, below;
   RationalFunction result;

@@ -162,8 +162,10 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
                        form.of(lump.definition),
                        {},
                        canonical_dimension(dimension_of(lump.definition, dimensions, model))};
-    for (const std::string& name : parameters)
-      flat.derivative.push_back(form.of(lump.definition.diff(GiNaC::ex_to<GiNaC::symbol>(model.symbols.at(name)))));
+    for (const std::string& name : parameters) {
+      const auto at = std::find(order.begin(), order.end(), name);
+      flat.derivative.push_back(derivative(flat.definition, static_cast<std::size_t>(at - order.begin())));
+    }
     result.lumps.push_back(std::move(flat));
   }
   for (const ObservationBlock& block : seen.blocks) {

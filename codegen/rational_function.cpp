@@ -1,14 +1,71 @@
 #include "codegen/rational_function.hpp"
 
 #include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <functional>
+#include <map>
 
 namespace secular {
 namespace {
+
+using Integer = boost::multiprecision::cpp_int;
+using Polynomial = std::map<std::vector<int>, Integer, std::greater<>>;  // in the order of PolynomialTerm lists
 
 bool is_number(const std::vector<PolynomialTerm>& polynomial) {
   return polynomial.empty() ||
          (polynomial.size() == 1 && std::all_of(polynomial.front().exponents.begin(),
                                                 polynomial.front().exponents.end(), [](int e) { return e == 0; }));
+}
+
+Polynomial polynomial(const std::vector<PolynomialTerm>& terms) {
+  Polynomial result;
+  for (const PolynomialTerm& term : terms) result[term.exponents] += Integer(term.coefficient);
+  return result;
+}
+
+void add_product(Polynomial& sum, const Polynomial& a, const Polynomial& b, int sign) {
+  for (const auto& [left, x] : a)
+    for (const auto& [right, y] : b) {
+      std::vector<int> exponents = left;
+      for (std::size_t i = 0; i < exponents.size(); ++i) exponents[i] += right[i];
+      sum[exponents] += sign * x * y;
+    }
+}
+
+Polynomial derivative(const Polynomial& p, std::size_t symbol) {
+  Polynomial result;
+  for (const auto& [exponents, coefficient] : p) {
+    if (exponents[symbol] == 0) continue;
+    std::vector<int> lowered = exponents;
+    --lowered[symbol];
+    result[lowered] += coefficient * exponents[symbol];
+  }
+  return result;
+}
+
+// numerator/denominator without common integers and common powers of symbols.
+RationalFunction fraction(Polynomial numerator, const Polynomial& denominator) {
+  std::erase_if(numerator, [](const auto& term) { return term.second == 0; });
+  const std::size_t symbols = denominator.begin()->first.size();
+  if (numerator.empty()) return {{}, {{"1", std::vector<int>(symbols, 0)}}};
+  std::vector<int> common = numerator.begin()->first;
+  Integer divisor = 0;
+  for (const Polynomial* p : {static_cast<const Polynomial*>(&numerator), &denominator})
+    for (const auto& [exponents, coefficient] : *p) {
+      for (std::size_t i = 0; i < symbols; ++i) common[i] = std::min(common[i], exponents[i]);
+      divisor = boost::multiprecision::gcd(divisor, coefficient);
+    }
+  if (denominator.begin()->second < 0) divisor = -divisor;
+  const auto terms = [&](const Polynomial& p) {
+    std::vector<PolynomialTerm> result;
+    for (const auto& [exponents, coefficient] : p) {
+      std::vector<int> lowered = exponents;
+      for (std::size_t i = 0; i < symbols; ++i) lowered[i] -= common[i];
+      result.push_back({Integer(coefficient / divisor).str(), std::move(lowered)});
+    }
+    return result;
+  };
+  return {terms(numerator), terms(denominator)};
 }
 
 }  // namespace
@@ -23,6 +80,17 @@ bool RationalFunction::is_constant() const {
 
 bool RationalFunction::is_one() const {
   return is_constant() && !numerator.empty() && numerator.front().coefficient == denominator.front().coefficient;
+}
+
+RationalFunction derivative(const RationalFunction& value, std::size_t symbol) {
+  const Polynomial above = polynomial(value.numerator), below = polynomial(value.denominator);
+  const Polynomial below_rate = derivative(below, symbol);
+  if (below_rate.empty()) return fraction(derivative(above, symbol), below);
+  Polynomial numerator, denominator;
+  add_product(numerator, derivative(above, symbol), below, 1);
+  add_product(numerator, above, below_rate, -1);
+  add_product(denominator, below, below, 1);
+  return fraction(std::move(numerator), denominator);
 }
 
 }  // namespace secular

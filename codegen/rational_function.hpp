@@ -26,6 +26,10 @@ struct RationalFunction {
   bool denominator_is_number() const;
 };
 
+/// Derivative by one symbol (its index in the order), by the quotient rule. Common powers of symbols and common
+/// numbers are cancelled, other common factors are not: the value is exact, its representation not always shortest.
+RationalFunction derivative(const RationalFunction& value, std::size_t symbol);
+
 /// The symbols that exponents refer to, in declared order; "pi" is one of them.
 using SymbolOrder = std::vector<std::string>;
 

@@ -46,9 +46,9 @@ class LumpFinder {
  public:
   explicit LumpFinder(const Model& model) : model_(model) {
     for (const Shorthand& shorthand : model.shorthands)
-      named_.push_back(
+      named_.push_back(candidate(
           {shorthand.name, formula_value(shorthand.expression, shorthand.source,
-                                         [&](const Expression& s) { return ex(model.symbols.at(s.text)); })});
+                                         [&](const Expression& s) { return ex(model.symbols.at(s.text)); })}));
   }
 
   struct Split {
@@ -62,40 +62,56 @@ class LumpFinder {
     std::vector<std::string> present;
     for (const std::string& name : model_.parameters)
       if (coefficient.has(model_.symbols.at(name))) present.push_back(name);
-    if (present.empty()) return Split{use({"one", 1}), coefficient};
+    if (present.empty()) return Split{use(candidate({"one", 1})), coefficient};
+    const Candidate whole = candidate({fallback_name, coefficient});
     if (present.size() == 1) {
-      const ex parameter = model_.symbols.at(present.front());
-      if (const auto ratio = proportion(coefficient, parameter))
-        return Split{use({present.front(), parameter}), *ratio};
+      const Candidate single = candidate({present.front(), model_.symbols.at(present.front())});
+      if (const auto ratio = proportion(whole, single)) return Split{use(single), *ratio};
     }
-    for (const std::vector<Lump>* candidates : {&named_, &lumps_})
-      for (const Lump& candidate : *candidates) {
-        if (const auto ratio = proportion(coefficient, candidate.definition)) return Split{use(candidate), *ratio};
-      }
+    for (const std::vector<Candidate>* candidates : {&named_, &used_})
+      for (const Candidate& other : *candidates)
+        if (const auto ratio = proportion(whole, other)) return Split{use(other), *ratio};
     for (const Excitation& excitation : model_.excitations)
       if (coefficient.has(model_.symbols.at(excitation.frequency))) return std::nullopt;
-    return Split{use({fallback_name, coefficient}), 1};
+    return Split{use(whole), 1};
   }
 
-  const std::vector<Lump>& lumps() const { return lumps_; }
-  void forget_after(std::size_t count) { lumps_.resize(count); }
+  std::vector<Lump> lumps() const {
+    std::vector<Lump> lumps;
+    for (const Candidate& candidate : used_) lumps.push_back(candidate.lump);
+    return lumps;
+  }
+  std::size_t size() const { return used_.size(); }
+  void forget_after(std::size_t count) {
+    used_.erase(used_.begin() + static_cast<std::ptrdiff_t>(count), used_.end());
+  }
 
  private:
+  // A definition with its values at two random points that differ in the parameters only.
+  struct Candidate {
+    Lump lump;
+    PrimeFieldComplex first, second;
+  };
+
+  Candidate candidate(Lump lump) const {
+    const auto value = [&](std::uint64_t parameter_draw) {
+      return value_at_random_point(lump.definition, [&](const std::string& name) {
+        return is_parameter(name) ? parameter_draw : std::uint64_t{0};
+      });
+    };
+    const PrimeFieldComplex first = value(1), second = value(2);
+    return {std::move(lump), first, second};
+  }
+
   bool is_parameter(const std::string& name) const {
     return std::find(model_.parameters.begin(), model_.parameters.end(), name) != model_.parameters.end();
   }
 
-  // coefficient/definition if it is free of parameters. Decided at random points that differ in the parameters
-  // only; then parameters that show the ratio are put in, so that a common denominator of frequencies alone is
-  // formed.
-  std::optional<ex> proportion(const ex& coefficient, const ex& definition) const {
-    const auto ratio_at = [&](std::uint64_t parameter_draw) {
-      const DrawOfSymbol draw = [&](const std::string& name) {
-        return is_parameter(name) ? parameter_draw : std::uint64_t{0};
-      };
-      return value_at_random_point(coefficient, draw) * value_at_random_point(definition, draw).inverse();
-    };
-    if (ratio_at(1) != ratio_at(2)) return std::nullopt;
+  // The ratio of two expressions if it is free of parameters. Decided at the random points; then parameters that
+  // show the ratio are put in, so that a common denominator of frequencies alone is formed.
+  std::optional<ex> proportion(const Candidate& above, const Candidate& below_it) const {
+    if (above.first * below_it.second != above.second * below_it.first) return std::nullopt;
+    const ex &coefficient = above.lump.definition, &definition = below_it.lump.definition;
     for (const std::string& chosen : model_.parameters) {
       if (!definition.has(model_.symbols.at(chosen))) continue;
       GiNaC::exmap values;
@@ -116,16 +132,16 @@ class LumpFinder {
         .normal();
   }
 
-  std::size_t use(Lump lump) {
-    for (std::size_t i = 0; i < lumps_.size(); ++i)
-      if (lumps_[i].name == lump.name) return i;
-    lumps_.push_back(std::move(lump));
-    return lumps_.size() - 1;
+  std::size_t use(Candidate candidate) {
+    for (std::size_t i = 0; i < used_.size(); ++i)
+      if (used_[i].lump.name == candidate.lump.name) return i;
+    used_.push_back(std::move(candidate));
+    return used_.size() - 1;
   }
 
   const Model& model_;
-  std::vector<Lump> named_;
-  std::vector<Lump> lumps_;
+  std::vector<Candidate> named_;
+  std::vector<Candidate> used_;
 };
 
 std::string powers_name(const FieldKey& key, const FieldLayout& layout, const Model& model) {
@@ -330,7 +346,7 @@ Observations observations(const Derivation& nominal, const Derivation& kept) {
       const auto same = std::find_if(kept_blocks.begin(), kept_blocks.end(), [&](const ObservationBlock& block) {
         return frequencies->of_phase(block.phase) == seen;
       });
-      const std::size_t lumps_before = finder.lumps().size();
+      const std::size_t lumps_before = finder.size();
       if (same != kept_blocks.end()) {
         ObservationBlock attempt = *same;
         if (append_terms(attempt, finder, kept, kept_terms[static_cast<std::size_t>(same - kept_blocks.begin())])) {
