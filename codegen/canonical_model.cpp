@@ -73,6 +73,40 @@ std::string phase_name(const std::vector<int>& phase, const Model& model) {
   return name.empty() ? "0" : name;
 }
 
+CanonicalFactor canonical_factor(const Factor& factor, int power) {
+  CanonicalFactor flat;
+  flat.index = static_cast<std::size_t>(factor.index);
+  flat.derivative = factor.derivative;
+  flat.multiple = factor.multiple;
+  flat.power = power;
+  for (const auto& [name, weight] : factor.argument)
+    flat.argument.emplace_back(name,
+                               CanonicalRatio{static_cast<int>(weight.first), static_cast<int>(weight.second)});
+  static constexpr CanonicalFactor::Kind motion[] = {
+      CanonicalFactor::Kind::displacement, CanonicalFactor::Kind::velocity, CanonicalFactor::Kind::acceleration};
+  switch (factor.kind) {
+    case Factor::Kind::coordinate:
+      flat.kind = motion[factor.derivative];
+      break;
+    case Factor::Kind::excitation:
+      flat.kind = CanonicalFactor::Kind::excitation;
+      break;
+    case Factor::Kind::clock_cos:
+      flat.kind = CanonicalFactor::Kind::clock_cos;
+      break;
+    case Factor::Kind::clock_sin:
+      flat.kind = CanonicalFactor::Kind::clock_sin;
+      break;
+    case Factor::Kind::absolute:
+      flat.kind = CanonicalFactor::Kind::absolute;
+      break;
+    case Factor::Kind::sign:
+      flat.kind = CanonicalFactor::Kind::sign;
+      break;
+  }
+  return flat;
+}
+
 std::vector<CanonicalMotionTerm> motion_terms(const Model& model, const TermSum& equation,
                                               const CanonicalForm& form, std::size_t mode) {
   std::vector<CanonicalMotionTerm> terms;
@@ -80,40 +114,15 @@ std::vector<CanonicalMotionTerm> motion_terms(const Model& model, const TermSum&
     CanonicalMotionTerm term;
     term.coefficient = form.of(coefficient);
     for (const auto& [factor, power] : product) {
-      CanonicalFactor flat;
-      flat.index = static_cast<std::size_t>(factor.index);
-      flat.derivative = factor.derivative;
-      flat.multiple = factor.multiple;
-      flat.power = power;
-      switch (factor.kind) {
-        case Factor::Kind::coordinate:
-          if (factor.derivative == 2) {
-            if (power > 1 || term.acceleration_of)
-              throw InputError(model.file, "equation of '" + model.modes[mode].coordinate + "'",
-                               "is not linear in the accelerations", "D2 may enter once in every term");
-            term.acceleration_of = flat.index;
-            continue;
-          }
-          flat.kind =
-              factor.derivative == 0 ? CanonicalFactor::Kind::displacement : CanonicalFactor::Kind::velocity;
-          break;
-        case Factor::Kind::excitation:
-          flat.kind = CanonicalFactor::Kind::excitation;
-          break;
-        case Factor::Kind::clock_cos:
-          flat.kind = CanonicalFactor::Kind::clock_cos;
-          break;
-        case Factor::Kind::clock_sin:
-          flat.kind = CanonicalFactor::Kind::clock_sin;
-          break;
-        case Factor::Kind::absolute:
-          flat.kind = CanonicalFactor::Kind::absolute;
-          break;
-        case Factor::Kind::sign:
-          flat.kind = CanonicalFactor::Kind::sign;
-          break;
+      CanonicalFactor flat = canonical_factor(factor, power);
+      if (flat.kind != CanonicalFactor::Kind::acceleration) {
+        term.factors.push_back(std::move(flat));
+        continue;
       }
-      term.factors.push_back(flat);
+      if (power > 1 || term.acceleration_of)
+        throw InputError(model.file, "equation of '" + model.modes[mode].coordinate + "'",
+                         "is not linear in the accelerations", "D2 may enter once in every term");
+      term.acceleration_of = flat.index;
     }
     terms.push_back(std::move(term));
   }
@@ -138,6 +147,13 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
   for (std::size_t k = 0; k < model.modes.size(); ++k) {
     result.slow_derivative.push_back(canonical_modulation(nominal, k, order));
     result.harmonics.push_back(canonical_harmonics(nominal, k, order));
+  }
+  for (const QuadratureTerm& quadrature : nominal.quadratures) {
+    const GiNaC::ex scale = (quadrature.coefficient / (2 * GiNaC::I * model.frequency(quadrature.mode))).expand();
+    CanonicalQuadrature flat{
+        quadrature.mode, quadrature.order, form.of(scale.real_part()), form.of(scale.imag_part()), {}};
+    for (const auto& [factor, power] : quadrature.factors) flat.factors.push_back(canonical_factor(factor, power));
+    result.quadratures.push_back(std::move(flat));
   }
   const Certificate certificate = certify(nominal);
   result.certificate = {certificate.holds,

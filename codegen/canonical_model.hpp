@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "codegen/rational_function.hpp"
@@ -67,6 +68,27 @@ struct CanonicalRelation {
   std::string text;
 };
 
+/// One factor of a term of an equation of motion.
+struct CanonicalFactor {
+  enum class Kind { displacement, velocity, acceleration, excitation, absolute, sign, clock_cos, clock_sin };
+  Kind kind = Kind::displacement;
+  std::size_t index = 0;
+  int derivative = 0;  ///< of an excitation, of the argument of abs or sgn
+  int multiple = 1;    ///< of a clock
+  int power = 1;
+  /// abs and sgn of more than one coordinate: sum of ratio * ("v", "D(v)", a parameter's name or "1").
+  std::vector<std::pair<std::string, CanonicalRatio>> argument;
+};
+
+/// dA_mode/dt also holds (real + i imaginary) * mean over the fast phases of the factors * exp(-i w t), by
+/// quadrature.
+struct CanonicalQuadrature {
+  std::size_t mode = 0;
+  int order = 0;
+  RationalFunction real, imaginary;
+  std::vector<CanonicalFactor> factors;
+};
+
 struct CanonicalCertificate {
   bool holds = false;
   int order = 0;
@@ -84,21 +106,12 @@ struct CanonicalCase {
   std::vector<CanonicalRelation> relations;
   std::vector<std::vector<CanonicalTerm>> slow_derivative;  ///< [mode]: terms of dA/dt with their orders
   std::vector<std::vector<CanonicalTerm>> harmonics;        ///< [mode]: every harmonic once, beyond A exp(i w t)
+  std::vector<CanonicalQuadrature> quadratures;
   std::vector<std::vector<CanonicalRatio>> observed_frequency;  ///< [mode][frequency]; empty without a frame
   std::vector<CanonicalLump> lumps;
   std::vector<CanonicalBlock> blocks;
   CanonicalCertificate certificate;
   std::vector<std::string> warnings;
-};
-
-/// One factor of a term of an equation of motion.
-struct CanonicalFactor {
-  enum class Kind { displacement, velocity, acceleration, excitation, absolute, sign, clock_cos, clock_sin };
-  Kind kind = Kind::displacement;
-  std::size_t index = 0;
-  int derivative = 0;  ///< of an excitation, of the argument of abs or sgn
-  int multiple = 1;    ///< of a clock
-  int power = 1;
 };
 
 struct CanonicalMotionTerm {

@@ -52,6 +52,17 @@ std::map<std::string, Dimension> symbol_dimensions(const Model& model, const std
         needed[k] = 1;
         needed[second] = -2;
         for (const auto& [factor, power] : product) {
+          // What stands beside a coordinate in abs or sgn has its unit.
+          for (const auto& [name, weight] : factor.argument) {
+            if (std::find(model.parameters.begin(), model.parameters.end(), name) == model.parameters.end() ||
+                known.count(name))
+              continue;
+            Dimension beside(size, 0);
+            beside[static_cast<std::size_t>(factor.index)] = 1;
+            beside[second] = -factor.derivative;
+            known[name] = beside;
+            changed = true;
+          }
           const bool unitless = factor.kind == Factor::Kind::sign || factor.kind == Factor::Kind::clock_cos ||
                                 factor.kind == Factor::Kind::clock_sin;
           if (unitless) continue;

@@ -210,9 +210,30 @@ class ModelEmitter {
   }
 
   // ---- equations of motion ----
+  // "displacement[0] - parameters[3]" for v - gap.
+  std::string argument_code(const CanonicalFactor& f) const {
+    std::string sum;
+    for (const auto& [name, ratio] : f.argument) {
+      std::string value;
+      for (std::size_t k = 0; k < model_.coordinates.size(); ++k) {
+        if (name == model_.coordinates[k]) value = fmt::format("displacement[{}]", k);
+        if (name == "D(" + model_.coordinates[k] + ")") value = fmt::format("velocity[{}]", k);
+      }
+      for (std::size_t p = 0; p < model_.parameters.size() && value.empty(); ++p)
+        if (name == model_.parameters[p]) value = fmt::format("parameters[{}]", p);
+      if (value.empty()) value = "Scalar(1)";
+      const bool one = std::abs(ratio.numerator) == 1 && ratio.denominator == 1;
+      if (!one)
+        value = fmt::format("Scalar({}) / Scalar({}) * {}", std::abs(ratio.numerator), ratio.denominator, value);
+      sum += (ratio.numerator < 0 ? (sum.empty() ? "-" : " - ") : (sum.empty() ? "" : " + ")) + value;
+    }
+    return "(" + sum + ")";
+  }
+
   std::string factor_code(const CanonicalFactor& f) const {
     const auto argument = [&](int derivative) {
-      return fmt::format("{}[{}]", derivative == 0 ? "displacement" : "velocity", f.index);
+      return f.argument.empty() ? fmt::format("{}[{}]", derivative == 0 ? "displacement" : "velocity", f.index)
+                                : argument_code(f);
     };
     switch (f.kind) {
       case CanonicalFactor::Kind::displacement:
@@ -284,6 +305,11 @@ class ModelEmitter {
 
   // ---- cases ----
   void resonance_case(const CanonicalCase& c) {
+    if (!c.quadratures.empty())
+      throw InputError(model_.name, "case " + c.name,
+                       "term " + factors_text(model_, c.quadratures.front().factors) +
+                           " goes to quadrature: the case has no regressor linear in lumps",
+                       "leave the case out of the generated code, or use a nonsmooth function of one coordinate");
     if (c.observed_frequency.empty())
       throw InputError(model_.name, "case " + c.name, "no rotating frame makes its modulation equations autonomous",
                        "generate code for cases with one steady state per excitation");

@@ -55,6 +55,12 @@ std::string derivation_json(const CanonicalModel& model) {
       entry["modulation"][model.coordinates[k]] = terms_json(model, c, c.slow_derivative[k], false);
       entry["harmonics"][model.coordinates[k]] = terms_json(model, c, c.harmonics[k], true);
     }
+    for (const CanonicalQuadrature& quadrature : c.quadratures)
+      entry["quadratures"].push_back({{"mode", model.coordinates[quadrature.mode]},
+                                      {"order", quadrature.order},
+                                      {"mean_of", factors_text(model, quadrature.factors)},
+                                      {"real", formula_text(quadrature.real, model.order)},
+                                      {"imaginary", formula_text(quadrature.imaginary, model.order)}});
     entry["lumps"] = Json::array();
     for (const CanonicalLump& lump : c.lumps)
       entry["lumps"].push_back({{"name", lump.name}, {"definition", formula_text(lump.definition, model.order)}});

@@ -109,6 +109,18 @@ std::string polar_sum(const CanonicalModel& model, const CanonicalCase& c, const
   return sum.empty() ? "0" : sum;
 }
 
+// "v - gap", "D(v1) + 1/2*D(v2)".
+std::string argument_text(const CanonicalFactor& f) {
+  std::string text;
+  for (const auto& [name, ratio] : f.argument) {
+    text += ratio.numerator < 0 ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + ");
+    const std::string size = std::to_string(std::abs(ratio.numerator)) +
+                             (ratio.denominator == 1 ? "" : "/" + std::to_string(ratio.denominator));
+    text += size == "1" ? name : (name == "1" ? size : size + "*" + name);
+  }
+  return text;
+}
+
 std::string factor_text(const CanonicalModel& model, const CanonicalFactor& f) {
   const auto derived = [](const std::string& inner, int derivative) {
     return derivative == 0 ? inner : (derivative == 1 ? "D(" : "D2(") + inner + ")";
@@ -131,10 +143,9 @@ std::string factor_text(const CanonicalModel& model, const CanonicalFactor& f) {
       break;
     }
     case CanonicalFactor::Kind::absolute:
-      base = "abs(" + derived(model.coordinates[f.index], f.derivative) + ")";
-      break;
     case CanonicalFactor::Kind::sign:
-      base = "sgn(" + derived(model.coordinates[f.index], f.derivative) + ")";
+      base = (f.kind == CanonicalFactor::Kind::absolute ? "abs(" : "sgn(") +
+             (f.argument.empty() ? derived(model.coordinates[f.index], f.derivative) : argument_text(f)) + ")";
       break;
     case CanonicalFactor::Kind::clock_cos:
     case CanonicalFactor::Kind::clock_sin:
@@ -183,6 +194,8 @@ std::string case_text(const CanonicalModel& model, const CanonicalCase& c) {
   text += "\nSolvability: complex modulation equations (true time, eps = 1, all orders)\n";
   for (std::size_t k = 0; k < modes; ++k)
     text += fmt::format("  dA_{}/dt = {}\n", model.coordinates[k], complex_modulation(model, c, k));
+  for (const CanonicalQuadrature& quadrature : c.quadratures)
+    text += "  " + quadrature_text(model, quadrature) + "\n";
   text += "\nPolar form, A = (a/2)*exp(i*beta)\n";
   for (std::size_t k = 0; k < modes; ++k) {
     const PolarEquations polar = polar_equations(model, c, k);
@@ -219,6 +232,24 @@ std::string case_text(const CanonicalModel& model, const CanonicalCase& c) {
 
 }  // namespace
 
+std::string factors_text(const CanonicalModel& model, const std::vector<CanonicalFactor>& factors) {
+  std::string text;
+  for (const CanonicalFactor& factor : factors) text += (text.empty() ? "" : "*") + factor_text(model, factor);
+  return text;
+}
+
+std::string quadrature_text(const CanonicalModel& model, const CanonicalQuadrature& quadrature) {
+  const std::string mean = fmt::format("mean[{}*exp(-i*{}*t)]", factors_text(model, quadrature.factors),
+                                       model.natural_frequencies[quadrature.mode]);
+  std::string sum;
+  append(sum, quadrature.real, mean, model.order);
+  append(sum, quadrature.imaginary, "i*" + mean, model.order);
+  return fmt::format(
+      "dA_{}/dt also holds {}: by quadrature, the mean taken over the fast phases of the leading motion "
+      "(order eps^{})",
+      model.coordinates[quadrature.mode], sum, quadrature.order);
+}
+
 std::string phase_text(const CanonicalModel& model, const std::vector<int>& phase) {
   std::string text;
   for (std::size_t i = 0; i < phase.size(); ++i) {
@@ -244,9 +275,7 @@ std::string powers_text(const CanonicalModel& model, const CanonicalPowers& powe
 std::string motion_text(const CanonicalModel& model, std::size_t mode) {
   std::string sum;
   for (const CanonicalMotionTerm& term : model.motion[mode]) {
-    std::string rest;
-    for (const CanonicalFactor& factor : term.factors)
-      rest += (rest.empty() ? "" : "*") + factor_text(model, factor);
+    std::string rest = factors_text(model, term.factors);
     if (term.acceleration_of)
       rest += (rest.empty() ? "" : "*") + ("D2(" + model.coordinates[*term.acceleration_of] + ")");
     append(sum, term.coefficient, rest, model.order);

@@ -15,6 +15,12 @@ std::string modulation_text(const CanonicalModel& model, const CanonicalCase& re
 /// One block as an equation in lumps and data.
 std::string equation_text(const CanonicalModel& model, const CanonicalCase& resonance, const CanonicalBlock& block);
 
+/// Factors of a term of an equation of motion in model text: "abs(D(v))*D(v)".
+std::string factors_text(const CanonicalModel& model, const std::vector<CanonicalFactor>& factors);
+
+/// "dA_v/dt also holds ...": a term that is left to quadrature.
+std::string quadrature_text(const CanonicalModel& model, const CanonicalQuadrature& quadrature);
+
 /// What `secular derive` prints: expansion, solvability, modulation equations (complex, polar, Cartesian),
 /// frequency response, lumps, harmonics, certificate, for every case of the model.
 std::string derivation_text(const CanonicalModel& model);

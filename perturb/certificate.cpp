@@ -415,18 +415,52 @@ class Substitution {
           if (model_.modes[k].coordinate == e.operands[0].text) return still(motion_[k][2]);
       return derived(derived(jet(e.operands[0], source)));
     }
-    nonsmooth_ = true;
-    const Jet argument = jet(e.operands[0], source);
+    const Polynomial argument = jet(e.operands[0], source).value;
     if (e.text == "max" || e.text == "min") {  // max(a, b) = (a + b + |a - b|)/2
-      Jet other = jet(e.operands[1], source);
-      Polynomial difference = argument.value, sum = argument.value;
-      difference += other.value.negated();
-      sum += other.value;
-      const Polynomial distance = function("abs", difference);
+      const Polynomial other = jet(e.operands[1], source).value;
+      Polynomial difference = argument, sum = argument;
+      difference += other.negated();
+      sum += other;
+      const Polynomial distance = function(true, difference);
       sum += e.text == "max" ? distance : distance.negated();
       return still(sum * constant(Kind::inverse(Number(2))));
     }
-    return still(function(e.text, argument.value));
+    return still(function(e.text == "abs", argument));
+  }
+
+  // The mode whose displacement or velocity, times a number, is x.
+  std::optional<std::size_t> mode_of(const Polynomial& x) const {
+    for (std::size_t k = 0; k < model_.modes.size(); ++k)
+      for (std::size_t derivative = 0; derivative < 2; ++derivative)
+        if (is_multiple(x, motion_[k][derivative])) return k;
+    return std::nullopt;
+  }
+  static bool is_multiple(const Polynomial& x, const Polynomial& of) {
+    std::optional<Number> ratio;
+    double scale = 0;
+    for (std::size_t n = 0; n < of.orders().size(); ++n)
+      for (const auto& [powers, value] : of.orders()[n]) {
+        const auto found = x.orders()[n].find(powers);
+        if (found == x.orders()[n].end()) {
+          if (value == Number{}) continue;
+          return false;
+        }
+        if (!ratio && value != Number{}) ratio = found->second * Kind::inverse(value);
+        if constexpr (Kind::floating) scale = std::max(scale, std::abs(found->second));
+      }
+    if (!ratio) return false;
+    Polynomial difference = x;
+    for (std::size_t n = 0; n < of.orders().size(); ++n)
+      for (const auto& [powers, value] : of.orders()[n]) difference.add(n, powers, -(*ratio * value));
+    for (const auto& terms : difference.orders())
+      for (const auto& [powers, value] : terms) {
+        if constexpr (Kind::floating) {
+          if (std::abs(value) > 1e-12 * scale) return false;
+        } else if (value != Number{}) {
+          return false;
+        }
+      }
+    return true;
   }
 
   // Denominators hold symbols and numbers only: a constant with one power of eps per symbol.
@@ -484,22 +518,17 @@ class Substitution {
     return wave;
   }
 
-  // abs(x) or sgn(x). Exact arithmetic leaves it out: it makes odd powers of |A| only, which are checked by
-  // numbers.
-  Polynomial function(const std::string& name, const Polynomial& x) const {
+  // abs(x) or sgn(x). Without a closed Fourier series it is a quadrature term, which the expansion leaves open:
+  // zero. Exact arithmetic leaves it out too: it makes odd powers of |A| only, which are checked by numbers.
+  Polynomial function(bool absolute, const Polynomial& x) {
     Polynomial result = zero();
+    const std::optional<std::size_t> mode = mode_of(x);
+    if (!mode || d_.resonance->mode_at_rest[*mode] || d_.response[*mode][0].terms().size() > 2) return result;
+    nonsmooth_ = true;
     if constexpr (Kind::floating) {
-      const std::map<Powers, Number> leading = at_amplitudes(x.orders()[0]);
-      std::optional<std::size_t> mode;
       Number phasor{};
-      for (const auto& [waves, value] : leading)
-        for (std::size_t k = 0; k < model_.modes.size(); ++k)
-          if (waves[k] == 1) {
-            mode = k;
-            phasor = 2.0 * value;
-          }
-      if (!mode) return result;  // the mode is at rest
-      const bool absolute = name == "abs";
+      for (const auto& [waves, value] : at_amplitudes(x.orders()[0]))
+        if (waves[*mode] == 1) phasor = 2.0 * value;
       const auto put = [&](std::size_t order, const Powers& waves, int harmonic, const Number& value) {
         Powers powers(variables(), 0);
         std::copy(waves.begin(), waves.end(), powers.begin());
@@ -507,9 +536,9 @@ class Substitution {
         if (absolute) powers[at_degree()] = 1;
         result.add(order, powers, value);
       };
-      const Powers still(model_.frequency_count(), 0);
+      const Powers unmoved(model_.frequency_count(), 0);
       for (int n = -highest_integrated_harmonic; n <= highest_integrated_harmonic; ++n) {
-        put(0, still, n, fourier(phasor, absolute, n));
+        put(0, unmoved, n, fourier(phasor, absolute, n));
         if (!absolute || size_ < 2) continue;
         const Number slope = fourier(phasor, false, n);  // |x0 + eps x1| = |x0| + eps sgn(x0) x1 + ...
         for (const auto& [waves, value] : at_amplitudes(x.orders()[1])) put(1, waves, n, slope * value);

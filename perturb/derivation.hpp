@@ -6,12 +6,25 @@
 #include "perturb/field.hpp"
 #include "perturb/model.hpp"
 #include "perturb/resonance.hpp"
+#include "perturb/term_sum.hpp"
 
 namespace secular {
 
 /// Which value an excitation frequency has inside coefficients. nominal: the one that the relations give it
 /// (2*omega0), its difference acting through slow time; kept: its own symbol wherever the forcing put it.
 enum class OmegaPolicy { nominal, kept };
+
+/// A nonsmooth term of mode `mode`'s equation that has no closed Fourier series: several coordinates or an offset
+/// in its argument, or a leading motion of several harmonics. It enters at the highest order only, where it adds
+///   coefficient/(2 i w_k) * <product of factors * exp(-i w_k t)>
+/// to dA_k/dt, the mean taken over the fast phases of the leading motion. That mean is left to numerical
+/// quadrature; the harmonics that the term makes at that order are not expanded.
+struct QuadratureTerm {
+  std::size_t mode = 0;
+  int order = 0;
+  GiNaC::ex coefficient;
+  FactorProduct factors;
+};
 
 /// A second- or higher-order expansion by the method of multiple scales.
 ///
@@ -25,7 +38,8 @@ struct Derivation {
   ResonanceLattice lattice;
   std::vector<FieldSeries> response;  ///< [mode][order], order 0 with its leading oscillation
   std::vector<FieldSeries>
-      slow_derivative;                ///< [mode][n] = D_n A_mode (empty at n = 0), phases reduced to slow ones
+      slow_derivative;  ///< [mode][n] = D_n A_mode (empty at n = 0), phases reduced to slow ones
+  std::vector<QuadratureTerm> quadratures;
   std::vector<std::string> warnings;  ///< small divisors and unlisted resonances at the nominal frequencies
 
   /// dA_mode/dt in true time, all orders summed with eps = 1.
@@ -34,8 +48,9 @@ struct Derivation {
   Phase full_phase(const FieldKey& key) const;
 };
 
-/// Throws InputError for what cannot be derived (see ordered_equations, and nonsmooth terms below the highest order
-/// or acting on more than one harmonic). `model` must outlive the result.
+/// Throws InputError for what cannot be derived (see ordered_equations; nonsmooth terms that would have to be
+/// expanded about their own infinitely many harmonics; resonances impossible at the nominal frequencies). `model`
+/// must outlive the result.
 Derivation derive(const Model& model, const ResonanceCase& resonance, OmegaPolicy policy = OmegaPolicy::nominal);
 
 }  // namespace secular

@@ -18,7 +18,8 @@ namespace {
 
 constexpr int deepest_nesting =
     200;  // two levels a parenthesis: far more than a formula needs, far less than the stack
-constexpr std::array<std::string_view, 6> function_names = {"D", "D2", "abs", "sgn", "cos", "sin"};
+constexpr std::array<FormulaFunction, 8> functions_of_equations = {
+    {{"D", 1}, {"D2", 1}, {"abs", 1}, {"sgn", 1}, {"cos", 1}, {"sin", 1}, {"max", 2}, {"min", 2}}};
 
 bool starts_identifier(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
@@ -29,7 +30,10 @@ bool is_digit(char c) {
 
 class Parser {
  public:
-  explicit Parser(const FormulaSource& source) : source_(source), line_(source.first_line) { skip_blanks(); }
+  Parser(const FormulaSource& source, std::span<const FormulaFunction> functions)
+      : source_(source), functions_(functions), line_(source.first_line) {
+    skip_blanks();
+  }
 
   Expression sum() {
     const Nesting guard(*this);
@@ -133,24 +137,37 @@ class Parser {
     if (is_digit(next()) || next() == '.') return Expression{Expression::Kind::number, at, number_text(), {}};
     if (starts_identifier(next())) {
       std::string name = identifier_text();
+      const FormulaFunction* function = find_function(name);
       if (next() != '(') {
-        if (is_function(name))
-          fail_at(source_, at, "function " + name + " without argument", "write " + name + "(...)");
+        if (function) fail_at(source_, at, "function " + name + " without argument", "write " + name + "(...)");
         return Expression{Expression::Kind::symbol, at, std::move(name), {}};
       }
-      if (!is_function(name))
-        fail_at(source_, at, "unknown function " + name, "known are D, D2, abs, sgn, cos, sin");
+      if (!function) fail_at(source_, at, "unknown function " + name, "known are " + function_list());
       advance();
-      Expression argument = sum();
+      std::vector<Expression> arguments;
+      arguments.push_back(sum());
+      while (take(',')) arguments.push_back(sum());
       if (!take(')'))
         fail_at(source_, place(), "the argument of " + name + " is not closed", "')' was expected here");
-      return Expression{Expression::Kind::call, at, std::move(name), {std::move(argument)}};
+      if (arguments.size() != function->arguments)
+        fail_at(source_, at, name + " with " + std::to_string(arguments.size()) + " arguments",
+                name + " takes " + std::to_string(function->arguments));
+      return Expression{Expression::Kind::call, at, std::move(name), std::move(arguments)};
     }
     fail_at(source_, at, "unexpected " + shown(), "a number, a symbol, a function or '(' was expected");
   }
 
-  static bool is_function(const std::string& name) {
-    return std::find(function_names.begin(), function_names.end(), name) != function_names.end();
+  const FormulaFunction* find_function(const std::string& name) const {
+    const auto found = std::find_if(functions_.begin(), functions_.end(),
+                                    [&](const FormulaFunction& function) { return function.name == name; });
+    return found == functions_.end() ? nullptr : &*found;
+  }
+
+  std::string function_list() const {
+    std::string list;
+    for (const FormulaFunction& function : functions_)
+      list += (list.empty() ? "" : ", ") + std::string(function.name);
+    return list;
   }
 
   std::string number_text() {
@@ -218,6 +235,7 @@ class Parser {
   }
 
   const FormulaSource& source_;
+  std::span<const FormulaFunction> functions_;
   std::size_t position_ = 0;
   std::size_t line_begin_ = 0;
   std::uint32_t line_ = 1;
@@ -234,15 +252,19 @@ void collect_identifiers(const Expression& expression, std::vector<std::string>&
 
 }  // namespace
 
-Expression parse_expression(const FormulaSource& source) {
-  Parser parser(source);
+std::span<const FormulaFunction> equation_functions() {
+  return functions_of_equations;
+}
+
+Expression parse_expression(const FormulaSource& source, std::span<const FormulaFunction> functions) {
+  Parser parser(source, functions);
   Expression expression = parser.sum();
   parser.expect_end();
   return expression;
 }
 
 Equation parse_equation(const FormulaSource& source) {
-  Parser parser(source);
+  Parser parser(source, equation_functions());
   Equation equation{parser.sum(), {}};
   if (!parser.take('=')) {
     parser.expect_end();

@@ -1,7 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,9 +38,20 @@ struct FormulaSource {
   std::uint32_t first_line = 1;
 };
 
-/// Parses + - * / ^ ( ) numbers, identifiers and calls f(x). Powers bind tighter than a leading minus and to the
-/// right, as in GiNaC. Throws InputError with line and column for anything else, and for nesting deeper than 200.
-Expression parse_expression(const FormulaSource& source);
+/// A function that a formula may call, with its number of arguments.
+struct FormulaFunction {
+  std::string_view name;
+  std::size_t arguments = 1;
+};
+
+/// Those of equations of motion: D, D2, abs, sgn, cos, sin of one argument, max and min of two.
+std::span<const FormulaFunction> equation_functions();
+
+/// Parses + - * / ^ ( ) numbers, identifiers and calls f(x) or f(x, y). Powers bind tighter than a leading minus
+/// and to the right, as in GiNaC. Throws InputError with line and column for anything else, and for nesting deeper
+/// than 200.
+Expression parse_expression(const FormulaSource& source,
+                            std::span<const FormulaFunction> functions = equation_functions());
 
 /// Same, with exactly one '=' at top level.
 Equation parse_equation(const FormulaSource& source);

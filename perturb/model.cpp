@@ -22,8 +22,8 @@ bool is_identifier(const std::string& name) {
 }
 
 bool is_reserved(const std::string& name) {
-  static const std::set<std::string> reserved = {"t",   "eps", "Pi",  "I",   "D",  "D2",
-                                                 "abs", "sgn", "cos", "sin", "max"};
+  static const std::set<std::string> reserved = {"t",   "eps", "Pi",  "I",   "D",   "D2",
+                                                 "abs", "sgn", "cos", "sin", "max", "min"};
   return reserved.count(name) != 0;
 }
 

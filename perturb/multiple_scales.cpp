@@ -25,7 +25,6 @@ class MultipleScales {
     for (std::size_t i = 0; i < layout_.modes; ++i) frequencies_.push_back(d_.model->frequency(i));
     for (std::size_t j = 0; j < layout_.excitations; ++j)
       frequencies_.push_back(nominal() ? d_.lattice.resonant_frequency(j) : d_.model->frequency(layout_.modes + j));
-    refuse_unsupported_nonsmooth_terms();
   }
 
   void run() {
@@ -33,6 +32,7 @@ class MultipleScales {
     d_.response.assign(layout_.modes, FieldSeries(size));
     d_.slow_derivative.assign(layout_.modes, FieldSeries(size));
     for (std::size_t k = 0; k < layout_.modes; ++k) leading_order(k);
+    for (std::size_t k = 0; k < layout_.modes; ++k) set_quadratures_apart(k);
     for (int order = 1; order <= highest_; ++order) {
       const SeriesCache cache(*this);
       std::vector<Field> forcing(layout_.modes);
@@ -204,7 +204,6 @@ class MultipleScales {
     std::vector<FieldSeries> made;  // clocks and nonsmooth factors, not in the cache
     made.reserve(factors.size());
     std::vector<const FieldSeries*> series;
-    int degree = 0;
     bool nonsmooth = false;
     for (const auto& [factor, power] : factors) {
       const auto index = static_cast<std::size_t>(factor.index);
@@ -213,7 +212,6 @@ class MultipleScales {
       switch (factor.kind) {
         case Factor::Kind::coordinate:
           one = &cache.coordinate[index][derivative];
-          degree += power;
           break;
         case Factor::Kind::excitation:
           one = &cache.excitation[index][derivative];
@@ -241,51 +239,91 @@ class MultipleScales {
       }
       return product_at_order(series, order);
     }
-    return nonsmooth_product(factors, series, degree, order);
+    return nonsmooth_product(factors, std::move(series), order, cache);
   }
 
-  // One nonsmooth factor times smooth ones at leading order: harmonics up to highest_nonsmooth_harmonic are exact,
-  // because the nonsmooth factor is taken `degree` harmonics further.
-  Field nonsmooth_product(const FactorProduct& factors, const std::vector<const FieldSeries*>& smooth, int degree,
-                          int order) const {
-    if (order > 0) return {};  // refused in the constructor unless the term enters at the highest order
-    Field product;
+  // One nonsmooth factor times smooth ones. Harmonics up to highest_nonsmooth_harmonic are exact, because the
+  // nonsmooth factor is taken further by as much as the smooth ones can shift it. With x = x0 + eps x1 + ...:
+  // |x| = |x0| + eps sgn(x0) x1 + ...
+  Field nonsmooth_product(const FactorProduct& factors, std::vector<const FieldSeries*> series, int order,
+                          const SeriesCache& cache) const {
     for (const auto& [factor, power] : factors) {
       if (!factor.nonsmooth()) continue;
       const auto mode = static_cast<std::size_t>(factor.index);
       if (d_.resonance->mode_at_rest[mode]) return {};
-      product = nonsmooth_harmonics(factor, layout_, frequencies_[mode], highest_nonsmooth_harmonic + degree);
-      for (const FieldSeries* series : smooth) product = product * (*series)[0];
+      const FieldSeries& argument = cache.coordinate[mode][static_cast<std::size_t>(factor.derivative)];
+      int shift = 0;
+      for (const FieldSeries* smooth : series) shift += largest_harmonic(*smooth, mode, order);
+      const int highest =
+          highest_nonsmooth_harmonic + shift + (order > 0 ? largest_harmonic(argument, mode, order) : 0);
+      FieldSeries nonsmooth{nonsmooth_harmonics(factor, layout_, frequencies_[mode], highest)};
+      if (order > 0) {
+        Factor slope = factor;
+        slope.kind = Factor::Kind::sign;
+        nonsmooth.push_back(nonsmooth_harmonics(slope, layout_, frequencies_[mode], highest) * argument[1]);
+      }
+      series.push_back(&nonsmooth);
       Field exact;
+      const Field product = product_at_order(series, order);
       for (const auto& [key, coefficient] : product.terms())
         if (std::abs(key[mode]) <= highest_nonsmooth_harmonic) exact.add(key, coefficient);
       return exact.with_moduli_joined(layout_);
     }
-    return product;
+    return {};
   }
 
-  void refuse_unsupported_nonsmooth_terms() const {
-    for (std::size_t k = 0; k < equations_.size(); ++k)
-      for (const OrderedTerm& term : equations_[k].right_hand_side) {
-        int count = 0;
-        for (const auto& [factor, power] : term.factors)
-          if (factor.nonsmooth()) count += power;
-        if (count == 0) continue;
-        const std::string text = to_string(term.factors, *d_.model);
-        if (count > 1)
-          throw InputError(d_.model->file, place(), "term " + text + " multiplies nonsmooth functions",
-                           "write abs(x)^2 as x^2 and sgn(x)^2 as 1");
-        if (term.order < highest_)
-          throw InputError(d_.model->file, place(),
-                           fmt::format("nonsmooth term {} enters at eps^{}, below the order of expansion {}", text,
-                                       term.order, highest_),
-                           fmt::format("give its coefficient order {}", highest_));
-        for (const OrderedTerm& other : equations_[k].right_hand_side)
-          if (other.order == 0)
-            throw InputError(d_.model->file, place(),
-                             "nonsmooth term " + text + " acts on a motion of several harmonics (hard forcing)",
-                             "give the direct excitation a positive order");
+  static int largest_harmonic(const FieldSeries& series, std::size_t mode, int order) {
+    int largest = 0;
+    for (std::size_t n = 0; n <= static_cast<std::size_t>(order) && n < series.size(); ++n)
+      for (const auto& [key, ignored] : series[n].terms()) largest = std::max(largest, std::abs(key[mode]));
+    return largest;
+  }
+
+  // Moves nonsmooth terms without a closed Fourier series from the equation to the quadratures; refuses those that
+  // would have to be expanded further.
+  void set_quadratures_apart(std::size_t k) {
+    std::vector<OrderedTerm> kept;
+    for (const OrderedTerm& term : equations_[k].right_hand_side) {
+      int count = 0;
+      const Factor* nonsmooth = nullptr;
+      for (const auto& [factor, power] : term.factors)
+        if (factor.nonsmooth()) {
+          count += power;
+          nonsmooth = &factor;
+        }
+      if (count == 0) {
+        kept.push_back(term);
+        continue;
       }
+      const std::string text = to_string(term.factors, *d_.model);
+      if (count > 1)
+        throw InputError(d_.model->file, place(), "term " + text + " multiplies nonsmooth functions",
+                         "write abs(x)^2 as x^2, sgn(x)^2 as 1 and abs(x)*sgn(x) as x");
+      const auto refuse_before_highest_order = [&](const std::string& why) {
+        if (term.order < highest_)
+          throw InputError(
+              d_.model->file, place(),
+              fmt::format("nonsmooth term {} enters at eps^{}, below the order of expansion {}, and {}", text,
+                          term.order, highest_, why),
+              fmt::format("give its coefficient order {}, or set expand_to = {}", highest_, term.order));
+      };
+      if (nonsmooth->compound() || has_several_harmonics(static_cast<std::size_t>(nonsmooth->index))) {
+        refuse_before_highest_order("goes to quadrature, which is not expanded further");
+        d_.quadratures.push_back({k, term.order, term.coefficient, term.factors});
+        continue;
+      }
+      if (highest_ - term.order > 1) refuse_before_highest_order("its second derivative is not a function");
+      if (nonsmooth->kind == Factor::Kind::sign)
+        refuse_before_highest_order("the derivative of sgn is not a function");
+      if (term.order < 2) refuse_before_highest_order("its correction is a sum over infinitely many harmonics");
+      kept.push_back(term);
+    }
+    equations_[k].right_hand_side = std::move(kept);
+  }
+
+  bool has_several_harmonics(std::size_t mode) const {
+    const std::map<FieldKey, GiNaC::ex>& leading = d_.response[mode][0].terms();
+    return leading.size() > (d_.resonance->mode_at_rest[mode] ? 0U : 2U);
   }
 
   void solve(std::size_t k, int order, const Field& forcing) {
@@ -386,6 +424,7 @@ Derivation derive(const Model& model, const ResonanceCase& resonance, OmegaPolic
                         policy,
                         FieldLayout{model.modes.size(), model.excitations.size(), resonance.relations.size()},
                         ResonanceLattice(model, resonance),
+                        {},
                         {},
                         {},
                         {}};

@@ -1,12 +1,26 @@
 #include "perturb/ordered_equation.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 
 #include "input/input_error.hpp"
 
 namespace secular {
 namespace {
+
+// "v - gap", "D(v1) + 1/2*D(v2)".
+std::string argument_text(const Factor& factor) {
+  std::string text;
+  for (const auto& [name, weight] : factor.argument) {
+    const auto [numerator, denominator] = weight;
+    text += numerator < 0 ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + ");
+    const std::string size =
+        std::to_string(std::abs(numerator)) + (denominator == 1 ? "" : "/" + std::to_string(denominator));
+    text += size == "1" ? name : (name == "1" ? size : size + "*" + name);
+  }
+  return text;
+}
 
 std::string factor_text(const Factor& factor, const Model& model) {
   const auto derived = [&](const std::string& inner) {
@@ -25,9 +39,9 @@ std::string factor_text(const Factor& factor, const Model& model) {
              (factor.multiple == 1 ? "" : std::to_string(factor.multiple) + "*") +
              model.excitations[index].frequency + "*t)";
     case Factor::Kind::absolute:
-      return "abs(" + derived(model.modes[index].coordinate) + ")";
     case Factor::Kind::sign:
-      return "sgn(" + derived(model.modes[index].coordinate) + ")";
+      return (factor.kind == Factor::Kind::absolute ? "abs(" : "sgn(") +
+             (factor.compound() ? argument_text(factor) : derived(model.modes[index].coordinate)) + ")";
   }
   return {};
 }

@@ -70,8 +70,8 @@ PrimeFieldComplex random_value(const std::string& name, std::uint64_t draw);
 /// Which draw a symbol's random value is from.
 using DrawOfSymbol = std::function<std::uint64_t(const std::string& name)>;
 
-/// Value of a rational expression with every symbol (and Pi) at its random value. Throws std::domain_error for other
-/// functions and for a division by zero.
+/// Value of a rational expression with every symbol (and Pi) at its random value. Throws std::domain_error for
+/// other functions and for a division by zero.
 PrimeFieldComplex value_at_random_point(const GiNaC::ex& expression, const DrawOfSymbol& draw);
 PrimeFieldComplex value_at_random_point(const GiNaC::ex& expression);
 

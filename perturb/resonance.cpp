@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <boost/rational.hpp>
+#include <cmath>
+#include <sstream>
 #include <utility>
 
 #include "input/input_error.hpp"
@@ -42,6 +44,12 @@ std::optional<Row> solve(const std::vector<Phase>& rows, const Phase& target) {
   return solution;
 }
 
+std::string shown(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
 bool independent(const std::vector<Phase>& rows) {
   for (std::size_t i = 1; i <= rows.size(); ++i) {
     const std::vector<Phase> earlier(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(i - 1));
@@ -72,6 +80,50 @@ ResonanceLattice::ResonanceLattice(const Model& model, const ResonanceCase& reso
                        "remove the relation that does not hold");
   }
   solve_excitation_frequencies(model);
+  refuse_impossible(model);
+}
+
+void ResonanceLattice::refuse_impossible(const Model& model) const {
+  GiNaC::exmap numbers;
+  for (std::size_t i = 0; i < model.frequency_count(); ++i) {
+    const auto entry = model.nominal.find(model.frequency_name(i));
+    if (entry != model.nominal.end()) numbers[model.frequency(i)] = entry->second;
+  }
+  // A frequency's nominal value, or what the relations make of it; nothing if it is open.
+  const auto nominal = [&](std::size_t i) -> std::optional<double> {
+    GiNaC::ex value = model.frequency(i).subs(numbers);
+    if (i >= model.modes.size() && !GiNaC::is_a<GiNaC::numeric>(value))
+      value = resonant_frequency_[i - model.modes.size()].subs(numbers).evalf();
+    if (!GiNaC::is_a<GiNaC::numeric>(value)) return std::nullopt;
+    return GiNaC::ex_to<GiNaC::numeric>(value).to_double();
+  };
+  const auto place = [&](const ResonanceRelation& relation) {
+    return "line " + std::to_string(relation.line) + ", case " + case_->name;
+  };
+  for (std::size_t r = 0; r < relations_.size(); ++r) {
+    double sum = 0, largest = 0;
+    bool known = true;
+    std::string values;
+    for (std::size_t i = 0; i < relations_[r].size(); ++i) {
+      if (relations_[r][i] == 0) continue;
+      const std::optional<double> value = nominal(i);
+      known = known && value;
+      if (!value) continue;
+      if (*value < 0)
+        throw InputError(model.file, place(case_->relations[r]),
+                         "'" + case_->relations[r].text + "' makes " + model.frequency_name(i) +
+                             " negative at the nominal frequencies",
+                         "turn the signs of the relation, as in Omega = omega2 - omega1 for omega2 > omega1");
+      sum += relations_[r][i] * *value;
+      largest = std::max(largest, std::abs(relations_[r][i] * *value));
+      values += (values.empty() ? "" : ", ") + model.frequency_name(i) + " = " + shown(*value);
+    }
+    if (known && std::abs(sum) > 0.2 * largest)
+      throw InputError(model.file, place(case_->relations[r]),
+                       "the resonance '" + case_->relations[r].text +
+                           "' is impossible at the nominal frequencies (" + values + ")",
+                       "correct the relation or the [nominal] table");
+  }
 }
 
 std::optional<std::vector<int>> ResonanceLattice::slow_multipliers(const Phase& phase) const {

@@ -14,7 +14,9 @@ using Phase = std::vector<int>;
 /// combination of relations: phase = sum_r multiplier_r * relation_r.
 class ResonanceLattice {
  public:
-  /// Throws InputError for relations that repeat or contradict one another, or that make a frequency zero.
+  /// Throws InputError for relations that repeat or contradict one another, that make a frequency zero, or that are
+  /// impossible at the model's nominal frequencies: further than 20 % of their largest part from zero, or an
+  /// excitation at a negative frequency.
   ResonanceLattice(const Model& model, const ResonanceCase& resonance);
 
   /// The multipliers of the relations, if the phase is slow. Throws InputError if it is a fraction of a relation.
@@ -34,6 +36,7 @@ class ResonanceLattice {
 
  private:
   void solve_excitation_frequencies(const Model& model);
+  void refuse_impossible(const Model& model) const;
 
   const Model* model_;
   const ResonanceCase* case_;

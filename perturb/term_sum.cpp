@@ -172,27 +172,76 @@ class TermReader {
                     "equations of motion are of second order");
       return derived;
     }
-    if (e.text == "abs" || e.text == "sgn") return nonsmooth(e);
+    if (e.text == "abs" || e.text == "sgn") return nonsmooth(e.text == "abs", value(argument), e.place);
+    if (e.text == "max" || e.text == "min") {  // max(a, b) = (a + b + |a - b|)/2
+      const TermSum first = value(argument), second = value(e.operands[1]);
+      TermSum difference = first, result = first;
+      difference += second.scaled(-1);
+      result += second;
+      result += nonsmooth(true, difference, e.place).scaled(e.text == "max" ? 1 : -1);
+      return result.scaled(GiNaC::numeric(1, 2));
+    }
     return clock(e);
   }
 
-  // abs(c*x) = |c| abs(x), sgn(c*x) = sgn(c) sgn(x) for a number c and x one of v, D(v).
-  TermSum nonsmooth(const Expression& e) {
-    const TermSum inside = value(e.operands[0]);
-    const bool one = inside.terms().size() == 1 && inside.terms().begin()->first.size() == 1;
-    const auto factor = one ? inside.terms().begin()->first.begin()->first : Factor{};
-    const bool fits = one && inside.terms().begin()->first.begin()->second == 1 &&
-                      factor.kind == Factor::Kind::coordinate && factor.derivative <= 1 &&
-                      GiNaC::is_a<GiNaC::numeric>(inside.terms().begin()->second);
-    if (!fits)
-      fail_at(source_, e.place, e.text + " of something else than a coordinate or its velocity",
-              "supported are " + e.text + "(v) and " + e.text + "(D(v)), times a number");
-    const GiNaC::ex scale = inside.terms().begin()->second;
-    const bool negative = GiNaC::ex_to<GiNaC::numeric>(scale).is_negative();
-    if (e.text == "abs")
-      return TermSum::factor({Factor::Kind::absolute, factor.index, factor.derivative, 1})
-          .scaled(negative ? -scale : scale);
-    return TermSum::factor({Factor::Kind::sign, factor.index, factor.derivative, 1}).scaled(negative ? -1 : 1);
+  // abs(c*x) = |c| abs(x), sgn(c*x) = sgn(c) sgn(x) for a number c and x a sum of coordinates, velocities and
+  // parameters.
+  TermSum nonsmooth(bool absolute, const TermSum& inside, const SourcePlace& place) {
+    const Factor::Kind kind = absolute ? Factor::Kind::absolute : Factor::Kind::sign;
+    const auto unsupported = [&] [[noreturn]] () {
+      fail_at(source_, place, "nonsmooth function of something else than coordinates, velocities and parameters",
+              "its argument is a sum of numbers times v, D(v) or a parameter");
+    };
+    Factor made{kind, 0, 0, 1};
+    std::map<std::string, GiNaC::numeric> weights;
+    bool moves = false;
+    for (const auto& [product, whole] : inside.terms()) {
+      if (product.empty()) {
+        const GiNaC::ex sum = whole.expand();
+        for (std::size_t i = 0; i < (GiNaC::is_a<GiNaC::add>(sum) ? sum.nops() : 1); ++i) {
+          const GiNaC::ex term = GiNaC::is_a<GiNaC::add>(sum) ? sum.op(i) : sum;
+          if (GiNaC::is_a<GiNaC::numeric>(term)) {
+            weights["1"] = GiNaC::ex_to<GiNaC::numeric>(term);
+            continue;
+          }
+          const auto name = std::find_if(
+              model_.parameters.begin(), model_.parameters.end(),
+              [&](const std::string& p) { return GiNaC::is_a<GiNaC::numeric>(term / model_.symbols.at(p)); });
+          if (name == model_.parameters.end()) unsupported();
+          weights[*name] = GiNaC::ex_to<GiNaC::numeric>(term / model_.symbols.at(*name));
+        }
+        continue;
+      }
+      const auto& [factor, power] = *product.begin();
+      if (product.size() != 1 || power != 1 || factor.kind != Factor::Kind::coordinate || factor.derivative > 1 ||
+          !GiNaC::is_a<GiNaC::numeric>(whole))
+        unsupported();
+      const std::string& coordinate = model_.modes[static_cast<std::size_t>(factor.index)].coordinate;
+      if (moves) {  // the first of them stands for all where only a unit is asked for
+        weights[factor.derivative == 0 ? coordinate : "D(" + coordinate + ")"] =
+            GiNaC::ex_to<GiNaC::numeric>(whole);
+        continue;
+      }
+      weights[factor.derivative == 0 ? coordinate : "D(" + coordinate + ")"] = GiNaC::ex_to<GiNaC::numeric>(whole);
+      made.index = factor.index;
+      made.derivative = factor.derivative;
+      moves = true;
+    }
+    if (inside.empty()) return {};
+    if (!moves)
+      fail_at(source_, place, "nonsmooth function of a constant",
+              "a coordinate or its velocity was expected in it");
+    const GiNaC::numeric lead = weights.begin()->second;
+    if (weights.size() > 1) {
+      for (const auto& [name, weight] : weights) {
+        const GiNaC::numeric relative = weight / lead;
+        if (!relative.is_rational() || GiNaC::abs(relative.numer()) > 1000000 || relative.denom() > 1000000)
+          unsupported();
+        made.argument[name] = {relative.numer().to_long(), relative.denom().to_long()};
+      }
+    }
+    if (absolute) return TermSum::factor(made).scaled(GiNaC::abs(lead));
+    return TermSum::factor(made).scaled(lead.is_negative() ? -1 : 1);
   }
 
   // cos(n*Omega*t), sin(n*Omega*t) with an integer n.

@@ -4,6 +4,8 @@
 
 #include <compare>
 #include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "perturb/model.hpp"
@@ -17,15 +19,21 @@ struct Factor {
     excitation,  ///< F*cos(Omega*t) and its derivatives: `index` excitation
     clock_cos,   ///< cos(multiple*Omega*t) without F: `index` excitation
     clock_sin,   ///< sin(multiple*Omega*t)
-    absolute,    ///< abs of a coordinate factor
-    sign,        ///< sgn of a coordinate factor
+    absolute,    ///< abs of a coordinate factor, or of `argument`
+    sign,        ///< sgn of a coordinate factor, or of `argument`
   };
+  /// A rational weight, numerator and denominator.
+  using Weight = std::pair<long, long>;
   Kind kind = Kind::coordinate;
   int index = 0;
   int derivative = 0;
   int multiple = 1;
+  /// abs and sgn of more than one coordinate factor: sum of weight * ("v", "D(v)", a parameter's name or "1").
+  /// Empty where `index` and `derivative` say it all; otherwise they name the first coordinate factor in it.
+  std::map<std::string, Weight> argument = {};
   auto operator<=>(const Factor&) const = default;
   bool nonsmooth() const { return kind == Kind::absolute || kind == Kind::sign; }
+  bool compound() const { return !argument.empty(); }
 };
 
 /// Factors with positive powers.
