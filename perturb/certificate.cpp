@@ -588,7 +588,7 @@ void check_nonsmooth(const Derivation& d, Certificate& certificate) {
       for (std::size_t n = 0; n < residual.orders().size(); ++n) {
         for (const auto& [waves, value] : substitution.at_amplitudes(residual.orders()[n])) {
           const bool compared = std::all_of(waves.begin(), waves.end(),
-                                            [](int w) { return std::abs(w) <= highest_nonsmooth_harmonic; });
+                                            [&](int w) { return std::abs(w) <= d.nonsmooth_harmonics[n]; });
           if (!compared) continue;
           ++certificate.coefficients_checked;
           const double error = std::abs(value) / largest;

@@ -40,7 +40,8 @@ struct Derivation {
   std::vector<FieldSeries>
       slow_derivative;  ///< [mode][n] = D_n A_mode (empty at n = 0), phases reduced to slow ones
   std::vector<QuadratureTerm> quadratures;
-  std::vector<std::string> warnings;  ///< small divisors and unlisted resonances at the nominal frequencies
+  std::vector<int> nonsmooth_harmonics;  ///< [order] highest harmonic to which nonsmooth contributions are complete
+  std::vector<std::string> warnings;     ///< small divisors and unlisted resonances at the nominal frequencies
 
   /// dA_mode/dt in true time, all orders summed with eps = 1.
   Field modulation(std::size_t mode) const;

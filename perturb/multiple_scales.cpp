@@ -33,10 +33,12 @@ class MultipleScales {
     d_.slow_derivative.assign(layout_.modes, FieldSeries(size));
     for (std::size_t k = 0; k < layout_.modes; ++k) leading_order(k);
     for (std::size_t k = 0; k < layout_.modes; ++k) set_quadratures_apart(k);
+    limit_nonsmooth_harmonics();
     for (int order = 1; order <= highest_; ++order) {
       const SeriesCache cache(*this);
       std::vector<Field> forcing(layout_.modes);
-      for (std::size_t k = 0; k < layout_.modes; ++k) forcing[k] = right_hand_side(k, order, cache);
+      for (std::size_t k = 0; k < layout_.modes; ++k)
+        forcing[k] = right_hand_side(k, order, cache).with_moduli_joined(layout_);
       for (std::size_t k = 0; k < layout_.modes; ++k) solve(k, order, forcing[k]);
     }
   }
@@ -321,6 +323,44 @@ class MultipleScales {
     equations_[k].right_hand_side = std::move(kept);
   }
 
+  // A nonsmooth term's harmonics end at highest_nonsmooth_harmonic. A later term of degree d that holds one of them
+  // and d - 1 leading oscillations is complete up to d - 1 harmonics less.
+  void limit_nonsmooth_harmonics() {
+    const auto size = static_cast<std::size_t>(highest_) + 1;
+    std::vector<bool> present(size, false);
+    d_.nonsmooth_harmonics.assign(size, highest_nonsmooth_harmonic);
+    for (std::size_t n = 0; n < size; ++n)
+      for (const OrderedEquation& equation : equations_)
+        for (const OrderedTerm& term : equation.right_hand_side) {
+          const auto order = static_cast<std::size_t>(term.order);
+          int degree = 0;
+          bool nonsmooth = false;
+          for (const auto& [factor, power] : term.factors) {
+            nonsmooth = nonsmooth || factor.nonsmooth();
+            if (factor.kind == Factor::Kind::coordinate) degree += power;
+          }
+          if (nonsmooth) present[n] = present[n] || order <= n;
+          if (order == 0 || order > n || !present[n - order]) continue;
+          present[n] = true;
+          d_.nonsmooth_harmonics[n] =
+              std::min(d_.nonsmooth_harmonics[n], d_.nonsmooth_harmonics[n - order] - std::max(0, degree - 1));
+          if (d_.nonsmooth_harmonics[n] < 1)
+            throw InputError(d_.model->file, place(),
+                             fmt::format("at eps^{} nonsmooth terms need harmonics above the {}th", n,
+                                         highest_nonsmooth_harmonic),
+                             "expand to a lower order");
+        }
+  }
+
+  bool beyond_nonsmooth_harmonics(const FieldKey& key, std::size_t order) const {
+    bool nonsmooth = false, beyond = false;
+    for (std::size_t k = 0; k < layout_.modes; ++k) {
+      nonsmooth = nonsmooth || key[layout_.modulus(k)] % 2 != 0;
+      beyond = beyond || std::abs(key[k]) > d_.nonsmooth_harmonics[order];
+    }
+    return nonsmooth && beyond;
+  }
+
   bool has_several_harmonics(std::size_t mode) const {
     const std::map<FieldKey, GiNaC::ex>& leading = d_.response[mode][0].terms();
     return leading.size() > (d_.resonance->mode_at_rest[mode] ? 0U : 2U);
@@ -348,6 +388,7 @@ class MultipleScales {
       for (int& multiple : opposite) multiple = -multiple;
       --opposite[k];
       if (d_.lattice.slow_multipliers(opposite)) continue;  // conjugate of a secular term
+      if (beyond_nonsmooth_harmonics(key, n)) continue;
       warn_if_nearly_resonant(key, k, order);
       d_.response[k][n].add(key, cleaned(coefficient / divisor(key, k)));
     }
@@ -424,6 +465,7 @@ Derivation derive(const Model& model, const ResonanceCase& resonance, OmegaPolic
                         policy,
                         FieldLayout{model.modes.size(), model.excitations.size(), resonance.relations.size()},
                         ResonanceLattice(model, resonance),
+                        {},
                         {},
                         {},
                         {},
