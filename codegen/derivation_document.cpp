@@ -1,0 +1,210 @@
+#include "codegen/derivation_document.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "codegen/steady_state.hpp"
+#include "codegen/typeset_equations.hpp"
+
+namespace secular::typeset {
+namespace {
+
+class Writer {
+ public:
+  explicit Writer(const CanonicalModel& model) : model_(model) {}
+
+  Document document() && {
+    document_.title = "Model " + model_.name;
+    introduction();
+    for (const CanonicalCase& c : model_.cases) resonance(c);
+    return std::move(document_);
+  }
+
+ private:
+  void section(std::string text) { document_.blocks.push_back(Heading{false, std::move(text)}); }
+  void text(std::vector<Run> runs, Paragraph::Tone tone = Paragraph::Tone::plain) {
+    document_.blocks.push_back(Paragraph{std::move(runs), tone});
+  }
+  void equations(std::vector<Equation> list) { document_.blocks.push_back(EquationList{std::move(list)}); }
+
+  std::size_t modes() const { return model_.coordinates.size(); }
+  template <typename Make>
+  void equation_of_each_mode(const Make& make) {
+    std::vector<Equation> list;
+    for (std::size_t k = 0; k < modes(); ++k) list.push_back(make(k));
+    equations(std::move(list));
+  }
+  template <typename Make>
+  void equation_pair_of_each_mode(const Make& make) {
+    std::vector<Equation> list;
+    for (std::size_t k = 0; k < modes(); ++k) {
+      std::pair<Equation, Equation> pair = make(k);
+      list.push_back(std::move(pair.first));
+      list.push_back(std::move(pair.second));
+    }
+    equations(std::move(list));
+  }
+
+  // v = A_v exp(i omega0 t) + cc.
+  Expression first_harmonic(std::size_t mode) const {
+    std::vector<int> own(model_.natural_frequencies.size() + model_.excitation_frequencies.size(), 0);
+    own[mode] = 1;
+    return Product().times(amplitude(model_, mode)).times(harmonic(model_, own)).expression();
+  }
+
+  void introduction() {
+    if (!model_.source.empty()) text({"Source: " + model_.source});
+    section("Equations of motion");
+    equation_of_each_mode([&](std::size_t k) { return motion_equation(model_, k); });
+    section("Conventions");
+    for (std::size_t k = 0; k < modes(); ++k)
+      text({amplitude(model_, k), " is half the peak amplitude: the harmonic of ",
+            symbol(model_.natural_frequencies[k]), " in ", symbol(model_.coordinates[k]), " is ", first_harmonic(k),
+            " plus its conjugate, and no correction contains that harmonic."});
+    for (std::size_t j = 0; j < model_.excitations.size(); ++j)
+      text({symbol(model_.excitations[j]), " is the peak excitation at the frequency ",
+            symbol(model_.excitation_frequencies[j]), "."});
+    text({"Frequencies are in rad/s. An overline is the complex conjugate. ", symbol("eps"),
+          " counts orders and is 1."});
+  }
+
+  void resonance(const CanonicalCase& c) {
+    document_.blocks.push_back(Heading{true, "Case " + c.name});
+    if (!c.relations.empty()) {
+      text({c.relations.size() == 1 ? "Resonance relation:" : "Resonance relations:"});
+      std::vector<Equation> relations;
+      for (const CanonicalRelation& relation : c.relations)
+        relations.push_back(relation_equation(model_, relation));
+      equations(std::move(relations));
+    }
+    text({"Order of expansion: ", power(symbol("eps"), c.expand_to), c.excited ? "." : "; no excitation."});
+    for (const std::string& warning : c.warnings) text({"Warning: " + warning}, Paragraph::Tone::bad);
+    expansion(c);
+    modulation(c);
+    if (!c.observed_frequency.empty()) {
+      observed(c);
+      steady(c);
+      lumps(c);
+    }
+    certificate(c.certificate);
+  }
+
+  void expansion(const CanonicalCase& c) {
+    section("Expansion");
+    for (std::size_t k = 0; k < modes(); ++k) {
+      const Expression v = symbol(model_.coordinates[k]);
+      if (c.harmonics[k].empty()) {
+        text({v, " is ", first_harmonic(k), " plus its conjugate; there are no further harmonics."});
+        continue;
+      }
+      text({v, " is ", first_harmonic(k),
+            " plus the harmonics below, plus the complex conjugate of all of them (one of each conjugate pair is "
+            "listed; a constant is listed whole)."});
+      Table table{{"Order", "Harmonic", "Coefficient"}, {}};
+      for (const CanonicalTerm& term : c.harmonics[k])
+        table.rows.push_back({power(symbol("eps"), term.order), harmonic(model_, term.powers.phase),
+                              harmonic_coefficient(model_, term)});
+      document_.blocks.push_back(std::move(table));
+    }
+  }
+
+  void modulation(const CanonicalCase& c) {
+    section("Solvability: complex modulation equations");
+    text({"In true time, all orders together."});
+    equation_of_each_mode([&](std::size_t k) { return complex_modulation(model_, c, k); });
+    section("Polar form");
+    equation_of_each_mode([&](std::size_t k) {
+      const Expression turn =
+          exponential(Product().times(constant("i")).times(named("beta", model_, k)).expression());
+      return Equation{
+          amplitude(model_, k),
+          Product().times(fraction(number(1), number(2))).times(named("a", model_, k)).times(turn).expression()};
+    });
+    equation_pair_of_each_mode([&](std::size_t k) { return polar_modulation(model_, c, k); });
+  }
+
+  void observed(const CanonicalCase& c) {
+    section("Observed frequencies");
+    text({"In the frame that turns with these frequencies the equations do not depend on time."});
+    equation_of_each_mode([&](std::size_t k) { return observed_frequency(model_, c, k); });
+    section("Cartesian form");
+    text({"In that frame the amplitude is half of the following."});
+    equation_of_each_mode([&](std::size_t k) {
+      const Expression imaginary = Product().times(constant("i")).times(named("y", model_, k)).expression();
+      return Equation{Product().times(number(2)).times(amplitude(model_, k)).expression(),
+                      Sum(model_.order).add(named("x", model_, k), false).add(imaginary, false).expression()};
+    });
+    equation_pair_of_each_mode([&](std::size_t k) { return cartesian_modulation(model_, c, k); });
+  }
+
+  void steady(const CanonicalCase& c) {
+    section("Steady states");
+    switch (steady_state(model_, c).kind) {
+      case SteadyState::Kind::several_modes:
+        text(
+            {"Several modes: the phases cannot be eliminated in closed form; the steady states are where all right "
+             "sides of the Cartesian form vanish."});
+        return;
+      case SteadyState::Kind::several_angles:
+        text({"Terms with several phase angles: the phase cannot be eliminated in closed form."});
+        return;
+      case SteadyState::Kind::free:
+        text({"Decay law, and backbone with ", observed_frequency_symbol(model_, 0),
+              " the frequency of the oscillation:"});
+        break;
+      case SteadyState::Kind::one_angle:
+        text({"Frequency response, the phase eliminated by squaring and adding:"});
+        break;
+    }
+    equations(steady_equations(model_, c));
+  }
+
+  void lumps(const CanonicalCase& c) {
+    section("Lumps: what data near this resonance can see");
+    std::vector<Equation> definitions;
+    for (const CanonicalLump& lump : c.lumps) definitions.push_back(lump_definition(model_, lump));
+    equations(std::move(definitions));
+    section("Equations linear in the lumps");
+    const Expression hat = accent("hat", symbol("v"));
+    text(
+        {"The rate is the logarithmic derivative of the observed fundamental harmonic; a hat marks the complex "
+         "coefficient of the harmonic whose frequency stands behind it."});
+    std::vector<Equation> list;
+    for (const CanonicalBlock& block : c.blocks) list.push_back(block_equation(model_, c, block));
+    equations(std::move(list));
+  }
+
+  void certificate(const CanonicalCertificate& c) {
+    section("Certificate");
+    if (c.holds)
+      text({fmt::format("The certificate holds: put back into the original equation as a function of true time, {} "
+                        "coefficients vanish exactly up to ",
+                        c.coefficients_checked),
+            power(symbol("eps"), c.order), "."},
+           Paragraph::Tone::good);
+    else
+      text({fmt::format("The certificate DOES NOT HOLD: put back into the original equation as a function of true "
+                        "time, {} coefficients were checked up to ",
+                        c.coefficients_checked),
+            power(symbol("eps"), c.order), "."},
+           Paragraph::Tone::bad);
+    if (c.nonsmooth_harmonics > 0)
+      text(
+          {fmt::format("Nonsmooth terms: Fourier integrals by quadrature up to harmonic {}, largest relative "
+                       "difference {:.0e}.",
+                       c.nonsmooth_harmonics, c.nonsmooth_error)});
+    for (const std::string& remainder : c.remainders) text({"Left over: ", Code{remainder}}, Paragraph::Tone::bad);
+  }
+
+  const CanonicalModel& model_;
+  Document document_;
+};
+
+}  // namespace
+
+Document derivation_document(const CanonicalModel& model) {
+  return Writer(model).document();
+}
+
+}  // namespace secular::typeset

@@ -1,0 +1,125 @@
+#include "codegen/line_pieces.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "codegen/symbol_name.hpp"
+
+namespace secular::typeset {
+namespace {
+
+using Kind = Expression::Kind;
+
+constexpr double digit = 0.5, letter = 0.6, bracket_width = 0.6, binary_operator = 1.25, script_scale = 0.72;
+
+double name_width(const SymbolName& name) {
+  const double wide = name.base.kind == NamePart::Kind::number ? digit : letter;
+  const bool one_sign = name.base.kind == NamePart::Kind::letter || name.base.kind == NamePart::Kind::greek;
+  double width = one_sign ? letter : wide * static_cast<double>(name.base.text.size());
+  for (const SymbolName& subscript : name.subscripts) width += script_scale * (name_width(subscript) + 0.1);
+  return width;
+}
+
+bool is_tall(const Expression& formula) {
+  return formula.kind == Kind::fraction || std::any_of(formula.parts.begin(), formula.parts.end(), is_tall);
+}
+
+class Cutter {
+ public:
+  explicit Cutter(double widest) : widest_(widest) {}
+
+  void sum(const Expression& formula) {
+    if (formula.kind != Kind::sum) return term(formula);
+    for (std::size_t i = 0; i < formula.parts.size(); ++i) {
+      const bool negative = formula.negative[i];
+      if (i > 0) {
+        pieces_.emplace_back();
+        add({negative ? Element::Kind::minus : Element::Kind::plus, {}, false, 1}, binary_operator);
+      } else if (negative) {
+        add({Element::Kind::minus, {}, false, 1}, binary_operator);
+      }
+      term(formula.parts[i]);
+    }
+  }
+
+  std::vector<Piece> pieces() && { return std::move(pieces_); }
+
+ private:
+  void add(Element element, double width) {
+    pieces_.back().elements.push_back(std::move(element));
+    pieces_.back().width += width;
+  }
+
+  void opened(const Expression& inner, int exponent) {
+    const bool tall = is_tall(inner);
+    add({Element::Kind::open, {}, tall, 1}, bracket_width);
+    sum(inner);
+    add({Element::Kind::close, {}, tall, exponent}, bracket_width);
+  }
+
+  void term(const Expression& formula) {
+    const double width = estimated_width(formula);
+    if (width <= widest_) return add({Element::Kind::expression, formula, false, 1}, width);
+    if (formula.kind == Kind::product) {
+      for (const Expression& factor : formula.parts) term(factor);
+    } else if (formula.kind == Kind::bracket) {
+      opened(formula.parts[0], 1);
+    } else if (formula.kind == Kind::power && formula.parts[0].kind == Kind::bracket) {
+      opened(formula.parts[0].parts[0], formula.exponent);
+    } else if (formula.kind == Kind::fraction && formula.parts[0].kind == Kind::sum) {
+      term(fraction(number(1), formula.parts[1]));
+      opened(formula.parts[0], 1);
+    } else if (formula.kind == Kind::sum) {
+      opened(formula, 1);
+    } else {
+      add({Element::Kind::expression, formula, false, 1}, width);
+    }
+  }
+
+  double widest_;
+  std::vector<Piece> pieces_{1};
+};
+
+}  // namespace
+
+double estimated_width(const Expression& formula) {
+  double parts = 0;
+  for (const Expression& part : formula.parts) parts += estimated_width(part);
+  switch (formula.kind) {
+    case Kind::number:
+    case Kind::words:
+      return digit * static_cast<double>(formula.text.size());
+    case Kind::symbol:
+      return name_width(symbol_name(formula.text));
+    case Kind::constant:
+      return digit;
+    case Kind::accent:
+      return parts;
+    case Kind::product:
+      return parts;
+    case Kind::fraction:
+      return std::max(estimated_width(formula.parts[0]), estimated_width(formula.parts[1])) + 0.3;
+    case Kind::power:
+      return parts + script_scale * digit * static_cast<double>(std::to_string(formula.exponent).size());
+    case Kind::sum:
+      return parts + binary_operator * static_cast<double>(formula.parts.size());
+    case Kind::bracket:
+    case Kind::modulus:
+      return parts + 2 * bracket_width;
+    case Kind::root:
+      return parts + 1;
+    case Kind::function:
+      return parts + 2 * bracket_width + digit * static_cast<double>(formula.text.size());
+    case Kind::exponential:
+      return digit + script_scale * parts;
+  }
+  return parts;
+}
+
+std::vector<Piece> line_pieces(const Expression& formula, double widest) {
+  Cutter cutter(widest);
+  cutter.sum(formula);
+  return std::move(cutter).pieces();
+}
+
+}  // namespace secular::typeset
