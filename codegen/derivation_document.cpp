@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <string_view>
 #include <utility>
 
+#include "codegen/generated_lump.hpp"
+#include "codegen/look_alikes.hpp"
 #include "codegen/steady_state.hpp"
 #include "codegen/typeset_equations.hpp"
 
@@ -18,6 +22,7 @@ class Writer {
     document_.title = "Model " + model_.name;
     introduction();
     for (const CanonicalCase& c : model_.cases) resonance(c);
+    tell_look_alikes_apart(document_);
     return std::move(document_);
   }
 
@@ -163,16 +168,34 @@ class Writer {
   void lumps(const CanonicalCase& c) {
     section("Lumps: what data near this resonance can see");
     std::vector<Equation> definitions;
-    for (const CanonicalLump& lump : c.lumps) definitions.push_back(lump_definition(model_, lump));
+    for (std::size_t i = 0; i < c.lumps.size(); ++i) definitions.push_back(lump_definition(model_, c, i));
     equations(std::move(definitions));
+    for (std::size_t i = 0; i < c.lumps.size(); ++i)
+      if (const std::optional<GeneratedLump> made_up = generated_lump(model_, c, i))
+        text({lump_symbol(model_, c, i), " is ", Code{c.lumps[i].name},
+              ": " + std::string(meaning(made_up->kind)) + " ", monomial(model_, made_up->powers),
+              " in the equations of ", symbol(model_.coordinates[made_up->mode]), "."});
     section("Equations linear in the lumps");
-    const Expression hat = accent("hat", symbol("v"));
     text(
         {"The rate is the logarithmic derivative of the observed fundamental harmonic; a hat marks the complex "
          "coefficient of the harmonic whose frequency stands behind it."});
     std::vector<Equation> list;
     for (const CanonicalBlock& block : c.blocks) list.push_back(block_equation(model_, c, block));
     equations(std::move(list));
+  }
+
+  static std::string_view meaning(GeneratedLump::Kind kind) {
+    switch (kind) {
+      case GeneratedLump::Kind::conservative:
+        return "the conservative (imaginary) coefficient of";
+      case GeneratedLump::Kind::dissipative:
+        return "the dissipative (real) coefficient of";
+      case GeneratedLump::Kind::harmonic_real:
+        return "the real part of the coefficient of";
+      case GeneratedLump::Kind::harmonic_imaginary:
+        break;
+    }
+    return "the imaginary part of the coefficient of";
   }
 
   void certificate(const CanonicalCertificate& c) {

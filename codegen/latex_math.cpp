@@ -15,6 +15,8 @@ std::string base_latex(const NamePart& part, bool subscript) {
       return "\\" + std::string(greek_letter(part.text)->latex);
     case NamePart::Kind::word:
       return fmt::format("\\{}{{{}}}", subscript ? "mathrm" : "mathit", part.text);
+    case NamePart::Kind::verbatim:
+      return "\\texttt{" + latex_text(part.text) + "}";
     case NamePart::Kind::letter:
     case NamePart::Kind::number:
       return part.text;
@@ -37,7 +39,7 @@ std::string subscripts_latex(const SymbolName& name) {
 }
 
 std::string accent_latex(const Expression& formula) {
-  const SymbolName name = symbol_name(formula.parts[0].text);
+  const SymbolName name = name_of(formula.parts[0]);
   const std::string command = formula.text == "bar" ? "overline" : formula.text;
   return fmt::format("\\{}{{{}}}{}", command, base_latex(name.base, false), subscripts_latex(name));
 }
@@ -45,12 +47,6 @@ std::string accent_latex(const Expression& formula) {
 // A command that ends in a letter would swallow a letter after it.
 std::string joined(const std::string& left, const std::string& right) {
   return left.empty() ? right : left + " " + right;
-}
-
-bool is_word(const Expression& formula) {
-  if (formula.kind == Kind::power) return is_word(formula.parts[0]);
-  return formula.kind == Kind::words ||
-         (formula.kind == Kind::symbol && symbol_name(formula.text).base.kind == NamePart::Kind::word);
 }
 
 std::string product_latex(const std::vector<Expression>& factors) {
@@ -72,13 +68,6 @@ std::string sum_latex(const Expression& formula) {
   return text;
 }
 
-bool is_tall(const Expression& formula) {
-  if (formula.kind == Kind::fraction) return true;
-  for (const Expression& part : formula.parts)
-    if (is_tall(part)) return true;
-  return false;
-}
-
 std::string delimited(const char* left, const Expression& inner, const char* right) {
   const bool tall = is_tall(inner);
   return fmt::format("{}{}{}{}{}", tall ? "\\left" : "", left, latex_math(inner), tall ? "\\right" : "", right);
@@ -95,11 +84,17 @@ std::string latex_math(const Expression& formula) {
     case Kind::number:
       return formula.text;
     case Kind::symbol:
-      return latex_symbol(formula.text);
+      return name_latex(name_of(formula), false);
     case Kind::constant:
       return "\\mathrm{" + formula.text + "}";
     case Kind::words:
       return "\\text{" + latex_text(formula.text) + "}";
+    case Kind::indexed: {
+      std::string subscripts;
+      for (std::size_t i = 1; i < formula.parts.size(); ++i)
+        subscripts += (i > 1 ? "," : "") + latex_math(formula.parts[i]);
+      return fmt::format("{}_{{{}}}", latex_math(formula.parts[0]), subscripts);
+    }
     case Kind::accent:
       return accent_latex(formula);
     case Kind::product:
@@ -130,7 +125,7 @@ std::string latex_math(const Expression& formula) {
   return {};
 }
 
-std::string latex_math(const Piece& piece) {
+std::string latex_math(const Piece& piece, bool first) {
   std::string text;
   const Element* before = nullptr;
   for (const Element& element : piece.elements) {
@@ -139,7 +134,7 @@ std::string latex_math(const Piece& piece) {
         text = joined(text, "+");
         break;
       case Element::Kind::minus:
-        text = joined(text, "-");
+        text = joined(text, text.empty() && first ? "{-}" : "-");  // a sign, no operator, behind an alignment mark
         break;
       case Element::Kind::open:
         text = joined(text, element.tall ? "\\biggl(" : "\\bigl(");

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "codegen/symbol_name.hpp"
-
 namespace secular::typeset {
 namespace {
 
@@ -18,10 +16,6 @@ double name_width(const SymbolName& name) {
   double width = one_sign ? letter : wide * static_cast<double>(name.base.text.size());
   for (const SymbolName& subscript : name.subscripts) width += script_scale * (name_width(subscript) + 0.1);
   return width;
-}
-
-bool is_tall(const Expression& formula) {
-  return formula.kind == Kind::fraction || std::any_of(formula.parts.begin(), formula.parts.end(), is_tall);
 }
 
 class Cutter {
@@ -90,11 +84,15 @@ double estimated_width(const Expression& formula) {
     case Kind::words:
       return digit * static_cast<double>(formula.text.size());
     case Kind::symbol:
-      return name_width(symbol_name(formula.text));
+      return name_width(name_of(formula));
     case Kind::constant:
       return digit;
+    case Kind::indexed: {
+      const double base = estimated_width(formula.parts[0]),
+                   commas = 0.3 * static_cast<double>(formula.parts.size());
+      return base + script_scale * (parts - base + commas);
+    }
     case Kind::accent:
-      return parts;
     case Kind::product:
       return parts;
     case Kind::fraction:

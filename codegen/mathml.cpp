@@ -12,6 +12,7 @@ namespace {
 using Kind = Expression::Kind;
 
 constexpr std::string_view thin_space = "<mspace width=\"0.17em\"></mspace>";
+constexpr const char* comma = "<mo separator=\"true\">,</mo>";
 constexpr std::string_view minus_sign = "\u2212";
 
 std::string element(std::string_view name, std::string_view content) {
@@ -27,6 +28,8 @@ std::string base_mathml(const NamePart& part, bool subscript) {
     case NamePart::Kind::word:
       return subscript ? element("mi", xml_text(part.text))
                        : fmt::format("<mi class=\"word\">{}</mi>", xml_text(part.text));
+    case NamePart::Kind::verbatim:
+      return fmt::format("<mi class=\"verbatim\">{}</mi>", xml_text(part.text));
     case NamePart::Kind::letter:
       break;
   }
@@ -47,7 +50,7 @@ struct Scripted {
 Scripted scripted(const SymbolName& name, bool subscript) {
   Scripted result{base_mathml(name.base, subscript), {}, {}};
   for (const SymbolName& one : name.subscripts)
-    result.below += (result.below.empty() ? "" : "<mo separator=\"true\">,</mo>") + scripted(one, true).text();
+    result.below += (result.below.empty() ? "" : comma) + scripted(one, true).text();
   if (name.subscripts.size() > 1) result.below = element("mrow", result.below);
   return result;
 }
@@ -56,34 +59,37 @@ std::string_view accent_mark(const std::string& name) {
   if (name == "bar") return "\u00AF";
   if (name == "dot") return "\u02D9";
   if (name == "ddot") return "\u00A8";
-  return "^";
+  return "\u02C6";
 }
 
 Scripted scripted(const Expression& formula) {
-  if (formula.kind == Kind::symbol) return scripted(symbol_name(formula.text), false);
+  if (formula.kind == Kind::symbol) return scripted(name_of(formula), false);
   if (formula.kind == Kind::accent) {
-    Scripted name = scripted(symbol_name(formula.parts[0].text), false);
+    Scripted name = scripted(name_of(formula.parts[0]), false);
     name.base = fmt::format("<mover accent=\"true\">{}<mo stretchy=\"false\">{}</mo></mover>", name.base,
                             accent_mark(formula.text));
     return name;
   }
+  if (formula.kind == Kind::indexed) {
+    Scripted name{mathml(formula.parts[0]), {}, {}};
+    for (std::size_t i = 1; i < formula.parts.size(); ++i)
+      name.below += (i > 1 ? comma : "") + mathml(formula.parts[i]);
+    name.below = element("mrow", name.below);
+    return name;
+  }
   return {mathml(formula), {}, {}};
-}
-
-bool is_word(const Expression& formula) {
-  if (formula.kind == Kind::power) return is_word(formula.parts[0]);
-  return formula.kind == Kind::words ||
-         (formula.kind == Kind::symbol && symbol_name(formula.text).base.kind == NamePart::Kind::word);
 }
 
 bool needs_space(const Expression& left, const Expression& right) {
   return is_word(left) || is_word(right) || left.kind == Kind::function || right.kind == Kind::function;
 }
 
-std::string operator_mathml(bool negative, bool infix) {
-  return fmt::format("<mo form=\"{}\">{}</mo>", infix ? "infix" : "prefix",
-                     negative ? minus_sign : std::string_view("+"));
+std::string operator_mathml(bool negative, std::string_view attributes) {
+  return fmt::format("<mo {}>{}</mo>", attributes, negative ? minus_sign : std::string_view("+"));
 }
+
+constexpr std::string_view infix = "form=\"infix\"", prefix = "form=\"prefix\"",
+                           infix_after_gap = "form=\"infix\" lspace=\"0\"";  // the gap is between two <math>
 
 std::string row(std::string_view content) {
   return element("mrow", content);
@@ -101,24 +107,27 @@ std::string product_mathml(const std::vector<Expression>& factors) {
 std::string sum_mathml(const Expression& formula) {
   std::string text;
   for (std::size_t i = 0; i < formula.parts.size(); ++i) {
-    if (i > 0 || formula.negative[i]) text += operator_mathml(formula.negative[i], i > 0);
+    if (i > 0 || formula.negative[i]) text += operator_mathml(formula.negative[i], i > 0 ? infix : prefix);
     text += mathml(formula.parts[i]);
   }
   return row(text);
 }
 
-std::string fence(std::string_view sign, bool opening) {
-  return fmt::format("<mo form=\"{}\" stretchy=\"true\">{}</mo>", opening ? "prefix" : "postfix", sign);
+// Some fonts have looser brackets where they may stretch, so that only tall formulas ask for it.
+std::string fence(std::string_view sign, bool opening, bool tall) {
+  return fmt::format("<mo form=\"{}\" stretchy=\"{}\">{}</mo>", opening ? "prefix" : "postfix", tall, sign);
 }
 
 std::string fenced(std::string_view left, const Expression& inner, std::string_view right) {
-  return row(fence(left, true) + mathml(inner) + fence(right, false));
+  const bool tall = is_tall(inner);
+  return row(fence(left, true, tall) + mathml(inner) + fence(right, false, tall));
 }
 
 // A bracket whose partner stands in another <math>: it has nothing to stretch to.
 std::string lone_bracket(const Element& bracket, bool opening) {
-  return fmt::format("<mo form=\"{}\" stretchy=\"true\"{}>{}</mo>", opening ? "prefix" : "postfix",
-                     bracket.tall ? " minsize=\"2.4em\"" : " minsize=\"1.2em\"", opening ? "(" : ")");
+  return fmt::format("<mo form=\"{}\" {}>{}</mo>", opening ? "prefix" : "postfix",
+                     bracket.tall ? "stretchy=\"true\" minsize=\"2.4em\"" : "stretchy=\"false\"",
+                     opening ? "(" : ")");
 }
 
 std::string function_mathml(const Expression& formula, std::string_view name) {
@@ -165,6 +174,7 @@ std::string mathml(const Expression& formula) {
     case Kind::number:
       return element("mn", formula.text);
     case Kind::symbol:
+    case Kind::indexed:
     case Kind::accent:
       return scripted(formula).text();
     case Kind::constant:
@@ -200,14 +210,15 @@ std::string mathml(const Expression& formula) {
   return {};
 }
 
-std::string mathml(const Piece& piece) {
+std::string mathml(const Piece& piece, bool first) {
   std::string text;
   const Element* before = nullptr;
   for (const Element& element_of_piece : piece.elements) {
     switch (element_of_piece.kind) {
       case Element::Kind::plus:
       case Element::Kind::minus:
-        text += operator_mathml(element_of_piece.kind == Element::Kind::minus, text.empty());
+        text += operator_mathml(element_of_piece.kind == Element::Kind::minus,
+                                text.empty() && !first ? infix_after_gap : prefix);
         break;
       case Element::Kind::open:
         text += lone_bracket(element_of_piece, true);

@@ -10,8 +10,8 @@ namespace secular::typeset {
 /// A formula as presentation MathML (MathML Core), without the <math> element around it.
 std::string mathml(const Expression& formula);
 
-/// A piece of a formula, without the <math> element.
-std::string mathml(const Piece& piece);
+/// A piece of a formula, without the <math> element; `first` of its formula or further on.
+std::string mathml(const Piece& piece, bool first);
 
 /// <msub> and the like for a model's symbol.
 std::string mathml_symbol(std::string_view identifier);

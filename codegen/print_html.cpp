@@ -36,13 +36,15 @@ a { color: var(--accent); text-decoration: none; }
 code { font: 0.9em "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere; }
 math { font-family: "Latin Modern Math", "STIX Two Math", "Cambria Math", math; font-size: 1.12em; text-indent: 0; }
 .word { font-style: italic; }
-.equation { padding-left: 3em; text-indent: -2em; line-height: 2.9; overflow-x: auto; overflow-y: hidden;
-  margin: 4px 0; }
+.verbatim { font-family: "DejaVu Sans Mono", Menlo, Consolas, monospace; font-size: 0.85em; }
+.equation { padding-left: 3em; text-indent: -2em; overflow-x: auto; overflow-y: hidden;
+  margin: 6px 0; }
+.equation math, td math { margin: 0.22em 0; }
 .scroll { overflow-x: auto; margin: 12px 0; }
 table { border-collapse: collapse; }
 th, td { padding: 7px 18px 7px 0; text-align: left; vertical-align: middle; border-bottom: 1px solid var(--rule); }
 th { font-weight: 600; border-bottom-color: var(--ink); }
-td { line-height: 2.6; white-space: nowrap; }
+td { white-space: nowrap; }
 td.long { white-space: normal; }
 @media print { :root { color-scheme: light; --ink: #000000; --soft: #444444; --rule: #bbbbbb; --page: #ffffff; }
   main { max-width: none; padding: 0; } h2, h3 { break-after: avoid; } tr { break-inside: avoid; } }
@@ -57,9 +59,10 @@ std::string in_math(std::string_view content) {
 // One <math> a piece: browsers break lines between them only.
 std::string breakable(const Expression& formula, std::string_view before = {}) {
   std::string text;
-  for (const Piece& piece : line_pieces(formula, widest_piece))
-    text +=
-        (text.empty() ? "" : "\n") + in_math((text.empty() ? std::string(before) : std::string()) + mathml(piece));
+  for (const Piece& piece : line_pieces(formula, widest_piece)) {
+    const bool first = text.empty();
+    text += first ? in_math(std::string(before) + mathml(piece, true)) : "\n" + in_math(mathml(piece, false));
+  }
   return text;
 }
 
@@ -103,7 +106,7 @@ class HtmlPrinter {
   void print(const EquationList& list) {
     for (const Equation& equation : list.equations)
       text_ += "<p class=\"equation\">" + breakable(equation.left) + "\n" +
-               breakable(equation.right, "<mo form=\"infix\">=</mo>") + "</p>\n";
+               breakable(equation.right, "<mo form=\"infix\" lspace=\"0\">=</mo>") + "</p>\n";
   }
 
   void print(const Table& table) {

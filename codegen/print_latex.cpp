@@ -35,12 +35,14 @@ constexpr double widest_piece = 38;  // em
 std::vector<std::string> lines_of(const Expression& formula, double first_width, double width) {
   std::vector<std::string> lines{""};
   double free = first_width;
+  bool first = true;
   for (const Piece& piece : line_pieces(formula, std::min(widest_piece, width))) {
     if (!lines.back().empty() && piece.width > free) {
       lines.emplace_back("{}");
       free = width - continuation;
     }
-    lines.back() += (lines.back().empty() ? "" : " ") + latex_math(piece);
+    lines.back() += (lines.back().empty() ? "" : " ") + latex_math(piece, first);
+    first = false;
     free -= piece.width;
   }
   return lines;

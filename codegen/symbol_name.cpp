@@ -46,6 +46,10 @@ const GreekLetter* greek_letter(std::string_view word) {
   return nullptr;
 }
 
+SymbolName verbatim_name(std::string_view identifier) {
+  return {{NamePart::Kind::verbatim, std::string(identifier)}, {}};
+}
+
 SymbolName symbol_name(std::string_view identifier) {
   SymbolName name;
   bool first = true;

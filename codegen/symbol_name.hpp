@@ -8,7 +8,7 @@ namespace secular {
 
 /// One letter, word or number of a typeset name.
 struct NamePart {
-  enum class Kind { letter, word, number, greek };
+  enum class Kind { letter, word, number, greek, verbatim };
   Kind kind = Kind::letter;
   std::string text;  ///< as written in the model: "A", "rate", "12", "Omega"
   bool operator==(const NamePart&) const = default;
@@ -23,6 +23,9 @@ struct SymbolName {
 };
 
 SymbolName symbol_name(std::string_view identifier);
+
+/// The identifier as it stands, in fixed pitch.
+SymbolName verbatim_name(std::string_view identifier);
 
 /// A Greek letter that both LaTeX and Unicode have.
 struct GreekLetter {

@@ -1,5 +1,6 @@
 #include "codegen/typeset.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "codegen/polar_form.hpp"
@@ -10,7 +11,7 @@ namespace {
 using Kind = Expression::Kind;
 
 Expression of_kind(Kind kind, std::string text, std::vector<Expression> parts = {}) {
-  return {kind, std::move(text), std::move(parts), {}, 1};
+  return {kind, std::move(text), std::move(parts), {}, 1, false};
 }
 
 Expression product_of(std::vector<Expression> factors) {
@@ -75,6 +76,10 @@ Expression constant(std::string name) {
 Expression words(std::string text) {
   return of_kind(Kind::words, std::move(text));
 }
+Expression indexed(Expression symbol, std::vector<Expression> subscripts) {
+  subscripts.insert(subscripts.begin(), std::move(symbol));
+  return of_kind(Kind::indexed, {}, std::move(subscripts));
+}
 Expression accent(std::string mark, Expression symbol) {
   return of_kind(Kind::accent, std::move(mark), {std::move(symbol)});
 }
@@ -104,6 +109,22 @@ Expression power(Expression base, int exponent) {
   Expression result = of_kind(Kind::power, {}, {std::move(base)});
   result.exponent = exponent;
   return result;
+}
+
+SymbolName name_of(const Expression& symbol) {
+  return symbol.verbatim ? verbatim_name(symbol.text) : symbol_name(symbol.text);
+}
+
+bool is_word(const Expression& formula) {
+  if (formula.kind == Kind::power) return is_word(formula.parts[0]);
+  if (formula.kind != Kind::symbol) return formula.kind == Kind::words;
+  const NamePart::Kind base = name_of(formula).base.kind;
+  return base == NamePart::Kind::word || base == NamePart::Kind::verbatim;
+}
+
+bool is_tall(const Expression& formula) {
+  if (formula.kind == Kind::exponential || formula.kind == Kind::indexed) return false;
+  return formula.kind == Kind::fraction || std::any_of(formula.parts.begin(), formula.parts.end(), is_tall);
 }
 
 Expression rate_of(Expression quantity) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "codegen/rational_function.hpp"
+#include "codegen/symbol_name.hpp"
 
 /// Formulas as trees of what is printed, not of what is computed: built once, rendered as LaTeX or MathML.
 namespace secular::typeset {
@@ -14,6 +15,7 @@ struct Expression {
     symbol,       ///< text: a model's identifier, see symbol_name()
     constant,     ///< text: "i", "e", "d" (upright)
     words,        ///< text: upright text within a formula
+    indexed,      ///< symbol parts[0] with the subscripts parts[1], parts[2], ...
     accent,       ///< over the symbol parts[0]; text: "bar", "dot", "ddot", "hat"
     product,      ///< parts side by side
     fraction,     ///< parts[0] over parts[1]
@@ -30,6 +32,7 @@ struct Expression {
   std::vector<Expression> parts;
   std::vector<bool> negative;  ///< of a sum, by part
   int exponent = 1;
+  bool verbatim = false;  ///< of a symbol: another one would look the same
   bool operator==(const Expression&) const = default;
 };
 
@@ -37,6 +40,7 @@ Expression number(long value);  ///< not negative
 Expression symbol(std::string identifier);
 Expression constant(std::string name);
 Expression words(std::string text);
+Expression indexed(Expression symbol, std::vector<Expression> subscripts);
 Expression accent(std::string mark, Expression symbol);
 Expression fraction(Expression above, Expression below);
 Expression bracket(Expression inner);
@@ -46,6 +50,12 @@ Expression function(std::string name, Expression argument);
 Expression exponential(Expression exponent);
 /// `base` itself for power 1; sums, products and fractions get brackets.
 Expression power(Expression base, int exponent);
+/// How a symbol is written.
+SymbolName name_of(const Expression& symbol);
+/// A name of several letters, which needs space around it.
+bool is_word(const Expression& formula);
+/// Holds a fraction on its main line.
+bool is_tall(const Expression& formula);
 /// d`quantity`/dt.
 Expression rate_of(Expression quantity);
 
@@ -75,7 +85,7 @@ class Sum {
 
  private:
   const SymbolOrder* order_;
-  Expression sum_{Expression::Kind::sum, {}, {}, {}, 1};
+  Expression sum_{Expression::Kind::sum, {}, {}, {}, 1, false};
 };
 
 /// A rational function alone.

@@ -1,9 +1,11 @@
 #include "codegen/typeset_equations.hpp"
 
 #include <cstdlib>
+#include <optional>
 #include <string>
 
 #include "codegen/cartesian_form.hpp"
+#include "codegen/generated_lump.hpp"
 #include "codegen/polar_form.hpp"
 #include "codegen/steady_state.hpp"
 
@@ -33,14 +35,11 @@ Product powers_product(const CanonicalModel& model, const CanonicalPowers& power
 // ratio * factor as a term of the sum.
 void add_ratio(Sum& sum, const CanonicalRatio& ratio, const Product& factors) {
   if (ratio.numerator == 0) return;
-  Product term;
-  const int magnitude = std::abs(ratio.numerator);
-  if (ratio.denominator != 1)
-    term.times(fraction(number(magnitude), number(ratio.denominator)));
-  else if (magnitude != 1 || factors.empty())
-    term.times(number(magnitude));
-  if (!factors.empty()) term.times(factors.expression());
-  sum.add(term.expression(), ratio.numerator < 0);
+  Product above;
+  if (std::abs(ratio.numerator) != 1) above.times(number(std::abs(ratio.numerator)));
+  above.times(factors.expression());
+  sum.add(ratio.denominator == 1 ? above.expression() : fraction(above.expression(), number(ratio.denominator)),
+          ratio.numerator < 0);
 }
 
 Product symbol_product(const std::string& name) {
@@ -277,8 +276,32 @@ Equation observed_frequency(const CanonicalModel& model, const CanonicalCase& re
           frequency_sum(model, resonance.observed_frequency[mode]).expression()};
 }
 
-Equation lump_definition(const CanonicalModel& model, const CanonicalLump& lump) {
-  return {symbol(lump.name), expression_of(lump.definition, model.order)};
+Expression lump_symbol(const CanonicalModel& model, const CanonicalCase& resonance, std::size_t lump) {
+  const std::optional<GeneratedLump> generated = generated_lump(model, resonance, lump);
+  if (!generated) return symbol(resonance.lumps[lump].name);
+  const auto letter = [&] {
+    switch (generated->kind) {
+      case GeneratedLump::Kind::conservative:
+        return "c";
+      case GeneratedLump::Kind::dissipative:
+        return "d";
+      case GeneratedLump::Kind::harmonic_real:
+        return "p";
+      case GeneratedLump::Kind::harmonic_imaginary:
+        break;
+    }
+    return "q";
+  };
+  return indexed(symbol(letter()),
+                 {symbol(model.coordinates[generated->mode]), monomial(model, generated->powers)});
+}
+
+Expression monomial(const CanonicalModel& model, const CanonicalPowers& powers) {
+  return powers_product(model, powers).expression();
+}
+
+Equation lump_definition(const CanonicalModel& model, const CanonicalCase& resonance, std::size_t lump) {
+  return {lump_symbol(model, resonance, lump), expression_of(resonance.lumps[lump].definition, model.order)};
 }
 
 Equation block_equation(const CanonicalModel& model, const CanonicalCase& resonance, const CanonicalBlock& block) {
@@ -286,7 +309,7 @@ Equation block_equation(const CanonicalModel& model, const CanonicalCase& resona
   for (const CanonicalBlock::Column& column : block.columns)
     for (const CanonicalColumnTerm& term : column.terms) {
       Product factors;
-      factors.times(symbol(resonance.lumps[column.lump].name));
+      factors.times(lump_symbol(model, resonance, column.lump));
       const Product powers = powers_product(model, term.powers);
       if (!powers.empty()) factors.times(powers.expression());
       sum.add(term.factor, factors, term.imaginary);

@@ -44,8 +44,14 @@ Equation observed_frequency(const CanonicalModel& model, const CanonicalCase& re
 /// Frequency of the mode's oscillation as it is observed.
 Expression observed_frequency_symbol(const CanonicalModel& model, std::size_t mode);
 
-/// Name = definition.
-Equation lump_definition(const CanonicalModel& model, const CanonicalLump& lump);
+/// Powers of amplitudes and forcing.
+Expression monomial(const CanonicalModel& model, const CanonicalPowers& powers);
+
+/// The lump's name; c, d, p or q with mode and monomial as subscripts where the derivation made the name up.
+Expression lump_symbol(const CanonicalModel& model, const CanonicalCase& resonance, std::size_t lump);
+
+/// Symbol = definition.
+Equation lump_definition(const CanonicalModel& model, const CanonicalCase& resonance, std::size_t lump);
 
 /// (rate - i*omega0)*A = ..., or the hat of a coordinate = ..., linear in the lumps.
 Equation block_equation(const CanonicalModel& model, const CanonicalCase& resonance, const CanonicalBlock& block);
