@@ -103,9 +103,8 @@ class Writer {
         text({v, " is ", first_harmonic(k), " plus its conjugate; there are no further harmonics."});
         continue;
       }
-      text({v, " is ", first_harmonic(k),
-            " plus the harmonics below, plus the complex conjugate of all of them (one of each conjugate pair is "
-            "listed; a constant is listed whole)."});
+      text({v, " is the sum of ", first_harmonic(k),
+            " and the harmonics below, each with its complex conjugate; a constant stands for itself."});
       Table table{{"Order", "Harmonic", "Coefficient"}, {}};
       for (const CanonicalTerm& term : c.harmonics[k])
         table.rows.push_back({power(symbol("eps"), term.order), harmonic(model_, term.powers.phase),

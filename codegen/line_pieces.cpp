@@ -8,10 +8,13 @@ namespace {
 
 using Kind = Expression::Kind;
 
-constexpr double digit = 0.5, letter = 0.6, bracket_width = 0.6, binary_operator = 1.25, script_scale = 0.72;
+constexpr double thin_space = 0.17, fixed_pitch = 0.53, digit = 0.5, letter = 0.6, bracket_width = 0.6,
+                 binary_operator = 1.25, script_scale = 0.72;
 
 double name_width(const SymbolName& name) {
-  const double wide = name.base.kind == NamePart::Kind::number ? digit : letter;
+  const double wide = name.base.kind == NamePart::Kind::number     ? digit
+                      : name.base.kind == NamePart::Kind::verbatim ? fixed_pitch
+                                                                   : letter;
   const bool one_sign = name.base.kind == NamePart::Kind::letter || name.base.kind == NamePart::Kind::greek;
   double width = one_sign ? letter : wide * static_cast<double>(name.base.text.size());
   for (const SymbolName& subscript : name.subscripts) width += script_scale * (name_width(subscript) + 0.1);
@@ -23,7 +26,7 @@ class Cutter {
   explicit Cutter(double widest) : widest_(widest) {}
 
   void sum(const Expression& formula) {
-    if (formula.kind != Kind::sum) return term(formula);
+    if (formula.kind != Kind::sum) return term(formula, widest_);
     for (std::size_t i = 0; i < formula.parts.size(); ++i) {
       const bool negative = formula.negative[i];
       if (i > 0) {
@@ -32,7 +35,7 @@ class Cutter {
       } else if (negative) {
         add({Element::Kind::minus, {}, false, 1}, binary_operator);
       }
-      term(formula.parts[i]);
+      term(formula.parts[i], widest_);
     }
   }
 
@@ -51,22 +54,33 @@ class Cutter {
     add({Element::Kind::close, {}, tall, exponent}, bracket_width);
   }
 
-  void term(const Expression& formula) {
+  void term(const Expression& formula, double limit) {
     const double width = estimated_width(formula);
-    if (width <= widest_) return add({Element::Kind::expression, formula, false, 1}, width);
+    if (width <= limit) return add({Element::Kind::expression, formula, false, 1}, width);
     if (formula.kind == Kind::product) {
-      for (const Expression& factor : formula.parts) term(factor);
+      // A factor stays whole where the others leave room for it.
+      for (const Expression& factor : formula.parts)
+        term(factor, std::max(widest_ / 4, limit - (width - estimated_width(factor))));
     } else if (formula.kind == Kind::bracket) {
       opened(formula.parts[0], 1);
     } else if (formula.kind == Kind::power && formula.parts[0].kind == Kind::bracket) {
       opened(formula.parts[0].parts[0], formula.exponent);
-    } else if (formula.kind == Kind::fraction && formula.parts[0].kind == Kind::sum) {
-      term(fraction(number(1), formula.parts[1]));
-      opened(formula.parts[0], 1);
+    } else if (formula.kind == Kind::fraction) {
+      opened_fraction(formula.parts[0], formula.parts[1], limit);
     } else if (formula.kind == Kind::sum) {
       opened(formula, 1);
     } else {
       add({Element::Kind::expression, formula, false, 1}, width);
+    }
+  }
+
+  void opened_fraction(const Expression& above, const Expression& below, double limit) {
+    if (estimated_width(fraction(number(1), below)) > limit) {
+      if (above != number(1)) term(above.kind == Kind::sum ? bracket(above) : above, limit);
+      opened(below, -1);
+    } else {
+      if (above != number(1)) term(fraction(number(1), below), limit);
+      term(above.kind == Kind::sum ? bracket(above) : above, limit);
     }
   }
 
@@ -94,6 +108,8 @@ double estimated_width(const Expression& formula) {
     }
     case Kind::accent:
     case Kind::product:
+      for (std::size_t i = 1; i < formula.parts.size(); ++i)
+        if (is_word(formula.parts[i - 1]) || is_word(formula.parts[i])) parts += thin_space;
       return parts;
     case Kind::fraction:
       return std::max(estimated_width(formula.parts[0]), estimated_width(formula.parts[1])) + 0.3;

@@ -23,7 +23,8 @@ struct Piece {
 };
 
 /// The formula cut where lines may break: before the terms of its sum. A term wider than `widest` em is itself
-/// opened up: its bracket is cut, a fraction with a long numerator is written 1/denominator times a bracket.
+/// opened up: its bracket is cut, a fraction with a long numerator is written 1/denominator times a
+/// bracket, one with a long denominator numerator times bracket to the power -1.
 std::vector<Piece> line_pieces(const Expression& formula, double widest);
 
 /// Estimated width in em of the surrounding text.
