@@ -130,15 +130,13 @@ class Writer {
 
   void observed(const CanonicalCase& c) {
     section("Observed frequencies");
-    text({"In the frame that turns with these frequencies the equations do not depend on time."});
+    text(
+        {"In the frame that turns with these frequencies the equations for the amplitudes B do not "
+         "depend on time."});
     equation_of_each_mode([&](std::size_t k) { return observed_frequency(model_, c, k); });
+    equation_of_each_mode([&](std::size_t k) { return frame_amplitude(model_, c, k); });
     section("Cartesian form");
-    text({"In that frame the amplitude is half of the following."});
-    equation_of_each_mode([&](std::size_t k) {
-      const Expression imaginary = Product().times(constant("i")).times(named("y", model_, k)).expression();
-      return Equation{Product().times(number(2)).times(amplitude(model_, k)).expression(),
-                      Sum(model_.order).add(named("x", model_, k), false).add(imaginary, false).expression()};
-    });
+    equation_of_each_mode([&](std::size_t k) { return cartesian_amplitude(model_, k); });
     equation_pair_of_each_mode([&](std::size_t k) { return cartesian_modulation(model_, c, k); });
   }
 
@@ -177,7 +175,9 @@ class Writer {
     section("Equations linear in the lumps");
     text(
         {"The rate is the logarithmic derivative of the observed fundamental harmonic; a hat marks the complex "
-         "coefficient of the harmonic whose frequency stands behind it."});
+         "coefficient of the harmonic whose frequency stands behind it; what coincides in the observed frame is "
+         "one "
+         "harmonic."});
     std::vector<Equation> list;
     for (const CanonicalBlock& block : c.blocks) list.push_back(block_equation(model_, c, block));
     equations(std::move(list));

@@ -12,22 +12,21 @@
 namespace secular::typeset {
 namespace {
 
-Expression conjugate(const CanonicalModel& model, std::size_t mode) {
-  return accent("bar", amplitude(model, mode));
-}
-
 Product& multiply_forcing(Product& product, const CanonicalModel& model, const std::vector<int>& forcing) {
   for (std::size_t j = 0; j < model.excitations.size(); ++j)
     product.times(symbol(model.excitations[j]), forcing[j]);
   return product;
 }
 
-Product powers_product(const CanonicalModel& model, const CanonicalPowers& powers) {
+// `letter` names the amplitudes: A, or B in the observed frame.
+Product powers_product(const CanonicalModel& model, const CanonicalPowers& powers,
+                       const std::string& letter = "A") {
   Product product;
   for (std::size_t k = 0; k < model.coordinates.size(); ++k) {
-    product.times(amplitude(model, k), powers.amplitude[k]);
-    product.times(conjugate(model, k), powers.conjugate[k]);
-    product.times(modulus(amplitude(model, k)), powers.modulus[k]);
+    const Expression one = named(letter, model, k);
+    product.times(one, powers.amplitude[k]);
+    product.times(accent("bar", one), powers.conjugate[k]);
+    product.times(modulus(one), powers.modulus[k]);
   }
   return multiply_forcing(product, model, powers.forcing);
 }
@@ -267,6 +266,23 @@ std::pair<Equation, Equation> cartesian_modulation(const CanonicalModel& model, 
           {rate_of(y), cartesian_sum(model, std::move(y_sum), cartesian.y_rate)}};
 }
 
+Equation frame_amplitude(const CanonicalModel& model, const CanonicalCase& resonance, std::size_t mode) {
+  std::vector<CanonicalRatio> backwards = frame_offset(resonance, mode);
+  for (CanonicalRatio& multiple : backwards) multiple.numerator = -multiple.numerator;
+  Product right;
+  right.times(amplitude(model, mode));
+  if (const Sum turning = frequency_sum(model, backwards); !turning.empty())
+    right.times(
+        exponential(Product().times(constant("i")).times(turning.expression()).times(symbol("t")).expression()));
+  return {named("B", model, mode), right.expression()};
+}
+
+Equation cartesian_amplitude(const CanonicalModel& model, std::size_t mode) {
+  const Expression imaginary = Product().times(constant("i")).times(named("y", model, mode)).expression();
+  const Expression sum = Sum(model.order).add(named("x", model, mode), false).add(imaginary, false).expression();
+  return {named("B", model, mode), fraction(sum, number(2))};
+}
+
 Expression observed_frequency_symbol(const CanonicalModel& model, std::size_t mode) {
   return model.coordinates.size() == 1 ? symbol("omega_obs") : symbol("omega_obs_" + model.coordinates[mode]);
 }
@@ -310,7 +326,7 @@ Equation block_equation(const CanonicalModel& model, const CanonicalCase& resona
     for (const CanonicalColumnTerm& term : column.terms) {
       Product factors;
       factors.times(lump_symbol(model, resonance, column.lump));
-      const Product powers = powers_product(model, term.powers);
+      const Product powers = powers_product(model, term.powers, "B");
       if (!powers.empty()) factors.times(powers.expression());
       sum.add(term.factor, factors, term.imaginary);
     }
@@ -323,7 +339,7 @@ Equation block_equation(const CanonicalModel& model, const CanonicalCase& resona
   const Expression natural =
       Product().times(constant("i")).times(symbol(model.natural_frequencies[block.mode])).expression();
   const Expression distance = Sum(model.order).add(symbol("rate"), false).add(natural, true).expression();
-  return {Product().times(distance).times(amplitude(model, block.mode)).expression(), sum.expression()};
+  return {Product().times(distance).times(named("B", model, block.mode)).expression(), sum.expression()};
 }
 
 std::vector<Equation> steady_equations(const CanonicalModel& model, const CanonicalCase& resonance) {

@@ -20,7 +20,7 @@ Expression phase_sum(const CanonicalModel& model, const std::vector<int>& phase)
 /// exp(i*phase*t); 1 for phase zero.
 Expression harmonic(const CanonicalModel& model, const std::vector<int>& phase);
 
-/// A, its conjugate, a, x, y of one mode.
+/// A, and other quantities of one mode: a, beta, B, x, y.
 Expression amplitude(const CanonicalModel& model, std::size_t mode);
 Expression named(const std::string& letter, const CanonicalModel& model, std::size_t mode);
 
@@ -33,6 +33,12 @@ Equation complex_modulation(const CanonicalModel& model, const CanonicalCase& re
 /// da/dt = ..., a*dbeta/dt = ...
 std::pair<Equation, Equation> polar_modulation(const CanonicalModel& model, const CanonicalCase& resonance,
                                                std::size_t mode);
+
+/// B = A*exp(i*(omega0 - omega_obs)*t): the amplitude in the observed frame.
+Equation frame_amplitude(const CanonicalModel& model, const CanonicalCase& resonance, std::size_t mode);
+
+/// B = (x + i*y)/2.
+Equation cartesian_amplitude(const CanonicalModel& model, std::size_t mode);
 
 /// dx/dt = ..., dy/dt = ... in the observed frame.
 std::pair<Equation, Equation> cartesian_modulation(const CanonicalModel& model, const CanonicalCase& resonance,
@@ -53,7 +59,7 @@ Expression lump_symbol(const CanonicalModel& model, const CanonicalCase& resonan
 /// Symbol = definition.
 Equation lump_definition(const CanonicalModel& model, const CanonicalCase& resonance, std::size_t lump);
 
-/// (rate - i*omega0)*A = ..., or the hat of a coordinate = ..., linear in the lumps.
+/// (rate - i*omega0)*B = ..., or the hat of a coordinate = ..., linear in the lumps.
 Equation block_equation(const CanonicalModel& model, const CanonicalCase& resonance, const CanonicalBlock& block);
 
 /// Decay law and backbone, or the frequency response, of a model of one mode; empty where the phase cannot be

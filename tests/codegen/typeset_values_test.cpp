@@ -129,6 +129,7 @@ Values random_values(const CanonicalModel& model, const CanonicalCase& c, double
   for (std::size_t k = 0; k < model.coordinates.size(); ++k) {
     const double a = draw(random), beta = draw(random);
     values.set(typeset::amplitude(model, k), std::polar(a / 2, beta));
+    values.set(typeset::named("B", model, k), std::polar(a / 2, beta));  // at time 0
     values.set(typeset::named("a", model, k), a);
     values.set(typeset::named("beta", model, k), beta);
     values.set(typeset::named("x", model, k), a * std::cos(beta));
@@ -164,6 +165,8 @@ void check_case(const CanonicalModel& model, const CanonicalCase& c) {
     const double offset =
         (right(typeset::observed_frequency(model, c, k), start) - start[model.natural_frequencies[k]]).real();
     const Complex in_frame = 2.0 * (rate(start) - Complex(0, offset) * amplitude);
+    expect_near(right(typeset::frame_amplitude(model, c, k), start), amplitude, where + ", frame");
+    expect_near(right(typeset::cartesian_amplitude(model, k), start), amplitude, where + ", x + i y");
     const auto [x_rate, y_rate] = typeset::cartesian_modulation(model, c, k);
     expect_near(right(x_rate, start), in_frame.real(), where + ", x");
     expect_near(right(y_rate, start), in_frame.imag(), where + ", y");
