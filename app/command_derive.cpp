@@ -6,12 +6,24 @@
 
 #include "app/commands.hpp"
 #include "app/shipped_models.hpp"
+#include "codegen/print_html.hpp"
 #include "codegen/print_json.hpp"
+#include "codegen/print_latex.hpp"
 #include "codegen/print_text.hpp"
 #include "perturb/model.hpp"
 #include "report/whole_file.hpp"
 
 namespace secular::app {
+namespace {
+
+std::string derivation(const CanonicalModel& model, const std::string& format) {
+  if (format == "json") return derivation_json(model);
+  if (format == "latex") return derivation_latex(model);
+  if (format == "html") return derivation_html(model);
+  return derivation_text(model);
+}
+
+}  // namespace
 
 void add_derive_command(CLI::App& root, Action& chosen) {
   struct Options {
@@ -24,19 +36,21 @@ void add_derive_command(CLI::App& root, Action& chosen) {
       "Expansion, solvability, modulation equations, frequency response, lumps and certificate of a model");
   command->add_option("MODEL", options->model, "model file, or the name of a shipped model")->required();
   command->add_option("--case", options->resonance, "one resonance case; all without it");
-  command->add_option("--format", options->format, "text or json")
-      ->check(CLI::IsMember({"text", "json"}))
+  command
+      ->add_option("--format", options->format,
+                   "text, json, latex (a document that needs amsmath only) or html (a page by itself)")
+      ->check(CLI::IsMember({"text", "json", "latex", "html"}))
       ->capture_default_str();
   command->add_flag("--json", options->json, "same as --format json");
   command->add_option("-o,--output", options->output, "file to write; standard output without it");
   command->footer(
       "Exit status 1 if a certificate does not hold.\n"
-      "Example: secular derive two_mass_mode1 --case principal_parametric");
+      "Examples: secular derive two_mass_mode1 --case principal_parametric\n"
+      "          secular derive pendulum --format html -o pendulum.html");
   command->callback([options, &chosen] {
     chosen = [options] {
       const CanonicalModel model = canonical_model(read_model(resolve_model(options->model)), options->resonance);
-      const bool json = options->json || options->format == "json";
-      const std::string text = json ? derivation_json(model) : derivation_text(model);
+      const std::string text = derivation(model, options->json ? "json" : options->format);
       if (options->output.empty())
         fmt::print("{}", text);
       else

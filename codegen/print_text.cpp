@@ -52,13 +52,19 @@ std::string column_sum(const CanonicalModel& model, const CanonicalCase& c, cons
   return sum.empty() ? "0" : sum;
 }
 
+// The slow phase of a relation but for its integer multiple.
+std::string slow_angle(const CanonicalRelation& relation) {
+  const int divisor = relation.coefficient.denominator;
+  return relation.detuning + "*t" + (divisor == 1 ? "" : "/" + std::to_string(divisor));
+}
+
 std::string slow_exponential(const CanonicalCase& c, const CanonicalPowers& powers) {
   std::string angle;
   for (std::size_t r = 0; r < c.relations.size(); ++r) {
     if (powers.slow_phase[r] == 0 || c.relations[r].detuning.empty()) continue;
     const int n = powers.slow_phase[r] * c.relations[r].coefficient.numerator;
-    angle += fmt::format("{}{}{}*t", n < 0 ? "-" : (angle.empty() ? "" : "+"),
-                         std::abs(n) == 1 ? "" : std::to_string(std::abs(n)) + "*", c.relations[r].detuning);
+    angle += fmt::format("{}{}{}", n < 0 ? "-" : (angle.empty() ? "" : "+"),
+                         std::abs(n) == 1 ? "" : std::to_string(std::abs(n)) + "*", slow_angle(c.relations[r]));
   }
   return angle.empty()
              ? ""
@@ -86,7 +92,7 @@ std::string polar_angle(const CanonicalModel& model, const CanonicalCase& c, con
   };
   for (std::size_t r = 0; r < c.relations.size(); ++r)
     if (!c.relations[r].detuning.empty())
-      add(term.slow_phase[r] * c.relations[r].coefficient.numerator, c.relations[r].detuning + "*t");
+      add(term.slow_phase[r] * c.relations[r].coefficient.numerator, slow_angle(c.relations[r]));
   for (std::size_t k = 0; k < model.coordinates.size(); ++k) add(term.beta[k], "beta_" + model.coordinates[k]);
   return angle;
 }

@@ -76,6 +76,9 @@ TEST_F(CommandLine, DerivePrintsCertifiedEquations) {
     EXPECT_NE(outcome.output.find(part), std::string::npos) << part;
   const Outcome json = run("derive pendulum --json");
   EXPECT_TRUE(nlohmann::json::parse(json.output)["cases"][0]["certificate"]["holds"].get<bool>());
+  EXPECT_NE(run("derive pendulum --format latex").output.find("\\end{document}"), std::string::npos);
+  EXPECT_NE(run("derive pendulum --format html").output.find("</math>"), std::string::npos);
+  expect_bad_input(run("derive pendulum --format pdf"), "latex");
   expect_bad_input(run("derive two_mass_mode1 --case resonance"), "principal_parametric");
   expect_bad_input(run("derive no_such_model"), "two_mass_mode1");
 }
