@@ -19,10 +19,18 @@ namespace {
 
 constexpr const char* channel_form = "--channel NAME:ROLE:QUANTITY:UNIT, for example theta:response:angle:rad";
 
-std::string listed(const std::vector<std::string>& names) {
+using Variables = std::vector<DataVariable>;
+
+std::string listed(const Variables& variables) {
   std::string list;
-  for (std::size_t i = 0; i < names.size() && i < 20; ++i) list += (i ? ", " : "") + names[i];
-  return list + (names.size() > 20 ? fmt::format(" and {} more", names.size() - 20) : "");
+  for (std::size_t i = 0; i < variables.size() && i < 20; ++i) list += (i ? ", " : "") + variables[i].name;
+  return list + (variables.size() > 20 ? fmt::format(" and {} more", variables.size() - 20) : "");
+}
+
+const DataVariable* find(const Variables& variables, const std::string& name) {
+  const auto found =
+      std::find_if(variables.begin(), variables.end(), [&](const DataVariable& v) { return v.name == name; });
+  return found == variables.end() ? nullptr : &*found;
 }
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -34,48 +42,94 @@ struct DescribedChannel {
   std::string variable;  // of the files
 };
 
-// NAME may hold colons and, where the file has such a variable, equals signs: the last three fields are fixed.
-DescribedChannel parse_channel(const std::string& text, const std::vector<std::string>& variables,
+// Takes ":LAST" off the end of `text`; false if there is no colon.
+bool take_last_field(std::string& text, std::string& field) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos) return false;
+  field = text.substr(colon + 1);
+  text.resize(colon);
+  return true;
+}
+
+// NAME may hold colons and, where the file has such a variable, equals signs: the fields behind it are fixed.
+DescribedChannel named_channel(const std::string& option, const std::string& name, const Variables& variables,
                                const std::string& file) {
-  const std::string option = "--channel " + text;
-  std::vector<std::string> fields;
-  std::string name = text;
-  for (int i = 0; i < 3; ++i) {
-    const std::size_t colon = name.rfind(':');
-    if (colon == std::string::npos)
-      throw InputError(option, "", fmt::format("has {} of four fields", fields.size() + 1), channel_form);
-    fields.insert(fields.begin(), name.substr(colon + 1));
-    name.resize(colon);
-  }
-  DescribedChannel described{{name, ChannelRole::response, Quantity::acceleration, fields[2]}, name};
+  DescribedChannel described{{name, ChannelRole::response, Quantity::acceleration, ""}, name};
   const std::size_t equals = name.find('=');
-  if (!contains(variables, name) && equals != std::string::npos) {
+  if (!find(variables, name) && equals != std::string::npos) {
     described.channel.name = name.substr(0, equals);
     described.variable = name.substr(equals + 1);
   }
-  if (!contains(variables, described.variable))
+  if (!find(variables, described.variable))
     throw InputError(option, "", fmt::format("{} has no variable '{}'", file, described.variable),
                      "its variables are " + listed(variables));
   if (const std::string fault = channel_name_fault(described.channel.name); !fault.empty())
     throw InputError(option, "name", fault, "write NEWNAME=VARIABLE:ROLE:QUANTITY:UNIT to rename it");
-  const auto role = parse_role(fields[0]);
-  if (!role) throw InputError(option, "role", "is '" + fields[0] + "'", "excitation or response was expected");
-  const auto quantity = parse_quantity(fields[1]);
+  return described;
+}
+
+// NAME:ROLE, where the file itself says quantity and unit.
+DescribedChannel short_channel(const std::string& text, ChannelRole role, const std::string& name,
+                               const Variables& variables, const std::string& file) {
+  const std::string option = "--channel " + text;
+  DescribedChannel described = named_channel(option, name, variables, file);
+  const DataVariable& variable = *find(variables, described.variable);
+  if (!variable.quantity)
+    throw InputError(option, "",
+                     variable.stated_unit.empty()
+                         ? fmt::format("{} does not say what '{}' measures and in which unit", file, variable.name)
+                         : fmt::format("{} gives '{}' the unit '{}', which does not say what it measures", file,
+                                       variable.name, variable.stated_unit),
+                     std::string("give ") + channel_form);
+  described.channel.role = role;
+  described.channel.quantity = *variable.quantity;
+  described.channel.unit = variable.unit;
+  return described;
+}
+
+DescribedChannel parse_channel(const std::string& text, const Variables& variables, const std::string& file) {
+  const std::string option = "--channel " + text;
+  std::string name = text, role_text, quantity_text, unit;
+  if (std::string last, before = text; take_last_field(before, last))
+    if (const auto role = parse_role(last)) return short_channel(text, *role, before, variables, file);
+  int fields = 1;
+  for (std::string* field : {&unit, &quantity_text, &role_text}) {
+    if (!take_last_field(name, *field))
+      throw InputError(option, "", fmt::format("has {} of four fields", fields), channel_form);
+    ++fields;
+  }
+  DescribedChannel described = named_channel(option, name, variables, file);
+  const auto role = parse_role(role_text);
+  if (!role) throw InputError(option, "role", "is '" + role_text + "'", "excitation or response was expected");
+  const auto quantity = parse_quantity(quantity_text);
   if (!quantity)
-    throw InputError(option, "quantity", "is '" + fields[1] + "'", std::string(quantity_list) + " was expected");
+    throw InputError(option, "quantity", "is '" + quantity_text + "'",
+                     std::string(quantity_list) + " was expected");
   described.channel.role = *role;
   described.channel.quantity = *quantity;
-  if (const std::string fault = unit_fault(*quantity, fields[2]); !fault.empty())
+  described.channel.unit = unit;
+  if (const std::string fault = unit_fault(*quantity, unit); !fault.empty())
     throw InputError(option, "unit", fault);
   return described;
 }
 
-std::vector<DescribedChannel> describe_channels(const ImportOptions& options,
-                                                const std::vector<std::string>& variables) {
+// What the files say of their channels, and how to say the rest.
+[[noreturn]] void ask_for_channels(const std::string& file, const Variables& variables) {
+  const auto stated = std::find_if(variables.begin(), variables.end(),
+                                   [](const DataVariable& v) { return v.quantity.has_value(); });
+  const std::string wrong = "no channel of it is described: its variables are " + listed(variables);
+  if (stated == variables.end())
+    throw InputError(file, "", wrong, std::string("give for each channel ") + channel_form);
+  throw InputError(
+      file, "", wrong,
+      fmt::format("give for each channel --channel NAME:ROLE, for example {}:response ({} in {}, as the "
+                  "file says), or --channel NAME:ROLE:QUANTITY:UNIT where the file does not say it",
+                  stated->name, to_string(*stated->quantity), stated->unit));
+}
+
+std::vector<DescribedChannel> describe_channels(const ImportOptions& options, const Variables& variables) {
   const std::string file = options.files.front().string();
-  if (options.channels.empty())
-    throw InputError(file, "", "no channel of it is described: its variables are " + listed(variables),
-                     std::string("give for each channel ") + channel_form);
+  if (options.channels.empty()) ask_for_channels(file, variables);
   std::vector<DescribedChannel> described;
   std::set<std::string> names;
   bool any_response = false;
@@ -91,15 +145,14 @@ std::vector<DescribedChannel> describe_channels(const ImportOptions& options,
 }
 
 // The variable that holds time, or empty where --sample-rate stands for it.
-std::string time_variable(const ImportOptions& options, const std::vector<std::string>& variables,
-                          const std::string& file) {
+std::string time_variable(const ImportOptions& options, const Variables& variables, const std::string& file) {
   if (!options.time.empty()) {
-    if (contains(variables, options.time)) return options.time;
+    if (find(variables, options.time)) return options.time;
     throw InputError("--time " + options.time, "", fmt::format("{} has no such variable", file),
                      "its variables are " + listed(variables));
   }
   if (options.sample_rate_hz) return {};
-  if (contains(variables, "t")) return "t";
+  if (find(variables, "t")) return "t";
   throw InputError(file, "", "what its time is, is not known: its variables are " + listed(variables),
                    "name the variable with --time NAME, or give --sample-rate HZ");
 }
@@ -162,7 +215,12 @@ Record read_file(const std::filesystem::path& path, const std::vector<DescribedC
   const std::string& first = time.empty() ? channels.front().variable : time;
   const std::size_t count = data.vector(first).values.size();
   for (const DescribedChannel& described : channels) {
-    record.channels.push_back(data.vector(described.variable).values);
+    const DataVariable& variable = data.vector(described.variable);
+    if (const std::string fault = quantity_fault(variable, described.channel.quantity); !fault.empty())
+      throw InputError(
+          data.file, "variable " + variable.name, fault,
+          fmt::format("--channel {} says {}", described.channel.name, to_string(described.channel.quantity)));
+    record.channels.push_back(variable.values);
     if (record.channels.back().size() != count)
       throw InputError(data.file, "variable " + described.variable,
                        fmt::format("has {} samples, {} has {}", record.channels.back().size(), first, count),
@@ -180,7 +238,7 @@ ImportedCampaign import_files(const ImportOptions& options) {
     throw InputError("--sample-rate", "", "is not positive", "a rate in Hz was expected");
   if (options.ensemble_s && (!std::isfinite(*options.ensemble_s) || *options.ensemble_s <= 0))
     throw InputError("--ensemble", "", "is not positive", "a duration in seconds was expected");
-  const std::vector<std::string> variables = data_variable_names(options.files.front());
+  const Variables variables = describe_data_file(options.files.front());
   const std::vector<DescribedChannel> channels = describe_channels(options, variables);
   const std::string time = time_variable(options, variables, options.files.front().string());
   const RecordKind kind = record_kind(options.kind);
@@ -189,11 +247,14 @@ ImportedCampaign import_files(const ImportOptions& options) {
   Campaign& campaign = imported.campaign;
   campaign.name = options.name.empty() ? options.files.front().stem().string() : options.name;
   for (const DescribedChannel& described : channels) campaign.channels.push_back(described.channel);
-  for (const std::string& variable : variables) {
-    const bool used =
-        variable == time || std::any_of(channels.begin(), channels.end(),
-                                        [&](const DescribedChannel& d) { return d.variable == variable; });
-    if (!used) imported.left_out.push_back(variable);
+  for (const DataVariable& variable : variables) {
+    const auto channel = std::find_if(channels.begin(), channels.end(),
+                                      [&](const DescribedChannel& d) { return d.variable == variable.name; });
+    if (channel == channels.end()) {
+      if (variable.name != time) imported.left_out.push_back(variable.name);
+    } else if (!variable.unit.empty() && variable.stated_unit != variable.unit) {
+      imported.converted.push_back({channel->channel.name, variable.stated_unit, variable.unit});
+    }
   }
   std::set<std::string> taken;
   for (std::size_t f = 0; f < options.files.size(); ++f) {
