@@ -278,7 +278,7 @@ void add_inspect_command(CLI::App& root, Action& chosen) {
   auto options = std::make_shared<Options>();
   CLI::App* command = root.add_subcommand(
       "inspect", "What a campaign or file holds: channels, units, records, levels, noise, faults found");
-  command->add_option("CAMPAIGN_OR_FILE", options->path, "campaign folder, or CSV, MAT, UFF 58 or WAV file")
+  command->add_option("CAMPAIGN_OR_FILE", options->path, "campaign folder, or CSV, MAT, HDF5, UFF 58 or WAV file")
       ->required();
   command->add_flag("--json", options->json, "the same as JSON");
   command->footer(

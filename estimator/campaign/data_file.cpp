@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "estimator/campaign/hdf5_file.hpp"
 #include "estimator/campaign/mat_file.hpp"
 #include "estimator/campaign/uff_file.hpp"
 #include "estimator/campaign/uff_variables.hpp"
@@ -26,21 +27,20 @@ std::string lower_extension(const fs::path& path) {
   return extension;
 }
 
-enum class Format { csv, mat, uff, wav };
+enum class Format { csv, mat, hdf5, uff, wav };
 
 Format format_of(const fs::path& path) {
   const std::string expected = fmt::format("a {} file was expected", data_formats);
   std::error_code ignored;
   if (!fs::exists(path, ignored)) throw InputError(path.string(), "", "does not exist", expected);
   if (!fs::is_regular_file(path, ignored)) throw InputError(path.string(), "", "is not a regular file", expected);
+  if (looks_like_hdf5(path)) return Format::hdf5;  // MAT v7.3 among them
   if (looks_like_mat(path)) return Format::mat;
   if (looks_like_uff(path)) return Format::uff;
   if (looks_like_wav(path)) return Format::wav;
   const std::string extension = lower_extension(path);
-  for (const char* other : {".h5", ".hdf5"})
-    if (extension == other)
-      throw InputError(path.string(), "", "is an HDF5 file, which is not supported yet",
-                       "export it as CSV or MAT v5");
+  for (const char* hierarchical : {".h5", ".hdf5", ".hdf"})
+    if (extension == hierarchical) return Format::hdf5;
   if (extension == ".mat") return Format::mat;
   for (const char* universal : {".uff", ".unv", ".uf", ".bunv"})
     if (extension == universal) return Format::uff;
@@ -48,9 +48,9 @@ Format format_of(const fs::path& path) {
   return Format::csv;
 }
 
-DataFile read_mat_file(const fs::path& path, const std::vector<std::string>& wanted) {
-  DataFile data{path.string(), "MAT v5", {}, {"element", 1}};
-  for (MatVariable& variable : read_mat(path, wanted))
+DataFile with_variables(const fs::path& path, const char* format, std::vector<MatVariable> variables) {
+  DataFile data{path.string(), format, {}, {"element", 1}};
+  for (MatVariable& variable : variables)
     data.variables.push_back({std::move(variable.path), std::move(variable.shape), std::move(variable.type),
                               std::move(variable.values), std::move(variable.fault)});
   return data;
@@ -67,6 +67,19 @@ DataFile read_csv_file(const fs::path& path, const std::vector<std::string>& wan
     if (any) data.variables.back().values = std::move(values);
   }
   return data;
+}
+
+DataFile read_whole(const fs::path& path, Format format, const std::vector<std::string>& wanted) {
+  switch (format) {
+    case Format::hdf5:
+      return with_variables(path, looks_like_mat(path) ? "MAT v7.3" : "HDF5", read_hdf5(path, wanted));
+    case Format::uff:
+      return read_uff_variables(path, wanted);
+    case Format::wav:
+      return read_wav(path, wanted);
+    default:
+      return with_variables(path, "MAT v5", read_mat(path, wanted));
+  }
 }
 
 }  // namespace
@@ -100,9 +113,7 @@ const DataVariable& DataFile::vector(const std::string& name) const {
 DataFile read_data_file(const fs::path& path, const std::vector<std::string>& wanted, MissingNumbers missing) {
   const Format format = format_of(path);
   if (format == Format::csv) return read_csv_file(path, wanted, missing);
-  DataFile data = format == Format::mat   ? read_mat_file(path, wanted)
-                  : format == Format::uff ? read_uff_variables(path, wanted)
-                                          : read_wav(path, wanted);
+  DataFile data = read_whole(path, format, wanted);
   if (missing == MissingNumbers::keep_as_nan) return data;
   for (const DataVariable& variable : data.variables)
     for (std::size_t i = 0; i < variable.values.size(); ++i)

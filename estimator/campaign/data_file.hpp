@@ -12,8 +12,8 @@
 
 namespace secular {
 
-/// A named variable of a data file: a column of a CSV, a numeric variable of a MAT file, a channel of a UFF or WAV
-/// file.
+/// A named variable of a data file: a column of a CSV, a numeric variable of a MAT or HDF5 file, a channel of a UFF
+/// or WAV file.
 struct DataVariable {
   std::string name;
   std::vector<std::size_t> shape;
@@ -31,7 +31,7 @@ std::string quantity_fault(const DataVariable& variable, Quantity quantity);
 /// What a data file holds.
 struct DataFile {
   std::string file;
-  std::string format;  ///< "CSV", "MAT v5", "UFF 58", "WAV"
+  std::string format;  ///< "CSV", "MAT v5", "MAT v7.3", "HDF5", "UFF 58", "WAV"
   std::vector<DataVariable> variables;
   RowPlace place;
 
@@ -49,7 +49,7 @@ DataFile read_data_file(const std::filesystem::path& path, const std::vector<std
                         MissingNumbers missing = MissingNumbers::refuse);
 
 /// The formats, as messages name them.
-inline constexpr const char* data_formats = "CSV, MAT, UFF 58 or WAV";
+inline constexpr const char* data_formats = "CSV, MAT, HDF5, UFF 58 or WAV";
 
 /// The variables that `read_data_file` would find, without their values.
 std::vector<DataVariable> describe_data_file(const std::filesystem::path& path);

@@ -187,7 +187,7 @@ TEST_F(CampaignFolder, FormatsAreToldByContentAndByName) {
            {"a.uff", "x", "is no delimiter"},
            {"a.UNV", "x", "is no delimiter"},
            {"a.wav", "x", "not the begin of a WAV file"},
-           {"a.h5", "x", "not supported yet"},
+           {"a.h5", "x", "is not an HDF5 file"},
            {"a.csv", "    -1\r\n   151\r\n    -1\r\n", "is a universal file without a data set 58"}}) {
     write("c/" + name, text);
     store(toml("records/0001.csv", name));
@@ -197,7 +197,8 @@ TEST_F(CampaignFolder, FormatsAreToldByContentAndByName) {
   write("c/b.mat", "MATLAB 7.3 MAT-file" + std::string(600, ' '));
   store(toml("records/0001.csv", "b.mat"));
   const Campaign campaign = read_campaign(folder_ / "c");
-  EXPECT_TRUE(contains(refusal([&] { read_record(campaign, campaign.records.front()); }), "not supported yet"));
+  EXPECT_TRUE(contains(refusal([&] { read_record(campaign, campaign.records.front()); }),
+                       "the signature of HDF5 is missing"));
 }
 
 // Random bit patterns of finite doubles: every exponent, denormal numbers and signed zeros among them.
