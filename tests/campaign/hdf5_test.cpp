@@ -123,23 +123,23 @@ TEST_F(Hdf5, EveryStorageIsRead) {
       writer.add("single", {5000}, values, {H5T_IEEE_F32LE});
       writer.add("int16_be", {5000}, values, {H5T_STD_I16BE});
       writer.add("int32", {5000, 1}, values, {H5T_STD_I32LE, {64, 8}, true, true, true});
-      writer.add("row", {1, 5000}, values, {H5T_IEEE_F64LE, {1, 100}});
-      writer.add("deflated", {5000}, values, {H5T_IEEE_F64LE, {512}, true});
-      writer.add("compact", {20}, few, {H5T_IEEE_F64LE, {}, false, false, false, true});
-      writer.add("matrix", {4, 5}, few);
-      writer.add("scalar", {}, {7});
+      writer.add("more/row", {1, 5000}, values, {H5T_IEEE_F64LE, {1, 100}});
+      writer.add("more/deflated", {5000}, values, {H5T_IEEE_F64LE, {512}, true});
+      writer.add("more/compact", {20}, few, {H5T_IEEE_F64LE, {}, false, false, false, true});
+      writer.add("more/matrix", {4, 5}, few);
+      writer.add("more/scalar", {}, {7});
       writer.add_text("note", "second run");
     }
     const DataFile data = read_data_file(path());
     EXPECT_EQ(data.format, "HDF5");
     EXPECT_EQ(data.variables.size(), 10u);
     for (const char* const name :
-         {"contiguous", "run.a.big_endian", "single", "int16_be", "int32", "row", "deflated"})
+         {"contiguous", "run.a.big_endian", "single", "int16_be", "int32", "more.row", "more.deflated"})
       EXPECT_EQ(data.vector(name).values, values) << name;
-    EXPECT_EQ(data.vector("compact").values, few);
-    EXPECT_EQ(data.vector("scalar").values, Numbers{7});
+    EXPECT_EQ(data.vector("more.compact").values, few);
+    EXPECT_EQ(data.vector("more.scalar").values, Numbers{7});
     EXPECT_EQ(data.vector("int32").shape, (std::vector<std::size_t>{5000, 1}));
-    EXPECT_TRUE(contains(refusal([&] { data.vector("matrix"); }), "is a matrix"));
+    EXPECT_TRUE(contains(refusal([&] { data.vector("more.matrix"); }), "is a matrix"));
   }
 }
 
