@@ -56,6 +56,9 @@ std::optional<double> fortran_number(std::string_view text) {
   text = stripped(text);
   if (text.starts_with('+') && text.size() > 1 && text[1] != '-' && text[1] != '+') text.remove_prefix(1);
   if (text.empty() || text.size() > widest_number) return std::nullopt;
+  double value = 0;
+  const auto direct = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (direct.ec == std::errc() && direct.ptr == text.data() + text.size()) return value;
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   if (text.find_first_not_of('*') == std::string_view::npos || text.find(".#") != std::string_view::npos)
     return missing;
@@ -67,7 +70,6 @@ std::optional<double> fortran_number(std::string_view text) {
         (c == 'D' || c == 'd') && !plain.empty() && (is_digit(plain.back()) || plain.back() == '.');
     plain += exponent ? 'e' : c;
   }
-  double value = 0;
   const auto result = std::from_chars(plain.data(), plain.data() + plain.size(), value);
   if (result.ec == std::errc::invalid_argument || result.ptr != plain.data() + plain.size()) return std::nullopt;
   if (result.ec == std::errc::result_out_of_range) return std::strtod(plain.c_str(), nullptr);

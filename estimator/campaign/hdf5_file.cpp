@@ -143,9 +143,13 @@ class Walk {
     MatVariable found;
     found.path = path;
     found.shape.assign(object.shape->begin(), object.shape->end());
+    found.type = complex ? "complex " + type : type_name(*object.type);
     if (!type.empty()) std::reverse(found.shape.begin(), found.shape.end());  // MATLAB stores columns first
     if (found.shape.empty()) found.shape = {1};
-    found.type = complex ? "complex " + type : type_name(*object.type);
+    if (object.attributes.contains("MATLAB_empty")) {  // what is stored then is the shape
+      found.shape = {0, 0};
+      found.type = type;
+    }
     found.fault = vector_fault(object, complex);
     const bool read = wanted_.empty() || std::find(wanted_.begin(), wanted_.end(), path) != wanted_.end();
     if (read && found.fault.empty()) {

@@ -51,6 +51,7 @@ TEST_F(Mat73, ListsAndReadsNumericClasses) {
     EXPECT_EQ(data.vector("i64").type, "int64");
     EXPECT_TRUE(contains(refusal([&] { data.vector("m"); }), "variable m: is a matrix"));
     EXPECT_TRUE(contains(refusal([&] { data.vector("none"); }), "is empty"));
+    EXPECT_EQ(data.variables[4].type, "double");
   }
 }
 
