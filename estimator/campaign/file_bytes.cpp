@@ -51,8 +51,9 @@ std::string file_bytes(const std::filesystem::path& path) {
   return text;
 }
 
-std::string first_bytes(const std::filesystem::path& path, std::size_t count) {
+std::string some_bytes(const std::filesystem::path& path, std::size_t count, std::size_t begin) {
   std::ifstream stream(path, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(begin));
   std::string bytes(count, '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(count));
   bytes.resize(static_cast<std::size_t>(stream.gcount()));

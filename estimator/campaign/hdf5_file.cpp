@@ -19,9 +19,10 @@ constexpr std::size_t largest_user_block = 1 << 16;
 constexpr int deepest_group = 16;
 constexpr std::uint64_t smallest_object = 16;  // bytes
 
-std::optional<std::size_t> signature_place(std::string_view bytes) {
+// The signature stands at the begin or behind a user block of 512, 1024, ... bytes.
+std::optional<std::size_t> signature_place(const std::filesystem::path& path) {
   for (std::size_t at = 0; at <= largest_user_block; at = at == 0 ? 512 : 2 * at)
-    if (at < bytes.size() && bytes.substr(at).starts_with(signature)) return at;
+    if (some_bytes(path, signature.size(), at) == signature) return at;
   return std::nullopt;
 }
 
@@ -187,7 +188,7 @@ class Walk {
 std::vector<MatVariable> read_hdf5(const std::filesystem::path& path, const std::vector<std::string>& wanted) {
   const std::string bytes = file_bytes(path);
   const std::string file = path.string();
-  const std::optional<std::size_t> place = signature_place(bytes);
+  const std::optional<std::size_t> place = signature_place(path);
   if (!place)
     throw InputError(file, "", "is not an HDF5 file",
                      "the signature of HDF5 was expected at its begin or byte 513");
@@ -207,7 +208,7 @@ std::vector<MatVariable> read_hdf5(const std::filesystem::path& path, const std:
 }
 
 bool looks_like_hdf5(const std::filesystem::path& path) {
-  return signature_place(first_bytes(path, largest_user_block + signature.size())).has_value();
+  return signature_place(path).has_value();
 }
 
 }  // namespace secular

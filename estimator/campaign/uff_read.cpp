@@ -242,7 +242,7 @@ std::vector<UffFunction> read_uff(const std::filesystem::path& path) {
 }
 
 bool looks_like_uff(const std::filesystem::path& path) {
-  const std::string begin = first_bytes(path, 100);
+  const std::string begin = some_bytes(path, 100);
   const std::size_t end = begin.find('\n');
   return end != std::string::npos && is_uff_delimiter(std::string_view(begin).substr(0, end));
 }

@@ -123,7 +123,7 @@ DataFile read_wav(const std::filesystem::path& path, const std::vector<std::stri
 }
 
 bool looks_like_wav(const std::filesystem::path& path) {
-  const std::string begin = first_bytes(path, riff_head);
+  const std::string begin = some_bytes(path, riff_head);
   return begin.size() == riff_head && (begin.starts_with("RIFF") || begin.starts_with("RF64")) &&
          begin.substr(8) == "WAVE";
 }

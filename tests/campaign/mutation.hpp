@@ -5,6 +5,7 @@
 #include <random>
 #include <string>
 
+#include "tests/campaign/largest_allocation.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 
 namespace secular {
@@ -51,6 +52,7 @@ class Mutation : public TemporaryFolder {
     for (int round = 0; round < rounds; ++round) {
       const std::string text = damaged(valid);
       write(name, text);
+      take_largest_allocation();
       try {
         use();
         ++accepted_;
@@ -59,6 +61,8 @@ class Mutation : public TemporaryFolder {
       } catch (const std::exception& error) {
         FAIL() << "round " << round << ": " << error.what();
       }
+      // What a damaged header announces is not believed.
+      ASSERT_LE(take_largest_allocation(), 100 * text.size() + (1 << 16)) << "round " << round;
     }
     EXPECT_GT(refused_, rounds / 10);
   }
