@@ -39,7 +39,8 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 struct DescribedChannel {
   Channel channel;
-  std::string variable;  // of the files
+  std::string variable;          // of the files
+  bool stated_by_files = false;  // quantity and unit
 };
 
 // Takes ":LAST" off the end of `text`; false if there is no colon.
@@ -84,6 +85,7 @@ DescribedChannel short_channel(const std::string& text, ChannelRole role, const 
   described.channel.role = role;
   described.channel.quantity = *variable.quantity;
   described.channel.unit = variable.unit;
+  described.stated_by_files = true;
   return described;
 }
 
@@ -220,6 +222,10 @@ Record read_file(const std::filesystem::path& path, const std::vector<DescribedC
       throw InputError(
           data.file, "variable " + variable.name, fault,
           fmt::format("--channel {} says {}", described.channel.name, to_string(described.channel.quantity)));
+    if (described.stated_by_files && !variable.quantity)
+      throw InputError(data.file, "variable " + variable.name,
+                       "does not say quantity and unit, as the first file does",
+                       std::string("give ") + channel_form);
     record.channels.push_back(variable.values);
     if (record.channels.back().size() != count)
       throw InputError(data.file, "variable " + described.variable,

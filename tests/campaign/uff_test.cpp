@@ -361,6 +361,15 @@ TEST_F(UffImport, TheFilesUnitsAreTaken) {
   EXPECT_EQ(read_record(campaign, campaign.records[0]).channels, imported.samples[0].channels);
 }
 
+TEST_F(UffImport, EveryFileMustSayItsUnits) {
+  options("EU", {});
+  fs::rename(folder_ / "run.unv", folder_ / "second.unv");
+  ImportOptions made = options("g", {"tip:response"});
+  made.files.push_back(folder_ / "second.unv");
+  EXPECT_TRUE(contains(refusal([&] { import_files(made); }),
+                       "second.unv, variable tip: does not say quantity and unit, as the first file does"));
+}
+
 TEST_F(UffImport, WhatTheFileDoesNotSayIsAskedFor) {
   EXPECT_TRUE(contains(refusal([&] { import_files(options("g", {})); }),
                        "base:response (acceleration in m/s^2, as the file says)"));
