@@ -37,6 +37,9 @@ void print_json(const ImportedCampaign& imported, const ImportOptions& options, 
                                   {"start_s", imported.samples[r].start_s},
                                   {"duration_s", duration_s(imported.samples[r])}});
   summary["left_out"] = imported.left_out;
+  summary["converted"] = nlohmann::ordered_json::array();
+  for (const ConvertedChannel& channel : imported.converted)
+    summary["converted"].push_back({{"name", channel.name}, {"from", channel.from_unit}, {"to", channel.to_unit}});
   fmt::print("{}\n", summary.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
@@ -48,6 +51,8 @@ void print_text(const ImportedCampaign& imported, const std::string& folder) {
   for (std::size_t r = 0; r < campaign.records.size(); ++r)
     fmt::print("  {}: {} samples, {:.6g} s\n", campaign.records[r].file, imported.samples[r].samples(),
                duration_s(imported.samples[r]));
+  for (const ConvertedChannel& channel : imported.converted)
+    fmt::print("{}: '{}' in the file, {} in the campaign\n", channel.name, channel.from_unit, channel.to_unit);
   if (!imported.left_out.empty())
     fmt::print("left out, since no --channel names them: {}\n", fmt::join(imported.left_out, ", "));
   fmt::print("Next: secular inspect {}\n", folder);
@@ -64,13 +69,16 @@ void add_import_command(CLI::App& root, Action& chosen) {
   };
   auto options = std::make_shared<Options>();
   ImportOptions& import = options->import;
-  CLI::App* command = root.add_subcommand("import", "CSV and MAT v5 files to a campaign folder, one record a file");
-  command->add_option("FILE", options->files, "CSV or MAT v5 files, each a record")->required();
+  CLI::App* command =
+      root.add_subcommand("import", "CSV, MAT, HDF5, UFF 58 and WAV files to a campaign folder, one record a file");
+  command->add_option("FILE", options->files, "CSV, MAT, HDF5, UFF 58 or WAV files, each a record")->required();
   command->add_option("-o,--output", options->folder, "campaign folder to make")->required();
   command->add_option("--kind", import.kind, "dwell, sweep, free_decay, impact or broadband");
   command
-      ->add_option("--channel", import.channels,
-                   "NAME:ROLE:QUANTITY:UNIT of a variable, once for each channel; NAME=VARIABLE:... renames it")
+      ->add_option(
+          "--channel", import.channels,
+          "NAME:ROLE:QUANTITY:UNIT of a variable, once for each channel; NAME:ROLE where the file says the "
+          "rest; NAME=VARIABLE:... renames it")
       ->expected(1)
       ->take_all();
   command->add_option("--time", import.time, "variable that holds the time in seconds (default: t)");
@@ -92,6 +100,7 @@ void add_import_command(CLI::App& root, Action& chosen) {
       "ROLE: excitation or response. QUANTITY and UNIT: acceleration m/s^2, velocity m/s, displacement m, force "
       "N,\n"
       "voltage V, strain 1, angle rad. What a file does not say is asked for by the name of the option.\n"
+      "UFF files may say quantity and unit themselves: NAME:ROLE is enough then, and other units become SI.\n"
       "Example: secular import swing.mat -o swing --kind free_decay --time t --channel theta:response:angle:rad");
   command->callback([options, &chosen] {
     chosen = [options] {

@@ -13,6 +13,7 @@
 
 #include "app/commands.hpp"
 #include "estimator/campaign/campaign.hpp"
+#include "estimator/campaign/data_file.hpp"
 #include "estimator/campaign/inspection.hpp"
 #include "input/input_error.hpp"
 
@@ -133,6 +134,13 @@ void print_campaign(const std::filesystem::path& folder) {
   print_faults(faults);
 }
 
+// "m/s^2", "m/s^2 (from g)", "EU ?" for a unit that is not known.
+std::string shown_unit(const VariableInspection& variable) {
+  if (variable.unit.empty()) return variable.stated_unit.empty() ? "-" : variable.stated_unit + " ?";
+  if (variable.unit == variable.stated_unit) return variable.unit;
+  return fmt::format("{} (from {})", variable.unit, variable.stated_unit);
+}
+
 void print_file(const std::filesystem::path& path) {
   const FileInspection file = inspect_file(path);
   fmt::print("{}: {} with {}\n", path.string(), file.format, count(file.variables.size(), "numeric variable"));
@@ -142,22 +150,27 @@ void print_file(const std::filesystem::path& path) {
   }
   if (file.axis)
     fmt::print("time in {}, from {:.6g} s at {} Hz\n", file.time, file.axis->start_s, file.axis->sample_rate_hz);
-  std::vector<std::vector<std::string>> rows = {{"variable", "shape", "type"}};
+  std::vector<std::vector<std::string>> rows = {{"variable", "shape", "type", "unit"}};
   rows.front().insert(rows.front().end(), level_headings.begin(), level_headings.end());
-  std::vector<std::string> faults;
+  std::vector<std::string> faults, unusable;
   for (const DataFault& fault : file.faults)
     faults.push_back(fmt::format("{}: {}: {}", file.time, fault.kind, fault.text));
   for (const VariableInspection& variable : file.variables) {
-    rows.push_back({variable.name, fmt::format("{}", fmt::join(variable.shape, " x ")), variable.type});
+    rows.push_back(
+        {variable.name, fmt::format("{}", fmt::join(variable.shape, " x ")), variable.type, shown_unit(variable)});
+    if (!variable.fault.empty()) unusable.push_back(variable.name + " " + variable.fault);
     if (!variable.quality) continue;
     append_levels(rows.back(), *variable.quality);
     for (const DataFault& fault : variable.quality->faults)
       faults.push_back(fmt::format("{}: {}: {}", variable.name, fault.kind, fault.text));
   }
-  fmt::print("\n{}{}", aligned(rows, 3), level_note);
+  fmt::print("\n{}{}", aligned(rows, 4), level_note);
+  for (const std::string& variable : unusable) fmt::print("no channel: {}\n", variable);
   print_faults(faults);
-  fmt::print("\nTo use it: secular import {} -o CAMPAIGN --kind KIND --channel NAME:ROLE:QUANTITY:UNIT{}\n",
-             path.string(), file.time.empty() ? " --sample-rate HZ" : " --time " + file.time);
+  const bool stated = std::any_of(file.variables.begin(), file.variables.end(),
+                                  [](const VariableInspection& variable) { return !variable.unit.empty(); });
+  fmt::print("\nTo use it: secular import {} -o CAMPAIGN --kind KIND --channel NAME:ROLE{}{}\n", path.string(),
+             stated ? "" : ":QUANTITY:UNIT", file.time.empty() ? " --sample-rate HZ" : " --time " + file.time);
 }
 
 Json faults_json(const std::vector<DataFault>& faults) {
@@ -242,6 +255,9 @@ Json file_json(const std::filesystem::path& path) {
   root["variables"] = Json::array();
   for (const VariableInspection& variable : file.variables) {
     Json entry = {{"name", variable.name}, {"shape", variable.shape}, {"type", variable.type}};
+    if (!variable.unit.empty()) entry["unit"] = variable.unit;
+    if (!variable.stated_unit.empty()) entry["stated_unit"] = variable.stated_unit;
+    if (!variable.fault.empty()) entry["fault"] = variable.fault;
     if (variable.quality) {
       entry.update(quality_json(*variable.quality));
       faults += variable.quality->faults.size();
@@ -262,7 +278,8 @@ void add_inspect_command(CLI::App& root, Action& chosen) {
   auto options = std::make_shared<Options>();
   CLI::App* command = root.add_subcommand(
       "inspect", "What a campaign or file holds: channels, units, records, levels, noise, faults found");
-  command->add_option("CAMPAIGN_OR_FILE", options->path, "campaign folder, CSV file or MAT v5 file")->required();
+  command->add_option("CAMPAIGN_OR_FILE", options->path, "campaign folder, or CSV, MAT, HDF5, UFF 58 or WAV file")
+      ->required();
   command->add_flag("--json", options->json, "the same as JSON");
   command->footer(
       "Faults are for you to judge: offset, clipping, constant or coarse channels, missing samples, uneven time.\n"
@@ -274,7 +291,7 @@ void add_inspect_command(CLI::App& root, Action& chosen) {
       if (path.filename() == "campaign.toml") path = path.has_parent_path() ? path.parent_path() : ".";
       if (!std::filesystem::exists(path, ignored))
         throw InputError(options->path, "", "does not exist",
-                         "a campaign folder, a CSV or a MAT v5 file was expected");
+                         fmt::format("a campaign folder or a {} file was expected", data_formats));
       const bool folder = std::filesystem::is_directory(path, ignored);
       if (options->json)
         fmt::print(

@@ -40,7 +40,7 @@ struct RecordEntry {
   std::optional<double> ensemble_s;
   std::optional<double> started_s;
   std::string group;
-  std::map<std::string, std::string> variables;  ///< MAT only: channel name or "t" -> variable path in the file
+  std::map<std::string, std::string> variables;  ///< channel name or "t" -> variable of the file
   std::uint32_t line = 0;                        ///< of its [[record]] in campaign.toml, 0 when made in memory
 };
 
@@ -64,9 +64,10 @@ struct Record {
 /// Reads campaign.toml of a folder (CONTRACT: schema 1). Throws InputError.
 Campaign read_campaign(const std::filesystem::path& folder);
 
-/// Reads one record's samples: CSV or MAT v5. The record's rate is campaign.toml's wherever the time stamps follow
-/// it. Throws InputError for a missing column, text where a number should be, NaN or infinity, time that does not
-/// increase evenly (names the place), a sample rate that contradicts campaign.toml by more than 0.1 %.
+/// Reads one record's samples from any file that read_data_file reads. The record's rate is campaign.toml's
+/// wherever the time stamps follow it. Throws InputError for a missing column, text where a number should be, NaN
+/// or infinity, time that does not increase evenly (names the place), a sample rate that contradicts campaign.toml
+/// by more than 0.1 %.
 Record read_record(const Campaign& campaign, const RecordEntry& entry);
 
 /// Writes a whole campaign folder, records as CSV (whatever the extension of RecordEntry::file): all of it or

@@ -4,14 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <fstream>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "estimator/campaign/hdf5_file.hpp"
 #include "estimator/campaign/mat_file.hpp"
+#include "estimator/campaign/uff_file.hpp"
+#include "estimator/campaign/uff_variables.hpp"
+#include "estimator/campaign/wav_file.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
@@ -26,36 +27,30 @@ std::string lower_extension(const fs::path& path) {
   return extension;
 }
 
-// A universal file begins with the delimiter of its first data set: -1 in columns 5 and 6, nothing else.
-bool begins_like_uff(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::array<char, 8> line{};
-  stream.getline(line.data(), line.size());
-  return stream && std::string_view(line.data()).starts_with("    -1");
-}
+enum class Format { csv, mat, hdf5, uff, wav };
 
-// Decides by name and content: a MAT file says in its first bytes what it is.
-bool is_mat(const fs::path& path) {
+Format format_of(const fs::path& path) {
+  const std::string expected = fmt::format("a {} file was expected", data_formats);
   std::error_code ignored;
-  if (!fs::exists(path, ignored))
-    throw InputError(path.string(), "", "does not exist", "a CSV or MAT v5 file was expected");
-  if (!fs::is_regular_file(path, ignored))
-    throw InputError(path.string(), "", "is not a regular file", "a CSV or MAT v5 file was expected");
+  if (!fs::exists(path, ignored)) throw InputError(path.string(), "", "does not exist", expected);
+  if (!fs::is_regular_file(path, ignored)) throw InputError(path.string(), "", "is not a regular file", expected);
+  if (looks_like_hdf5(path)) return Format::hdf5;  // MAT v7.3 among them
+  if (looks_like_mat(path)) return Format::mat;
+  if (looks_like_uff(path)) return Format::uff;
+  if (looks_like_wav(path)) return Format::wav;
   const std::string extension = lower_extension(path);
-  constexpr std::array uff_extensions = {".uff", ".unv", ".uf", ".bunv"};
-  if (std::find(uff_extensions.begin(), uff_extensions.end(), extension) != uff_extensions.end() ||
-      begins_like_uff(path))
-    throw InputError(path.string(), "", "is a UFF file, which is not supported yet", "export it as CSV or MAT v5");
-  for (const char* other : {".h5", ".hdf5"})
-    if (extension == other)
-      throw InputError(path.string(), "", "is an HDF5 file, which is not supported yet",
-                       "export it as CSV or MAT v5");
-  return extension == ".mat" || looks_like_mat(path);
+  for (const char* hierarchical : {".h5", ".hdf5", ".hdf"})
+    if (extension == hierarchical) return Format::hdf5;
+  if (extension == ".mat") return Format::mat;
+  for (const char* universal : {".uff", ".unv", ".uf", ".bunv"})
+    if (extension == universal) return Format::uff;
+  if (extension == ".wav") return Format::wav;
+  return Format::csv;
 }
 
-DataFile read_mat_file(const fs::path& path, const std::vector<std::string>& wanted) {
-  DataFile data{path.string(), "MAT v5", {}, {"element", 1}};
-  for (MatVariable& variable : read_mat(path, wanted))
+DataFile with_variables(const fs::path& path, const char* format, std::vector<MatVariable> variables) {
+  DataFile data{path.string(), format, {}, {"element", 1}};
+  for (MatVariable& variable : variables)
     data.variables.push_back({std::move(variable.path), std::move(variable.shape), std::move(variable.type),
                               std::move(variable.values), std::move(variable.fault)});
   return data;
@@ -74,7 +69,25 @@ DataFile read_csv_file(const fs::path& path, const std::vector<std::string>& wan
   return data;
 }
 
+DataFile read_whole(const fs::path& path, Format format, const std::vector<std::string>& wanted) {
+  switch (format) {
+    case Format::hdf5:
+      return with_variables(path, looks_like_mat(path) ? "MAT v7.3" : "HDF5", read_hdf5(path, wanted));
+    case Format::uff:
+      return read_uff_variables(path, wanted);
+    case Format::wav:
+      return read_wav(path, wanted);
+    default:
+      return with_variables(path, "MAT v5", read_mat(path, wanted));
+  }
+}
+
 }  // namespace
+
+std::string quantity_fault(const DataVariable& variable, Quantity quantity) {
+  if (!variable.quantity || *variable.quantity == quantity) return {};
+  return fmt::format("measures {} in {}", to_string(*variable.quantity), variable.stated_unit);
+}
 
 std::string DataFile::names() const {
   std::string list;
@@ -98,8 +111,9 @@ const DataVariable& DataFile::vector(const std::string& name) const {
 }
 
 DataFile read_data_file(const fs::path& path, const std::vector<std::string>& wanted, MissingNumbers missing) {
-  if (!is_mat(path)) return read_csv_file(path, wanted, missing);
-  DataFile data = read_mat_file(path, wanted);
+  const Format format = format_of(path);
+  if (format == Format::csv) return read_csv_file(path, wanted, missing);
+  DataFile data = read_whole(path, format, wanted);
   if (missing == MissingNumbers::keep_as_nan) return data;
   for (const DataVariable& variable : data.variables)
     for (std::size_t i = 0; i < variable.values.size(); ++i)
@@ -109,10 +123,20 @@ DataFile read_data_file(const fs::path& path, const std::vector<std::string>& wa
   return data;
 }
 
+std::vector<DataVariable> describe_data_file(const fs::path& path) {
+  if (format_of(path) != Format::csv) {
+    DataFile data = read_data_file(path, {}, MissingNumbers::keep_as_nan);
+    for (DataVariable& variable : data.variables) variable.values = {};
+    return std::move(data.variables);
+  }
+  std::vector<DataVariable> variables;
+  for (std::string& name : read_csv_names(path)) variables.push_back({std::move(name), {}, "number", {}, {}});
+  return variables;
+}
+
 std::vector<std::string> data_variable_names(const fs::path& path) {
-  if (!is_mat(path)) return read_csv_names(path);
   std::vector<std::string> names;
-  for (const MatVariable& variable : read_mat(path)) names.push_back(variable.path);
+  for (const DataVariable& variable : describe_data_file(path)) names.push_back(variable.name);
   return names;
 }
 

@@ -4,103 +4,32 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 #include <utility>
 
 #include "estimator/campaign/data_file.hpp"
+#include "estimator/campaign/import_channels.hpp"
 #include "estimator/campaign/names.hpp"
 #include "estimator/campaign/time_axis.hpp"
-#include "estimator/campaign/unit.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
 namespace {
 
-constexpr const char* channel_form = "--channel NAME:ROLE:QUANTITY:UNIT, for example theta:response:angle:rad";
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (std::size_t i = 0; i < names.size() && i < 20; ++i) list += (i ? ", " : "") + names[i];
-  return list + (names.size() > 20 ? fmt::format(" and {} more", names.size() - 20) : "");
-}
-
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-struct DescribedChannel {
-  Channel channel;
-  std::string variable;  // of the files
-};
-
-// NAME may hold colons and, where the file has such a variable, equals signs: the last three fields are fixed.
-DescribedChannel parse_channel(const std::string& text, const std::vector<std::string>& variables,
-                               const std::string& file) {
-  const std::string option = "--channel " + text;
-  std::vector<std::string> fields;
-  std::string name = text;
-  for (int i = 0; i < 3; ++i) {
-    const std::size_t colon = name.rfind(':');
-    if (colon == std::string::npos)
-      throw InputError(option, "", fmt::format("has {} of four fields", fields.size() + 1), channel_form);
-    fields.insert(fields.begin(), name.substr(colon + 1));
-    name.resize(colon);
-  }
-  DescribedChannel described{{name, ChannelRole::response, Quantity::acceleration, fields[2]}, name};
-  const std::size_t equals = name.find('=');
-  if (!contains(variables, name) && equals != std::string::npos) {
-    described.channel.name = name.substr(0, equals);
-    described.variable = name.substr(equals + 1);
-  }
-  if (!contains(variables, described.variable))
-    throw InputError(option, "", fmt::format("{} has no variable '{}'", file, described.variable),
-                     "its variables are " + listed(variables));
-  if (const std::string fault = channel_name_fault(described.channel.name); !fault.empty())
-    throw InputError(option, "name", fault, "write NEWNAME=VARIABLE:ROLE:QUANTITY:UNIT to rename it");
-  const auto role = parse_role(fields[0]);
-  if (!role) throw InputError(option, "role", "is '" + fields[0] + "'", "excitation or response was expected");
-  const auto quantity = parse_quantity(fields[1]);
-  if (!quantity)
-    throw InputError(option, "quantity", "is '" + fields[1] + "'", std::string(quantity_list) + " was expected");
-  described.channel.role = *role;
-  described.channel.quantity = *quantity;
-  if (const std::string fault = unit_fault(*quantity, fields[2]); !fault.empty())
-    throw InputError(option, "unit", fault);
-  return described;
-}
-
-std::vector<DescribedChannel> describe_channels(const ImportOptions& options,
-                                                const std::vector<std::string>& variables) {
-  const std::string file = options.files.front().string();
-  if (options.channels.empty())
-    throw InputError(file, "", "no channel of it is described: its variables are " + listed(variables),
-                     std::string("give for each channel ") + channel_form);
-  std::vector<DescribedChannel> described;
-  std::set<std::string> names;
-  bool any_response = false;
-  for (const std::string& text : options.channels) {
-    described.push_back(parse_channel(text, variables, file));
-    any_response = any_response || described.back().channel.role == ChannelRole::response;
-    if (!names.insert(described.back().channel.name).second)
-      throw InputError("--channel " + text, "name", "is described twice", "every channel has a name of its own");
-  }
-  if (!any_response)
-    throw InputError("--channel", "", "no channel is a response", "describe at least one with the role response");
-  return described;
-}
-
 // The variable that holds time, or empty where --sample-rate stands for it.
-std::string time_variable(const ImportOptions& options, const std::vector<std::string>& variables,
-                          const std::string& file) {
+std::string time_variable(const ImportOptions& options, const Variables& variables, const std::string& file) {
   if (!options.time.empty()) {
-    if (contains(variables, options.time)) return options.time;
+    if (find_variable(variables, options.time)) return options.time;
     throw InputError("--time " + options.time, "", fmt::format("{} has no such variable", file),
-                     "its variables are " + listed(variables));
+                     "its variables are " + listed_names(variables));
   }
   if (options.sample_rate_hz) return {};
-  if (contains(variables, "t")) return "t";
-  throw InputError(file, "", "what its time is, is not known: its variables are " + listed(variables),
+  if (find_variable(variables, "t")) return "t";
+  throw InputError(file, "", "what its time is, is not known: its variables are " + listed_names(variables),
                    "name the variable with --time NAME, or give --sample-rate HZ");
 }
 
@@ -162,7 +91,16 @@ Record read_file(const std::filesystem::path& path, const std::vector<DescribedC
   const std::string& first = time.empty() ? channels.front().variable : time;
   const std::size_t count = data.vector(first).values.size();
   for (const DescribedChannel& described : channels) {
-    record.channels.push_back(data.vector(described.variable).values);
+    const DataVariable& variable = data.vector(described.variable);
+    if (const std::string fault = quantity_fault(variable, described.channel.quantity); !fault.empty())
+      throw InputError(
+          data.file, "variable " + variable.name, fault,
+          fmt::format("--channel {} says {}", described.channel.name, to_string(described.channel.quantity)));
+    if (described.stated_by_files && !variable.quantity)
+      throw InputError(data.file, "variable " + variable.name,
+                       "does not say quantity and unit, as the first file does",
+                       std::string("give ") + channel_form);
+    record.channels.push_back(variable.values);
     if (record.channels.back().size() != count)
       throw InputError(data.file, "variable " + described.variable,
                        fmt::format("has {} samples, {} has {}", record.channels.back().size(), first, count),
@@ -180,7 +118,7 @@ ImportedCampaign import_files(const ImportOptions& options) {
     throw InputError("--sample-rate", "", "is not positive", "a rate in Hz was expected");
   if (options.ensemble_s && (!std::isfinite(*options.ensemble_s) || *options.ensemble_s <= 0))
     throw InputError("--ensemble", "", "is not positive", "a duration in seconds was expected");
-  const std::vector<std::string> variables = data_variable_names(options.files.front());
+  const Variables variables = describe_data_file(options.files.front());
   const std::vector<DescribedChannel> channels = describe_channels(options, variables);
   const std::string time = time_variable(options, variables, options.files.front().string());
   const RecordKind kind = record_kind(options.kind);
@@ -189,11 +127,14 @@ ImportedCampaign import_files(const ImportOptions& options) {
   Campaign& campaign = imported.campaign;
   campaign.name = options.name.empty() ? options.files.front().stem().string() : options.name;
   for (const DescribedChannel& described : channels) campaign.channels.push_back(described.channel);
-  for (const std::string& variable : variables) {
-    const bool used =
-        variable == time || std::any_of(channels.begin(), channels.end(),
-                                        [&](const DescribedChannel& d) { return d.variable == variable; });
-    if (!used) imported.left_out.push_back(variable);
+  for (const DataVariable& variable : variables) {
+    const auto channel = std::find_if(channels.begin(), channels.end(),
+                                      [&](const DescribedChannel& d) { return d.variable == variable.name; });
+    if (channel == channels.end()) {
+      if (variable.name != time) imported.left_out.push_back(variable.name);
+    } else if (!variable.unit.empty() && variable.stated_unit != variable.unit) {
+      imported.converted.push_back({channel->channel.name, variable.stated_unit, variable.unit});
+    }
   }
   std::set<std::string> taken;
   for (std::size_t f = 0; f < options.files.size(); ++f) {

@@ -75,7 +75,8 @@ FileInspection inspect_file(const std::filesystem::path& path) {
   FileInspection inspection;
   inspection.format = data.format;
   for (const DataVariable& variable : data.variables) {
-    inspection.variables.push_back({variable.name, variable.shape, variable.type, std::nullopt});
+    inspection.variables.push_back({variable.name, variable.shape, variable.type, variable.unit,
+                                    variable.stated_unit, variable.fault, std::nullopt});
     if (!variable.fault.empty()) continue;
     const std::string name = lower(last_part(variable.name));
     if (inspection.time.empty() && (name == "t" || name == "time") && variable.values.size() > 1) {

@@ -26,10 +26,13 @@ struct VariableInspection {
   std::string name;
   std::vector<std::size_t> shape;
   std::string type;
+  std::string unit;                       ///< SI, where the file says quantity and unit
+  std::string stated_unit;                ///< as the file spells it
+  std::string fault;                      ///< why it is no channel
   std::optional<ChannelQuality> quality;  ///< of vectors of numbers
 };
 
-/// What a CSV or MAT file holds, before anybody said what it means.
+/// What a data file holds, before anybody said what it means.
 struct FileInspection {
   std::string format;
   std::vector<VariableInspection> variables;
@@ -38,7 +41,7 @@ struct FileInspection {
   std::vector<DataFault> faults;
 };
 
-/// Throws InputError for a file that is neither a CSV nor a MAT v5 file.
+/// Throws InputError as read_data_file does.
 FileInspection inspect_file(const std::filesystem::path& path);
 
 }  // namespace secular

@@ -37,8 +37,8 @@ File open(const std::filesystem::path& path) {
     probe.read(header.data(), header.size());
     const std::string text(header.data(), static_cast<std::size_t>(probe.gcount()));
     if (text.rfind("MATLAB 7.3", 0) == 0)
-      throw InputError(name, "", "is a MAT v7.3 (HDF5) file, which is not supported yet",
-                       "save it in MATLAB with save(..., '-v7') or export CSV");
+      throw InputError(name, "byte 513", "the signature of HDF5 is missing in a MAT v7.3 file",
+                       "the file is damaged or cut short: copy or save it again");
     if (text.size() < 128 || text.rfind("MATLAB 5.0", 0) != 0)
       throw InputError(name, "", "is not a MAT v5 file", "a MAT v5 file or a CSV was expected");
   }

@@ -18,7 +18,7 @@ struct MatVariable {
 };
 
 /// The numeric variables of a MAT v5 file, in file order; with values those of `wanted` (empty: all). Throws
-/// InputError for anything else (v7.3 is HDF5 and not read) and for a file that is damaged or cut short.
+/// InputError for anything else (v7.3 is HDF5: read_hdf5) and for a file that is damaged or cut short.
 std::vector<MatVariable> read_mat(const std::filesystem::path& path, const std::vector<std::string>& wanted = {});
 
 /// True if the file begins like a MAT file (v5 or v7.3).

@@ -6,29 +6,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <string_view>
 
+#include "estimator/campaign/file_bytes.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
 namespace {
-
-std::string whole_text(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw InputError(path.string(), "", "is a folder", "a CSV file was expected");
-  std::ifstream stream(path, std::ios::binary | std::ios::ate);
-  if (!stream)
-    throw InputError(path.string(), "", "cannot be opened for reading", "check the path and its permissions");
-  const auto size = static_cast<std::streamoff>(stream.tellg());
-  std::string text(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
-  stream.seekg(0);
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!stream) throw InputError(path.string(), "", "cannot be read to its end", "check the medium");
-  return text;
-}
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -195,13 +180,13 @@ void read_rows(const Header& header, const std::vector<std::size_t>& target, Mis
 }  // namespace
 
 std::vector<std::string> read_csv_names(const std::filesystem::path& path) {
-  return read_header(whole_text(path), path.string()).names;
+  return read_header(file_bytes(path), path.string()).names;
 }
 
 NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& wanted,
                      MissingNumbers missing) {
   const std::string file = path.string();
-  const std::string text = whole_text(path);
+  const std::string text = file_bytes(path);
   const Header header = read_header(text, file);
   NumberTable table;
   table.names = wanted.empty() ? header.names : wanted;

@@ -110,7 +110,7 @@ RecordEntry read_entry(const TomlTable& table, const Campaign& campaign) {
     for (const std::string& key : variables.keys()) {
       const bool known = key == "t" || std::any_of(campaign.channels.begin(), campaign.channels.end(),
                                                    [&](const Channel& c) { return c.name == key; });
-      if (!known) variables.fail(key, "is no channel", "map 't' and channel names to variables of the MAT file");
+      if (!known) variables.fail(key, "is no channel", "map 't' and channel names to variables of the file");
       entry.variables[key] = variables.string(key);
     }
   }

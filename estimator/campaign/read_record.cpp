@@ -20,7 +20,12 @@ RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, 
   const DataFile data = read_data_file(campaign.folder / entry.file, wanted, missing);
   RecordData record{data.file, data.place, data.vector(wanted.front()).values, {}};
   for (std::size_t c = 0; c < campaign.channels.size(); ++c) {
-    record.channels.push_back(data.vector(wanted[c + 1]).values);
+    const DataVariable& variable = data.vector(wanted[c + 1]);
+    const Quantity quantity = campaign.channels[c].quantity;
+    if (const std::string fault = quantity_fault(variable, quantity); !fault.empty())
+      throw InputError(data.file, "variable " + variable.name, fault,
+                       fmt::format("campaign.toml says {}", to_string(quantity)));
+    record.channels.push_back(variable.values);
     if (record.channels.back().size() != record.stamps_s.size())
       throw InputError(
           data.file, "channel " + campaign.channels[c].name,

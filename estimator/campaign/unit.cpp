@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
+#include <numbers>
 #include <string_view>
 
 namespace secular {
@@ -93,7 +95,30 @@ bool is_si(Quantity quantity, std::string_view unit) {
   return unit == si_unit(quantity) || (quantity == Quantity::strain && unit == "m/m");
 }
 
+// A product such as "pi/180" or "1/3.6".
+double factor_value(std::string_view factor) {
+  double value = 1;
+  bool divide = false;
+  while (!factor.empty()) {
+    const std::size_t end = std::min(factor.find_first_of("*/"), factor.size());
+    const std::string term(factor.substr(0, end));
+    const double number = term == "pi" ? std::numbers::pi : std::strtod(term.c_str(), nullptr);
+    value = divide ? value / number : value * number;
+    divide = end < factor.size() && factor[end] == '/';
+    factor.remove_prefix(std::min(end + 1, factor.size()));
+  }
+  return value;
+}
+
 }  // namespace
+
+std::optional<UnitMeaning> unit_meaning(const std::string& unit) {
+  for (const Quantity quantity : all_quantities)
+    if (is_si(quantity, unit)) return UnitMeaning{quantity, 1};
+  for (const KnownUnit& known : known_units)
+    if (known.name == unit) return UnitMeaning{known.quantity, factor_value(known.factor)};
+  return std::nullopt;
+}
 
 std::string si_unit(Quantity quantity) {
   switch (quantity) {

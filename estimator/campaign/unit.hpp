@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "estimator/campaign/campaign.hpp"
@@ -12,5 +13,13 @@ std::string unit_fault(Quantity quantity, const std::string& unit);
 
 /// The unit of a quantity: "m/s^2".
 std::string si_unit(Quantity quantity);
+
+struct UnitMeaning {
+  Quantity quantity = Quantity::acceleration;
+  double si_factor = 1;  ///< SI value = si_factor * number
+};
+
+/// What a unit measures; nothing for a unit that is not known.
+std::optional<UnitMeaning> unit_meaning(const std::string& unit);
 
 }  // namespace secular

@@ -146,6 +146,31 @@ TEST_F(CommandLine, SimulateRefusesToOverwriteAndIdentifyRefusesNonsense) {
   EXPECT_EQ(html.find("http://"), html.find("http://www.w3.org"));  // nothing is fetched
 }
 
+TEST_F(CommandLine, UniversalFilesAreInspectedAndImported) {
+  const std::string axis = "         0    0    0    0 NONE                 NONE                \n";
+  const std::string file =
+      written("run.unv",
+              "    -1\n    58\ntip\nNONE\nNONE\nNONE\nNONE\n"
+              "    1         0    0         0 NONE               1   1 NONE               0   0\n"
+              "         2         3         1  0.00000E+00  2.44141E-04  0.00000E+00\n"
+              "        17    0    0    0 Time                 s                   \n"
+              "        12    0    0    0 Acceleration         g                   \n" +
+                  axis + axis + "  1.00000E+00 -2.50000E+00  3.00000E-03\n    -1\n");
+  const Outcome inspected = run("inspect " + file);
+  EXPECT_EQ(inspected.status, 0) << inspected.errors;
+  EXPECT_NE(inspected.output.find("UFF 58 with 2 numeric variables"), std::string::npos) << inspected.output;
+  EXPECT_NE(inspected.output.find("at 4096 Hz"), std::string::npos) << inspected.output;
+  EXPECT_NE(inspected.output.find("m/s^2 (from g)"), std::string::npos) << inspected.output;
+  const std::string campaign = (folder / "campaign").string();
+  expect_bad_input(run("import " + file + " -o " + campaign + " --kind impact"),
+                   "--channel NAME:ROLE, for example tip");
+  const Outcome imported = run("import " + file + " -o " + campaign + " --kind impact --channel tip:response");
+  EXPECT_EQ(imported.status, 0) << imported.errors;
+  EXPECT_NE(imported.output.find("tip: 'g' in the file, m/s^2 in the campaign"), std::string::npos);
+  EXPECT_NE(text_of(folder / "campaign/records/run.csv").find("0,9.80665\n"), std::string::npos);
+  expect_bad_input(run("inspect " + written("cut.unv", text_of(file).substr(0, 500))), "cut.unv, line");
+}
+
 TEST_F(CommandLine, MeasuredPendulumFollowsTheGeometryOfTheSine) {
   const fs::path data = root.parent_path() / "shared/data/pendulum/cdip_pend_data.mat";
   if (!fs::exists(data)) GTEST_SKIP() << data << " is not here: the measured pendulum is not checked";

@@ -1,5 +1,6 @@
 #include "estimator/campaign/campaign.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -181,19 +182,23 @@ TEST_F(CampaignFolder, MatRecordsMapChannelsToVariables) {
   EXPECT_EQ(record.channels, (std::vector<std::vector<double>>{{-1, 0, 300}, {4, 5, 6}}));
 }
 
-TEST_F(CampaignFolder, OtherFormatsAreRefusedByName) {
-  for (const char* const name : {"a.uff", "a.UNV", "a.h5"}) {
-    write(std::string("c/") + name, "x");
+TEST_F(CampaignFolder, FormatsAreToldByContentAndByName) {
+  for (const auto& [name, text, complaint] : std::vector<std::array<std::string, 3>>{
+           {"a.uff", "x", "is no delimiter"},
+           {"a.UNV", "x", "is no delimiter"},
+           {"a.wav", "x", "not the begin of a WAV file"},
+           {"a.h5", "x", "is not an HDF5 file"},
+           {"a.csv", "    -1\r\n   151\r\n    -1\r\n", "is a universal file without a data set 58"}}) {
+    write("c/" + name, text);
     store(toml("records/0001.csv", name));
     const Campaign campaign = read_campaign(folder_ / "c");
-    EXPECT_TRUE(contains(refusal([&] { read_record(campaign, campaign.records.front()); }), "not supported yet"));
+    EXPECT_TRUE(contains(refusal([&] { read_record(campaign, campaign.records.front()); }), complaint));
   }
-  write("c/data", "    -1\r\n    58\r\n");
-  EXPECT_TRUE(contains(refusal([&] { read_data_file(folder_ / "c/data"); }), "is a UFF file"));
   write("c/b.mat", "MATLAB 7.3 MAT-file" + std::string(600, ' '));
   store(toml("records/0001.csv", "b.mat"));
   const Campaign campaign = read_campaign(folder_ / "c");
-  EXPECT_TRUE(contains(refusal([&] { read_record(campaign, campaign.records.front()); }), "not supported yet"));
+  EXPECT_TRUE(contains(refusal([&] { read_record(campaign, campaign.records.front()); }),
+                       "the signature of HDF5 is missing"));
 }
 
 // Random bit patterns of finite doubles: every exponent, denormal numbers and signed zeros among them.

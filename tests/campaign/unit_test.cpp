@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tests/campaign/temporary_folder.hpp"
 
 namespace secular {
@@ -32,6 +34,19 @@ TEST(Unit, OtherUnitsSayWhatTheyMeasure) {
   EXPECT_TRUE(
       contains(unit_fault(Quantity::velocity, "Hz"), "measures frequency, the quantity is velocity: 'm/s'"));
   EXPECT_TRUE(contains(unit_fault(Quantity::voltage, "parsec"), "not known: 'V' was expected"));
+}
+
+TEST(Unit, MeaningsConvertToSi) {
+  const auto factor = [](const char* unit) { return unit_meaning(unit).value().si_factor; };
+  EXPECT_EQ(factor("m/s^2"), 1);
+  EXPECT_EQ(factor("g"), 9.80665);
+  EXPECT_EQ(factor("deg"), std::numbers::pi / 180);
+  EXPECT_EQ(factor("rev"), 2 * std::numbers::pi);
+  EXPECT_EQ(factor("km/h"), 1 / 3.6);
+  EXPECT_EQ(unit_meaning("mV").value().quantity, Quantity::voltage);
+  EXPECT_EQ(unit_meaning("1").value().quantity, Quantity::strain);
+  EXPECT_FALSE(unit_meaning("EU"));
+  EXPECT_FALSE(unit_meaning("Hz"));
 }
 
 }  // namespace

@@ -1,0 +1,68 @@
+#include "estimator/campaign/file_bytes.hpp"
+#include "estimator/campaign/hdf5_object.hpp"
+
+namespace secular {
+namespace {
+
+constexpr int deepest_tree = 16;
+
+class SymbolTable {
+ public:
+  SymbolTable(const Hdf5Bytes& file, const Hdf5SymbolTable& table) : file_(file), nodes_left_(file.size() / 24) {
+    Hdf5Cursor heap(file.at(table.heap, 32), table.heap);
+    if (heap.take(4) != "HEAP") heap.fail("the names of a group are missing");
+    heap.skip(4);
+    const std::uint64_t size = heap.number(8);
+    heap.skip(8);
+    names_ = file.at(heap.number(8), size);
+    read_node(table.tree, deepest_tree);
+  }
+
+  std::vector<Hdf5Link> links;
+
+ private:
+  void read_node(std::uint64_t address, int levels) {
+    Hdf5Cursor node(file_.at(address, 24), address);
+    if (nodes_left_-- == 0 || levels == 0) node.fail("the list of a group goes round in circles");
+    const std::string_view signature = node.take(4);
+    if (signature == "SNOD") return read_symbols(address);
+    if (signature != "TREE" || node.number(1) != 0) node.fail("the list of a group is damaged");
+    node.skip(1);
+    const std::uint64_t children = node.number(2);
+    Hdf5Cursor entries(file_.at(address + 24, 16 * children), address + 24);
+    for (std::uint64_t i = 0; i < children; ++i) {
+      entries.skip(8);
+      read_node(entries.number(8), levels - 1);
+    }
+  }
+
+  void read_symbols(std::uint64_t address) {
+    constexpr std::uint64_t symbol_size = 40;
+    Hdf5Cursor head(file_.at(address, 8), address);
+    head.skip(6);
+    const std::uint64_t count = head.number(2);
+    Hdf5Cursor symbols(file_.at(address + 8, symbol_size * count), address + 8);
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const std::uint64_t name = symbols.number(8), object = symbols.number(8), kind = symbols.number(4);
+      symbols.skip(20);
+      if (name >= names_.size()) symbols.fail("a name stands outside of the names of its group");
+      const std::string_view rest = names_.substr(name);
+      const std::size_t end = rest.find('\0');
+      if (end == std::string_view::npos) symbols.fail("a name has no end");
+      if (kind != 2) links.push_back({as_utf8(rest.substr(0, end)), object});  // 2: a symbolic link
+    }
+  }
+
+  const Hdf5Bytes& file_;
+  std::uint64_t nodes_left_;
+  std::string_view names_;
+};
+
+}  // namespace
+
+std::vector<Hdf5Link> hdf5_members(const Hdf5Bytes& file, const Hdf5Object& group) {
+  if (group.symbol_table) return SymbolTable(file, *group.symbol_table).links;
+  return group.links;
+}
+
+}  // namespace secular

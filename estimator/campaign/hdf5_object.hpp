@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "estimator/campaign/hdf5_bytes.hpp"
+
+namespace secular {
+
+enum class Hdf5Class { integer = 0, floating_point = 1, text = 3, compound = 6, reference = 7, other = 15 };
+
+struct Hdf5Type {
+  Hdf5Class kind = Hdf5Class::other;
+  std::uint64_t size = 0;
+  ByteOrder order = ByteOrder::little;
+  bool is_signed = false;
+  bool usual = false;  ///< an integer that fills its bytes, an IEEE 754 number, an object's address
+};
+
+enum class Hdf5Storage { compact, contiguous, chunked, other };
+
+struct Hdf5Layout {
+  Hdf5Storage storage = Hdf5Storage::other;
+  std::string_view compact;          ///< the data themselves
+  std::uint64_t address = 0;         ///< of contiguous data, or of the tree of chunks
+  std::uint64_t size = 0;            ///< bytes of contiguous data
+  std::vector<std::uint64_t> chunk;  ///< shape of a chunk
+};
+
+struct Hdf5Link {
+  std::string name;
+  std::uint64_t address = 0;  ///< of the object
+};
+
+struct Hdf5SymbolTable {
+  std::uint64_t tree = 0, heap = 0;
+};
+
+/// What the header of an object says: a data set if it has shape and type, else a group.
+struct Hdf5Object {
+  std::optional<std::vector<std::uint64_t>> shape;
+  std::optional<Hdf5Type> type;
+  Hdf5Layout layout;
+  std::vector<std::uint64_t> filters;  ///< 1 deflate, 2 shuffle, 3 Fletcher check sum, ...
+  bool filters_known = true;
+  std::vector<Hdf5Link> links;  ///< those in the header itself
+  std::optional<Hdf5SymbolTable> symbol_table;
+  bool has_dense_links = false;                   ///< in a form (fractal heap) that is not read
+  std::map<std::string, std::string> attributes;  ///< texts; empty for attributes of other types
+};
+
+/// Reads the header at this address (versions 1 and 2). Throws Hdf5Damage.
+Hdf5Object read_hdf5_object(const Hdf5Bytes& file, std::uint64_t address);
+
+/// The members of a group, in stored order. Throws Hdf5Damage.
+std::vector<Hdf5Link> hdf5_members(const Hdf5Bytes& file, const Hdf5Object& group);
+
+}  // namespace secular

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace secular {
+
+/// Writes plain HDF5 files for tests.
+class Hdf5Writer {
+ public:
+  explicit Hdf5Writer(const std::filesystem::path& path, H5F_libver_t version = H5F_LIBVER_EARLIEST) {
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+    H5Pset_libver_bounds(access, version, version == H5F_LIBVER_EARLIEST ? H5F_LIBVER_LATEST : version);
+    file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    H5Pclose(access);
+  }
+  Hdf5Writer(const Hdf5Writer&) = delete;
+  Hdf5Writer& operator=(const Hdf5Writer&) = delete;
+  ~Hdf5Writer() { H5Fclose(file_); }
+
+  struct Form {
+    hid_t type = H5T_IEEE_F64LE;
+    std::vector<hsize_t> chunk{};  ///< empty: not in chunks
+    bool deflate = false, shuffle = false, check_sum = false, compact = false, unwritten = false;
+  };
+
+  void add(const std::string& path, const std::vector<hsize_t>& shape, const std::vector<double>& values) {
+    add(path, shape, values, Form{});
+  }
+
+  /// Makes the groups that the path names.
+  void add(const std::string& path, const std::vector<hsize_t>& shape, const std::vector<double>& values,
+           const Form& form) {
+    const hid_t links = H5Pcreate(H5P_LINK_CREATE), creation = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_create_intermediate_group(links, 1);
+    if (!form.chunk.empty()) H5Pset_chunk(creation, static_cast<int>(form.chunk.size()), form.chunk.data());
+    if (form.shuffle) H5Pset_shuffle(creation);
+    if (form.deflate) H5Pset_deflate(creation, 6);
+    if (form.check_sum) H5Pset_fletcher32(creation);
+    if (form.compact) H5Pset_layout(creation, H5D_COMPACT);
+    // Only data sets that may grow can have chunks that are larger than they are.
+    const std::vector<hsize_t> limits(shape.size(), form.chunk.empty() ? 0 : H5S_UNLIMITED);
+    const hid_t space = shape.empty() ? H5Screate(H5S_SCALAR)
+                                      : H5Screate_simple(static_cast<int>(shape.size()), shape.data(),
+                                                         form.chunk.empty() ? nullptr : limits.data());
+    const hid_t set = H5Dcreate2(file_, path.c_str(), form.type, space, links, creation, H5P_DEFAULT);
+    if (!form.unwritten) H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    H5Dclose(set);
+    H5Sclose(space);
+    H5Pclose(links);
+    H5Pclose(creation);
+  }
+
+  void add_text(const std::string& name, const std::string& text) {
+    const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
+    H5Tset_size(type, text.size());
+    const hid_t set = H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data());
+    H5Dclose(set);
+    H5Sclose(space);
+    H5Tclose(type);
+  }
+
+ private:
+  hid_t file_;
+};
+
+}  // namespace secular

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <random>
+#include <string>
+
+#include "tests/campaign/largest_allocation.hpp"
+#include "tests/campaign/temporary_folder.hpp"
+
+namespace secular {
+
+/// A fixture that damages valid files at random (seeded) and sees that the outcome is success or an InputError.
+class Mutation : public TemporaryFolder {
+ protected:
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
+
+  // One to three changes: a byte replaced, removed or repeated, the end cut off, a stretch overwritten.
+  std::string damaged(std::string text) {
+    static const std::string telling = "0123456789.,;:-+eE=[]{}\"'\n\r\t #_naif\\";
+    for (std::size_t change = below(3) + 1; change > 0 && !text.empty(); --change) {
+      const std::size_t at = below(text.size());
+      switch (below(6)) {
+        case 0:
+          text[at] = static_cast<char>(below(256));
+          break;
+        case 1:
+          text[at] = telling[below(telling.size())];
+          break;
+        case 2:
+          text.erase(at, below(8) + 1);
+          break;
+        case 3:
+          text.insert(at, text.substr(at, below(40) + 1));
+          break;
+        case 4:
+          text.resize(at);
+          break;
+        default:
+          for (std::size_t i = at; i < std::min(at + 4, text.size()); ++i)
+            text[i] = static_cast<char>(below(2) * 255);
+      }
+    }
+    return text;
+  }
+
+  // Damages `valid` `rounds` times, stores it as `name` and hands it to `use`; counts what came out.
+  template <class Use>
+  void run(const std::string& name, const std::string& valid, int rounds, const Use& use) {
+    write(name, valid);
+    ASSERT_NO_THROW(use());
+    for (int round = 0; round < rounds; ++round) {
+      const std::string text = damaged(valid);
+      write(name, text);
+      take_largest_allocation();
+      try {
+        use();
+        ++accepted_;
+      } catch (const InputError&) {
+        ++refused_;
+      } catch (const std::exception& error) {
+        FAIL() << "round " << round << ": " << error.what();
+      }
+      // What a damaged header announces is not believed.
+      ASSERT_LE(take_largest_allocation(), 100 * text.size() + (1 << 16)) << "round " << round;
+    }
+    EXPECT_GT(refused_, rounds / 10);
+  }
+
+  std::mt19937_64 random_{20};
+  int accepted_ = 0, refused_ = 0;
+};
+
+}  // namespace secular
