@@ -3,6 +3,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <stdexcept>
 
 #include "perturb/prime_field.hpp"
 #include "verify/order_equation.hpp"
@@ -175,7 +176,9 @@ bool StatementCheck::fourier_mean_holds(const PrintedStatement& statement, const
   const double omega = 1.7;
   const std::complex<double> a = std::polar(0.8, 0.6);
   const auto number = [](const ex& e) {
-    const auto& n = GiNaC::ex_to<GiNaC::numeric>(e.evalf());
+    const ex value = e.evalf();
+    if (!GiNaC::is_a<GiNaC::numeric>(value)) throw std::logic_error("the mean holds a symbol without a value");
+    const auto& n = GiNaC::ex_to<GiNaC::numeric>(value);
     return std::complex<double>(n.real().to_double(), n.imag().to_double());
   };
   GiNaC::exmap values;
