@@ -17,7 +17,9 @@ Borders null_vectors(const ConstMatrix& jacobian, const Borders* previous) {
   const Index n = jacobian.rows();
   if (!jacobian.allFinite()) return {VectorXd::Unit(n, 0), VectorXd::Unit(n, 0)};
   const Eigen::JacobiSVD<MatrixXd> svd(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Borders borders{svd.matrixU().col(n - 1), svd.matrixV().col(n - 1)};
+  Borders borders{svd.matrixU().col(n - 1), svd.matrixV().col(n - 1), jacobian.norm()};
+  // A single state's Jacobian vanishes at the very points looked for: it says nothing of the size of rates.
+  if (n == 1 || !(borders.rate > 0)) borders.rate = 1;
   if (previous != nullptr) {
     if (borders.left.dot(previous->left) < 0) borders.left = -borders.left;
     if (borders.right.dot(previous->right) < 0) borders.right = -borders.right;
@@ -27,17 +29,15 @@ Borders null_vectors(const ConstMatrix& jacobian, const Borders* previous) {
 
 BorderedSolution solve_bordered(const ConstMatrix& jacobian, const Borders& borders) {
   const Index n = jacobian.rows();
-  // The border's length in the matrix: that of the Jacobian, so that both matter alike.
-  const double size = jacobian.norm() > 0 ? jacobian.norm() : 1;
   MatrixXd bordered(n + 1, n + 1);
-  bordered << jacobian, size * borders.left, size * borders.right.transpose(), 0.0;
+  bordered << jacobian, borders.rate * borders.left, borders.rate * borders.right.transpose(), 0.0;
   BorderedSolution solution;
   if (!bordered.allFinite()) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     solution = {nan, VectorXd::Constant(n, nan), VectorXd::Constant(n, nan)};
     return solution;
   }
-  const VectorXd last = size * VectorXd::Unit(n + 1, n);
+  const VectorXd last = borders.rate * VectorXd::Unit(n + 1, n);
   const VectorXd right = bordered.colPivHouseholderQr().solve(last);
   const VectorXd left = bordered.transpose().colPivHouseholderQr().solve(last);
   solution.g = right(n);

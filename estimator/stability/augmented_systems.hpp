@@ -10,6 +10,7 @@ namespace secular {
 /// Unit vectors near the left and right null vector of a Jacobian, [dimension] each.
 struct Borders {
   Eigen::VectorXd left, right;
+  double rate = 1;  ///< norm of the Jacobian they were made from: their length in the bordered matrix
 };
 
 /// Singular vectors of the smallest singular value, turned towards `previous` where that is given.

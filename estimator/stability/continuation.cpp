@@ -112,9 +112,9 @@ class BranchTracer {
         return Visit::shorten;
       }
       shortened = 0;
-      before = after;
-      for (LocatedPoint& located : special_points_between(field_, curve_, from, to))
+      for (LocatedPoint& located : special_points_between(field_, curve_, {from, to, before, after}))
         run.special.push_back({run.points.size() - 1, std::move(located)});
+      before = after;
       run.points.push_back(to);
       return Visit::accept;
     };
@@ -129,7 +129,9 @@ class BranchTracer {
     if (!closed) reverse(before);
     const BranchTests tests = branch_tests(field_, ahead.points.front());
     if (std::none_of(tests.value.begin(), tests.value.end(), has_no_sign)) return;
-    for (LocatedPoint& located : special_points_between(field_, curve_, before, ahead.points[1])) {
+    const BranchStep across{before, ahead.points[1], branch_tests(field_, before),
+                            branch_tests(field_, ahead.points[1])};
+    for (LocatedPoint& located : special_points_between(field_, curve_, across)) {
       const auto same = [&](const PlacedPoint& other) {
         return (other.located.point.unknowns - located.point.unknowns).norm() < 1e-6;
       };

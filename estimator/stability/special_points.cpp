@@ -152,12 +152,11 @@ bool explained(const BranchTests& from, const BranchTests& to) {
 }
 
 std::vector<LocatedPoint> special_points_between(const ScaledField& field, const EquationSystem& curve,
-                                                 const CurvePoint& from, const CurvePoint& to) {
-  const BranchTests before = branch_tests(field, from), after = branch_tests(field, to);
-  const Locator locator(field, curve, from, to);
+                                                 const BranchStep& step) {
+  const Locator locator(field, curve, step.from, step.to);
   std::vector<LocatedPoint> found;
   for (const std::size_t test : {crossing_test, fold_test, pair_test}) {
-    if (!changes_sign(before, after, test)) continue;
+    if (!changes_sign(step.before, step.after, test)) continue;
     std::optional<LocatedPoint> located = locator.locate(test);
     if (!located) continue;
     // Along the branch of a pitchfork that leaves the parameter alone, the saddle-node test changes sign with the
@@ -168,7 +167,7 @@ std::vector<LocatedPoint> special_points_between(const ScaledField& field, const
     if (test == fold_test && std::any_of(found.begin(), found.end(), same)) continue;
     found.push_back(std::move(*located));
   }
-  const VectorXd chord = to.unknowns - from.unknowns;
+  const VectorXd chord = step.to.unknowns - step.from.unknowns;
   std::sort(found.begin(), found.end(), [&](const LocatedPoint& a, const LocatedPoint& b) {
     return chord.dot(a.point.unknowns) < chord.dot(b.point.unknowns);
   });

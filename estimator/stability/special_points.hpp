@@ -30,8 +30,14 @@ struct LocatedPoint {
   CurvePoint point;
 };
 
+/// A step along a branch, with the tests of its ends.
+struct BranchStep {
+  const CurvePoint &from, &to;
+  BranchTests before, after;
+};
+
 /// Special points between two neighbouring points of the branch f = 0 of a field with one free parameter.
 std::vector<LocatedPoint> special_points_between(const ScaledField& field, const EquationSystem& curve,
-                                                 const CurvePoint& from, const CurvePoint& to);
+                                                 const BranchStep& step);
 
 }  // namespace secular

@@ -56,7 +56,8 @@ EigenvaluePair most_neutral_pair(const Spectrum& spectrum) {
 }
 
 EigenvaluePair nearest_pair(const Spectrum& spectrum, const EigenvaluePair& reference) {
-  const double rate = std::max(spectrum.eigenvalues.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
+  const double largest = spectrum.eigenvalues.cwiseAbs().maxCoeff();
+  const double rate = std::max({largest, std::sqrt(std::abs(reference.product)), 1e-100});
   EigenvaluePair best{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   double least = std::numeric_limits<double>::infinity();
   for_each_real_pair(spectrum.eigenvalues, [&](const Complex& a, const Complex& b) {
