@@ -1,5 +1,6 @@
 #include "estimator/stability/curve_tracer.hpp"
 
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -44,24 +45,41 @@ std::optional<CurvePoint> point_on_bound(const EquationSystem& curve, const Curv
   return point;
 }
 
-// Whether the step passes the start again, in the direction in which it was left.
-bool passes(const EquationSystem& curve, const CurvePoint& from, const CurvePoint& to, const CurvePoint& start) {
+// Whether branches may cross there: [J; tangent'] is singular.
+bool is_crossing(const EquationSystem& curve, const CurvePoint& point) {
+  const MatrixXd equations = curve.jacobian(point.unknowns);
+  MatrixXd bordered(equations.rows() + 1, equations.cols());
+  bordered << equations, point.tangent.transpose();
+  if (!bordered.allFinite()) return true;
+  const VectorXd singular = Eigen::JacobiSVD<MatrixXd>(bordered).singularValues();
+  return singular(singular.size() - 1) < 1e-6 * singular(0);
+}
+
+// Whether the step passes the start again, in the direction in which it was left. At a crossing Newton's method
+// might lead along the other branch: there the chord decides, which an arc leaves by an eighth of length * turn.
+bool passes(const EquationSystem& curve, const CurvePoint& from, const CurvePoint& to, const CurvePoint& start,
+            bool start_is_crossing) {
   const double before = start.tangent.dot(from.unknowns - start.unknowns);
   const double after = start.tangent.dot(to.unknowns - start.unknowns);
-  const double length = (to.unknowns - from.unknowns).norm();
-  if (before >= 0 || after < 0 || (to.unknowns - start.unknowns).norm() > 2 * length) return false;
-  const double share = before / (before - after);
-  const VectorXd guess = from.unknowns + share * (to.unknowns - from.unknowns);
+  const VectorXd chord = to.unknowns - from.unknowns;
+  if (before >= 0 || after < 0 || (to.unknowns - start.unknowns).norm() > 2 * chord.norm()) return false;
+  if (to.tangent.dot(start.tangent) < 0.8) return false;
+  const VectorXd guess = from.unknowns + before / (before - after) * chord;
+  if (start_is_crossing) return (guess - start.unknowns).norm() < 0.05 * chord.norm() + 1e-9;
   const NewtonResult corrected = correct(curve, guess, start.tangent);
-  if (!corrected.converged || (corrected.unknowns - start.unknowns).norm() > 1e-5) return false;
-  return to.tangent.dot(start.tangent) > 0.8;
+  return corrected.converged && (corrected.unknowns - start.unknowns).norm() < 1e-5;
 }
 
 class Tracer {
  public:
   Tracer(const EquationSystem& curve, const CurvePoint& start, const std::vector<CurveBound>& bounds,
          const StepOptions& options, const StepVisitor& visit)
-      : curve_(curve), start_(start), bounds_(bounds), options_(options), visit_(visit) {}
+      : curve_(curve),
+        start_(start),
+        bounds_(bounds),
+        options_(options),
+        visit_(visit),
+        start_is_crossing_(is_crossing(curve, start)) {}
 
   TraceEnd run() {
     CurvePoint now = start_;
@@ -90,7 +108,7 @@ class Tracer {
         end = {crossing.bound->status, crossing.bound->name + " reached its bound"};
         if (!last) return end;
         next = *last;
-      } else if (points > 2 && passes(curve_, now, next, start_)) {
+      } else if (points > 2 && passes(curve_, now, next, start_, start_is_crossing_)) {
         ends = true;
         end = {TraceStatus::closed_loop, "the curve closes"};
         next = start_;
@@ -137,6 +155,7 @@ class Tracer {
   const std::vector<CurveBound>& bounds_;
   const StepOptions& options_;
   const StepVisitor& visit_;
+  bool start_is_crossing_;
   double step_ = 0;
   int iterations_ = 0, shortened_ = 0;
 };

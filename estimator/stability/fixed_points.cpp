@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "estimator/stability/newton.hpp"
+#include "estimator/stability/root_path.hpp"
 #include "estimator/stability/spectrum.hpp"
 
 namespace secular {
@@ -51,6 +52,24 @@ class RootFinder {
   bool search(const VectorXd& start) {
     bool any = add(descend(start, false));
     while (full() == false && !roots_.empty() && add(descend(start, true))) any = true;
+    return any;
+  }
+
+  // New roots on the paths from all roots in one direction. Roots on one path need it only once.
+  bool follow(const VectorXd& direction) {
+    bool any = false;
+    std::vector<bool> followed;
+    for (std::size_t r = 0; r < roots_.size() && !full(); ++r) {
+      followed.resize(roots_.size(), false);
+      if (followed[r]) continue;
+      const VectorXd root = roots_[r].first;
+      for (const VectorXd& candidate : roots_on_path(system_, root, direction, 3)) {
+        any = add(candidate) || any;
+        followed.resize(roots_.size(), false);
+        for (std::size_t other = 0; other < roots_.size(); ++other)
+          if ((roots_[other].first - candidate).norm() < options_.distinct) followed[other] = true;
+      }
+    }
     return any;
   }
 
@@ -125,8 +144,8 @@ void check(const VectorField& field, const ConstVector& parameters, const FixedP
   field.check(options.upper, parameters);
   if (!(options.lower.array() < options.upper.array()).all())
     throw std::invalid_argument("a box of fixed points whose lower corner is not below the upper one");
-  if (options.start_limit < 1 || options.quiet_starts < 1 || options.root_limit < 1 || !(options.decades >= 0) ||
-      !(options.distinct > 0) || !(options.tolerance > 0))
+  if (options.start_limit < 1 || options.quiet_starts < 1 || options.root_limit < 1 || options.paths < 0 ||
+      !(options.decades >= 0) || !(options.distinct > 0) || !(options.tolerance > 0))
     throw std::invalid_argument("limits of a search for fixed points that are not positive");
 }
 
@@ -149,6 +168,8 @@ FixedPoints find_fixed_points(const VectorField& field, const ConstVector& param
     quiet = finder.search(start) ? 0 : quiet + 1;
     ++result.starts;
   }
+  for (int path = 0; path < options.paths && !finder.full(); ++path)
+    finder.follow(low_discrepancy(field.dimension(), 1 + path));
   if (finder.full()) {
     result.status = FixedPointStatus::root_limit;
     result.reason = "as many roots as allowed; they may not be isolated";

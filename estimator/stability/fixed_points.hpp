@@ -11,7 +11,8 @@ namespace secular {
 struct FixedPointOptions {
   Eigen::VectorXd lower, upper;  ///< the box, [dimension]
   int start_limit = 600;
-  int quiet_starts = 120;  ///< stop after so many starts in a row without a new root
+  int quiet_starts = 60;  ///< stop after so many starts in a row without a new root
+  int paths = 3;          ///< directions in which paths are followed from every root; 0: none
   int root_limit = 100;
   double decades = 4;        ///< starts fill boxes shrunk about the centre by 1 down to 10^-decades
   double distinct = 1e-6;    ///< roots closer than this, in half widths of the box, are one
@@ -39,9 +40,12 @@ struct FixedPoints {
   int starts = 0;                  ///< used
 };
 
-/// Fixed points in a box: Newton's method from the centre and from low-discrepancy starts (Roberts' R sequence) in
-/// boxes of log-spaced sizes about the centre, each start followed by deflated runs, in which found roots repel
-/// (Farrell, Birkisson & Funke 2015), until one fails. The same input gives the same output.
+/// Fixed points in a box, by three means in turn:
+/// Newton's method from the centre and from low-discrepancy starts (Roberts' R sequence) in boxes of log-spaced
+/// sizes about the centre, until the last quiet_starts of them found nothing new; from each start, deflated runs in
+/// which found roots repel (Farrell, Birkisson & Funke 2015), until one fails; from each root, the paths f(x) =
+/// lambda d in `paths` directions d, which lead on to other roots (root_path.hpp). What the paths find is followed
+/// in turn. The same input gives the same output.
 ///
 /// Guaranteed: every point returned lies in the box and Newton's method, undeflated, has converged there to
 /// `tolerance`; no two are closer than `distinct`. Not guaranteed: completeness. It is heuristic, with the stopping
