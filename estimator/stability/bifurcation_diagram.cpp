@@ -33,29 +33,41 @@ class Diagram {
     for (const double value : options_.starts_at) {
       VectorXd parameters = parameters_;
       parameters(parameter_) = value;
-      for (const FixedPoint& start : find_fixed_points(field_, parameters, search).points) {
+      const FixedPoints found = find_fixed_points(field_, parameters, search);
+      if (found.status != FixedPointStatus::nothing_new) {
+        result_.status = DiagramStatus::search_limit;
+        result_.reason = found.reason;
+      }
+      if (found.status == FixedPointStatus::root_limit) return std::move(result_);
+      for (const FixedPoint& start : found.points) {
         if (covered(start.state, value)) continue;
+        if (at_limit()) return std::move(result_);
         Branch branch = continue_fixed_points(field_, parameters, parameter_, start.state, options_.continuation);
         if (branch.points.empty()) continue;
         if (!add(std::move(branch))) return std::move(result_);
       }
     }
-    result_.reason = "every start and every crossing was followed";
+    if (result_.status == DiagramStatus::complete) result_.reason = "every start and every crossing was followed";
     return std::move(result_);
   }
 
  private:
+  bool at_limit() {
+    if (static_cast<int>(result_.branches.size()) < options_.branch_limit) return false;
+    result_.status = DiagramStatus::branch_limit;
+    result_.reason = "as many branches as allowed";
+    return true;
+  }
+
   VectorXd scaled(const VectorXd& state, double value) const {
     VectorXd point(scale_.size());
     point << state, value;
     return point.cwiseQuotient(scale_);
   }
 
-  // Whether a branch passes this fixed point: where a segment comes near, Newton's method from it must lead there.
+  // Whether a branch passes this fixed point, as far as its chords tell.
   bool covered(const VectorXd& state, double value) const {
     const VectorXd point = scaled(state, value);
-    VectorXd parameters = parameters_;
-    parameters(parameter_) = value;
     for (const Branch& branch : result_.branches)
       for (std::size_t i = 1; i < branch.points.size(); ++i) {
         const VectorXd from = scaled(branch.points[i - 1].state, branch.points[i - 1].parameter);
@@ -63,7 +75,7 @@ class Diagram {
         const double length = chord.norm();
         if (!(length > 0)) continue;
         const double share = std::clamp(chord.dot(point - from) / (length * length), 0.0, 1.0);
-        // Between points the curve leaves its chord by about an eighth of length * turn.
+        // An arc leaves its chord by an eighth of length * turn.
         const double sag = 0.125 * length * 3 * options_.continuation.steps.turn + 1e-9;
         if ((from + share * chord - point).norm() < sag) return true;
       }
@@ -91,11 +103,7 @@ class Diagram {
       for (std::size_t s = 0; s < result_.branches[b].special.size(); ++s) {
         const SpecialPoint crossing = result_.branches[b].special[s];
         if (crossing.branches.size() == 0 || crossed(crossing)) continue;
-        if (static_cast<int>(result_.branches.size()) >= options_.branch_limit) {
-          result_.status = DiagramStatus::branch_limit;
-          result_.reason = "as many branches as allowed";
-          return false;
-        }
+        if (at_limit()) return false;
         result_.branches.push_back(switch_branch(field_, parameters_, parameter_, crossing, options_.continuation));
       }
     return true;

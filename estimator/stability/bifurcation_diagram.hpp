@@ -18,6 +18,8 @@ struct DiagramOptions {
 enum class DiagramStatus {
   complete,      ///< every start and every crossing was followed
   branch_limit,  ///< as many branches as allowed
+  search_limit,  ///< a search for fixed points ended at a limit; with FixedPointStatus::root_limit nothing is
+                 ///< traced
 };
 
 /// All branches of fixed points in one parameter that could be found.

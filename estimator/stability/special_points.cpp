@@ -85,7 +85,10 @@ class Locator {
     VectorXd start(n + 2);
     start << located.point.unknowns, 0;
     take(near_solution(system, start, located.point.unknowns, reach_), located);
-    CrossingTangents crossing = crossing_tangents(field_, located.point.unknowns, located.point.tangent);
+    // Tangents computed there are nobody's: the chord tells which of the two branches this is.
+    const VectorXd chord = (to_.unknowns - from_.unknowns).normalized();
+    const CrossingTangents crossing = crossing_tangents(field_, located.point.unknowns, chord);
+    located.point.tangent = chord;
     located.special.kind = crossing.kind;
     if (crossing.tangents.size() > 0) {
       located.point.tangent = crossing.tangents.col(0);
@@ -154,17 +157,17 @@ bool explained(const BranchTests& from, const BranchTests& to) {
 std::vector<LocatedPoint> special_points_between(const ScaledField& field, const EquationSystem& curve,
                                                  const BranchStep& step) {
   const Locator locator(field, curve, step.from, step.to);
+  const auto turns_back = [&](const LocatedPoint& other) {
+    return other.special.kind == SpecialKind::pitchfork && std::abs(other.point.tangent(field.dimension())) < 1e-6;
+  };
   std::vector<LocatedPoint> found;
   for (const std::size_t test : {crossing_test, fold_test, pair_test}) {
     if (!changes_sign(step.before, step.after, test)) continue;
-    std::optional<LocatedPoint> located = locator.locate(test);
-    if (!located) continue;
     // Along the branch of a pitchfork that leaves the parameter alone, the saddle-node test changes sign with the
     // other one: that is one point.
-    const auto same = [&](const LocatedPoint& other) {
-      return (other.point.unknowns - located->point.unknowns).norm() < 1e-6;
-    };
-    if (test == fold_test && std::any_of(found.begin(), found.end(), same)) continue;
+    if (test == fold_test && std::any_of(found.begin(), found.end(), turns_back)) continue;
+    std::optional<LocatedPoint> located = locator.locate(test);
+    if (!located) continue;
     found.push_back(std::move(*located));
   }
   const VectorXd chord = step.to.unknowns - step.from.unknowns;

@@ -164,6 +164,21 @@ TEST(BifurcationCurve, DuffingFoldsMeetInACusp) {
   }
 }
 
+TEST(BifurcationCurve, TongueOfCombinationResonance) {
+  const Combination model;
+  const SpecialPoint hopf =
+      special_point(model.field(), vector({0.5, 0.01}), 1, VectorXd::Zero(4), 0, 1, SpecialKind::hopf);
+  const BifurcationCurve curve =
+      continue_bifurcation(model.field(), vector({0.5, hopf.at.parameter}), hopf, ranges({1, 0, 1}, {0, -1, 1}));
+  ASSERT_GT(curve.points.size(), 20u);
+  EXPECT_NEAR(std::abs(curve.points.front().second - curve.points.back().second), 2, 1e-12);
+  for (const BifurcationCurvePoint& point : curve.points) {
+    const double frequency = model.frequency(point.second);
+    EXPECT_NEAR(point.first, model.threshold(point.second), 1e-9);
+    EXPECT_NEAR(point.frequency * point.frequency, frequency * frequency, 1e-10);
+  }
+}
+
 TEST(BifurcationCurve, UnfoldedBranchPointsEnd) {
   // x' = p x - x^2 + q: a transcritical point only at q = 0.
   const VectorField field(1, {"p", "q"}, [](const ConstVector& x, const ConstVector& p, OutVector rate) {

@@ -237,6 +237,23 @@ TEST(Continuation, ClosedLoop) {
   EXPECT_EQ(branch.points.front().state, branch.points.back().state);
 }
 
+TEST(Continuation, CombinationResonanceLosesStabilityToAPair) {
+  Combination model;
+  const Branch trivial =
+      continue_fixed_points(model.field(), vector({0.5, 0.01}), 1, VectorXd::Zero(4), between(0, 1));
+  ASSERT_EQ(trivial.special.size(), 1u);
+  EXPECT_EQ(trivial.special[0].kind, SpecialKind::hopf);
+  EXPECT_NEAR(trivial.special[0].at.parameter, model.threshold(0.5), 1e-11);
+  EXPECT_NEAR(trivial.special[0].frequency, model.frequency(0.5), 1e-10);
+
+  model.mu2 = model.mu1;
+  const Branch equal =
+      continue_fixed_points(model.field(), vector({0.5, 0.01}), 1, VectorXd::Zero(4), between(0, 1));
+  ASSERT_EQ(equal.special.size(), 1u);
+  EXPECT_EQ(equal.special[0].kind, SpecialKind::double_zero);
+  EXPECT_NEAR(equal.special[0].at.parameter, model.threshold(0.5), 1e-9);
+}
+
 TEST(Continuation, NeutralSaddlesAreNoHopfPoints) {
   // Eigenvalues p and -1: their sum vanishes at p = 1; only p = 0 is a branch point.
   const VectorField field(2, {"p"}, [](const ConstVector& x, const ConstVector& p, OutVector rate) {

@@ -110,6 +110,47 @@ struct Parametric {
   }
 };
 
+/// Additive combination resonance Omega = w1 + w2 + sigma, linear part, parameters sigma and F:
+/// z1' = -(mu1 + i sigma/2) z1 - i F z2*, z2' = -(mu2 + i sigma/2) z2 - i F z1*.
+/// With exp(i nu t) for (z1, z2*): (mu1 + i (nu + sigma/2)) (mu2 + i (nu - sigma/2)) = F^2, so the trivial solution
+/// loses its stability at F^2 = mu1 mu2 (1 + sigma^2/(mu1 + mu2)^2) with the frequency
+/// nu = sigma/2 (mu1 - mu2)/(mu1 + mu2). The phase of z1 z2* is free: a cubic term would give circles of solutions.
+struct Combination {
+  double mu1 = 0.1, mu2 = 0.3, cubic = 0;
+
+  double threshold(double sigma) const {
+    const double ratio = sigma / (mu1 + mu2);
+    return std::sqrt(mu1 * mu2 * (1 + ratio * ratio));
+  }
+  double frequency(double sigma) const { return std::abs(sigma / 2 * (mu1 - mu2) / (mu1 + mu2)); }
+
+  VectorField field() const {
+    const Combination m = *this;
+    return {4, {"sigma", "F"}, [m](const ConstVector& x, const ConstVector& p, OutVector rate) {
+              using Complex = std::complex<double>;
+              const Complex i(0, 1), z1(x(0), x(1)), z2(x(2), x(3));
+              const Complex d1 =
+                  -(m.mu1 + i * p(0) / 2.0) * z1 - i * p(1) * std::conj(z2) + i * m.cubic * std::norm(z1) * z1;
+              const Complex d2 =
+                  -(m.mu2 + i * p(0) / 2.0) * z2 - i * p(1) * std::conj(z1) + i * m.cubic * std::norm(z2) * z2;
+              rate << d1.real(), d1.imag(), d2.real(), d2.imag();
+            }};
+  }
+};
+
+/// Two modes in 1:1 internal resonance, the first one forced; parameter sigma. Mirrored in the second mode.
+inline VectorField coupled_modes() {
+  return {4, {"sigma"}, [](const ConstVector& x, const ConstVector& p, OutVector rate) {
+            using Complex = std::complex<double>;
+            const Complex i(0, 1), z1(x(0), x(1)), z2(x(2), x(3));
+            const Complex d1 = -(0.12 + i * p(0)) * z1 - 0.35 * i + 0.8 * i * std::norm(z1) * z1 +
+                               i * (0.9 * std::norm(z2) * z1 + 0.5 * z2 * z2 * std::conj(z1));
+            const Complex d2 = -(0.1 + i * (p(0) + 0.1)) * z2 + 0.6 * i * std::norm(z2) * z2 +
+                               i * (0.9 * std::norm(z1) * z2 + 0.5 * z1 * z1 * std::conj(z2));
+            rate << d1.real(), d1.imag(), d2.real(), d2.imag();
+          }};
+}
+
 /// Bogdanov-Takens normal form x' = y, y' = b1 + b2 x + x^2 - x y: saddle-nodes at 4 b1 = b2^2, Hopf points at
 /// b1 = 0, b2 < 0 with frequency sqrt(-b2) (Kuznetsov, section 8.4, with s = -1).
 inline VectorField bogdanov_takens() {
