@@ -68,7 +68,9 @@ class BranchTracer {
     VectorXd tangent = svd.matrixV().col(n);
     if (svd.singularValues()(n - 1) <= 1e-7 * svd.singularValues()(0)) {
       const CrossingTangents crossing = crossing_tangents(field_, unknowns, VectorXd::Unit(n + 1, n));
-      if (crossing.tangents.size() > 0) tangent = crossing.tangents.col(0);
+      // Without two separate directions: the one across whatever family of fixed points this is in.
+      tangent = crossing.tangents.size() > 0 ? VectorXd(crossing.tangents.col(0))
+                                             : tangent_at(curve_, unknowns, VectorXd::Unit(n + 1, n));
     }
     return tangent(n) < 0 ? VectorXd(-tangent) : tangent;
   }

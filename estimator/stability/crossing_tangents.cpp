@@ -29,7 +29,8 @@ CrossingTangents crossing_tangents(const ScaledField& field, const ConstVector& 
   const double b = 0.25 * (curvature(plane.col(0) + plane.col(1)) - curvature(plane.col(0) - plane.col(1)));
   // a cos^2 + 2 b cos sin + c sin^2 = 0  <=>  (a + c)/2 + (a - c)/2 cos 2t + b sin 2t = 0
   const double mean = 0.5 * (a + c), radius = std::hypot(0.5 * (a - c), b);
-  if (!(radius > 0) || std::abs(mean) > (1 - 1e-9) * radius) return crossing;
+  const double noise = 1e-7 * svd.singularValues()(0);
+  if (!(radius > noise) || std::abs(mean) > (1 - 1e-9) * radius) return crossing;
   const double phase = std::atan2(b, 0.5 * (a - c)), opening = std::acos(-mean / radius);
   const auto direction = [&](double angle) -> VectorXd {
     return plane * Vector2d(std::cos(angle), std::sin(angle));

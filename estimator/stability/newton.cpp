@@ -34,7 +34,12 @@ VectorXd newton_step(const Eigen::Ref<const MatrixXd>& jacobian, const Eigen::Re
   }
   if (!scaled.allFinite() || !right.allFinite())
     return VectorXd::Constant(jacobian.cols(), std::numeric_limits<double>::quiet_NaN());
-  return scaled.completeOrthogonalDecomposition().solve(right);
+  // Differences leave the zeros of a singular matrix at about 1e-13: without the threshold they would be divided
+  // by.
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition;
+  decomposition.setThreshold(1e-11);
+  decomposition.compute(scaled);
+  return decomposition.solve(right);
 }
 
 NewtonResult newton(const EquationSystem& system, const Eigen::Ref<const VectorXd>& start, int iteration_limit) {

@@ -28,7 +28,7 @@ struct NewtonResult {
 NewtonResult newton(const EquationSystem& system, const Eigen::Ref<const Eigen::VectorXd>& start,
                     int iteration_limit = 12);
 
-/// Newton's step -J^-1 f in rows of unit norm; the least one in norm where J is singular.
+/// Newton's step -J^-1 f in rows of unit norm; the least one in norm where J is singular (to 1e-11).
 Eigen::VectorXd newton_step(const Eigen::Ref<const Eigen::MatrixXd>& jacobian,
                             const Eigen::Ref<const Eigen::VectorXd>& value);
 

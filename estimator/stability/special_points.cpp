@@ -168,6 +168,12 @@ std::vector<LocatedPoint> special_points_between(const ScaledField& field, const
     if (test == fold_test && std::any_of(found.begin(), found.end(), turns_back)) continue;
     std::optional<LocatedPoint> located = locator.locate(test);
     if (!located) continue;
+    // Where a continuous symmetry keeps one eigenvalue zero, a saddle-node is a double zero too.
+    const auto same = [&](const LocatedPoint& other) {
+      return (other.point.unknowns - located->point.unknowns).norm() < 1e-6;
+    };
+    if (located->special.kind == SpecialKind::double_zero && std::any_of(found.begin(), found.end(), same))
+      continue;
     found.push_back(std::move(*located));
   }
   const VectorXd chord = step.to.unknowns - step.from.unknowns;

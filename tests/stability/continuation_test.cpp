@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -252,6 +253,30 @@ TEST(Continuation, CombinationResonanceLosesStabilityToAPair) {
   ASSERT_EQ(equal.special.size(), 1u);
   EXPECT_EQ(equal.special[0].kind, SpecialKind::double_zero);
   EXPECT_NEAR(equal.special[0].at.parameter, model.threshold(0.5), 1e-9);
+}
+
+TEST(Continuation, CirclesOfFixedPoints) {
+  // Equal dampings, z1 = z2 = z: as the parametric resonance, (c a^2 - sigma/2)^2 + mu^2 = F^2, with a free phase.
+  Combination model;
+  model.mu2 = model.mu1;
+  model.cubic = 0.5;
+  const double sigma = 0.2, f = 0.4;
+  const double a = std::sqrt((sigma / 2 + std::sqrt(f * f - model.mu1 * model.mu1)) / model.cubic);
+  // z' = 0 at z1 = a, z2* = -(mu + i sigma/2 - i c a^2) a / (i F).
+  const std::complex<double> i(0, 1);
+  const std::complex<double> z2 = std::conj(-(model.mu1 + i * (sigma / 2 - model.cubic * a * a)) * a / (i * f));
+  const VectorXd start = vector({a, 0, z2.real(), z2.imag()});
+  const Branch branch = continue_fixed_points(model.field(), vector({sigma, f}), 1, start, between(0, 1));
+  EXPECT_EQ(branch.first_end.status, TraceStatus::parameter_bound);
+  EXPECT_EQ(branch.last_end.status, TraceStatus::parameter_bound);
+  int folds = 0;
+  for (const SpecialPoint& special : branch.special) {
+    if (special.kind != SpecialKind::saddle_node || special.at.state.norm() < 0.1) continue;
+    ++folds;
+    EXPECT_NEAR(special.at.parameter, model.mu1, 1e-10);
+    EXPECT_NEAR(special.at.state.squaredNorm() / 2, sigma / 2 / model.cubic, 1e-8);
+  }
+  EXPECT_EQ(folds, 2);
 }
 
 TEST(Continuation, NeutralSaddlesAreNoHopfPoints) {
