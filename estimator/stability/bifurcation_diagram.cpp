@@ -104,7 +104,8 @@ class Diagram {
         const SpecialPoint crossing = result_.branches[b].special[s];
         if (crossing.branches.size() == 0 || crossed(crossing)) continue;
         if (at_limit()) return false;
-        result_.branches.push_back(switch_branch(field_, parameters_, parameter_, crossing, options_.continuation));
+        Branch other = switch_branch(field_, parameters_, parameter_, crossing, options_.continuation);
+        if (!other.points.empty()) result_.branches.push_back(std::move(other));
       }
     return true;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "estimator/stability/crossing_tangents.hpp"
@@ -38,6 +39,13 @@ void reverse(CurvePoint& point) {
 void reverse(LocatedPoint& located) {
   reverse(located.point);
   if (located.special.branches.size() > 0) located.special.branches.col(0) *= -1;
+}
+
+Branch no_branch(Index parameter, const std::string& reason) {
+  Branch none;
+  none.parameter = parameter;
+  none.first_end = none.last_end = {TraceStatus::no_start, reason};
+  return none;
 }
 
 class BranchTracer {
@@ -79,7 +87,7 @@ class BranchTracer {
     for (const CurveBound& bound : bounds_) {
       const double value = start.unknowns(bound.coordinate), slack = 1e-9;
       if (value < bound.lower - slack || value > bound.upper + slack)
-        throw std::invalid_argument("a continuation starts outside of its bounds");
+        return no_branch(parameter_, "the fixed point near the start is out of bounds: " + bound.name);
     }
     Run ahead = run(start);
     Branch branch;
@@ -217,10 +225,7 @@ Branch continue_fixed_points(const VectorField& field, const ConstVector& parame
   curve.jacobian = [&](const VectorXd& y) { return scaled_field.jacobian(y); };
   const NewtonResult start = correct(curve, guess, VectorXd::Unit(guess.size(), field.dimension()));
   if (!start.converged) {
-    Branch none;
-    none.parameter = parameter;
-    none.first_end = none.last_end = {TraceStatus::no_start, "no fixed point near the start"};
-    return none;
+    return no_branch(parameter, "no fixed point near the start");
   }
   BranchTracer tracer(scaled_field, parameter, options);
   return tracer.trace({start.unknowns, tracer.start_tangent(start.unknowns)});

@@ -38,8 +38,8 @@ struct Branch {
 /// steps.largest then.
 ///
 /// Numerical failure is a status of the ends (TraceStatus::no_start with no points where Newton's method finds no
-/// fixed point). Throws std::invalid_argument for sizes, bounds or steps that make no sense and for a start outside
-/// of the bounds.
+/// fixed point within the bounds). Throws std::invalid_argument for sizes, bounds or steps that make no sense and
+/// for a start whose parameter is out of bounds.
 Branch continue_fixed_points(const VectorField& field, const Eigen::Ref<const Eigen::VectorXd>& parameters,
                              Eigen::Index parameter, const Eigen::Ref<const Eigen::VectorXd>& state,
                              const ContinuationOptions& options);

@@ -315,6 +315,8 @@ TEST(Continuation, StateBoundEndsTheBranch) {
   EXPECT_EQ(branch.first_end.status, TraceStatus::state_bound);
   EXPECT_EQ(branch.last_end.status, TraceStatus::state_bound);
   EXPECT_NEAR(branch.points.back().parameter, 2.25, 1e-10);
+  const Branch outside = continue_fixed_points(saddle_node_field(), vector({3}), 0, vector({1.7}), options);
+  EXPECT_EQ(outside.first_end.status, TraceStatus::no_start);
 }
 
 TEST(Continuation, MisuseIsRefused) {
