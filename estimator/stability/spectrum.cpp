@@ -13,6 +13,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
+using Eigen::VectorXd;
 using Complex = std::complex<double>;
 
 constexpr double neutral = 1e-9;
@@ -35,7 +36,19 @@ Spectrum spectrum_of(const Eigen::Ref<const MatrixXd>& jacobian) {
     spectrum.eigenvalues = VectorXcd::Constant(jacobian.rows(), std::numeric_limits<double>::quiet_NaN());
     return spectrum;
   }
-  const Eigen::EigenSolver<MatrixXd> solver(jacobian, false);
+  Eigen::EigenSolver<MatrixXd> solver(jacobian, false);
+  // Matrices of a symmetric field, with every eigenvalue twice over, can stall the QR algorithm: reflected ones do
+  // not.
+  for (int attempt = 1; solver.info() != Eigen::Success && attempt < 4; ++attempt) {
+    const VectorXd normal = VectorXd::LinSpaced(jacobian.rows(), 1, 1 + attempt).normalized();
+    MatrixXd reflected = jacobian - 2 * normal * (normal.transpose() * jacobian);
+    reflected -= 2 * (reflected * normal) * normal.transpose();
+    solver.compute(reflected, false);
+  }
+  if (solver.info() != Eigen::Success) {
+    spectrum.eigenvalues = VectorXcd::Constant(jacobian.rows(), std::numeric_limits<double>::quiet_NaN());
+    return spectrum;
+  }
   std::vector<Complex> values(solver.eigenvalues().begin(), solver.eigenvalues().end());
   std::sort(values.begin(), values.end(), [](const Complex& a, const Complex& b) {
     return a.real() != b.real() ? a.real() > b.real() : a.imag() > b.imag();
