@@ -66,6 +66,7 @@ class Values {
       case Kind::exponential:
         return std::exp(part(0));
       case Kind::words:
+      case Kind::mean:
         break;
     }
     throw std::invalid_argument("no value: " + typeset::latex_math(formula));
