@@ -56,12 +56,26 @@ class Statements {
   // The value plus (or minus) what the frame turns by.
   Expression forced_and_turning(const VariableSum& value, const std::vector<CanonicalRatio>& turning,
                                 bool minus) const {
+    if (value.empty()) {
+      std::vector<CanonicalRatio> multiples = turning;
+      for (CanonicalRatio& multiple : multiples)
+        if (minus) multiple.numerator = -multiple.numerator;
+      return frequency_combination(model_, multiples);
+    }
     Sum sum = empty_sum();
     add_forced(sum, model_, value);
     if (turns(turning)) sum.add(frequency_combination(model_, turning), minus);
     return sum.expression();
   }
   Expression of_amplitude(const VariableSum& value) const { return amplitude_expression(model_, c_, value); }
+  // T - a d
+  Expression in_phase(const AmplitudeRelation& relation) const {
+    Sum sum = empty_sum();
+    add_amplitude(sum, model_, c_, relation.still_imaginary);
+    const Expression turning = frequency_combination(model_, frame_offset(c_, 0));
+    sum.add(Product().times(named("a", model_, 0)).times(bracket(turning)).expression(), true);
+    return sum.expression();
+  }
   // Sum of squares of what is not zero.
   Expression squares(const std::vector<Expression>& values, std::size_t positive) const {
     Sum sum = empty_sum();
@@ -298,11 +312,9 @@ void Statements::pair(const ZeroSolution& zero, const ZeroSolution::Group& group
          {"The same in the parameters of the model:"},
          {{forced(pair.exchange.real), threshold(forced(pair.first_decay), forced(pair.second_decay),
                                                  forced_and_turning(pair.detuning, pair.turning, false))}}});
-  list.push_back(
-      {"trace",
-       {"Trace with changed sign is zero; zero is unstable where this is negative:"},
-       {{empty_sum().add(forced(pair.first_decay), false).add(forced(pair.second_decay), false).expression(),
-         number(0)}}});
+  list.push_back({"trace",
+                  {"Trace with changed sign is zero; zero is unstable where this is negative:"},
+                  {{forced(pair.first_decay + pair.second_decay), number(0)}}});
 }
 
 void Statements::free_or_none(std::vector<Statement>& list) const {
@@ -333,16 +345,13 @@ void Statements::one_angle(const AmplitudeRelation& relation, std::vector<Statem
   list.push_back({"frequency_response",
                   {"frequency response, the phase eliminated by squaring and adding:"},
                   steady_equations(model_, c_)});
-  const Expression a = named("a", model_, 0), frame = frequency_combination(model_, frame_offset(c_, 0));
+  const Expression frame = frequency_combination(model_, frame_offset(c_, 0));
   if (relation.force) {
-    Sum in_phase = empty_sum();
-    if (!relation.still_imaginary.empty()) in_phase.add(of_amplitude(relation.still_imaginary), false);
-    in_phase.add(Product().times(a).times(bracket(frame)).expression(), true);
     list.push_back(
         {"force_response",
          {"force response:"},
          {{power(symbol(model_.excitations[relation.force->excitation]), 2 * relation.force->power),
-           fraction(squares({of_amplitude(relation.still_real), in_phase.expression()}, 2),
+           fraction(squares({of_amplitude(relation.still_real), in_phase(relation)}, 2),
                     squares({of_amplitude(relation.force->real), of_amplitude(relation.force->imaginary)}, 2))}}});
   }
   if (!relation.detuning_is_explicit) return;
@@ -352,7 +361,7 @@ void Statements::one_angle(const AmplitudeRelation& relation, std::vector<Statem
   const Expression radicand = free_symbol("R");
   const auto branch = [&](bool minus) {
     Sum sum = empty_sum();
-    if (!relation.still_imaginary.empty()) sum.add(over_a(relation.still_imaginary), false);
+    add_amplitude(sum, model_, c_, relation.still_imaginary.times_power(AmplitudeVariables::amplitude, -1));
     return Equation{frame, sum.add(root(radicand), minus).expression()};
   };
   list.push_back({"detuning",
@@ -362,6 +371,17 @@ void Statements::one_angle(const AmplitudeRelation& relation, std::vector<Statem
                    {radicand, squares({over_a(relation.turning_real), over_a(relation.turning_imaginary),
                                        over_a(relation.still_real)},
                                       2)}}});
+  const VariableSum squared = relation.turning_real * relation.turning_real +
+                              relation.turning_imaginary * relation.turning_imaginary -
+                              relation.still_real * relation.still_real;
+  if (!squared.times_power(AmplitudeVariables::amplitude, -2).depends_on_variable(AmplitudeVariables::amplitude)) {
+    list.push_back({"peak",
+                    {radicand,
+                     " does not depend on the amplitude: both branches are there where it is positive, and "
+                     "they do not meet."},
+                    {}});
+    return;
+  }
   list.push_back({"peak",
                   {"extreme amplitude, where the branches meet: ", radicand, " is zero, that is"},
                   {{squares({over_a(relation.turning_real), over_a(relation.turning_imaginary)}, 2),
@@ -373,11 +393,7 @@ void Statements::opposite_angles(const AmplitudeRelation& r, std::vector<Stateme
   const VariableSum u_plus = r.turning_real + r.opposite_real, u_minus = r.turning_real - r.opposite_real,
                     v_plus = r.turning_imaginary + r.opposite_imaginary,
                     v_minus = r.turning_imaginary - r.opposite_imaginary;
-  const Expression a = named("a", model_, 0), s = free_symbol("S"), t = free_symbol("T");
-  Sum in_phase = empty_sum();
-  if (!r.still_imaginary.empty()) in_phase.add(of_amplitude(r.still_imaginary), false);
-  in_phase.add(Product().times(a).times(bracket(frequency_combination(model_, frame_offset(c_, 0)))).expression(),
-               true);
+  const Expression s = free_symbol("S"), t = free_symbol("T");
   const auto combination = [&](const Expression& x, const VariableSum& by_x, const Expression& y,
                                const VariableSum& by_y, bool minus) {
     Sum sum = empty_sum();
@@ -393,9 +409,9 @@ void Statements::opposite_angles(const AmplitudeRelation& r, std::vector<Stateme
        {"frequency response; terms turn with an angle and with its negative, and cosine and sine of the "
         "angle are eliminated:"},
        {{squares({combination(s, u_minus, t, v_minus, false), combination(t, u_plus, s, v_plus, true)}, 2),
-         power(bracket(empty_sum().add(of_amplitude(u_plus * u_minus + v_plus * v_minus), false).expression()), 2)},
+         power(of_amplitude(u_plus * u_minus + v_plus * v_minus), 2)},
         {s, of_amplitude(r.still_real)},
-        {t, in_phase.expression()}}});
+        {t, in_phase(r)}}});
 }
 
 void Statements::saddle_node(const AmplitudeRelation& relation, std::vector<Statement>& list) const {
