@@ -107,7 +107,7 @@ StatementSection Statements::jacobian() const {
   if (!jacobian.regular_at_zero)
     statement.says.emplace_back(
         " Not regular at zero: with odd powers of a modulus the entries hold where that amplitude is not zero.");
-  else
+  else if (jacobian.complete)
     statement.says.emplace_back(" Regular at zero.");
   if (!jacobian.complete) statement.says.emplace_back(" Without the terms that are left to quadrature.");
   const auto variable = [&](std::size_t i) { return named(i % 2 == 0 ? "x" : "y", model_, i / 2); };

@@ -223,11 +223,14 @@ Equation motion_equation(const CanonicalModel& model, std::size_t mode) {
 }
 
 Equation quadrature_equation(const CanonicalModel& model, const CanonicalQuadrature& quadrature) {
-  std::vector<int> backwards(model.natural_frequencies.size() + model.excitation_frequencies.size(), 0);
-  backwards[quadrature.mode] = -1;
   Product inner;
   for (const CanonicalFactor& factor : quadrature.factors) multiply_factor(inner, model, factor);
-  inner.times(harmonic(model, backwards));
+  const Expression turning = Product()
+                                 .times(constant("i"))
+                                 .times(symbol(model.natural_frequencies[quadrature.mode]))
+                                 .times(symbol("t"))
+                                 .expression();
+  inner.times(exponential(Sum(model.order).add(turning, true).expression()));
   Product average;
   average.times(mean(inner.expression()));
   Sum sum(model.order);
