@@ -213,8 +213,8 @@ class Writer {
            Paragraph::Tone::bad);
     if (c.nonsmooth_harmonics > 0)
       text(
-          {fmt::format("Nonsmooth terms: Fourier integrals by quadrature up to harmonic {}, largest relative "
-                       "difference {:.0e}.",
+          {fmt::format("Nonsmooth terms: Fourier integrals by quadrature up to harmonic {}, relative "
+                       "difference at most {:.0e}.",
                        c.nonsmooth_harmonics, c.nonsmooth_error)});
     for (const std::string& remainder : c.remainders) text({"Left over: ", Code{remainder}}, Paragraph::Tone::bad);
   }

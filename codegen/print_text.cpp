@@ -173,7 +173,7 @@ std::string certificate_text(const CanonicalCertificate& c) {
       c.order);
   if (c.nonsmooth_harmonics > 0)
     text += fmt::format(
-        "  Nonsmooth terms: Fourier integrals by quadrature up to harmonic {}, largest relative difference "
+        "  Nonsmooth terms: Fourier integrals by quadrature up to harmonic {}, relative difference at most "
         "{:.0e}.\n",
         c.nonsmooth_harmonics, c.nonsmooth_error);
   for (const std::string& remainder : c.remainders) text += "  left over: " + remainder + "\n";

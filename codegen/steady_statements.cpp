@@ -254,7 +254,7 @@ void Statements::pair(const ZeroSolution& zero, const ZeroSolution::Group& group
   const Expression c_a = of_mode("c", a), c_b = of_mode("c", b), d_a = of_mode("d", a), d_b = of_mode("d", b),
                    real = free_symbol("K_r"), imaginary = free_symbol("K_i"), s = free_symbol("s"),
                    detuning = free_symbol("Delta");
-  const bool in_phase = pair.exchange.imaginary.is_zero();
+  const bool real_exchange = pair.exchange.imaginary.is_zero();
   Statement characteristic{"characteristic_equation", {}, {}};
   characteristic.says = {"Combination resonance of the ",
                          additive ? "additive" : "difference",
@@ -273,7 +273,7 @@ void Statements::pair(const ZeroSolution& zero, const ZeroSolution::Group& group
   };
   Sum right = empty_sum();
   right.add(real, false);
-  if (!in_phase) right.add(Product().times(constant("i")).times(imaginary).expression(), false);
+  if (!real_exchange) right.add(Product().times(constant("i")).times(imaginary).expression(), false);
   characteristic.equations = {
       {Product().times(factor(c_a, d_a, false)).times(factor(c_b, d_b, additive)).expression(), right.expression()},
       {c_a, forced(pair.first_decay)},
@@ -281,7 +281,7 @@ void Statements::pair(const ZeroSolution& zero, const ZeroSolution::Group& group
       {d_a, forced_and_turning(zero.direct[a][a].imaginary, zero.offset[a], true)},
       {d_b, forced_and_turning(zero.direct[b][b].imaginary, zero.offset[b], true)},
       {real, forced(pair.exchange.real)}};
-  if (!in_phase) characteristic.equations.push_back({imaginary, forced(pair.exchange.imaginary)});
+  if (!real_exchange) characteristic.equations.push_back({imaginary, forced(pair.exchange.imaginary)});
   list.push_back(std::move(characteristic));
 
   // c1 c2 (1 + Delta^2/(c1 + c2)^2) - K_i (K_i + Delta (c2 - c1))/(c1 + c2)^2
@@ -291,7 +291,7 @@ void Statements::pair(const ZeroSolution& zero, const ZeroSolution::Group& group
     const Expression widened = empty_sum().add(number(1), false).add(quotient, false).expression();
     Sum sum = empty_sum();
     sum.add(Product().times(first).times(second).times(bracket(widened)).expression(), false);
-    if (!in_phase) {
+    if (!real_exchange) {
       const Expression difference = empty_sum().add(second, false).add(first, true).expression();
       const Expression inner = empty_sum()
                                    .add(imaginary, false)
@@ -306,7 +306,7 @@ void Statements::pair(const ZeroSolution& zero, const ZeroSolution::Group& group
                    " positive; zero is unstable where the left side of the threshold is larger than the right:"},
                   {{real, threshold(c_a, c_b, detuning)},
                    {detuning, forced_and_turning(pair.detuning, pair.turning, false)}}});
-  if (in_phase)
+  if (real_exchange)
     list.push_back(
         {"threshold_in_parameters",
          {"The same in the parameters of the model:"},
