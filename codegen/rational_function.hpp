@@ -30,6 +30,19 @@ struct RationalFunction {
 /// numbers are cancelled, other common factors are not: the value is exact, its representation not always shortest.
 RationalFunction derivative(const RationalFunction& value, std::size_t symbol);
 
+/// a + b. Common powers of symbols, common numbers and equal denominators are cancelled, other common factors are
+/// not.
+RationalFunction sum(const RationalFunction& a, const RationalFunction& b);
+
+/// a*b, with the same cancellation.
+RationalFunction product(const RationalFunction& a, const RationalFunction& b);
+
+/// Denominators that differ by a number and powers of symbols only: the sum is not longer than its parts.
+bool have_like_denominators(const RationalFunction& a, const RationalFunction& b);
+
+/// Whether the symbol (its index in the order) occurs.
+bool depends_on(const RationalFunction& value, std::size_t symbol);
+
 /// The symbols that exponents refer to, in declared order; "pi" is one of them.
 using SymbolOrder = std::vector<std::string>;
 
