@@ -157,10 +157,9 @@ excitation = false
 }
 
 TEST(Textbook, GyroscopicCouplingAtFirstOrder) {
-  // x'' + w1^2 x = g y', y'' + w2^2 y = -g x': (w1^2 - l^2)(w2^2 - l^2) = g^2 l^2, so l1 = w1 + g^2 w1/(2 (w1^2 -
-  // w2^2))
-  // + O(g^4), and l2 with the modes exchanged.
-  const Model model = read_model_text(R"(schema = 1
+  // x'' + w1^2 x = g y', y'' + w2^2 y = -g x': (w1^2 - l^2)(w2^2 - l^2) = g^2 l^2, so
+  // l1 = w1 + g^2 w1/(2 (w1^2 - w2^2)) + O(g^4), and l2 with the modes exchanged.
+  const Model model = read_model_text(R"model(schema = 1
 name = "rotor"
 [[mode]]
 coordinate = "x"
@@ -174,7 +173,7 @@ equation = "D2(y) + w2^2*y = -g*D(x)"
 name = "free"
 order = { g = 1 }
 expand_to = 3
-)",
+)model",
                                       "rotor");
   const Derivation d = derive(model, model.cases[0]);
   const ex w1 = model.symbols.at("w1"), w2 = model.symbols.at("w2"), g = model.symbols.at("g");
@@ -193,7 +192,7 @@ TEST(Textbook, TwoExcitationsCombine) {
   // x'' + w^2 x = -a x^2 + e (F cos(Omega t) + F2 cos(Omega2 t)) with hard excitation and Omega2 - Omega near w:
   // the product of both forced motions drives the mode, dA/dt = i a L1 L2/w exp(i s t), L = e F/(2 (w^2 -
   // Omega^2)).
-  const Model model = read_model_text(R"(schema = 1
+  const Model model = read_model_text(R"model(schema = 1
 name = "two"
 [[mode]]
 coordinate = "x"
@@ -204,7 +203,7 @@ name = "difference"
 relations = ["Omega2 = Omega + w + eps*s"]
 order = { a = 1, e = 0 }
 expand_to = 1
-)",
+)model",
                                       "two");
   for (const OmegaPolicy policy : {OmegaPolicy::nominal, OmegaPolicy::kept}) {
     const Derivation d = derive(model, model.cases[0], policy);
@@ -224,7 +223,7 @@ expand_to = 1
 TEST(Textbook, AdditiveCombinationThreshold) {
   // x'' + c1 x' + w1^2 x = p y F cos(Omega t), y'' + c2 y' + w2^2 y = q x F cos(Omega t), Omega = w1 + w2 + sigma:
   // the trivial solution loses stability where p q F^2 = 4 w1 w2 c1 c2 (1 + 4 sigma^2/(c1 + c2)^2).
-  const Model model = read_model_text(R"(schema = 1
+  const Model model = read_model_text(R"model(schema = 1
 name = "pair"
 [[mode]]
 coordinate = "x"
@@ -239,7 +238,7 @@ name = "additive"
 relations = ["Omega = w1 + w2 + eps*sigma"]
 order = { c1 = 1, c2 = 1, p = 1, q = 1 }
 expand_to = 1
-)",
+)model",
                                       "pair");
   const Derivation d = derive(model, model.cases[0]);
   const auto symbol = [&](const char* name) { return model.symbols.at(name); };
