@@ -395,9 +395,9 @@ class MultipleScales {
   }
 
   // A zero may hide behind different denominators.
-  static GiNaC::ex cleaned(const GiNaC::ex& coefficient) {
+  GiNaC::ex cleaned(const GiNaC::ex& coefficient) {
     const GiNaC::ex expanded = coefficient.expand();
-    return vanishes(expanded) ? GiNaC::ex(0) : expanded;
+    return point_.vanishes(expanded) ? GiNaC::ex(0) : expanded;
   }
 
   void warn_if_nearly_resonant(const FieldKey& key, std::size_t k, int order) {
@@ -471,6 +471,7 @@ class MultipleScales {
   std::vector<OrderedEquation> equations_;
   int highest_;
   std::vector<GiNaC::ex> frequencies_;
+  RandomPoint point_;
 };
 
 }  // namespace
