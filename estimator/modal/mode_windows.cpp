@@ -73,15 +73,24 @@ std::vector<ModeWindow> mode_windows(const Eigen::Ref<const MatrixXd>& samples, 
     for (Index i = 0; i < near.size(); ++i)
       near(i) = expected[static_cast<std::size_t>(followed[static_cast<std::size_t>(i)])];
     const MatrixXd window = samples.middleRows(first, length);
-    const PoleFit fit =
-        refine_poles(window, sample_rate_hz, starting_poles(window, sample_rate_hz, near, options.search));
+    VectorXcd start = starting_poles(window, sample_rate_hz, near, options.search);
+    const PoleFit first_fit = fit_residues(window, sample_rate_hz, start);
+    std::vector<Index> heard, left;
+    for (Index i = 0; i < near.size(); ++i)
+      if (audible(first_fit, i, options.end_at_noise)) heard.push_back(i);
+    if (heard.empty()) break;
+    for (const Index i : heard) left.push_back(followed[static_cast<std::size_t>(i)]);
+    followed = std::move(left);
+    start = start(heard).eval();
+    near = near(heard).eval();
+    const PoleFit fit = refine_poles(window, sample_rate_hz, start);
     std::vector<Index> still;
     for (Index i = 0; i < near.size(); ++i) {
       const Index mode = followed[static_cast<std::size_t>(i)];
       const Complex pole = fit.poles(i);
       // A pole that has run away has no mode left to follow.
       if (!audible(fit, i, options.end_at_noise) || std::abs(pole.imag() / near(i).imag() - 1) > options.search ||
-          std::abs(damping_ratio(pole)) > 0.2)
+          std::abs(damping_ratio(pole)) > 0.2 || !std::isfinite(fit.omega_sd(i)))
         continue;
       still.push_back(mode);
       const ScaledShape scaled = scale_shape(fit.residues.row(i).transpose());

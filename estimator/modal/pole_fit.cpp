@@ -100,7 +100,8 @@ FitReport refine_once(const Separable& problem, const VectorXd& weight, const Ve
       jacobian.col(2 * r + 1) = -unit(r) * Eigen::Map<const VectorXd>(by_imaginary.data(), by_imaginary.size());
     }
     for (const Complex pole : poles)
-      if (!(pole.imag() > 0)) residual.setConstant(std::nan(""));  // turned back by the step control
+      if (!(pole.imag() > 0) || std::abs(pole.real()) > pole.imag())
+        residual.setConstant(std::nan(""));  // a step too far, turned back
   };
   FitReport report = nonlinear_fit(function, rows * signals, VectorXd::Zero(2 * n), 60);
   for (Index r = 0; r < n; ++r) {

@@ -110,8 +110,9 @@ StabilisationDiagram stabilisation_diagram(const EigensystemRealization& realiza
     const int first = diagram.poles[chain.back()].order;
     const auto possible = static_cast<double>((largest - first) / 2 + 1);
     if (static_cast<double>(chain.size()) < options.persistence * possible) continue;
-    // Exact data of full rank show each mode only at the last order; otherwise a chain has at least three poles.
-    if (chain.size() < std::min<std::size_t>(3, static_cast<std::size_t>(possible))) continue;
+    // Exact data end at their rank, where a mode may stand for the first time; otherwise it takes three orders.
+    const bool exact = largest < options.largest_order / 2 * 2;
+    if (chain.size() < 3 && !(exact && static_cast<double>(chain.size()) >= possible)) continue;
     StableMode mode = mode_of(diagram, chain);
     const double hz = natural_frequency(mode.pole) / (2 * std::numbers::pi);
     if (hz < options.lowest_hz || (options.highest_hz > 0 && hz > options.highest_hz)) continue;
