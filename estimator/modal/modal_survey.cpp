@@ -53,6 +53,8 @@ void keep_strongest(StabilisationDiagram& diagram, int count) {
   for (const StableMode& mode : modes) strengths.push_back(mode.strength);
   std::sort(strengths.rbegin(), strengths.rend());
   const double least = strengths[static_cast<std::size_t>(count - 1)];
+  for (const StableMode& mode : modes)
+    if (mode.strength < least) diagram.others.push_back(mode);
   std::erase_if(modes, [&](const StableMode& mode) { return mode.strength < least; });
 }
 
@@ -217,12 +219,17 @@ void survey_impacts(ModalSurvey& survey, const SurveyRecords& records) {
   survey.spectrum_hz = first.frequency_hz;
   survey.spectrum = (all.cwiseAbs2().rowwise().sum() / static_cast<double>(all.cols())).cwiseSqrt();
   if (survey.diagram.modes.empty()) return;
-  VectorXcd start(static_cast<Index>(survey.diagram.modes.size()));
-  for (Index r = 0; r < start.size(); ++r) {
-    StableMode& stable = survey.diagram.modes[static_cast<std::size_t>(r)];
-    stable.pole += decay;
-    start(r) = stable.pole;
+  for (StableMode& stable : survey.diagram.modes) stable.pole += decay;
+  for (StableMode& stable : survey.diagram.others) stable.pole += decay;
+  // Modes that nobody asked for are fitted too where their resonance lies on the lines.
+  std::vector<Complex> fitted;
+  for (const StableMode& stable : survey.diagram.modes) fitted.push_back(stable.pole);
+  for (const StableMode& stable : survey.diagram.others) {
+    const double hz = natural_frequency(stable.pole) * to_hz;
+    if (hz >= survey.options.lowest_hz && hz <= (survey.options.highest_hz > 0 ? survey.options.highest_hz : top))
+      fitted.push_back(stable.pole);
   }
+  const VectorXcd start = Eigen::Map<const VectorXcd>(fitted.data(), static_cast<Index>(fitted.size()));
   for (StabilisationPole& pole : survey.diagram.poles) pole.pole += decay;
   const auto modes_from = [&](const std::vector<SurveyReference>& references, const VectorXcd& poles) {
     return modes_of_lines(references, survey.form, poles, survey.options.lowest_hz, survey.options.highest_hz);
@@ -330,6 +337,17 @@ double chosen_window(const ModalSurvey& survey, const SurveyRecords& records) {
   return std::max(least, std::min(limit, std::max(periods, loss)));
 }
 
+// Modes that stand but were not asked for move in the windows all the same: the strongest of them are fitted along,
+// as many as a third of the window's samples determines.
+void add_others(const ModalSurvey& survey, double rate, std::vector<Complex>& poles) {
+  std::vector<StableMode> others = survey.diagram.others;
+  std::sort(others.begin(), others.end(),
+            [](const StableMode& a, const StableMode& b) { return a.strength > b.strength; });
+  const double fits = survey.window_s * rate / 12;
+  for (const StableMode& mode : others)
+    if (static_cast<double>(poles.size()) + 1 < fits) poles.push_back(mode.pole);
+}
+
 void survey_decays(ModalSurvey& survey, const SurveyRecords& records) {
   const bool alone = survey.references.empty();
   if (alone) diagram_of_decays(survey, records);
@@ -340,6 +358,7 @@ void survey_decays(ModalSurvey& survey, const SurveyRecords& records) {
   survey.window_s = options.length_s;
   std::vector<Complex> poles;
   for (const SurveyMode& mode : survey.modes) poles.push_back(mode.pole);
+  if (alone) add_others(survey, records.decays.front().sample_rate_hz, poles);
   for (const SurveyDecay& decay : records.decays) {
     std::vector<ModeWindow> windows;
     try {
@@ -351,6 +370,7 @@ void survey_decays(ModalSurvey& survey, const SurveyRecords& records) {
           "choose another --window, or fewer --modes");
     }
     for (ModeWindow& window : windows) {
+      if (window.mode >= static_cast<Index>(survey.modes.size())) continue;
       window.record = decay.record;
       window.centre_s += decay.start_s;
       survey.windows.push_back(std::move(window));

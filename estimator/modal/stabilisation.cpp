@@ -114,8 +114,6 @@ StabilisationDiagram stabilisation_diagram(const EigensystemRealization& realiza
     const bool exact = largest < options.largest_order / 2 * 2;
     if (chain.size() < 3 && !(exact && static_cast<double>(chain.size()) >= possible)) continue;
     StableMode mode = mode_of(diagram, chain);
-    const double hz = natural_frequency(mode.pole) / (2 * std::numbers::pi);
-    if (hz < options.lowest_hz || (options.highest_hz > 0 && hz > options.highest_hz)) continue;
     const auto twin =
         std::find_if(modes.begin(), modes.end(), [&](const StableMode& m) { return same_mode(m, mode, options); });
     if (twin == modes.end())
@@ -126,7 +124,11 @@ StabilisationDiagram stabilisation_diagram(const EigensystemRealization& realiza
   std::sort(modes.begin(), modes.end(), [](const StableMode& a, const StableMode& b) {
     return natural_frequency(a.pole) < natural_frequency(b.pole);
   });
-  diagram.modes = std::move(modes);
+  for (StableMode& mode : modes) {
+    const double hz = natural_frequency(mode.pole) / (2 * std::numbers::pi);
+    const bool outside = hz < options.lowest_hz || (options.highest_hz > 0 && hz > options.highest_hz);
+    (outside ? diagram.others : diagram.modes).push_back(std::move(mode));
+  }
   return diagram;
 }
 

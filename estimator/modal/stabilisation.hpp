@@ -42,6 +42,7 @@ struct StabilisationDiagram {
   StabilisationOptions options;
   std::vector<StabilisationPole> poles;  ///< by order
   std::vector<StableMode> modes;         ///< by frequency
+  std::vector<StableMode> others;        ///< that stand as well but were not selected
   Eigen::VectorXd singular_values;
 };
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "estimator/campaign/import_files.hpp"
@@ -55,43 +56,55 @@ TEST(MeasuredBeam, FirstBendingFromTheHammer) {
     }
   std::sort(damping.begin(), damping.end());
   EXPECT_NEAR(damping.front().second, 0.14, 0.01);
-  EXPECT_NEAR(damping.back().second, 0.22, 0.02);
+  // The first window, a quarter of a second after the blow, has 0.25 %: every higher mode still slides in the
+  // joint.
+  EXPECT_NEAR(damping[damping.size() - 2].second, 0.22, 0.01);
+  EXPECT_LT(damping.back().second, 0.26);
   for (std::size_t i = 1; i < damping.size(); ++i) EXPECT_GT(damping[i].second, damping[i - 1].second);
   // The lines are curved: micro-slip. The survey says so.
   EXPECT_FALSE(survey.warnings.empty());
 }
 
-// Stepped sines at twelve levels: the resonance falls with the level, at every level near 80.5 Hz.
-TEST(MeasuredBeam, ForcedResponsesSoften) {
+// Stepped sines at twelve levels. Response over force at resonance falls from level to level in both series:
+// damping rises with amplitude. The resonance itself falls up to 40 m/s^2 only and rises again beyond (response
+// control; force control runs through its lowest point at 37 m/s^2), and lies 0.1 to 0.4 Hz below the hammer's: the
+// shaker hangs on.
+TEST(MeasuredBeam, ForcedResponsesAreReadAndSummarised) {
   const fs::path file = data / "ForcedFrequencyResponses.mat";
   if (!fs::exists(file)) GTEST_SKIP() << file << " is not there";
   const std::vector<MatVariable> variables = read_mat(file);
   ASSERT_EQ(variables.size(), 48u);
   const auto values = [&](const std::string& path) {
     for (const MatVariable& v : variables)
-      if (v.path == path) return v.values;
+      if (v.path == path && v.values.size() == 41) return v.values;
     ADD_FAILURE() << path;
     return std::vector<double>(41, 1);
   };
-  // Resonance: the largest response for a force, the smallest force for a response. Both as response over force.
+  struct Resonance {
+    double frequency_hz = 0, amplitude = 0, ratio = 0;
+  };
   const auto resonance = [&](const std::string& test) {
     const std::vector<double> frequency = values(test + ".frequency"), force = values(test + ".force"),
                               response = values(test + ".amplitude");
-    std::size_t best = 0;
+    Resonance best;
     for (std::size_t i = 0; i < frequency.size(); ++i)
-      if (response[i] / force[i] > response[best] / force[best]) best = i;
-    return std::pair(frequency[best], response[best]);
+      if (response[i] / force[i] > best.ratio) best = {frequency[i], response[i], response[i] / force[i]};
+    return best;
   };
-  for (const auto& [kind, tests] : {std::pair<std::string, int>("ForceControl", 4), {"ResponseControl", 8}}) {
-    std::vector<std::pair<double, double>> found;
+  for (const auto& [kind, tests, lowest] :
+       {std::tuple<std::string, int, std::size_t>("ForceControl", 4, 1), {"ResponseControl", 8, 3}}) {
+    std::vector<Resonance> found;
     for (int k = 1; k <= tests; ++k) {
       found.push_back(resonance("FRdata." + kind + "(" + std::to_string(k) + ")"));
-      EXPECT_NEAR(found.back().first, 80.5, 0.6) << kind << k;
-      RecordProperty(kind + std::to_string(k), std::to_string(found.back().first) + " Hz");
+      EXPECT_NEAR(found.back().frequency_hz, 80.3, 0.3) << kind << k;
     }
     for (std::size_t k = 1; k < found.size(); ++k) {
-      EXPECT_GT(found[k].second, found[k - 1].second) << kind << k;
-      EXPECT_LE(found[k].first, found[k - 1].first + 1e-9) << kind << k;
+      EXPECT_GT(found[k].amplitude, found[k - 1].amplitude) << kind << k;
+      EXPECT_LT(found[k].ratio, found[k - 1].ratio) << kind << k;
+      if (k <= lowest)
+        EXPECT_LE(found[k].frequency_hz, found[k - 1].frequency_hz + 1e-9) << kind << k;
+      else
+        EXPECT_GT(found[k].frequency_hz, found[k - 1].frequency_hz) << kind << k;
     }
   }
 }
