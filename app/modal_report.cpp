@@ -184,7 +184,7 @@ void add_shapes(report::HtmlReport& page, const ModalSurvey& survey) {
     for (Index c = 0; c < survey.modes[r].shape.mean.size(); ++c) {
       const MeanShape& shape = survey.modes[r].shape;
       const auto sd = [&](double value) {
-        return shape.windows > 1 ? report::format_fixed(value, 4) : std::string();
+        return shape.windows > 1 ? report::format_number(value, 2) : std::string();
       };
       table.rows.push_back({c == 0 ? mode_name(r) : "", survey.channel_name(c),
                             report::format_fixed(shape.mean(c).real(), 4), sd(shape.real_sd(c)),

@@ -391,11 +391,11 @@ void survey_decays(ModalSurvey& survey, const SurveyRecords& records) {
     mode.damping_ratio_sd = dependence.damping_ratio_sd;
     mode.pole = {dependence.damping_factor_hz.intercept / to_hz, dependence.frequency_hz.intercept / to_hz};
     mode.from = "regression over windows to zero amplitude";
-    if (dependence.frequency_hz.curvature_p < 0.01 || dependence.damping_factor_hz.curvature_p < 0.01)
+    if (dependence.frequency_hz.curvature_p < 0.05 || dependence.damping_factor_hz.curvature_p < 0.05)
       survey.warnings.push_back(fmt::format(
           "mode {} ({:.4g} Hz): {} against amplitude is no straight line (p = {:.1g}); use --fit-below to "
           "keep to small amplitudes",
-          r + 1, mode.natural_frequency_hz, dependence.frequency_hz.curvature_p < 0.01 ? "frequency" : "damping",
+          r + 1, mode.natural_frequency_hz, dependence.frequency_hz.curvature_p < 0.05 ? "frequency" : "damping",
           std::min(dependence.frequency_hz.curvature_p, dependence.damping_factor_hz.curvature_p)));
   }
 }
