@@ -380,7 +380,13 @@ void survey_decays(ModalSurvey& survey, const SurveyRecords& records) {
     SurveyMode& mode = survey.modes[r];
     const AmplitudeDependence dependence =
         amplitude_dependence(survey.windows, static_cast<Index>(r), options.overlap, survey.options.fit_below);
-    if (dependence.windows < 3) continue;
+    if (dependence.windows < 3) {
+      survey.warnings.push_back(fmt::format(
+          "mode {} ({:.4g} Hz) is seen in {} windows of {:.3g} s only: its values are those of the stabilisation "
+          "diagram, their spread over orders is no error bar; a narrower --band or another --window may help",
+          r + 1, mode.natural_frequency_hz, dependence.windows, options.length_s));
+      continue;
+    }
     mode.amplitude = dependence;
     if (!alone) continue;
     const MeanShape shape = mean_shape(survey.windows, static_cast<Index>(r));

@@ -74,10 +74,11 @@ std::vector<ModeWindow> mode_windows(const Eigen::Ref<const MatrixXd>& samples, 
       near(i) = expected[static_cast<std::size_t>(followed[static_cast<std::size_t>(i)])];
     const MatrixXd window = samples.middleRows(first, length);
     VectorXcd start = starting_poles(window, sample_rate_hz, near, options.search);
+    // Poles that are not refined yet leave more than noise: only what is lost for good is left out here.
     const PoleFit first_fit = fit_residues(window, sample_rate_hz, start);
     std::vector<Index> heard, left;
     for (Index i = 0; i < near.size(); ++i)
-      if (audible(first_fit, i, options.end_at_noise)) heard.push_back(i);
+      if (audible(first_fit, i, 0.1 * options.end_at_noise)) heard.push_back(i);
     if (heard.empty()) break;
     for (const Index i : heard) left.push_back(followed[static_cast<std::size_t>(i)]);
     followed = std::move(left);
