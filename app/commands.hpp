@@ -21,5 +21,6 @@ void add_simulate_command(CLI::App& root, Action& chosen);
 void add_identify_command(CLI::App& root, Action& chosen);
 void add_import_command(CLI::App& root, Action& chosen);
 void add_inspect_command(CLI::App& root, Action& chosen);
+void add_modal_command(CLI::App& root, Action& chosen);
 
 }  // namespace secular::app

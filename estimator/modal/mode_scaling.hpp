@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+
+namespace secular {
+
+/// A mode shape (size p) scaled by Eq. (2.2), sum of squares one, and the factor that was taken out:
+/// original = factor * shape. The squares of a complex shape are not its moduli: the rule also turns the shape so
+/// that its real part is as large as it can be. Of the two signs the one that makes the largest real part positive.
+struct ScaledShape {
+  Eigen::VectorXcd shape;
+  std::complex<double> factor;
+};
+
+/// Throws std::invalid_argument for a zero shape and for one that Eq. (2.2) cannot scale: a travelling wave whose
+/// squares cancel to less than 1e-6 of its squared length.
+ScaledShape scale_shape(const Eigen::Ref<const Eigen::VectorXcd>& shape);
+
+}  // namespace secular

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <vector>
+
+namespace secular {
+
+/// What one window of a free decay says of one mode.
+struct ModeWindow {
+  std::size_t record = 0;
+  Eigen::Index mode = 0;      ///< index into the modes that were looked for
+  double centre_s = 0;        ///< from the first sample handed over
+  std::complex<double> pole;  ///< rad/s
+  double growth_sd = 0;       ///< of the real part, 1/s: from the window's own noise
+  double omega_sd = 0;        ///< of the imaginary part, rad/s
+  double amplitude = 0;       ///< mean over the window of the mode's peak amplitude, unit of the channels: the
+                              ///< shape that multiplies it has the sum of squares one, Eq. (2.2)
+  Eigen::VectorXcd shape;     ///< p, scaled by Eq. (2.2)
+};
+
+struct ModeWindowOptions {
+  double length_s = 0;      ///< of a window
+  double overlap = 0.33;    ///< share of a window that the next one sees again, in [0, 1)
+  double end_at_noise = 3;  ///< a mode is followed while some channel shows it this many times above its noise
+  double search = 0.03;     ///< relative frequency within which a mode is looked for from window to window
+};
+
+/// Sliding-window analysis of a free decay (section 2.2), samples N x p: in every window an eigensystem realization
+/// whose poles next to the modes looked for are refined to maximum likelihood together. A mode that sinks into the
+/// noise is no longer followed. Throws std::invalid_argument for a window of fewer than 8 + 4 modes samples or
+/// longer than the record.
+std::vector<ModeWindow> mode_windows(const Eigen::Ref<const Eigen::MatrixXd>& samples, double sample_rate_hz,
+                                     const std::vector<std::complex<double>>& poles,
+                                     const ModeWindowOptions& options);
+
+}  // namespace secular

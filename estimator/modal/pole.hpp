@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+
+namespace secular {
+
+/// rad/s: |lambda| of the pole lambda = -zeta omega + i omega sqrt(1 - zeta^2), Eq. (2.8).
+inline double natural_frequency(std::complex<double> pole) {
+  return std::abs(pole);
+}
+
+/// zeta of Eq. (2.8); negative where the motion grows.
+inline double damping_ratio(std::complex<double> pole) {
+  return -pole.real() / std::abs(pole);
+}
+
+/// The pole of Eq. (2.8) from natural frequency (rad/s) and damping ratio below one.
+inline std::complex<double> pole_of(double frequency, double damping) {
+  return {-damping * frequency, frequency * std::sqrt(1 - damping * damping)};
+}
+
+}  // namespace secular

@@ -1,0 +1,174 @@
+// A whole survey: simulated impacts and free decays whose truth is known.
+#include "estimator/modal/modal_survey.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <string>
+
+#include "estimator/modal/modal_mass.hpp"
+#include "input/input_error.hpp"
+#include "tests/modal/structure_campaign.hpp"
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+using testing_support::CampaignData;
+using testing_support::three_mass_structure;
+
+class ModalSurveyOf : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = fs::path(testing::TempDir()) /
+             ("secular_modal_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+  void write(const CampaignData& data) const { write_campaign(data.campaign, data.samples, folder); }
+  std::string fault(const ModalSurveyOptions& options) const {
+    try {
+      modal_survey(folder, options);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "none";
+  }
+
+  fs::path folder;
+};
+
+ModalSurveyOptions impact_options() {
+  ModalSurveyOptions options;
+  options.lowest_hz = 5;
+  options.highest_hz = 60;
+  options.driving_points["uplx-"] = {"uprx+", -1};
+  return options;
+}
+
+TEST_F(ModalSurveyOf, ImpactsGiveMassesAndMatrices) {
+  write(testing_support::impact_campaign(3, 1e-3, 5));
+  const ModalSurvey survey = modal_survey(folder, impact_options());
+  const auto truth = three_mass_structure();
+  ASSERT_EQ(survey.modes.size(), 3u);
+  ASSERT_EQ(survey.references.size(), 3u);
+  for (std::size_t r = 0; r < 3; ++r) {
+    const std::complex<double> pole = truth.poles(static_cast<Eigen::Index>(r));
+    const SurveyMode& mode = survey.modes[r];
+    EXPECT_LT(std::abs(mode.pole / pole - 1.0), 1e-5) << r;
+    EXPECT_NEAR(mode.damping_ratio / damping_ratio(pole), 1, 2e-3) << r;
+    EXPECT_GT(mode.natural_frequency_sd_hz, 0) << r;
+    EXPECT_GT(mode.phase_collinearity, 0.999) << r;
+    ASSERT_TRUE(mode.mass) << r;
+    EXPECT_NEAR(*mode.mass, 1 / truth.shapes.col(static_cast<Eigen::Index>(r)).squaredNorm(), 3e-3) << r;
+  }
+  EXPECT_FALSE(survey.modes[2].masses[0].used);  // struck in x: hardly moves in y
+  const Eigen::MatrixXd shapes = *survey.mass_normalised();
+  EXPECT_LT((shapes - truth.shapes).norm(), 0.01);
+  const DynamicMatrices found =
+      dynamic_matrices(shapes, Eigen::Vector3cd(survey.modes[0].pole, survey.modes[1].pole, survey.modes[2].pole));
+  EXPECT_LT((found.mass - truth.mass).norm(), 0.01);
+  EXPECT_LT((found.stiffness - truth.stiffness).norm(), 0.01 * truth.stiffness.norm());
+}
+
+TEST_F(ModalSurveyOf, BasisIsReadBackByACampaign) {
+  const CampaignData data = testing_support::impact_campaign(2, 0, 5);
+  write(data);
+  const ModalSurvey survey = modal_survey(folder, impact_options());
+  std::ifstream old(folder / "campaign.toml");
+  std::string text((std::istreambuf_iterator<char>(old)), {});
+  old.close();
+  std::ofstream(folder / "campaign.toml") << text << "\n" << modal_basis_text(survey);
+  const Campaign with_basis = read_campaign(folder);
+  ASSERT_TRUE(with_basis.modal_basis);
+  EXPECT_EQ(with_basis.modal_basis->modes, (std::vector<std::string>{"v1", "v2", "v3"}));
+  const Eigen::MatrixXd shapes = *survey.mass_normalised();
+  for (Eigen::Index c = 0; c < 3; ++c)
+    for (Eigen::Index r = 0; r < 3; ++r)
+      EXPECT_EQ(
+          with_basis.modal_basis->mass_normalised_shapes[static_cast<std::size_t>(c)][static_cast<std::size_t>(r)],
+          shapes(c, r));
+}
+
+// Seven decays, windows and overlap of section 2.2: the lines of Table 2.4 come back within their error bars.
+TEST_F(ModalSurveyOf, DecaysGiveTheLinesOfTable24) {
+  write(testing_support::decay_campaign(7, 0.05, 11));
+  ModalSurveyOptions options;
+  options.lowest_hz = 5;
+  options.highest_hz = 60;
+  options.modes = 3;
+  options.window_s = 0.375;
+  const ModalSurvey survey = modal_survey(folder, options);
+  const auto truth = testing_support::two_mass_tables();
+  ASSERT_EQ(survey.modes.size(), 3u);
+  for (std::size_t r = 0; r < 3; ++r) {
+    const auto row = static_cast<Eigen::Index>(r);
+    const SurveyMode& mode = survey.modes[r];
+    ASSERT_TRUE(mode.amplitude) << r;
+    const AmplitudeDependence& line = *mode.amplitude;
+    EXPECT_GT(line.windows, 40u);
+    EXPECT_TRUE(line.frequency_hz.clustered);
+    const auto expect_near = [&](double value, double exact, double sd, double least) {
+      EXPECT_LT(std::abs(value - exact), std::max(4 * sd, least)) << r << ": " << value << " for " << exact;
+    };
+    expect_near(line.frequency_hz.intercept, truth.frequency_hz(row), line.frequency_hz.intercept_sd, 1e-4);
+    expect_near(line.frequency_hz.slope, testing_support::frequency_slopes(row), line.frequency_hz.slope_sd, 1e-4);
+    expect_near(line.damping_factor_hz.intercept, truth.damping_factor_hz(row), line.damping_factor_hz.intercept_sd,
+                2e-4);
+    expect_near(line.damping_factor_hz.slope, testing_support::damping_slopes(row), line.damping_factor_hz.slope_sd,
+                1e-4);
+    EXPECT_LT(line.frequency_hz.intercept_sd, 2e-3);
+    Eigen::Vector3d shape = truth.shapes.col(row);
+    EXPECT_LT((mode.shape.mean.real() - shape).norm(), 4e-3);
+    EXPECT_EQ(mode.shape.windows, line.windows);
+  }
+}
+
+TEST_F(ModalSurveyOf, MassesMayBeGiven) {
+  write(testing_support::decay_campaign(2, 0.02, 3));
+  ModalSurveyOptions options;
+  options.highest_hz = 60;
+  options.modes = 3;
+  options.modal_masses = {0.523, 0.548, 0.523};
+  const ModalSurvey survey = modal_survey(folder, options);
+  ASSERT_TRUE(survey.mass_normalised());
+  EXPECT_NEAR((*survey.mass_normalised())(0, 0), 1.1603, 0.01);
+  options.modal_masses = {0.5};
+  EXPECT_NE(fault(options).find("1 masses for 3 modes"), std::string::npos) << fault(options);
+  options.modal_masses = {0.5, -1, 0.5};
+  EXPECT_NE(fault(options).find("not positive"), std::string::npos) << fault(options);
+  options.modal_masses.clear();
+  EXPECT_THROW(modal_basis_text(modal_survey(folder, options)), InputError);
+}
+
+TEST_F(ModalSurveyOf, SaysWhatDoesNotFit) {
+  CampaignData data = testing_support::decay_campaign(1, 0.02, 3, 2);
+  data.campaign.records[0].kind = RecordKind::broadband;
+  write(data);
+  EXPECT_NE(fault({}).find("free_decay or impact"), std::string::npos) << fault({});
+  fs::remove_all(folder);
+  data.campaign.records[0].kind = RecordKind::free_decay;
+  write(data);
+  ModalSurveyOptions options;
+  options.highest_hz = 128;
+  EXPECT_NE(fault(options).find("half the sample rate"), std::string::npos) << fault(options);
+  options = {};
+  options.records = "nothing*";
+  EXPECT_NE(fault(options).find("--records nothing*"), std::string::npos) << fault(options);
+  options = {};
+  options.from_s = 1.9;
+  EXPECT_NE(fault(options).find("between --from and --to"), std::string::npos) << fault(options);
+  options = {};
+  options.highest_hz = 2;
+  EXPECT_NE(fault(options).find("too short"), std::string::npos) << fault(options);
+  options = {};
+  options.window_s = 100;
+  EXPECT_NE(fault(options).find("does not fit"), std::string::npos) << fault(options);
+}
+
+}  // namespace
+}  // namespace secular
