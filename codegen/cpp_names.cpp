@@ -75,6 +75,9 @@ std::string mangled(const std::string& name, bool clashes) {
 
 std::string safe_identifier(const std::string& symbol) {
   static const std::set<std::string> locals = {"parameters",
+                                               "gradient",
+                                               "lump",
+                                               "denominator",
                                                "data",
                                                "columns",
                                                "lumps",
