@@ -1,18 +1,16 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <system_error>
 #include <thread>
 
 #include "app/commands.hpp"
 #include "app/model_loading.hpp"
+#include "app/progress_line.hpp"
 #include "app/shipped_models.hpp"
 #include "input/input_error.hpp"
 #include "simulate/virtual_test.hpp"
@@ -27,22 +25,6 @@ ModelSource model_source(const std::filesystem::path& experiment, bool interpret
   std::error_code unreadable;
   return {std::filesystem::is_regular_file(beside, unreadable) ? beside.string() : name, interpret};
 }
-
-// Records done and time left, on a terminal and after two seconds.
-class ProgressLine {
- public:
-  void operator()(std::size_t done, std::size_t total) {
-    const std::lock_guard lock(guard_);
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun_;
-    if (!isatty(STDERR_FILENO) || spent.count() < 2) return;
-    const double left = spent.count() * static_cast<double>(total - done) / static_cast<double>(done);
-    fmt::print(stderr, "\r{} of {} records, {:.0f} s left  {}", done, total, left, done == total ? "\n" : "");
-  }
-
- private:
-  std::mutex guard_;
-  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
-};
 
 }  // namespace
 
@@ -72,7 +54,7 @@ void add_simulate_command(CLI::App& root, Action& chosen) {
       const std::filesystem::path path = resolve_model(options->experiment);
       const auto model = model_source(path, options->interpret).load({});  // equations of motion alone
       const Experiment experiment = read_experiment(path, *model);
-      ProgressLine line;
+      ProgressLine line("records");
       const SimulatedCampaign simulated =
           run_virtual_test(experiment, *model, options->seed, options->threads,
                            [&line](std::size_t done, std::size_t total) { line(done, total); });

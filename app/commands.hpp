@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 void add_derive_command(CLI::App& root, Action& chosen);
 void add_evaluate_command(CLI::App& root, Action& chosen);
 void add_generate_command(CLI::App& root, Action& chosen);
+void add_verify_command(CLI::App& root, Action& chosen);
 void add_simulate_command(CLI::App& root, Action& chosen);
 void add_identify_command(CLI::App& root, Action& chosen);
 void add_import_command(CLI::App& root, Action& chosen);

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   add_derive_command(root, chosen);
   add_evaluate_command(root, chosen);
   add_generate_command(root, chosen);
+  add_verify_command(root, chosen);
   add_simulate_command(root, chosen);
   add_identify_command(root, chosen);
   add_import_command(root, chosen);

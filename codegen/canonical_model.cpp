@@ -16,6 +16,9 @@
 namespace secular {
 namespace {
 
+// What rounding leaves depends on the order of terms, which changes from run to run.
+constexpr double smallest_nonsmooth_error = 1e-14;
+
 CanonicalRatio ratio(const GiNaC::numeric& value) {
   return {value.numer().to_int(), value.denom().to_int()};
 }
@@ -160,7 +163,7 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
                         certificate.order,
                         certificate.coefficients_checked,
                         certificate.nonsmooth_harmonics,
-                        certificate.nonsmooth_error,
+                        std::max(certificate.nonsmooth_error, smallest_nonsmooth_error),
                         certificate.remainders};
   result.warnings = nominal.warnings;
   if (!observed_frequencies(nominal)) return result;

@@ -93,7 +93,7 @@ struct CanonicalCertificate {
   int order = 0;
   std::size_t coefficients_checked = 0;
   int nonsmooth_harmonics = 0;
-  double nonsmooth_error = 0;
+  double nonsmooth_error = 0;  ///< a bound, not below what rounding makes
   std::vector<std::string> remainders;
 };
 

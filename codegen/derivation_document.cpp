@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "codegen/generated_lump.hpp"
 #include "codegen/look_alikes.hpp"
-#include "codegen/steady_state.hpp"
+#include "codegen/steady_statements.hpp"
 #include "codegen/typeset_equations.hpp"
 
 namespace secular::typeset {
@@ -27,11 +28,11 @@ class Writer {
   }
 
  private:
-  void section(std::string text) { document_.blocks.push_back(Heading{false, std::move(text)}); }
+  void section(std::string text) { document_.blocks.emplace_back(Heading{false, std::move(text)}); }
   void text(std::vector<Run> runs, Paragraph::Tone tone = Paragraph::Tone::plain) {
-    document_.blocks.push_back(Paragraph{std::move(runs), tone});
+    document_.blocks.emplace_back(Paragraph{std::move(runs), tone});
   }
-  void equations(std::vector<Equation> list) { document_.blocks.push_back(EquationList{std::move(list)}); }
+  void equations(std::vector<Equation> list) { document_.blocks.emplace_back(EquationList{std::move(list)}); }
 
   std::size_t modes() const { return model_.coordinates.size(); }
   template <typename Make>
@@ -75,7 +76,7 @@ class Writer {
   }
 
   void resonance(const CanonicalCase& c) {
-    document_.blocks.push_back(Heading{true, "Case " + c.name});
+    document_.blocks.emplace_back(Heading{true, "Case " + c.name});
     if (!c.relations.empty()) {
       text({c.relations.size() == 1 ? "Resonance relation:" : "Resonance relations:"});
       std::vector<Equation> relations;
@@ -109,7 +110,7 @@ class Writer {
       for (const CanonicalTerm& term : c.harmonics[k])
         table.rows.push_back({power(symbol("eps"), term.order), harmonic(model_, term.powers.phase),
                               harmonic_coefficient(model_, term)});
-      document_.blocks.push_back(std::move(table));
+      document_.blocks.emplace_back(std::move(table));
     }
   }
 
@@ -117,6 +118,15 @@ class Writer {
     section("Solvability: complex modulation equations");
     text({"In true time, all orders together."});
     equation_of_each_mode([&](std::size_t k) { return complex_modulation(model_, c, k); });
+    if (!c.quadratures.empty()) {
+      text(
+          {"Terms left to quadrature, to be added: angle brackets are the mean over the fast phases of the leading "
+           "motion."});
+      std::vector<Equation> list;
+      for (const CanonicalQuadrature& quadrature : c.quadratures)
+        list.push_back(quadrature_equation(model_, quadrature));
+      equations(std::move(list));
+    }
     section("Polar form");
     equation_of_each_mode([&](std::size_t k) {
       const Expression turn =
@@ -141,25 +151,15 @@ class Writer {
   }
 
   void steady(const CanonicalCase& c) {
-    section("Steady states");
-    switch (steady_state(model_, c).kind) {
-      case SteadyState::Kind::several_modes:
-        text(
-            {"Several modes: the phases cannot be eliminated in closed form; the steady states are where all right "
-             "sides of the Cartesian form vanish."});
-        return;
-      case SteadyState::Kind::several_angles:
-        text({"Terms with several phase angles: the phase cannot be eliminated in closed form."});
-        return;
-      case SteadyState::Kind::free:
-        text({"Decay law, and backbone with ", observed_frequency_symbol(model_, 0),
-              " the frequency of the oscillation:"});
-        break;
-      case SteadyState::Kind::one_angle:
-        text({"Frequency response, the phase eliminated by squaring and adding:"});
-        break;
+    for (StatementSection& one : steady_sections(model_, c)) {
+      section(std::move(one.heading));
+      for (Statement& statement : one.statements) {
+        if (std::string* first = std::get_if<std::string>(&statement.says.front()); first != nullptr)
+          (*first)[0] = static_cast<char>(std::toupper(static_cast<unsigned char>((*first)[0])));
+        text(std::move(statement.says));
+        if (!statement.equations.empty()) equations(std::move(statement.equations));
+      }
     }
-    equations(steady_equations(model_, c));
   }
 
   void lumps(const CanonicalCase& c) {
@@ -213,8 +213,8 @@ class Writer {
            Paragraph::Tone::bad);
     if (c.nonsmooth_harmonics > 0)
       text(
-          {fmt::format("Nonsmooth terms: Fourier integrals by quadrature up to harmonic {}, largest relative "
-                       "difference {:.0e}.",
+          {fmt::format("Nonsmooth terms: Fourier integrals by quadrature up to harmonic {}, relative "
+                       "difference at most {:.0e}.",
                        c.nonsmooth_harmonics, c.nonsmooth_error)});
     for (const std::string& remainder : c.remainders) text({"Left over: ", Code{remainder}}, Paragraph::Tone::bad);
   }

@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "codegen/canonical_form.hpp"
 #include "input/input_error.hpp"
+#include "perturb/ordered_equation.hpp"
 
 namespace secular {
 namespace {
@@ -136,6 +138,17 @@ std::string evaluation_json(const Derivation& derivation, const std::map<std::st
   }
   result["modulation"] = std::move(modulation);
   result["harmonics"] = std::move(harmonics);
+  // Terms left to quadrature: dA_m/dt also holds value * mean(mean_of * exp(-i w_m t)).
+  const CanonicalForm form(model.symbols, order);
+  for (const QuadratureTerm& quadrature : derivation.quadratures) {
+    const GiNaC::ex scale = (quadrature.coefficient / (2 * GiNaC::I * model.frequency(quadrature.mode))).expand();
+    Json entry;
+    entry["mean_of"] = to_string(quadrature.factors, model);
+    entry["order"] = quadrature.order;
+    entry["value"] = {rounded(evaluator.value(form.of(scale.real_part()))),
+                      rounded(evaluator.value(form.of(scale.imag_part())))};
+    result["quadratures"][model.modes[quadrature.mode].coordinate].push_back(std::move(entry));
+  }
   return result.dump(2) + "\n";
 }
 

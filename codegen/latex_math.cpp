@@ -86,7 +86,7 @@ std::string latex_math(const Expression& formula) {
     case Kind::symbol:
       return name_latex(name_of(formula), false);
     case Kind::constant:
-      return "\\mathrm{" + formula.text + "}";
+      return formula.text == "partial" ? "\\partial" : "\\mathrm{" + formula.text + "}";
     case Kind::words:
       return "\\text{" + latex_text(formula.text) + "}";
     case Kind::indexed: {
@@ -114,6 +114,8 @@ std::string latex_math(const Expression& formula) {
       return delimited("(", formula.parts[0], ")");
     case Kind::modulus:
       return delimited("\\lvert ", formula.parts[0], "\\rvert ");
+    case Kind::mean:
+      return delimited("\\langle ", formula.parts[0], "\\rangle ");
     case Kind::root:
       return "\\sqrt{" + latex_math(formula.parts[0]) + "}";
     case Kind::function:

@@ -119,6 +119,7 @@ double estimated_width(const Expression& formula) {
       return parts + binary_operator * static_cast<double>(formula.parts.size());
     case Kind::bracket:
     case Kind::modulus:
+    case Kind::mean:
       return parts + 2 * bracket_width;
     case Kind::root:
       return parts + 1;

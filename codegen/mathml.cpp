@@ -178,7 +178,8 @@ std::string mathml(const Expression& formula) {
     case Kind::accent:
       return scripted(formula).text();
     case Kind::constant:
-      return fmt::format("<mi mathvariant=\"normal\">{}</mi>", formula.text);
+      return fmt::format("<mi mathvariant=\"normal\">{}</mi>",
+                         formula.text == "partial" ? std::string("\u2202") : formula.text);
     case Kind::words:
       return element("mtext", xml_text(formula.text));
     case Kind::product:
@@ -200,6 +201,8 @@ std::string mathml(const Expression& formula) {
       return fenced("(", formula.parts[0], ")");
     case Kind::modulus:
       return fenced("|", formula.parts[0], "|");
+    case Kind::mean:
+      return fenced("\u27E8", formula.parts[0], "\u27E9");
     case Kind::root:
       return element("msqrt", mathml(formula.parts[0]));
     case Kind::function:

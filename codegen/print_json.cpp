@@ -6,8 +6,9 @@
 #include <utility>
 
 #include "codegen/cpp_expression.hpp"
-#include "codegen/polar_form.hpp"
+#include "codegen/plain_text.hpp"
 #include "codegen/print_text.hpp"
+#include "codegen/steady_statements.hpp"
 
 namespace secular {
 namespace {
@@ -32,6 +33,20 @@ Json terms_json(const CanonicalModel& model, const CanonicalCase& c, const std::
     entry["real"] = formula_text(term.real, model.order);
     entry["imaginary"] = formula_text(term.imaginary, model.order);
     list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json section_json(const typeset::StatementSection& section) {
+  Json list = Json::array();
+  for (const typeset::Statement& statement : section.statements) {
+    Json equations = Json::array();
+    for (const typeset::Equation& equation : statement.equations)
+      equations.push_back(
+          {{"left", typeset::plain_text(equation.left)}, {"right", typeset::plain_text(equation.right)}});
+    list.push_back({{"name", statement.key},
+                    {"meaning", typeset::plain_text(statement.says)},
+                    {"equations", std::move(equations)}});
   }
   return list;
 }
@@ -61,6 +76,9 @@ std::string derivation_json(const CanonicalModel& model) {
                                       {"mean_of", factors_text(model, quadrature.factors)},
                                       {"real", formula_text(quadrature.real, model.order)},
                                       {"imaginary", formula_text(quadrature.imaginary, model.order)}});
+    if (!c.observed_frequency.empty())
+      for (const typeset::StatementSection& section : typeset::steady_sections(model, c))
+        entry[section.key] = section_json(section);
     entry["lumps"] = Json::array();
     for (const CanonicalLump& lump : c.lumps)
       entry["lumps"].push_back({{"name", lump.name}, {"definition", formula_text(lump.definition, model.order)}});

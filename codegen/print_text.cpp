@@ -5,9 +5,12 @@
 #include <cstdlib>
 #include <utility>
 
+#include "codegen/cartesian_text.hpp"
 #include "codegen/cpp_expression.hpp"
-#include "codegen/frequency_response.hpp"
+#include "codegen/free_name.hpp"
+#include "codegen/plain_text.hpp"
 #include "codegen/polar_form.hpp"
+#include "codegen/steady_statements.hpp"
 
 namespace secular {
 namespace {
@@ -170,10 +173,20 @@ std::string certificate_text(const CanonicalCertificate& c) {
       c.order);
   if (c.nonsmooth_harmonics > 0)
     text += fmt::format(
-        "  Nonsmooth terms: Fourier integrals by quadrature up to harmonic {}, largest relative difference "
+        "  Nonsmooth terms: Fourier integrals by quadrature up to harmonic {}, relative difference at most "
         "{:.0e}.\n",
         c.nonsmooth_harmonics, c.nonsmooth_error);
   for (const std::string& remainder : c.remainders) text += "  left over: " + remainder + "\n";
+  return text;
+}
+
+std::string section_text(const typeset::StatementSection& section) {
+  std::string text = "\n" + section.heading + "\n";
+  for (const typeset::Statement& statement : section.statements) {
+    text += "  " + typeset::plain_text(statement.says) + "\n";
+    for (const typeset::Equation& equation : statement.equations)
+      text += "    " + typeset::plain_text(equation.left) + " = " + typeset::plain_text(equation.right) + "\n";
+  }
   return text;
 }
 
@@ -216,15 +229,16 @@ std::string case_text(const CanonicalModel& model, const CanonicalCase& c) {
       for (std::size_t i = 0; i < c.observed_frequency[k].size(); ++i) {
         const CanonicalRatio r = c.observed_frequency[k][i];
         if (r.numerator == 0) continue;
-        frequency +=
-            fmt::format("{}{}{}{}", r.numerator < 0 ? " - " : (frequency.empty() ? "" : " + "),
-                        std::abs(r.numerator) == 1 ? "" : std::to_string(std::abs(r.numerator)) + "*",
-                        model.frequency_name(i), r.denominator == 1 ? "" : "/" + std::to_string(r.denominator));
+        frequency += fmt::format(
+            "{}{}{}{}", r.numerator < 0 ? (frequency.empty() ? "-" : " - ") : (frequency.empty() ? "" : " + "),
+            std::abs(r.numerator) == 1 ? "" : std::to_string(std::abs(r.numerator)) + "*", model.frequency_name(i),
+            r.denominator == 1 ? "" : "/" + std::to_string(r.denominator));
       }
-      text += fmt::format("  {}: {}\n", model.coordinates[k], frequency);
+      text += fmt::format("  {}: {} = {}\n", model.coordinates[k], observed_frequency_name(model, k), frequency);
     }
     text += cartesian_text(model, c);
-    text += frequency_response_text(model, c);
+    for (const typeset::StatementSection& section : typeset::steady_sections(model, c))
+      text += section_text(section);
     text += "\nLumps: what data near this resonance can see\n";
     for (const CanonicalLump& lump : c.lumps)
       text += fmt::format("  {} = {}\n", lump.name, formula_text(lump.definition, model.order));

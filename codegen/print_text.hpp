@@ -21,8 +21,9 @@ std::string factors_text(const CanonicalModel& model, const std::vector<Canonica
 /// "dA_v/dt also holds ...": a term that is left to quadrature.
 std::string quadrature_text(const CanonicalModel& model, const CanonicalQuadrature& quadrature);
 
-/// What `secular derive` prints: expansion, solvability, modulation equations (complex, polar, Cartesian),
-/// frequency response, lumps, harmonics, certificate, for every case of the model.
+/// What `secular derive` prints: expansion, solvability, modulation equations (complex, polar, Cartesian), their
+/// Jacobian, zero solution, steady states,
+/// lumps, harmonics, certificate, for every case of the model.
 std::string derivation_text(const CanonicalModel& model);
 
 /// "omega0", "2*omega0 + Omega", "0".

@@ -68,6 +68,36 @@ RationalFunction fraction(Polynomial numerator, const Polynomial& denominator) {
   return {terms(numerator), terms(denominator)};
 }
 
+// number * powers of symbols * rest, with nothing in common among the rest's terms.
+struct Factored {
+  Integer number = 0;
+  std::vector<int> powers;
+  Polynomial rest;
+};
+
+Factored factored(const std::vector<PolynomialTerm>& terms) {
+  Factored result;
+  result.powers = terms.front().exponents;
+  for (const PolynomialTerm& term : terms) {
+    result.number = boost::multiprecision::gcd(result.number, Integer(term.coefficient));
+    for (std::size_t i = 0; i < result.powers.size(); ++i)
+      result.powers[i] = std::min(result.powers[i], term.exponents[i]);
+  }
+  for (const PolynomialTerm& term : terms) {
+    std::vector<int> lowered = term.exponents;
+    for (std::size_t i = 0; i < lowered.size(); ++i) lowered[i] -= result.powers[i];
+    result.rest[lowered] = Integer(term.coefficient) / result.number;
+  }
+  return result;
+}
+
+Polynomial times(const Polynomial& a, const Polynomial& b) {
+  Polynomial result;
+  add_product(result, a, b, 1);
+  std::erase_if(result, [](const auto& term) { return term.second == 0; });
+  return result;
+}
+
 }  // namespace
 
 bool RationalFunction::denominator_is_number() const {
@@ -104,6 +134,47 @@ std::vector<PolynomialGroup> grouped(const std::vector<PolynomialTerm>& terms, c
   std::vector<PolynomialGroup> result;
   for (auto& [common, rest] : groups) result.push_back({common, std::move(rest)});
   return result;
+}
+
+RationalFunction sum(const RationalFunction& a, const RationalFunction& b) {
+  if (a.is_zero()) return b;
+  if (b.is_zero()) return a;
+  const Factored left = factored(a.denominator), right = factored(b.denominator);
+  // The least common multiple over each denominator: what its numerator is multiplied by.
+  std::vector<int> by_left(left.powers.size()), by_right = by_left;
+  for (std::size_t i = 0; i < by_left.size(); ++i) {
+    by_left[i] = std::max(0, right.powers[i] - left.powers[i]);
+    by_right[i] = std::max(0, left.powers[i] - right.powers[i]);
+  }
+  const Integer common = boost::multiprecision::gcd(left.number, right.number);
+  const bool alike = left.rest == right.rest;
+  Polynomial extend_left{{by_left, right.number / common}}, extend_right{{by_right, left.number / common}};
+  if (!alike) {
+    extend_left = times(extend_left, right.rest);
+    extend_right = times(extend_right, left.rest);
+  }
+  Polynomial numerator = times(polynomial(a.numerator), extend_left);
+  for (const auto& [exponents, value] : times(polynomial(b.numerator), extend_right)) numerator[exponents] += value;
+  return fraction(std::move(numerator), times(polynomial(a.denominator), extend_left));
+}
+
+RationalFunction product(const RationalFunction& a, const RationalFunction& b) {
+  if (a.is_zero()) return a;
+  if (b.is_zero()) return b;
+  return fraction(times(polynomial(a.numerator), polynomial(b.numerator)),
+                  times(polynomial(a.denominator), polynomial(b.denominator)));
+}
+
+bool have_like_denominators(const RationalFunction& a, const RationalFunction& b) {
+  return factored(a.denominator).rest == factored(b.denominator).rest;
+}
+
+bool depends_on(const RationalFunction& value, std::size_t symbol) {
+  const auto occurs = [&](const std::vector<PolynomialTerm>& terms) {
+    return std::any_of(terms.begin(), terms.end(),
+                       [&](const PolynomialTerm& term) { return term.exponents[symbol] != 0; });
+  };
+  return occurs(value.numerator) || occurs(value.denominator);
 }
 
 }  // namespace secular

@@ -39,6 +39,19 @@ struct PolynomialGroup {
 /// sum of terms = sum over groups of common * rest, grouped by the powers of the symbols for which `by` is true.
 std::vector<PolynomialGroup> grouped(const std::vector<PolynomialTerm>& terms, const std::vector<bool>& by);
 
+/// a + b. Common powers of symbols, common numbers and equal denominators are cancelled, other common factors are
+/// not.
+RationalFunction sum(const RationalFunction& a, const RationalFunction& b);
+
+/// a*b, with the same cancellation.
+RationalFunction product(const RationalFunction& a, const RationalFunction& b);
+
+/// Denominators that differ by a number and powers of symbols only: the sum is not longer than its parts.
+bool have_like_denominators(const RationalFunction& a, const RationalFunction& b);
+
+/// Whether the symbol (its index in the order) occurs.
+bool depends_on(const RationalFunction& value, std::size_t symbol);
+
 /// The symbols that exponents refer to, in declared order; "pi" is one of them.
 using SymbolOrder = std::vector<std::string>;
 

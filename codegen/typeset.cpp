@@ -92,6 +92,9 @@ Expression bracket(Expression inner) {
 Expression modulus(Expression inner) {
   return of_kind(Kind::modulus, {}, {std::move(inner)});
 }
+Expression mean(Expression inner) {
+  return of_kind(Kind::mean, {}, {std::move(inner)});
+}
 Expression root(Expression inner) {
   return of_kind(Kind::root, {}, {std::move(inner)});
 }

@@ -13,7 +13,7 @@ struct Expression {
   enum class Kind {
     number,       ///< text: digits
     symbol,       ///< text: a model's identifier, see symbol_name()
-    constant,     ///< text: "i", "e", "d" (upright)
+    constant,     ///< text: "i", "e", "d" (upright), "partial"
     words,        ///< text: upright text within a formula
     indexed,      ///< symbol parts[0] with the subscripts parts[1], parts[2], ...
     accent,       ///< over the symbol parts[0]; text: "bar", "dot", "ddot", "hat"
@@ -23,6 +23,7 @@ struct Expression {
     sum,          ///< parts, each with a sign
     bracket,      ///< (parts[0])
     modulus,      ///< |parts[0]|
+    mean,         ///< <parts[0]>
     root,         ///< square root of parts[0]
     function,     ///< text(parts[0]): "cos", "sin", "sgn"
     exponential,  ///< e to the power parts[0]
@@ -45,6 +46,7 @@ Expression accent(std::string mark, Expression symbol);
 Expression fraction(Expression above, Expression below);
 Expression bracket(Expression inner);
 Expression modulus(Expression inner);
+Expression mean(Expression inner);
 Expression root(Expression inner);
 Expression function(std::string name, Expression argument);
 Expression exponential(Expression exponent);

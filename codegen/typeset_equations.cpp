@@ -5,6 +5,7 @@
 #include <string>
 
 #include "codegen/cartesian_form.hpp"
+#include "codegen/free_name.hpp"
 #include "codegen/generated_lump.hpp"
 #include "codegen/polar_form.hpp"
 #include "codegen/steady_state.hpp"
@@ -129,6 +130,26 @@ Expression coordinate(const CanonicalModel& model, std::size_t mode, int derivat
   return derivative == 0 ? result : accent(derivative == 1 ? "dot" : "ddot", std::move(result));
 }
 
+// What abs and sgn are taken of: "v", "v_1 - v_2/2 - gap".
+Expression argument(const CanonicalModel& model, const CanonicalFactor& f) {
+  if (f.argument.empty()) return coordinate(model, f.index, f.derivative);
+  Sum sum(model.order);
+  for (const auto& [name, ratio] : f.argument) {
+    Product factors;
+    if (name.starts_with("D("))
+      factors.times(accent("dot", symbol(name.substr(2, name.size() - 3))));
+    else if (name != "1")
+      factors.times(symbol(name));
+    if (!factors.empty()) {
+      add_ratio(sum, ratio, factors);
+    } else {
+      const Expression size = number(std::abs(ratio.numerator));
+      sum.add(ratio.denominator == 1 ? size : fraction(size, number(ratio.denominator)), ratio.numerator < 0);
+    }
+  }
+  return sum.expression();
+}
+
 Expression clock_angle(const CanonicalModel& model, const CanonicalFactor& f) {
   Product angle;
   if (f.multiple != 1) angle.times(number(f.multiple));
@@ -167,10 +188,10 @@ void multiply_factor(Product& product, const CanonicalModel& model, const Canoni
       multiply_excitation(product, model, f);
       return;
     case CanonicalFactor::Kind::absolute:
-      product.times(modulus(coordinate(model, f.index, f.derivative)), f.power);
+      product.times(modulus(argument(model, f)), f.power);
       return;
     case CanonicalFactor::Kind::sign:
-      product.times(function("sgn", coordinate(model, f.index, f.derivative)), f.power);
+      product.times(function("sgn", argument(model, f)), f.power);
       return;
     case CanonicalFactor::Kind::clock_cos:
     case CanonicalFactor::Kind::clock_sin:
@@ -199,6 +220,27 @@ Equation motion_equation(const CanonicalModel& model, std::size_t mode) {
     sum.add(term.coefficient, factors);
   }
   return {number(0), sum.expression()};
+}
+
+Equation quadrature_equation(const CanonicalModel& model, const CanonicalQuadrature& quadrature) {
+  Product inner;
+  for (const CanonicalFactor& factor : quadrature.factors) multiply_factor(inner, model, factor);
+  const Expression turning = Product()
+                                 .times(constant("i"))
+                                 .times(symbol(model.natural_frequencies[quadrature.mode]))
+                                 .times(symbol("t"))
+                                 .expression();
+  inner.times(exponential(Sum(model.order).add(turning, true).expression()));
+  Product average;
+  average.times(mean(inner.expression()));
+  Sum sum(model.order);
+  sum.add(words("..."), false);
+  sum.add(quadrature.real, average).add(quadrature.imaginary, average, true);
+  return {rate_of(amplitude(model, quadrature.mode)), sum.expression()};
+}
+
+Expression frequency_combination(const CanonicalModel& model, const std::vector<CanonicalRatio>& multiples) {
+  return frequency_sum(model, multiples).expression();
 }
 
 Equation relation_equation(const CanonicalModel& model, const CanonicalRelation& relation) {
@@ -284,7 +326,7 @@ Equation cartesian_amplitude(const CanonicalModel& model, std::size_t mode) {
 }
 
 Expression observed_frequency_symbol(const CanonicalModel& model, std::size_t mode) {
-  return model.coordinates.size() == 1 ? symbol("omega_obs") : symbol("omega_obs_" + model.coordinates[mode]);
+  return symbol(observed_frequency_name(model, mode));
 }
 
 Equation observed_frequency(const CanonicalModel& model, const CanonicalCase& resonance, std::size_t mode) {

@@ -15,6 +15,12 @@ Equation motion_equation(const CanonicalModel& model, std::size_t mode);
 /// Omega = 2*omega0 + eps^2*sigma, from the relation's numbers.
 Equation relation_equation(const CanonicalModel& model, const CanonicalRelation& relation);
 
+/// dA/dt = ... + c <factors exp(-i omega0 t)>: a term that is left to quadrature, the mean over the fast phases.
+Equation quadrature_equation(const CanonicalModel& model, const CanonicalQuadrature& quadrature);
+
+/// Omega/2 - omega0; 0 without a multiple.
+Expression frequency_combination(const CanonicalModel& model, const std::vector<CanonicalRatio>& multiples);
+
 /// 2*omega0 + Omega.
 Expression phase_sum(const CanonicalModel& model, const std::vector<int>& phase);
 /// exp(i*phase*t); 1 for phase zero.

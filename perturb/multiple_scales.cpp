@@ -395,9 +395,9 @@ class MultipleScales {
   }
 
   // A zero may hide behind different denominators.
-  static GiNaC::ex cleaned(const GiNaC::ex& coefficient) {
+  GiNaC::ex cleaned(const GiNaC::ex& coefficient) {
     const GiNaC::ex expanded = coefficient.expand();
-    return vanishes(expanded) ? GiNaC::ex(0) : expanded;
+    return point_.vanishes(expanded) ? GiNaC::ex(0) : expanded;
   }
 
   void warn_if_nearly_resonant(const FieldKey& key, std::size_t k, int order) {
@@ -425,11 +425,41 @@ class MultipleScales {
     const double omega = nominal_value(k), ratio = 1 - std::abs(phase_frequency) / omega;
     if (!(std::abs(ratio) < 0.05)) return;
     const std::string warning = fmt::format(
-        "case {}: at order {} the phase {} excites mode {} within {:.1f} % of its natural frequency: if that is a "
-        "resonance, add a relation for it with its own detuning",
-        d_.resonance->name, order, text, d_.model->modes[k].coordinate, 100 * std::abs(ratio));
+        "at order eps^{} the phase {} excites mode {} within {:.1f} % of its natural frequency: its small divisor "
+        "makes "
+        "the expansion unreliable. If it is a resonance, list it: relations = [{}\"{}\"]",
+        order, text, d_.model->modes[k].coordinate, 100 * std::abs(ratio), listed_relations(),
+        missing_relation(phase, k, phase_frequency < 0));
     if (std::find(d_.warnings.begin(), d_.warnings.end(), warning) == d_.warnings.end())
       d_.warnings.push_back(warning);
+  }
+
+  std::string listed_relations() const {
+    std::string list;
+    for (const ResonanceRelation& relation : d_.resonance->relations) list += "\"" + relation.text + "\", ";
+    return list;
+  }
+
+  // The relation that a near resonance phase.f = omega_k (or -omega_k) lacks, solved for its last frequency.
+  std::string missing_relation(Phase relation, std::size_t k, bool opposite) const {
+    if (opposite)
+      for (int& multiple : relation) multiple = -multiple;
+    --relation[k];
+    std::size_t last = relation.size() - 1;
+    while (last > 0 && relation[last] == 0) --last;
+    if (relation[last] > 0)
+      for (int& multiple : relation) multiple = -multiple;
+    std::string right;
+    for (std::size_t i = 0; i < last; ++i) {
+      if (relation[i] == 0) continue;
+      right += (relation[i] < 0 ? (right.empty() ? "-" : " - ") : (right.empty() ? "" : " + "));
+      right += (std::abs(relation[i]) == 1 ? "" : std::to_string(std::abs(relation[i])) + "*") +
+               d_.model->frequency_name(i);
+    }
+    std::string detuning = "sigma";
+    for (int n = 2; d_.model->symbols.contains(detuning); ++n) detuning = "sigma" + std::to_string(n);
+    return fmt::format("{}{} = {} + eps^{}*{}", relation[last] == -1 ? "" : std::to_string(-relation[last]) + "*",
+                       d_.model->frequency_name(last), right, highest_, detuning);
   }
 
   std::string place() const {
@@ -441,6 +471,7 @@ class MultipleScales {
   std::vector<OrderedEquation> equations_;
   int highest_;
   std::vector<GiNaC::ex> frequencies_;
+  RandomPoint point_;
 };
 
 }  // namespace

@@ -44,7 +44,7 @@ std::optional<std::vector<numeric>> solve(std::vector<std::vector<numeric>> rows
 
 class LumpFinder {
  public:
-  explicit LumpFinder(const Model& model) : model_(model) {
+  explicit LumpFinder(const Model& model) : model_(model), first_(point(model, 1)), second_(point(model, 2)) {
     for (const Shorthand& shorthand : model.shorthands)
       named_.push_back(candidate(
           {shorthand.name, formula_value(shorthand.expression, shorthand.source,
@@ -93,18 +93,18 @@ class LumpFinder {
     PrimeFieldComplex first, second;
   };
 
-  Candidate candidate(Lump lump) const {
-    const auto value = [&](std::uint64_t parameter_draw) {
-      return value_at_random_point(lump.definition, [&](const std::string& name) {
-        return is_parameter(name) ? parameter_draw : std::uint64_t{0};
-      });
-    };
-    const PrimeFieldComplex first = value(1), second = value(2);
+  Candidate candidate(Lump lump) {
+    const PrimeFieldComplex first = first_.value(lump.definition), second = second_.value(lump.definition);
     return {std::move(lump), first, second};
   }
 
-  bool is_parameter(const std::string& name) const {
-    return std::find(model_.parameters.begin(), model_.parameters.end(), name) != model_.parameters.end();
+  // All symbols from draw 0, parameters from the one given.
+  static RandomPoint point(const Model& model, std::uint64_t parameter_draw) {
+    return RandomPoint([&model, parameter_draw](const std::string& name) {
+      const bool parameter =
+          std::find(model.parameters.begin(), model.parameters.end(), name) != model.parameters.end();
+      return parameter ? parameter_draw : std::uint64_t{0};
+    });
   }
 
   // The ratio of two expressions if it is free of parameters. Decided at the random points; then parameters that
@@ -140,6 +140,7 @@ class LumpFinder {
   }
 
   const Model& model_;
+  RandomPoint first_, second_;
   std::vector<Candidate> named_;
   std::vector<Candidate> used_;
 };

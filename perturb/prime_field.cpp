@@ -56,41 +56,50 @@ PrimeFieldComplex random_value(const std::string& name, std::uint64_t draw) {
   return {hash >> 3, std::uint64_t{0}};
 }
 
-PrimeFieldComplex value_at_random_point(const GiNaC::ex& e, const DrawOfSymbol& draw) {
+PrimeFieldComplex RandomPoint::value(const GiNaC::ex& e) {
   if (GiNaC::is_a<GiNaC::numeric>(e)) return PrimeFieldComplex(GiNaC::ex_to<GiNaC::numeric>(e));
-  if (GiNaC::is_a<GiNaC::symbol>(e)) {
-    const std::string name = GiNaC::ex_to<GiNaC::symbol>(e).get_name();
-    return random_value(name, draw(name));
-  }
-  if (GiNaC::is_a<GiNaC::constant>(e) && e.is_equal(GiNaC::Pi)) return random_value("Pi", draw("Pi"));
   if (GiNaC::is_a<GiNaC::add>(e)) {
     PrimeFieldComplex sum;
-    for (std::size_t k = 0; k < e.nops(); ++k) sum += value_at_random_point(e.op(k), draw);
+    for (std::size_t k = 0; k < e.nops(); ++k) sum += value(e.op(k));
     return sum;
   }
   if (GiNaC::is_a<GiNaC::mul>(e)) {
     PrimeFieldComplex product = 1;
-    for (std::size_t k = 0; k < e.nops(); ++k) product *= value_at_random_point(e.op(k), draw);
+    for (std::size_t k = 0; k < e.nops(); ++k) product *= value(e.op(k));
     return product;
   }
-  if (GiNaC::is_a<GiNaC::power>(e) && GiNaC::is_a<GiNaC::numeric>(e.op(1)) &&
-      GiNaC::ex_to<GiNaC::numeric>(e.op(1)).is_integer()) {
+  const auto found = known_.find(e);
+  if (found != known_.end()) return found->second;
+  const auto named = [&](const std::string& name) { return random_value(name, draw_ ? draw_(name) : 0); };
+  PrimeFieldComplex result;
+  if (GiNaC::is_a<GiNaC::symbol>(e)) {
+    result = named(GiNaC::ex_to<GiNaC::symbol>(e).get_name());
+  } else if (GiNaC::is_a<GiNaC::constant>(e) && e.is_equal(GiNaC::Pi)) {
+    result = named("Pi");
+  } else if (GiNaC::is_a<GiNaC::power>(e) && GiNaC::is_a<GiNaC::numeric>(e.op(1)) &&
+             GiNaC::ex_to<GiNaC::numeric>(e.op(1)).is_integer()) {
     const int exponent = GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int();
-    const PrimeFieldComplex base = value_at_random_point(e.op(0), draw);
-    return exponent >= 0 ? base.power(static_cast<std::uint64_t>(exponent))
-                         : base.inverse().power(static_cast<std::uint64_t>(-exponent));
+    const PrimeFieldComplex base = value(e.op(0));
+    result = exponent >= 0 ? base.power(static_cast<std::uint64_t>(exponent))
+                           : base.inverse().power(static_cast<std::uint64_t>(-exponent));
+  } else {
+    throw std::domain_error("expression is not rational");
   }
-  throw std::domain_error("expression is not rational");
+  return known_[e] = result;
+}
+
+bool RandomPoint::vanishes(const GiNaC::ex& expression) {
+  if (expression.is_zero()) return true;
+  if (!GiNaC::is_a<GiNaC::add>(expression)) return false;
+  return value(expression).is_zero();
 }
 
 PrimeFieldComplex value_at_random_point(const GiNaC::ex& expression) {
-  return value_at_random_point(expression, [](const std::string&) { return std::uint64_t{0}; });
+  return RandomPoint().value(expression);
 }
 
 bool vanishes(const GiNaC::ex& expression) {
-  if (expression.is_zero()) return true;
-  if (!GiNaC::is_a<GiNaC::add>(expression)) return false;
-  return value_at_random_point(expression).is_zero();
+  return RandomPoint().vanishes(expression);
 }
 
 }  // namespace secular

@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
+#include <utility>
 
 namespace secular {
 
@@ -70,13 +72,26 @@ PrimeFieldComplex random_value(const std::string& name, std::uint64_t draw);
 /// Which draw a symbol's random value is from.
 using DrawOfSymbol = std::function<std::uint64_t(const std::string& name)>;
 
-/// Value of a rational expression with every symbol (and Pi) at its random value. Throws std::domain_error for
-/// other functions and for a division by zero.
-PrimeFieldComplex value_at_random_point(const GiNaC::ex& expression, const DrawOfSymbol& draw);
-PrimeFieldComplex value_at_random_point(const GiNaC::ex& expression);
+/// A random point: every symbol (and Pi) has its random value. Remembers what is costly to evaluate, symbols and
+/// denominators, so that one point serves many expressions.
+class RandomPoint {
+ public:
+  RandomPoint() = default;
+  explicit RandomPoint(DrawOfSymbol draw) : draw_(std::move(draw)) {}
 
-/// Whether a rational expression is identically zero, decided at a random point: never wrong about a zero, and
-/// wrong about another expression with probability below its degree/2^61.
+  /// Value of a rational expression. Throws std::domain_error for other functions and for a division by zero.
+  PrimeFieldComplex value(const GiNaC::ex& expression);
+  /// Whether a rational expression is identically zero: never wrong about a zero, and wrong about another
+  /// expression with probability below its degree/2^61.
+  bool vanishes(const GiNaC::ex& expression);
+
+ private:
+  DrawOfSymbol draw_;
+  std::map<GiNaC::ex, PrimeFieldComplex, GiNaC::ex_is_less> known_;
+};
+
+/// The same for a single expression.
+PrimeFieldComplex value_at_random_point(const GiNaC::ex& expression);
 bool vanishes(const GiNaC::ex& expression);
 
 }  // namespace secular

@@ -120,6 +120,112 @@ double positive(const TomlTable& table, std::string_view key, std::optional<doub
   return value;
 }
 
+double frequency(const TomlTable& table, std::string_view key, double sample_rate_hz) {
+  const double value = table.number(key);
+  if (value <= 0 || value >= 0.5 * sample_rate_hz)
+    table.fail(key, "is outside (0, half the sample rate)", "a frequency that the record can hold");
+  return value;
+}
+
+SignalProgramme read_sweep(const TomlTable& table, double sample_rate_hz) {
+  table.refuse_unknown_keys(
+      {"from_hz", "to_hz", "rate_hz_per_s", "amplitude", "settle_s", "initial_displacement", "group"});
+  SignalProgramme sweep;
+  sweep.kind = SignalProgramme::Kind::sweep;
+  sweep.low_hz = frequency(table, "from_hz", sample_rate_hz);
+  sweep.high_hz = frequency(table, "to_hz", sample_rate_hz);
+  if (sweep.low_hz == sweep.high_hz) table.fail("to_hz", "equals from_hz", "a sweep goes somewhere");
+  sweep.rate_hz_per_s = std::copysign(positive(table, "rate_hz_per_s"), sweep.high_hz - sweep.low_hz);
+  sweep.duration_s = (sweep.high_hz - sweep.low_hz) / sweep.rate_hz_per_s;
+  sweep.amplitude = positive(table, "amplitude");
+  sweep.settle_s = positive(table, "settle_s", 60.0);
+  return sweep;
+}
+
+SignalProgramme read_impact(const TomlTable& table) {
+  table.refuse_unknown_keys({"peak", "at_s", "width_s", "duration_s", "initial_displacement", "group"});
+  SignalProgramme impact;
+  impact.kind = SignalProgramme::Kind::impact;
+  impact.amplitude = positive(table, "peak");
+  impact.at_s = not_negative(table, "at_s");
+  impact.width_s = positive(table, "width_s");
+  impact.duration_s = positive(table, "duration_s");
+  return impact;
+}
+
+SignalProgramme read_broadband(const TomlTable& table, double sample_rate_hz) {
+  table.refuse_unknown_keys(
+      {"low_hz", "high_hz", "lines", "rms", "seed", "settle_s", "duration_s", "initial_displacement", "group"});
+  SignalProgramme broadband;
+  broadband.kind = SignalProgramme::Kind::broadband;
+  broadband.low_hz = frequency(table, "low_hz", sample_rate_hz);
+  broadband.high_hz = frequency(table, "high_hz", sample_rate_hz);
+  if (broadband.high_hz <= broadband.low_hz) table.fail("high_hz", "is not above low_hz", "a band was expected");
+  const std::int64_t lines = table.has("lines") ? table.integer("lines") : 200;
+  if (lines < 2 || lines > 10000) table.fail("lines", "is out of range", "2 to 10000 cosines");
+  broadband.lines = static_cast<std::size_t>(lines);
+  const std::int64_t seed = table.has("seed") ? table.integer("seed") : 1;
+  if (seed < 0) table.fail("seed", "is negative", "zero or a positive integer");
+  broadband.seed = static_cast<std::uint64_t>(seed);
+  broadband.amplitude = positive(table, "rms");
+  broadband.settle_s = not_negative(table, "settle_s");
+  broadband.duration_s = positive(table, "duration_s");
+  return broadband;
+}
+
+void read_signals(const TomlTable& root, const CompiledModel& model, Experiment& experiment) {
+  const auto add = [&](const TomlTable& table, const SignalProgramme& programme) {
+    if (!experiment.excitation)
+      table.fail("group", "an excited record needs an excitation channel", "describe it in [excitation]");
+    if (model.excitations.size() != 1)
+      table.fail("group", "the model has several excitations", "records are simulated for one excitation");
+    experiment.signals.push_back(programme);
+    experiment.signals.back().initial_displacement = by_mode(table, "initial_displacement", model);
+    experiment.signals.back().group = table.string_or("group", "");
+  };
+  for (const TomlTable& table : root.tables("sweep")) add(table, read_sweep(table, experiment.sample_rate_hz));
+  for (const TomlTable& table : root.tables("impact")) add(table, read_impact(table));
+  for (const TomlTable& table : root.tables("broadband"))
+    add(table, read_broadband(table, experiment.sample_rate_hz));
+}
+
+void read_faults(const TomlTable& root, Experiment& experiment) {
+  static const std::map<std::string, SensorFault::Kind> kinds = {
+      {"sensor_gain", SensorFault::Kind::gain},
+      {"sensor_offset", SensorFault::Kind::offset},
+      {"sensor_cross_axis", SensorFault::Kind::cross_axis},
+      {"channel_skew", SensorFault::Kind::skew},
+      {"clipping", SensorFault::Kind::clipping}};
+  if (root.has("shaker")) {
+    const TomlTable table = root.table("shaker");
+    table.refuse_unknown_keys({"harmonics"});
+    experiment.shaker_harmonics = table.numbers("harmonics");
+    if (experiment.shaker_harmonics.size() > 20) table.fail("harmonics", "has more than 20 entries");
+  }
+  for (const TomlTable& table : root.tables("fault")) {
+    table.refuse_unknown_keys({"effect", "channel", "strength"});
+    SensorFault fault;
+    const auto kind = kinds.find(table.string("effect"));
+    if (kind == kinds.end())
+      table.fail("effect", "is '" + table.string("effect") + "'",
+                 "sensor_gain, sensor_offset, sensor_cross_axis, channel_skew or clipping");
+    fault.kind = kind->second;
+    fault.channel = table.string("channel");
+    bool known = experiment.excitation && experiment.excitation->channel.name == fault.channel;
+    for (const SimulatedChannel& response : experiment.responses)
+      known = known || response.channel.name == fault.channel;
+    if (!known) table.fail("channel", "'" + fault.channel + "' is no channel of this experiment");
+    fault.strength = table.number("strength");
+    if (fault.kind == SensorFault::Kind::clipping && fault.strength <= 0)
+      table.fail("strength", "is not positive", "the level at which the channel saturates");
+    if (fault.kind == SensorFault::Kind::skew && std::abs(fault.strength) * experiment.sample_rate_hz > 1000)
+      table.fail("strength", "is more than 1000 samples", "seconds");
+    if (fault.kind == SensorFault::Kind::cross_axis && !experiment.excitation)
+      table.fail("effect", "needs an excitation channel", "describe it in [excitation]");
+    experiment.faults.push_back(std::move(fault));
+  }
+}
+
 }  // namespace
 
 std::string experiment_model(const std::filesystem::path& path) {
@@ -129,7 +235,8 @@ std::string experiment_model(const std::filesystem::path& path) {
 Experiment read_experiment(const std::filesystem::path& path, const CompiledModel& model) {
   const TomlTable root = TomlTable::from_file(path);
   root.refuse_unknown_keys({"schema", "name", "source", "model", "parameters", "sample_rate_hz", "excitation",
-                            "response", "modal_basis", "dwell", "free_decay"});
+                            "response", "modal_basis", "dwell", "free_decay", "sweep", "impact", "broadband",
+                            "shaker", "fault"});
   if (root.integer("schema") != 1) root.fail("schema", "is not 1", "this program reads schema 1");
   Experiment experiment;
   experiment.file = path.string();
@@ -179,8 +286,10 @@ Experiment read_experiment(const std::filesystem::path& path, const CompiledMode
     decay.group = table.string_or("group", "");
     experiment.free_decays.push_back(std::move(decay));
   }
-  if (experiment.dwells.empty() && experiment.free_decays.empty())
-    root.fail("dwell", "nothing to run", "add a [[dwell]] or a [[free_decay]]");
+  read_signals(root, model, experiment);
+  read_faults(root, experiment);
+  if (experiment.dwells.empty() && experiment.free_decays.empty() && experiment.signals.empty())
+    root.fail("dwell", "nothing to run", "add a [[dwell]], [[free_decay]], [[sweep]], [[impact]] or [[broadband]]");
   return experiment;
 }
 

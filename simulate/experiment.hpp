@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -37,6 +38,36 @@ struct FreeDecayProgramme {
   std::string group;
 };
 
+/// One record with an excitation that is not a steady sinusoid.
+struct SignalProgramme {
+  enum class Kind { sweep, impact, broadband };
+  Kind kind = Kind::sweep;
+  double amplitude = 0;            ///< sweep: of the sinusoid; impact: peak; broadband: root mean square
+  double low_hz = 0, high_hz = 0;  ///< sweep: from, to (may fall); broadband: band
+  double rate_hz_per_s = 0;        ///< sweep
+  double at_s = 0, width_s = 0;    ///< impact: start and length of the half-sine pulse
+  std::size_t lines = 0;           ///< broadband
+  std::uint64_t seed = 0;          ///< broadband
+  double settle_s = 0;             ///< sweep: at its first frequency; broadband: before recording
+  double duration_s = 0;
+  std::vector<double> initial_displacement;
+  std::string group;
+};
+
+/// What is wrong with one channel, by its name in the catalogue of effects.
+struct SensorFault {
+  enum class Kind {
+    gain,        ///< sensor_gain: the channel times `strength`
+    offset,      ///< sensor_offset: plus `strength`
+    cross_axis,  ///< sensor_cross_axis: plus `strength` times the excitation
+    skew,        ///< channel_skew: late by `strength` seconds
+    clipping,    ///< clipping: saturates at +-`strength`
+  };
+  Kind kind = Kind::gain;
+  std::string channel;
+  double strength = 0;
+};
+
 /// A virtual vibration test: model with numbers, sensors, programme.
 struct Experiment {
   std::string file, name;
@@ -48,6 +79,10 @@ struct Experiment {
   std::optional<ModalBasis> modal_basis;
   std::vector<DwellProgramme> dwells;
   std::vector<FreeDecayProgramme> free_decays;
+  std::vector<SignalProgramme> signals;
+  std::vector<double> shaker_harmonics;  ///< of dwells and sweeps: amplitudes at 2, 3, ... times the frequency over
+                                         ///< the first
+  std::vector<SensorFault> faults;
 };
 
 /// Name of the model that an experiment file asks for.

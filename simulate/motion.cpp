@@ -96,12 +96,12 @@ void integrate_motion(const CompiledModel& model, const double* parameters, cons
   State x = displacement;
   x.insert(x.end(), velocity.begin(), velocity.end());
   auto stepper = odeint::make_dense_output(settings.absolute_tolerance, settings.relative_tolerance,
-                                           odeint::runge_kutta_dopri5<State>());
-  const double largest_step = step;  // a sample interval: fast enough for every signal that is sampled properly
+                                           settings.largest_step, odeint::runge_kutta_dopri5<State>());
+  const double first_step = settings.largest_step > 0 ? std::min(settings.largest_step, 0.1 * step) : 0.1 * step;
   bool dry = false;
   for (std::size_t k = 0; k < modes; ++k) dry = dry || motion.has_dry_friction(x, from, k);
   double time = from;
-  const auto restart = [&] { stepper.initialize(x, time, std::min(largest_step, 0.1 * step)); };
+  const auto restart = [&] { stepper.initialize(x, time, first_step); };
   const auto settle_friction = [&] {
     for (std::size_t k = 0; k < modes; ++k)
       if (x[modes + k] == 0) motion.hold(k, motion.sticks(x, time, k));

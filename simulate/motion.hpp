@@ -20,6 +20,7 @@ using ExcitationSignal = std::function<void(double time, ExcitationSample* sampl
 struct MotionSettings {
   double relative_tolerance = 1e-10;
   double absolute_tolerance = 1e-14;  ///< in the coordinates' units
+  double largest_step = 0;            ///< s; 0: no limit. For pulses that a long step could jump over
   std::string label = "motion";       ///< names the record in messages
 };
 

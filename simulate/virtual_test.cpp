@@ -11,8 +11,10 @@
 #include <thread>
 #include <utility>
 
+#include "simulate/excitation_signal.hpp"
 #include "simulate/motion.hpp"
 #include "simulate/noise.hpp"
+#include "simulate/sensor_fault.hpp"
 
 namespace secular {
 namespace {
@@ -22,6 +24,7 @@ struct Task {
   std::size_t record = 0;
   const DwellProgramme* dwell = nullptr;
   const FreeDecayProgramme* decay = nullptr;
+  const SignalProgramme* signal = nullptr;
   double frequency_hz = 0, amplitude = 0;
   double started_s = 0;
 };
@@ -97,7 +100,8 @@ class VirtualTest {
           entry.excitation_amplitude = amplitude;
           entry.ensemble_s = dwell.ensemble_s;
           entry.group = dwell.group;
-          add(std::move(entry), {0, &dwell, nullptr, frequency, amplitude, 0}, dwell.carry_state && !first);
+          add(std::move(entry), {0, &dwell, nullptr, nullptr, frequency, amplitude, 0},
+              dwell.carry_state && !first);
           clock += dwell.ensembles * dwell.ensemble_s;
           first = false;
         }
@@ -106,8 +110,17 @@ class VirtualTest {
       RecordEntry entry;
       entry.kind = RecordKind::free_decay;
       entry.group = decay.group;
-      add(std::move(entry), {0, nullptr, &decay, 0, 0, 0}, false);
+      add(std::move(entry), {0, nullptr, &decay, nullptr, 0, 0, 0}, false);
       clock += decay.duration_s;
+    }
+    for (const SignalProgramme& signal : experiment_.signals) {
+      static constexpr RecordKind kinds[] = {RecordKind::sweep, RecordKind::impact, RecordKind::broadband};
+      clock += signal.settle_s;
+      RecordEntry entry;
+      entry.kind = kinds[static_cast<std::size_t>(signal.kind)];
+      entry.group = signal.group;
+      add(std::move(entry), {0, nullptr, nullptr, &signal, 0, 0, 0}, false);
+      clock += signal.duration_s;
     }
   }
 
@@ -121,6 +134,10 @@ class VirtualTest {
         displacement = task.decay->initial_displacement;
         velocity = task.decay->initial_velocity;
         run_decay(task, displacement, velocity);
+      } else if (task.signal) {
+        displacement = task.signal->initial_displacement;
+        velocity.assign(model_.modes(), 0.0);
+        run_signal(task, displacement, velocity);
       } else {
         if (first) {
           displacement = task.dwell->initial_displacement;
@@ -157,30 +174,58 @@ class VirtualTest {
                    double phase) {
     const double omega = 2 * std::numbers::pi * task.frequency_hz;
     const double amplitude = task.amplitude;
-    const ExcitationSignal signal = [=](double time, ExcitationSample* samples) {
-      const double angle = omega * time + phase;
-      samples[0] = {amplitude * std::cos(angle), -amplitude * omega * std::sin(angle),
-                    -amplitude * omega * omega * std::cos(angle)};
-    };
+    const ExcitationSignal signal = harmonic_wave(omega, amplitude, phase, experiment_.shaker_harmonics);
     const double rate = experiment_.sample_rate_hz;
     const auto count = static_cast<std::size_t>(task.dwell->ensembles) *
                        static_cast<std::size_t>(std::lround(task.dwell->ensemble_s * rate));
     Record record = empty_record(count);
     integrate(task, signal, 0, displacement, velocity, task.dwell->settle_s, count, record);
+    record_excitation(signal, task.dwell->settle_s, record);
+    store(task, std::move(record));
+    const double end = task.dwell->settle_s + static_cast<double>(count - 1) / rate;
+    return std::remainder(omega * end + phase, 2 * std::numbers::pi);
+  }
+
+  void run_signal(const Task& task, std::vector<double>& displacement, std::vector<double>& velocity) {
+    const SignalProgramme& p = *task.signal;
+    const auto count = static_cast<std::size_t>(std::floor(p.duration_s * experiment_.sample_rate_hz)) + 1;
+    Record record = empty_record(count);
+    if (p.kind == SignalProgramme::Kind::sweep && p.settle_s > 0) {
+      // Steady at the first frequency; the sweep then starts with the phase that this ends with, zero.
+      const double omega = 2 * std::numbers::pi * p.low_hz;
+      const ExcitationSignal steady =
+          harmonic_wave(omega, p.amplitude, -omega * p.settle_s, experiment_.shaker_harmonics);
+      Record unused = empty_record(1);
+      integrate(task, steady, 0, displacement, velocity, p.settle_s, 1, unused);
+    }
+    const bool starts_settled = p.kind == SignalProgramme::Kind::sweep;
+    const double first = starts_settled ? 0 : p.settle_s;
+    const ExcitationSignal signal =
+        p.kind == SignalProgramme::Kind::sweep
+            ? linear_sweep(p.low_hz, p.rate_hz_per_s, p.amplitude, experiment_.shaker_harmonics)
+        : p.kind == SignalProgramme::Kind::impact
+            ? half_sine_pulse(p.amplitude, p.at_s, p.width_s)
+            : random_phase_multisine(p.low_hz, p.high_hz, p.lines, p.amplitude, p.seed);
+    integrate(task, signal, 0, displacement, velocity, first, count, record,
+              p.kind == SignalProgramme::Kind::impact ? p.width_s / 8 : 0);
+    record_excitation(signal, first, record);
+    store(task, std::move(record));
+  }
+
+  void record_excitation(const ExcitationSignal& signal, double first, Record& record) const {
     ExcitationSample sample;
-    const auto time_of = [&](std::size_t i) { return task.dwell->settle_s + static_cast<double>(i) / rate; };
-    for (std::size_t i = 0; i < count; ++i) {
-      signal(time_of(i), &sample);
+    for (std::size_t i = 0; i < record.channels[0].size(); ++i) {
+      signal(first + static_cast<double>(i) / experiment_.sample_rate_hz, &sample);
       record.channels[0][i] = sample.value;
     }
-    store(task, std::move(record));
-    return std::remainder(omega * time_of(count - 1) + phase, 2 * std::numbers::pi);
   }
 
   void integrate(const Task& task, const ExcitationSignal& signal, double from, std::vector<double>& displacement,
-                 std::vector<double>& velocity, double first, std::size_t count, Record& record) const {
+                 std::vector<double>& velocity, double first, std::size_t count, Record& record,
+                 double largest_step = 0) const {
     const std::size_t offset = experiment_.excitation ? 1 : 0;
     MotionSettings settings;
+    settings.largest_step = largest_step;
     settings.label = fmt::format("{}, record {}", experiment_.file, task.record + 1);
     std::size_t i = 0;
     integrate_motion(model_, experiment_.parameters.data(), signal, from, displacement, velocity, first,
@@ -203,8 +248,11 @@ class VirtualTest {
     return sum;
   }
 
-  // Noise and quantisation, then into the campaign.
+  // Faults of the sensors, noise and quantisation, then into the campaign.
   void store(const Task& task, Record record) {
+    std::vector<std::string> names;
+    for (const Channel& channel : result_.campaign.channels) names.push_back(channel.name);
+    apply_sensor_faults(experiment_.faults, names, experiment_.excitation.has_value(), record);
     for (std::size_t c = 0; c < record.channels.size(); ++c) {
       const bool excitation = experiment_.excitation && c == 0;
       const SimulatedChannel& sensor =
@@ -212,6 +260,9 @@ class VirtualTest {
       NoiseStream noise(seed_, task.record, c);
       for (double& x : record.channels[c]) {
         if (sensor.noise_sd > 0) x += sensor.noise_sd * noise.gaussian();
+      }
+      clip(experiment_.faults, result_.campaign.channels[c].name, record.channels[c]);
+      for (double& x : record.channels[c]) {
         if (sensor.quantisation > 0) x = sensor.quantisation * std::round(x / sensor.quantisation);
       }
     }

@@ -1,6 +1,7 @@
 #include "verify/full_equations.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -11,7 +12,34 @@
 namespace secular::verify {
 
 FullEquations::FullEquations(const Model& model, std::map<std::string, double> values)
-    : model_(model), values_(std::move(values)) {}
+    : model_(model), values_(std::move(values)) {
+  for (const Mode& mode : model.modes) {
+    look_up(mode.equation->left, mode.source);
+    look_up(mode.equation->right.front(), mode.source);
+  }
+}
+
+void FullEquations::look_up(const Expression& e, const FormulaSource& source) {
+  for (const Expression& operand : e.operands) look_up(operand, source);
+  Leaf leaf;
+  if (e.kind == Expression::Kind::number) {
+    leaf.value = std::strtod(e.text.c_str(), nullptr);
+  } else if (e.kind == Expression::Kind::power) {
+    leaf.value = integer_exponent(e, source);
+  } else if (e.kind == Expression::Kind::symbol) {
+    const auto coordinate = std::find_if(model_.modes.begin(), model_.modes.end(),
+                                         [&](const Mode& mode) { return mode.coordinate == e.text; });
+    if (coordinate != model_.modes.end())
+      leaf = {Leaf::Kind::coordinate, static_cast<std::size_t>(coordinate - model_.modes.begin()), 0};
+    else if (e.text == "t")
+      leaf.kind = Leaf::Kind::time;
+    else
+      leaf.value = e.text == "Pi" ? std::numbers::pi : values_.at(e.text);
+  } else {
+    return;
+  }
+  leaves_[&e] = leaf;
+}
 
 double FullEquations::value(const Expression& e, const FormulaSource& source, double t,
                             const std::vector<double>& q, const std::vector<double>& v,
@@ -19,13 +47,11 @@ double FullEquations::value(const Expression& e, const FormulaSource& source, do
   const auto of = [&](std::size_t operand) { return value(e.operands[operand], source, t, q, v, a); };
   switch (e.kind) {
     case Expression::Kind::number:
-      return std::strtod(e.text.c_str(), nullptr);
+      return leaves_.at(&e).value;
     case Expression::Kind::symbol: {
-      for (std::size_t k = 0; k < model_.modes.size(); ++k)
-        if (model_.modes[k].coordinate == e.text) return q[k];
-      if (e.text == "t") return t;
-      if (e.text == "Pi") return std::numbers::pi;
-      return values_.at(e.text);
+      const Leaf& leaf = leaves_.at(&e);
+      if (leaf.kind == Leaf::Kind::coordinate) return q[leaf.coordinate];
+      return leaf.kind == Leaf::Kind::time ? t : leaf.value;
     }
     case Expression::Kind::sum: {
       double sum = 0;
@@ -40,16 +66,16 @@ double FullEquations::value(const Expression& e, const FormulaSource& source, do
     case Expression::Kind::quotient:
       return of(0) / of(1);
     case Expression::Kind::power:
-      return std::pow(of(0), integer_exponent(e, source));
+      return std::pow(of(0), static_cast<int>(leaves_.at(&e).value));
     case Expression::Kind::negation:
       return -of(0);
     case Expression::Kind::call:
       break;
   }
   if (e.text == "D" || e.text == "D2") {
-    for (std::size_t k = 0; k < model_.modes.size(); ++k)
-      if (e.operands[0].kind == Expression::Kind::symbol && model_.modes[k].coordinate == e.operands[0].text)
-        return e.text == "D" ? v[k] : a[k];
+    const auto leaf = leaves_.find(&e.operands[0]);
+    if (leaf != leaves_.end() && leaf->second.kind == Leaf::Kind::coordinate)
+      return e.text == "D" ? v[leaf->second.coordinate] : a[leaf->second.coordinate];
     fail_at(source, e.place, "derivative of something else than a coordinate", "write it out for this check");
   }
   const double x = of(0);

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "perturb/model.hpp"
@@ -12,7 +13,7 @@ namespace secular::verify {
 /// derivation engine is used. Lagrangian models are not supported.
 class FullEquations {
  public:
-  /// `values`: every parameter, frequency and excitation amplitude by name.
+  /// `values`: every parameter, frequency and excitation amplitude by name. The model must outlive this.
   FullEquations(const Model& model, std::map<std::string, double> values);
 
   /// Accelerations at time t, from equations that are linear in them.
@@ -23,8 +24,17 @@ class FullEquations {
   double value(const Expression& e, const FormulaSource& source, double t, const std::vector<double>& q,
                const std::vector<double>& v, const std::vector<double>& a) const;
 
+  // What a leaf of the parsed text stands for, looked up once.
+  struct Leaf {
+    enum class Kind { constant, coordinate, time } kind = Kind::constant;
+    std::size_t coordinate = 0;
+    double value = 0;
+  };
+  void look_up(const Expression& e, const FormulaSource& source);
+
   const Model& model_;
   std::map<std::string, double> values_;
+  std::unordered_map<const Expression*, Leaf> leaves_;
 };
 
 /// Displacements at equally spaced times, [mode][sample], by an adaptive Runge-Kutta-Fehlberg 7(8) method.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <stdexcept>
 
 #include "perturb/prime_field.hpp"
 #include "verify/order_equation.hpp"
@@ -122,6 +123,7 @@ bool StatementCheck::holds(const PrintedStatement& statement, const FormulaSourc
     return vanishes_at_resonance(formula_.read(text) - formula_.in_polar_form(ours), statement);
   }
   if (statement.kind == "fixed_points") return holds_on_fixed_points(statement, text);
+  if (statement.kind == "saddle_node") return holds_at_saddle_node(statement, text);
   if (statement.kind == "threshold") return holds_at_threshold(statement, text);
   if (statement.kind == "fourier_mean") return fourier_mean_holds(statement, text);
   if (statement.kind == "special_case") {
@@ -134,7 +136,7 @@ bool StatementCheck::holds(const PrintedStatement& statement, const FormulaSourc
   fail_at(
       text, {statement.line, 1}, "unknown kind '" + statement.kind + "'",
       "order_equation, forcing, response, velocity, modulation, definition, polar, real_response, fixed_points, "
-      "threshold, fourier_mean, special_case or identity");
+      "saddle_node, threshold, fourier_mean, special_case or identity");
 }
 
 // With beta = 0 the slow wave is exp(i gamma); a' = gamma' = 0 gives two parameters, and the relation must follow.
@@ -149,6 +151,27 @@ bool StatementCheck::holds_on_fixed_points(const PrintedStatement& statement, co
   solved[first] = -amplitude_rate.subs(first == 0) / amplitude_rate.diff(GiNaC::ex_to<GiNaC::symbol>(first));
   solved[second] = -gamma_rate.subs(second == 0) / gamma_rate.diff(GiNaC::ex_to<GiNaC::symbol>(second));
   return vanishes_at_resonance(substituted(substituted(formula_.difference(text), gauge), solved), statement);
+}
+
+// On fixed points where the Jacobian of (a', gamma') by (a, gamma) is singular: two parameters from the fixed
+// point, a third from the determinant, in which it is linear.
+bool StatementCheck::holds_at_saddle_node(const PrintedStatement& statement, const FormulaSource& text) const {
+  const GiNaC::exmap gauge{{formula_.phase_factor(0), 1}};
+  const ex rate[] = {substituted(polar_rates_.at(formula_.amplitude_rate(0)), gauge),
+                     substituted(polar_rates_.at(formula_.symbol("dgamma")), gauge)};
+  const auto by = [](const ex& e, const ex& symbol) { return e.diff(GiNaC::ex_to<GiNaC::symbol>(symbol)); };
+  const ex &a = formula_.polar_amplitude(0), &wave = formula_.slow_wave(0);  // wave = exp(i gamma)
+  const ex determinant = by(rate[0], a) * by(rate[1], wave) - by(rate[0], wave) * by(rate[1], a);
+  GiNaC::exmap solved;
+  for (std::size_t n = 0; n < 2; ++n) {
+    const ex unknown = formula_.symbol(statement.solve_for.at(n));
+    solved[unknown] = -rate[n].subs(unknown == 0) / by(rate[n], unknown);
+  }
+  const ex third = formula_.symbol(statement.solve_for.at(2));
+  const ex singular = substituted(determinant, solved);
+  const GiNaC::exmap last{{third, -singular.subs(third == 0) / by(singular, third).subs(third == 0)}};
+  const ex difference = substituted(formula_.difference(text), gauge);
+  return vanishes_at_resonance(substituted(substituted(difference, solved), last), statement);
 }
 
 // dB/dt = p B + q conj(B) in the frame of gamma: the trivial solution changes stability where |p|^2 = |q|^2.
@@ -175,7 +198,9 @@ bool StatementCheck::fourier_mean_holds(const PrintedStatement& statement, const
   const double omega = 1.7;
   const std::complex<double> a = std::polar(0.8, 0.6);
   const auto number = [](const ex& e) {
-    const auto& n = GiNaC::ex_to<GiNaC::numeric>(e.evalf());
+    const ex value = e.evalf();
+    if (!GiNaC::is_a<GiNaC::numeric>(value)) throw std::logic_error("the mean holds a symbol without a value");
+    const auto& n = GiNaC::ex_to<GiNaC::numeric>(value);
     return std::complex<double>(n.real().to_double(), n.imag().to_double());
   };
   GiNaC::exmap values;

@@ -26,6 +26,7 @@ class StatementCheck {
   GiNaC::ex definition(const PrintedStatement& statement) const;
   GiNaC::ex with_engine_rates(const GiNaC::ex& expression) const;
   bool holds_on_fixed_points(const PrintedStatement& statement, const FormulaSource& text) const;
+  bool holds_at_saddle_node(const PrintedStatement& statement, const FormulaSource& text) const;
   bool holds_at_threshold(const PrintedStatement& statement, const FormulaSource& text) const;
   bool fourier_mean_holds(const PrintedStatement& statement, const FormulaSource& text) const;
 

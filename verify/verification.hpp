@@ -23,7 +23,7 @@ struct Verdict {
 
 struct VerificationSettings {
   bool proofs = true;  ///< integrate the full equations for every misprint
-  std::function<void(double fraction)> progress;
+  std::function<void(std::size_t done, std::size_t total)> progress;
 };
 
 /// Compares every statement of a printed source with the engine's derivation, judges it, and proves misprints by

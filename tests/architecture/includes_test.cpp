@@ -24,17 +24,18 @@ const fs::path root = SECULAR_SOURCE_DIR;
 const std::map<std::string, std::set<std::string>> allowed_folders = {
     {"input", {}},
     {"perturb", {"input"}},
+    {"verify", {"input", "perturb"}},
     {"codegen", {"input", "perturb", "estimator"}},
     {"estimator", {"input"}},
     {"generated", {"estimator"}},
     {"simulate", {"input", "estimator"}},
     {"diagnose", {"input", "estimator", "simulate"}},
     {"report", {"input"}},
-    {"app", {"input", "perturb", "codegen", "estimator", "generated", "simulate", "diagnose", "report"}},
+    {"app", {"input", "perturb", "codegen", "estimator", "generated", "simulate", "diagnose", "report", "verify"}},
 };
 
 /// Folders that may see GiNaC and CLN: a compiled estimator links without them.
-const std::set<std::string> symbolic_folders = {"perturb", "codegen"};
+const std::set<std::string> symbolic_folders = {"perturb", "verify", "codegen"};
 
 bool is_build_folder(const fs::path& folder) {
   return folder.filename() == "build" || fs::exists(folder / "CMakeCache.txt");

@@ -87,5 +87,33 @@ TEST(ModelReader, NumbersAreExactRationals) {
   EXPECT_TRUE((field.terms().begin()->second - expected).expand().is_zero());
 }
 
+TEST(ModelErrors, ImpossibleResonances) {
+  const std::string head =
+      "schema = 1\nname = \"m\"\n[[mode]]\ncoordinate = \"x\"\nfrequency = \"w1\"\nequation = \"D2(x) + w1^2*x = "
+      "-g*x*y\"\n[[mode]]\ncoordinate = \"y\"\nfrequency = \"w2\"\nequation = \"D2(y) + w2^2*y = -g*x^2 + "
+      "e*F*cos(Omega*t)\"\n[nominal]\nw1 = 1\nw2 = 2.9\n[[case]]\nname = \"c\"\norder = { g = 1, e = 1 }\n";
+  const auto expect = [&](const std::string& relations, const std::string& part) {
+    const std::string message = complaint(head + "relations = [" + relations + "]\n");
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  expect("\"w2 = 2*w1 + eps*s\"", "impossible at the nominal frequencies (w1 = 1, w2 = 2.9)");
+  expect("\"Omega = w1 - w2 + eps*s\"", "makes Omega negative");
+  expect("\"Omega = w2 + eps*s\", \"Omega = 2*w1 + eps*q\"", "impossible");
+  expect("\"Omega = w2 + eps*s\", \"2*Omega = 2*w2 + eps*q\"", "repeat or contradict");
+  expect("\"w2 = 3*w1 + eps*s\"", "no complaint");
+}
+
+// A divisor that is small at the nominal frequencies is a warning with the relation to add.
+TEST(ModelErrors, WarnsOfAnUnlistedResonance) {
+  const Model model = read_model_text(
+      "schema = 1\nname = \"m\"\n[[mode]]\ncoordinate = \"x\"\nfrequency = \"w1\"\nequation = \"D2(x) + w1^2*x = "
+      "-g*x*y\"\n[[mode]]\ncoordinate = \"y\"\nfrequency = \"w2\"\nequation = \"D2(y) + w2^2*y = -g*x^2\"\n"
+      "[nominal]\nw1 = 1\nw2 = 2.02\n[[case]]\nname = \"c\"\norder = { g = 1 }\n",
+      "m");
+  const Derivation d = derive(model, model.cases[0]);
+  ASSERT_FALSE(d.warnings.empty());
+  EXPECT_NE(d.warnings[0].find("relations = [\"w2 = 2*w1 + eps^2*sigma\"]"), std::string::npos) << d.warnings[0];
+}
+
 }  // namespace
 }  // namespace secular

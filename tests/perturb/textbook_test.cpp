@@ -156,5 +156,113 @@ excitation = false
   EXPECT_TRUE(certify(d).holds);
 }
 
+TEST(Textbook, GyroscopicCouplingAtFirstOrder) {
+  // x'' + w1^2 x = g y', y'' + w2^2 y = -g x': (w1^2 - l^2)(w2^2 - l^2) = g^2 l^2, so
+  // l1 = w1 + g^2 w1/(2 (w1^2 - w2^2)) + O(g^4), and l2 with the modes exchanged.
+  const Model model = read_model_text(R"model(schema = 1
+name = "rotor"
+[[mode]]
+coordinate = "x"
+frequency = "w1"
+equation = "D2(x) + w1^2*x = g*D(y)"
+[[mode]]
+coordinate = "y"
+frequency = "w2"
+equation = "D2(y) + w2^2*y = -g*D(x)"
+[[case]]
+name = "free"
+order = { g = 1 }
+expand_to = 3
+)model",
+                                      "rotor");
+  const Derivation d = derive(model, model.cases[0]);
+  const ex w1 = model.symbols.at("w1"), w2 = model.symbols.at("w2"), g = model.symbols.at("g");
+  const auto shift = [&](std::size_t mode) {
+    ex sum = 0;
+    const Field field = d.modulation(mode);
+    for (const auto& [key, value] : field.terms()) sum += value;
+    return sum / I;
+  };
+  expect_equal(shift(0), g * g * w1 / (2 * (w1 * w1 - w2 * w2)));
+  expect_equal(shift(1), g * g * w2 / (2 * (w2 * w2 - w1 * w1)));
+  EXPECT_TRUE(certify(d).holds);
+}
+
+TEST(Textbook, TwoExcitationsCombine) {
+  // x'' + w^2 x = -a x^2 + e (F cos(Omega t) + F2 cos(Omega2 t)) with hard excitation and Omega2 - Omega near w:
+  // the product of both forced motions drives the mode, dA/dt = i a L1 L2/w exp(i s t), L = e F/(2 (w^2 -
+  // Omega^2)).
+  const Model model = read_model_text(R"model(schema = 1
+name = "two"
+[[mode]]
+coordinate = "x"
+frequency = "w"
+equation = "D2(x) + w^2*x = -a*x^2 + e*F*cos(Omega*t) + e*F2*cos(Omega2*t)"
+[[case]]
+name = "difference"
+relations = ["Omega2 = Omega + w + eps*s"]
+order = { a = 1, e = 0 }
+expand_to = 1
+)model",
+                                      "two");
+  for (const OmegaPolicy policy : {OmegaPolicy::nominal, OmegaPolicy::kept}) {
+    const Derivation d = derive(model, model.cases[0], policy);
+    EXPECT_TRUE(certify(d).holds);
+    const ex w = model.symbols.at("w"), a = model.symbols.at("a"), e = model.symbols.at("e"),
+             first = model.symbols.at("Omega"), second = model.symbols.at("Omega2");
+    const ex half1 = e / (2 * (w * w - first * first)), half2 = e / (2 * (w * w - second * second));
+    const Field field = d.modulation(0);
+    ex sum = 0;
+    for (const auto& [key, value] : field.terms())
+      if (key[d.layout.forcing(0)] == 1 && key[d.layout.forcing(1)] == 1) sum += value;
+    const GiNaC::exmap resonant = {{second, first + w}};
+    expect_equal(ex(sum.subs(resonant)), ex((I * a * half1 * half2 / w).subs(resonant)));
+  }
+}
+
+TEST(Textbook, AdditiveCombinationThreshold) {
+  // x'' + c1 x' + w1^2 x = p y F cos(Omega t), y'' + c2 y' + w2^2 y = q x F cos(Omega t), Omega = w1 + w2 + sigma:
+  // the trivial solution loses stability where p q F^2 = 4 w1 w2 c1 c2 (1 + 4 sigma^2/(c1 + c2)^2).
+  const Model model = read_model_text(R"model(schema = 1
+name = "pair"
+[[mode]]
+coordinate = "x"
+frequency = "w1"
+equation = "D2(x) + w1^2*x = -c1*D(x) + p*y*F*cos(Omega*t)"
+[[mode]]
+coordinate = "y"
+frequency = "w2"
+equation = "D2(y) + w2^2*y = -c2*D(y) + q*x*F*cos(Omega*t)"
+[[case]]
+name = "additive"
+relations = ["Omega = w1 + w2 + eps*sigma"]
+order = { c1 = 1, c2 = 1, p = 1, q = 1 }
+expand_to = 1
+)model",
+                                      "pair");
+  const Derivation d = derive(model, model.cases[0]);
+  const auto symbol = [&](const char* name) { return model.symbols.at(name); };
+  const auto coefficient = [&](std::size_t mode, std::size_t place) {
+    const Field field = d.modulation(mode);
+    ex sum = 0;
+    for (const auto& [key, value] : field.terms())
+      if (key[place] == 1) sum += value;
+    return sum;
+  };
+  // A1 = B1 exp(i nu t), conj(A2) = conj(B2) exp(i (nu - sigma) t): on the threshold nu is real.
+  const ex d1 = coefficient(0, d.layout.amplitude(0)), d2 = coefficient(1, d.layout.amplitude(1));
+  const ex q1 = coefficient(0, d.layout.conjugate(1)), q2 = coefficient(1, d.layout.conjugate(0)) * -1;
+  expect_equal(d1, -symbol("c1") / 2);
+  expect_equal(d2, -symbol("c2") / 2);
+  // (i nu + c1/2)(i (nu - sigma) + c2/2) = q1 conj(q2) F^2: imaginary part gives nu = sigma c1/(c1 + c2).
+  const ex c1 = symbol("c1"), c2 = symbol("c2"), sigma = symbol("sigma");
+  const ex nu = sigma * c1 / (c1 + c2);
+  const ex left = (I * nu + c1 / 2) * (I * (nu - sigma) + c2 / 2);
+  const ex product = q1 * q2;  // conj(q2) of the second equation: q is imaginary
+  const ex force = left.expand() / product;
+  expect_equal(force * symbol("p") * symbol("q"),
+               4 * symbol("w1") * symbol("w2") * c1 * c2 * (1 + 4 * sigma * sigma / GiNaC::pow(c1 + c2, 2)));
+}
+
 }  // namespace
 }  // namespace secular

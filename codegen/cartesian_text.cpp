@@ -1,4 +1,4 @@
-#include "codegen/frequency_response.hpp"
+#include "codegen/cartesian_text.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include "codegen/cartesian_form.hpp"
 #include "codegen/cpp_expression.hpp"
 #include "codegen/polar_form.hpp"
-#include "codegen/steady_state.hpp"
 
 namespace secular {
 namespace {
@@ -51,7 +50,6 @@ class TextSum {
     sum_ += (sum_.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ")) + text;
   }
   std::string text() const { return sum_.empty() ? "0" : sum_; }
-  bool empty() const { return sum_.empty(); }
 
  private:
   const SymbolOrder& order_;
@@ -77,18 +75,6 @@ std::string cartesian_factors(const CanonicalModel& model, const CartesianTerm& 
   return product;
 }
 
-TextSum steady_sum(const CanonicalModel& model, const std::vector<SteadyTerm>& terms) {
-  TextSum sum(model.order);
-  for (const SteadyTerm& term : terms) {
-    std::string rest;
-    multiply(rest, "a_" + model.coordinates.front(), term.degree);
-    for (std::size_t j = 0; j < model.excitations.size(); ++j)
-      multiply(rest, model.excitations[j], term.forcing[j]);
-    sum.add(term.coefficient, rest);
-  }
-  return sum;
-}
-
 }  // namespace
 
 std::string cartesian_text(const CanonicalModel& model, const CanonicalCase& c) {
@@ -105,32 +91,6 @@ std::string cartesian_text(const CanonicalModel& model, const CanonicalCase& c) 
     for (const CartesianTerm& term : equations.y_rate) dy.add(term.coefficient, cartesian_factors(model, term));
     text += fmt::format("  dx_{0}/dt = {1}\n  dy_{0}/dt = {2}\n", model.coordinates[k], dx.text(), dy.text());
   }
-  return text;
-}
-
-std::string frequency_response_text(const CanonicalModel& model, const CanonicalCase& c) {
-  std::string text = "\nSteady states\n";
-  const SteadyState steady = steady_state(model, c);
-  if (steady.kind == SteadyState::Kind::several_modes)
-    return text +
-           "  Several modes: the phases cannot be eliminated in closed form; solve dB/dt = 0 for all modes.\n";
-  if (steady.kind == SteadyState::Kind::several_angles)
-    return text + "  Terms with several phase angles: the phase cannot be eliminated in closed form.\n";
-  const std::string& v = model.coordinates.front();
-  const std::string still_real = steady_sum(model, steady.still_real).text(),
-                    still_imaginary = steady_sum(model, steady.still_imaginary).text();
-  if (steady.kind == SteadyState::Kind::free)
-    return text + fmt::format("  decay law:  da_{0}/dt = {1}\n  backbone:   a_{0}*(w - {2}) = {3}\n", v, still_real,
-                              model.natural_frequencies[0], still_imaginary);
-  const auto squared = [&](const std::vector<SteadyTerm>& terms) {
-    return terms.empty() ? std::string() : "(" + steady_sum(model, terms).text() + ")^2";
-  };
-  std::string right = squared(steady.turning_real);
-  if (!steady.turning_imaginary.empty()) right += (right.empty() ? "" : " + ") + squared(steady.turning_imaginary);
-  const std::string offset = frame_offset_text(model, c, 0);
-  text += fmt::format("  frequency response ({}):\n    ({})^2 + ({}{})^2 = {}\n",
-                      "phase eliminated by squaring and adding", still_real, still_imaginary,
-                      offset.empty() ? "" : " - a_" + v + "*(" + offset + ")", right);
   return text;
 }
 
