@@ -83,6 +83,7 @@ void add_identify_command(CLI::App& root, Action& chosen) {
   command->add_option("--records", options->request.window.records,
                       "use the records whose file matches this pattern");
   command->add_option("--fix", options->fixed, "NAME=VALUE: a parameter that is known");
+  command->add_flag("--interpret", options->request.interpret, "no compiled code: slower, same results");
   command->add_option("--threads", options->request.threads, "threads; the result does not depend on it")
       ->check(CLI::Range(1U, 1024U));
   command->add_flag("--json", options->json, "print estimate.json instead of the summary");

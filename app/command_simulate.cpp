@@ -5,24 +5,25 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <thread>
 
 #include "app/commands.hpp"
+#include "app/model_loading.hpp"
 #include "app/progress_line.hpp"
 #include "app/shipped_models.hpp"
-#include "generated/registry.hpp"
 #include "input/input_error.hpp"
 #include "simulate/virtual_test.hpp"
 
 namespace secular::app {
 namespace {
 
-const CompiledModel& compiled_model(const std::string& name, const std::string& file) {
-  if (const CompiledModel* model = generated::find_compiled_model(name)) return *model;
-  std::string known;
-  for (const CompiledModel* model : generated::compiled_models())
-    known += (known.empty() ? "" : ", ") + std::string(model->name);
-  throw InputError(file, "key model", "'" + name + "' is not compiled into this program", "compiled are " + known);
+// The model that an experiment names: a file beside the experiment, otherwise a path or a shipped model.
+ModelSource model_source(const std::filesystem::path& experiment, bool interpret) {
+  const std::string name = experiment_model(experiment);
+  const std::filesystem::path beside = experiment.parent_path() / name;
+  std::error_code unreadable;
+  return {std::filesystem::is_regular_file(beside, unreadable) ? beside.string() : name, interpret};
 }
 
 }  // namespace
@@ -32,7 +33,7 @@ void add_simulate_command(CLI::App& root, Action& chosen) {
     std::string experiment, folder;
     std::uint64_t seed = 1;
     unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-    bool json = false;
+    bool interpret = false, json = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = root.add_subcommand("simulate", "Virtual test on the full equations of motion");
@@ -42,6 +43,7 @@ void add_simulate_command(CLI::App& root, Action& chosen) {
   command->add_option("--seed", options->seed, "of the measurement noise")->capture_default_str();
   command->add_option("--threads", options->threads, "records computed at once; the result does not depend on it")
       ->check(CLI::Range(1U, 1024U));
+  command->add_flag("--interpret", options->interpret, "no compiled code of the model: slower, same results");
   command->add_flag("--json", options->json, "summary as JSON");
   command->footer("Example: secular simulate experiments/principal_parametric -o campaign");
   command->callback([options, &chosen] {
@@ -50,11 +52,11 @@ void add_simulate_command(CLI::App& root, Action& chosen) {
         throw InputError(options->folder, "", "exists and is not an empty folder",
                          "name a new folder or remove this one");
       const std::filesystem::path path = resolve_model(options->experiment);
-      const CompiledModel& model = compiled_model(experiment_model(path), path.string());
-      const Experiment experiment = read_experiment(path, model);
+      const auto model = model_source(path, options->interpret).load({});  // equations of motion alone
+      const Experiment experiment = read_experiment(path, *model);
       ProgressLine line("records");
       const SimulatedCampaign simulated =
-          run_virtual_test(experiment, model, options->seed, options->threads,
+          run_virtual_test(experiment, *model, options->seed, options->threads,
                            [&line](std::size_t done, std::size_t total) { line(done, total); });
       write_campaign(simulated.campaign, simulated.samples, options->folder);
       if (options->json)

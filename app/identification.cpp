@@ -6,12 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/shipped_models.hpp"
-#include "codegen/canonical_model.hpp"
+#include "app/model_loading.hpp"
 #include "estimator/identification/modal_projection.hpp"
-#include "generated/registry.hpp"
 #include "input/input_error.hpp"
-#include "perturb/model.hpp"
 #include "simulate/replay.hpp"
 
 namespace secular::app {
@@ -20,23 +17,15 @@ namespace {
 /// The correction is evaluated at the estimate and once more at the corrected one.
 constexpr int truncation_passes = 2;
 
-std::string compiled_names() {
-  std::string names;
-  for (const CompiledModel* model : generated::compiled_models())
-    names += (names.empty() ? "" : ", ") + std::string(model->name);
-  return names;
-}
-
 // How far a dwell is from a case's resonances, relative; infinite where that cannot be told.
-double mismatch(const CompiledModel& model, const CompiledCase& resonance, double excitation_frequency) {
-  const std::size_t modes = model.modes(), columns = modes + model.excitations.size();
-  if (resonance.relations.empty() || model.excitations.size() != 1) return INFINITY;
+double mismatch(const ModelSource& model, const CaseOutline& resonance, double excitation_frequency) {
+  const std::vector<double>& nominal = model.nominal_frequencies();
+  if (resonance.relations.empty() || nominal.size() != model.modes() + 1) return INFINITY;
   double worst = 0;
-  for (std::size_t r = 0; r * columns < resonance.relations.size(); ++r) {
+  for (const std::vector<int>& relation : resonance.relations) {
     double sum = 0, size = 0;
-    for (std::size_t i = 0; i < columns; ++i) {
-      const double term =
-          resonance.relations[r * columns + i] * (i < modes ? model.nominal[i] : excitation_frequency);
+    for (std::size_t i = 0; i < relation.size(); ++i) {
+      const double term = relation[i] * (i < model.modes() ? nominal[i] : excitation_frequency);
       sum += term;
       size = std::max(size, std::abs(term));
     }
@@ -45,18 +34,17 @@ double mismatch(const CompiledModel& model, const CompiledCase& resonance, doubl
   return worst;
 }
 
-const CompiledCase& named_case(const CompiledModel& model, const std::string& name) {
+void require_case(const ModelSource& model, const std::string& name) {
   std::string known;
-  for (const CompiledCase& resonance : model.cases) {
-    if (resonance.name == name) return resonance;
-    known += (known.empty() ? "" : ", ") + std::string(resonance.name);
+  for (const CaseOutline& resonance : model.cases()) {
+    if (resonance.name == name) return;
+    known += (known.empty() ? "" : ", ") + resonance.name;
   }
-  throw InputError("--case " + name, "", "is no case of model " + std::string(model.name),
-                   "its cases are " + known);
+  throw InputError("--case " + name, "", "is no case of model " + model.name(), "its cases are " + known);
 }
 
 // The case whose resonance the dwells excite, or the one without excitation for decays.
-const CompiledCase& fitting_case(const CompiledModel& model, const Campaign& campaign, const Window& window) {
+std::string fitting_case(const ModelSource& model, const Campaign& campaign, const Window& window) {
   std::vector<double> frequencies;
   bool decays = false;
   for (const RecordEntry& entry : campaign.records) {
@@ -69,49 +57,43 @@ const CompiledCase& fitting_case(const CompiledModel& model, const Campaign& cam
     std::nth_element(frequencies.begin(), frequencies.begin() + static_cast<std::ptrdiff_t>(frequencies.size() / 2),
                      frequencies.end());
     const double typical = frequencies[frequencies.size() / 2];
-    const CompiledCase* best = nullptr;
-    for (const CompiledCase& resonance : model.cases)
+    const CaseOutline* best = nullptr;
+    for (const CaseOutline& resonance : model.cases())
       if (resonance.excited && (!best || mismatch(model, resonance, typical) < mismatch(model, *best, typical)))
         best = &resonance;
-    if (best && mismatch(model, *best, typical) < 0.1) return *best;
+    if (best && mismatch(model, *best, typical) < 0.1) return best->name;
     throw InputError(campaign.folder.string(), "",
                      fmt::format("its dwells near {:.4g} Hz excite no resonance that model {} has a case for",
-                                 typical / (2 * std::numbers::pi), model.name),
+                                 typical / (2 * std::numbers::pi), model.name()),
                      "name the case with --case, or add a [[case]] to the model");
   }
   if (decays)
-    for (const CompiledCase& resonance : model.cases)
-      if (!resonance.excited) return resonance;
+    for (const CaseOutline& resonance : model.cases())
+      if (!resonance.excited) return resonance.name;
   throw InputError(campaign.folder.string(), "",
-                   "has no records that model " + std::string(model.name) + " can be identified from",
+                   "has no records that model " + model.name() + " can be identified from",
                    decays ? "its free decays need a case with excitation = false"
                           : "dwells with excitation_frequency_hz or free decays were expected");
 }
 
-}  // namespace
-
-const CompiledModel& compiled_model_of(const std::string& name_or_path) {
-  if (const CompiledModel* shipped = generated::find_compiled_model(name_or_path)) return *shipped;
-  const std::string path = resolve_model(name_or_path).string();
-  const CanonicalModel canonical = canonical_model(read_model(path));
-  const CompiledModel* compiled = generated::find_compiled_model(canonical.name);
-  if (!compiled)
-    throw InputError(path, "", "model " + canonical.name + " is not compiled into this program",
-                     "compiled are " + compiled_names() + "; add others with `secular generate` and build again");
-  if (compiled->fingerprint != canonical.fingerprint)
-    throw InputError(path, "", "differs from the model " + canonical.name + " that is compiled into this program",
-                     "give it another name, or run `secular generate` and build again");
-  return *compiled;
+const CompiledCase& named_case(const CompiledModel& model, const std::string& name) {
+  return *std::find_if(model.cases.begin(), model.cases.end(),
+                       [&](const CompiledCase& resonance) { return resonance.name == name; });
 }
+
+}  // namespace
 
 Identification identify(const IdentificationRequest& request) {
   Identification result;
-  result.model = &compiled_model_of(request.model);
-  const CompiledModel& model = *result.model;
+  const ModelSource source(request.model, request.interpret);
+  if (!request.resonance.empty()) require_case(source, request.resonance);
   result.campaign = read_campaign(request.campaign);
   const Campaign& campaign = result.campaign;
-  result.resonance = request.resonance.empty() ? &fitting_case(model, campaign, request.window)
-                                               : &named_case(model, request.resonance);
+  const std::string resonance =
+      request.resonance.empty() ? fitting_case(source, campaign, request.window) : request.resonance;
+  result.model = source.load({resonance});
+  const CompiledModel& model = *result.model;
+  result.resonance = &named_case(model, resonance);
   result.coordinate_unit = modal_projection(campaign, model).unit;
   if (result.resonance->excited)
     for (const std::size_t channel : excitation_channels(campaign, model))

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@ namespace secular::app {
 
 struct IdentificationRequest {
   std::string campaign, model, resonance;  ///< resonance empty: chosen from the records
+  bool interpret = false;                  ///< never use compiled code of the model
   Window window;
   std::map<std::string, double> fixed;
   unsigned threads = 1;
@@ -22,7 +24,7 @@ struct IdentificationRequest {
 /// Everything that a run of `identify` found, before it is written.
 struct Identification {
   Campaign campaign;
-  const CompiledModel* model = nullptr;
+  std::shared_ptr<const CompiledModel> model;
   const CompiledCase* resonance = nullptr;
   ObservationSet measured;
   ObservationSet replayed;  ///< what the full equations do at the estimated parameters; empty if that failed
@@ -34,8 +36,5 @@ struct Identification {
 
 /// Observations, regression, correction for the expansion's truncation, prediction of what was held out.
 Identification identify(const IdentificationRequest& request);
-
-/// The compiled model of a name or file; a file must say what the compiled code was made from.
-const CompiledModel& compiled_model_of(const std::string& name_or_path);
 
 }  // namespace secular::app

@@ -173,20 +173,9 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
     for (const GiNaC::numeric& multiple : row) ratios.push_back(ratio(multiple));
     result.observed_frequency.push_back(std::move(ratios));
   }
-  std::vector<std::string> parameters;
-  for (const Mode& mode : model.modes) parameters.push_back(mode.frequency);
-  parameters.insert(parameters.end(), model.parameters.begin(), model.parameters.end());
-  for (const Lump& lump : seen.lumps) {
-    CanonicalLump flat{lump.name,
-                       form.of(lump.definition),
-                       {},
-                       canonical_dimension(dimension_of(lump.definition, dimensions, model))};
-    for (const std::string& name : parameters) {
-      const auto at = std::find(order.begin(), order.end(), name);
-      flat.derivative.push_back(derivative(flat.definition, static_cast<std::size_t>(at - order.begin())));
-    }
-    result.lumps.push_back(std::move(flat));
-  }
+  for (const Lump& lump : seen.lumps)
+    result.lumps.push_back({lump.name, form.of(lump.definition),
+                            canonical_dimension(dimension_of(lump.definition, dimensions, model))});
   for (const ObservationBlock& block : seen.blocks) {
     CanonicalBlock flat;
     flat.modulation = block.modulation;

@@ -37,7 +37,6 @@ using CanonicalDimension = std::optional<std::vector<CanonicalRatio>>;
 struct CanonicalLump {
   std::string name;
   RationalFunction definition;
-  std::vector<RationalFunction> derivative;  ///< by parameter
   CanonicalDimension dimension;
 };
 

@@ -9,28 +9,6 @@
 
 namespace secular {
 
-std::string safe_identifier(const std::string& symbol) {
-  static const std::set<std::string> taken = {
-      "alignas",      "alignof",   "and",       "and_eq",     "asm",        "auto",         "bitand",
-      "bitor",        "bool",      "break",     "case",       "catch",      "char",         "char16_t",
-      "char32_t",     "char8_t",   "class",     "co_await",   "co_return",  "co_yield",     "compl",
-      "concept",      "const",     "consteval", "constexpr",  "constinit",  "const_cast",   "continue",
-      "decltype",     "default",   "delete",    "do",         "double",     "dynamic_cast", "else",
-      "enum",         "explicit",  "export",    "extern",     "false",      "float",        "for",
-      "friend",       "goto",      "if",        "inline",     "int",        "long",         "mutable",
-      "namespace",    "new",       "noexcept",  "not",        "not_eq",     "nullptr",      "operator",
-      "or",           "or_eq",     "private",   "protected",  "public",     "register",     "reinterpret_cast",
-      "requires",     "return",    "short",     "signed",     "sizeof",     "static",       "static_assert",
-      "static_cast",  "struct",    "switch",    "template",   "this",       "thread_local", "throw",
-      "true",         "try",       "typedef",   "typeid",     "typename",   "union",        "unsigned",
-      "using",        "virtual",   "void",      "volatile",   "wchar_t",    "while",        "xor",
-      "xor_eq",       "std",       "secular",   "parameters", "data",       "columns",      "lumps",
-      "jacobian",     "amplitude", "forcing",   "derivative", "excitation", "displacement", "velocity",
-      "acceleration", "Scalar",    "Complex",   "main",       "errno",      "NAN",          "INFINITY",
-      "assert",       "abs",       "NULL"};
-  return taken.count(symbol) ? symbol + "_" : symbol;
-}
-
 namespace {
 
 bool is_one(const std::string& digits) {

@@ -32,9 +32,12 @@ class CppWriter {
   int operations_ = 0;
 };
 
-/// A C++ identifier for a model's symbol: the name itself, with '_' appended where it is a keyword or a name the
-/// generated code uses itself.
+/// A local variable's name for a model's symbol: the symbol itself, or s_NAME_s where C++, a macro or the generated
+/// code itself might use the name. Symbols are letters, digits and '_'; different symbols get different names.
 std::string safe_identifier(const std::string& symbol);
+
+/// The same for a namespace named after a model or a case.
+std::string safe_namespace(const std::string& name);
 
 /// A rational function as model text: "3*alpha3/8 - ...", parseable by the model reader (pi written Pi).
 std::string formula_text(const RationalFunction& value, const SymbolOrder& order);

@@ -100,6 +100,9 @@ std::map<std::string, Dimension> symbol_dimensions(const Model& model, const std
 std::optional<Dimension> dimension_of(const GiNaC::ex& expression, const std::map<std::string, Dimension>& symbols,
                                       const Model& model) {
   const std::size_t size = model.frequency_count() + 1;
+  // Coordinates of one unit make summands that differ in form, and GiNaC's order of summands is not fixed: the
+  // smallest.
+  std::optional<Dimension> smallest;
   for (const GiNaC::ex& monomial : summands(expression)) {
     const auto powers = monomial_powers(monomial);
     if (!powers) continue;
@@ -110,9 +113,11 @@ std::optional<Dimension> dimension_of(const GiNaC::ex& expression, const std::ma
       for (std::size_t i = 0; i < size; ++i) sum[i] = sum[i] + entry.second * symbol->second[i];
       return true;
     });
-    if (all_known) return sum;
+    if (all_known &&
+        (!smallest || std::lexicographical_compare(sum.begin(), sum.end(), smallest->begin(), smallest->end())))
+      smallest = sum;
   }
-  return std::nullopt;
+  return smallest;
 }
 
 }  // namespace secular

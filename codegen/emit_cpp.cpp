@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "codegen/cpp_expression.hpp"
+#include "codegen/lump_gradient.hpp"
 #include "codegen/print_text.hpp"
 #include "input/input_error.hpp"
 
@@ -142,7 +144,7 @@ class ModelEmitter {
   }
 
  private:
-  static std::string space(const std::string& name) { return safe_identifier(name); }
+  static std::string space(const std::string& name) { return safe_namespace(name); }
   static constexpr int indentation = 2;
 
   // Namespaces do not indent.
@@ -254,15 +256,13 @@ class ModelEmitter {
       }
       case CanonicalFactor::Kind::clock_cos:
       case CanonicalFactor::Kind::clock_sin:
-        throw InputError(model_.name, "equation of motion",
-                         fmt::format("cos or sin of {}*t stands without {}", model_.excitation_frequencies[f.index],
-                                     model_.excitations[f.index]),
-                         "write the excitation as F*cos(Omega*t): its measured signal takes that place");
+        break;
     }
     return {};
   }
 
   void equations_of_motion() {
+    refuse_unsupported_motion(model_);
     const std::size_t modes = model_.coordinates.size();
     CppWriter writer(model_.order, "Scalar");
     std::vector<std::string> force(modes);
@@ -305,14 +305,7 @@ class ModelEmitter {
 
   // ---- cases ----
   void resonance_case(const CanonicalCase& c) {
-    if (!c.quadratures.empty())
-      throw InputError(model_.name, "case " + c.name,
-                       "term " + factors_text(model_, c.quadratures.front().factors) +
-                           " goes to quadrature: the case has no regressor linear in lumps",
-                       "leave the case out of the generated code, or use a nonsmooth function of one coordinate");
-    if (c.observed_frequency.empty())
-      throw InputError(model_.name, "case " + c.name, "no rotating frame makes its modulation equations autonomous",
-                       "generate code for cases with one steady state per excitation");
+    refuse_unsupported(model_, c);
     code_.line(fmt::format("namespace {} {{", space(c.name))).line();
     lumps(c);
     lumps_jacobian(c);
@@ -339,16 +332,100 @@ class ModelEmitter {
     code_.line("}").line();
   }
 
+  // A numerator N of many terms, for its derivatives: grouped by the monomials of the coefficients, whose factors
+  // c_g hold the frequencies, and by the monomials of the frequencies, whose factors w_g hold the coefficients.
+  // Every term of N is then written twice instead of once for every symbol in it.
+  struct GroupedNumerator {
+    std::vector<PolynomialGroup> by_coefficients, by_frequencies;
+  };
+
+  GroupedNumerator grouped_numerator(const RationalFunction& definition, CppWriter& writer,
+                                     std::vector<std::string>& temporaries) const {
+    std::vector<bool> frequency(model_.order.size(), false);
+    std::fill_n(frequency.begin(), model_.natural_frequencies.size(), true);
+    std::vector<bool> coefficient = frequency;
+    coefficient.flip();
+    GroupedNumerator result{grouped(definition.numerator, coefficient), grouped(definition.numerator, frequency)};
+    const auto declare = [&](const char* letter, const std::vector<PolynomialGroup>& groups) {
+      for (std::size_t g = 0; g < groups.size(); ++g)
+        temporaries.push_back(fmt::format("const Scalar {}_{} = {};  // multiplies {}", letter, g,
+                                          writer.expression({groups[g].rest, unity()}),
+                                          formula_text({{{"1", groups[g].common}}, unity()}, model_.order)));
+    };
+    declare("c", result.by_coefficients);
+    declare("w", result.by_frequencies);
+    return result;
+  }
+
+  std::vector<PolynomialTerm> unity() const { return {{"1", std::vector<int>(model_.order.size(), 0)}}; }
+
+  // dN/dp from the groups.
+  std::string grouped_derivative(const GroupedNumerator& numerator, std::size_t symbol, CppWriter& writer) const {
+    const bool frequency = symbol < model_.natural_frequencies.size();
+    const auto& groups = frequency ? numerator.by_frequencies : numerator.by_coefficients;
+    std::string sum;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const RationalFunction rate = derivative(RationalFunction{{{"1", groups[g].common}}, unity()}, symbol);
+      if (rate.is_zero()) continue;
+      sum += fmt::format("{}{}{}_{}", sum.empty() ? "" : " + ",
+                         rate.is_one() ? "" : writer.expression(rate) + " * ", frequency ? "w" : "c", g);
+    }
+    return sum;
+  }
+
+  // The derivatives of one lump N/D with a sum D, as a function of its own: compilers take very long over hundreds
+  // of temporaries in one.
+  void shared_gradient(const CanonicalLump& lump, std::size_t l, const LumpGradient& gradient) {
+    constexpr std::size_t many_terms = 6;
+    CppWriter writer(model_.order, "Scalar");
+    std::vector<std::string> lines = {
+        fmt::format("const Scalar denominator = {};", writer.expression(gradient.denominator))};
+    std::optional<GroupedNumerator> numerator;
+    if (lump.definition.numerator.size() > many_terms)
+      numerator = grouped_numerator(lump.definition, writer, lines);
+    for (const LumpGradient::Entry& entry : gradient.entries) {
+      std::string value;
+      if (!entry.rate.is_zero())
+        value = numerator ? grouped_derivative(*numerator, entry.symbol, writer) : writer.expression(entry.rate);
+      if (!entry.denominator_rate.is_zero())
+        value +=
+            fmt::format("{}lump * ({})", value.empty() ? "-" : " - ", writer.expression(entry.denominator_rate));
+      lines.push_back(fmt::format("gradient[{}] = ({}) / denominator;  // by {}", entry.parameter, value,
+                                  model_.parameters[entry.parameter]));
+    }
+    code_.comment(
+        fmt::format("gradient[p] = d {} / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.", lump.name));
+    if (numerator)
+      code_.comment("N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked.");
+    code_.comment(fmt::format("{} operations.", writer.operations()));
+    code_.line("template <class Scalar>");
+    code_.line(fmt::format(
+        "void lump_gradient_{}(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {{", l));
+    unpack(writer.used_symbols());
+    definitions(writer);
+    for (const std::string& row : lines) code_.line(row);
+    code_.line("}").line();
+  }
+
   void lumps_jacobian(const CanonicalCase& c) {
     CppWriter writer(model_.order, "Scalar");
     const std::size_t count = model_.parameters.size();
-    std::vector<std::pair<std::string, std::string>> entries;
-    for (std::size_t l = 0; l < c.lumps.size(); ++l)
-      for (std::size_t p = 0; p < count; ++p)
-        if (!c.lumps[l].derivative[p].is_zero())
-          entries.emplace_back(fmt::format("jacobian[{}]", l * count + p),
-                               fmt::format("{};  // d {} / d {}", writer.expression(c.lumps[l].derivative[p]),
-                                           c.lumps[l].name, model_.parameters[p]));
+    std::vector<std::string> lines;
+    bool shares = false;
+    for (std::size_t l = 0; l < c.lumps.size(); ++l) {
+      const LumpGradient gradient = lump_gradient(model_, c.lumps[l].definition);
+      if (gradient.shared) {
+        shared_gradient(c.lumps[l], l, gradient);
+        lines.push_back(fmt::format("lump_gradient_{0}(parameters, lumps[{0}], jacobian + {1});  // d {2}", l,
+                                    l * count, c.lumps[l].name));
+        shares = true;
+        continue;
+      }
+      for (const LumpGradient::Entry& entry : gradient.entries)
+        lines.push_back(fmt::format("jacobian[{}] = {};  // d {} / d {}", l * count + entry.parameter,
+                                    writer.expression(entry.rate), c.lumps[l].name,
+                                    model_.parameters[entry.parameter]));
+    }
     code_.comment(fmt::format("jacobian[l * {} + p] = d lumps[l] / d parameters[p]. {} operations.", count,
                               writer.operations()));
     code_.line("template <class Scalar>");
@@ -357,9 +434,13 @@ class ModelEmitter {
         "jacobian) {");
     unpack(writer.used_symbols());
     definitions(writer);
+    if (shares) {
+      code_.line(fmt::format("Scalar lumps[{}];", c.lumps.size()));
+      code_.line("evaluate_lumps(parameters, lumps);");
+    }
     code_.line(
         fmt::format("for (std::size_t i = 0; i < {}; ++i) jacobian[i] = Scalar(0.0);", c.lumps.size() * count));
-    for (const auto& [target, value] : entries) code_.line(target + " = " + value);
+    for (const std::string& row : lines) code_.line(row);
     code_.line("}").line();
   }
 
@@ -402,11 +483,6 @@ class ModelEmitter {
     for (std::size_t j = 0; j < model_.excitations.size(); ++j) {
       const std::string name = safe_identifier(model_.excitations[j]);
       const int net = powers.phase[model_.coordinates.size() + j], total = powers.forcing[j];
-      if (std::abs(net) > total || (total - net) % 2 != 0)
-        throw InputError(model_.name, "term with " + model_.excitations[j],
-                         "a harmonic of " + model_.excitation_frequencies[j] + " does not come from " +
-                             model_.excitations[j] + "*cos(" + model_.excitation_frequencies[j] + "*t)",
-                         "write the excitation as F*cos(Omega*t)");
       const int pairs = (total - std::abs(net)) / 2;
       if (pairs) used.forcing_norm.insert(j);
       if (net > 0) used.forcing.insert(j);
@@ -627,10 +703,12 @@ class ModelEmitter {
     code_.line("};");
     code_.line(fmt::format("constexpr double nominal[] = {{{}}};",
                            listed(model_.nominal, [](const std::optional<double>& value) {
-                             return value ? fmt::format("{}", *value) : "std::numeric_limits<double>::quiet_NaN()";
+                             return value && std::isfinite(*value) ? fmt::format("{}", *value)
+                                                                   : "std::numeric_limits<double>::quiet_NaN()";
                            })));
     code_.line();
     for (std::size_t i = 0; i < model_.cases.size(); ++i) case_tables(model_.cases[i], fmt::format("case_{}", i));
+    if (model_.cases.empty()) return;
     code_.line("constexpr CompiledCase cases[] = {");
     for (std::size_t i = 0; i < model_.cases.size(); ++i) case_row(model_.cases[i], fmt::format("case_{}", i));
     code_.line("};").line();
@@ -653,9 +731,11 @@ class ModelEmitter {
       lump_rows.push_back(fmt::format("{{{}, {}, {}}},", quoted(c.lumps[l].name),
                                       quoted(formula_text(c.lumps[l].definition, model_.order)),
                                       dimension_table(fmt::format("{}_lump_{}", id, l), c.lumps[l].dimension)));
-    code_.line(fmt::format("constexpr CompiledLump {}_lumps[] = {{", id));
-    for (const std::string& row : lump_rows) code_.line(row);
-    code_.line("};");
+    if (!lump_rows.empty()) {
+      code_.line(fmt::format("constexpr CompiledLump {}_lumps[] = {{", id));
+      for (const std::string& row : lump_rows) code_.line(row);
+      code_.line("};");
+    }
     for (std::size_t b = 0; b < c.blocks.size(); ++b) {
       code_.line(fmt::format("constexpr int {}_block_{}_lumps[] = {{{}}};", id, b,
                              listed(c.blocks[b].columns, [](const CanonicalBlock::Column& column) {
@@ -665,6 +745,7 @@ class ModelEmitter {
         code_.line(
             fmt::format("constexpr int {}_block_{}_phase[] = {{{}}};", id, b, listed(c.blocks[b].phase, number)));
     }
+    if (c.blocks.empty()) return void(code_.line());
     code_.line(fmt::format("constexpr RegressorBlock {}_blocks[] = {{", id));
     for (std::size_t b = 0; b < c.blocks.size(); ++b)
       code_.line(fmt::format("{{BlockKind::{}, {}, {}, {}, {}, {}_block_{}_lumps, {}::columns_{}}},",
@@ -682,8 +763,8 @@ class ModelEmitter {
     code_.line(c.relations.empty() ? ".relations = {}," : fmt::format(".relations = {}_relations,", id));
     code_.line(fmt::format(".observed_frequency = {}_observed_frequency,", id));
     code_.line(fmt::format(".mode_at_rest = {}_mode_at_rest,", id));
-    code_.line(fmt::format(".lumps = {}_lumps,", id));
-    code_.line(fmt::format(".blocks = {}_blocks,", id));
+    code_.line(c.lumps.empty() ? ".lumps = {}," : fmt::format(".lumps = {}_lumps,", id));
+    code_.line(c.blocks.empty() ? ".blocks = {}," : fmt::format(".blocks = {}_blocks,", id));
     for (const char* function : {"evaluate_lumps", "evaluate_lumps_jacobian", "modulation"})
       code_.line(fmt::format(".{0} = {1}::{0}<double>,", function, space(c.name)));
     code_.line("},");
@@ -699,7 +780,8 @@ class ModelEmitter {
     const bool excited = !model_.excitations.empty();
     code_.line(excited ? ".excitations = excitations," : ".excitations = {},");
     code_.line(excited ? ".excitation_frequencies = excitation_frequencies," : ".excitation_frequencies = {},");
-    code_.line(".symbols = symbols,").line(".nominal = nominal,").line(".cases = cases,");
+    code_.line(".symbols = symbols,").line(".nominal = nominal,");
+    code_.line(model_.cases.empty() ? ".cases = {}," : ".cases = cases,");
     code_.line(".acceleration = accelerations<double>,").line("};").line();
   }
 
@@ -708,6 +790,40 @@ class ModelEmitter {
 };
 
 }  // namespace
+
+void refuse_unsupported_motion(const CanonicalModel& model) {
+  using Kind = CanonicalFactor::Kind;
+  for (const auto& equation : model.motion)
+    for (const CanonicalMotionTerm& term : equation)
+      for (const CanonicalFactor& f : term.factors)
+        if (f.kind == Kind::clock_cos || f.kind == Kind::clock_sin)
+          throw InputError(model.name, "equation of motion",
+                           fmt::format("cos or sin of {}*t stands without {}",
+                                       model.excitation_frequencies[f.index], model.excitations[f.index]),
+                           "write the excitation as F*cos(Omega*t): its measured signal takes that place");
+}
+
+void refuse_unsupported(const CanonicalModel& model, const CanonicalCase& c) {
+  if (!c.quadratures.empty())
+    throw InputError(model.name, "case " + c.name,
+                     "term " + factors_text(model, c.quadratures.front().factors) +
+                         " goes to quadrature: the case has no regressor linear in lumps",
+                     "leave the case out of the generated code, or use a nonsmooth function of one coordinate");
+  if (c.observed_frequency.empty())
+    throw InputError(model.name, "case " + c.name, "no rotating frame makes its modulation equations autonomous",
+                     "generate code for cases with one steady state per excitation");
+  for (const CanonicalBlock& block : c.blocks)
+    for (const CanonicalBlock::Column& column : block.columns)
+      for (const CanonicalColumnTerm& term : column.terms)
+        for (std::size_t j = 0; j < model.excitations.size(); ++j) {
+          const int net = term.powers.phase[model.coordinates.size() + j], total = term.powers.forcing[j];
+          if (std::abs(net) > total || (total - net) % 2 != 0)
+            throw InputError(model.name, "case " + c.name + ", term with " + model.excitations[j],
+                             "a harmonic of " + model.excitation_frequencies[j] + " does not come from " +
+                                 model.excitations[j] + "*cos(" + model.excitation_frequencies[j] + "*t)",
+                             "write the excitation as F*cos(Omega*t)");
+        }
+}
 
 std::vector<GeneratedFile> emit_cpp(const CanonicalModel& model) {
   ModelEmitter emitter(model);
@@ -740,7 +856,7 @@ const CompiledModel* find_compiled_model(std::string_view name);
 )"};
   std::string declarations, entries;
   for (const std::string& name : names) {
-    const std::string space = safe_identifier(name);
+    const std::string space = safe_namespace(name);
     declarations += fmt::format("namespace {} {{\nextern const CompiledModel model;\n}}\n", space);
     entries += fmt::format("    &{}::model,\n", space);
   }

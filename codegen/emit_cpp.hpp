@@ -17,6 +17,14 @@ struct GeneratedFile {
 /// computed from data: excitation clocks without an amplitude, cases without a steady frame.
 std::vector<GeneratedFile> emit_cpp(const CanonicalModel& model);
 
+/// Throws an InputError for equations of motion that no measured signal can drive: cos(Omega*t) without an
+/// amplitude.
+void refuse_unsupported_motion(const CanonicalModel& model);
+
+/// Throws the InputError with which emit_cpp refuses a case: a term that goes to quadrature, no rotating frame in
+/// which the case is steady, an excitation clock without an amplitude.
+void refuse_unsupported(const CanonicalModel& model, const CanonicalCase& resonance);
+
 /// registry.hpp and registry.cpp: all models by name.
 std::vector<GeneratedFile> emit_registry(const std::vector<std::string>& model_names);
 

@@ -123,6 +123,19 @@ RationalFunction derivative(const RationalFunction& value, std::size_t symbol) {
   return fraction(std::move(numerator), denominator);
 }
 
+std::vector<PolynomialGroup> grouped(const std::vector<PolynomialTerm>& terms, const std::vector<bool>& by) {
+  std::map<std::vector<int>, std::vector<PolynomialTerm>, std::greater<>> groups;
+  for (const PolynomialTerm& term : terms) {
+    std::vector<int> common = term.exponents;
+    PolynomialTerm rest = term;
+    for (std::size_t i = 0; i < common.size(); ++i) (by[i] ? rest.exponents : common)[i] = 0;
+    groups[common].push_back(std::move(rest));
+  }
+  std::vector<PolynomialGroup> result;
+  for (auto& [common, rest] : groups) result.push_back({common, std::move(rest)});
+  return result;
+}
+
 RationalFunction sum(const RationalFunction& a, const RationalFunction& b) {
   if (a.is_zero()) return b;
   if (b.is_zero()) return a;

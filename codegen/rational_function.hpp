@@ -30,6 +30,15 @@ struct RationalFunction {
 /// numbers are cancelled, other common factors are not: the value is exact, its representation not always shortest.
 RationalFunction derivative(const RationalFunction& value, std::size_t symbol);
 
+/// One group of a polynomial's terms: they share `common` powers of some of the symbols; in `rest` these are zero.
+struct PolynomialGroup {
+  std::vector<int> common;
+  std::vector<PolynomialTerm> rest;
+};
+
+/// sum of terms = sum over groups of common * rest, grouped by the powers of the symbols for which `by` is true.
+std::vector<PolynomialGroup> grouped(const std::vector<PolynomialTerm>& terms, const std::vector<bool>& by);
+
 /// a + b. Common powers of symbols, common numbers and equal denominators are cancelled, other common factors are
 /// not.
 RationalFunction sum(const RationalFunction& a, const RationalFunction& b);

@@ -2,14 +2,17 @@
 
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
-/// What generated code offers to the estimator and the simulator: plain tables and function pointers, no symbols.
+#include "estimator/model_function.hpp"
+
+/// What generated code offers to the estimator and the simulator: plain tables and functions, no symbols.
 ///
 /// Conventions. A mode's oscillation is v = B exp(i*w*t) + conj(B) exp(-i*w*t) + harmonics: B is half the peak
-/// amplitude. An excitation is F cos(W*t + phase), handed over as the complex number F exp(i*phase), whose modulus is
-/// the full peak amplitude. Frequencies are in rad/s.
+/// amplitude. An excitation is F cos(W*t + phase), handed over as the complex number F exp(i*phase), whose modulus
+/// is the full peak amplitude. Frequencies are in rad/s.
 namespace secular {
 
 /// A rational number, used for exponents of units and for frequencies.
@@ -18,8 +21,8 @@ struct Ratio {
   int denominator = 1;
 };
 
-/// A symbol of the model. `dimension` holds its unit as powers of: each coordinate's unit, each excitation's unit, the
-/// second (in this order); empty where the equations do not fix it.
+/// A symbol of the model. `dimension` holds its unit as powers of: each coordinate's unit, each excitation's unit,
+/// the second (in this order); empty where the equations do not fix it.
 struct CompiledSymbol {
   std::string_view name;
   std::span<const Ratio> dimension;
@@ -35,10 +38,10 @@ struct CompiledLump {
 /// Data of one batch of observations, structure of arrays: [index][observation].
 struct ObservationBatch {
   std::size_t count = 0;
-  const double* natural_frequency = nullptr;                   ///< [mode], one value for all observations
-  const double* const* excitation_frequency = nullptr;         ///< [excitation][observation]
-  const std::complex<double>* const* amplitude = nullptr;      ///< [mode][observation], B as above
-  const std::complex<double>* const* forcing = nullptr;        ///< [excitation][observation], F exp(i*phase)
+  const double* natural_frequency = nullptr;               ///< [mode], one value for all observations
+  const double* const* excitation_frequency = nullptr;     ///< [excitation][observation]
+  const std::complex<double>* const* amplitude = nullptr;  ///< [mode][observation], B as above
+  const std::complex<double>* const* forcing = nullptr;    ///< [excitation][observation], F exp(i*phase)
 };
 
 enum class BlockKind { modulation, harmonic };
@@ -46,8 +49,8 @@ enum class BlockKind { modulation, harmonic };
 /// One complex equation, linear in lumps: target = sum_j column_j * lump_j with complex columns and real lumps.
 /// modulation: target = (rate - i*w) * B, where rate = growth + i*(observed angular frequency) of mode `mode`;
 /// harmonic:   target = complex amplitude of exp(i*observed frequency*t) in mode `mode`, half of the real amplitude
-///             (the full real value at zero frequency). Its observed frequency is sum_j phase[j] * f_j over the modes'
-///             observed frequencies and then the excitations' frequencies.
+///             (the full real value at zero frequency). Its observed frequency is sum_j phase[j] * f_j over the
+///             modes' observed frequencies and then the excitations' frequencies.
 struct RegressorBlock {
   BlockKind kind = BlockKind::modulation;
   std::string_view name;
@@ -56,7 +59,7 @@ struct RegressorBlock {
   std::span<const int> phase;
   std::span<const int> lumps;  ///< indices into CompiledCase::lumps, one a column
   /// Fills columns[j][observation].
-  void (*columns)(const ObservationBatch& data, std::complex<double>* const* columns) = nullptr;
+  ModelFunction<void(const ObservationBatch& data, std::complex<double>* const* columns)> columns;
 };
 
 /// One resonance case of the model, derived by the method of multiple scales.
@@ -73,13 +76,14 @@ struct CompiledCase {
   std::span<const CompiledLump> lumps;
   std::span<const RegressorBlock> blocks;
   /// lumps[l] from the model's parameters (order of CompiledModel::symbols).
-  void (*evaluate_lumps)(const double* parameters, double* lumps) = nullptr;
+  ModelFunction<void(const double* parameters, double* lumps)> evaluate_lumps;
   /// jacobian[l * symbols + p] = d lump_l / d parameter_p.
-  void (*evaluate_lumps_jacobian)(const double* parameters, double* jacobian) = nullptr;
+  ModelFunction<void(const double* parameters, double* jacobian)> evaluate_lumps_jacobian;
   /// dB/dt of every mode in the frame that rotates with its observed frequency: zero at a steady state.
-  void (*modulation)(const double* parameters, const double* excitation_frequency,
+  ModelFunction<void(const double* parameters, const double* excitation_frequency,
                      const std::complex<double>* amplitude, const std::complex<double>* forcing,
-                     std::complex<double>* derivative) = nullptr;
+                     std::complex<double>* derivative)>
+      modulation;
 };
 
 /// The excitation signal at one instant: value, first and second time derivative.
@@ -87,23 +91,36 @@ struct ExcitationSample {
   double value = 0, first_derivative = 0, second_derivative = 0;
 };
 
-/// A shipped model: its equations of motion and all its cases.
+/// A model: its equations of motion and its cases.
 struct CompiledModel {
   std::string_view name;
   std::string_view source;
   std::string_view fingerprint;  ///< digest of the equations and cases this code was made from
   std::span<const std::string_view> coordinates;
-  std::span<const std::string_view> excitations;            ///< amplitude symbols: F, F2, ...
-  std::span<const std::string_view> excitation_frequencies; ///< Omega, Omega2, ...
-  std::span<const CompiledSymbol> symbols;                  ///< every parameter, natural frequencies first, by mode
-  std::span<const double> nominal;                          ///< by symbol; NaN where the model gives none
+  std::span<const std::string_view> excitations;             ///< amplitude symbols: F, F2, ...
+  std::span<const std::string_view> excitation_frequencies;  ///< Omega, Omega2, ...
+  std::span<const CompiledSymbol> symbols;  ///< every parameter, natural frequencies first, by mode
+  std::span<const double> nominal;          ///< by symbol; NaN where the model gives none
   std::span<const CompiledCase> cases;
   /// Accelerations from the full equations of motion (never from the expansion), solved from the state-dependent
   /// mass matrix. excitation: [excitation]; displacement, velocity, acceleration: [mode].
-  void (*acceleration)(const double* parameters, const ExcitationSample* excitation, const double* displacement,
-                       const double* velocity, double* acceleration) = nullptr;
+  ModelFunction<void(const double* parameters, const ExcitationSample* excitation, const double* displacement,
+                     const double* velocity, double* acceleration)>
+      acceleration;
 
   std::size_t modes() const { return coordinates.size(); }
 };
+
+/// Number of this interface: its version, and the sizes that a compiler or a standard library may choose otherwise.
+/// A shared object of generated code is taken only if both sides compute the same.
+constexpr std::uint64_t compiled_model_abi() {
+  std::uint64_t number = 2;
+  for (const std::size_t size :
+       {sizeof(CompiledModel), sizeof(CompiledCase), sizeof(RegressorBlock), sizeof(CompiledLump),
+        sizeof(CompiledSymbol), sizeof(Ratio), sizeof(ObservationBatch), sizeof(ExcitationSample),
+        sizeof(std::span<const int>), sizeof(std::string_view), sizeof(std::complex<double>), sizeof(void*)})
+    number = number * 1099511628211ULL + size;
+  return number;
+}
 
 }  // namespace secular

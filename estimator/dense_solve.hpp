@@ -8,8 +8,8 @@ namespace secular {
 
 /// Solves matrix * x = right_side by elimination with partial pivoting; `matrix` is row-major and destroyed, the
 /// solution replaces `right_side`. For the few degrees of freedom of a mass matrix, templated on the scalar.
-template <std::size_t size, class Scalar>
-void solve_in_place(Scalar (&matrix)[size * size], Scalar* right_side) {
+template <class Scalar>
+void solve_in_place(Scalar* matrix, std::size_t size, Scalar* right_side) {
   using std::abs;
   for (std::size_t column = 0; column < size; ++column) {
     std::size_t pivot = column;
@@ -29,6 +29,12 @@ void solve_in_place(Scalar (&matrix)[size * size], Scalar* right_side) {
     for (std::size_t c = row + 1; c < size; ++c) right_side[row] -= matrix[row * size + c] * right_side[c];
     right_side[row] /= matrix[row * size + row];
   }
+}
+
+/// The same for a size that is known to the compiler.
+template <std::size_t size, class Scalar>
+void solve_in_place(Scalar (&matrix)[size * size], Scalar* right_side) {
+  solve_in_place(&matrix[0], size, right_side);
 }
 
 }  // namespace secular

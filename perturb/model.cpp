@@ -122,6 +122,7 @@ void declare_symbols(Model& model) {
     if (name == "eps" || name == "I")
       throw InputError(model.file, "", "symbol " + name + " in an equation",
                        name == "eps" ? "powers of eps come from the case's `order` table" : "equations are real");
+    if (name == "pi") throw InputError(model.file, "", "symbol pi in an equation", "the number is written Pi");
     if (coordinates.count(name) || is_reserved(name) || model.symbols.contains(name)) continue;
     model.symbols.add_real(name);
     model.parameters.push_back(name);

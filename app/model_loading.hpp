@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "estimator/compiled_model.hpp"
+
+namespace secular::app {
+
+/// What tells a case's resonance, known before anything is derived.
+struct CaseOutline {
+  std::string name;
+  bool excited = true;
+  /// Integer relations over the natural frequencies and then the excitations' frequencies.
+  std::vector<std::vector<int>> relations;
+};
+
+/// A model by name or file, and how to get code for it: a model that is compiled into this program as it is, any
+/// other derived, compiled and loaded at run time (see codegen/runtime/runtime_model.hpp).
+class ModelSource {
+ public:
+  /// `interpret`: never use compiled code.
+  ModelSource(const std::string& name_or_path, bool interpret);
+
+  const std::string& name() const { return name_; }
+  const std::vector<CaseOutline>& cases() const { return cases_; }
+  /// By mode and then by excitation frequency; NaN where the model gives none.
+  const std::vector<double>& nominal_frequencies() const { return nominal_frequencies_; }
+  std::size_t modes() const { return modes_; }
+
+  /// The model with the named cases (at least); notes go to standard error.
+  std::shared_ptr<const CompiledModel> load(const std::vector<std::string>& cases) const;
+
+ private:
+  void outline(const CompiledModel& model);
+  void outline_file();
+
+  std::string name_;
+  std::filesystem::path file_;
+  const CompiledModel* compiled_in_ = nullptr;
+  bool interpret_ = false;
+  std::size_t modes_ = 0;
+  std::vector<CaseOutline> cases_;
+  std::vector<double> nominal_frequencies_;
+};
+
+/// Folders that may hold the headers of generated code: beside the installed program, in the source tree.
+std::vector<std::filesystem::path> header_folders();
+
+}  // namespace secular::app

@@ -1,0 +1,79 @@
+#include "codegen/runtime/derived_code.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "codegen/runtime/content_hash.hpp"
+#include "codegen/runtime/program_identity.hpp"
+#include "input/input_error.hpp"
+#include "perturb/model.hpp"
+
+namespace secular {
+namespace {
+
+std::string key_of(const ModelRequest& request) {
+  std::string cases = request.cases ? "some:" : "all";
+  for (const std::string& name : request.cases.value_or(std::vector<std::string>())) cases += name + ",";
+  return content_hash({"derived code", program_identity(), request.text, cases});
+}
+
+std::optional<DerivedCode> parsed(const std::string& text) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  DerivedCode code;
+  code.model_name = json.at("model").get<std::string>();
+  code.notes = json.at("notes").get<std::vector<std::string>>();
+  for (const nlohmann::json& file : json.at("files"))
+    code.files.push_back({file.at("name").get<std::string>(), file.at("text").get<std::string>()});
+  return code;
+}
+
+std::string serialised(const DerivedCode& code) {
+  nlohmann::json files = nlohmann::json::array();
+  for (const GeneratedFile& file : code.files) files.push_back({{"name", file.name}, {"text", file.text}});
+  return nlohmann::json{{"model", code.model_name}, {"notes", code.notes}, {"files", files}}.dump(
+      -1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace
+
+CanonicalModel derive_for_code(const ModelRequest& request, std::vector<std::string>& notes) {
+  Model model = read_model_text(request.text, request.file);
+  if (request.cases) {
+    for (const std::string& name : *request.cases) model.find_case(name);
+    std::erase_if(model.cases, [&](const ResonanceCase& resonance) {
+      return std::find(request.cases->begin(), request.cases->end(), resonance.name) == request.cases->end();
+    });
+  }
+  CanonicalModel canonical = canonical_model(model);
+  for (const CanonicalCase& resonance : canonical.cases)
+    if (!resonance.certificate.holds)
+      throw InputError(request.file, "case " + resonance.name, "its certificate does not hold",
+                       "see `secular derive`: no code is made from an expansion that is not certified");
+  std::erase_if(canonical.cases, [&](const CanonicalCase& resonance) {
+    try {
+      refuse_unsupported(canonical, resonance);
+      return false;
+    } catch (const InputError& error) {
+      if (request.cases) throw;
+      notes.push_back("case " + resonance.name + " is left out: " + error.wrong());
+      return true;
+    }
+  });
+  return canonical;
+}
+
+DerivedCode derived_code(const ModelRequest& request, const ModelCache& cache) {
+  static const std::string suffix = ".json";
+  const std::string key = key_of(request);
+  if (const auto stored = cache.read(key, suffix))
+    if (std::optional<DerivedCode> code = parsed(*stored)) return std::move(*code);
+  DerivedCode code;
+  const CanonicalModel model = derive_for_code(request, code.notes);
+  code.model_name = model.name;
+  code.files = emit_cpp(model);
+  cache.store(key, suffix, serialised(code));
+  return code;
+}
+
+}  // namespace secular

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codegen/canonical_model.hpp"
+#include "codegen/emit_cpp.hpp"
+#include "codegen/runtime/model_cache.hpp"
+
+namespace secular {
+
+/// A model file's text with the cases that are wanted of it (nothing: all).
+struct ModelRequest {
+  std::string file, text;
+  std::optional<std::vector<std::string>> cases;
+};
+
+/// The canonical model of a request, without cases that no code can be made of; these are named in `notes`. A case
+/// that was asked for by name and cannot be emitted, or whose certificate does not hold, is an InputError.
+CanonicalModel derive_for_code(const ModelRequest& request, std::vector<std::string>& notes);
+
+/// Code of a model, as it is kept in the cache.
+struct DerivedCode {
+  std::string model_name;
+  std::vector<GeneratedFile> files;
+  std::vector<std::string> notes;
+};
+
+/// From the cache, or derived, emitted and put there.
+DerivedCode derived_code(const ModelRequest& request, const ModelCache& cache);
+
+}  // namespace secular

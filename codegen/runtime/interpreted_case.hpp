@@ -1,0 +1,61 @@
+#pragma once
+
+#include <complex>
+#include <memory>
+#include <vector>
+
+#include "codegen/canonical_model.hpp"
+#include "codegen/runtime/formula_set.hpp"
+#include "codegen/runtime/monomial.hpp"
+#include "estimator/compiled_model.hpp"
+
+namespace secular {
+
+/// One block of rows computed from its canonical form.
+class InterpretedBlock {
+ public:
+  InterpretedBlock(const CanonicalModel& model, const CanonicalBlock& block);
+
+  /// See RegressorBlock::columns.
+  void columns(const ObservationBatch& data, std::complex<double>* const* columns) const;
+  /// target = sum of columns * lumps at one amplitude; `symbol_values` in the model's order of symbols.
+  std::complex<double> target(const double* symbol_values, const double* lumps,
+                              const std::complex<double>* amplitude, const std::complex<double>* forcing) const;
+
+ private:
+  struct Term {
+    std::size_t column = 0, lump = 0, factor = 0;  ///< factor: in formulas_
+    bool imaginary = false;
+    Monomial monomial;
+  };
+  const CanonicalModel& model_;
+  FormulaSet formulas_;
+  std::vector<Term> terms_;
+};
+
+/// One case computed from its canonical form. `model` must outlive it.
+class InterpretedCase {
+ public:
+  InterpretedCase(const CanonicalModel& model, const CanonicalCase& resonance);
+
+  /// See CompiledCase; `symbol_values` in the model's order of symbols.
+  void lumps(const double* symbol_values, double* lumps) const;
+  void lumps_jacobian(const double* symbol_values, double* jacobian) const;
+  void modulation(const double* symbol_values, const double* excitation_frequency,
+                  const std::complex<double>* amplitude, const std::complex<double>* forcing,
+                  std::complex<double>* derivative) const;
+  const InterpretedBlock& block(std::size_t b) const { return *blocks_[b]; }
+
+ private:
+  struct GradientEntry {
+    std::size_t lump = 0, parameter = 0, rate = 0, denominator_rate = 0, denominator = 0;
+    bool shared = false;
+  };
+  const CanonicalModel& model_;
+  const CanonicalCase& case_;
+  FormulaSet lump_formulas_, gradient_formulas_;
+  std::vector<GradientEntry> gradient_;
+  std::vector<std::unique_ptr<InterpretedBlock>> blocks_;
+};
+
+}  // namespace secular

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "estimator/compiled_model.hpp"
+
+namespace secular {
+
+/// How a model file that is not compiled into the program becomes a CompiledModel.
+struct RuntimeModelOptions {
+  /// Cases to derive, by name; nothing: all that can be emitted. Empty: equations of motion alone.
+  std::optional<std::vector<std::string>> cases;
+  bool interpret = false;                             ///< never start a compiler
+  std::vector<std::filesystem::path> header_folders;  ///< first one that holds estimator/compiled_model.hpp is used
+  std::optional<std::filesystem::path> cache_folder;  ///< instead of the user's
+};
+
+struct RuntimeModel {
+  enum class Origin { cached, compiled, interpreted };
+  std::shared_ptr<const CompiledModel> model;
+  Origin origin = Origin::interpreted;
+  std::vector<std::string> notes;  ///< one line each, for standard error: cases left out, why it is interpreted
+};
+
+/// Derives, emits, compiles and loads the model, each step only if the cache does not hold its result: the
+/// derivation is keyed by the model's text, the cases and this program's build, the shared object by the code, the
+/// headers it includes, the compiler, its options and compiled_model_abi(). Without a compiler, or where its result
+/// cannot be loaded, the model is interpreted. Throws InputError for what is wrong with the model, a case named in
+/// `options.cases` that cannot be emitted included; among all cases such a one is left out with a note.
+RuntimeModel load_runtime_model(const std::filesystem::path& file, const RuntimeModelOptions& options);
+
+}  // namespace secular
