@@ -60,7 +60,7 @@ void expect_bad_input(const Outcome& outcome, const std::string& part) {
 }
 
 TEST_F(CommandLine, EveryCommandHelpsWithAnExample) {
-  for (const char* command : {"derive", "evaluate", "generate", "simulate", "identify", "import", "inspect"}) {
+  for (const char* command : {"derive", "evaluate", "generate", "simulate", "identify", "predict", "import", "inspect"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_NE(outcome.output.find("xample"), std::string::npos) << command;
@@ -144,6 +144,41 @@ TEST_F(CommandLine, SimulateRefusesToOverwriteAndIdentifyRefusesNonsense) {
   const std::string html = text_of(folder / "out/report.html");
   EXPECT_NE(html.find("<svg"), std::string::npos);
   EXPECT_EQ(html.find("http://"), html.find("http://www.w3.org"));  // nothing is fetched
+}
+
+TEST_F(CommandLine, PredictWritesResponsesOrNothing) {
+  const std::string out = (folder / "out").string(), start = "predict two_mass_mode1 --case principal_parametric ";
+  const std::string shipped = start + "--parameters predictions/table_5_4 -o " + out + " ";
+  expect_bad_input(run(shipped + "--vary Omega 150 160"), "no value for F");
+  expect_bad_input(run(shipped + "--at F=20 --vary Omega 160 150"), "empty range");
+  expect_bad_input(run(shipped + "--at F=20 --vary Phi 150 160"), "is no parameter");
+  expect_bad_input(run(shipped + "--at F=20"), "--vary");
+  expect_bad_input(run(shipped + "--at F=20 --vary Omega 150 160 --curve hopf"), "--against");
+  expect_bad_input(run(start + "--parameters " + written("p.json", R"({"mu1": "x"})") + " -o " + out),
+                   "--vary");
+  EXPECT_FALSE(fs::exists(out));
+  const Outcome good = run(shipped + "--at F=22.55 --vary Omega 24.3 25.1 --hz");
+  EXPECT_EQ(good.status, 0) << good.errors;
+  const auto json = nlohmann::json::parse(text_of(fs::path(out) / "prediction.json"));
+  std::size_t thresholds = 0;
+  for (const auto& branch : json["branches"])
+    for (const auto& special : branch["special_points"])
+      if (special["kind"] == "threshold") {
+        ++thresholds;
+        EXPECT_NEAR(std::abs(special["Omega_hz"].get<double>() - 24.78), 0.16255, 1e-5);  // Eq. (5.27)
+      }
+  EXPECT_GE(thresholds, 2u);
+  const std::string html = text_of(fs::path(out) / "report.html");
+  EXPECT_NE(html.find("<svg"), std::string::npos);
+  EXPECT_NE(text_of(fs::path(out) / "prediction.csv").find("branch,kind,Omega,stable,amplitude_v"), std::string::npos);
+  const Outcome curve =
+      run(shipped + "--vary Omega 23 26 --against F 5 40 --curve saddle_node --hz --json");
+  EXPECT_EQ(curve.status, 0) << curve.errors;
+  EXPECT_GT(nlohmann::json::parse(curve.output)["curves"][0]["points"].size(), 10u);
+  const Outcome free =
+      run("predict two_mass_mode1 --case free --parameters predictions/table_5_4 --largest 1e-3 -o " + out);
+  EXPECT_EQ(free.status, 0) << free.errors;
+  EXPECT_EQ(nlohmann::json::parse(text_of(fs::path(out) / "prediction.json"))["backbones"][0]["mode"], "v");
 }
 
 TEST_F(CommandLine, UniversalFilesAreInspectedAndImported) {
