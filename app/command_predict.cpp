@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <numbers>
+#include <set>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -60,8 +62,8 @@ void parse(Options& options) {
 
 std::string command_line(const Options& options) {
   const PredictionRequest& request = options.request;
-  std::string line = "secular predict " + request.model + " --case " + request.resonance + " --parameters " +
-                     request.parameters;
+  std::string line =
+      "secular predict " + request.model + " --case " + request.resonance + " --parameters " + request.parameters;
   if (!options.vary.empty()) line += fmt::format(" --vary {}", fmt::join(options.vary, " "));
   if (!options.against.empty()) line += fmt::format(" --against {}", fmt::join(options.against, " "));
   if (!request.curve.empty()) line += " --curve " + request.curve;
@@ -83,16 +85,22 @@ void print_summary(const Prediction& prediction, const std::string& folder) {
   for (std::size_t b = 0; b < prediction.diagram.branches.size(); ++b) {
     const ResponseBranch& branch = prediction.diagram.branches[b];
     fmt::print("branch {}{}: {} points\n", b + 1, branch.at_rest ? ", at rest" : "", branch.points.size());
+    std::set<std::string> said;  // solutions that differ in phase alone
     for (const ResponseSpecial& special : branch.special) {
-      fmt::print("  {:<12} {} = {}", special_name(special), prediction.vary->name,
-                 located(special.at.parameter, prediction.axis, prediction.axis_unit));
+      std::string line = fmt::format("  {:<12} {} = {}", special_name(special), prediction.vary->name,
+                                     located(special.at.parameter, prediction.axis, prediction.axis_unit));
       for (std::size_t k = 0; k < prediction.model->modes(); ++k)
         if (!prediction.resonance->mode_at_rest[k] && !special.at.at_rest)
-          fmt::print("  amplitude of {} = {}", prediction.model->coordinates[k],
-                     report::format_number(2 * std::abs(special.at.modes.amplitude[k]), 4));
-      fmt::print("\n");
+          line += fmt::format("  amplitude of {} = {}", prediction.model->coordinates[k],
+                              report::format_number(2 * std::abs(special.at.modes.amplitude[k]), 4));
+      if (said.insert(line).second) fmt::print("{}\n", line);
     }
   }
+  for (const auto& [mode, points] : prediction.backbones)
+    fmt::print("backbone of {}: {} Hz at rest, {} Hz at amplitude {}\n", mode,
+               report::format_number(points.front().frequency / (2 * std::numbers::pi), 6),
+               report::format_number(points.back().frequency / (2 * std::numbers::pi), 6),
+               report::format_number(2 * points.back().amplitude, 4));
   for (const PredictedSweep& sweep : prediction.sweeps)
     for (const PredictedSweep::Jump& jump : sweep.jumps)
       fmt::print("simulated sweep {}: {} jumps between {} and {}\n", sweep.direction,
@@ -100,8 +108,7 @@ void print_summary(const Prediction& prediction, const std::string& folder) {
                  located(jump.from, prediction.axis, prediction.axis_unit),
                  located(jump.to, prediction.axis, prediction.axis_unit));
   for (const ResponseCurve& curve : prediction.curves) {
-    fmt::print("curve of {}: {} points\n", name_of(curve.kind) + " points",
-               curve.points.size());
+    fmt::print("curve of {}: {} points\n", name_of(curve.kind) + " points", curve.points.size());
     for (const auto& [kind, at] : curve.special)
       fmt::print("  {} {} = {}, {} = {}\n", kind == CodimensionTwo::cusp ? "cusp" : "double zero",
                  prediction.vary->name, located(at.first, prediction.axis, prediction.axis_unit),
@@ -131,8 +138,9 @@ void add_predict_command(CLI::App& root, Action& chosen) {
   CLI::App* command = root.add_subcommand("predict", "Steady responses, their stability and bifurcations");
   command->add_option("MODEL", request.model, "model file, or the name of a shipped model")->required();
   command->add_option("--case", request.resonance, "resonance case; may be left out where there is only one");
-  command->add_option("--parameters", request.parameters,
-                      "estimate.json, or a JSON object of symbol to number; a shipped one by its name")
+  command
+      ->add_option("--parameters", request.parameters,
+                   "estimate.json, or a JSON object of symbol to number; a shipped one by its name")
       ->required();
   command->add_option("--vary", options->vary, "NAME FROM TO: response over this parameter (frequencies in rad/s)")
       ->expected(3);
@@ -142,8 +150,9 @@ void add_predict_command(CLI::App& root, Action& chosen) {
       ->check(CLI::IsMember({"saddle_node", "threshold", "hopf", "peak"}));
   command->add_option("--against", options->against, "NAME FROM TO: second parameter of --curve")->expected(3);
   command->add_flag("--hz", request.hz, "excitation frequencies in --vary, --against and --at are in Hz");
-  command->add_option("--largest", request.largest,
-                      "peak amplitude up to which responses are looked for; chosen from the equations without it")
+  command
+      ->add_option("--largest", request.largest,
+                   "peak amplitude up to which responses are looked for; chosen from the equations without it")
       ->check(CLI::PositiveNumber);
   command->add_option("--sweep", options->sweeps, "up, down: simulated sweeps of the full equations on the curve")
       ->allow_extra_args(false)
@@ -164,8 +173,8 @@ void add_predict_command(CLI::App& root, Action& chosen) {
     chosen = [options] {
       parse(*options);
       ProgressLine line("dwells");
-      const Prediction prediction = predict(
-          options->request, [&line](std::size_t done, std::size_t total) { line(done, total); });
+      const Prediction prediction =
+          predict(options->request, [&line](std::size_t done, std::size_t total) { line(done, total); });
       const std::string json = prediction_json(prediction);
       write_files(prediction, *options, json);
       for (const std::string& warning : prediction.warnings) fmt::print(stderr, "warning: {}\n", warning);

@@ -22,9 +22,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// A change between neighbouring dwells by this share of the sweep's largest amplitude, and by ratio_of_a_jump, is a
-/// jump.
-constexpr double share_of_a_jump = 0.2, ratio_of_a_jump = 1.5;
+/// A change between two dwells by this share of the sweep's largest amplitude, and so many times the changes before
+/// and after it, is a jump. A continuous onset like a square root changes 2.4 times as much in its first step as in
+/// its second.
+constexpr double share_of_a_jump = 0.2, ratio_of_a_jump = 3;
 
 /// Share of the predicted typical amplitude with which every dwell of a simulated sweep is disturbed.
 constexpr double disturbance_share = 2e-3;
@@ -99,7 +100,8 @@ class Predictor {
                        "leave them out: its backbone is computed; --largest sets how far");
     if (!excited) return;
     if (!request_.vary)
-      throw InputError("--vary", "", "is missing", "name a parameter and its range, for example --vary Omega 150 160");
+      throw InputError("--vary", "", "is missing",
+                       "name a parameter and its range, for example --vary Omega 150 160");
     if (request_.curve.empty() != !request_.against)
       throw InputError("--curve, --against", "", "one is given without the other",
                        "for example --vary Omega 150 160 --against F 5 30 --curve saddle_node");
@@ -171,7 +173,8 @@ class Predictor {
   void add_backbones(const ResponseField& field) {
     double largest = request_.largest / 2;
     if (largest == 0)
-      largest = amplitude_scale(field, result_.parameters, 0, result_.parameters(0), 1.0001 * result_.parameters(0));
+      largest =
+          amplitude_scale(field, result_.parameters, 0, result_.parameters(0), 1.0001 * result_.parameters(0));
     for (std::size_t k = 0; k < field.active().size(); ++k)
       result_.backbones.emplace_back(std::string(result_.model->coordinates[field.active()[k]]),
                                      backbone(field, result_.parameters, k, largest, backbone_points));
@@ -230,9 +233,8 @@ class Predictor {
     for (int i = 0; i < request_.sweep_steps; ++i) {
       const double share = static_cast<double>(i) / (request_.sweep_steps - 1);
       VectorXd p = response.parameters;
-      p(response.parameter) =
-          direction == "up" ? response.lower + share * (response.upper - response.lower)
-                            : response.upper - share * (response.upper - response.lower);
+      p(response.parameter) = direction == "up" ? response.lower + share * (response.upper - response.lower)
+                                                : response.upper - share * (response.upper - response.lower);
       swept.parameter.push_back(p(response.parameter));
       SweepStep step;
       for (Index j = 0; j < excitations; ++j) {
@@ -246,9 +248,13 @@ class Predictor {
       double largest = 0;
       for (const SweepPoint& point : swept.points) largest = std::max(largest, point.amplitude[k]);
       for (std::size_t i = 1; i < swept.points.size(); ++i) {
+        const auto change = [&](std::size_t to) {
+          if (to < 1 || to >= swept.points.size()) return 0.0;
+          return std::abs(swept.points[to].amplitude[k] - swept.points[to - 1].amplitude[k]);
+        };
         const double before = swept.points[i - 1].amplitude[k], after = swept.points[i].amplitude[k];
-        if (std::abs(after - before) > share_of_a_jump * largest &&
-            std::max(before, after) > ratio_of_a_jump * std::min(before, after))
+        if (change(i) > share_of_a_jump * largest &&
+            change(i) > ratio_of_a_jump * std::max(change(i - 1), change(i + 1)))
           swept.jumps.push_back({swept.parameter[i - 1], swept.parameter[i], before, after, k});
       }
     }

@@ -23,8 +23,8 @@ struct PredictionRequest {
   std::map<std::string, double> at;  ///< beside the parameter file, and stronger
   bool hz = false;                   ///< excitation frequencies among `at`, `vary` and `against` are in Hz
   std::optional<VariedParameter> vary, against;
-  std::string curve;      ///< saddle_node, threshold, hopf, peak or empty
-  double largest = 0;     ///< peak amplitude up to which responses are looked for; 0: chosen
+  std::string curve;   ///< saddle_node, threshold, hopf, peak or empty
+  double largest = 0;  ///< peak amplitude up to which responses are looked for; 0: chosen
   bool sweep_up = false, sweep_down = false;
   int sweep_steps = 60;
   unsigned threads = 1;
@@ -36,7 +36,7 @@ struct PredictedSweep {
   std::vector<double> parameter;
   std::vector<SweepPoint> points;
   struct Jump {
-    double from = 0, to = 0;               ///< parameter before and after
+    double from = 0, to = 0;  ///< parameter before and after
     double amplitude_before = 0, amplitude_after = 0;
     std::size_t mode = 0;
   };
@@ -50,7 +50,7 @@ struct Prediction {
   std::vector<std::string> names;  ///< ResponseField::parameter_names
   Eigen::VectorXd parameters;
   std::optional<VariedParameter> vary, against;  ///< frequencies in rad/s
-  double axis = 1, against_axis = 1;             ///< of a printed value to the parameter's: 2 pi where Hz is printed
+  double axis = 1, against_axis = 1;  ///< of a printed value to the parameter's: 2 pi where Hz is printed
   std::string axis_unit, against_unit;
   ResponseDiagram diagram;
   std::vector<ResponseCurve> curves;

@@ -43,7 +43,9 @@ Json point_json(const Prediction& prediction, const ResponsePoint& point) {
   return result;
 }
 
-Json end_json(const TraceEnd& end) { return {{"status", name_of(end.status)}, {"reason", end.reason}}; }
+Json end_json(const TraceEnd& end) {
+  return {{"status", name_of(end.status)}, {"reason", end.reason}};
+}
 
 Json curve_point_json(const Prediction& prediction, const ResponseCurvePoint& point) {
   Json result;
@@ -110,24 +112,36 @@ Json sweeps_json(const Prediction& prediction) {
 
 std::string name_of(TraceStatus status) {
   switch (status) {
-    case TraceStatus::parameter_bound: return "parameter_bound";
-    case TraceStatus::state_bound: return "state_bound";
-    case TraceStatus::closed_loop: return "closed_loop";
-    case TraceStatus::special_end: return "special_end";
-    case TraceStatus::not_persistent: return "not_persistent";
-    case TraceStatus::point_limit: return "point_limit";
-    case TraceStatus::step_too_small: return "step_too_small";
-    case TraceStatus::no_start: return "no_start";
+    case TraceStatus::parameter_bound:
+      return "parameter_bound";
+    case TraceStatus::state_bound:
+      return "state_bound";
+    case TraceStatus::closed_loop:
+      return "closed_loop";
+    case TraceStatus::special_end:
+      return "special_end";
+    case TraceStatus::not_persistent:
+      return "not_persistent";
+    case TraceStatus::point_limit:
+      return "point_limit";
+    case TraceStatus::step_too_small:
+      return "step_too_small";
+    case TraceStatus::no_start:
+      return "no_start";
   }
   return "";
 }
 
 std::string name_of(CurveKind kind) {
   switch (kind) {
-    case CurveKind::saddle_node: return "saddle_node";
-    case CurveKind::threshold: return "threshold";
-    case CurveKind::hopf: return "hopf";
-    case CurveKind::peak: return "peak";
+    case CurveKind::saddle_node:
+      return "saddle_node";
+    case CurveKind::threshold:
+      return "threshold";
+    case CurveKind::hopf:
+      return "hopf";
+    case CurveKind::peak:
+      return "peak";
   }
   return "";
 }
@@ -212,8 +226,7 @@ std::string prediction_csv(const Prediction& prediction) {
     for (std::size_t c = 0; c < prediction.curves.size(); ++c)
       for (const ResponseCurvePoint& at : prediction.curves[c].points) {
         const ResponseCurve& curve = prediction.curves[c];
-        text += fmt::format("{},{},{:.12g},{:.12g}", c + 1, name_of(curve.kind), at.first,
-                            at.second);
+        text += fmt::format("{},{},{:.12g},{:.12g}", c + 1, name_of(curve.kind), at.first, at.second);
         put_modes(at.modes);
         text += '\n';
       }

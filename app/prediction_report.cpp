@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "app/prediction_files.hpp"
@@ -63,7 +65,9 @@ class StabilityLines {
     lines_[i].x.push_back(x);
     lines_[i].y.push_back(y);
   }
-  void gap(std::size_t i) { line(i, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()); }
+  void gap(std::size_t i) {
+    line(i, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN());
+  }
 
   Series lines_[3];
   std::optional<std::size_t> last_;
@@ -105,7 +109,9 @@ Panel response_panel(const Prediction& prediction, std::size_t mode, const repor
   return panel;
 }
 
-double peak_amplitude(const ModeAmplitudes& modes, std::size_t mode) { return 2 * std::abs(modes.amplitude[mode]); }
+double peak_amplitude(const ModeAmplitudes& modes, std::size_t mode) {
+  return 2 * std::abs(modes.amplitude[mode]);
+}
 
 std::vector<std::size_t> moving_modes(const Prediction& prediction) {
   std::vector<std::size_t> modes;
@@ -147,12 +153,14 @@ Figure phase_figure(const Prediction& prediction) {
     const std::string name(prediction.model->coordinates[mode]);
     Panel panel = response_panel(
         prediction, mode, {"Phase of " + name, "degrees", false, {}},
-        [](const ModeAmplitudes& modes, std::size_t k) { return std::arg(modes.amplitude[k]) * to_degrees; }, false);
+        [](const ModeAmplitudes& modes, std::size_t k) { return std::arg(modes.amplitude[k]) * to_degrees; },
+        false);
     // Where the phase passes 180 degrees.
     for (Series& series : panel.series) {
       if (series.style != SeriesStyle::line) continue;
       for (std::size_t i = 1; i < series.y.size(); ++i)
-        if (std::abs(series.y[i] - series.y[i - 1]) > 180) series.y[i - 1] = std::numeric_limits<double>::quiet_NaN();
+        if (std::abs(series.y[i] - series.y[i - 1]) > 180)
+          series.y[i - 1] = std::numeric_limits<double>::quiet_NaN();
     }
     if (!panel.series.empty()) figure.panels.push_back(std::move(panel));
   }
@@ -161,10 +169,14 @@ Figure phase_figure(const Prediction& prediction) {
 
 std::string curve_name(const ResponseCurve& curve) {
   switch (curve.kind) {
-    case CurveKind::saddle_node: return "saddle-nodes";
-    case CurveKind::threshold: return "threshold of the state of rest";
-    case CurveKind::hopf: return "Hopf points";
-    case CurveKind::peak: return "peaks of the response";
+    case CurveKind::saddle_node:
+      return "saddle-nodes";
+    case CurveKind::threshold:
+      return "threshold of the state of rest";
+    case CurveKind::hopf:
+      return "Hopf points";
+    case CurveKind::peak:
+      return "peaks of the response";
   }
   return "";
 }
@@ -254,7 +266,9 @@ void add_special_points(report::HtmlReport& page, const Prediction& prediction) 
       for (const std::size_t mode : moving_modes(prediction))
         row.push_back(report::format_number(peak_amplitude(special.at.modes, mode), 4));
       row.push_back(std::to_string(b + 1));
-      table.rows.push_back(std::move(row));
+      // Solutions that differ in phase alone are said once.
+      if (std::find(table.rows.begin(), table.rows.end(), row) == table.rows.end())
+        table.rows.push_back(std::move(row));
     }
   if (!table.rows.empty()) page.table(table);
   Table ends;
@@ -336,7 +350,8 @@ std::string prediction_report(const Prediction& prediction, const std::string& c
   }
   page.section("How it was computed");
   page.paragraph(
-      "Steady states of the modulation equations, by pseudo-arclength continuation from searches at several places of "
+      "Steady states of the modulation equations, by pseudo-arclength continuation from searches at several places "
+      "of "
       "the range. The search is heuristic: a branch that no start and no crossing leads to would be missed.");
   page.bullets(prediction.diagram.notes);
   page.details("Parameters", [&] {

@@ -21,9 +21,9 @@ struct SteppedSweep {
   /// Displacement of every mode that a dwell begins with at least, as disturbances of a test do: without it an
   /// unstable state of rest would last for ever.
   double disturbance = 0;
-  double settled = 1e-3;      ///< relative change of the amplitude from window to window
-  int window_periods = 40;    ///< of the slowest mode
-  int window_limit = 400;     ///< of one dwell
+  double settled = 1e-3;    ///< relative change of the amplitude from window to window
+  int window_periods = 40;  ///< of the slowest mode
+  int window_limit = 400;   ///< of one dwell
 };
 
 struct SweepPoint {

@@ -16,14 +16,18 @@ using Eigen::VectorXd;
 /// Step of the amplitude's derivative along the branch, in scaled unknowns.
 constexpr double step = 0x1p-12;
 
+/// Typical amplitudes below which a peak is none.
+constexpr double least = 0.02;
+
 class Peaks {
  public:
   Peaks(const ResponseField& field, const PeakRequest& request)
       : field_(field),
         request_(request),
-        scaled_(field.reduced(request.scale, request.response.parameters), request.response.parameters,
-                {{request.response.parameter, request.response.lower, request.response.upper - request.response.lower},
-                 {request.second, request.second_lower, request.second_upper - request.second_lower}}) {}
+        scaled_(
+            field.reduced(request.scale, request.response.parameters), request.response.parameters,
+            {{request.response.parameter, request.response.lower, request.response.upper - request.response.lower},
+             {request.second, request.second_lower, request.second_upper - request.second_lower}}) {}
 
   Index dimension() const { return scaled_.dimension(); }
 
@@ -55,9 +59,7 @@ class Peaks {
   double second(const VectorXd& y) const { return scaled_.parameters(y)(request_.second); }
 
  private:
-  double square(const VectorXd& y) const {
-    return std::norm(modes(y).amplitude[request_.mode] / request_.scale);
-  }
+  double square(const VectorXd& y) const { return std::norm(modes(y).amplitude[request_.mode] / request_.scale); }
 
   const ResponseField& field_;
   const PeakRequest& request_;
@@ -76,9 +78,8 @@ std::optional<ResponsePoint> peak_near(const ResponseField& field, const PeakReq
     y.head(n + 1) = unknowns;
     return y;
   };
-  const NewtonResult found =
-      newton(with_differences([&](const VectorXd& u) { return peaks.equations(whole(u)); }, n + 1),
-             start.head(n + 1));
+  const NewtonResult found = newton(
+      with_differences([&](const VectorXd& u) { return peaks.equations(whole(u)); }, n + 1), start.head(n + 1));
   if (!found.converged || (found.unknowns - start.head(n + 1)).norm() > 0.3) return {};
   const VectorXd y = whole(found.unknowns);
   ResponsePoint point = near;
@@ -92,8 +93,7 @@ std::optional<ResponsePoint> peak_near(const ResponseField& field, const PeakReq
 ResponseCurve peak_curve(const ResponseField& field, const PeakRequest& request, const ResponsePoint& start) {
   const Peaks peaks(field, request);
   const Index n = peaks.dimension();
-  const EquationSystem system =
-      with_differences([&](const VectorXd& y) { return peaks.equations(y); }, n + 1);
+  const EquationSystem system = with_differences([&](const VectorXd& y) { return peaks.equations(y); }, n + 1);
   CurvePoint at{peaks.unknowns_at(start), {}};
   at.tangent = tangent_at(system, at.unknowns, VectorXd::Unit(n + 2, n + 1));
   const std::vector<CurveBound> bounds{{n, 0, 1, TraceStatus::parameter_bound, "the first parameter"},
@@ -103,16 +103,23 @@ ResponseCurve peak_curve(const ResponseField& field, const PeakRequest& request,
   const auto add = [&](const VectorXd& y) {
     curve.points.push_back({peaks.first(y), peaks.second(y), peaks.modes(y), 0});
   };
-  const auto visit = [&](const CurvePoint&, const CurvePoint& to, bool, TraceEnd&) {
+  const auto visit = [&](const CurvePoint&, const CurvePoint& to, bool, TraceEnd& end) {
+    const double amplitude = std::abs(peaks.modes(to.unknowns).amplitude[request.mode]);
+    if (amplitude < least * request.scale) {
+      end = {TraceStatus::special_end, "the peak's amplitude falls to zero"};
+      return Visit::stop;
+    }
     add(to.unknowns);
     return Visit::accept;
   };
   CurvePoint back = at;
   back.tangent = -at.tangent;
-  curve.first_end = trace_curve(system, back, bounds, {}, visit);
+  StepOptions steps;
+  steps.point_limit = 500;
+  curve.first_end = trace_curve(system, back, bounds, steps, visit);
   std::reverse(curve.points.begin(), curve.points.end());
   add(at.unknowns);
-  curve.last_end = trace_curve(system, at, bounds, {}, visit);
+  curve.last_end = trace_curve(system, at, bounds, steps, visit);
   return curve;
 }
 

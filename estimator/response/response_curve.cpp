@@ -127,8 +127,7 @@ class Diagram {
   }
 
   VectorXcd rest_eigenvalues(const VectorField& full, double value, int& unstable) const {
-    const Spectrum spectrum =
-        spectrum_of(full.jacobian(VectorXd::Zero(full.dimension()), parameters_at(value)));
+    const Spectrum spectrum = spectrum_of(full.jacobian(VectorXd::Zero(full.dimension()), parameters_at(value)));
     unstable = spectrum.unstable;
     return spectrum.eigenvalues;
   }
@@ -149,8 +148,7 @@ class Diagram {
       return point;
     };
     for (int i = 0; i < rest_points; ++i)
-      rest.points.push_back(
-          point_at(request_.lower + (request_.upper - request_.lower) * i / (rest_points - 1)));
+      rest.points.push_back(point_at(request_.lower + (request_.upper - request_.lower) * i / (rest_points - 1)));
     const double near = 1e-6 * (request_.upper - request_.lower);
     for (ResponseSpecial& threshold : thresholds_) {
       const auto same = [&](const ResponseSpecial& other) {
@@ -181,11 +179,14 @@ class Diagram {
 
 bool is_wanted(CurveKind kind, const ResponseSpecial& special) {
   switch (kind) {
-    case CurveKind::saddle_node: return special.kind == SpecialKind::saddle_node && !special.at.at_rest;
+    case CurveKind::saddle_node:
+      return special.kind == SpecialKind::saddle_node && !special.at.at_rest;
     case CurveKind::threshold:
       return special.at.at_rest && (is_crossing(special.kind) || special.kind == SpecialKind::hopf);
-    case CurveKind::hopf: return special.kind == SpecialKind::hopf && !special.at.at_rest;
-    case CurveKind::peak: break;
+    case CurveKind::hopf:
+      return special.kind == SpecialKind::hopf && !special.at.at_rest;
+    case CurveKind::peak:
+      break;
   }
   return false;
 }
@@ -224,8 +225,8 @@ class Curves {
   std::vector<ResponseCurve> run() {
     for (int d = 0; d < request_.diagrams; ++d) {
       response_ = request_.response;
-      second_ = request_.second_lower +
-                (request_.second_upper - request_.second_lower) * (d + 0.5) / request_.diagrams;
+      second_ =
+          request_.second_lower + (request_.second_upper - request_.second_lower) * (d + 0.5) / request_.diagrams;
       response_.parameters(request_.second) = second_;
       const ResponseDiagram diagram = response_diagram(field_, response_);
       scale_ = diagram.scale;
@@ -240,9 +241,8 @@ class Curves {
 
  private:
   bool is_known(const ResponsePoint& point) const {
-    return std::any_of(curves_.begin(), curves_.end(), [&](const ResponseCurve& curve) {
-      return passes(curve, point, second_, request_, scale_);
-    });
+    return std::any_of(curves_.begin(), curves_.end(),
+                       [&](const ResponseCurve& curve) { return passes(curve, point, second_, request_, scale_); });
   }
 
   void add_special(const ResponseBranch& branch) {

@@ -40,7 +40,7 @@ struct ResponseRequest {
   Eigen::VectorXd parameters;  ///< as ResponseField::parameter_names
   Eigen::Index parameter = 0;  ///< the varied one
   double lower = 0, upper = 1;
-  double largest = 0;          ///< amplitude |B| up to which responses are looked for; 0: 4 amplitude_scale
+  double largest = 0;  ///< amplitude |B| up to which responses are looked for; 0: 4 amplitude_scale
 };
 
 struct ResponseDiagram {
@@ -52,9 +52,9 @@ struct ResponseDiagram {
   std::vector<std::string> notes;
 };
 
-/// All steady responses in one parameter: bifurcation_diagram of the case's modulation equations, symmetries divided
-/// out (ResponseField), started from searches at several places of the range. Terms that are singular at rest leave
-/// the trivial solution out, with a note.
+/// All steady responses in one parameter: bifurcation_diagram of the case's modulation equations, symmetries
+/// divided out (ResponseField), started from searches at several places of the range. Terms that are singular at
+/// rest leave the trivial solution out, with a note.
 ResponseDiagram response_diagram(const ResponseField& field, const ResponseRequest& request);
 
 /// A curve of special points in two parameters.
@@ -80,11 +80,11 @@ struct ResponseCurve {
 };
 
 struct CurveRequest {
-  ResponseRequest response;         ///< its parameter is the first one of the curve
-  Eigen::Index second = 0;          ///< parameter
+  ResponseRequest response;  ///< its parameter is the first one of the curve
+  Eigen::Index second = 0;   ///< parameter
   double second_lower = 0, second_upper = 1;
   CurveKind kind = CurveKind::saddle_node;
-  int diagrams = 5;                 ///< response diagrams at so many values of the second parameter give the starts
+  int diagrams = 5;  ///< response diagrams at so many values of the second parameter give the starts
 };
 
 /// Every curve of that kind through a special point of those diagrams (for peaks: a largest amplitude inside one of
@@ -98,8 +98,8 @@ struct BackbonePoint {
   double growth = 0;     ///< 1/s, of the amplitude; negative: decay
 };
 
-/// Frequency and decay of active mode `mode` (index into ResponseField::active) for amplitudes |B| to `largest`, the
-/// other modes at rest and no excitation: observed frequency + Im(B'/B), Re(B'/B).
+/// Frequency and decay of active mode `mode` (index into ResponseField::active) for amplitudes |B| to `largest`,
+/// the other modes at rest and no excitation: observed frequency + Im(B'/B), Re(B'/B).
 std::vector<BackbonePoint> backbone(const ResponseField& field, const Eigen::Ref<const Eigen::VectorXd>& parameters,
                                     std::size_t mode, double largest, int points);
 

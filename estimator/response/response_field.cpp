@@ -113,7 +113,8 @@ bool ResponseField::is_equivariant(const ConstVector& direction) const {
   for (const double angle : {0.7, 2.1, 4.4}) {
     VectorXcd b(count), turn(count);
     for (Index k = 0; k < count; ++k) {
-      b(k) = std::polar(0.4 + 0.3 * std::cos(angle + static_cast<double>(k)), 1.3 * angle * static_cast<double>(k + 1));
+      b(k) = std::polar(0.4 + 0.3 * std::cos(angle + static_cast<double>(k)),
+                        1.3 * angle * static_cast<double>(k + 1));
       turn(k) = std::polar(1.0, direction(k) * angle);
     }
     const VectorXcd turned = modulation(parameters, b.cwiseProduct(turn));
@@ -130,10 +131,12 @@ std::string ResponseField::description() const {
     std::string moved;
     for (Index k = 0; k < symmetries_.cols(); ++k)
       if (std::abs(symmetries_(s, k)) > 1e-9)
-        moved += (moved.empty() ? "" : " and ") + std::string(model_->coordinates[active_[static_cast<std::size_t>(k)]]);
-    text += (text.empty() ? "" : "; ") + ("the common phase of " + moved) + " is free: it is fixed by making " +
-            std::string(model_->coordinates[active_[static_cast<std::size_t>(pinned_[static_cast<std::size_t>(s)])]]) +
-            " real, and the frequency at which it drifts is computed";
+        moved +=
+            (moved.empty() ? "" : " and ") + std::string(model_->coordinates[active_[static_cast<std::size_t>(k)]]);
+    text +=
+        (text.empty() ? "" : "; ") + ("the common phase of " + moved) + " is free: it is fixed by making " +
+        std::string(model_->coordinates[active_[static_cast<std::size_t>(pinned_[static_cast<std::size_t>(s)])]]) +
+        " real, and the frequency at which it drifts is computed";
   }
   return text;
 }
@@ -209,8 +212,7 @@ VectorField ResponseField::field(bool reduced, double amplitude_scale, const Con
   }
   VectorField result(dimension, parameter_names(*model_), std::move(right_side));
   VectorXd typical = VectorXd::Constant(dimension, amplitude_scale);
-  if (reduced)
-    typical.segment(static_cast<Index>(pinned_.size()), 2 * static_cast<Index>(ratio_.size())).setOnes();
+  if (reduced) typical.segment(static_cast<Index>(pinned_.size()), 2 * static_cast<Index>(ratio_.size())).setOnes();
   result.set_typical(typical, typical_parameters(parameters));
   return result;
 }
@@ -225,7 +227,8 @@ VectorField ResponseField::reduced(double amplitude_scale, const ConstVector& pa
 
 VectorXd ResponseField::box(double largest) const {
   VectorXd half = VectorXd::Constant(2 * static_cast<Index>(active_.size()) - symmetries_.rows(), largest);
-  half.segment(static_cast<Index>(pinned_.size()), 2 * static_cast<Index>(ratio_.size())).setConstant(largest_ratio);
+  half.segment(static_cast<Index>(pinned_.size()), 2 * static_cast<Index>(ratio_.size()))
+      .setConstant(largest_ratio);
   return half;
 }
 

@@ -21,11 +21,11 @@ struct ModeAmplitudes {
 /// excitation frequencies (rad/s) and the excitation amplitudes (peak, at phase zero), in this order.
 ///
 /// Phases that no resonance relation ties to the excitation are free: B_k -> B_k exp(i n_k theta) turns solutions
-/// into solutions wherever sum_k r_k n_k = 0 for the relations' weights r_k. Such a symmetry turns fixed points into
-/// circles, along which solutions may drift with a frequency of their own (a combination resonance responds at w_1 +
-/// nu and w_2 - nu). It is divided out: the mode with the largest |n| of a symmetry is `pinned`, its B = r real in a
-/// frame that turns with it, nu = Im(f/r)/n. With one symmetry the other modes that it moves are B_j = r w_j, so
-/// that
+/// into solutions wherever sum_k r_k n_k = 0 for the relations' weights r_k. Such a symmetry turns fixed points
+/// into circles, along which solutions may drift with a frequency of their own (a combination resonance responds at
+/// w_1 + nu and w_2 - nu). It is divided out: the mode with the largest |n| of a symmetry is `pinned`, its B = r
+/// real in a frame that turns with it, nu = Im(f/r)/n. With one symmetry the other modes that it moves are B_j = r
+/// w_j, so that
 ///   r' = r Re(f_pinned/r),   w_j' = f_j/r - w_j f_pinned/r (each in the turning frame):
 /// smooth at r = 0, where w is a direction in which the trivial solution decays or grows.
 class ResponseField {
@@ -80,14 +80,14 @@ class ResponseField {
   const CompiledCase* case_;
   std::vector<std::size_t> active_;
   Eigen::MatrixXd symmetries_;
-  std::vector<Eigen::Index> pinned_;      // active modes, one a symmetry
-  std::vector<Eigen::Index> ratio_;       // active modes given as r w, with one symmetry
-  std::vector<Eigen::Index> plain_;       // active modes given as they are
+  std::vector<Eigen::Index> pinned_;  // active modes, one a symmetry
+  std::vector<Eigen::Index> ratio_;   // active modes given as r w, with one symmetry
+  std::vector<Eigen::Index> plain_;   // active modes given as they are
 };
 
-/// Amplitude |B| at which the nonlinear terms become as large as the linear ones and the direct excitation together,
-/// with `parameter` at several places of [lower, upper]; where nothing is nonlinear, that of the linear response (1
-/// without excitation).
+/// Amplitude |B| at which the nonlinear terms become as large as the linear ones and the direct excitation
+/// together, with `parameter` at several places of [lower, upper]; where nothing is nonlinear, that of the linear
+/// response (1 without excitation).
 double amplitude_scale(const ResponseField& field, const Eigen::Ref<const Eigen::VectorXd>& parameters,
                        Eigen::Index parameter, double lower, double upper);
 

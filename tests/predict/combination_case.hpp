@@ -5,9 +5,9 @@
 
 #include "estimator/compiled_model.hpp"
 
-// An additive combination resonance Omega = omega1 + omega2 as generated code would offer it, with solutions known by
-// hand: B1' = -mu1 B1 + i alpha |B1|^2 B1 - i F conj(B2) - i (O1 - omega1) B1 and the same for mode 2, each in the
-// frame of its observed frequency O1 = omega1 + (Omega - omega1 - omega2)/2.
+// An additive combination resonance Omega = omega1 + omega2 as generated code would offer it, with solutions known
+// by hand: B1' = -mu1 B1 + i alpha |B1|^2 B1 - i F conj(B2) - i (O1 - omega1) B1 and the same for mode 2, each in
+// the frame of its observed frequency O1 = omega1 + (Omega - omega1 - omega2)/2.
 namespace secular::testing_support {
 
 enum CombinationParameter { omega1, omega2, mu1, mu2, alpha, combination_parameters };
@@ -27,8 +27,10 @@ inline void combination_modulation(const double* p, const double* frequency, con
                                    const std::complex<double>* forcing, std::complex<double>* rate) {
   const std::complex<double> i(0, 1);
   const double detuning = (frequency[0] - p[omega1] - p[omega2]) / 2;
-  rate[0] = -(p[mu1] + i * detuning) * b[0] + i * p[alpha] * std::norm(b[0]) * b[0] - i * forcing[0] * std::conj(b[1]);
-  rate[1] = -(p[mu2] + i * detuning) * b[1] + i * p[alpha] * std::norm(b[1]) * b[1] - i * forcing[0] * std::conj(b[0]);
+  rate[0] =
+      -(p[mu1] + i * detuning) * b[0] + i * p[alpha] * std::norm(b[0]) * b[0] - i * forcing[0] * std::conj(b[1]);
+  rate[1] =
+      -(p[mu2] + i * detuning) * b[1] + i * p[alpha] * std::norm(b[1]) * b[1] - i * forcing[0] * std::conj(b[0]);
 }
 
 inline const CompiledModel& combination_model() {
