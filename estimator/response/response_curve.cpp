@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -101,18 +103,57 @@ class Diagram {
     return field_.is_reduced() && field_.pinned(at.state).minCoeff() < -at_rest_share * scale_;
   }
 
+  // Points in a row that are no mirror images, one list for each stretch; a closed branch goes on across its ends.
+  std::vector<std::vector<const Equilibrium*>> stretches(const Branch& branch) const {
+    std::vector<std::vector<const Equilibrium*>> found;
+    bool inside = false;
+    for (const Equilibrium& at : branch.points) {
+      const bool kept = !is_mirror(at);
+      if (kept && !inside) found.emplace_back();
+      if (kept) found.back().push_back(&at);
+      inside = kept;
+    }
+    if (found.size() > 1 && branch.closed && !is_mirror(branch.points.front()) && inside) {
+      found.back().insert(found.back().end(), found.front().begin() + 1, found.front().end());
+      found.erase(found.begin());
+    }
+    return found;
+  }
+
   void add(const Branch& branch) {
-    ResponseBranch result;
-    result.first_end = branch.first_end;
-    result.last_end = branch.last_end;
-    result.closed = branch.closed;
-    for (const Equilibrium& at : branch.points)
-      if (!is_mirror(at)) result.points.push_back(point_of(at));
-    for (const SpecialPoint& special : branch.special)
-      if (!is_mirror(special.at))
-        result.special.push_back(
-            {special.kind, point_of(special.at), special.frequency, special.polished, special});
-    if (result.points.empty()) return;
+    const auto runs = stretches(branch);
+    std::vector<ResponseBranch> results(runs.size());
+    std::size_t kept = 0;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      for (const Equilibrium* at : runs[r]) results[r].points.push_back(point_of(*at));
+      kept += runs[r].size();
+    }
+    const bool whole = kept == branch.points.size();
+    for (const SpecialPoint& special : branch.special) {
+      if (is_mirror(special.at)) continue;
+      std::size_t nearest = 0;
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t r = 0; r < runs.size(); ++r)
+        for (const Equilibrium* at : runs[r])
+          if (const double away = std::abs(at->arclength - special.at.arclength); away < least) {
+            least = away;
+            nearest = r;
+          }
+      if (results.empty()) break;
+      results[nearest].special.push_back(
+          {special.kind, point_of(special.at), special.frequency, special.polished, special});
+    }
+    for (ResponseBranch& result : results) {
+      const TraceEnd mirrored{TraceStatus::special_end,
+                              "goes on as its own mirror image, which is the same response"};
+      result.first_end = whole ? branch.first_end : mirrored;
+      result.last_end = whole ? branch.last_end : mirrored;
+      result.closed = whole && branch.closed;
+      add(std::move(result));
+    }
+  }
+
+  void add(ResponseBranch result) {
     result.at_rest = std::all_of(result.points.begin(), result.points.end(),
                                  [](const ResponsePoint& point) { return point.at_rest; });
     if (result.at_rest && singular_) return;
@@ -122,7 +163,6 @@ class Diagram {
         if (is_crossing(special.kind)) thresholds_.push_back(std::move(special));
       return;
     }
-    if (result.points.size() != branch.points.size()) result.closed = false;
     result_.branches.push_back(std::move(result));
   }
 

@@ -139,6 +139,7 @@ TEST(PrincipalParametric, CurvesInFrequencyAndForce) {
   request.second = place(two_mass(), "F");
   request.second_lower = 5;
   request.second_upper = 40;
+  request.diagrams = 2;
   request.kind = CurveKind::threshold;
   const std::vector<ResponseCurve> thresholds = response_curves(field, request);
   ASSERT_EQ(thresholds.size(), 1u);
@@ -237,6 +238,10 @@ TEST(CombinationResonance, DriftsAlongItsCirclesAreComputed) {
     }
   EXPECT_GT(moving, 30u);
   EXPECT_TRUE(stable);
+  // The halves that mirror them are left out without a chord across.
+  for (const ResponseBranch& branch : diagram.branches)
+    for (std::size_t i = 1; i < branch.points.size(); ++i)
+      EXPECT_LT(std::abs(branch.points[i].parameter - branch.points[i - 1].parameter), 0.1);
 }
 
 // a' = -mu a + f sin g, a g' = ...: folds of the Duffing oscillator at primary resonance where
