@@ -253,7 +253,7 @@ class Predictor {
           return std::abs(swept.points[to].amplitude[k] - swept.points[to - 1].amplitude[k]);
         };
         const double before = swept.points[i - 1].amplitude[k], after = swept.points[i].amplitude[k];
-        if (change(i) > share_of_a_jump * largest &&
+        if (swept.points[i - 1].settled && change(i) > share_of_a_jump * largest &&
             change(i) > ratio_of_a_jump * std::max(change(i - 1), change(i + 1)))
           swept.jumps.push_back({swept.parameter[i - 1], swept.parameter[i], before, after, k});
       }

@@ -156,7 +156,15 @@ TEST_F(CommandLine, PredictWritesResponsesOrNothing) {
   expect_bad_input(run(shipped + "--at F=20"), "--vary");
   expect_bad_input(run(shipped + "--at F=20 --vary Omega 150 160 --curve hopf"), "--against");
   expect_bad_input(run(start + "--parameters " + written("p.json", R"({"mu1": "x"})") + " -o " + out), "--vary");
+  const std::string estimate = written("estimate.json", R"({"estimates": [{"name": "omega0", "value": 77.85},
+      {"name": "mu1", "value": 0.2}, {"name": "mu3", "value": 40}, {"name": "alpha3", "value": null},
+      {"name": "eta2", "value": 7.7}]})");
+  const std::string estimated = start + "--parameters " + estimate + " -o " + out +
+                                " --at F=20 --at mu2=0 --at alpha2=0 --at delta2=0 --at delta3=0 --at eta1=0 "
+                                "--vary Omega 155 156.5 ";
+  expect_bad_input(run(estimated), "no value for alpha3");
   EXPECT_FALSE(fs::exists(out));
+  EXPECT_EQ(run(estimated + "--at alpha3=-3e7").status, 0);
   const Outcome good = run(shipped + "--at F=22.55 --vary Omega 24.3 25.1 --hz");
   EXPECT_EQ(good.status, 0) << good.errors;
   const auto json = nlohmann::json::parse(text_of(fs::path(out) / "prediction.json"));
@@ -175,6 +183,11 @@ TEST_F(CommandLine, PredictWritesResponsesOrNothing) {
   const Outcome curve = run(shipped + "--vary Omega 23 26 --against F 5 40 --curve saddle_node --hz --json");
   EXPECT_EQ(curve.status, 0) << curve.errors;
   EXPECT_GT(nlohmann::json::parse(curve.output)["curves"][0]["points"].size(), 10u);
+  const Outcome combination = run("predict two_mass_lumps --parameters predictions/table_6_2 --at F=23.3 --hz "
+                                  "--vary Omega 45.3 45.75 -o " + out);
+  EXPECT_EQ(combination.status, 0) << combination.errors;
+  for (const char* part : {"45.4876 Hz", "45.5607 Hz", "common phase of v1 and v2"})
+    EXPECT_NE(combination.output.find(part), std::string::npos) << combination.output;
   const Outcome free =
       run("predict two_mass_mode1 --case free --parameters predictions/table_5_4 --largest 1e-3 -o " + out);
   EXPECT_EQ(free.status, 0) << free.errors;
