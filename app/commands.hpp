@@ -19,6 +19,7 @@ void add_generate_command(CLI::App& root, Action& chosen);
 void add_verify_command(CLI::App& root, Action& chosen);
 void add_simulate_command(CLI::App& root, Action& chosen);
 void add_identify_command(CLI::App& root, Action& chosen);
+void add_predict_command(CLI::App& root, Action& chosen);
 void add_import_command(CLI::App& root, Action& chosen);
 void add_inspect_command(CLI::App& root, Action& chosen);
 void add_modal_command(CLI::App& root, Action& chosen);

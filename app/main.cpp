@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   add_verify_command(root, chosen);
   add_simulate_command(root, chosen);
   add_identify_command(root, chosen);
+  add_predict_command(root, chosen);
   add_import_command(root, chosen);
   add_inspect_command(root, chosen);
   add_modal_command(root, chosen);

@@ -6,6 +6,9 @@ namespace secular::generated {
 namespace pendulum {
 extern const CompiledModel model;
 }
+namespace two_mass_lumps {
+extern const CompiledModel model;
+}
 namespace two_mass_mode1 {
 extern const CompiledModel model;
 }
@@ -13,6 +16,7 @@ extern const CompiledModel model;
 std::span<const CompiledModel* const> compiled_models() {
   static const CompiledModel* const models[] = {
     &pendulum::model,
+    &two_mass_lumps::model,
     &two_mass_mode1::model,
   };
   return models;

@@ -60,8 +60,8 @@ void expect_bad_input(const Outcome& outcome, const std::string& part) {
 }
 
 TEST_F(CommandLine, EveryCommandHelpsWithAnExample) {
-  for (const char* command :
-       {"derive", "evaluate", "generate", "simulate", "identify", "import", "inspect", "modal"}) {
+  for (const char* command : {"derive", "evaluate", "verify", "generate", "simulate", "identify", "predict",
+                              "import", "inspect", "modal"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_NE(outcome.output.find("xample"), std::string::npos) << command;
@@ -118,10 +118,10 @@ TEST_F(CommandLine, EvaluateIsTheContractsJsonAndByteStable) {
 }
 
 TEST_F(CommandLine, GenerateWritesWhatIsCommitted) {
-  const Outcome outcome = run("generate two_mass_mode1 pendulum -o " + (folder / "g").string());
+  const Outcome outcome = run("generate two_mass_mode1 two_mass_lumps pendulum -o " + (folder / "g").string());
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  for (const char* name :
-       {"two_mass_mode1.hpp", "two_mass_mode1.cpp", "pendulum.hpp", "pendulum.cpp", "registry.cpp"})
+  for (const char* name : {"two_mass_mode1.hpp", "two_mass_mode1.cpp", "two_mass_lumps.hpp", "two_mass_lumps.cpp",
+                           "pendulum.hpp", "pendulum.cpp", "registry.cpp"})
     EXPECT_EQ(text_of(folder / "g" / name), text_of(root / "generated" / name)) << name;
 }
 
@@ -145,6 +145,55 @@ TEST_F(CommandLine, SimulateRefusesToOverwriteAndIdentifyRefusesNonsense) {
   const std::string html = text_of(folder / "out/report.html");
   EXPECT_NE(html.find("<svg"), std::string::npos);
   EXPECT_EQ(html.find("http://"), html.find("http://www.w3.org"));  // nothing is fetched
+}
+
+TEST_F(CommandLine, PredictWritesResponsesOrNothing) {
+  const std::string out = (folder / "out").string(), start = "predict two_mass_mode1 --case principal_parametric ";
+  const std::string shipped = start + "--parameters predictions/table_5_4 -o " + out + " ";
+  expect_bad_input(run(shipped + "--vary Omega 150 160"), "no value for F");
+  expect_bad_input(run(shipped + "--at F=20 --vary Omega 160 150"), "empty range");
+  expect_bad_input(run(shipped + "--at F=20 --vary Phi 150 160"), "is no parameter");
+  expect_bad_input(run(shipped + "--at F=20"), "--vary");
+  expect_bad_input(run(shipped + "--at F=20 --vary Omega 150 160 --curve hopf"), "--against");
+  expect_bad_input(run(start + "--parameters " + written("p.json", R"({"mu1": "x"})") + " -o " + out), "--vary");
+  const std::string estimate = written("estimate.json", R"({"estimates": [{"name": "omega0", "value": 77.85},
+      {"name": "mu1", "value": 0.2}, {"name": "mu3", "value": 40}, {"name": "alpha3", "value": null},
+      {"name": "eta2", "value": 7.7}]})");
+  const std::string estimated = start + "--parameters " + estimate + " -o " + out +
+                                " --at F=20 --at mu2=0 --at alpha2=0 --at delta2=0 --at delta3=0 --at eta1=0 "
+                                "--vary Omega 155 156.5 ";
+  expect_bad_input(run(estimated), "no value for alpha3");
+  EXPECT_FALSE(fs::exists(out));
+  EXPECT_EQ(run(estimated + "--at alpha3=-3e7").status, 0);
+  const Outcome good = run(shipped + "--at F=22.55 --vary Omega 24.3 25.1 --hz");
+  EXPECT_EQ(good.status, 0) << good.errors;
+  const auto json = nlohmann::json::parse(text_of(fs::path(out) / "prediction.json"));
+  std::size_t thresholds = 0;
+  for (const auto& branch : json["branches"])
+    for (const auto& special : branch["special_points"])
+      if (special["kind"] == "threshold") {
+        ++thresholds;
+        EXPECT_NEAR(std::abs(special["Omega_hz"].get<double>() - 24.78), 0.16252, 1e-5);  // Eq. (5.27)
+      }
+  EXPECT_GE(thresholds, 2u);
+  const std::string html = text_of(fs::path(out) / "report.html");
+  EXPECT_NE(html.find("<svg"), std::string::npos);
+  EXPECT_NE(text_of(fs::path(out) / "prediction.csv").find("branch,kind,Omega,stable,amplitude_v"),
+            std::string::npos);
+  const Outcome curve = run(shipped + "--vary Omega 23 26 --against F 5 40 --curve saddle_node --hz --json");
+  EXPECT_EQ(curve.status, 0) << curve.errors;
+  EXPECT_GT(nlohmann::json::parse(curve.output)["curves"][0]["points"].size(), 10u);
+  const Outcome combination =
+      run("predict two_mass_lumps --parameters predictions/table_6_2 --at F=23.3 --hz "
+          "--vary Omega 45.3 45.75 -o " +
+          out);
+  EXPECT_EQ(combination.status, 0) << combination.errors;
+  for (const char* part : {"45.4876 Hz", "45.5607 Hz", "common phase of v1 and v2"})
+    EXPECT_NE(combination.output.find(part), std::string::npos) << combination.output;
+  const Outcome free =
+      run("predict two_mass_mode1 --case free --parameters predictions/table_5_4 --largest 1e-3 -o " + out);
+  EXPECT_EQ(free.status, 0) << free.errors;
+  EXPECT_EQ(nlohmann::json::parse(text_of(fs::path(out) / "prediction.json"))["backbones"][0]["mode"], "v");
 }
 
 TEST_F(CommandLine, UniversalFilesAreInspectedAndImported) {

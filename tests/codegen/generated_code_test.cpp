@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 const fs::path root = SECULAR_SOURCE_DIR;
-const std::vector<std::string> shipped = {"pendulum", "two_mass_mode1"};
+const std::vector<std::string> shipped = {"pendulum", "two_mass_lumps", "two_mass_mode1"};
 
 std::string text_of(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
@@ -164,32 +164,43 @@ TEST_P(GeneratedModel, LumpJacobianEqualsCentralDifferences) {
 }
 
 TEST_P(GeneratedModel, ModulationAndRowsAgree) {
-  // sum of columns*lumps is dB/dt in the observed frame plus its rotation.
+  // sum of columns*lumps is dB/dt of the block's mode in the observed frame plus its rotation.
+  const std::size_t modes = compiled.modes();
   for (const CompiledCase& resonance : compiled.cases) {
     const std::vector<double> values = random_parameters(compiled, random);
     const double omega = 2.3;
-    const std::complex<double> amplitude(0.7, -0.4), forcing(0.3, 0.9);
-    std::complex<double> rate;
-    resonance.modulation(values.data(), &omega, &amplitude, &forcing, &rate);
+    const std::complex<double> forcing(0.3, 0.9);
+    std::vector<std::complex<double>> amplitude, rate(modes);
+    for (std::size_t k = 0; k < modes; ++k) amplitude.emplace_back(0.7 - 0.3 * static_cast<double>(k), -0.4);
+    resonance.modulation(values.data(), &omega, amplitude.data(), &forcing, rate.data());
     std::vector<double> lumps(resonance.lumps.size());
     resonance.evaluate_lumps(values.data(), lumps.data());
-    const RegressorBlock& block = resonance.blocks[0];
-    ASSERT_EQ(block.kind, BlockKind::modulation);
-    std::vector<std::complex<double>> columns(block.lumps.size());
-    std::vector<std::complex<double>*> pointers;
-    for (auto& column : columns) pointers.push_back(&column);
-    const double* frequencies = &omega;
-    const std::complex<double>*amplitudes = &amplitude, *forcings = &forcing;
-    block.columns({1, values.data(), &frequencies, &amplitudes, &forcings}, pointers.data());
-    std::complex<double> sum = 0;
-    for (std::size_t j = 0; j < columns.size(); ++j)
-      sum += columns[j] * lumps[static_cast<std::size_t>(block.lumps[j])];
-    double observed = 0;
-    for (std::size_t i = 0; i < resonance.observed_frequency.size(); ++i)
-      observed += static_cast<double>(resonance.observed_frequency[i].numerator) /
-                  resonance.observed_frequency[i].denominator * (i == 0 ? values[0] : omega);
-    EXPECT_LT(std::abs(sum - (rate + std::complex<double>(0, observed - values[0]) * amplitude)),
-              1e-12 * (1 + std::abs(sum)));
+    std::size_t blocks = 0;
+    for (const RegressorBlock& block : resonance.blocks) {
+      if (block.kind != BlockKind::modulation) continue;
+      ++blocks;
+      const auto mode = static_cast<std::size_t>(block.mode);
+      std::vector<std::complex<double>> columns(block.lumps.size());
+      std::vector<std::complex<double>*> pointers;
+      for (auto& column : columns) pointers.push_back(&column);
+      const double* frequencies = &omega;
+      std::vector<const std::complex<double>*> amplitudes;
+      for (const auto& b : amplitude) amplitudes.push_back(&b);
+      const std::complex<double>* forcings = &forcing;
+      block.columns({1, values.data(), &frequencies, amplitudes.data(), &forcings}, pointers.data());
+      std::complex<double> sum = 0;
+      for (std::size_t j = 0; j < columns.size(); ++j)
+        sum += columns[j] * lumps[static_cast<std::size_t>(block.lumps[j])];
+      double observed = 0;
+      const std::size_t width = resonance.observed_frequency.size() / modes;
+      for (std::size_t i = 0; i < width; ++i) {
+        const Ratio weight = resonance.observed_frequency[mode * width + i];
+        observed += static_cast<double>(weight.numerator) / weight.denominator * (i < modes ? values[i] : omega);
+      }
+      const std::complex<double> turning(0, observed - values[mode]);
+      EXPECT_LT(std::abs(sum - (rate[mode] + turning * amplitude[mode])), 1e-12 * (1 + std::abs(sum)));
+    }
+    EXPECT_GT(blocks, 0u);
   }
 }
 
@@ -197,10 +208,11 @@ TEST_P(GeneratedModel, ZeroAmplitudeIsSafe) {
   for (const CompiledCase& resonance : compiled.cases) {
     const std::vector<double> values = random_parameters(compiled, random);
     const double omega = 2;
-    const std::complex<double> zero;
-    std::complex<double> rate(1, 1);
-    resonance.modulation(values.data(), &omega, &zero, &zero, &rate);
-    EXPECT_EQ(rate, std::complex<double>());
+    const std::complex<double> none;
+    const std::vector<std::complex<double>> zero(compiled.modes());
+    std::vector<std::complex<double>> rate(compiled.modes(), {1, 1});
+    resonance.modulation(values.data(), &omega, zero.data(), &none, rate.data());
+    EXPECT_EQ(rate, zero);
   }
 }
 

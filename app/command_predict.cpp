@@ -1,0 +1,190 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <set>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/prediction.hpp"
+#include "app/prediction_files.hpp"
+#include "app/prediction_report.hpp"
+#include "app/progress_line.hpp"
+#include "input/input_error.hpp"
+#include "report/number_format.hpp"
+#include "report/whole_file.hpp"
+
+namespace secular::app {
+namespace {
+
+struct Options {
+  PredictionRequest request;
+  std::string folder;
+  std::vector<std::string> vary, against, at, sweeps;
+  bool json = false;
+};
+
+double number_of(const std::string& text, const std::string& option) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(value))
+    throw InputError(option, "", "'" + text + "' is not a number", "for example --vary Omega 150 160, --at F=22.5");
+  return value;
+}
+
+std::optional<VariedParameter> varied(const std::vector<std::string>& texts, const std::string& option) {
+  if (texts.empty()) return {};
+  return VariedParameter{texts[0], number_of(texts[1], option), number_of(texts[2], option)};
+}
+
+void parse(Options& options) {
+  PredictionRequest& request = options.request;
+  request.vary = varied(options.vary, "--vary");
+  request.against = varied(options.against, "--against");
+  for (const std::string& text : options.at) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw InputError("--at " + text, "", "is not NAME=VALUE", "for example --at F=22.5");
+    request.at[text.substr(0, equals)] = number_of(text.substr(equals + 1), "--at " + text);
+  }
+  request.sweep_up = std::find(options.sweeps.begin(), options.sweeps.end(), "up") != options.sweeps.end();
+  request.sweep_down = std::find(options.sweeps.begin(), options.sweeps.end(), "down") != options.sweeps.end();
+}
+
+std::string command_line(const Options& options) {
+  const PredictionRequest& request = options.request;
+  std::string line =
+      "secular predict " + request.model + " --case " + request.resonance + " --parameters " + request.parameters;
+  if (!options.vary.empty()) line += fmt::format(" --vary {}", fmt::join(options.vary, " "));
+  if (!options.against.empty()) line += fmt::format(" --against {}", fmt::join(options.against, " "));
+  if (!request.curve.empty()) line += " --curve " + request.curve;
+  for (const std::string& text : options.at) line += " --at " + text;
+  if (request.hz) line += " --hz";
+  if (request.largest > 0) line += fmt::format(" --largest {}", request.largest);
+  if (!options.sweeps.empty())
+    line += fmt::format(" --sweep {} --sweep-steps {}", fmt::join(options.sweeps, ","), request.sweep_steps);
+  return line + " -o " + options.folder;
+}
+
+std::string located(double value, double axis, const std::string& unit) {
+  return report::format_number(value / axis, 6) + (unit.empty() ? "" : " " + unit);
+}
+
+void print_summary(const Prediction& prediction, const std::string& folder) {
+  fmt::print("model {}, case {}\n", prediction.model->name, prediction.resonance->name);
+  for (const std::string& note : prediction.diagram.notes) fmt::print("  {}\n", note);
+  for (std::size_t b = 0; b < prediction.diagram.branches.size(); ++b) {
+    const ResponseBranch& branch = prediction.diagram.branches[b];
+    fmt::print("branch {}{}: {} points\n", b + 1, branch.at_rest ? ", at rest" : "", branch.points.size());
+    std::set<std::string> said;  // solutions that differ in phase alone
+    for (const ResponseSpecial& special : branch.special) {
+      std::string line = fmt::format("  {:<12} {} = {}", special_name(special), prediction.vary->name,
+                                     located(special.at.parameter, prediction.axis, prediction.axis_unit));
+      for (std::size_t k = 0; k < prediction.model->modes(); ++k)
+        if (!prediction.resonance->mode_at_rest[k] && !special.at.at_rest)
+          line += fmt::format("  amplitude of {} = {}", prediction.model->coordinates[k],
+                              report::format_number(2 * std::abs(special.at.modes.amplitude[k]), 4));
+      if (said.insert(line).second) fmt::print("{}\n", line);
+    }
+  }
+  for (const auto& [mode, points] : prediction.backbones)
+    fmt::print("backbone of {}: {} Hz at rest, {} Hz at amplitude {}\n", mode,
+               report::format_number(points.front().frequency / (2 * std::numbers::pi), 6),
+               report::format_number(points.back().frequency / (2 * std::numbers::pi), 6),
+               report::format_number(2 * points.back().amplitude, 4));
+  for (const PredictedSweep& sweep : prediction.sweeps)
+    for (const PredictedSweep::Jump& jump : sweep.jumps)
+      fmt::print("simulated sweep {}: {} jumps between {} and {}\n", sweep.direction,
+                 prediction.model->coordinates[jump.mode],
+                 located(jump.from, prediction.axis, prediction.axis_unit),
+                 located(jump.to, prediction.axis, prediction.axis_unit));
+  for (const ResponseCurve& curve : prediction.curves) {
+    fmt::print("curve of {}: {} points\n", name_of(curve.kind) + " points", curve.points.size());
+    for (const auto& [kind, at] : curve.special)
+      fmt::print("  {} {} = {}, {} = {}\n", kind == CodimensionTwo::cusp ? "cusp" : "double zero",
+                 prediction.vary->name, located(at.first, prediction.axis, prediction.axis_unit),
+                 prediction.against->name, located(at.second, prediction.against_axis, prediction.against_unit));
+  }
+  fmt::print("written: {0}/prediction.json, {0}/prediction.csv, {0}/report.html\n", folder);
+}
+
+void write_files(const Prediction& prediction, const Options& options, const std::string& json) {
+  const std::filesystem::path folder(options.folder);
+  const std::string csv = prediction_csv(prediction);
+  const std::string html = prediction_report(prediction, command_line(options));
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(options.folder, "", "cannot be made a folder", "name a folder that can be written");
+  report::write_whole_file(folder / "prediction.json", json);
+  report::write_whole_file(folder / "prediction.csv", csv);
+  report::write_whole_file(folder / "report.html", html);
+}
+
+}  // namespace
+
+void add_predict_command(CLI::App& root, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  PredictionRequest& request = options->request;
+  request.threads = std::max(1U, std::thread::hardware_concurrency());
+  CLI::App* command = root.add_subcommand("predict", "Steady responses, their stability and bifurcations");
+  command->add_option("MODEL", request.model, "model file, or the name of a shipped model")->required();
+  command->add_option("--case", request.resonance, "resonance case; may be left out where there is only one");
+  command
+      ->add_option("--parameters", request.parameters,
+                   "estimate.json, or a JSON object of symbol to number; a shipped one by its name")
+      ->required();
+  command->add_option("--vary", options->vary, "NAME FROM TO: response over this parameter (frequencies in rad/s)")
+      ->expected(3);
+  command->add_option("--at", options->at, "NAME=VALUE: a parameter, an excitation's amplitude or frequency")
+      ->allow_extra_args(false);
+  command->add_option("--curve", request.curve, "curve of these points in two parameters, --vary and --against")
+      ->check(CLI::IsMember({"saddle_node", "threshold", "hopf", "peak"}));
+  command->add_option("--against", options->against, "NAME FROM TO: second parameter of --curve")->expected(3);
+  command->add_flag("--hz", request.hz, "excitation frequencies in --vary, --against and --at are in Hz");
+  command
+      ->add_option("--largest", request.largest,
+                   "peak amplitude up to which responses are looked for; chosen from the equations without it")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--sweep", options->sweeps, "up, down: simulated sweeps of the full equations on the curve")
+      ->allow_extra_args(false)
+      ->delimiter(',')
+      ->check(CLI::IsMember({"up", "down"}));
+  command->add_option("--sweep-steps", request.sweep_steps, "dwells of a simulated sweep")
+      ->check(CLI::Range(2, 100000))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->folder, "folder for prediction.json, prediction.csv and report.html")
+      ->required();
+  command->add_option("--threads", request.threads, "threads; the result does not depend on it")
+      ->check(CLI::Range(1U, 1024U));
+  command->add_flag("--json", options->json, "print prediction.json instead of the summary");
+  command->footer(
+      "Example: secular predict two_mass_mode1 --case principal_parametric --parameters predictions/table_5_4 "
+      "--at F=22.55 --vary Omega 24.3 25.1 --hz -o out");
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      parse(*options);
+      ProgressLine line("dwells");
+      const Prediction prediction =
+          predict(options->request, [&line](std::size_t done, std::size_t total) { line(done, total); });
+      const std::string json = prediction_json(prediction);
+      write_files(prediction, *options, json);
+      for (const std::string& warning : prediction.warnings) fmt::print(stderr, "warning: {}\n", warning);
+      if (options->json)
+        fmt::print("{}", json);
+      else
+        print_summary(prediction, options->folder);
+      return 0;
+    };
+  });
+}
+
+}  // namespace secular::app
