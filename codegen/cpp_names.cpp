@@ -106,7 +106,7 @@ std::string safe_identifier(const std::string& symbol) {
                                                "modulation",
                                                "ExcitationSample",
                                                "ObservationBatch"};
-  static constexpr std::string_view prefixes[] = {"A_", "conj_", "norm_", "abs_", "unit_", "inverse_"};
+  static constexpr std::string_view prefixes[] = {"A_", "conj_", "norm_", "abs_", "unit_", "inverse_", "by_"};
   const bool clashes = locals.count(symbol) != 0 || is_numbered(symbol) ||
                        std::any_of(std::begin(prefixes), std::end(prefixes),
                                    [&](std::string_view p) { return symbol.starts_with(p); });

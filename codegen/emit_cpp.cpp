@@ -11,6 +11,7 @@
 #include <sstream>
 #include <utility>
 
+#include "codegen/amplitude_derivative.hpp"
 #include "codegen/cpp_expression.hpp"
 #include "codegen/lump_gradient.hpp"
 #include "codegen/print_text.hpp"
@@ -187,7 +188,8 @@ class ModelEmitter {
     code_.comment("Made by: secular generate " + model_.name, "//");
   }
 
-  void unpack(const std::vector<std::string>& names, const std::string& scalar = "Scalar") {
+  void unpack(const std::vector<std::string>& names, const std::string& scalar = "Scalar",
+              const std::string& attribute = "") {
     for (const std::string& name : names) {
       if (name == "pi") {
         code_.line(fmt::format("const {0} pi = std::numbers::pi_v<{0}>;", scalar));
@@ -195,7 +197,7 @@ class ModelEmitter {
       }
       const auto parameter = std::find(model_.parameters.begin(), model_.parameters.end(), name);
       if (parameter == model_.parameters.end()) continue;
-      code_.line(fmt::format("const {} {} = parameters[{}];", scalar, safe_identifier(name),
+      code_.line(fmt::format("{}const {} {} = parameters[{}];", attribute, scalar, safe_identifier(name),
                              parameter - model_.parameters.begin()));
     }
   }
@@ -311,6 +313,7 @@ class ModelEmitter {
     lumps_jacobian(c);
     for (std::size_t b = 0; b < c.blocks.size(); ++b) block_columns(c, b);
     modulation(c);
+    modulation_jacobian(c);
     code_.line(fmt::format("}}  // namespace {}", space(c.name))).line();
   }
 
@@ -598,6 +601,115 @@ class ModelEmitter {
     code_.line("}").line("}").line();
   }
 
+  // w_k - omega_k: the frame turns with w_k instead of omega_k.
+  std::string rotation_code(const CanonicalCase& c, std::size_t k) const {
+    std::string rotation;
+    for (std::size_t i = 0; i < c.observed_frequency[k].size(); ++i) {
+      CanonicalRatio r = c.observed_frequency[k][i];
+      if (i == k) r.numerator -= r.denominator;
+      if (r.numerator == 0) continue;
+      const bool natural = i < model_.natural_frequencies.size();
+      rotation +=
+          (rotation.empty() ? "" : " + ") +
+          fmt::format("Scalar({}.0) / Scalar({}.0) * {}", r.numerator, r.denominator,
+                      natural ? safe_identifier(model_.natural_frequencies[i])
+                              : fmt::format("excitation_frequency[{}]", i - model_.natural_frequencies.size()));
+    }
+    return rotation;
+  }
+
+  // Sum of the terms of dB_mode/dt, derived by B_along or its conjugate: "lumps[0] * -1.0 * (...) + ...".
+  std::string derived_terms(const CanonicalCase& c, std::size_t mode, std::size_t along, bool by_conjugate,
+                            CppWriter& writer, Used& used) const {
+    std::string sum;
+    int products = 0;
+    for (const CanonicalBlock& block : c.blocks) {
+      if (!block.modulation || block.mode != mode) continue;
+      for (const CanonicalBlock::Column& column : block.columns)
+        for (const CanonicalColumnTerm& term : column.terms) {
+          const auto derived = amplitude_derivative(term.powers, along, by_conjugate);
+          if (!derived) continue;
+          std::string factor = writer.expression(term.factor);
+          if (term.factor.numerator.size() > 1) factor = "(" + factor + ")";
+          if (derived->weight.denominator != 1 || derived->weight.numerator != 1)
+            factor += fmt::format(" * Scalar({})",
+                                  static_cast<double>(derived->weight.numerator) / derived->weight.denominator);
+          const std::string product =
+              fmt::format("lumps[{}] * {} * ({})", column.lump, factor, monomial(derived->powers, used, products));
+          sum += (sum.empty() ? "" : "\n + ") + rotated("(" + product + ")", term.imaginary);
+        }
+    }
+    return sum;
+  }
+
+  void declare_modulation(const std::string& name, const std::string& result) {
+    code_.line("template <class Scalar>");
+    code_.line(fmt::format("void {}(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,",
+                           name));
+    code_.line("    [[maybe_unused]] const std::complex<Scalar>* amplitude,");
+    code_.line(fmt::format("    [[maybe_unused]] const std::complex<Scalar>* forcing, {}) {{", result));
+    code_.line("using Complex = std::complex<Scalar>;");
+  }
+
+  // One statement that may run over several lines.
+  void statement(const std::string& text) {
+    std::istringstream rows(text);
+    bool first = true;
+    for (std::string row; std::getline(rows, row); first = false) code_.line((first ? "" : "    ") + row);
+  }
+
+  void modulation_jacobian(const CanonicalCase& c) {
+    const std::size_t modes = model_.coordinates.size();
+    CppWriter writer(model_.order, "Scalar");
+    Used used;
+    struct Entry {
+      std::size_t mode, along;
+      std::string by_amplitude, by_conjugate;
+    };
+    std::vector<Entry> entries;
+    bool rotates = false;
+    for (std::size_t k = 0; k < modes; ++k)
+      for (std::size_t j = 0; j < modes; ++j) {
+        if (c.mode_at_rest[k] || c.mode_at_rest[j]) continue;
+        Entry entry{k, j, derived_terms(c, k, j, false, writer, used), derived_terms(c, k, j, true, writer, used)};
+        const std::string rotation = j == k ? rotation_code(c, k) : "";
+        if (!rotation.empty())
+          entry.by_amplitude +=
+              (entry.by_amplitude.empty() ? "-" : "\n - ") + ("Complex(Scalar(0), " + rotation + ")");
+        rotates = rotates || !rotation.empty();
+        if (!entry.by_amplitude.empty() || !entry.by_conjugate.empty()) entries.push_back(std::move(entry));
+      }
+    code_.comment(fmt::format(
+        "jacobian[i * {} + j] = d f_i / d z_j of dz/dt = f(z), z = (Re B_0, Im B_0, Re B_1, ...): what "
+        "`modulation` computes, in Cartesian amplitudes. With f = dB_k/dt as a function of B_j and conj(B_j), "
+        "d/dRe(B_j) = d/dB_j + d/dconj(B_j) and d/dIm(B_j) = i*(d/dB_j - d/dconj(B_j)). Regular at zero "
+        "amplitude; a term that has no derivative there counts as zero.",
+        2 * modes));
+    declare_modulation("modulation_jacobian", "Scalar* jacobian");
+    std::vector<std::string> symbols = writer.used_symbols();
+    for (const std::string& name : model_.natural_frequencies)
+      if (rotates && std::find(symbols.begin(), symbols.end(), name) == symbols.end()) symbols.push_back(name);
+    unpack(symbols, "Scalar", "[[maybe_unused]] ");
+    definitions(writer);
+    code_.line(fmt::format("Scalar lumps[{}];", std::max<std::size_t>(1, c.lumps.size())));
+    code_.line("evaluate_lumps(parameters, lumps);");
+    declare_data(used, "", false);
+    code_.line(fmt::format("for (std::size_t i = 0; i < {}; ++i) jacobian[i] = Scalar(0.0);", 4 * modes * modes));
+    for (const Entry& entry : entries) {
+      const std::string name = fmt::format("by_{}_{}", entry.mode, entry.along);
+      statement(fmt::format("const Complex {} = {};", name,
+                            entry.by_amplitude.empty() ? "Complex()" : entry.by_amplitude));
+      statement(fmt::format("const Complex conj_{} = {};", name,
+                            entry.by_conjugate.empty() ? "Complex()" : entry.by_conjugate));
+      const std::size_t row = 4 * modes * entry.mode + 2 * entry.along, next = row + 2 * modes;
+      code_.line(fmt::format("jacobian[{}] = {}.real() + conj_{}.real();", row, name, name));
+      code_.line(fmt::format("jacobian[{}] = conj_{}.imag() - {}.imag();", row + 1, name, name));
+      code_.line(fmt::format("jacobian[{}] = {}.imag() + conj_{}.imag();", next, name, name));
+      code_.line(fmt::format("jacobian[{}] = {}.real() - conj_{}.real();", next + 1, name, name));
+    }
+    code_.line("}").line();
+  }
+
   void modulation(const CanonicalCase& c) {
     code_.comment(
         "dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state.");
@@ -639,19 +751,7 @@ class ModelEmitter {
         code_.line(fmt::format("derivative[{}] = Complex();", k));
         continue;
       }
-      // The frame turns with w_k instead of omega_k.
-      std::string rotation;
-      for (std::size_t i = 0; i < c.observed_frequency[k].size(); ++i) {
-        CanonicalRatio r = c.observed_frequency[k][i];
-        if (i == k) r.numerator -= r.denominator;
-        if (r.numerator == 0) continue;
-        const bool natural = i < model_.natural_frequencies.size();
-        rotation +=
-            (rotation.empty() ? "" : " + ") +
-            fmt::format("Scalar({}.0) / Scalar({}.0) * {}", r.numerator, r.denominator,
-                        natural ? safe_identifier(model_.natural_frequencies[i])
-                                : fmt::format("excitation_frequency[{}]", i - model_.natural_frequencies.size()));
-      }
+      const std::string rotation = rotation_code(c, k);
       std::string value = sums[k].empty() ? "Complex()" : sums[k];
       if (!rotation.empty())
         value += fmt::format("\n - Complex(Scalar(0), {}) * A_{}", rotation, model_.coordinates[k]);
@@ -765,7 +865,7 @@ class ModelEmitter {
     code_.line(fmt::format(".mode_at_rest = {}_mode_at_rest,", id));
     code_.line(c.lumps.empty() ? ".lumps = {}," : fmt::format(".lumps = {}_lumps,", id));
     code_.line(c.blocks.empty() ? ".blocks = {}," : fmt::format(".blocks = {}_blocks,", id));
-    for (const char* function : {"evaluate_lumps", "evaluate_lumps_jacobian", "modulation"})
+    for (const char* function : {"evaluate_lumps", "evaluate_lumps_jacobian", "modulation", "modulation_jacobian"})
       code_.line(fmt::format(".{0} = {1}::{0}<double>,", function, space(c.name)));
     code_.line("},");
   }

@@ -84,6 +84,11 @@ struct CompiledCase {
                      const std::complex<double>* amplitude, const std::complex<double>* forcing,
                      std::complex<double>* derivative)>
       modulation;
+  /// Its derivative by Cartesian amplitudes: with z = (Re B_0, Im B_0, Re B_1, ...) and dz/dt = f(z),
+  /// jacobian[i * 2 * modes + j] = d f_i / d z_j. Safe at zero amplitude.
+  ModelFunction<void(const double* parameters, const double* excitation_frequency,
+                     const std::complex<double>* amplitude, const std::complex<double>* forcing, double* jacobian)>
+      modulation_jacobian;
 };
 
 /// The excitation signal at one instant: value, first and second time derivative.

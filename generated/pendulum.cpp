@@ -77,6 +77,7 @@ constexpr CompiledCase cases[] = {
     .evaluate_lumps = free::evaluate_lumps<double>,
     .evaluate_lumps_jacobian = free::evaluate_lumps_jacobian<double>,
     .modulation = free::modulation<double>,
+    .modulation_jacobian = free::modulation_jacobian<double>,
   },
 };
 

@@ -263,6 +263,47 @@ void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitat
       * A_theta));
 }
 
+/// jacobian[i * 2 + j] = d f_i / d z_j of dz/dt = f(z), z = (Re B_0, Im B_0, Re B_1, ...): what `modulation`
+/// computes, in Cartesian amplitudes. With f = dB_k/dt as a function of B_j and conj(B_j), d/dRe(B_j) = d/dB_j +
+/// d/dconj(B_j) and d/dIm(B_j) = i*(d/dB_j - d/dconj(B_j)). Regular at zero amplitude; a term that has no
+/// derivative there counts as zero.
+template <class Scalar>
+void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
+    [[maybe_unused]] const std::complex<Scalar>* amplitude,
+    [[maybe_unused]] const std::complex<Scalar>* forcing, Scalar* jacobian) {
+  using Complex = std::complex<Scalar>;
+  [[maybe_unused]] const Scalar omega0 = parameters[0];
+  const Scalar pi = std::numbers::pi_v<Scalar>;
+  Scalar lumps[7];
+  evaluate_lumps(parameters, lumps);
+  const Complex A_theta = amplitude[0];
+  const Scalar norm_A_theta = std::norm(A_theta);
+  const Scalar abs_A_theta = std::abs(A_theta);
+  const Complex unit_A_theta = abs_A_theta > Scalar(0) ? A_theta / abs_A_theta : Complex();
+  const Scalar inverse_abs_A_theta = abs_A_theta > Scalar(0) ? Scalar(1) / abs_A_theta : Scalar(0);
+  for (std::size_t i = 0; i < 4; ++i) jacobian[i] = Scalar(0.0);
+  const Complex by_0_0 = (lumps[0] * -Scalar(1.0) / (omega0 * pi) * Scalar(0.5) * (inverse_abs_A_theta))
+       + (lumps[1] * -Scalar(1.0) * (Complex(Scalar(1.0))))
+       + (lumps[2] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(1.5) * (abs_A_theta))
+      
+      + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(3.0) / (Scalar(2.0) * omega0) * Scalar(2)
+      * (norm_A_theta))
+      
+      + Complex(Scalar(0), Scalar(1)) * (lumps[4] * Scalar(5.0) / omega0 * Scalar(3) * (norm_A_theta
+      * norm_A_theta));
+  const Complex conj_by_0_0 = (lumps[0] * -Scalar(1.0) / (omega0 * pi) * Scalar(-0.5) * (inverse_abs_A_theta
+      * unit_A_theta * unit_A_theta))
+       + (lumps[2] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(0.5) * (unit_A_theta * A_theta))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(3.0) / (Scalar(2.0) * omega0) * (A_theta * A_theta))
+      
+      + Complex(Scalar(0), Scalar(1)) * (lumps[4] * Scalar(5.0) / omega0 * Scalar(2) * (norm_A_theta * A_theta
+      * A_theta));
+  jacobian[0] = by_0_0.real() + conj_by_0_0.real();
+  jacobian[1] = conj_by_0_0.imag() - by_0_0.imag();
+  jacobian[2] = by_0_0.imag() + conj_by_0_0.imag();
+  jacobian[3] = by_0_0.real() - conj_by_0_0.real();
+}
+
 }  // namespace free
 
 }  // namespace secular::generated::pendulum

@@ -198,6 +198,7 @@ constexpr CompiledCase cases[] = {
     .evaluate_lumps = principal_parametric::evaluate_lumps<double>,
     .evaluate_lumps_jacobian = principal_parametric::evaluate_lumps_jacobian<double>,
     .modulation = principal_parametric::modulation<double>,
+    .modulation_jacobian = principal_parametric::modulation_jacobian<double>,
   },
   {
     .name = "free",
@@ -210,6 +211,7 @@ constexpr CompiledCase cases[] = {
     .evaluate_lumps = free::evaluate_lumps<double>,
     .evaluate_lumps_jacobian = free::evaluate_lumps_jacobian<double>,
     .modulation = free::modulation<double>,
+    .modulation_jacobian = free::modulation_jacobian<double>,
   },
   {
     .name = "primary",
@@ -222,6 +224,7 @@ constexpr CompiledCase cases[] = {
     .evaluate_lumps = primary::evaluate_lumps<double>,
     .evaluate_lumps_jacobian = primary::evaluate_lumps_jacobian<double>,
     .modulation = primary::modulation<double>,
+    .modulation_jacobian = primary::modulation_jacobian<double>,
   },
 };
 

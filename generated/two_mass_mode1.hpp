@@ -334,6 +334,43 @@ void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitat
       + Scalar(1.0) / Scalar(2.0) * excitation_frequency[0]) * A_v;
 }
 
+/// jacobian[i * 2 + j] = d f_i / d z_j of dz/dt = f(z), z = (Re B_0, Im B_0, Re B_1, ...): what `modulation`
+/// computes, in Cartesian amplitudes. With f = dB_k/dt as a function of B_j and conj(B_j), d/dRe(B_j) = d/dB_j +
+/// d/dconj(B_j) and d/dIm(B_j) = i*(d/dB_j - d/dconj(B_j)). Regular at zero amplitude; a term that has no
+/// derivative there counts as zero.
+template <class Scalar>
+void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
+    [[maybe_unused]] const std::complex<Scalar>* amplitude,
+    [[maybe_unused]] const std::complex<Scalar>* forcing, Scalar* jacobian) {
+  using Complex = std::complex<Scalar>;
+  [[maybe_unused]] const Scalar omega0 = parameters[0];
+  const Scalar pi = std::numbers::pi_v<Scalar>;
+  const Scalar omega0_2 = omega0 * omega0;
+  Scalar lumps[10];
+  evaluate_lumps(parameters, lumps);
+  const Complex A_v = amplitude[0];
+  const Scalar norm_A_v = std::norm(A_v);
+  const Scalar abs_A_v = std::abs(A_v);
+  const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+  const Complex F = forcing[0];
+  for (std::size_t i = 0; i < 4; ++i) jacobian[i] = Scalar(0.0);
+  const Complex by_0_0 = (lumps[0] * -Scalar(1.0) * (Complex(Scalar(1.0))))
+       + (lumps[1] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(1.5) * (abs_A_v))
+       + (lumps[2] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * Scalar(2) * (norm_A_v))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(4.0) / omega0 * Scalar(2) * (norm_A_v))
+       - Complex(Scalar(0), Scalar(-1.0) / Scalar(1.0) * omega0
+      + Scalar(1.0) / Scalar(2.0) * excitation_frequency[0]);
+  const Complex conj_by_0_0 = (lumps[1] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(0.5) * (unit_A_v
+      * A_v))
+       + (lumps[2] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * (A_v * A_v))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(4.0) / omega0 * (A_v * A_v))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[4] * -Scalar(1.0) / omega0 * (F));
+  jacobian[0] = by_0_0.real() + conj_by_0_0.real();
+  jacobian[1] = conj_by_0_0.imag() - by_0_0.imag();
+  jacobian[2] = by_0_0.imag() + conj_by_0_0.imag();
+  jacobian[3] = by_0_0.real() - conj_by_0_0.real();
+}
+
 }  // namespace principal_parametric
 
 namespace free {
@@ -569,6 +606,39 @@ void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitat
        + (lumps[1] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * (abs_A_v * A_v))
        + (lumps[2] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * (norm_A_v * A_v))
        + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(4.0) / omega0 * (norm_A_v * A_v));
+}
+
+/// jacobian[i * 2 + j] = d f_i / d z_j of dz/dt = f(z), z = (Re B_0, Im B_0, Re B_1, ...): what `modulation`
+/// computes, in Cartesian amplitudes. With f = dB_k/dt as a function of B_j and conj(B_j), d/dRe(B_j) = d/dB_j +
+/// d/dconj(B_j) and d/dIm(B_j) = i*(d/dB_j - d/dconj(B_j)). Regular at zero amplitude; a term that has no
+/// derivative there counts as zero.
+template <class Scalar>
+void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
+    [[maybe_unused]] const std::complex<Scalar>* amplitude,
+    [[maybe_unused]] const std::complex<Scalar>* forcing, Scalar* jacobian) {
+  using Complex = std::complex<Scalar>;
+  [[maybe_unused]] const Scalar omega0 = parameters[0];
+  const Scalar pi = std::numbers::pi_v<Scalar>;
+  const Scalar omega0_2 = omega0 * omega0;
+  Scalar lumps[7];
+  evaluate_lumps(parameters, lumps);
+  const Complex A_v = amplitude[0];
+  const Scalar norm_A_v = std::norm(A_v);
+  const Scalar abs_A_v = std::abs(A_v);
+  const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+  for (std::size_t i = 0; i < 4; ++i) jacobian[i] = Scalar(0.0);
+  const Complex by_0_0 = (lumps[0] * -Scalar(1.0) * (Complex(Scalar(1.0))))
+       + (lumps[1] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(1.5) * (abs_A_v))
+       + (lumps[2] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * Scalar(2) * (norm_A_v))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(4.0) / omega0 * Scalar(2) * (norm_A_v));
+  const Complex conj_by_0_0 = (lumps[1] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(0.5) * (unit_A_v
+      * A_v))
+       + (lumps[2] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * (A_v * A_v))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(4.0) / omega0 * (A_v * A_v));
+  jacobian[0] = by_0_0.real() + conj_by_0_0.real();
+  jacobian[1] = conj_by_0_0.imag() - by_0_0.imag();
+  jacobian[2] = by_0_0.imag() + conj_by_0_0.imag();
+  jacobian[3] = by_0_0.real() - conj_by_0_0.real();
 }
 
 }  // namespace free
@@ -892,6 +962,49 @@ void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitat
        + Complex(Scalar(0), Scalar(1)) * (lumps[6] * -Scalar(1.0) / (Scalar(4.0) * omega0) * (F))
        - Complex(Scalar(0), Scalar(-1.0) / Scalar(1.0) * omega0
       + Scalar(1.0) / Scalar(1.0) * excitation_frequency[0]) * A_v;
+}
+
+/// jacobian[i * 2 + j] = d f_i / d z_j of dz/dt = f(z), z = (Re B_0, Im B_0, Re B_1, ...): what `modulation`
+/// computes, in Cartesian amplitudes. With f = dB_k/dt as a function of B_j and conj(B_j), d/dRe(B_j) = d/dB_j +
+/// d/dconj(B_j) and d/dIm(B_j) = i*(d/dB_j - d/dconj(B_j)). Regular at zero amplitude; a term that has no
+/// derivative there counts as zero.
+template <class Scalar>
+void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
+    [[maybe_unused]] const std::complex<Scalar>* amplitude,
+    [[maybe_unused]] const std::complex<Scalar>* forcing, Scalar* jacobian) {
+  using Complex = std::complex<Scalar>;
+  [[maybe_unused]] const Scalar omega0 = parameters[0];
+  const Scalar pi = std::numbers::pi_v<Scalar>;
+  const Scalar omega0_2 = omega0 * omega0;
+  Scalar lumps[12];
+  evaluate_lumps(parameters, lumps);
+  const Complex A_v = amplitude[0];
+  const Complex conj_A_v = std::conj(A_v);
+  const Scalar norm_A_v = std::norm(A_v);
+  const Scalar abs_A_v = std::abs(A_v);
+  const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+  const Complex F = forcing[0];
+  const Complex conj_F = std::conj(F);
+  const Scalar norm_F = std::norm(F);
+  for (std::size_t i = 0; i < 4; ++i) jacobian[i] = Scalar(0.0);
+  const Complex by_0_0 = Complex(Scalar(0), Scalar(1)) * (lumps[0] * Scalar(1.0) * Scalar(2) * (A_v * conj_F))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[0] * Scalar(2.0) * (conj_A_v * F))
+       + (lumps[1] * -Scalar(1.0) * (Complex(Scalar(1.0))))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[2] * Scalar(1.0) * (norm_F))
+       + (lumps[3] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(1.5) * (abs_A_v))
+       + (lumps[4] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * Scalar(2) * (norm_A_v))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[5] * Scalar(4.0) / omega0 * Scalar(2) * (norm_A_v))
+       - Complex(Scalar(0), Scalar(-1.0) / Scalar(1.0) * omega0
+      + Scalar(1.0) / Scalar(1.0) * excitation_frequency[0]);
+  const Complex conj_by_0_0 = Complex(Scalar(0), Scalar(1)) * (lumps[0] * Scalar(2.0) * (A_v * F))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[2] * Scalar(3.0) / Scalar(2.0) * (F * F))
+       + (lumps[3] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(0.5) * (unit_A_v * A_v))
+       + (lumps[4] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * (A_v * A_v))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[5] * Scalar(4.0) / omega0 * (A_v * A_v));
+  jacobian[0] = by_0_0.real() + conj_by_0_0.real();
+  jacobian[1] = conj_by_0_0.imag() - by_0_0.imag();
+  jacobian[2] = by_0_0.imag() + conj_by_0_0.imag();
+  jacobian[3] = by_0_0.real() - conj_by_0_0.real();
 }
 
 }  // namespace primary

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "codegen/amplitude_derivative.hpp"
 #include "codegen/emit_cpp.hpp"
 #include "codegen/lump_gradient.hpp"
 
@@ -51,7 +52,11 @@ Complex InterpretedBlock::target(const double* symbol_values, const double* lump
 }
 
 InterpretedCase::InterpretedCase(const CanonicalModel& model, const CanonicalCase& resonance)
-    : model_(model), case_(resonance), lump_formulas_(model.order.size()), gradient_formulas_(model.order.size()) {
+    : model_(model),
+      case_(resonance),
+      lump_formulas_(model.order.size()),
+      gradient_formulas_(model.order.size()),
+      derived_formulas_(model.order.size()) {
   refuse_unsupported(model, resonance);
   for (std::size_t l = 0; l < resonance.lumps.size(); ++l) {
     lump_formulas_.add(resonance.lumps[l].definition);
@@ -64,6 +69,24 @@ InterpretedCase::InterpretedCase(const CanonicalModel& model, const CanonicalCas
   }
   for (const CanonicalBlock& block : resonance.blocks)
     blocks_.push_back(std::make_unique<InterpretedBlock>(model, block));
+  derive_modulation();
+}
+
+void InterpretedCase::derive_modulation() {
+  for (const CanonicalBlock& block : case_.blocks) {
+    if (!block.modulation || case_.mode_at_rest[block.mode]) continue;
+    for (const CanonicalBlock::Column& column : block.columns)
+      for (const CanonicalColumnTerm& term : column.terms)
+        for (std::size_t j = 0; j < model_.coordinates.size(); ++j)
+          for (const bool by_conjugate : {false, true}) {
+            const auto derived = amplitude_derivative(term.powers, j, by_conjugate);
+            if (!derived || case_.mode_at_rest[j]) continue;
+            derived_.push_back({block.mode, j, column.lump, derived_formulas_.add(term.factor), by_conjugate,
+                                term.imaginary,
+                                static_cast<double>(derived->weight.numerator) / derived->weight.denominator,
+                                Monomial(derived->powers)});
+          }
+  }
 }
 
 void InterpretedCase::lumps(const double* symbol_values, double* lumps) const {
@@ -95,19 +118,52 @@ void InterpretedCase::modulation(const double* symbol_values, const double* exci
     if (block.modulation && !case_.mode_at_rest[block.mode])
       derivative[block.mode] += blocks_[b]->target(symbol_values, values.data(), amplitude, forcing);
   }
-  // The frame turns with w_k instead of omega_k.
-  for (std::size_t k = 0; k < modes; ++k) {
-    if (case_.mode_at_rest[k]) continue;
-    double rotation = 0;
-    for (std::size_t i = 0; i < case_.observed_frequency[k].size(); ++i) {
-      const CanonicalRatio ratio = case_.observed_frequency[k][i];
-      const int numerator = ratio.numerator - (i == k ? ratio.denominator : 0);
-      if (numerator != 0)
-        rotation += static_cast<double>(numerator) / ratio.denominator *
-                    (i < modes ? symbol_values[i] : excitation_frequency[i - modes]);
-    }
-    derivative[k] -= Complex(0, rotation) * amplitude[k];
+  for (std::size_t k = 0; k < modes; ++k)
+    if (!case_.mode_at_rest[k])
+      derivative[k] -= Complex(0, rotation(k, symbol_values, excitation_frequency)) * amplitude[k];
+}
+
+double InterpretedCase::rotation(std::size_t mode, const double* symbol_values,
+                                 const double* excitation_frequency) const {
+  const std::size_t modes = model_.coordinates.size();
+  double sum = 0;
+  for (std::size_t i = 0; i < case_.observed_frequency[mode].size(); ++i) {
+    const CanonicalRatio ratio = case_.observed_frequency[mode][i];
+    const int numerator = ratio.numerator - (i == mode ? ratio.denominator : 0);
+    if (numerator != 0)
+      sum += static_cast<double>(numerator) / ratio.denominator *
+             (i < modes ? symbol_values[i] : excitation_frequency[i - modes]);
   }
+  return sum;
+}
+
+void InterpretedCase::modulation_jacobian(const double* symbol_values, const double* excitation_frequency,
+                                          const Complex* amplitude, const Complex* forcing,
+                                          double* jacobian) const {
+  const std::size_t modes = model_.coordinates.size();
+  std::vector<double> values(case_.lumps.size());
+  lumps(symbol_values, values.data());
+  const FormulaSet::Values factor(derived_formulas_, symbol_values);
+  std::vector<Complex> by_amplitude(modes * modes), by_conjugate(modes * modes);
+  for (const DerivedTerm& term : derived_) {
+    const Complex product =
+        values[term.lump] * factor[term.factor] * term.weight * term.monomial(amplitude, forcing);
+    (term.by_conjugate ? by_conjugate : by_amplitude)[term.mode * modes + term.along] +=
+        term.imaginary ? Complex(-product.imag(), product.real()) : product;
+  }
+  for (std::size_t k = 0; k < modes; ++k)
+    if (!case_.mode_at_rest[k])
+      by_amplitude[k * modes + k] -= Complex(0, rotation(k, symbol_values, excitation_frequency));
+  for (std::size_t k = 0; k < modes; ++k)
+    for (std::size_t j = 0; j < modes; ++j) {
+      const Complex by_real = by_amplitude[k * modes + j] + by_conjugate[k * modes + j],
+                    turned = by_amplitude[k * modes + j] - by_conjugate[k * modes + j];
+      double* const entry = jacobian + 4 * modes * k + 2 * j;
+      entry[0] = by_real.real();
+      entry[1] = -turned.imag();
+      entry[2 * modes] = by_real.imag();
+      entry[2 * modes + 1] = turned.real();
+    }
 }
 
 }  // namespace secular

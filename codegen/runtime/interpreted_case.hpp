@@ -44,6 +44,9 @@ class InterpretedCase {
   void modulation(const double* symbol_values, const double* excitation_frequency,
                   const std::complex<double>* amplitude, const std::complex<double>* forcing,
                   std::complex<double>* derivative) const;
+  void modulation_jacobian(const double* symbol_values, const double* excitation_frequency,
+                           const std::complex<double>* amplitude, const std::complex<double>* forcing,
+                           double* jacobian) const;
   const InterpretedBlock& block(std::size_t b) const { return *blocks_[b]; }
 
  private:
@@ -51,9 +54,21 @@ class InterpretedCase {
     std::size_t lump = 0, parameter = 0, rate = 0, denominator_rate = 0, denominator = 0;
     bool shared = false;
   };
+  /// A term of dB_mode/dt derived by B_along or its conjugate.
+  struct DerivedTerm {
+    std::size_t mode = 0, along = 0, lump = 0, factor = 0;
+    bool by_conjugate = false, imaginary = false;
+    double weight = 1;
+    Monomial monomial;
+  };
+  void derive_modulation();
+  /// w_k - omega_k: the frame turns with w_k instead of omega_k.
+  double rotation(std::size_t mode, const double* symbol_values, const double* excitation_frequency) const;
+
   const CanonicalModel& model_;
   const CanonicalCase& case_;
-  FormulaSet lump_formulas_, gradient_formulas_;
+  FormulaSet lump_formulas_, gradient_formulas_, derived_formulas_;
+  std::vector<DerivedTerm> derived_;
   std::vector<GradientEntry> gradient_;
   std::vector<std::unique_ptr<InterpretedBlock>> blocks_;
 };

@@ -114,6 +114,14 @@ class Interpreter {
                                                 amplitude, forcing, derivative);
                          },
                          &bound};
+    result.modulation_jacobian = {[](const void* data, const double* parameters, const double* excitation_frequency,
+                                     const Complex* amplitude, const Complex* forcing, double* jacobian) {
+                                    const auto& [owner, functions] = *static_cast<const BoundCase*>(data);
+                                    functions.modulation_jacobian(owner.symbol_values(parameters).data(),
+                                                                  excitation_frequency, amplitude, forcing,
+                                                                  jacobian);
+                                  },
+                                  &bound};
     cases_.push_back(result);
   }
 

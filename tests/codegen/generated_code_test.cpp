@@ -204,6 +204,26 @@ TEST_P(GeneratedModel, ModulationAndRowsAgree) {
   }
 }
 
+TEST_P(GeneratedModel, ModulationJacobianEqualsCentralDifferences) {
+  for (const CompiledCase& resonance : compiled.cases) {
+    const std::vector<double> values = random_parameters(compiled, random);
+    const double omega = 2.3, h = 1e-5;
+    const std::complex<double> forcing(0.3, 0.9), amplitude(0.7, -0.4);
+    double jacobian[4] = {};
+    resonance.modulation_jacobian(values.data(), &omega, &amplitude, &forcing, jacobian);
+    for (std::size_t j = 0; j < 2; ++j) {
+      const std::complex<double> step = j == 0 ? std::complex<double>(h) : std::complex<double>(0, h);
+      const std::complex<double> up = amplitude + step, down = amplitude - step;
+      std::complex<double> right, left;
+      resonance.modulation(values.data(), &omega, &up, &forcing, &right);
+      resonance.modulation(values.data(), &omega, &down, &forcing, &left);
+      const std::complex<double> slope = (right - left) / (2 * h);
+      EXPECT_NEAR(jacobian[j], slope.real(), 1e-8 * (1 + std::abs(slope))) << resonance.name;
+      EXPECT_NEAR(jacobian[2 + j], slope.imag(), 1e-8 * (1 + std::abs(slope))) << resonance.name;
+    }
+  }
+}
+
 TEST_P(GeneratedModel, ZeroAmplitudeIsSafe) {
   for (const CompiledCase& resonance : compiled.cases) {
     const std::vector<double> values = random_parameters(compiled, random);
@@ -213,6 +233,9 @@ TEST_P(GeneratedModel, ZeroAmplitudeIsSafe) {
     std::vector<std::complex<double>> rate(compiled.modes(), {1, 1});
     resonance.modulation(values.data(), &omega, zero.data(), &none, rate.data());
     EXPECT_EQ(rate, zero);
+    std::vector<double> jacobian(4 * compiled.modes() * compiled.modes(), NAN);
+    resonance.modulation_jacobian(values.data(), &omega, zero.data(), &none, jacobian.data());
+    for (const double entry : jacobian) EXPECT_TRUE(std::isfinite(entry));
   }
 }
 

@@ -67,6 +67,10 @@ inline std::vector<std::vector<double>> outputs(const CompiledModel& model, cons
     c.modulation(p.parameters.data(), p.excitation_frequency.data(), p.amplitude.data(), p.forcing.data(),
                  rate.data());
     parts(rate);
+    std::vector<double> stability(4 * model.modes() * model.modes());
+    c.modulation_jacobian(p.parameters.data(), p.excitation_frequency.data(), p.amplitude.data(), p.forcing.data(),
+                          stability.data());
+    all.push_back(stability);
     // Two observations, the second at zero amplitude.
     std::vector<std::vector<Complex>> amplitude, forcing;
     std::vector<std::vector<double>> frequency;

@@ -138,6 +138,35 @@ TEST_F(RuntimeModels, TwoModesCompiledEqualInterpreted) {
   EXPECT_LT(largest_difference(*compiled.model, *interpreted.model, 20), 1e-12);
 }
 
+TEST_F(RuntimeModels, ModulationJacobianOfTwoModesEqualsCentralDifferences) {
+  const RuntimeModel loaded = load(root / "models/two_mass.toml", std::vector<std::string>{"additive_combination"});
+  const CompiledCase& resonance = loaded.model->cases[0];
+  std::mt19937_64 random(3);
+  test::Point p = test::random_point(*loaded.model, random);
+  std::vector<double> jacobian(16);
+  resonance.modulation_jacobian(p.parameters.data(), p.excitation_frequency.data(), p.amplitude.data(),
+                                p.forcing.data(), jacobian.data());
+  const double size = std::abs(*std::ranges::max_element(jacobian, {}, [](double x) { return std::abs(x); }));
+  for (std::size_t j = 0; j < 4; ++j) {
+    const double h = 1e-5;
+    const std::complex<double> step = j % 2 == 0 ? std::complex<double>(h) : std::complex<double>(0, h);
+    std::vector<std::complex<double>> up(2), down(2);
+    const auto rate_at = [&](double sign, std::vector<std::complex<double>>& rate) {
+      std::vector<std::complex<double>> moved = p.amplitude;
+      moved[j / 2] += sign * step;
+      resonance.modulation(p.parameters.data(), p.excitation_frequency.data(), moved.data(), p.forcing.data(),
+                           rate.data());
+    };
+    rate_at(1, up);
+    rate_at(-1, down);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::complex<double> slope = (up[k] - down[k]) / (2 * h);
+      EXPECT_NEAR(jacobian[8 * k + j], slope.real(), 1e-8 * size);
+      EXPECT_NEAR(jacobian[8 * k + 4 + j], slope.imag(), 1e-8 * size);
+    }
+  }
+}
+
 TEST_F(RuntimeModels, EquationsOfMotionAloneNeedNoCase) {
   const RuntimeModel compiled = load(root / "models/two_mass.toml", std::vector<std::string>{});
   ASSERT_EQ(compiled.origin, Origin::compiled);
