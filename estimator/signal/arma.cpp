@@ -1,0 +1,76 @@
+#include "estimator/signal/arma.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// [V|U] of Eq. (C.4).
+MatrixXd paired_hankel(const Eigen::Ref<const VectorXd>& input, const Eigen::Ref<const VectorXd>& output,
+                       int ar_order, int ma_order) {
+  if (input.size() != output.size()) throw std::invalid_argument("input and output of different lengths");
+  if (ar_order < 0 || ma_order < 0) throw std::invalid_argument("negative order of an ARMA relation");
+  const Index rows = input.size() - std::max(ar_order, ma_order), unknowns = ar_order + ma_order + 2;
+  if (rows < unknowns) throw std::invalid_argument("too few samples for the orders of an ARMA relation");
+  MatrixXd paired(rows, unknowns);
+  for (Index k = 0; k <= ar_order; ++k) paired.col(k) = output.segment(k, rows);
+  for (Index k = 0; k <= ma_order; ++k) paired.col(ar_order + 1 + k) = input.segment(k, rows);
+  return paired;
+}
+
+// Orthonormal basis of the columns that are there beyond rounding.
+MatrixXd basis_of(const MatrixXd& columns) {
+  const Eigen::BDCSVD<MatrixXd> svd(columns, Eigen::ComputeThinU);
+  Index rank = 0;
+  while (rank < svd.singularValues().size() && svd.singularValues()(rank) > 1e-6 * svd.singularValues()(0)) ++rank;
+  return svd.matrixU().leftCols(rank);
+}
+
+}  // namespace
+
+ArmaFit arma(const Eigen::Ref<const VectorXd>& input, const Eigen::Ref<const VectorXd>& output, int ar_order,
+             int ma_order) {
+  const MatrixXd paired = paired_hankel(input, output, ar_order, ma_order);
+  const Index rest = paired.cols() - 1;
+  const VectorXd solution = -paired.rightCols(rest).colPivHouseholderQr().solve(paired.col(0));
+  const VectorXd error = paired.col(0) + paired.rightCols(rest) * solution;
+  ArmaFit fit;
+  fit.alpha.resize(ar_order + 1);
+  fit.alpha(0) = 1;
+  fit.alpha.tail(ar_order) = solution.head(ar_order);
+  fit.beta = -solution.tail(ma_order + 1);
+  fit.residual = error.norm() / std::max(paired.col(0).norm(), std::numeric_limits<double>::min());
+  return fit;
+}
+
+MatrixXd delayed_correlation(const Eigen::Ref<const VectorXd>& input, const Eigen::Ref<const VectorXd>& output,
+                             int ar_order, int ma_order) {
+  MatrixXd paired = paired_hankel(input, output, ar_order, ma_order);
+  for (Index k = 0; k < paired.cols(); ++k) {
+    paired.col(k).array() -= paired.col(k).mean();
+    const double norm = paired.col(k).norm();
+    if (norm > 0) paired.col(k) /= norm;
+  }
+  return paired.transpose() * paired;
+}
+
+double input_output_correlation(const Eigen::Ref<const VectorXd>& input, const Eigen::Ref<const VectorXd>& output,
+                                int ar_order, int ma_order) {
+  MatrixXd paired = paired_hankel(input, output, ar_order, ma_order);
+  for (Index k = 0; k < paired.cols(); ++k) paired.col(k).array() -= paired.col(k).mean();
+  const MatrixXd v = basis_of(paired.leftCols(ar_order + 1)), u = basis_of(paired.rightCols(ma_order + 1));
+  if (v.cols() == 0 || u.cols() == 0) return 0;
+  const MatrixXd cross = v.transpose() * u;
+  const Eigen::JacobiSVD<MatrixXd> svd(cross);
+  return std::min(1.0, svd.singularValues()(0));
+}
+
+}  // namespace secular
