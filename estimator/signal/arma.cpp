@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -24,14 +23,6 @@ MatrixXd paired_hankel(const Eigen::Ref<const VectorXd>& input, const Eigen::Ref
   for (Index k = 0; k <= ar_order; ++k) paired.col(k) = output.segment(k, rows);
   for (Index k = 0; k <= ma_order; ++k) paired.col(ar_order + 1 + k) = input.segment(k, rows);
   return paired;
-}
-
-// Orthonormal basis of the columns that are there beyond rounding.
-MatrixXd basis_of(const MatrixXd& columns) {
-  const Eigen::BDCSVD<MatrixXd> svd(columns, Eigen::ComputeThinU);
-  Index rank = 0;
-  while (rank < svd.singularValues().size() && svd.singularValues()(rank) > 1e-6 * svd.singularValues()(0)) ++rank;
-  return svd.matrixU().leftCols(rank);
 }
 
 }  // namespace
@@ -64,13 +55,10 @@ MatrixXd delayed_correlation(const Eigen::Ref<const VectorXd>& input, const Eige
 
 double input_output_correlation(const Eigen::Ref<const VectorXd>& input, const Eigen::Ref<const VectorXd>& output,
                                 int ar_order, int ma_order) {
-  MatrixXd paired = paired_hankel(input, output, ar_order, ma_order);
-  for (Index k = 0; k < paired.cols(); ++k) paired.col(k).array() -= paired.col(k).mean();
-  const MatrixXd v = basis_of(paired.leftCols(ar_order + 1)), u = basis_of(paired.rightCols(ma_order + 1));
-  if (v.cols() == 0 || u.cols() == 0) return 0;
-  const MatrixXd cross = v.transpose() * u;
-  const Eigen::JacobiSVD<MatrixXd> svd(cross);
-  return std::min(1.0, svd.singularValues()(0));
+  const MatrixXd correlation = delayed_correlation(input, output, ar_order, ma_order);
+  const Index v = ar_order + 1, u = ma_order + 1;
+  const double both = correlation.topLeftCorner(v, v).norm() * correlation.bottomRightCorner(u, u).norm();
+  return both > 0 ? correlation.topRightCorner(v, u).squaredNorm() / both : 0;
 }
 
 }  // namespace secular

@@ -22,8 +22,9 @@ ArmaFit arma(const Eigen::Ref<const Eigen::VectorXd>& input, const Eigen::Ref<co
 Eigen::MatrixXd delayed_correlation(const Eigen::Ref<const Eigen::VectorXd>& input,
                                     const Eigen::Ref<const Eigen::VectorXd>& output, int ar_order, int ma_order);
 
-/// How much of the output's delays the input's delays explain linearly: largest canonical correlation between the
-/// two blocks, between 0 (ARMA cannot relate them) and 1.
+/// Correlation between the two blocks of that matrix as one number: the RV coefficient, the sum of squares of the
+/// cross block over the geometric mean of those of the diagonal blocks. One when input and output span the same
+/// functions, zero when ARMA cannot relate them.
 double input_output_correlation(const Eigen::Ref<const Eigen::VectorXd>& input,
                                 const Eigen::Ref<const Eigen::VectorXd>& output, int ar_order, int ma_order);
 

@@ -26,32 +26,45 @@ struct Window {
       : samples(count), rate(sample_rate), half(0.5 * static_cast<double>(count - 1) / sample_rate) {}
 };
 
-// Moments of the functions G in time tau (half windows): G^T G and the part of (tau G)^T (tau G) that the
-// amplitudes cannot imitate.
-struct Moments {
-  Eigen::LLT<MatrixXd> gram;  // of the scaled functions
-  VectorXd scale;             // columns of G are multiplied by it
-  MatrixXd first;             // (G scale)^T tau G
-  MatrixXd free;              // (tau G)^T (1 - P) (tau G)
-  bool usable = false;
-};
-
+// A^T B, and A^T A from half of its entries.
 MatrixXd product_of(const MatrixXd& a, const MatrixXd& b) {
   return a.transpose() * b;
 }
-
-Moments moments_of(const MatrixXd& functions, const MatrixXd& timed) {
-  Moments m;
-  const MatrixXd gram = product_of(functions, functions);
-  m.scale = gram.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
-  const MatrixXd scaled = m.scale.asDiagonal() * gram * m.scale.asDiagonal();
-  m.gram.compute(scaled);
-  if (m.gram.info() != Eigen::Success || !(m.gram.rcond() > 1e-15)) return m;
-  m.first = m.scale.asDiagonal() * product_of(functions, timed);
-  m.free = product_of(timed, timed) - m.first.transpose() * m.gram.solve(m.first);
-  m.usable = true;
-  return m;
+MatrixXd square_of(const MatrixXd& a) {
+  MatrixXd result = MatrixXd::Zero(a.cols(), a.cols());
+  result.selfadjointView<Eigen::Lower>().rankUpdate(a.transpose());
+  return result.selfadjointView<Eigen::Lower>();
 }
+
+// G^T G in columns of unit norm, factored.
+struct Gram {
+  Eigen::LLT<MatrixXd> factor;
+  VectorXd scale;  // columns of G are multiplied by it
+  double rcond = 0;
+
+  explicit Gram(const MatrixXd& functions) {
+    const MatrixXd gram = square_of(functions);
+    scale = gram.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
+    factor.compute(scale.asDiagonal() * gram * scale.asDiagonal());
+    rcond = factor.info() == Eigen::Success ? factor.rcond() : 0;
+  }
+};
+
+// Moments of the functions G in time tau (half windows): G^T G and the part of (tau G)^T (tau G) that the
+// amplitudes cannot imitate.
+struct Moments {
+  Gram gram;
+  MatrixXd first;  // (G scale)^T tau G
+  MatrixXd free;   // (tau G)^T (1 - P) (tau G)
+  bool usable = false;
+
+  Moments(Gram factored, const MatrixXd& functions, const MatrixXd& timed) : gram(std::move(factored)) {
+    if (!(gram.rcond > 1e-15)) return;
+    first = gram.scale.asDiagonal() * product_of(functions, timed);
+    free = square_of(timed) - first.transpose() * gram.factor.solve(first);
+    usable = true;
+  }
+};
 
 // Amplitudes of time * functions in the derivative of one channel's signal, per unknown in 1/half window.
 MatrixXd rotated(std::span<const Pole> poles, const Eigen::Ref<const VectorXd>& amplitudes) {
@@ -99,12 +112,13 @@ MatrixXd covariance_of(std::span<const Pole> poles, const Moments& m, const Matr
     const MatrixXd vectors = unit.asDiagonal() * spectrum.eigenvectors();
     poles_covariance = vectors * spectrum.eigenvalues().cwiseInverse().asDiagonal() * vectors.transpose();
   }
-  const MatrixXd inverse =
-      m.scale.asDiagonal() * m.gram.solve(MatrixXd::Identity(functions, functions)) * m.scale.asDiagonal();
+  const MatrixXd inverse = m.gram.scale.asDiagonal() *
+                           m.gram.factor.solve(MatrixXd::Identity(functions, functions)) *
+                           m.gram.scale.asDiagonal();
   MatrixXd drag(functions * channels, unknowns);
   for (Index c = 0; c < channels; ++c)
     drag.middleRows(c * functions, functions) =
-        m.scale.asDiagonal() * m.gram.solve(m.first * rotated(poles, amplitudes.col(c)));
+        m.gram.scale.asDiagonal() * m.gram.factor.solve(m.first * rotated(poles, amplitudes.col(c)));
   covariance.topLeftCorner(unknowns, unknowns) = poles_covariance;
   covariance.bottomLeftCorner(functions * channels, unknowns) = -drag * poles_covariance;
   covariance.topRightCorner(unknowns, functions * channels) =
@@ -137,10 +151,10 @@ class Refiner {
     std::vector<Pole> poles(start.begin(), start.end());
     std::optional<State> now = evaluate(poles);
     if (!now) return undetermined(poles);
-    Moments m = moments_of(now->functions, now->timed);
+    Moments m(now->gram, now->functions, now->timed);
     double damping = 0;
     result.status = unknowns_ == 0 ? ToneStatus::converged : ToneStatus::iteration_limit;
-    bool fresh = true;  // moments belong to the present poles
+    double moved_by = 0;  // since the moments were taken, radians at the ends of the window
     for (; unknowns_ > 0 && result.iterations < limit; ++result.iterations) {
       if (!m.usable) return undetermined(poles);
       MatrixXd hessian = hessian_of(poles, m, now->amplitudes, now->weight);
@@ -161,29 +175,28 @@ class Refiner {
         poles = next;
         now = std::move(candidate);
         damping = damping < 1e-6 ? 0 : damping / 10;
-        fresh = false;
+        moved_by += length;
         // A step far below the standard deviation of the estimate changes nothing but rounding.
-        if (promised < 1e-10 || length < 1e-14) {
+        if (promised < 1e-7 || length < 1e-14) {
           result.status = ToneStatus::converged;
           break;
         }
-        if (length > 1e-3) {  // else the moments of the last step are good enough
-          m = moments_of(now->functions, now->timed);
-          fresh = true;
+        // Gauss-Newton contracts by about as much as its moments are off.
+        if (moved_by > 1e-2) {
+          m = Moments(now->gram, now->functions, now->timed);
+          moved_by = 0;
         }
       } else {
         if (flat || damping > 1e8) {
           result.status = ToneStatus::converged;
           break;
         }
-        if (!fresh) {
-          m = moments_of(now->functions, now->timed);
-          fresh = true;
-        }
+        if (moved_by > 0) m = Moments(now->gram, now->functions, now->timed);
+        moved_by = 0;
         damping = std::max(1e-3, damping * 10);
       }
     }
-    if (!fresh) m = moments_of(now->functions, now->timed);
+    if (moved_by > 1e-4) m = Moments(now->gram, now->functions, now->timed);
     finish(poles, *now, m, result);
     return result;
   }
@@ -191,28 +204,31 @@ class Refiner {
  private:
   struct State {
     MatrixXd functions, timed;  // samples x functions, the second times tau
-    MatrixXd amplitudes;        // functions x channels
-    MatrixXd residual;          // samples x channels
-    VectorXd weight;            // 1 / variance
+    Gram gram;
+    MatrixXd amplitudes;  // functions x channels
+    MatrixXd residual;    // samples x channels
+    VectorXd weight;      // 1 / variance
     double cost = 0;
   };
 
   std::optional<State> evaluate(std::span<const Pole> poles) const {
-    State s;
-    s.functions = pole_functions(poles, y_.rows(), window_.rate, -window_.half);
-    if (!s.functions.allFinite()) return std::nullopt;
+    MatrixXd functions = pole_functions(poles, y_.rows(), window_.rate, -window_.half);
+    if (!functions.allFinite()) return std::nullopt;
+    Gram gram(functions);
+    if (!(gram.rcond > 0)) return std::nullopt;
+    State s{std::move(functions), {}, std::move(gram), {}, {}, {}, 0};
     s.timed = tau_.asDiagonal() * s.functions;
-    const MatrixXd gram = product_of(s.functions, s.functions);
-    const VectorXd scale = gram.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
-    const Eigen::LLT<MatrixXd> factor(MatrixXd(scale.asDiagonal() * gram * scale.asDiagonal()));
-    if (factor.info() != Eigen::Success) return std::nullopt;
-    const MatrixXd right = scale.asDiagonal() * (s.functions.transpose() * y_);
-    s.amplitudes = scale.asDiagonal() * factor.solve(right);
-    s.residual = y_ - s.functions * s.amplitudes;
-    // Normal equations lose half of the digits, and this step finds them again.
-    const MatrixXd left = scale.asDiagonal() * product_of(s.functions, s.residual);
-    s.amplitudes += scale.asDiagonal() * factor.solve(left);
-    s.residual = y_ - s.functions * s.amplitudes;
+    const MatrixXd right = s.gram.scale.asDiagonal() * product_of(s.functions, y_);
+    s.amplitudes = s.gram.scale.asDiagonal() * s.gram.factor.solve(right);
+    s.residual = y_;
+    s.residual.noalias() -= s.functions * s.amplitudes;
+    if (s.gram.rcond < 1e-2 || s.residual.squaredNorm() < 1e-18 * y_.squaredNorm()) {
+      // Normal equations lose digits, and this step finds them again.
+      const MatrixXd left = s.gram.scale.asDiagonal() * product_of(s.functions, s.residual);
+      s.amplitudes += s.gram.scale.asDiagonal() * s.gram.factor.solve(left);
+      s.residual = y_;
+      s.residual.noalias() -= s.functions * s.amplitudes;
+    }
     const VectorXd variance =
         s.residual.colwise().squaredNorm().transpose() / static_cast<double>(y_.rows()) + 1e-30 * power_;
     s.weight = variance.cwiseInverse();
@@ -285,7 +301,8 @@ MatrixXd cramer_rao_bound(std::span<const Pole> poles, const Eigen::Ref<const Ma
   const Window window(samples, sample_rate_hz);
   const MatrixXd functions = pole_functions(poles, samples, sample_rate_hz, -window.half);
   const MatrixXd timed = centred_time(samples).asDiagonal() * functions;
-  return covariance_of(poles, moments_of(functions, timed), amplitudes, noise_sd.array().square(), window.half);
+  return covariance_of(poles, Moments(Gram(functions), functions, timed), amplitudes, noise_sd.array().square(),
+                       window.half);
 }
 
 }  // namespace secular

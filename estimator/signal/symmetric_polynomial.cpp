@@ -71,6 +71,13 @@ NoiseDirection noise_direction(const MatrixXd& a, const Eigen::LLT<MatrixXd>& me
   return found;
 }
 
+// Smallest eigenvalue of R^T R in the metric, to the digits that a weight needs.
+double noise_level(const MatrixXd& r, const Eigen::LLT<MatrixXd>& metric) {
+  const MatrixXd whitened = metric.matrixL().solve(r.transpose());
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(whitened * whitened.transpose(), Eigen::EigenvaluesOnly);
+  return std::max(0.0, spectrum.eigenvalues()(0));
+}
+
 VectorXd monic_solution(const MatrixXd& equations) {
   const Index n = equations.cols() - 1;
   VectorXd solution(n + 1);
@@ -105,7 +112,7 @@ SymmetricPolynomial estimate_symmetric_polynomial(const Eigen::Ref<const MatrixX
     const MatrixXd r = triangle(reduced);
     const double power = channels.col(c).squaredNorm() / static_cast<double>(samples);
     if (count > 1) {
-      const double noise = noise_direction(r, factor).eigenvalue / static_cast<double>(rows);
+      const double noise = noise_level(r, factor) / static_cast<double>(rows);
       const double level = std::max(noise, 1e-12 * power);
       result.channel_weight(c) = level > 0 ? 1 / std::sqrt(level) : 0;
     }

@@ -32,29 +32,30 @@ SpectralPeak spectral_peak(const Eigen::Ref<const MatrixXd>& residual, double sa
   const Index low = padding, high = (length + 1) / 2 - padding;  // one bin from zero and from Nyquist
   SpectralPeak peak;
   if (high <= low) return peak;
-  VectorXd sum = VectorXd::Zero(high - low);
-  Eigen::FFT<double> transform;
+  // Plans of the transform cost more than the transform: they are kept, one set for each thread.
+  thread_local Eigen::FFT<double> transform;
   transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   VectorXd padded = VectorXd::Zero(length);
   Eigen::VectorXcd spectrum;
   const double freedom = std::max(4.0, static_cast<double>(samples) - unknowns);
+  // Share of the energy in one frequency: a beta law, hence the logarithm of the rest is exponential. The logarithm
+  // of the product over channels is their sum.
+  Eigen::ArrayXd rest = Eigen::ArrayXd::Ones(high - low);
   for (Index c = 0; c < residual.cols(); ++c) {
     const double energy = residual.col(c).squaredNorm();
     if (!(energy > 0)) continue;
     padded.head(samples) = residual.col(c);
     transform.fwd(spectrum, padded);
-    // Share of the energy in one frequency: a beta law, hence this logarithm is exponential.
-    const Eigen::ArrayXd share =
-        (spectrum.segment(low, high - low).array().abs2() * (2 / (static_cast<double>(samples) * energy)))
-            .min(1 - 1e-15);
-    sum.array() -= (0.5 * freedom - 1) * (-share).log1p();
+    const double scale = 2 / (static_cast<double>(samples) * energy);
+    rest *= (1 - scale * spectrum.segment(low, high - low).array().abs2()).max(1e-15);
   }
+  const auto ordinate = [&](Index k) { return -(0.5 * freedom - 1) * std::log(rest(k)); };
   Index at = 0;
-  sum.maxCoeff(&at);
-  peak.ordinate = sum(at);
+  rest.minCoeff(&at);
+  peak.ordinate = ordinate(at);
   double offset = 0;
-  if (at > 0 && at + 1 < sum.size()) {
-    const double before = sum(at - 1), here = sum(at), after = sum(at + 1);
+  if (at > 0 && at + 1 < rest.size()) {
+    const double before = ordinate(at - 1), here = peak.ordinate, after = ordinate(at + 1);
     const double bend = before - 2 * here + after;
     if (bend < 0) offset = std::clamp(0.5 * (before - after) / bend, -0.5, 0.5);
     peak.ordinate -= 0.25 * (before - after) * offset;
