@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "estimator/signal/folded_window.hpp"
+
 namespace secular {
 namespace {
 
@@ -14,36 +16,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-VectorXd centred_time(Index samples) {
-  return VectorXd::LinSpaced(samples, -1, 1);  // in half windows
-}
-
-// Window of samples: rate and half length, the unit of time in which all unknowns are of the order of radians.
-struct Window {
-  Index samples = 0;
-  double rate = 1, half = 1;
-  Window(Index count, double sample_rate)
-      : samples(count), rate(sample_rate), half(0.5 * static_cast<double>(count - 1) / sample_rate) {}
-};
-
-// A^T B, and A^T A from half of its entries.
-MatrixXd product_of(const MatrixXd& a, const MatrixXd& b) {
-  return a.transpose() * b;
-}
-MatrixXd square_of(const MatrixXd& a) {
-  MatrixXd result = MatrixXd::Zero(a.cols(), a.cols());
-  result.selfadjointView<Eigen::Lower>().rankUpdate(a.transpose());
-  return result.selfadjointView<Eigen::Lower>();
-}
-
 // G^T G in columns of unit norm, factored.
 struct Gram {
   Eigen::LLT<MatrixXd> factor;
   VectorXd scale;  // columns of G are multiplied by it
   double rcond = 0;
 
-  explicit Gram(const MatrixXd& functions) {
-    const MatrixXd gram = square_of(functions);
+  explicit Gram(const MatrixXd& gram) {
     scale = gram.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
     factor.compute(scale.asDiagonal() * gram * scale.asDiagonal());
     rcond = factor.info() == Eigen::Success ? factor.rcond() : 0;
@@ -58,10 +37,10 @@ struct Moments {
   MatrixXd free;   // (tau G)^T (1 - P) (tau G)
   bool usable = false;
 
-  Moments(Gram factored, const MatrixXd& functions, const MatrixXd& timed) : gram(std::move(factored)) {
+  Moments(Gram factored, const FoldedFunctions& functions) : gram(std::move(factored)) {
     if (!(gram.rcond > 1e-15)) return;
-    first = gram.scale.asDiagonal() * product_of(functions, timed);
-    free = square_of(timed) - first.transpose() * gram.factor.solve(first);
+    first = gram.scale.asDiagonal() * functions.first();
+    free = functions.second() - first.transpose() * gram.factor.solve(first);
     usable = true;
   }
 };
@@ -136,12 +115,12 @@ MatrixXd covariance_of(std::span<const Pole> poles, const Moments& m, const Matr
 class Refiner {
  public:
   Refiner(const Eigen::Ref<const MatrixXd>& channels, double rate, std::span<const Pole> start)
-      : y_(channels), window_(channels.rows(), rate), tau_(centred_time(channels.rows())) {
+      : window_(channels.rows(), rate), even_(window_.even(channels)), odd_(window_.odd(channels)) {
     functions_ = function_count(start);
     unknowns_ = parameter_count(start);
-    if (y_.rows() <= functions_ + unknowns_ + 1)
+    if (channels.rows() <= functions_ + unknowns_ + 1)
       throw std::invalid_argument("fewer samples than unknown frequencies and amplitudes");
-    power_ = y_.colwise().squaredNorm().transpose() / static_cast<double>(y_.rows());
+    power_ = channels.colwise().squaredNorm().transpose() / static_cast<double>(channels.rows());
     const double smallest = std::numeric_limits<double>::min();
     power_ = power_.cwiseMax(smallest);
   }
@@ -151,7 +130,7 @@ class Refiner {
     std::vector<Pole> poles(start.begin(), start.end());
     std::optional<State> now = evaluate(poles);
     if (!now) return undetermined(poles);
-    Moments m(now->gram, now->functions, now->timed);
+    Moments m(now->gram, now->functions);
     double damping = 0;
     result.status = unknowns_ == 0 ? ToneStatus::converged : ToneStatus::iteration_limit;
     double moved_by = 0;  // since the moments were taken, radians at the ends of the window
@@ -183,7 +162,7 @@ class Refiner {
         }
         // Gauss-Newton contracts by about as much as its moments are off.
         if (moved_by > 1e-2) {
-          m = Moments(now->gram, now->functions, now->timed);
+          m = Moments(now->gram, now->functions);
           moved_by = 0;
         }
       } else {
@@ -191,56 +170,57 @@ class Refiner {
           result.status = ToneStatus::converged;
           break;
         }
-        if (moved_by > 0) m = Moments(now->gram, now->functions, now->timed);
+        if (moved_by > 0) m = Moments(now->gram, now->functions);
         moved_by = 0;
         damping = std::max(1e-3, damping * 10);
       }
     }
-    if (moved_by > 1e-4) m = Moments(now->gram, now->functions, now->timed);
+    if (moved_by > 1e-4) m = Moments(now->gram, now->functions);
     finish(poles, *now, m, result);
     return result;
   }
 
  private:
   struct State {
-    MatrixXd functions, timed;  // samples x functions, the second times tau
+    FoldedFunctions functions;
     Gram gram;
     MatrixXd amplitudes;  // functions x channels
-    MatrixXd residual;    // samples x channels
+    MatrixXd even, odd;   // residual, folded
     VectorXd weight;      // 1 / variance
     double cost = 0;
   };
 
   std::optional<State> evaluate(std::span<const Pole> poles) const {
-    MatrixXd functions = pole_functions(poles, y_.rows(), window_.rate, -window_.half);
-    if (!functions.allFinite()) return std::nullopt;
-    Gram gram(functions);
+    FoldedFunctions functions(poles, window_);
+    if (!functions.finite()) return std::nullopt;
+    Gram gram(functions.gram());
     if (!(gram.rcond > 0)) return std::nullopt;
-    State s{std::move(functions), {}, std::move(gram), {}, {}, {}, 0};
-    s.timed = tau_.asDiagonal() * s.functions;
-    const MatrixXd right = s.gram.scale.asDiagonal() * product_of(s.functions, y_);
-    s.amplitudes = s.gram.scale.asDiagonal() * s.gram.factor.solve(right);
-    s.residual = y_;
-    s.residual.noalias() -= s.functions * s.amplitudes;
-    if (s.gram.rcond < 1e-2 || s.residual.squaredNorm() < 1e-18 * y_.squaredNorm()) {
-      // Normal equations lose digits, and this step finds them again.
-      const MatrixXd left = s.gram.scale.asDiagonal() * product_of(s.functions, s.residual);
-      s.amplitudes += s.gram.scale.asDiagonal() * s.gram.factor.solve(left);
-      s.residual = y_;
-      s.residual.noalias() -= s.functions * s.amplitudes;
+    State s{std::move(functions), std::move(gram), MatrixXd::Zero(functions_, even_.cols()), even_, odd_, {}, 0};
+    solve_residual(s);
+    // Normal equations lose digits, and a second pass finds them again.
+    if (s.gram.rcond < 1e-2 || s.even.squaredNorm() + s.odd.squaredNorm() < 1e-18 * power_.sum()) {
+      solve_residual(s);
     }
-    const VectorXd variance =
-        s.residual.colwise().squaredNorm().transpose() / static_cast<double>(y_.rows()) + 1e-30 * power_;
+    const VectorXd energy = (s.even.colwise().squaredNorm() + s.odd.colwise().squaredNorm()).transpose();
+    const VectorXd variance = energy / static_cast<double>(window_.samples) + 1e-30 * power_;
     s.weight = variance.cwiseInverse();
     s.cost = variance.array().log().sum();
     if (!std::isfinite(s.cost)) return std::nullopt;
     return s;
   }
 
+  // Amplitudes of what is left, and what is left then.
+  static void solve_residual(State& s) {
+    const MatrixXd right = s.gram.scale.asDiagonal() * s.functions.project(s.even, s.odd);
+    const MatrixXd change = s.gram.scale.asDiagonal() * s.gram.factor.solve(right);
+    s.functions.subtract(change, s.even, s.odd);
+    s.amplitudes += change;
+  }
+
   VectorXd gradient(std::span<const Pole> poles, const State& s) const {
-    const MatrixXd moment = product_of(s.timed, s.residual);
+    const MatrixXd moment = s.functions.project_timed(s.even, s.odd);
     VectorXd slope = VectorXd::Zero(unknowns_);
-    for (Index c = 0; c < y_.cols(); ++c)
+    for (Index c = 0; c < even_.cols(); ++c)
       slope -= s.weight(c) * (rotated(poles, s.amplitudes.col(c)).transpose() * moment.col(c));
     return slope;
   }
@@ -259,11 +239,11 @@ class Refiner {
   RefinedPoles undetermined(const std::vector<Pole>& poles) const {
     RefinedPoles result;
     result.poles = poles;
-    result.amplitudes = MatrixXd::Zero(functions_, y_.cols());
-    result.residual = y_;
+    result.amplitudes = MatrixXd::Zero(functions_, even_.cols());
+    result.residual = window_.unfold(even_, odd_);
     result.noise_sd = power_.cwiseSqrt();
     result.cost = std::numeric_limits<double>::infinity();
-    const Index size = unknowns_ + functions_ * y_.cols();
+    const Index size = unknowns_ + functions_ * even_.cols();
     result.covariance = MatrixXd::Zero(size, size);
     result.covariance.diagonal().setConstant(std::numeric_limits<double>::infinity());
     return result;
@@ -271,21 +251,21 @@ class Refiner {
 
   void finish(const std::vector<Pole>& poles, State& now, const Moments& m, RefinedPoles& result) const {
     // Degrees of freedom: the shared poles are counted once.
-    const auto n = static_cast<double>(y_.rows());
+    const auto n = static_cast<double>(window_.samples);
     const double lost =
-        static_cast<double>(functions_) + static_cast<double>(unknowns_) / static_cast<double>(y_.cols());
+        static_cast<double>(functions_) + static_cast<double>(unknowns_) / static_cast<double>(even_.cols());
     const VectorXd variance = now.weight.cwiseInverse() * (n / (n - lost));
     result.poles = poles;
     result.noise_sd = variance.cwiseSqrt();
     result.cost = now.cost;
     result.covariance = covariance_of(poles, m, now.amplitudes, variance, window_.half);
     result.amplitudes = std::move(now.amplitudes);
-    result.residual = std::move(now.residual);
+    result.residual = window_.unfold(now.even, now.odd);
   }
 
-  const Eigen::Ref<const MatrixXd>& y_;
-  Window window_;
-  VectorXd tau_, power_;
+  FoldedWindow window_;
+  MatrixXd even_, odd_;  // channels, folded
+  VectorXd power_;
   Index functions_ = 0, unknowns_ = 0;
 };
 
@@ -298,10 +278,9 @@ RefinedPoles refine_poles(const Eigen::Ref<const MatrixXd>& channels, double sam
 
 MatrixXd cramer_rao_bound(std::span<const Pole> poles, const Eigen::Ref<const MatrixXd>& amplitudes,
                           const Eigen::Ref<const VectorXd>& noise_sd, Index samples, double sample_rate_hz) {
-  const Window window(samples, sample_rate_hz);
-  const MatrixXd functions = pole_functions(poles, samples, sample_rate_hz, -window.half);
-  const MatrixXd timed = centred_time(samples).asDiagonal() * functions;
-  return covariance_of(poles, Moments(Gram(functions), functions, timed), amplitudes, noise_sd.array().square(),
+  const FoldedWindow window(samples, sample_rate_hz);
+  const FoldedFunctions functions(poles, window);
+  return covariance_of(poles, Moments(Gram(functions.gram()), functions), amplitudes, noise_sd.array().square(),
                        window.half);
 }
 
