@@ -40,7 +40,7 @@ struct CircularHyperbolicFit {
 /// polynomial of Eqs. (4.26)-(4.28), its poles as roots of a polynomial of degree `order` in z + 1/z (so that
 /// reciprocal pairs are exact), residues by linear least squares (4.19), families by (4.29)-(4.42). A product of
 /// circular and hyperbolic functions takes two of the `order`. The least-squares polynomial is biased by noise:
-/// refine frequencies with fit_harmonic_tone where that matters. Throws std::invalid_argument for fewer than
+/// decompose() in decomposition.hpp offers the others and refinement. Throws std::invalid_argument for fewer than
 /// 3*order samples or an order below one.
 CircularHyperbolicFit circular_hyperbolic_decomposition(const Eigen::Ref<const Eigen::VectorXd>& samples,
                                                         double sample_rate_hz, int order);

@@ -1,0 +1,207 @@
+#include "estimator/signal/symmetric_polynomial.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Product with (z + 1/z - 2 cos f) in the functions 1, z + 1/z, z^2 + 1/z^2, ...
+VectorXd times_factor(const VectorXd& symmetric, double cosine) {
+  const Index n = symmetric.size();
+  VectorXd product = VectorXd::Zero(n + 1);
+  product.head(n) = -2 * cosine * symmetric;
+  product(1) += symmetric(0);
+  for (Index j = 1; j < n; ++j) {
+    product(j + 1) += symmetric(j);
+    product(j - 1) += (j == 1 ? 2 : 1) * symmetric(j);
+  }
+  return product;
+}
+
+// Column k: the imposed factors times the k-th function.
+MatrixXd imposed_map(Index free, std::span<const double> imposed) {
+  MatrixXd map(free + static_cast<Index>(imposed.size()), free);
+  for (Index k = 0; k < free; ++k) {
+    VectorXd column = VectorXd::Unit(free, k);
+    for (const double frequency : imposed) column = times_factor(column, std::cos(frequency));
+    map.col(k) = column;
+  }
+  return map;
+}
+
+// The matrix of Eq. (4.27): column j holds y(l-j) + y(l+j).
+MatrixXd folded(const Eigen::Ref<const VectorXd>& y, Index n) {
+  const Index rows = y.size() - 2 * n;
+  MatrixXd columns(rows, n + 1);
+  columns.col(0) = y.segment(n, rows);
+  for (Index j = 1; j <= n; ++j) columns.col(j) = y.segment(n - j, rows) + y.segment(n + j, rows);
+  return columns;
+}
+
+// Upper triangle R with R^T R = A^T A.
+MatrixXd triangle(const MatrixXd& a) {
+  // Cholesky where noise keeps A^T A well away from singular: a relative error below 1e-9 and a quarter of the
+  // cost.
+  MatrixXd gram = MatrixXd::Zero(a.cols(), a.cols());
+  gram.selfadjointView<Eigen::Lower>().rankUpdate(a.transpose());
+  const Eigen::LLT<MatrixXd, Eigen::Lower> cholesky(gram);
+  if (cholesky.info() == Eigen::Success && cholesky.rcond() > 1e-7) return cholesky.matrixU();
+  const Eigen::HouseholderQR<MatrixXd> qr(a);
+  const Index k = std::min(a.rows(), a.cols());
+  return qr.matrixQR().topRows(k).triangularView<Eigen::Upper>();
+}
+
+// Smallest singular direction of A in the metric D = L L^T: minimises |A x|^2 / (x^T D x).
+struct NoiseDirection {
+  VectorXd direction;
+  double eigenvalue = 0;
+};
+NoiseDirection noise_direction(const MatrixXd& a, const Eigen::LLT<MatrixXd>& metric) {
+  const MatrixXd whitened = metric.matrixL().solve(a.transpose()).transpose();
+  const Eigen::JacobiSVD<MatrixXd> svd(whitened, Eigen::ComputeFullV);
+  const Index last = whitened.cols() - 1;
+  NoiseDirection found;
+  found.direction = metric.matrixU().solve(svd.matrixV().col(last));
+  const double value = last < svd.singularValues().size() ? svd.singularValues()(last) : 0;
+  found.eigenvalue = value * value;
+  return found;
+}
+
+// Smallest eigenvalue of R^T R in the metric, to the digits that a weight needs.
+double noise_level(const MatrixXd& r, const Eigen::LLT<MatrixXd>& metric) {
+  const MatrixXd whitened = metric.matrixL().solve(r.transpose());
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(whitened * whitened.transpose(), Eigen::EigenvaluesOnly);
+  return std::max(0.0, spectrum.eigenvalues()(0));
+}
+
+VectorXd monic_solution(const MatrixXd& equations) {
+  const Index n = equations.cols() - 1;
+  VectorXd solution(n + 1);
+  solution.head(n) = -equations.leftCols(n).colPivHouseholderQr().solve(equations.col(n));
+  solution(n) = 1;
+  return solution;
+}
+
+}  // namespace
+
+SymmetricPolynomial estimate_symmetric_polynomial(const Eigen::Ref<const MatrixXd>& channels, int order,
+                                                  std::span<const double> imposed, PolynomialMethod method) {
+  const Index n = order + static_cast<Index>(imposed.size()), samples = channels.rows(), count = channels.cols();
+  const Index least = (method == PolynomialMethod::lagged_covariance ? 5 : 3) * n;
+  if (order < 1 || samples < least || count < 1)
+    throw std::invalid_argument("circular-hyperbolic decomposition needs at least " +
+                                std::to_string(method == PolynomialMethod::lagged_covariance ? 5 : 3) +
+                                " samples for every order");
+  const MatrixXd map = imposed_map(order + 1, imposed);
+  VectorXd zero_lag = VectorXd::Constant(n + 1, 2);
+  zero_lag(0) = 1;
+  const MatrixXd metric = map.transpose() * zero_lag.asDiagonal() * map;
+  const Eigen::LLT<MatrixXd> factor(metric);
+  const Index rows = samples - 2 * n;
+
+  std::vector<MatrixXd> part(static_cast<std::size_t>(count));  // triangles, or lagged covariances
+  SymmetricPolynomial result;
+  result.channel_weight = VectorXd::Ones(count);
+  for (Index c = 0; c < count; ++c) {
+    const MatrixXd raw = folded(channels.col(c), n);
+    const MatrixXd reduced = imposed.empty() ? raw : MatrixXd(raw * map);
+    const MatrixXd r = triangle(reduced);
+    const double power = channels.col(c).squaredNorm() / static_cast<double>(samples);
+    if (count > 1) {
+      const double noise = noise_level(r, factor) / static_cast<double>(rows);
+      const double level = std::max(noise, 1e-12 * power);
+      result.channel_weight(c) = level > 0 ? 1 / std::sqrt(level) : 0;
+    }
+    MatrixXd& mine = part[static_cast<std::size_t>(c)];
+    if (method == PolynomialMethod::lagged_covariance) {
+      const Index pairs = samples - 4 * n;
+      mine = result.channel_weight(c) * result.channel_weight(c) *
+             (raw.topLeftCorner(pairs, n).transpose() * reduced.bottomRows(pairs));
+    } else {
+      mine = result.channel_weight(c) * r;
+    }
+  }
+  if (method == PolynomialMethod::lagged_covariance) {
+    MatrixXd sum = part.front();
+    for (std::size_t c = 1; c < part.size(); ++c) sum += part[c];
+    result.free = monic_solution(sum);
+  } else {
+    Index stacked_rows = 0;
+    for (const MatrixXd& r : part) stacked_rows += r.rows();
+    MatrixXd stacked(stacked_rows, order + 1);
+    Index row = 0;
+    for (const MatrixXd& r : part) {
+      stacked.middleRows(row, r.rows()) = r;
+      row += r.rows();
+    }
+    if (method == PolynomialMethod::least_squares) {
+      result.free = monic_solution(stacked);
+    } else {
+      const NoiseDirection found = noise_direction(stacked, factor);
+      result.free = found.direction;
+      result.noise_variance = found.eigenvalue / static_cast<double>(rows * count);
+    }
+  }
+  if (!result.free.allFinite())
+    throw std::invalid_argument("circular-hyperbolic decomposition of samples that are not finite");
+  result.coefficients = map * result.free;
+  return result;
+}
+
+std::vector<Pole> poles_of(const Eigen::Ref<const VectorXd>& symmetric) {
+  Index n = symmetric.size() - 1;
+  while (n > 0 && std::abs(symmetric(n)) <= std::numeric_limits<double>::min()) --n;
+  // z^j + z^-j = 2 T_j(w/2) with w = z + 1/z: the eigenvalues of the comrade matrix of the recurrence
+  // C_{j+1} = w C_j - C_{j-1}, C_1 = w, C_0 = 2, are the roots in w.
+  MatrixXd comrade = MatrixXd::Zero(n, n);
+  for (Index j = 1; j < n; ++j) {
+    comrade(j, j - 1) = j == 1 ? 2 : 1;
+    comrade(j - 1, j) = 1;
+  }
+  if (n > 0) comrade.row(n - 1) -= symmetric.head(n).transpose() / symmetric(n);
+  std::vector<Pole> poles;
+  if (n == 0) return poles;
+  const Eigen::VectorXcd sums = comrade.eigenvalues();
+  for (const std::complex<double>& w : sums) {
+    // Eigenvalues of a real matrix: a real root has an imaginary part that is exactly zero.
+    Pole pole;
+    if (w.imag() == 0) {
+      const double x = w.real();
+      // Half-angle forms: acos and acosh of a number next to one lose half of its digits.
+      if (std::abs(x) <= 2) {
+        pole.family = PoleFamily::circular;
+        pole.frequency = 2 * std::atan2(std::sqrt(2 - x), std::sqrt(2 + x));
+      } else {
+        pole.family = x > 0 ? PoleFamily::hyperbolic : PoleFamily::nyquist_hyperbolic;
+        pole.rate = 2 * std::asinh(0.5 * std::sqrt(std::abs(x) - 2));
+      }
+      poles.push_back(pole);
+    } else if (w.imag() > 0) {
+      std::complex<double> z = 0.5 * (w + std::sqrt(w * w - 4.0));
+      if (std::abs(z) < 1) z = 1.0 / z;
+      const std::complex<double> logarithm = std::log(z);
+      pole.family = PoleFamily::product;
+      pole.rate = logarithm.real();
+      pole.frequency = std::abs(logarithm.imag());
+      poles.push_back(pole);
+    }
+  }
+  std::sort(poles.begin(), poles.end(), [](const Pole& a, const Pole& b) {
+    return a.family != b.family         ? a.family < b.family
+           : a.frequency != b.frequency ? a.frequency < b.frequency
+                                        : a.rate < b.rate;
+  });
+  return poles;
+}
+
+}  // namespace secular
