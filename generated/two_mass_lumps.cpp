@@ -109,6 +109,7 @@ constexpr CompiledCase cases[] = {
     .evaluate_lumps = additive_combination::evaluate_lumps<double>,
     .evaluate_lumps_jacobian = additive_combination::evaluate_lumps_jacobian<double>,
     .modulation = additive_combination::modulation<double>,
+    .modulation_jacobian = additive_combination::modulation_jacobian<double>,
   },
 };
 

@@ -336,6 +336,72 @@ void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitat
        + (lumps[10] * -omega1 / (Scalar(4.0) * omega2) * (conj_A_v1 * F));
 }
 
+/// jacobian[i * 4 + j] = d f_i / d z_j of dz/dt = f(z), z = (Re B_0, Im B_0, Re B_1, ...): what `modulation`
+/// computes, in Cartesian amplitudes. With f = dB_k/dt as a function of B_j and conj(B_j), d/dRe(B_j) = d/dB_j +
+/// d/dconj(B_j) and d/dIm(B_j) = i*(d/dB_j - d/dconj(B_j)). Regular at zero amplitude; a term that has no
+/// derivative there counts as zero.
+template <class Scalar>
+void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
+    [[maybe_unused]] const std::complex<Scalar>* amplitude,
+    [[maybe_unused]] const std::complex<Scalar>* forcing, Scalar* jacobian) {
+  using Complex = std::complex<Scalar>;
+  [[maybe_unused]] const Scalar omega1 = parameters[0];
+  [[maybe_unused]] const Scalar omega2 = parameters[1];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  Scalar lumps[11];
+  evaluate_lumps(parameters, lumps);
+  const Complex A_v1 = amplitude[0];
+  const Scalar norm_A_v1 = std::norm(A_v1);
+  const Complex A_v2 = amplitude[1];
+  const Scalar norm_A_v2 = std::norm(A_v2);
+  const Complex F = forcing[0];
+  const Scalar norm_F = std::norm(F);
+  for (std::size_t i = 0; i < 16; ++i) jacobian[i] = Scalar(0.0);
+  const Complex by_0_0 = (lumps[0] * -Scalar(1.0) * (Complex(Scalar(1.0))))
+      
+      + Complex(Scalar(0), Scalar(1)) * (lumps[1] * Scalar(1.0) / (Scalar(2.0) * omega1) * (Complex(Scalar(1.0))))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[2] * Scalar(1.0) / (Scalar(4.0) * omega1) * (norm_F))
+       + (lumps[3] * -Scalar(3.0) * omega1_2 / Scalar(2.0) * Scalar(2) * (norm_A_v1))
+      
+      + Complex(Scalar(0), Scalar(1)) * (lumps[4] * Scalar(3.0) / (Scalar(2.0) * omega1) * Scalar(2)
+      * (norm_A_v1))
+       - Complex(Scalar(0), Scalar(-1.0) / Scalar(1.0) * omega1 + Scalar(-1.0) / Scalar(1.0) * omega2
+      + Scalar(1.0) / Scalar(1.0) * excitation_frequency[0]);
+  const Complex conj_by_0_0 = (lumps[3] * -Scalar(3.0) * omega1_2 / Scalar(2.0) * (A_v1 * A_v1))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[4] * Scalar(3.0) / (Scalar(2.0) * omega1) * (A_v1 * A_v1));
+  jacobian[0] = by_0_0.real() + conj_by_0_0.real();
+  jacobian[1] = conj_by_0_0.imag() - by_0_0.imag();
+  jacobian[4] = by_0_0.imag() + conj_by_0_0.imag();
+  jacobian[5] = by_0_0.real() - conj_by_0_0.real();
+  const Complex by_0_1 = Complex();
+  const Complex conj_by_0_1 = (lumps[5] * -omega2 / (Scalar(4.0) * omega1) * (F))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[6] * -Scalar(1.0) / (Scalar(4.0) * omega1) * (F));
+  jacobian[2] = by_0_1.real() + conj_by_0_1.real();
+  jacobian[3] = conj_by_0_1.imag() - by_0_1.imag();
+  jacobian[6] = by_0_1.imag() + conj_by_0_1.imag();
+  jacobian[7] = by_0_1.real() - conj_by_0_1.real();
+  const Complex by_1_0 = Complex();
+  const Complex conj_by_1_0 = Complex(Scalar(0), Scalar(1)) * (lumps[6] * -Scalar(1.0) / (Scalar(4.0) * omega2)
+      * (F))
+       + (lumps[10] * -omega1 / (Scalar(4.0) * omega2) * (F));
+  jacobian[8] = by_1_0.real() + conj_by_1_0.real();
+  jacobian[9] = conj_by_1_0.imag() - by_1_0.imag();
+  jacobian[12] = by_1_0.imag() + conj_by_1_0.imag();
+  jacobian[13] = by_1_0.real() - conj_by_1_0.real();
+  const Complex by_1_1 = (lumps[7] * -Scalar(1.0) * (Complex(Scalar(1.0))))
+       + (lumps[8] * -Scalar(3.0) * omega2_2 / Scalar(2.0) * Scalar(2) * (norm_A_v2))
+      
+      + Complex(Scalar(0), Scalar(1)) * (lumps[9] * Scalar(3.0) / (Scalar(2.0) * omega2) * Scalar(2)
+      * (norm_A_v2));
+  const Complex conj_by_1_1 = (lumps[8] * -Scalar(3.0) * omega2_2 / Scalar(2.0) * (A_v2 * A_v2))
+       + Complex(Scalar(0), Scalar(1)) * (lumps[9] * Scalar(3.0) / (Scalar(2.0) * omega2) * (A_v2 * A_v2));
+  jacobian[10] = by_1_1.real() + conj_by_1_1.real();
+  jacobian[11] = conj_by_1_1.imag() - by_1_1.imag();
+  jacobian[14] = by_1_1.imag() + conj_by_1_1.imag();
+  jacobian[15] = by_1_1.real() - conj_by_1_1.real();
+}
+
 }  // namespace additive_combination
 
 }  // namespace secular::generated::two_mass_lumps

@@ -205,21 +205,27 @@ TEST_P(GeneratedModel, ModulationAndRowsAgree) {
 }
 
 TEST_P(GeneratedModel, ModulationJacobianEqualsCentralDifferences) {
+  const std::size_t modes = compiled.modes(), size = 2 * modes;
   for (const CompiledCase& resonance : compiled.cases) {
     const std::vector<double> values = random_parameters(compiled, random);
     const double omega = 2.3, h = 1e-5;
-    const std::complex<double> forcing(0.3, 0.9), amplitude(0.7, -0.4);
-    double jacobian[4] = {};
-    resonance.modulation_jacobian(values.data(), &omega, &amplitude, &forcing, jacobian);
-    for (std::size_t j = 0; j < 2; ++j) {
-      const std::complex<double> step = j == 0 ? std::complex<double>(h) : std::complex<double>(0, h);
-      const std::complex<double> up = amplitude + step, down = amplitude - step;
-      std::complex<double> right, left;
-      resonance.modulation(values.data(), &omega, &up, &forcing, &right);
-      resonance.modulation(values.data(), &omega, &down, &forcing, &left);
-      const std::complex<double> slope = (right - left) / (2 * h);
-      EXPECT_NEAR(jacobian[j], slope.real(), 1e-8 * (1 + std::abs(slope))) << resonance.name;
-      EXPECT_NEAR(jacobian[2 + j], slope.imag(), 1e-8 * (1 + std::abs(slope))) << resonance.name;
+    const std::complex<double> forcing(0.3, 0.9);
+    std::vector<std::complex<double>> amplitude;
+    for (std::size_t k = 0; k < modes; ++k) amplitude.emplace_back(0.7 - 0.2 * static_cast<double>(k), -0.4);
+    std::vector<double> jacobian(size * size);
+    resonance.modulation_jacobian(values.data(), &omega, amplitude.data(), &forcing, jacobian.data());
+    for (std::size_t j = 0; j < size; ++j) {
+      const std::complex<double> step = j % 2 == 0 ? std::complex<double>(h) : std::complex<double>(0, h);
+      std::vector<std::complex<double>> up = amplitude, down = amplitude, right(modes), left(modes);
+      up[j / 2] += step;
+      down[j / 2] -= step;
+      resonance.modulation(values.data(), &omega, up.data(), &forcing, right.data());
+      resonance.modulation(values.data(), &omega, down.data(), &forcing, left.data());
+      for (std::size_t k = 0; k < modes; ++k) {
+        const std::complex<double> slope = (right[k] - left[k]) / (2 * h);
+        EXPECT_NEAR(jacobian[2 * k * size + j], slope.real(), 1e-8 * (1 + std::abs(slope))) << resonance.name;
+        EXPECT_NEAR(jacobian[(2 * k + 1) * size + j], slope.imag(), 1e-8 * (1 + std::abs(slope))) << resonance.name;
+      }
     }
   }
 }
