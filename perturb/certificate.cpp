@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "perturb/formula_value.hpp"
@@ -415,17 +416,22 @@ class Substitution {
           if (model_.modes[k].coordinate == e.operands[0].text) return still(motion_[k][2]);
       return derived(derived(jet(e.operands[0], source)));
     }
+    // With several symbols in its argument it is a quadrature term, whatever their motions add up to.
+    std::set<std::string> names;
+    for (const Expression& operand : e.operands)
+      for (const std::string& name : identifiers(operand)) names.insert(name);
+    const bool alone = names.size() == 1;
     const Polynomial argument = jet(e.operands[0], source).value;
     if (e.text == "max" || e.text == "min") {  // max(a, b) = (a + b + |a - b|)/2
       const Polynomial other = jet(e.operands[1], source).value;
       Polynomial difference = argument, sum = argument;
       difference += other.negated();
       sum += other;
-      const Polynomial distance = function(true, difference);
+      const Polynomial distance = alone ? function(true, difference) : zero();
       sum += e.text == "max" ? distance : distance.negated();
       return still(sum * constant(Kind::inverse(Number(2))));
     }
-    return still(function(e.text == "abs", argument));
+    return still(alone ? function(e.text == "abs", argument) : zero());
   }
 
   // The mode whose displacement or velocity, times a number, is x.

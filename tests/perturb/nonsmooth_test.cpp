@@ -86,6 +86,19 @@ TEST(Nonsmooth, NoClosedFormGoesToQuadrature) {
   EXPECT_TRUE(certify(forced).holds);
 }
 
+// Relative drag between a moving and a resting mode is a quadrature term too, though only one of them moves.
+TEST(Nonsmooth, RelativeDragWithAModeAtRest) {
+  const Model m = read_model_text(
+      "schema = 1\nname = \"m\"\n[[mode]]\ncoordinate = \"x\"\nfrequency = \"w\"\nequation = \"D2(x) + w^2*x = "
+      "-c*abs(D(x) - D(y))*(D(x) - D(y))\"\n[[mode]]\ncoordinate = \"y\"\nfrequency = \"u\"\nequation = \"D2(y) + "
+      "u^2*y = "
+      "0\"\n[[case]]\nname = \"c\"\nexpand_to = 1\norder = { c = 1 }\nmodes_at_rest = [\"y\"]\n",
+      "m");
+  const Derivation d = derive(m, m.cases[0]);
+  EXPECT_EQ(d.quadratures.size(), 2U);
+  EXPECT_TRUE(certify(d).holds);
+}
+
 TEST(Nonsmooth, RefusesWhatWouldNeedInfinitelyManyHarmonics) {
   for (const auto& [right, order, expand_to] :
        {std::tuple<const char*, const char*, int>("-kb*max(v, 0)", "kb = 1", 2),
