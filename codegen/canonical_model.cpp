@@ -152,7 +152,7 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
     result.harmonics.push_back(canonical_harmonics(nominal, k, order));
   }
   for (const QuadratureTerm& quadrature : nominal.quadratures) {
-    const GiNaC::ex scale = (quadrature.coefficient / (2 * GiNaC::I * model.frequency(quadrature.mode))).expand();
+    const GiNaC::ex scale = nominal.quadrature_rate(quadrature);
     CanonicalQuadrature flat{
         quadrature.mode, quadrature.order, form.of(scale.real_part()), form.of(scale.imag_part()), {}};
     for (const auto& [factor, power] : quadrature.factors) flat.factors.push_back(canonical_factor(factor, power));

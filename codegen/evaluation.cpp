@@ -141,7 +141,7 @@ std::string evaluation_json(const Derivation& derivation, const std::map<std::st
   // Terms left to quadrature: dA_m/dt also holds value * mean(mean_of * exp(-i w_m t)).
   const CanonicalForm form(model.symbols, order);
   for (const QuadratureTerm& quadrature : derivation.quadratures) {
-    const GiNaC::ex scale = (quadrature.coefficient / (2 * GiNaC::I * model.frequency(quadrature.mode))).expand();
+    const GiNaC::ex scale = derivation.quadrature_rate(quadrature);
     Json entry;
     entry["mean_of"] = to_string(quadrature.factors, model);
     entry["order"] = quadrature.order;

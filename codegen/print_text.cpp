@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <map>
 #include <utility>
 
 #include "codegen/cartesian_text.hpp"
@@ -11,6 +12,7 @@
 #include "codegen/plain_text.hpp"
 #include "codegen/polar_form.hpp"
 #include "codegen/steady_statements.hpp"
+#include "perturb/ordered_equation.hpp"
 
 namespace secular {
 namespace {
@@ -120,14 +122,9 @@ std::string polar_sum(const CanonicalModel& model, const CanonicalCase& c, const
 
 // "v - gap", "D(v1) + 1/2*D(v2)".
 std::string argument_text(const CanonicalFactor& f) {
-  std::string text;
-  for (const auto& [name, ratio] : f.argument) {
-    text += ratio.numerator < 0 ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + ");
-    const std::string size = std::to_string(std::abs(ratio.numerator)) +
-                             (ratio.denominator == 1 ? "" : "/" + std::to_string(ratio.denominator));
-    text += size == "1" ? name : (name == "1" ? size : size + "*" + name);
-  }
-  return text;
+  std::map<std::string, Factor::Weight> argument;
+  for (const auto& [name, ratio] : f.argument) argument[name] = {ratio.numerator, ratio.denominator};
+  return secular::argument_text(argument);
 }
 
 std::string factor_text(const CanonicalModel& model, const CanonicalFactor& f) {

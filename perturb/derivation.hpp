@@ -45,6 +45,8 @@ struct Derivation {
 
   /// dA_mode/dt in true time, all orders summed with eps = 1.
   Field modulation(std::size_t mode) const;
+  /// What multiplies the mean of a quadrature term in dA/dt: coefficient/(2 i w_k).
+  GiNaC::ex quadrature_rate(const QuadratureTerm& quadrature) const;
   /// Phase of a key in true frequencies: its slow part put back as multiples of the relations.
   Phase full_phase(const FieldKey& key) const;
 };

@@ -57,12 +57,6 @@ class GradedPolynomial {
   void add(std::size_t order, const Powers& powers, const Number& value) {
     if (order < orders_.size()) orders_[order][powers] += value;
   }
-  bool empty() const {
-    for (const Terms& terms : orders_)
-      if (!terms.empty()) return false;
-    return true;
-  }
-
   GradedPolynomial& operator+=(const GradedPolynomial& other) {
     for (std::size_t n = 0; n < orders_.size(); ++n)
       for (const auto& [powers, value] : other.orders_[n]) orders_[n][powers] += value;

@@ -482,6 +482,10 @@ Field Derivation::modulation(std::size_t mode) const {
   return sum;
 }
 
+GiNaC::ex Derivation::quadrature_rate(const QuadratureTerm& quadrature) const {
+  return (quadrature.coefficient / (2 * GiNaC::I * model->frequency(quadrature.mode))).expand();
+}
+
 Phase Derivation::full_phase(const FieldKey& key) const {
   std::vector<int> multipliers(layout.relations);
   for (std::size_t r = 0; r < layout.relations; ++r) multipliers[r] = key[layout.slow(r)];

@@ -9,19 +9,6 @@
 namespace secular {
 namespace {
 
-// "v - gap", "D(v1) + 1/2*D(v2)".
-std::string argument_text(const Factor& factor) {
-  std::string text;
-  for (const auto& [name, weight] : factor.argument) {
-    const auto [numerator, denominator] = weight;
-    text += numerator < 0 ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + ");
-    const std::string size =
-        std::to_string(std::abs(numerator)) + (denominator == 1 ? "" : "/" + std::to_string(denominator));
-    text += size == "1" ? name : (name == "1" ? size : size + "*" + name);
-  }
-  return text;
-}
-
 std::string factor_text(const Factor& factor, const Model& model) {
   const auto derived = [&](const std::string& inner) {
     if (factor.derivative == 0) return inner;
@@ -41,7 +28,7 @@ std::string factor_text(const Factor& factor, const Model& model) {
     case Factor::Kind::absolute:
     case Factor::Kind::sign:
       return (factor.kind == Factor::Kind::absolute ? "abs(" : "sgn(") +
-             (factor.compound() ? argument_text(factor) : derived(model.modes[index].coordinate)) + ")";
+             (factor.compound() ? argument_text(factor.argument) : derived(model.modes[index].coordinate)) + ")";
   }
   return {};
 }
@@ -110,6 +97,18 @@ int degree_in_coordinates(const FactorProduct& product) {
 }
 
 }  // namespace
+
+std::string argument_text(const std::map<std::string, Factor::Weight>& argument) {
+  std::string text;
+  for (const auto& [name, weight] : argument) {
+    const auto [numerator, denominator] = weight;
+    text += numerator < 0 ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + ");
+    const std::string size =
+        std::to_string(std::abs(numerator)) + (denominator == 1 ? "" : "/" + std::to_string(denominator));
+    text += size == "1" ? name : (name == "1" ? size : size + "*" + name);
+  }
+  return text;
+}
 
 std::string to_string(const FactorProduct& product, const Model& model) {
   std::string text;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "perturb/term_sum.hpp"
@@ -23,6 +25,9 @@ struct OrderedEquation {
 /// case is not excited. Throws InputError for a coefficient symbol without an order, and for any other term at
 /// order 0.
 std::vector<OrderedEquation> ordered_equations(const Model& model, const ResonanceCase& resonance);
+
+/// The argument of a nonsmooth factor as model text: "v - gap", "D(v1) + 1/2*D(v2)".
+std::string argument_text(const std::map<std::string, Factor::Weight>& argument);
 
 /// A factor product as the model text writes it, for messages: "v*D2(v)".
 std::string to_string(const FactorProduct& product, const Model& model);

@@ -41,10 +41,10 @@ PrintedChapter read_chapter(const TomlTable& table) {
 }
 
 PrintedStatement read_statement(const TomlTable& table) {
-  table.refuse_unknown_keys({"equation",     "part",    "kind",    "mode",   "order", "printed",
-                             "corrected",    "equals",  "of",      "name",   "scale", "term",
-                             "times",        "inside",  "without", "with",   "where", "solve_for",
-                             "only_secular", "at_peak", "verdict", "reason", "remark"});
+  table.refuse_unknown_keys({"equation",  "part",    "kind",    "mode",  "order",     "printed",
+                             "corrected", "equals",  "of",      "name",  "scale",     "term",
+                             "times",     "inside",  "without", "where", "solve_for", "only_secular",
+                             "at_peak",   "verdict", "reason",  "remark"});
   PrintedStatement statement;
   statement.line = table.line();
   statement.equation = table.string("equation");
@@ -67,11 +67,10 @@ PrintedStatement read_statement(const TomlTable& table) {
   statement.times = optional_formula(table, "times");
   statement.without = strings_or_none(table, "without");
   statement.solve_for = strings_or_none(table, "solve_for");
-  for (const char* key : {"where", "with"})
-    if (table.has(key)) {
-      const TomlTable values = table.table(key);
-      for (const std::string& name : values.keys()) statement.where[name] = formula(values, name);
-    }
+  if (table.has("where")) {
+    const TomlTable values = table.table("where");
+    for (const std::string& name : values.keys()) statement.where[name] = formula(values, name);
+  }
   statement.only_secular = table.boolean_or("only_secular", false);
   statement.at_peak = table.boolean_or("at_peak", false);
   statement.verdict = table.string("verdict");

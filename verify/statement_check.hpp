@@ -17,8 +17,6 @@ class StatementCheck {
   bool holds(const PrintedStatement& statement, const FormulaSource& text) const;
 
   const PrintedFormula& formula() const { return formula_; }
-  /// Engine's D_n A_mode.
-  const GiNaC::ex& slow_rate(std::size_t mode, int n) const { return rate_[mode][static_cast<std::size_t>(n)]; }
 
  private:
   bool vanishes_at_resonance(const GiNaC::ex& difference, const PrintedStatement& statement) const;
