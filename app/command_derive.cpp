@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/shipped_models.hpp"
@@ -11,6 +12,7 @@
 #include "codegen/print_latex.hpp"
 #include "codegen/print_text.hpp"
 #include "perturb/model.hpp"
+#include "perturb/with_effects.hpp"
 #include "report/whole_file.hpp"
 
 namespace secular::app {
@@ -23,11 +25,18 @@ std::string derivation(const CanonicalModel& model, const std::string& format) {
   return derivation_text(model);
 }
 
+Model augmented(const Model& model, const std::vector<std::string>& effects) {
+  std::vector<EffectTerm> terms;
+  for (const std::string& effect : effects) terms.push_back(parse_effect_term(effect, model));
+  return with_effects(model, terms).model;
+}
+
 }  // namespace
 
 void add_derive_command(CLI::App& root, Action& chosen) {
   struct Options {
     std::string model, resonance, format = "text", output;
+    std::vector<std::string> effects;
     bool json = false;
   };
   auto options = std::make_shared<Options>();
@@ -41,6 +50,9 @@ void add_derive_command(CLI::App& root, Action& chosen) {
                    "text, json, latex (a document that needs amsmath only) or html (a page by itself)")
       ->check(CLI::IsMember({"text", "json", "latex", "html"}))
       ->capture_default_str();
+  command->add_option(
+      "--with-effect", options->effects,
+      "NAME[:MODE[:OTHER]]: add an effect of the catalogue to the equations of motion (repeatable)");
   command->add_flag("--json", options->json, "same as --format json");
   command->add_option("-o,--output", options->output, "file to write; standard output without it");
   command->footer(
@@ -49,7 +61,8 @@ void add_derive_command(CLI::App& root, Action& chosen) {
       "          secular derive pendulum --format html -o pendulum.html");
   command->callback([options, &chosen] {
     chosen = [options] {
-      const CanonicalModel model = canonical_model(read_model(resolve_model(options->model)), options->resonance);
+      const CanonicalModel model = canonical_model(
+          augmented(read_model(resolve_model(options->model)), options->effects), options->resonance);
       const std::string text = derivation(model, options->json ? "json" : options->format);
       if (options->output.empty())
         fmt::print("{}", text);

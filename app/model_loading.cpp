@@ -11,6 +11,7 @@
 #include "codegen/runtime/runtime_model.hpp"
 #include "generated/registry.hpp"
 #include "perturb/model.hpp"
+#include "perturb/with_effects.hpp"
 
 namespace secular::app {
 
@@ -78,11 +79,38 @@ void ModelSource::outline_file() {
 
 std::shared_ptr<const CompiledModel> ModelSource::load(const std::vector<std::string>& cases) const {
   if (compiled_in_) return {std::shared_ptr<void>(), compiled_in_};
+  return load_file(file_, cases, {});
+}
+
+AugmentedCompiledModel ModelSource::load_with_effects(std::span<const EffectTerm> effects,
+                                                      const std::vector<std::string>& cases) const {
+  if (effects.empty()) return {load(cases), {}};
+  const fs::path file = model_file();
+  std::vector<AddedEffect> added = with_effects(read_model(file), effects).effects;
+  return {load_file(file, cases, effects), std::move(added)};
+}
+
+std::vector<EffectTerm> ModelSource::applicable_effects() const {
+  return secular::applicable_effects(read_model(model_file()));
+}
+
+EffectTerm ModelSource::effect_term(const std::string& text) const {
+  return parse_effect_term(text, read_model(model_file()));
+}
+
+fs::path ModelSource::model_file() const {
+  return file_.empty() ? resolve_model(name_) : file_;
+}
+
+std::shared_ptr<const CompiledModel> ModelSource::load_file(const fs::path& file,
+                                                            const std::vector<std::string>& cases,
+                                                            std::span<const EffectTerm> effects) const {
   RuntimeModelOptions options;
   options.cases = cases;
+  options.effects.assign(effects.begin(), effects.end());
   options.interpret = interpret_;
   options.header_folders = header_folders();
-  RuntimeModel loaded = load_runtime_model(file_, options);
+  RuntimeModel loaded = load_runtime_model(file, options);
   for (const std::string& note : loaded.notes) fmt::print(stderr, "secular: note: {}\n", note);
   return std::move(loaded.model);
 }

@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "estimator/compiled_model.hpp"
+#include "perturb/effect_catalogue.hpp"
 
 namespace secular::app {
 
@@ -16,6 +18,12 @@ struct CaseOutline {
   bool excited = true;
   /// Integer relations over the natural frequencies and then the excitations' frequencies.
   std::vector<std::vector<int>> relations;
+};
+
+/// A model with effects added to its equations of motion: code, and what each effect brought.
+struct AugmentedCompiledModel {
+  std::shared_ptr<const CompiledModel> model;
+  std::vector<AddedEffect> effects;
 };
 
 /// A model by name or file, and how to get code for it: a model that is compiled into this program as it is, any
@@ -34,9 +42,22 @@ class ModelSource {
   /// The model with the named cases (at least); notes go to standard error.
   std::shared_ptr<const CompiledModel> load(const std::vector<std::string>& cases) const;
 
+  /// The model with effects of the catalogue (see with_effects) and the named cases; none: equations of motion
+  /// alone, which compile fast. Always derived at run time from the model's file.
+  AugmentedCompiledModel load_with_effects(std::span<const EffectTerm> effects,
+                                           const std::vector<std::string>& cases) const;
+  /// See secular::applicable_effects; reads the model's file.
+  std::vector<EffectTerm> applicable_effects() const;
+  /// NAME[:MODE[:OTHER[:FORM]]], see parse_effect_term.
+  EffectTerm effect_term(const std::string& text) const;
+
  private:
   void outline(const CompiledModel& model);
   void outline_file();
+  std::shared_ptr<const CompiledModel> load_file(const std::filesystem::path& file,
+                                                 const std::vector<std::string>& cases,
+                                                 std::span<const EffectTerm> effects) const;
+  std::filesystem::path model_file() const;
 
   std::string name_;
   std::filesystem::path file_;

@@ -7,6 +7,7 @@
 #include "codegen/runtime/program_identity.hpp"
 #include "input/input_error.hpp"
 #include "perturb/model.hpp"
+#include "perturb/with_effects.hpp"
 
 namespace secular {
 namespace {
@@ -14,7 +15,11 @@ namespace {
 std::string key_of(const ModelRequest& request) {
   std::string cases = request.cases ? "some:" : "all";
   for (const std::string& name : request.cases.value_or(std::vector<std::string>())) cases += name + ",";
-  return content_hash({"derived code", program_identity(), request.text, cases});
+  std::string effects;
+  for (const EffectTerm& term : request.effects)
+    effects += term.effect + " " + std::to_string(term.mode) + " " + std::to_string(term.other) + " " +
+               std::to_string(term.form) + ",";
+  return content_hash({"derived code", program_identity(), request.text, cases, effects});
 }
 
 std::optional<DerivedCode> parsed(const std::string& text) {
@@ -45,6 +50,7 @@ CanonicalModel derive_for_code(const ModelRequest& request, std::vector<std::str
       return std::find(request.cases->begin(), request.cases->end(), resonance.name) == request.cases->end();
     });
   }
+  if (!request.effects.empty()) model = with_effects(model, request.effects).model;
   CanonicalModel canonical = canonical_model(model);
   for (const CanonicalCase& resonance : canonical.cases)
     if (!resonance.certificate.holds)

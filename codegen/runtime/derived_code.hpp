@@ -8,13 +8,16 @@
 #include "codegen/canonical_model.hpp"
 #include "codegen/emit_cpp.hpp"
 #include "codegen/runtime/model_cache.hpp"
+#include "perturb/effect_catalogue.hpp"
 
 namespace secular {
 
-/// A model file's text with the cases that are wanted of it (nothing: all).
+/// A model file's text with the cases that are wanted of it (nothing: all) and effects added to its equations of
+/// motion (see with_effects).
 struct ModelRequest {
   std::string file, text;
   std::optional<std::vector<std::string>> cases;
+  std::vector<EffectTerm> effects;
 };
 
 /// The canonical model of a request, without cases that no code can be made of; these are named in `notes`. A case
