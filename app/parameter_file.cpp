@@ -49,4 +49,16 @@ std::map<std::string, double> read_parameter_file(const std::string& name) {
   return values;
 }
 
+std::map<std::string, double> read_parameter_errors(const std::string& name) {
+  std::ifstream stream(resolved(name), std::ios::binary);
+  const nlohmann::json document = nlohmann::json::parse(stream, nullptr, false);
+  std::map<std::string, double> errors;
+  if (!stream || !document.is_object() || !document.contains("estimates")) return errors;
+  for (const nlohmann::json& entry : document["estimates"])
+    if (entry.is_object() && entry.contains("sd") && entry["sd"].is_number() && entry["sd"].get<double>() > 0 &&
+        entry.contains("value") && entry["value"].is_number())
+      errors[entry["name"].get<std::string>()] = entry["sd"].get<double>();
+  return errors;
+}
+
 }  // namespace secular::app

@@ -10,4 +10,8 @@ namespace secular::app {
 /// identify are left out. Throws InputError naming the file, the place and what was expected.
 std::map<std::string, double> read_parameter_file(const std::string& path);
 
+/// Standard deviations of the values of an estimate.json; empty for a plain object. Call read_parameter_file first:
+/// it is the one that complains.
+std::map<std::string, double> read_parameter_errors(const std::string& path);
+
 }  // namespace secular::app

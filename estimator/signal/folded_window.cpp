@@ -12,12 +12,19 @@ using Eigen::VectorXd;
 
 MatrixXd square_of(const MatrixXd& a) {
   MatrixXd result = MatrixXd::Zero(a.cols(), a.cols());
+  if (a.cols() == 0) return result;
   result.selfadjointView<Eigen::Lower>().rankUpdate(a.transpose());
   return result.selfadjointView<Eigen::Lower>();
 }
 
+// Functions of one parity alone leave the other part without columns, which Eigen's products do not take.
 MatrixXd product_of(const MatrixXd& a, const MatrixXd& b) {
+  if (a.cols() == 0 || b.cols() == 0) return MatrixXd(a.cols(), b.cols());
   return a.transpose() * b;
+}
+
+void subtract_product(const MatrixXd& a, const MatrixXd& b, MatrixXd& from) {
+  if (a.cols() > 0) from.noalias() -= a * b;
 }
 
 }  // namespace
@@ -116,8 +123,8 @@ MatrixXd FoldedFunctions::project_timed(const MatrixXd& even_part, const MatrixX
 
 void FoldedFunctions::subtract(const MatrixXd& amplitudes, MatrixXd& even_part, MatrixXd& odd_part) const {
   const MatrixXd even_amplitudes = amplitudes(even_at, Eigen::all), odd_amplitudes = amplitudes(odd_at, Eigen::all);
-  even_part.noalias() -= even * even_amplitudes;
-  odd_part.noalias() -= odd * odd_amplitudes;
+  subtract_product(even, even_amplitudes, even_part);
+  subtract_product(odd, odd_amplitudes, odd_part);
 }
 
 bool FoldedFunctions::finite() const {

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <thread>
+
+#include "app/commands.hpp"
+#include "app/diagnosis_json.hpp"
+#include "app/diagnosis_run.hpp"
+#include "input/input_error.hpp"
+#include "report/number_format.hpp"
+#include "report/whole_file.hpp"
+
+namespace secular::app {
+namespace {
+
+struct Options {
+  DiagnosisRequest request;
+  std::string folder;
+  bool json = false;
+};
+
+std::string joined(const std::vector<std::string>& names, const char* between) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : between) + name;
+  return text;
+}
+
+void print_summary(const DiagnosisRun& run, const std::string& folder) {
+  const Diagnosis& d = run.diagnosis;
+  fmt::print("model {}: {} conditions, {} rows\n", run.model->name, d.conditions, d.labels.size());
+  fmt::print("gap: {} (p = {:.2g}); {:.3g} times the repeatability", d.gap.detected ? "yes" : "none detected",
+             d.gap.p_value, d.gap.before);
+  if (d.gap.detected)
+    fmt::print(", {:.3g} after; closed {} [{}, {}]", d.gap.after, report::format_percent(d.gap.closed),
+               report::format_percent(d.gap.closed_low), report::format_percent(d.gap.closed_high));
+  fmt::print("\n");
+  for (std::size_t i = 0; i < std::min<std::size_t>(5, d.where.size()); ++i)
+    fmt::print("  {:>7} {} of {} at {}, {}\n", report::format_percent(d.where[i].share),
+               to_string(d.where[i].component), d.where[i].mode, d.where[i].harmonic, d.where[i].region);
+  if (d.verdict == "cause") fmt::print("cause: {}\n", d.cause);
+  if (d.verdict == "set") fmt::print("one of: {}\n", joined(d.set, ", "));
+  if (d.verdict == "unknown") fmt::print("cause: unknown; nearest: {}\n", joined(d.set, ", "));
+  if (!d.together.empty()) fmt::print("  together: {}\n", joined(d.together, " and "));
+  for (std::size_t i = 0; i < std::min<std::size_t>(6, d.causes.size()); ++i) {
+    const CauseReport& c = d.causes[i];
+    fmt::print("  {:>7} {}{}", report::format_percent(c.probability), c.effect,
+               c.subject.empty() ? "" : " (" + c.subject + ")");
+    if (!c.coefficient_name.empty())
+      fmt::print("  {} = {}", c.coefficient_name, report::format_uncertain(c.coefficient, c.sd));
+    if (c.closed) fmt::print(", closes {}", report::format_percent(*c.closed));
+    fmt::print("\n");
+  }
+  for (const ParameterMove& m : d.parameters_moved)
+    fmt::print("  {} moves from {:.6g} to {}\n", m.name, m.from, report::format_uncertain(m.to, m.sd));
+  fmt::print("written: {0}/diagnosis.json\n", folder);
+}
+
+int run(Options& options) {
+  if (!(options.request.window.from_s < options.request.window.to_s))
+    throw InputError("--from, --to", "", "the window is empty", "--from must be before --to");
+  const DiagnosisRun result = run_diagnosis(options.request);
+  const std::string json = diagnosis_json(result);
+  std::error_code error;
+  std::filesystem::create_directories(options.folder, error);
+  if (error) throw InputError(options.folder, "", "cannot be made a folder", "name a folder that can be written");
+  report::write_whole_file(std::filesystem::path(options.folder) / "diagnosis.json", json);
+  for (const std::string& warning : result.diagnosis.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  if (std::getenv("SECULAR_ROWS"))
+    for (std::size_t r = 0; r < result.diagnosis.labels.size(); ++r) {
+      const RowLabel& l = result.diagnosis.labels[r];
+      const auto i = static_cast<Eigen::Index>(r);
+      fmt::print(stderr, "{} {} {} {} amp {:.4g} w {:.5g}: {:.2f} {:.2f}\n", l.record, l.place, to_string(l.component), l.harmonic, l.amplitude, l.frequency/6.283185307, result.diagnosis.rows_before(i), result.diagnosis.rows_after(i));
+    }
+  if (options.json)
+    fmt::print("{}", json);
+  else
+    print_summary(result, options.folder);
+  return 0;
+}
+
+}  // namespace
+
+void add_diagnose_command(CLI::App& root, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  DiagnosisRequest& request = options->request;
+  request.threads = std::max(1U, std::thread::hardware_concurrency());
+  CLI::App* command = root.add_subcommand(
+      "diagnose", "Where model and measurement disagree, which unmodelled effect does it, how far the gap closes");
+  command->add_option("CAMPAIGN", request.campaign, "campaign folder")->required();
+  command->add_option("--model", request.model, "model file, or the name of a shipped model")->required();
+  command->add_option("-o,--output", options->folder, "folder for diagnosis.json and report.html")->required();
+  command->add_option("--parameters", request.parameters,
+                      "numbers whose gap is diagnosed: an estimate.json or an object of symbol to number");
+  command->add_option("--from", request.window.from_s, "use every record from this time on, s");
+  command->add_option("--to", request.window.to_s, "use every record up to this time, s");
+  command->add_option("--records", request.window.records, "use the records whose file matches this pattern");
+  command->add_flag("--interpret", request.interpret, "no compiled code: slower, same results");
+  command->add_option("--threads", request.threads, "threads; the result does not depend on it")
+      ->check(CLI::Range(1U, 1024U));
+  command->add_flag("--json", options->json, "print diagnosis.json instead of the summary");
+  command->footer("Example: secular diagnose campaign --model two_mass_mode1 -o results");
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace secular::app

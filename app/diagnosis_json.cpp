@@ -1,0 +1,61 @@
+#include "app/diagnosis_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace secular::app {
+
+std::string diagnosis_json(const DiagnosisRun& run) {
+  using Json = nlohmann::ordered_json;
+  const Diagnosis& d = run.diagnosis;
+  Json root;
+  root["schema"] = 1;
+  root["model"] = std::string(run.model->name);
+  Json gap;
+  gap["detected"] = d.gap.detected;
+  gap["p_value"] = d.gap.p_value;
+  gap["before"] = d.gap.before;
+  gap["after"] = d.gap.after;
+  gap["floor"] = d.gap.floor;
+  gap["closed"] = d.gap.closed;
+  gap["closed_ci95"] = {d.gap.closed_low, d.gap.closed_high};
+  gap["metric"] = d.gap.metric;
+  if (!d.gap.wrong_cause.empty())
+    gap["best_other_cause"] = {{"effect", d.gap.wrong_cause}, {"closed", d.gap.wrong_cause_closed}};
+  root["gap"] = std::move(gap);
+  root["where"] = Json::array();
+  for (const GapShare& share : d.where)
+    root["where"].push_back({{"mode", share.mode},
+                             {"component", to_string(share.component)},
+                             {"harmonic", share.harmonic},
+                             {"region", share.region},
+                             {"share", share.share}});
+  root["verdict"] = d.verdict;
+  root["cause"] = d.cause.empty() ? Json(nullptr) : Json(d.cause);
+  root["set"] = d.set;
+  if (!d.together.empty()) root["together"] = d.together;
+  root["causes"] = Json::array();
+  for (const CauseReport& cause : d.causes) {
+    Json entry;
+    entry["effect"] = cause.effect;
+    entry["mode"] = cause.subject;
+    entry["probability"] = cause.probability;
+    if (!cause.coefficient_name.empty()) {
+      entry["coefficient"] = cause.coefficient;
+      entry["sd"] = cause.sd;
+      entry["symbol"] = cause.coefficient_name;
+    }
+    if (cause.closed) entry["closed"] = *cause.closed;
+    root["causes"].push_back(std::move(entry));
+  }
+  if (!d.parameters_moved.empty()) {
+    root["parameters_moved"] = Json::array();
+    for (const ParameterMove& move : d.parameters_moved)
+      root["parameters_moved"].push_back(
+          {{"name", move.name}, {"from", move.from}, {"to", move.to}, {"sd", move.sd}});
+  }
+  root["conditions"] = d.conditions;
+  root["warnings"] = d.warnings;
+  return root.dump(2) + "\n";
+}
+
+}  // namespace secular::app

@@ -1,0 +1,78 @@
+#include "app/diagnosis_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/model_loading.hpp"
+#include "app/parameter_file.hpp"
+#include "input/input_error.hpp"
+
+namespace secular::app {
+namespace {
+
+// Of these the diagnosis has descriptions of its own: they are not terms that a line of the motion sees.
+bool described_by_lines(const EffectTerm& term) {
+  return term.effect == "extra_mode" || term.effect == "natural_frequency_drift";
+}
+
+std::string subject_of(const EffectTerm& term, const CompiledModel& model) {
+  std::string subject(model.coordinates[term.mode]);
+  if (term.other != EffectTerm::none) subject += ", " + std::string(model.coordinates[term.other]);
+  return subject;
+}
+
+std::size_t symbol_index(const CompiledModel& model, const std::string& name) {
+  const auto found = std::find_if(model.symbols.begin(), model.symbols.end(),
+                                  [&](const CompiledSymbol& symbol) { return symbol.name == name; });
+  return static_cast<std::size_t>(found - model.symbols.begin());
+}
+
+}  // namespace
+
+DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
+  DiagnosisRun run;
+  const ModelSource source(request.model, request.interpret);
+  run.campaign = read_campaign(request.campaign);
+  DiagnosisOptions options;
+  options.window = request.window;
+  options.threads = request.threads;
+  if (!request.parameters.empty()) {
+    options.parameters = read_parameter_file(request.parameters);
+    options.parameter_sd = read_parameter_errors(request.parameters);
+  }
+  std::vector<EffectTerm> terms;
+  for (const EffectTerm& term : source.applicable_effects())
+    if (!described_by_lines(term)) terms.push_back(term);
+  const AugmentedCompiledModel augmented = source.load_with_effects(terms, {});
+  run.model = augmented.model;
+  std::vector<bool> added(run.model->symbols.size(), false);
+  std::vector<EquationEffect> effects;
+  for (const AddedEffect& effect : augmented.effects) {
+    EquationEffect equation;
+    equation.effect = effect.term.effect;
+    equation.mode = effect.term.mode;
+    equation.subject = subject_of(effect.term, *run.model);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
+      const std::size_t symbol = symbol_index(*run.model, effect.parameters[p]);
+      if (symbol >= added.size()) continue;  // a symbol that no equation holds
+      added[symbol] = true;
+      if (p == 0)
+        equation.strength = symbol;
+      else
+        equation.shapes.push_back(symbol);
+    }
+    if (effect.memory != EffectTerm::none) {
+      if (equation.shapes.empty()) continue;
+      options.memory.push_back({effect.memory, effect.term.mode, equation.shapes.front()});
+    }
+    effects.push_back(std::move(equation));
+  }
+  std::vector<std::size_t> own;
+  for (std::size_t s = 0; s < added.size(); ++s)
+    if (!added[s]) own.push_back(s);
+  const RecordReader read = [&](std::size_t r) { return read_record(run.campaign, run.campaign.records[r]); };
+  run.diagnosis = diagnose(run.campaign, read, *run.model, own, effects, options);
+  return run;
+}
+
+}  // namespace secular::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "diagnose/diagnosis.hpp"
+#include "estimator/campaign/campaign.hpp"
+#include "estimator/compiled_model.hpp"
+
+namespace secular::app {
+
+struct DiagnosisRequest {
+  std::string campaign, model;
+  std::string parameters;  ///< file or name of shipped numbers; empty: none
+  Window window;
+  bool interpret = false;
+  unsigned threads = 1;
+};
+
+/// A diagnosis and what it was made of.
+struct DiagnosisRun {
+  Campaign campaign;
+  std::shared_ptr<const CompiledModel> model;  ///< with all effects that it was tried with
+  Diagnosis diagnosis;
+};
+
+/// Loads the model with every effect of the catalogue that fits it (equations of motion alone: compiled once for
+/// all candidates) and diagnoses the campaign. Throws InputError.
+DiagnosisRun run_diagnosis(const DiagnosisRequest& request);
+
+}  // namespace secular::app

@@ -1,0 +1,179 @@
+#include "diagnose/candidate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+VectorXd one(double value) {
+  return VectorXd::Constant(1, value);
+}
+
+// Largest modal displacement (peak) of a mode over the conditions.
+double largest_displacement(const std::vector<Condition>& conditions, const SensorModel& sensors,
+                            std::size_t mode) {
+  const Eigen::VectorXd shape = sensors.shapes.col(static_cast<Index>(mode));
+  double largest = 0;
+  for (const Condition& c : conditions)
+    for (const MasterLine& m : c.masters) {
+      if (m.mode != mode) continue;
+      const auto column = static_cast<Index>(std::find(c.lines.begin(), c.lines.end(), m.line) - c.lines.begin());
+      std::complex<double> rate = 0;
+      for (std::size_t j = 0; j < 2; ++j)
+        rate += std::complex<double>(0, c.torus->phase(m.line)[j] * c.rate[j].imag());
+      const double modal = std::abs((shape.transpose().cast<std::complex<double>>() * c.response.col(column))(0)) /
+                           shape.squaredNorm() / std::pow(std::abs(rate), sensors.derivatives);
+      largest = std::max(largest, 2 * modal);
+    }
+  return largest;
+}
+
+// Largest sum of a channel's lines: what its peak cannot exceed.
+double largest_peak(const std::vector<Condition>& conditions, std::size_t channel, std::size_t responses) {
+  double largest = 0;
+  for (const Condition& c : conditions) {
+    const bool response = channel < responses;
+    const Eigen::MatrixXcd& lines = response ? c.response : c.excitation;
+    const auto row = static_cast<Index>(response ? channel : channel - responses);
+    if (row < lines.rows()) largest = std::max(largest, 2 * lines.row(row).cwiseAbs().maxCoeff());
+  }
+  return largest;
+}
+
+std::vector<VectorXd> extra_mode_starts(const std::vector<Condition>& conditions) {
+  double low = INFINITY, high = 0;
+  for (const Condition& c : conditions) {
+    if (c.fundamental == 0) continue;
+    const double w = MotionSetting{c.torus, c.rate, {}, {}}.line_rate(c.fundamental).imag();
+    low = std::min(low, w);
+    high = std::max(high, w);
+  }
+  std::vector<VectorXd> starts;
+  if (!(high > 0)) return starts;
+  // A few places inside and around the range that was excited.
+  const double width = std::max(high - low, 0.02 * high);
+  for (const double w : {low - 4 * width, low - width, low - 0.2 * width, low + 0.2 * width, 0.5 * (low + high),
+                         high - 0.2 * width, high + 0.2 * width, high + width, high + 4 * width})
+    if (w > 0) starts.push_back(Eigen::Vector2d(w, 0.01));
+  return starts;
+}
+
+}  // namespace
+
+GapComponent component_of(const std::string& effect) {
+  static const std::map<std::string, GapComponent> components = {
+      {"viscous_damping", GapComponent::dissipative},
+      {"quadratic_damping", GapComponent::dissipative},
+      {"cubic_damping", GapComponent::dissipative},
+      {"coulomb_friction", GapComponent::dissipative},
+      {"amplitude_dependent_damping", GapComponent::dissipative},
+      {"hysteresis", GapComponent::dissipative},
+      {"quadratic_stiffness", GapComponent::conservative},
+      {"cubic_stiffness", GapComponent::conservative},
+      {"quintic_stiffness", GapComponent::conservative},
+      {"bilinear_stiffness", GapComponent::conservative},
+      {"freeplay", GapComponent::conservative},
+      {"quadratic_inertia", GapComponent::conservative},
+      {"cubic_inertia", GapComponent::conservative},
+      {"natural_frequency_drift", GapComponent::conservative},
+      {"direct_excitation", GapComponent::direct_excitation},
+      {"shaker_harmonics", GapComponent::direct_excitation},
+      {"extra_mode", GapComponent::direct_excitation},
+      {"parametric_excitation", GapComponent::parametric_excitation},
+      {"damping_coupling", GapComponent::coupling},
+      {"quadratic_coupling", GapComponent::coupling},
+      {"cubic_coupling", GapComponent::coupling},
+      {"parametric_coupling", GapComponent::coupling},
+  };
+  const auto found = components.find(effect);
+  return found == components.end() ? GapComponent::measurement : found->second;
+}
+
+std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects, const CompiledModel& model,
+                                     const SensorModel& sensors, const FaultTable& faults,
+                                     const std::vector<Condition>& conditions) {
+  std::vector<Candidate> all;
+  const std::size_t first_fault = model.symbols.size();
+  for (const EquationEffect& e : effects) {
+    Candidate c;
+    c.effect = e.effect;
+    c.subject = e.subject;
+    c.component = component_of(e.effect);
+    c.mode = e.mode;
+    c.equation = true;
+    c.strengths = {e.strength};
+    c.shapes = e.shapes;
+    if (e.shapes.empty()) {
+      c.shape_starts = {VectorXd()};
+    } else {
+      const double largest = largest_displacement(conditions, sensors, e.mode);
+      for (const double share : {0.02, 0.06, 0.15, 0.3, 0.5, 0.75, 0.95})
+        c.shape_starts.push_back(one(share * largest));
+    }
+    all.push_back(std::move(c));
+  }
+  const std::size_t responses = sensors.responses.size(), channels = responses + sensors.excitations.size();
+  const auto fault = [&](const char* effect, const std::string& subject, std::size_t place) {
+    Candidate c;
+    c.effect = effect;
+    c.subject = subject;
+    c.component = component_of(effect);
+    c.strengths = {first_fault + place};
+    c.shape_starts = {VectorXd()};
+    return c;
+  };
+  for (std::size_t i = 0; i < channels; ++i) {
+    const std::string& name = i < responses ? sensors.response_names[i] : sensors.excitation_names[i - responses];
+    all.push_back(fault("sensor_gain", name, faults.gain(i)));
+    all.push_back(fault("sensor_offset", name, faults.offset(i)));
+    all.push_back(fault("channel_skew", name, faults.delay(i)));
+    if (i < responses && !sensors.excitations.empty())
+      all.push_back(fault("sensor_cross_axis", name, faults.cross(i)));
+    const double peak = largest_peak(conditions, i, responses);
+    for (const double share : {0.98, 0.9, 0.75, 0.6, 0.45}) {
+      if (!(peak > 0)) break;
+      Candidate clipping = fault("clipping", name, faults.inverse_level(i));
+      clipping.least_strength = 1 / (share * peak);
+      all.push_back(std::move(clipping));
+    }
+  }
+  if (model.modes() > 1 && responses > 1) {
+    Candidate mixing = fault("mode_shape_error", "modal basis", 0);
+    mixing.strengths.clear();
+    for (std::size_t i = 0; i < model.modes(); ++i)
+      for (std::size_t k = 0; k < model.modes(); ++k)
+        if (i != k) mixing.strengths.push_back(first_fault + faults.mixing(i, k));
+    all.push_back(std::move(mixing));
+  }
+  for (std::size_t k = 0; k < model.modes(); ++k) {
+    Candidate drift = fault("natural_frequency_drift", std::string(model.coordinates[k]), faults.drift(k));
+    drift.mode = k;
+    drift.equation = true;
+    all.push_back(std::move(drift));
+  }
+  if (!sensors.excitations.empty()) {
+    Candidate harmonics = fault("shaker_harmonics", sensors.excitation_names[0], 0);
+    harmonics.strengths.clear();
+    for (std::size_t part = 0; part < 4; ++part)
+      harmonics.strengths.push_back(first_fault + faults.shaker_harmonic(part));
+    all.push_back(std::move(harmonics));
+    const std::vector<VectorXd> starts = extra_mode_starts(conditions);
+    if (!starts.empty()) {
+      Candidate extra = fault("extra_mode", "beyond the model", 0);
+      extra.strengths.clear();
+      for (std::size_t c = 0; c < responses; ++c)
+        extra.strengths.push_back(first_fault + faults.extra_amplitude(c));
+      extra.shapes = {first_fault + faults.extra_frequency(), first_fault + faults.extra_damping()};
+      extra.shape_starts = starts;
+      all.push_back(std::move(extra));
+    }
+  }
+  return all;
+}
+
+}  // namespace secular

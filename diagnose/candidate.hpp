@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "diagnose/condition.hpp"
+#include "diagnose/discrepancy.hpp"
+#include "diagnose/sensor_model.hpp"
+
+namespace secular {
+
+/// An effect of the catalogue that is a term of the augmented model's equations of motion.
+struct EquationEffect {
+  std::string effect;  ///< its name in the catalogue
+  std::size_t mode = 0;
+  std::string subject;              ///< coordinate, or coordinates of a coupling, for people
+  std::size_t strength = 0;         ///< symbol; zero without the effect
+  std::vector<std::size_t> shapes;  ///< symbols of displacements (gap, slip) that shape it
+};
+
+/// One explanation of a gap: unknowns that are zero without it.
+struct Candidate {
+  std::string effect, subject;
+  GapComponent component = GapComponent::measurement;
+  std::size_t mode = 0;
+  bool equation = false;                      ///< a term of the equations of motion
+  std::vector<std::size_t> strengths;         ///< indices of unknowns
+  std::vector<std::size_t> shapes;            ///< unknowns that matter only with a strength
+  std::vector<Eigen::VectorXd> shape_starts;  ///< values to begin with; one empty entry where there is no shape
+  double least_strength = 0;                  ///< a strength that must begin away from zero (saturation)
+};
+
+/// Component of the equation of motion that an effect of the catalogue changes.
+GapComponent component_of(const std::string& effect);
+
+/// Every explanation that the campaign can speak of at all.
+std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects, const CompiledModel& model,
+                                     const SensorModel& sensors, const FaultTable& faults,
+                                     const std::vector<Condition>& conditions);
+
+}  // namespace secular

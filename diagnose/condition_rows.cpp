@@ -1,0 +1,314 @@
+#include "diagnose/condition_rows.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+/// Nothing measured is trusted beyond this share of the largest line of its kind: truncated lines and leakage of
+/// what was not fitted are of this size.
+constexpr double line_floor = 1e-5;
+
+Complex power(Complex base, int exponent) {
+  return exponent == 0 ? Complex(1) : exponent == 1 ? base : base * base;
+}
+
+// Without the channel's gain and delay (cut-off and cross-axis sensitivity are taken care of by the caller).
+Complex restored(Complex measured, const ChannelFault& fault, Complex rate) {
+  return measured * std::exp(rate * fault.delay) / (1 + fault.gain);
+}
+
+struct TrueExcitation {
+  MatrixXcd lines;  // excitation channel x excitation line, as the structure sees it
+};
+
+class Evaluation {
+ public:
+  Evaluation(const Condition& c, const MotionBalance& balance, const SensorModel& sensors, const Faults& faults,
+             std::span<const double> parameters)
+      : c_(c),
+        balance_(balance),
+        sensors_(sensors),
+        faults_(faults),
+        parameters_(parameters.begin(), parameters.end()) {
+    for (std::size_t k = 0; k < faults.frequency_drift.size(); ++k)
+      parameters_[k] *= 1 + faults.frequency_drift[k] * c.time_s;
+    MatrixXd mixed = sensors.shapes;
+    if (!faults.mixing.isZero(0)) mixed += sensors.shapes * faults.mixing;
+    shapes_ = std::move(mixed);
+  }
+
+  ConditionRows run(const Motion* start) {
+    restore_excitation();
+    MotionSetting setting{
+        c_.torus, c_.rate,
+        MatrixXcd::Zero(static_cast<Index>(balance_.model().excitations.size()), c_.torus->lines()), c_.masters};
+    for (Index j = 0; j < true_excitation_.rows(); ++j)
+      for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
+        setting.excitation(j, c_.excitation_lines[l]) = true_excitation_(j, static_cast<Index>(l));
+    ConditionRows rows;
+    rows.amplitudes = master_amplitudes(setting);
+    rows.motion = balance_.solve(setting, rows.amplitudes, parameters_, start);
+    rows.converged = rows.motion.converged;
+    std::vector<double> values;
+    const auto push = [&](Complex value, bool real) {
+      values.push_back(value.real());
+      if (!real) values.push_back(value.imag());
+    };
+    for (Index m = 0; m < rows.amplitudes.size(); ++m) push(rows.motion.balance(m) / rows.amplitudes(m), false);
+    const MatrixXcd predicted = predicted_responses(setting, rows.motion);
+    for (Index c = 0; c < c_.response.rows(); ++c)
+      for (std::size_t l = 0; l < c_.lines.size(); ++l)
+        push(c_.response(c, static_cast<Index>(l)) - predicted(c, c_.lines[l]), c_.lines[l] == 0);
+    const MatrixXcd expected = expected_excitation();
+    for (Index j = 0; j < c_.excitation.rows(); ++j)
+      for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
+        if (c_.excitation_lines[l] != c_.fundamental)
+          push(c_.excitation(j, static_cast<Index>(l)) - expected(j, static_cast<Index>(l)),
+               c_.excitation_lines[l] == 0);
+    rows.values = Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
+    return rows;
+  }
+
+ private:
+  Complex rate_of(Index line) const {
+    Complex sum = 0;
+    const LinePhase& n = c_.torus->phase(line);
+    for (std::size_t j = 0; j < 2; ++j)
+      sum += Complex(std::abs(n[j]) * c_.rate[j].real(), n[j] * c_.rate[j].imag());
+    return sum;
+  }
+
+  // The fundamental as measured, harmonics in the ratio to it that the faults say, a mean only where the quantity
+  // can have one.
+  void restore_excitation() {
+    true_excitation_ = c_.excitation;
+    for (Index j = 0; j < c_.excitation.rows(); ++j) {
+      const ChannelFault& fault = faults_.excitation[static_cast<std::size_t>(j)];
+      Complex fundamental = 0;
+      for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
+        if (c_.excitation_lines[l] == c_.fundamental) {
+          fundamental = c_.excitation(j, static_cast<Index>(l));
+          if (fault.inverse_level > 0)
+            fundamental *=
+                unclipped_amplitude(std::abs(fundamental), 1 / fault.inverse_level) / std::abs(fundamental);
+          fundamental = restored(fundamental, fault, rate_of(c_.fundamental));
+        }
+      const Complex turned = fundamental == 0.0 ? Complex(1) : fundamental / std::abs(fundamental);
+      for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l) {
+        const Index line = c_.excitation_lines[l];
+        Complex& value = true_excitation_(j, static_cast<Index>(l));
+        if (line == 0) {
+          value = sensors_.excitation_derivatives > 0
+                      ? Complex(0)
+                      : (c_.excitation(j, static_cast<Index>(l)) - fault.offset) / (1 + fault.gain);
+        } else if (line == c_.fundamental) {
+          value = fundamental;
+        } else {
+          const int order = c_.torus->phase(line)[1] != 0
+                                ? c_.torus->phase(line)[1] / c_.torus->phase(c_.fundamental)[1]
+                                : c_.torus->phase(line)[0] / c_.torus->phase(c_.fundamental)[0];
+          value = faults_.shaker_harmonic[static_cast<std::size_t>(order - 2)] * std::abs(fundamental) *
+                  std::pow(turned, order);
+        }
+      }
+    }
+  }
+
+  Complex excitation_at(Index line) const {
+    if (true_excitation_.rows() == 0) return 0;
+    for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
+      if (c_.excitation_lines[l] == line) return true_excitation_(0, static_cast<Index>(l));
+    return 0;
+  }
+
+  Complex extra_response(std::size_t channel, Index line) const {
+    const double amplitude = faults_.extra.amplitude[channel];
+    if (amplitude == 0 || line == 0) return 0;
+    const Complex s = rate_of(line);
+    const double w = faults_.extra.frequency;
+    return amplitude * power(s, sensors_.derivatives) * excitation_at(line) /
+           (w * w + 2 * faults_.extra.damping * w * s + s * s);
+  }
+
+  VectorXcd master_amplitudes(const MotionSetting& setting) const {
+    const auto channels = c_.response.rows();
+    VectorXcd amplitudes(static_cast<Index>(c_.masters.size()));
+    const MatrixXd filter = shapes_.completeOrthogonalDecomposition().pseudoInverse();
+    for (std::size_t m = 0; m < c_.masters.size(); ++m) {
+      const MasterLine& master = c_.masters[m];
+      const auto column =
+          static_cast<Index>(std::find(c_.lines.begin(), c_.lines.end(), master.line) - c_.lines.begin());
+      VectorXcd seen(channels);
+      for (Index c = 0; c < channels; ++c) {
+        const ChannelFault& fault = faults_.response[static_cast<std::size_t>(c)];
+        Complex value = c_.response(c, column);
+        if (fault.inverse_level > 0) {
+          // The strongest line of a channel carries the cut-off.
+          const Index strongest = strongest_line(c);
+          const double factor = unclipped_amplitude(std::abs(c_.response(c, strongest)), 1 / fault.inverse_level) /
+                                std::abs(c_.response(c, strongest));
+          value *= factor;
+        }
+        value = restored(value, fault, setting.line_rate(master.line)) - fault.cross * excitation_at(master.line) -
+                extra_response(static_cast<std::size_t>(c), master.line);
+        seen(c) = value;
+      }
+      amplitudes(static_cast<Index>(m)) = (filter.row(static_cast<Index>(master.mode)).cast<Complex>() * seen)(0) /
+                                          power(setting.line_rate(master.line), sensors_.derivatives);
+    }
+    return amplitudes;
+  }
+
+  Index strongest_line(Index channel) const {
+    Index strongest = 0;
+    for (Index l = 0; l < c_.response.cols(); ++l)
+      if (c_.lines[static_cast<std::size_t>(l)] != 0 &&
+          std::abs(c_.response(channel, l)) >= std::abs(c_.response(channel, strongest)))
+        strongest = l;
+    return strongest;
+  }
+
+  MatrixXcd predicted_responses(const MotionSetting& setting, const Motion& motion) const {
+    MatrixXcd lines = shapes_ * motion.displacement;
+    for (Index l = 0; l < lines.cols(); ++l) {
+      const Complex s = setting.line_rate(l);
+      lines.col(l) *= power(s, sensors_.derivatives);
+      for (Index c = 0; c < lines.rows(); ++c) {
+        const ChannelFault& fault = faults_.response[static_cast<std::size_t>(c)];
+        Complex& value = lines(c, l);
+        value += fault.cross * excitation_at(l) + extra_response(static_cast<std::size_t>(c), l);
+        value *= (1 + fault.gain) * std::exp(-s * fault.delay);
+      }
+    }
+    for (Index c = 0; c < lines.rows(); ++c) {
+      const ChannelFault& fault = faults_.response[static_cast<std::size_t>(c)];
+      if (fault.inverse_level > 0) clip(lines, c, 1 / fault.inverse_level);
+      lines(c, 0) += fault.offset;
+    }
+    return lines;
+  }
+
+  void clip(MatrixXcd& lines, Index row, double level) const {
+    MatrixXd samples = c_.torus->samples(lines.row(row));
+    if (samples.cwiseAbs().maxCoeff() <= level) return;
+    samples = samples.cwiseMax(-level).cwiseMin(level);
+    lines.row(row) = c_.torus->coefficients(samples);
+  }
+
+  // What the excitation channels should show: a fundamental, and what faults and believed harmonics add.
+  MatrixXcd expected_excitation() const {
+    MatrixXcd expected = MatrixXcd::Zero(c_.excitation.rows(), c_.excitation.cols());
+    for (Index j = 0; j < expected.rows(); ++j) {
+      const ChannelFault& fault = faults_.excitation[static_cast<std::size_t>(j)];
+      MatrixXcd lines = MatrixXcd::Zero(1, c_.torus->lines());
+      for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l) {
+        const Index line = c_.excitation_lines[l];
+        lines(0, line) =
+            true_excitation_(j, static_cast<Index>(l)) * (1 + fault.gain) * std::exp(-rate_of(line) * fault.delay);
+      }
+      if (fault.inverse_level > 0) clip(lines, 0, 1 / fault.inverse_level);
+      lines(0, 0) += fault.offset;
+      for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
+        expected(j, static_cast<Index>(l)) = lines(0, c_.excitation_lines[l]);
+    }
+    return expected;
+  }
+
+  const Condition& c_;
+  const MotionBalance& balance_;
+  const SensorModel& sensors_;
+  const Faults& faults_;
+  std::vector<double> parameters_;
+  MatrixXd shapes_;
+  MatrixXcd true_excitation_;
+};
+
+}  // namespace
+
+ConditionRows ConditionModel::rows(const Condition& condition, const VectorXd& unknowns,
+                                   const Motion* start) const {
+  const std::size_t symbols = balance_.model().symbols.size();
+  const Faults faults = table_.faults(unknowns.data() + symbols);
+  return Evaluation(condition, balance_, sensors_, faults, {unknowns.data(), symbols}).run(start);
+}
+
+std::vector<RowMeaning> ConditionModel::meanings(const Condition& condition) const {
+  std::vector<RowMeaning> rows;
+  const auto push = [&](RowMeaning meaning, bool real) {
+    rows.push_back(meaning);
+    if (real) return;
+    meaning.imaginary = true;
+    rows.push_back(meaning);
+  };
+  for (const MasterLine& master : condition.masters)
+    push({RowMeaning::Kind::balance, master.mode, 0, master.line, false}, false);
+  for (std::size_t c = 0; c < sensors_.responses.size(); ++c)
+    for (const Index line : condition.lines) push({RowMeaning::Kind::response, 0, c, line, false}, line == 0);
+  for (std::size_t j = 0; j < static_cast<std::size_t>(condition.excitation.rows()); ++j)
+    for (const Index line : condition.excitation_lines)
+      if (line != condition.fundamental) push({RowMeaning::Kind::excitation, 0, j, line, false}, line == 0);
+  return rows;
+}
+
+MatrixXd ConditionModel::covariance(const Condition& condition, const VectorXd& unknowns,
+                                    const Motion* start) const {
+  const ConditionRows base = rows(condition, unknowns, start);
+  MatrixXd covariance = MatrixXd::Zero(base.values.size(), base.values.size());
+  Condition moved = condition;
+  const auto add = [&](double sd) {
+    if (!(sd > 0)) return;
+    const VectorXd difference = rows(moved, unknowns, &base.motion).values - base.values;
+    covariance += difference * difference.transpose();
+  };
+  const auto vary = [&](Complex& value, double sd, bool real) {
+    const Complex kept = value;
+    value = kept + sd;
+    add(sd);
+    if (!real) {
+      value = kept + Complex(0, sd);
+      add(sd);
+    }
+    value = kept;
+  };
+  for (Index c = 0; c < condition.response.rows(); ++c) {
+    const double largest = condition.response.row(c).cwiseAbs().maxCoeff();
+    for (std::size_t l = 0; l < condition.lines.size(); ++l) {
+      const auto column = static_cast<Index>(l);
+      vary(moved.response(c, column), std::hypot(condition.response_sd(c, column), line_floor * largest),
+           condition.lines[l] == 0);
+    }
+  }
+  for (Index j = 0; j < condition.excitation.rows(); ++j) {
+    const double largest = condition.excitation.row(j).cwiseAbs().maxCoeff();
+    for (std::size_t l = 0; l < condition.excitation_lines.size(); ++l) {
+      const auto column = static_cast<Index>(l);
+      vary(moved.excitation(j, column), std::hypot(condition.excitation_sd(j, column), line_floor * largest),
+           condition.excitation_lines[l] == 0);
+    }
+  }
+  for (std::size_t j = 0; j < 2; ++j) {
+    const Complex kept = moved.rate[j];
+    if (condition.growth_sd[j] > 0) {
+      moved.rate[j] = kept + condition.growth_sd[j];
+      add(condition.growth_sd[j]);
+    }
+    if (condition.frequency_sd[j] > 0) {
+      moved.rate[j] = kept + Complex(0, condition.frequency_sd[j]);
+      add(condition.frequency_sd[j]);
+    }
+    moved.rate[j] = kept;
+  }
+  return covariance;
+}
+
+}  // namespace secular

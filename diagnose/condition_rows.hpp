@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnose/condition.hpp"
+#include "diagnose/sensor_model.hpp"
+
+namespace secular {
+
+/// What a row of a discrepancy speaks of.
+struct RowMeaning {
+  enum class Kind { balance, response, excitation };
+  Kind kind = Kind::balance;
+  std::size_t mode = 0;     ///< balance
+  std::size_t channel = 0;  ///< response, excitation
+  Eigen::Index line = 0;
+  bool imaginary = false;  ///< of balance over amplitude: the real part is conservative, the imaginary dissipative
+};
+
+/// The discrepancy of one condition: balance of every master over its amplitude (1/s^2), then measured minus
+/// predicted lines of every channel (channel units), real and imaginary parts.
+struct ConditionRows {
+  Eigen::VectorXd values;
+  Motion motion;
+  Eigen::VectorXcd amplitudes;  ///< of the masters
+  bool converged = false;
+};
+
+/// Turns unknowns (model's symbols, then the faults of `table`) into rows.
+class ConditionModel {
+ public:
+  ConditionModel(const MotionBalance& balance, const SensorModel& sensors, const FaultTable& table)
+      : balance_(balance), sensors_(sensors), table_(table) {}
+
+  ConditionRows rows(const Condition& condition, const Eigen::VectorXd& unknowns, const Motion* start) const;
+  std::vector<RowMeaning> meanings(const Condition& condition) const;
+
+  /// Covariance of the rows from the errors of everything measured in the condition, by differences at `unknowns`.
+  Eigen::MatrixXd covariance(const Condition& condition, const Eigen::VectorXd& unknowns,
+                             const Motion* start) const;
+
+  const SensorModel& sensors() const { return sensors_; }
+  const MotionBalance& balance() const { return balance_; }
+
+ private:
+  MotionBalance balance_;
+  SensorModel sensors_;
+  FaultTable table_;
+};
+
+}  // namespace secular

@@ -1,0 +1,402 @@
+#include "diagnose/diagnosis.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "diagnose/held_out.hpp"
+#include "diagnose/line_evidence.hpp"
+#include "diagnose/observe_conditions.hpp"
+#include "diagnose/prior_evidence.hpp"
+#include "input/input_error.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// A gap is there where noise alone would look like it less often than this.
+constexpr double false_alarm = 0.003;
+
+/// The best explanation leaves structure where noise alone would leave as much less often than this.
+constexpr double remainder_alarm = 1e-4;
+
+/// An explanation that leaves structure is still the cause if it closes this much of the gap.
+constexpr double good_closure = 0.9;
+
+/// Explanations that are expected to differ by less than this in chi-squared cannot be told apart.
+constexpr double separable = 6;
+
+/// Others stay in the set down to this share of the best one's probability.
+constexpr double credible_odds = 0.05;
+
+double upper_tail(double chi_squared, double degrees_of_freedom) {
+  if (!(degrees_of_freedom > 0)) return 1;
+  if (!std::isfinite(chi_squared)) return 0;
+  return boost::math::cdf(
+      boost::math::complement(boost::math::chi_squared(degrees_of_freedom), std::max(0.0, chi_squared)));
+}
+
+class Diagnoser {
+ public:
+  Diagnoser(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+            const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+            const DiagnosisOptions& options)
+      : campaign_(campaign),
+        model_(model),
+        own_(own),
+        options_(options),
+        sensors_(sensor_model(campaign, model, model.excitations.size() - options.memory.size())),
+        faults_(model, sensors_) {
+    set_start();
+    std::vector<double> natural;
+    for (std::size_t k = 0; k < model.modes(); ++k) natural.push_back(start_(static_cast<Index>(k)));
+    ObservedConditions observed = observe_conditions(campaign, read, model, sensors_, natural, options.window);
+    result_.warnings = std::move(observed.warnings);
+    if (observed.conditions.empty())
+      throw InputError(campaign.folder.string(), "",
+                       "holds no record that model " + std::string(model.name) + " can be compared with" +
+                           (result_.warnings.empty() ? "" : " (" + result_.warnings.front() + ")"),
+                       "settled dwells or free decays near the model's resonances are expected");
+    result_.conditions = observed.conditions.size();
+    candidates_ = candidates_of(effects, model, sensors_, faults_, observed.conditions);
+    ConditionModel lines(MotionBalance(model, options.memory), sensors_, faults_);
+    discrepancy_.add(std::make_unique<LineEvidence>(std::move(lines), std::move(observed.conditions), start_));
+    if (!options.parameter_sd.empty()) discrepancy_.add(prior());
+  }
+
+  Diagnosis run() {
+    result_.labels = discrepancy_.labels();
+    InferenceOptions inference_options;
+    inference_options.threads = options_.threads;
+    VectorXd given_rows;
+    if (given()) {
+      discrepancy_.freeze(start_);
+      given_rows = discrepancy_(start_);
+    }
+    inference_ = infer(discrepancy_, candidates_, start_, own_, inference_options);
+    if (given()) {
+      // Rows of the given numbers with the errors that hold at the fit.
+      given_rows = discrepancy_(start_);
+    }
+    detect(given_rows);
+    result_.rows_before = given() ? given_rows : inference_.null.fit.rows;
+    result_.rows_after = result_.rows_before;
+    result_.unknowns = inference_.null.fit.unknowns;
+    if (!result_.gap.detected) {
+      result_.verdict = "no_gap";
+      const double rms = std::sqrt(result_.rows_before.squaredNorm() / static_cast<double>(discrepancy_.size()));
+      result_.gap.before = result_.gap.after = rms;
+      result_.gap.metric = metric();
+      return std::move(result_);
+    }
+    name_cause(given_rows);
+    share_out();
+    return std::move(result_);
+  }
+
+ private:
+  bool given() const { return !options_.parameters.empty(); }
+
+  static std::string metric() {
+    return "root mean square over held-out rows (balance of every resonant line, lines of every channel) in units "
+           "of measured repeatability";
+  }
+
+  void set_start() {
+    start_ = VectorXd::Zero(static_cast<Index>(model_.symbols.size() + faults_.size()));
+    for (std::size_t s = 0; s < model_.symbols.size(); ++s) {
+      const double nominal = s < model_.nominal.size() ? model_.nominal[s] : NAN;
+      if (std::isfinite(nominal)) start_(static_cast<Index>(s)) = nominal;
+      const auto found = options_.parameters.find(std::string(model_.symbols[s].name));
+      if (found != options_.parameters.end()) start_(static_cast<Index>(s)) = found->second;
+    }
+    for (const auto& [name, value] : options_.parameters) {
+      const bool known =
+          std::any_of(own_.begin(), own_.end(), [&](std::size_t s) { return model_.symbols[s].name == name; });
+      if (!known)
+        throw InputError("--parameters", "symbol " + name, "is no symbol of model " + std::string(model_.name), "");
+    }
+    for (std::size_t k = 0; k < model_.modes(); ++k)
+      if (!(start_(static_cast<Index>(k)) > 0))
+        throw InputError(std::string(model_.name), "[nominal]",
+                         "gives no natural frequency " + std::string(model_.symbols[k].name),
+                         "a rough one tells which resonance a record excites; or give --parameters");
+    start_(static_cast<Index>(model_.symbols.size() + faults_.extra_frequency())) = start_(0);
+    start_(static_cast<Index>(model_.symbols.size() + faults_.extra_damping())) = 0.01;
+  }
+
+  std::unique_ptr<Evidence> prior() const {
+    std::vector<PriorEvidence::Entry> entries;
+    for (const auto& [name, sd] : options_.parameter_sd)
+      for (const std::size_t s : own_)
+        if (model_.symbols[s].name == name && sd > 0)
+          entries.push_back({s, start_(static_cast<Index>(s)), sd, name});
+    return std::make_unique<PriorEvidence>(std::move(entries));
+  }
+
+  void detect(const VectorXd& given_rows) {
+    GapReport& gap = result_.gap;
+    const double chi_squared = given() ? given_rows.squaredNorm() : inference_.null.fit.chi_squared;
+    const double freedom = given() ? static_cast<double>(discrepancy_.size()) : inference_.degrees_of_freedom;
+    const double omnibus = upper_tail(chi_squared, freedom);
+    // The best single candidate on its own, corrected for having been looked for.
+    double targeted = 1;
+    for (std::size_t c = 0; c < candidates_.size(); ++c)
+      targeted = std::min(
+          targeted, upper_tail(inference_.linear_gain[c], static_cast<double>(candidates_[c].strengths.size() +
+                                                                              candidates_[c].shapes.size())));
+    targeted = std::min(1.0, targeted * static_cast<double>(std::max<std::size_t>(1, candidates_.size())));
+    double moved = 1;
+    if (given())
+      moved =
+          upper_tail(chi_squared - inference_.null.fit.chi_squared, static_cast<double>(inference_.null.fit.rank));
+    gap.p_value = std::min(1.0, (given() ? 3 : 2) * std::min({omnibus, targeted, moved}));
+    gap.detected = gap.p_value < false_alarm;
+  }
+
+  // The model's own numbers moved: an explanation when numbers were given.
+  struct Rival {
+    const Explanation* explanation = nullptr;
+    double log_evidence = 0, probability = 0;
+    std::vector<std::string> effects;
+  };
+
+  std::vector<Rival> rivals() const {
+    std::vector<Rival> all;
+    if (given()) all.push_back({&inference_.null, inference_.null.log_evidence, 0, {"parameters"}});
+    for (const Explanation& e : inference_.explanations) {
+      Rival rival{&e, e.log_evidence, 0, {}};
+      for (const std::size_t m : e.members) rival.effects.push_back(candidates_[m].effect);
+      all.push_back(std::move(rival));
+    }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Rival& a, const Rival& b) { return a.log_evidence > b.log_evidence; });
+    double sum = 0;
+    for (const Rival& r : all) sum += std::exp(r.log_evidence - all.front().log_evidence);
+    for (Rival& r : all) r.probability = std::exp(r.log_evidence - all.front().log_evidence) / sum;
+    return all;
+  }
+
+  void name_cause(const VectorXd& given_rows) {
+    const std::vector<Rival> all = rivals();
+    HeldOut before;
+    if (given())
+      before.rows = given_rows;
+    else
+      before = predict_held_out(discrepancy_, inference_.null.fit, result_.labels);
+    if (all.empty()) {
+      result_.verdict = "unknown";
+      fill_gap(before.rows, before.rows);
+      return;
+    }
+    const Rival& best = all.front();
+    const HeldOut after = predict_held_out(discrepancy_, best.explanation->fit, result_.labels);
+    fill_gap(before.rows, after.rows);
+    result_.rows_after = best.explanation->fit.rows;
+    result_.unknowns = best.explanation->fit.unknowns;
+
+    const double left = upper_tail(best.explanation->fit.chi_squared,
+                                   static_cast<double>(discrepancy_.size() - best.explanation->fit.rank));
+    const bool structured = left < remainder_alarm;
+    const bool unknown = structured && result_.gap.closed < good_closure;
+
+    collect_causes(all, before.rows);
+    std::vector<std::string> set;
+    const auto add = [&](const std::string& effect) {
+      if (std::find(set.begin(), set.end(), effect) == set.end()) set.push_back(effect);
+    };
+    // Rivals of the same number of effects: what would have to stand in the first one's place.
+    const std::string leading = leading_effect(best);
+    add(leading);
+    for (const Rival& r : all) {
+      if (r.effects.size() != best.effects.size()) continue;
+      const std::vector<std::string> replacing = different(r.effects, best.effects);
+      if (replacing.size() != 1) continue;
+      const std::vector<std::string> replaced = different(best.effects, r.effects);
+      if (replaced.empty() || replaced.front() != leading) continue;
+      const bool credible = r.probability > credible_odds * best.probability;
+      const bool same = expected_separation(*best.explanation, *r.explanation, inference_.null) < separable;
+      if (credible || same) add(replacing.front());
+    }
+    for (const Rival& r : all)
+      if (r.effects.size() < best.effects.size() && r.probability > credible_odds * best.probability)
+        for (const std::string& effect : r.effects) add(effect);
+    if (best.effects.size() > 1) result_.together = best.effects;
+    if (unknown) {
+      result_.verdict = "unknown";
+    } else {
+      result_.verdict = set.size() == 1 ? "cause" : "set";
+      result_.cause = set.size() == 1 ? set.front() : "";
+    }
+    result_.set = set;
+    for (const Rival& r : all) {
+      if (r.effects.size() != 1 || std::find(set.begin(), set.end(), r.effects.front()) != set.end()) continue;
+      const HeldOut wrong = predict_held_out(discrepancy_, r.explanation->fit, result_.labels);
+      result_.gap.wrong_cause = r.effects.front();
+      result_.gap.wrong_cause_closed = closed_share(before.rows, wrong.rows, result_.labels, 1).closed;
+      break;
+    }
+    if (given())
+      for (std::size_t f = 0; f < own_.size(); ++f) {
+        const auto u = static_cast<Index>(own_[f]);
+        const Refit& fit = inference_.null.fit;
+        const double sd = std::sqrt(std::max(0.0, fit.covariance(static_cast<Index>(f), static_cast<Index>(f))));
+        const double change = fit.unknowns(u) - start_(u);
+        if (fit.identifiable[f] && std::abs(change) > 3 * sd)
+          result_.parameters_moved.push_back(
+              {std::string(model_.symbols[own_[f]].name), start_(u), fit.unknowns(u), sd});
+      }
+  }
+
+  static std::vector<std::string> different(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    std::vector<std::string> only;
+    for (const std::string& x : a)
+      if (std::find(b.begin(), b.end(), x) == b.end()) only.push_back(x);
+    return only;
+  }
+
+  // Of two effects together the one that alone explains more.
+  std::string leading_effect(const Rival& best) const {
+    if (best.effects.size() == 1) return best.effects.front();
+    const std::vector<std::size_t>& members = best.explanation->members;
+    return inference_.linear_gain[members[0]] >= inference_.linear_gain[members[1]] ? best.effects[0]
+                                                                                    : best.effects[1];
+  }
+
+  void fill_gap(const VectorXd& before, const VectorXd& after) {
+    GapReport& gap = result_.gap;
+    const ClosedShare share = closed_share(before, after, result_.labels, gap.floor);
+    gap.before = share.before;
+    gap.after = share.after;
+    gap.closed = share.closed;
+    gap.closed_low = share.low;
+    gap.closed_high = share.high;
+    gap.metric = metric();
+  }
+
+  void collect_causes(const std::vector<Rival>& all, const VectorXd& before) {
+    std::map<std::string, std::size_t> places;
+    for (const Rival& r : all) {
+      for (std::size_t m = 0; m < r.effects.size(); ++m) {
+        const bool own = r.explanation->members.empty();
+        const Candidate* candidate = own ? nullptr : &candidates_[r.explanation->members[m]];
+        const std::string key = r.effects[m] + "\n" + (candidate ? candidate->subject : "");
+        const auto [place, fresh] = places.emplace(key, result_.causes.size());
+        if (!fresh) {
+          result_.causes[place->second].probability += r.probability;
+          continue;
+        }
+        CauseReport cause;
+        cause.effect = r.effects[m];
+        cause.probability = r.probability;
+        if (candidate) {
+          cause.subject = candidate->subject;
+          const Refit& fit = r.explanation->fit;
+          const std::size_t strength = candidate->strengths.front();
+          cause.coefficient = fit.unknowns(static_cast<Index>(strength));
+          cause.coefficient_name = name_of(strength);
+          const auto at =
+              static_cast<Index>(std::find(fit.free.begin(), fit.free.end(), strength) - fit.free.begin());
+          cause.sd = std::sqrt(std::max(0.0, fit.covariance(at, at) * inference_.dispersion));
+        }
+        if (r.effects.size() == 1 && result_.causes.size() < 6)
+          cause.closed =
+              closed_share(before, predict_held_out(discrepancy_, r.explanation->fit, result_.labels).rows,
+                           result_.labels, 1)
+                  .closed;
+        result_.causes.push_back(std::move(cause));
+      }
+    }
+    std::stable_sort(result_.causes.begin(), result_.causes.end(),
+                     [](const CauseReport& a, const CauseReport& b) { return a.probability > b.probability; });
+  }
+
+  std::string name_of(std::size_t unknown) const {
+    return unknown < model_.symbols.size() ? std::string(model_.symbols[unknown].name)
+                                           : faults_.names()[unknown - model_.symbols.size()];
+  }
+
+  // Shares of what the gap has beyond noise, by mode or channel, component, harmonic and amplitude.
+  void share_out() {
+    const VectorXd& rows = result_.rows_before;
+    std::map<std::string, std::vector<double>> amplitudes;
+    for (std::size_t r = 0; r < result_.labels.size(); ++r)
+      amplitudes[result_.labels[r].place].push_back(result_.labels[r].amplitude);
+    std::map<std::string, double> middle;
+    for (auto& [place, values] : amplitudes) {
+      std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                       values.end());
+      middle[place] = values[values.size() / 2];
+    }
+    const Candidate* leading = nullptr;
+    if (!result_.causes.empty() && (result_.verdict == "cause" || result_.verdict == "set"))
+      for (const Candidate& c : candidates_)
+        if (c.effect == result_.causes.front().effect && c.subject == result_.causes.front().subject) leading = &c;
+    struct Group {
+      double low = 0, high = 0;
+    };
+    std::map<std::tuple<std::string, int, std::string>, Group> groups;
+    double total = 0;
+    for (std::size_t r = 0; r < result_.labels.size(); ++r) {
+      const RowLabel& label = result_.labels[r];
+      GapComponent component = label.component;
+      const auto i = static_cast<Index>(r);
+      // Where the cause says which force is missing, the rows it explains are its own; in phase and in quadrature
+      // are what can be said of the others.
+      const bool finer = leading && leading->component != GapComponent::conservative &&
+                         leading->component != GapComponent::dissipative;
+      if (finer && label.balance && (!leading->equation || leading->mode == label.mode) &&
+          std::abs(result_.rows_after(i)) < 0.5 * std::abs(rows(i)))
+        component = leading->component;
+      const double excess = std::max(0.0, rows(i) * rows(i) - 1);
+      total += excess;
+      Group& group = groups[{label.place, static_cast<int>(component), label.harmonic}];
+      (label.amplitude > middle[label.place] ? group.high : group.low) += excess;
+    }
+    for (const auto& [key, group] : groups) {
+      const double share = (group.low + group.high) / std::max(total, 1e-300);
+      if (share < 0.01) continue;
+      GapShare entry;
+      entry.mode = std::get<0>(key);
+      entry.component = static_cast<GapComponent>(std::get<1>(key));
+      entry.harmonic = std::get<2>(key);
+      entry.share = share;
+      const double high = group.high / (group.low + group.high);
+      entry.region = high > 0.8   ? fmt::format("amplitude > {:.3g}", 2 * middle[entry.mode])
+                     : high < 0.2 ? fmt::format("amplitude < {:.3g}", 2 * middle[entry.mode])
+                                  : "all amplitudes";
+      result_.where.push_back(std::move(entry));
+    }
+    std::stable_sort(result_.where.begin(), result_.where.end(),
+                     [](const GapShare& a, const GapShare& b) { return a.share > b.share; });
+  }
+
+  const Campaign& campaign_;
+  const CompiledModel& model_;
+  std::vector<std::size_t> own_;
+  DiagnosisOptions options_;
+  SensorModel sensors_;
+  FaultTable faults_;
+  VectorXd start_;
+  std::vector<Candidate> candidates_;
+  Discrepancy discrepancy_;
+  Inference inference_;
+  Diagnosis result_;
+};
+
+}  // namespace
+
+Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+                   const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+                   const DiagnosisOptions& options) {
+  return Diagnoser(campaign, read, model, own, effects, options).run();
+}
+
+}  // namespace secular

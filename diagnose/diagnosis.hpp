@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnose/candidate.hpp"
+#include "diagnose/inference.hpp"
+#include "estimator/identification/observation_set.hpp"
+
+namespace secular {
+
+struct DiagnosisOptions {
+  Window window;
+  /// The user's numbers by symbol; the gap of these is diagnosed. Empty: every parameter is the campaign's to
+  /// choose.
+  std::map<std::string, double> parameters;
+  std::map<std::string, double> parameter_sd;  ///< where the numbers came with error bars
+  std::vector<MemorySlot> memory;
+  unsigned threads = 1;
+};
+
+/// A share of the gap: rows of one kind.
+struct GapShare {
+  std::string mode;  ///< coordinate or channel
+  GapComponent component = GapComponent::measurement;
+  std::string harmonic, region;
+  double share = 0;
+};
+
+struct CauseReport {
+  std::string effect, subject;
+  double probability = 0;
+  double coefficient = 0, sd = 0;
+  std::string coefficient_name;
+  std::optional<double> closed;
+};
+
+struct GapReport {
+  bool detected = false;
+  double p_value = 1;
+  double before = 0, after = 0, floor = 1;
+  double closed = 0, closed_low = 0, closed_high = 0;
+  std::string metric;
+  double wrong_cause_closed = 0;  ///< by the best explanation outside the set
+  std::string wrong_cause;
+};
+
+struct ParameterMove {
+  std::string name;
+  double from = 0, to = 0, sd = 0;
+};
+
+struct Diagnosis {
+  GapReport gap;
+  std::vector<GapShare> where;
+  std::string verdict, cause;
+  std::vector<std::string> set;
+  std::vector<std::string> together;  ///< two effects that act at once, each by name
+  std::vector<CauseReport> causes;
+  std::vector<ParameterMove> parameters_moved;
+  std::vector<std::string> warnings;
+  // For figures and later questions:
+  std::vector<RowLabel> labels;
+  Eigen::VectorXd rows_before, rows_after;
+  std::size_t conditions = 0;
+  Eigen::VectorXd unknowns;  ///< of the best explanation
+};
+
+/// Diagnoses the gap between a model and a campaign. `model` is the augmented model, `own` lists the symbols of the
+/// model as it was. Throws InputError where the campaign holds nothing that the model can be compared with.
+Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+                   const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+                   const DiagnosisOptions& options);
+
+}  // namespace secular

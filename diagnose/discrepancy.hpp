@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace secular {
+
+enum class GapComponent {
+  conservative,
+  dissipative,
+  direct_excitation,
+  parametric_excitation,
+  coupling,
+  measurement
+};
+
+std::string to_string(GapComponent component);
+
+/// What one whitened row of a discrepancy speaks of.
+struct RowLabel {
+  std::size_t record = 0;  ///< index into Campaign::records
+  int fold = 0;            ///< rows of one fold are left out together
+  std::string place;       ///< of what it is a row: mode or channel
+  bool balance = false;    ///< of an equation of motion (else of a channel)
+  std::size_t mode = 0;    ///< balance rows
+  GapComponent component = GapComponent::measurement;
+  std::string harmonic;  ///< "omega0", "2 Omega", ...
+  double amplitude = 0;  ///< of the mode (or of the channel's strongest line), half of the peak
+  double frequency = 0;  ///< of the excitation or of the motion, rad/s
+  double time_s = 0;
+};
+
+/// Evidence of one kind: rows of unit variance that vanish where the unknowns explain what was measured.
+class Evidence {
+ public:
+  virtual ~Evidence() = default;
+  virtual Eigen::Index size() const = 0;
+  virtual const std::vector<RowLabel>& labels() const = 0;
+  /// Takes errors and starting points at these unknowns. `coarse`: the equations of motion count as known to this
+  /// share of the inertia only, for unknowns that are still far off.
+  virtual void freeze(const Eigen::VectorXd& unknowns, double coarse) = 0;
+  virtual void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const = 0;
+};
+
+/// All evidence of a campaign as one vector of rows.
+class Discrepancy {
+ public:
+  void add(std::unique_ptr<Evidence> evidence);
+  Eigen::Index size() const;
+  std::vector<RowLabel> labels() const;
+  void freeze(const Eigen::VectorXd& unknowns, double coarse = 0);
+  Eigen::VectorXd operator()(const Eigen::VectorXd& unknowns) const;
+
+ private:
+  std::vector<std::unique_ptr<Evidence>> parts_;
+};
+
+}  // namespace secular

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/candidate.hpp"
+#include "diagnose/refit.hpp"
+
+namespace secular {
+
+/// One or more candidates together, with everything of the model's own fitted beside them.
+struct Explanation {
+  std::vector<std::size_t> members;  ///< indices of candidates; empty: the model as it is
+  Refit fit;
+  std::size_t unknowns = 0;  ///< that it has beyond the model's own
+  double log_evidence = 0;
+  double probability = 0;
+};
+
+/// What the candidates explain.
+struct Inference {
+  Explanation null;                       ///< own parameters alone
+  std::vector<Explanation> explanations;  ///< singles and pairs that were fitted, likeliest first; null is not here
+  double dispersion = 1;                  ///< variance of the rows about the best explanation
+  double degrees_of_freedom = 0;          ///< of the rows about the null
+  std::vector<double> linear_gain;        ///< by candidate: fall of chi-squared to first order at the null
+};
+
+struct InferenceOptions {
+  unsigned threads = 1;
+  double prior_second = 0.02;  ///< prior odds of a second effect beside a first
+};
+
+/// Fits every candidate that shows at first order, with all `own` unknowns free beside it, and pairs of the best
+/// with the rest. Evidence: Schwarz's approximation with rows of the dispersion that the best explanation leaves,
+/// and equal prior odds for every candidate.
+Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidates, const Eigen::VectorXd& start,
+                const std::vector<std::size_t>& own, const InferenceOptions& options);
+
+/// Expected fall of chi-squared if `truth` (a fitted explanation) is right and `rival` is fitted in its place, to
+/// first order: |(1 - P) C theta|^2 with P on the columns of rival and own unknowns. Below about six, data like
+/// these cannot tell the two apart.
+double expected_separation(const Explanation& truth, const Explanation& rival, const Explanation& null);
+
+}  // namespace secular

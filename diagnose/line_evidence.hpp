@@ -1,0 +1,35 @@
+#pragma once
+
+#include "diagnose/condition_rows.hpp"
+#include "diagnose/discrepancy.hpp"
+
+namespace secular {
+
+/// Evidence of dwells and decay windows: their rows, whitened one after the other, balances first. A row that the
+/// rows before it determine (the line from which an amplitude was taken) drops out.
+class LineEvidence : public Evidence {
+ public:
+  LineEvidence(ConditionModel model, std::vector<Condition> conditions, const Eigen::VectorXd& unknowns);
+
+  Eigen::Index size() const override { return static_cast<Eigen::Index>(labels_.size()); }
+  const std::vector<RowLabel>& labels() const override { return labels_; }
+  void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
+  void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
+
+  const std::vector<Condition>& conditions() const { return conditions_; }
+
+ private:
+  struct Whitening {
+    std::vector<Eigen::Index> kept;
+    Eigen::MatrixXd inverse_root;  // kept x kept, lower triangle
+    Motion motion;
+  };
+  void whiten(std::size_t condition, const Eigen::VectorXd& unknowns, double coarse, Whitening& whitening) const;
+
+  ConditionModel model_;
+  std::vector<Condition> conditions_;
+  std::vector<Whitening> whitening_;
+  std::vector<RowLabel> labels_;
+};
+
+}  // namespace secular

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <complex>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "diagnose/torus.hpp"
+#include "estimator/compiled_model.hpp"
+
+namespace secular {
+
+/// A force with memory (a slider in series with a spring): the model's excitation slot `excitation` carries the
+/// spring's stretch z(t), dz/dt = dx/dt while |z| < slip, where x is coordinate `mode` and `slip` a symbol.
+struct MemorySlot {
+  std::size_t excitation = 0, mode = 0, slip_symbol = 0;
+};
+
+/// A line of a mode whose amplitude is measured, not solved for: its own balance is what a model is judged by.
+struct MasterLine {
+  std::size_t mode = 0;
+  Eigen::Index line = 0;
+};
+
+/// One steady or slowly decaying motion: base phases theta_j turn at the rates growth + i*frequency.
+struct MotionSetting {
+  std::shared_ptr<const Torus> torus;
+  std::array<std::complex<double>, 2> rate;
+  Eigen::MatrixXcd excitation;  ///< model's excitations x lines
+  std::vector<MasterLine> masters;
+
+  /// Rate of a line: sum |n_j| growth_j + i sum n_j frequency_j.
+  std::complex<double> line_rate(Eigen::Index line) const;
+};
+
+struct Motion {
+  Eigen::MatrixXcd displacement;  ///< modes x lines
+  Eigen::VectorXcd balance;       ///< by master: force minus inertia on that line, per unit of modal mass
+  bool converged = false;
+};
+
+/// Harmonic balance on the full equations of motion with the master lines given. Every other line follows from its
+/// own balance (it is far from resonance, so that a fixed-point iteration converges); what is left on the master
+/// lines is the discrepancy between model and measurement. No expansion in small amplitudes is made: lines are
+/// truncated, and nothing else. Nonlinear forces are evaluated over one turn of the phases (alternating frequency
+/// and time, Cameron and Griffin 1989).
+class MotionBalance {
+ public:
+  MotionBalance(const CompiledModel& model, std::vector<MemorySlot> memory)
+      : model_(&model), memory_(std::move(memory)) {}
+
+  const CompiledModel& model() const { return *model_; }
+
+  /// `amplitudes`: of the masters, half of the peak. `parameters` by CompiledModel::symbols. `start`: a
+  /// neighbouring motion to begin with, or nullptr.
+  Motion solve(const MotionSetting& setting, const Eigen::VectorXcd& amplitudes, std::span<const double> parameters,
+               const Motion* start = nullptr) const;
+
+ private:
+  const CompiledModel* model_;
+  std::vector<MemorySlot> memory_;
+};
+
+/// A line closer to resonance than this (relative to the natural frequency squared) is no slave: it is a master, or
+/// the mode is at rest on it.
+constexpr double resonant_band = 0.25;
+
+/// Stretch of the spring of a slider with slip displacement `slip` along a closed path, after a first turn.
+Eigen::RowVectorXd slider_stretch(const Eigen::RowVectorXd& path, double slip);
+
+}  // namespace secular

@@ -1,0 +1,123 @@
+#include "diagnose/observe_conditions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/observe_decay.hpp"
+#include "diagnose/observe_dwell.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+// Error of one ensemble by channel and class of line (mean, resonant, other), pooled over all dwells by the median,
+// so that one disturbed dwell does not speak for all; the error of a dwell's own mean follows from it.
+class PooledScatter {
+ public:
+  PooledScatter(const std::vector<Dwell>& dwells, bool excitation) : excitation_(excitation) {
+    if (dwells.empty()) return;
+    const Index channels = scatter(dwells.front()).rows();
+    sd_ = MatrixXd::Zero(channels, 3);
+    for (Index c = 0; c < channels; ++c)
+      for (int kind = 0; kind < 3; ++kind) {
+        double squares = 0, freedom = 0;
+        std::vector<double> typical;
+        for (const Dwell& dwell : dwells)
+          for (Index l = 0; l < scatter(dwell).cols(); ++l)
+            if (kind_of(dwell, l) == kind) typical.push_back(scatter(dwell)(c, l));
+        const double middle = median(typical);
+        for (const Dwell& dwell : dwells)
+          for (Index l = 0; l < scatter(dwell).cols(); ++l)
+            if (kind_of(dwell, l) == kind && scatter(dwell)(c, l) <= 4 * middle) {
+              squares += scatter(dwell)(c, l) * scatter(dwell)(c, l) * dwell.degrees_of_freedom;
+              freedom += dwell.degrees_of_freedom;
+            }
+        sd_(c, kind) = freedom > 0 ? std::sqrt(squares / freedom) : 0;
+      }
+    // A line near resonance wanders with the structure; it is never quieter than the channel's other lines.
+    for (Index c = 0; c < channels; ++c) sd_(c, 1) = std::max(sd_(c, 1), sd_(c, 2));
+  }
+
+  MatrixXd of(const Dwell& dwell) const {
+    MatrixXd sd(scatter(dwell).rows(), scatter(dwell).cols());
+    for (Index c = 0; c < sd.rows(); ++c)
+      for (Index l = 0; l < sd.cols(); ++l)
+        sd(c, l) = sd_(c, kind_of(dwell, l)) / std::sqrt(static_cast<double>(dwell.ensembles));
+    return sd;
+  }
+
+ private:
+  const MatrixXd& scatter(const Dwell& dwell) const {
+    return excitation_ ? dwell.excitation_scatter : dwell.response_scatter;
+  }
+  int kind_of(const Dwell& dwell, Index column) const {
+    const Condition& c = dwell.condition;
+    const Index line = (excitation_ ? c.excitation_lines : c.lines)[static_cast<std::size_t>(column)];
+    if (line == 0) return 0;
+    if (excitation_) return line == c.fundamental ? 1 : 2;
+    return std::any_of(c.masters.begin(), c.masters.end(), [&](const MasterLine& m) { return m.line == line; }) ? 1
+                                                                                                                : 2;
+  }
+
+  bool excitation_;
+  MatrixXd sd_;
+};
+
+// Campaign time of a record without started_s: records one after another.
+std::vector<double> starts_of(const Campaign& campaign) {
+  std::vector<double> starts;
+  double clock = 0;
+  for (const RecordEntry& entry : campaign.records) {
+    starts.push_back(entry.started_s.value_or(clock));
+    clock = starts.back() + 1;
+  }
+  return starts;
+}
+
+}  // namespace
+
+ObservedConditions observe_conditions(const Campaign& campaign, const RecordReader& read,
+                                      const CompiledModel& model, const SensorModel& sensors,
+                                      const std::vector<double>& natural_frequency, const Window& window) {
+  ObservedConditions observed;
+  const std::vector<double> starts = starts_of(campaign);
+  std::vector<Dwell> dwells;
+  for (std::size_t r = 0; r < campaign.records.size(); ++r) {
+    const RecordEntry& entry = campaign.records[r];
+    if (!matches_pattern(window.records, entry.file)) continue;
+    if (entry.kind == RecordKind::dwell) {
+      if (auto dwell =
+              observe_dwell(campaign, r, read(r), model, sensors, natural_frequency, window, observed.warnings))
+        dwells.push_back(std::move(*dwell));
+    } else if (entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact) {
+      for (Condition& condition : observe_decay(campaign, r, read(r), model, sensors, window, observed.warnings))
+        observed.conditions.push_back(std::move(condition));
+    }
+  }
+  const PooledScatter responses(dwells, false), excitations(dwells, true);
+  for (Dwell& dwell : dwells) {
+    dwell.condition.response_sd = responses.of(dwell);
+    dwell.condition.excitation_sd = excitations.of(dwell);
+    observed.conditions.push_back(std::move(dwell.condition));
+  }
+  std::stable_sort(observed.conditions.begin(), observed.conditions.end(),
+                   [](const Condition& a, const Condition& b) { return a.record < b.record; });
+  for (Condition& condition : observed.conditions) condition.time_s += starts[condition.record];
+  double middle = 0;
+  for (const Condition& condition : observed.conditions) middle += condition.time_s;
+  if (!observed.conditions.empty()) middle /= static_cast<double>(observed.conditions.size());
+  for (Condition& condition : observed.conditions) condition.time_s -= middle;
+  return observed;
+}
+
+}  // namespace secular

@@ -1,0 +1,361 @@
+#include "diagnose/observe_dwell.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "diagnose/record_window.hpp"
+#include "diagnose/resonant_lines.hpp"
+#include "estimator/signal/tone_fit.hpp"
+#include "estimator/signal/tone_search.hpp"
+
+namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+
+/// A mode moves at a line where its mean amplitude is this many standard deviations.
+constexpr double present = 6;
+
+/// Fewest ensembles that a scatter is taken from; a longer dwell is cut into this many where it says nothing
+/// itself.
+constexpr Index fewest_ensembles = 4, usual_ensembles = 8;
+
+/// Fewest samples and turns of the slowest line in an ensemble.
+constexpr Index fewest_samples = 64;
+
+constexpr double turn = 2 * std::numbers::pi;
+
+struct Ensemble {
+  MatrixXcd response;    // channel x observed line
+  MatrixXcd excitation;  // channel x excitation line
+};
+
+class DwellReader {
+ public:
+  DwellReader(const RecordPart& part, double rate, std::size_t responses, Index length)
+      : part_(part), rate_(rate), responses_(static_cast<Index>(responses)), length_(length) {}
+
+  Index ensembles() const { return part_.samples.rows() / length_; }
+
+  // Frequencies (rad/s) of the lines on a torus that these samples can tell apart, the mean first.
+  static std::vector<Index> observable(const Torus& torus, const std::array<double, 2>& base, double resolution,
+                                       double nyquist) {
+    std::vector<Index> lines = {0};
+    std::vector<double> taken = {0};
+    // Low orders first: where two lines fall together the simpler one is meant.
+    std::vector<Index> order;
+    for (Index l = 1; l < torus.lines(); ++l) order.push_back(l);
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
+      const auto size = [&](Index l) { return std::abs(torus.phase(l)[0]) + std::abs(torus.phase(l)[1]); };
+      return size(a) < size(b);
+    });
+    for (const Index l : order) {
+      const double frequency = frequency_of(torus, l, base);
+      const bool separate = std::all_of(taken.begin(), taken.end(), [&](double other) {
+        return std::abs(frequency - other) > 2 * resolution && std::abs(frequency + other) > 2 * resolution;
+      });
+      if (!separate || std::abs(frequency) > nyquist - 2 * resolution) continue;
+      lines.push_back(l);
+      taken.push_back(frequency);
+    }
+    std::sort(lines.begin(), lines.end());
+    return lines;
+  }
+
+  static double frequency_of(const Torus& torus, Index line, const std::array<double, 2>& base) {
+    return torus.phase(line)[0] * base[0] + torus.phase(line)[1] * base[1];
+  }
+
+  // Every ensemble's lines, phases at the dwell's first sample.
+  std::vector<Ensemble> read(const Torus& torus, const std::vector<Index>& lines,
+                             const std::vector<Index>& excitation_lines, const std::array<double, 2>& base) const {
+    std::vector<double> frequencies;
+    for (const Index l : lines)
+      if (l != 0) frequencies.push_back(std::abs(frequency_of(torus, l, base)));
+    std::vector<Ensemble> all;
+    for (Index e = 0; e < ensembles(); ++e) {
+      const KnownFrequencyFit fit =
+          known_frequency_components(part_.samples.middleRows(e * length_, length_), rate_, frequencies, true);
+      const double centre = (static_cast<double>(e * length_) + 0.5 * static_cast<double>(length_ - 1)) / rate_;
+      MatrixXcd values(part_.samples.cols(), static_cast<Index>(lines.size()));
+      Index next = 0;
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto column = static_cast<Index>(i);
+        if (lines[i] == 0) {
+          values.col(column) = fit.offset.cast<Complex>();
+          continue;
+        }
+        const double w = frequency_of(torus, lines[i], base);
+        Eigen::VectorXcd amplitude = fit.amplitude.row(next++).transpose();
+        if (w < 0) amplitude = amplitude.conjugate().eval();
+        values.col(column) = amplitude * std::polar(1.0, -w * centre);
+      }
+      Ensemble ensemble;
+      ensemble.response = values.topRows(responses_);
+      ensemble.excitation.resize(values.rows() - responses_, static_cast<Index>(excitation_lines.size()));
+      for (std::size_t i = 0; i < excitation_lines.size(); ++i) {
+        const auto found = std::find(lines.begin(), lines.end(), excitation_lines[i]) - lines.begin();
+        ensemble.excitation.col(static_cast<Index>(i)) = values.col(found).tail(ensemble.excitation.rows());
+      }
+      all.push_back(std::move(ensemble));
+    }
+    return all;
+  }
+
+ private:
+  const RecordPart& part_;
+  double rate_;
+  Index responses_, length_;
+};
+
+// Turns an ensemble's base phases by `angle`.
+void turn_phases(Ensemble& ensemble, const Torus& torus, const std::vector<Index>& lines,
+                 const std::vector<Index>& excitation_lines, const std::array<double, 2>& angle) {
+  const auto factor = [&](Index line) {
+    return std::polar(1.0, torus.phase(line)[0] * angle[0] + torus.phase(line)[1] * angle[1]);
+  };
+  for (std::size_t i = 0; i < lines.size(); ++i) ensemble.response.col(static_cast<Index>(i)) *= factor(lines[i]);
+  for (std::size_t i = 0; i < excitation_lines.size(); ++i)
+    ensemble.excitation.col(static_cast<Index>(i)) *= factor(excitation_lines[i]);
+}
+
+std::size_t place(const std::vector<Index>& lines, Index line) {
+  return static_cast<std::size_t>(std::find(lines.begin(), lines.end(), line) - lines.begin());
+}
+
+// Brings every ensemble to the same phases: the excitation's fundamental real and positive, and where that leaves a
+// choice, as close to the first ensemble as it can be.
+void align(std::vector<Ensemble>& ensembles, const Torus& torus, const LineLayout& layout,
+           const std::vector<Index>& lines, const std::vector<Index>& excitation_lines, Index fundamental) {
+  const auto excitation_column = static_cast<Index>(place(excitation_lines, fundamental));
+  for (Ensemble& ensemble : ensembles) {
+    const double phase = ensemble.excitation.rows() > 0 ? std::arg(ensemble.excitation(0, excitation_column)) : 0;
+    if (layout.dimensions == 1) {
+      turn_phases(ensemble, torus, lines, excitation_lines, {-phase / layout.divisor, 0});
+      if (layout.divisor == 1) continue;
+      int best = 0;
+      double agreement = -INFINITY;
+      for (int j = 0; j < layout.divisor; ++j) {
+        Ensemble turned = ensemble;
+        turn_phases(turned, torus, lines, excitation_lines, {turn * j / layout.divisor, 0});
+        const double likeness = turned.response.conjugate().cwiseProduct(ensembles.front().response).sum().real();
+        if (likeness > agreement) {
+          agreement = likeness;
+          best = j;
+        }
+      }
+      if (&ensemble != &ensembles.front())
+        turn_phases(ensemble, torus, lines, excitation_lines, {turn * best / layout.divisor, 0});
+      continue;
+    }
+    // The line {1,0} real on the channel that sees it most; {0,1} then follows from the excitation's phase.
+    const auto column = static_cast<Index>(place(lines, *torus.find({1, 0})));
+    Index channel = 0;
+    ensembles.front().response.col(column).cwiseAbs().maxCoeff(&channel);
+    const double first = -std::arg(ensemble.response(channel, column));
+    turn_phases(ensemble, torus, lines, excitation_lines, {first, -phase - layout.excitation[0] * first});
+  }
+}
+
+MatrixXcd mean_of(const std::vector<Ensemble>& ensembles, MatrixXcd Ensemble::*part) {
+  MatrixXcd sum = ensembles.front().*part;
+  for (std::size_t e = 1; e < ensembles.size(); ++e) sum += ensembles[e].*part;
+  return sum / static_cast<double>(ensembles.size());
+}
+
+MatrixXd scatter_of(const std::vector<Ensemble>& ensembles, MatrixXcd Ensemble::*part, const MatrixXcd& mean,
+                    const std::vector<Index>& lines) {
+  MatrixXd sum = MatrixXd::Zero(mean.rows(), mean.cols());
+  for (const Ensemble& e : ensembles) sum += (e.*part - mean).cwiseAbs2();
+  sum /= static_cast<double>(ensembles.size() - 1);
+  for (std::size_t l = 0; l < lines.size(); ++l)
+    if (lines[l] != 0) sum.col(static_cast<Index>(l)) /= 2;  // of a real part
+  return sum.cwiseSqrt();
+}
+
+// A pair of lines whose frequencies are only fixed in their combination: the lower one from the samples.
+std::optional<double> lower_frequency(const RecordPart& part, double rate, const LineLayout& layout,
+                                      const std::vector<double>& natural_frequency, double excitation,
+                                      std::size_t responses) {
+  const double natural = natural_frequency[layout.resonances[0].mode];
+  // Responses without what is locked to the excitation.
+  std::vector<double> known;
+  for (int n = 1; n <= 3; ++n)
+    if (n * excitation < 0.95 * std::numbers::pi * rate) known.push_back(n * excitation);
+  MatrixXd samples = part.samples.leftCols(static_cast<Index>(responses));
+  const KnownFrequencyFit fit = known_frequency_components(samples, rate, known, true);
+  const Eigen::ArrayXd t =
+      Eigen::ArrayXd::LinSpaced(samples.rows(), 0, static_cast<double>(samples.rows() - 1)) / rate -
+      0.5 * static_cast<double>(samples.rows() - 1) / rate;
+  for (Index c = 0; c < samples.cols(); ++c) {
+    samples.col(c).array() -= fit.offset(c);
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      const Complex a = fit.amplitude(static_cast<Index>(i), c);
+      samples.col(c).array() -= 2 * (a.real() * (known[i] * t).cos() - a.imag() * (known[i] * t).sin());
+    }
+  }
+  // The stronger of both lines is found first, then both are fitted together through their combination.
+  const SpectralPeak peak = spectral_peak(samples, rate, 4, 7);
+  if (!(peak.probability < 1e-6)) return std::nullopt;
+  const double high = natural_frequency[layout.resonances[1].mode];
+  double low_frequency = std::abs(peak.frequency - natural) < std::abs(peak.frequency - high)
+                             ? peak.frequency
+                             : (excitation - peak.frequency) * layout.excitation[0];
+  if (std::abs(low_frequency / natural - 1) > 0.2) return std::nullopt;
+  // Golden-section search of the residual over less than a bin: smooth and with one minimum there.
+  const auto left = [&](double w) {
+    const std::vector<double> pair = {w, excitation - layout.excitation[0] * w};
+    const KnownFrequencyFit tones = known_frequency_components(samples, rate, pair, true);
+    double sum = 0;
+    for (Index c = 0; c < tones.noise_sd.size(); ++c) sum += std::log(tones.noise_sd(c) + 1e-300);
+    return sum;
+  };
+  const double bin = turn * rate / static_cast<double>(samples.rows());
+  double a = low_frequency - bin, b = low_frequency + bin;
+  constexpr double golden = 0.6180339887498949;
+  double x = b - golden * (b - a), y = a + golden * (b - a), fx = left(x), fy = left(y);
+  for (int i = 0; i < 40; ++i) {
+    if (fx < fy) {
+      b = y;
+      y = x;
+      fy = fx;
+      x = b - golden * (b - a);
+      fx = left(x);
+    } else {
+      a = x;
+      x = y;
+      fx = fy;
+      y = a + golden * (b - a);
+      fy = left(y);
+    }
+  }
+  low_frequency = 0.5 * (a + b);
+  return low_frequency;
+}
+
+std::optional<double> excitation_frequency(const RecordPart& part, double rate, std::size_t responses,
+                                           const RecordEntry& entry) {
+  const auto channel = static_cast<Index>(responses);
+  const double guess = entry.excitation_frequency_hz
+                           ? turn * *entry.excitation_frequency_hz
+                           : spectral_peak(part.samples.col(channel), rate, 4, 1).frequency;
+  ToneOptions options;
+  const ToneFit fit = fit_harmonic_tone(part.samples.col(channel), rate, guess, options);
+  if (fit.status == ToneStatus::ill_conditioned || std::abs(fit.frequency / guess - 1) > 0.1) return std::nullopt;
+  if (!(std::abs(fit.amplitude(0, 0)) > present * fit.amplitude_sd(0, 0))) return std::nullopt;
+  return fit.frequency;
+}
+
+}  // namespace
+
+std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, const Record& record,
+                                   const CompiledModel& model, const SensorModel& sensors,
+                                   const std::vector<double>& natural_frequency, const Window& window,
+                                   std::vector<std::string>& warnings) {
+  const RecordEntry& entry = campaign.records[index];
+  const auto leave_out = [&](const std::string& reason) {
+    warnings.push_back(entry.file + ": " + reason + ", left out");
+    return std::nullopt;
+  };
+  if (sensors.excitations.empty()) return leave_out("a dwell without an excitation channel");
+  std::vector<std::size_t> channels = sensors.responses;
+  channels.insert(channels.end(), sensors.excitations.begin(), sensors.excitations.end());
+  const RecordPart part = part_of(record, channels, window);
+  const double rate = record.sample_rate_hz;
+  if (part.samples.rows() < fewest_ensembles * fewest_samples)
+    return leave_out("too short to be cut into ensembles");
+  const auto omega = excitation_frequency(part, rate, sensors.responses.size(), entry);
+  if (!omega) return leave_out("no steady excitation tone is found in it");
+
+  Index length = entry.ensemble_s ? static_cast<Index>(std::lround(*entry.ensemble_s * rate)) : part.samples.rows();
+  length = std::max<Index>(length, fewest_samples);
+  if (part.samples.rows() / length < fewest_ensembles) length = part.samples.rows() / usual_ensembles;
+  if (length < fewest_samples || static_cast<double>(length) / rate * *omega / turn < 12)
+    return leave_out("too few turns of the excitation in an ensemble");
+  const DwellReader reader(part, rate, sensors.responses.size(), length);
+  const double resolution = turn * rate / static_cast<double>(length), nyquist = std::numbers::pi * rate;
+  const MatrixXd filter = sensors.shapes.completeOrthogonalDecomposition().pseudoInverse();
+
+  for (const LineLayout& layout : possible_layouts(natural_frequency, *omega)) {
+    std::array<double, 2> base = {*omega / layout.divisor, 0};
+    std::shared_ptr<const Torus> torus;
+    if (layout.dimensions == 2) {
+      const auto low = lower_frequency(part, rate, layout, natural_frequency, *omega, sensors.responses.size());
+      if (!low) continue;
+      base = {*low, *omega - layout.excitation[0] * *low};
+      torus = std::make_shared<const Torus>(2, 3, 24);
+    } else {
+      torus = std::make_shared<const Torus>(1, std::max(6, 4 * layout.divisor), 128);
+    }
+    const Index fundamental = *torus->find(layout.excitation);
+    const std::vector<Index> lines = DwellReader::observable(*torus, base, resolution, nyquist);
+    std::vector<Index> excitation_lines = {0};
+    for (int n = 1; n <= 3; ++n) {
+      const auto line = torus->find({n * layout.excitation[0], n * layout.excitation[1]});
+      if (line && std::find(lines.begin(), lines.end(), *line) != lines.end()) excitation_lines.push_back(*line);
+    }
+    if (std::find(lines.begin(), lines.end(), fundamental) == lines.end()) continue;
+    std::vector<Ensemble> ensembles = reader.read(*torus, lines, excitation_lines, base);
+    align(ensembles, *torus, layout, lines, excitation_lines, fundamental);
+
+    Dwell dwell;
+    Condition& c = dwell.condition;
+    c.response = mean_of(ensembles, &Ensemble::response);
+    c.excitation = mean_of(ensembles, &Ensemble::excitation);
+    dwell.ensembles = ensembles.size();
+    dwell.degrees_of_freedom = static_cast<double>(ensembles.size() - 1);
+    dwell.response_scatter = scatter_of(ensembles, &Ensemble::response, c.response, lines);
+    dwell.excitation_scatter = scatter_of(ensembles, &Ensemble::excitation, c.excitation, excitation_lines);
+
+    bool whole = true;  // every subharmonic or pair of the layout is really there
+    double drift = 0;
+    for (const LineLayout::Resonance& resonance : layout.resonances) {
+      const auto line = torus->find(resonance.line);
+      if (!line || std::find(lines.begin(), lines.end(), *line) == lines.end()) continue;
+      const auto column = static_cast<Index>(place(lines, *line));
+      const Eigen::RowVectorXd weights = filter.row(static_cast<Index>(resonance.mode));
+      const auto modal = [&](const MatrixXcd& response) {
+        return (weights.cast<Complex>() * response.col(column))(0);
+      };
+      const double sd = weights.cwiseProduct(dwell.response_scatter.col(column).transpose()).norm();
+      const double amplitude = std::abs(modal(c.response));
+      const bool moves = amplitude > present * sd / std::sqrt(static_cast<double>(dwell.ensembles));
+      if (!moves) {
+        whole = false;
+        continue;
+      }
+      c.masters.push_back({resonance.mode, *line});
+      const double first = std::abs(modal(ensembles.front().response)),
+                   last = std::abs(modal(ensembles.back().response));
+      if (std::abs(last - first) > 5 * sd && std::abs(last - first) > 0.01 * amplitude)
+        drift = std::max(drift, std::abs(last - first) / amplitude);
+    }
+    const bool bound = layout.dimensions == 2 || layout.divisor > 1;
+    if (bound && (!whole || c.masters.empty())) continue;
+    if (drift > 0)
+      return leave_out(fmt::format("it has not settled (the amplitude changes by {:.1f} %)", 100 * drift));
+
+    c.name = entry.file;
+    c.record = index;
+    c.fold = static_cast<int>(index);
+    c.kind = RecordKind::dwell;
+    c.time_s = part.start_s - record.start_s + 0.5 * static_cast<double>(part.samples.rows()) / rate;
+    c.torus = torus;
+    c.rate = {Complex(0, base[0]), Complex(0, base[1])};
+    c.fundamental = fundamental;
+    c.lines = lines;
+    c.excitation_lines = excitation_lines;
+    return dwell;
+  }
+  return leave_out("its motion fits no resonance of model " + std::string(model.name));
+}
+
+}  // namespace secular

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace secular {
+
+/// Integers over up to two base phases: the line at n[0]*nu_0 + n[1]*nu_1.
+using LinePhase = std::array<int, 2>;
+
+/// Periodic and doubly periodic motions as Fourier coefficients and as samples over one turn of every base phase:
+/// x = c_0 + sum over lines (c_n exp(i n.theta) + conj), c_0 real. Lines are one half of the integer lattice
+/// (n[1] > 0, or n[1] = 0 and n[0] > 0), the zero phase first; a line's coefficient is half of its peak.
+class Torus {
+ public:
+  /// One dimension: lines 0..highest. Two: all with |n_0| + |n_1| <= highest. `points` in each dimension.
+  Torus(int dimensions, int highest, Eigen::Index points);
+
+  int dimensions() const { return dimensions_; }
+  Eigen::Index lines() const { return static_cast<Eigen::Index>(phases_.size()); }
+  Eigen::Index points() const { return cosine_.cols(); }
+  const LinePhase& phase(Eigen::Index line) const { return phases_[static_cast<std::size_t>(line)]; }
+  std::optional<Eigen::Index> find(const LinePhase& phase) const;
+
+  /// coefficients: rows x lines -> rows x points.
+  Eigen::MatrixXd samples(const Eigen::MatrixXcd& coefficients) const;
+  /// samples: rows x points -> rows x lines.
+  Eigen::MatrixXcd coefficients(const Eigen::MatrixXd& samples) const;
+
+ private:
+  int dimensions_;
+  std::vector<LinePhase> phases_;
+  Eigen::MatrixXd cosine_, sine_;  // lines x points
+};
+
+}  // namespace secular
