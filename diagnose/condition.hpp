@@ -24,6 +24,9 @@ struct Condition {
   std::array<std::complex<double>, 2> rate;
   std::array<double, 2> growth_sd{}, frequency_sd{};  ///< of decays; a dwell's clock is exact
   std::vector<MasterLine> masters;
+  /// By master: (dB/dt)/B of a dwell that was still creeping, and the error of its real and imaginary part.
+  std::vector<std::complex<double>> creep;
+  std::vector<double> creep_sd;
   Eigen::Index fundamental = 0;     ///< line of the excitation's fundamental; 0: no excitation
   std::vector<Eigen::Index> lines;  ///< observed lines; the zero line first where it is observed
   Eigen::MatrixXcd response;        ///< response channel x observed line

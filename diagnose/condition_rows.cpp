@@ -64,7 +64,14 @@ class Evaluation {
       values.push_back(value.real());
       if (!real) values.push_back(value.imag());
     };
-    for (Index m = 0; m < rows.amplitudes.size(); ++m) push(rows.motion.balance(m) / rows.amplitudes(m), false);
+    for (Index m = 0; m < rows.amplitudes.size(); ++m) {
+      Complex balance = rows.motion.balance(m) / rows.amplitudes(m);
+      // An amplitude B(t) exp(i w t) has the inertia -(s^2 B + 2 s dB/dt).
+      if (!c_.creep.empty())
+        balance -= 2.0 * setting.line_rate(c_.masters[static_cast<std::size_t>(m)].line) *
+                   c_.creep[static_cast<std::size_t>(m)];
+      push(balance, false);
+    }
     const MatrixXcd predicted = predicted_responses(setting, rows.motion);
     for (Index c = 0; c < c_.response.rows(); ++c)
       for (std::size_t l = 0; l < c_.lines.size(); ++l)
@@ -296,6 +303,7 @@ MatrixXd ConditionModel::covariance(const Condition& condition, const VectorXd& 
            condition.excitation_lines[l] == 0);
     }
   }
+  for (std::size_t m = 0; m < condition.creep_sd.size(); ++m) vary(moved.creep[m], condition.creep_sd[m], false);
   for (std::size_t j = 0; j < 2; ++j) {
     const Complex kept = moved.rate[j];
     if (condition.growth_sd[j] > 0) {

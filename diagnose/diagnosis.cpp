@@ -13,6 +13,7 @@
 #include "diagnose/line_evidence.hpp"
 #include "diagnose/observe_conditions.hpp"
 #include "diagnose/prior_evidence.hpp"
+#include "diagnose/segment_evidence.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
@@ -29,6 +30,9 @@ constexpr double remainder_alarm = 1e-4;
 
 /// An explanation that leaves structure is still the cause if it closes this much of the gap.
 constexpr double good_closure = 0.9;
+
+/// Samples of decays, sweeps and broadband records that are compared, in all.
+constexpr Index most_samples = 12000;
 
 /// Explanations that are expected to differ by less than this in chi-squared cannot be told apart.
 constexpr double separable = 6;
@@ -59,15 +63,21 @@ class Diagnoser {
     for (std::size_t k = 0; k < model.modes(); ++k) natural.push_back(start_(static_cast<Index>(k)));
     ObservedConditions observed = observe_conditions(campaign, read, model, sensors_, natural, options.window);
     result_.warnings = std::move(observed.warnings);
-    if (observed.conditions.empty())
+    std::vector<Segment> segments = cut_segments(campaign, read, sensors_, natural, options.window, most_samples,
+                                                 result_.warnings);
+    if (observed.conditions.empty() && segments.empty())
       throw InputError(campaign.folder.string(), "",
                        "holds no record that model " + std::string(model.name) + " can be compared with" +
                            (result_.warnings.empty() ? "" : " (" + result_.warnings.front() + ")"),
-                       "settled dwells or free decays near the model's resonances are expected");
-    result_.conditions = observed.conditions.size();
+                       "settled dwells, free decays, sweeps or broadband records near the model's resonances are expected");
+    result_.conditions = observed.conditions.size() + segments.size();
     candidates_ = candidates_of(effects, model, sensors_, faults_, observed.conditions);
     ConditionModel lines(MotionBalance(model, options.memory), sensors_, faults_);
-    discrepancy_.add(std::make_unique<LineEvidence>(std::move(lines), std::move(observed.conditions), start_));
+    if (!observed.conditions.empty())
+      discrepancy_.add(std::make_unique<LineEvidence>(std::move(lines), std::move(observed.conditions), start_));
+    if (!segments.empty())
+      discrepancy_.add(
+          std::make_unique<SegmentEvidence>(model, options.memory, sensors_, faults_, std::move(segments)));
     if (!options.parameter_sd.empty()) discrepancy_.add(prior());
   }
 
@@ -91,7 +101,7 @@ class Diagnoser {
     result_.unknowns = inference_.null.fit.unknowns;
     if (!result_.gap.detected) {
       result_.verdict = "no_gap";
-      const double rms = std::sqrt(result_.rows_before.squaredNorm() / static_cast<double>(discrepancy_.size()));
+      const double rms = std::sqrt(result_.rows_before.squaredNorm() / static_cast<double>(discrepancy_.freedom()));
       result_.gap.before = result_.gap.after = rms;
       result_.gap.metric = metric();
       return std::move(result_);
@@ -144,7 +154,7 @@ class Diagnoser {
   void detect(const VectorXd& given_rows) {
     GapReport& gap = result_.gap;
     const double chi_squared = given() ? given_rows.squaredNorm() : inference_.null.fit.chi_squared;
-    const double freedom = given() ? static_cast<double>(discrepancy_.size()) : inference_.degrees_of_freedom;
+    const double freedom = given() ? static_cast<double>(discrepancy_.freedom()) : inference_.degrees_of_freedom;
     const double omnibus = upper_tail(chi_squared, freedom);
     // The best single candidate on its own, corrected for having been looked for.
     double targeted = 1;
@@ -203,7 +213,7 @@ class Diagnoser {
     result_.unknowns = best.explanation->fit.unknowns;
 
     const double left = upper_tail(best.explanation->fit.chi_squared,
-                                   static_cast<double>(discrepancy_.size() - best.explanation->fit.rank));
+                                   static_cast<double>(discrepancy_.freedom() - best.explanation->fit.rank));
     const bool structured = left < remainder_alarm;
     const bool unknown = structured && result_.gap.closed < good_closure;
 
@@ -343,7 +353,8 @@ class Diagnoser {
       double low = 0, high = 0;
     };
     std::map<std::tuple<std::string, int, std::string>, Group> groups;
-    double total = 0;
+    // What an explanation takes away, noise and all; without one, what is beyond noise.
+    const bool explained = result_.verdict == "cause" || result_.verdict == "set";
     for (std::size_t r = 0; r < result_.labels.size(); ++r) {
       const RowLabel& label = result_.labels[r];
       GapComponent component = label.component;
@@ -355,14 +366,19 @@ class Diagnoser {
       if (finer && label.balance && (!leading->equation || leading->mode == label.mode) &&
           std::abs(result_.rows_after(i)) < 0.5 * std::abs(rows(i)))
         component = leading->component;
-      const double excess = std::max(0.0, rows(i) * rows(i) - 1);
-      total += excess;
+      const double excess = rows(i) * rows(i) - (explained ? result_.rows_after(i) * result_.rows_after(i) : 1);
       Group& group = groups[{label.place, static_cast<int>(component), label.harmonic}];
       (label.amplitude > middle[label.place] ? group.high : group.low) += excess;
     }
+    double total = 0;
+    for (auto& [key, group] : groups) {
+      group.low = std::max(0.0, group.low);
+      group.high = std::max(0.0, group.high);
+      total += group.low + group.high;
+    }
     for (const auto& [key, group] : groups) {
       const double share = (group.low + group.high) / std::max(total, 1e-300);
-      if (share < 0.01) continue;
+      if (share < 0.02) continue;
       GapShare entry;
       entry.mode = std::get<0>(key);
       entry.component = static_cast<GapComponent>(std::get<1>(key));

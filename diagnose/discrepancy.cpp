@@ -32,6 +32,12 @@ Index Discrepancy::size() const {
   return sum;
 }
 
+Index Discrepancy::freedom() const {
+  Index sum = 0;
+  for (const auto& part : parts_) sum += part->freedom();
+  return sum;
+}
+
 std::vector<RowLabel> Discrepancy::labels() const {
   std::vector<RowLabel> all;
   for (const auto& part : parts_) all.insert(all.end(), part->labels().begin(), part->labels().end());

@@ -37,6 +37,8 @@ class Evidence {
  public:
   virtual ~Evidence() = default;
   virtual Eigen::Index size() const = 0;
+  /// Rows that are independent of each other.
+  virtual Eigen::Index freedom() const { return size(); }
   virtual const std::vector<RowLabel>& labels() const = 0;
   /// Takes errors and starting points at these unknowns. `coarse`: the equations of motion count as known to this
   /// share of the inertia only, for unknowns that are still far off.
@@ -49,6 +51,7 @@ class Discrepancy {
  public:
   void add(std::unique_ptr<Evidence> evidence);
   Eigen::Index size() const;
+  Eigen::Index freedom() const;
   std::vector<RowLabel> labels() const;
   void freeze(const Eigen::VectorXd& unknowns, double coarse = 0);
   Eigen::VectorXd operator()(const Eigen::VectorXd& unknowns) const;

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <thread>
@@ -140,12 +141,18 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
   all_threads.threads = options.threads;
   // Errors of the rows depend on the unknowns, and a start far off has none that mean anything: from coarse to fine.
   VectorXd unknowns = start;
-  for (const double coarse : {1e-2, 1e-4, 0.0, 0.0}) {
-    discrepancy.freeze(unknowns, coarse);
-    result.null.fit = refit(discrepancy, unknowns, own, all_threads);
-    unknowns = result.null.fit.unknowns;
+  for (const double coarse : {1e-2, 1e-3, 1e-4, 0.0}) {
+    double before = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < 6; ++round) {
+      discrepancy.freeze(unknowns, coarse);
+      result.null.fit = refit(discrepancy, unknowns, own, all_threads);
+      unknowns = result.null.fit.unknowns;
+      const double now = result.null.fit.chi_squared;
+      if (round > 0 && std::abs(now - before) < 0.02 * before + 1) break;
+      before = now;
+    }
   }
-  const double rows = static_cast<double>(discrepancy.size());
+  const double rows = static_cast<double>(discrepancy.freedom());
   result.degrees_of_freedom = rows - static_cast<double>(result.null.fit.rank);
 
   const auto screen_all = [&](const Refit& base, std::vector<Screening>& found) {

@@ -1,6 +1,7 @@
 #include "diagnose/line_evidence.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -99,6 +100,15 @@ void LineEvidence::whiten(std::size_t condition, const VectorXd& unknowns, doubl
   std::vector<Index> rows = w.kept;
   if (first)
     for (Index i = 0; i < covariance.rows(); ++i) rows.push_back(i);
+  // A row of a channel has at least its line's error of its own, unless the amplitudes were taken from it.
+  const std::vector<RowMeaning> meanings = model_.meanings(c);
+  const auto own_variance = [&](Index row) {
+    const RowMeaning& meaning = meanings[static_cast<std::size_t>(row)];
+    if (meaning.kind != RowMeaning::Kind::response) return 0.0;
+    const auto column = std::find(c.lines.begin(), c.lines.end(), meaning.line) - c.lines.begin();
+    const double sd = c.response_sd(static_cast<Index>(meaning.channel), column);
+    return sd * sd;
+  };
   // Cholesky in the rows' own order.
   std::vector<Index> order;
   MatrixXd root = MatrixXd::Zero(static_cast<Index>(rows.size()), static_cast<Index>(rows.size()));
@@ -110,7 +120,7 @@ void LineEvidence::whiten(std::size_t condition, const VectorXd& unknowns, doubl
       for (Index k = 0; k < j; ++k) sum -= line(k) * root(j, k);
       line(j) = sum / root(j, j);
     }
-    const double least = determined * covariance(row, row);
+    const double least = determined * std::max(covariance(row, row), own_variance(row));
     double left = covariance(row, row) - line.squaredNorm();
     if (!(left > least)) {
       if (first) continue;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/observe_decay.hpp"
 #include "diagnose/observe_dwell.hpp"
 
 namespace secular {
@@ -95,14 +94,10 @@ ObservedConditions observe_conditions(const Campaign& campaign, const RecordRead
   for (std::size_t r = 0; r < campaign.records.size(); ++r) {
     const RecordEntry& entry = campaign.records[r];
     if (!matches_pattern(window.records, entry.file)) continue;
-    if (entry.kind == RecordKind::dwell) {
+    if (entry.kind == RecordKind::dwell)
       if (auto dwell =
               observe_dwell(campaign, r, read(r), model, sensors, natural_frequency, window, observed.warnings))
         dwells.push_back(std::move(*dwell));
-    } else if (entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact) {
-      for (Condition& condition : observe_decay(campaign, r, read(r), model, sensors, window, observed.warnings))
-        observed.conditions.push_back(std::move(condition));
-    }
   }
   const PooledScatter responses(dwells, false), excitations(dwells, true);
   for (Dwell& dwell : dwells) {

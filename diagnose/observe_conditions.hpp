@@ -15,13 +15,11 @@ struct ObservedConditions {
   std::vector<std::string> warnings;
 };
 
-/// Dwells and free decays of a campaign as measured lines. `natural_frequency` (rad/s, by mode) tells which line of
+/// Dwells of a campaign as measured lines. `natural_frequency` (rad/s, by mode) tells which line of
 /// each mode is near resonance: a multiple a/b of the excitation's frequency (a, b up to 3), or a pair of lines
 /// whose frequencies add up to it or differ by it. A dwell is cut into ensembles, whose scatter about their mean
 /// (phases against the excitation's) is the repeatability that everything is measured with; it is pooled over
-/// conditions by channel. A decay of a one-mode model is cut into windows; the roughness of their frequencies and
-/// growth rates from window to window is their repeatability. Dwells that have not settled are left out with a
-/// warning.
+/// conditions by channel. Dwells that have not settled are left out with a warning.
 ObservedConditions observe_conditions(const Campaign& campaign, const RecordReader& read,
                                       const CompiledModel& model, const SensorModel& sensors,
                                       const std::vector<double>& natural_frequency, const Window& window);

@@ -31,6 +31,10 @@ constexpr Index fewest_ensembles = 4, usual_ensembles = 8;
 /// Fewest samples and turns of the slowest line in an ensemble.
 constexpr Index fewest_samples = 64;
 
+/// A dwell whose amplitude creeps by more than this over its length has not settled; one that creeps less, but with so
+/// many standard deviations, is taken with its rate of change.
+constexpr double largest_creep = 0.05, significant_creep = 3.5;
+
 constexpr double turn = 2 * std::numbers::pi;
 
 struct Ensemble {
@@ -179,6 +183,23 @@ MatrixXd scatter_of(const std::vector<Ensemble>& ensembles, MatrixXcd Ensemble::
   for (std::size_t l = 0; l < lines.size(); ++l)
     if (lines[l] != 0) sum.col(static_cast<Index>(l)) /= 2;  // of a real part
   return sum.cwiseSqrt();
+}
+
+// (dB/dt)/B over the ensembles of a dwell by a straight line through ln(B/mean B).
+struct Creep {
+  Complex rate;
+  double sd = 0;
+};
+template <class Modal>
+Creep creep_of(const std::vector<Ensemble>& ensembles, const Modal& modal, double sd, double step_s) {
+  const auto n = static_cast<double>(ensembles.size());
+  Complex mean = 0;
+  for (const Ensemble& e : ensembles) mean += modal(e.response) / n;
+  Complex moment = 0;
+  for (std::size_t e = 0; e < ensembles.size(); ++e)
+    moment += (static_cast<double>(e) - 0.5 * (n - 1)) * std::log(modal(ensembles[e].response) / mean);
+  const double spread = n * (n * n - 1) / 12;
+  return {moment / (spread * step_s), sd / std::abs(mean) / (std::sqrt(spread) * step_s)};
 }
 
 // A pair of lines whose frequencies are only fixed in their combination: the lower one from the samples.
@@ -333,15 +354,21 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
         continue;
       }
       c.masters.push_back({resonance.mode, *line});
-      const double first = std::abs(modal(ensembles.front().response)),
-                   last = std::abs(modal(ensembles.back().response));
-      if (std::abs(last - first) > 5 * sd && std::abs(last - first) > 0.01 * amplitude)
-        drift = std::max(drift, std::abs(last - first) / amplitude);
+      const Creep creep = creep_of(ensembles, modal, sd, static_cast<double>(length) / rate);
+      const double change = std::abs(creep.rate) * static_cast<double>(part.samples.rows()) / rate;
+      if (std::abs(creep.rate) > significant_creep * creep.sd) {
+        drift = std::max(drift, change);
+        c.creep.push_back(creep.rate);
+        c.creep_sd.push_back(creep.sd);
+      } else {
+        c.creep.emplace_back();
+        c.creep_sd.push_back(0);
+      }
     }
     const bool bound = layout.dimensions == 2 || layout.divisor > 1;
     if (bound && (!whole || c.masters.empty())) continue;
-    if (drift > 0)
-      return leave_out(fmt::format("it has not settled (the amplitude changes by {:.1f} %)", 100 * drift));
+    if (drift > largest_creep)
+      return leave_out(fmt::format("it has not settled (its amplitude changes by {:.1f} %)", 100 * drift));
 
     c.name = entry.file;
     c.record = index;

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "diagnose/discrepancy.hpp"
+#include "diagnose/segment.hpp"
+
+namespace secular {
+
+/// Evidence of free decays, impacts, sweeps and broadband records: what the full equations of motion do from a state
+/// of each segment's own, sample by sample. The state is eliminated to first order about its best value. The first
+/// rows of a segment are the errors that a change of every mode's stiffness and damping would make, the conservative
+/// and the dissipative part of the discrepancy; the others hold the rest.
+class SegmentEvidence : public Evidence {
+ public:
+  SegmentEvidence(const CompiledModel& model, std::vector<MemorySlot> memory, SensorModel sensors, FaultTable table,
+                  std::vector<Segment> segments);
+
+  Eigen::Index size() const override { return static_cast<Eigen::Index>(labels_.size()); }
+  Eigen::Index freedom() const override;
+  const std::vector<RowLabel>& labels() const override { return labels_; }
+  void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
+  void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
+
+ private:
+  struct Frozen {
+    Eigen::VectorXd state;
+    Eigen::MatrixXd state_basis, change_basis;  // samples*channels x 2 modes, orthonormal
+    double widening = 1;                        // errors times this
+  };
+  Eigen::VectorXd errors(const Segment& segment, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& state,
+                         Eigen::Index samples, const std::vector<LinearChange>& change) const;
+  Eigen::VectorXd guessed_state(const Segment& segment, const Eigen::VectorXd& unknowns) const;
+  /// Gauss-Newton over the first `samples`; returns the sum of squared errors.
+  double improve_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state,
+                       Eigen::Index samples) const;
+  void find_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state) const;
+
+  const CompiledModel* model_;
+  std::vector<MemorySlot> memory_;
+  SensorModel sensors_;
+  FaultTable table_;
+  std::vector<Segment> segments_;
+  std::vector<Frozen> frozen_;
+  std::vector<RowLabel> labels_;
+};
+
+}  // namespace secular
