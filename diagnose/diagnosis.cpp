@@ -32,7 +32,7 @@ constexpr double remainder_alarm = 1e-4;
 constexpr double good_closure = 0.9;
 
 /// Samples of decays, sweeps and broadband records that are compared, in all.
-constexpr Index most_samples = 12000;
+constexpr Index most_samples = 6000;
 
 /// Explanations that are expected to differ by less than this in chi-squared cannot be told apart.
 constexpr double separable = 6;
@@ -63,13 +63,14 @@ class Diagnoser {
     for (std::size_t k = 0; k < model.modes(); ++k) natural.push_back(start_(static_cast<Index>(k)));
     ObservedConditions observed = observe_conditions(campaign, read, model, sensors_, natural, options.window);
     result_.warnings = std::move(observed.warnings);
-    std::vector<Segment> segments = cut_segments(campaign, read, sensors_, natural, options.window, most_samples,
-                                                 result_.warnings);
+    std::vector<Segment> segments =
+        cut_segments(campaign, read, sensors_, natural, options.window, most_samples, result_.warnings);
     if (observed.conditions.empty() && segments.empty())
-      throw InputError(campaign.folder.string(), "",
-                       "holds no record that model " + std::string(model.name) + " can be compared with" +
-                           (result_.warnings.empty() ? "" : " (" + result_.warnings.front() + ")"),
-                       "settled dwells, free decays, sweeps or broadband records near the model's resonances are expected");
+      throw InputError(
+          campaign.folder.string(), "",
+          "holds no record that model " + std::string(model.name) + " can be compared with" +
+              (result_.warnings.empty() ? "" : " (" + result_.warnings.front() + ")"),
+          "settled dwells, free decays, sweeps or broadband records near the model's resonances are expected");
     result_.conditions = observed.conditions.size() + segments.size();
     candidates_ = candidates_of(effects, model, sensors_, faults_, observed.conditions);
     ConditionModel lines(MotionBalance(model, options.memory), sensors_, faults_);

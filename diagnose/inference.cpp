@@ -139,7 +139,8 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
   Inference result;
   RefitOptions all_threads;
   all_threads.threads = options.threads;
-  // Errors of the rows depend on the unknowns, and a start far off has none that mean anything: from coarse to fine.
+  // Errors of the rows depend on the unknowns, and a start far off has none that mean anything: from coarse to
+  // fine.
   VectorXd unknowns = start;
   for (const double coarse : {1e-2, 1e-3, 1e-4, 0.0}) {
     double before = std::numeric_limits<double>::infinity();

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -31,8 +30,8 @@ constexpr Index fewest_ensembles = 4, usual_ensembles = 8;
 /// Fewest samples and turns of the slowest line in an ensemble.
 constexpr Index fewest_samples = 64;
 
-/// A dwell whose amplitude creeps by more than this over its length has not settled; one that creeps less, but with so
-/// many standard deviations, is taken with its rate of change.
+/// A dwell whose amplitude creeps by more than this over its length has not settled; one that creeps less, but with
+/// so many standard deviations, is taken with its rate of change.
 constexpr double largest_creep = 0.05, significant_creep = 3.5;
 
 constexpr double turn = 2 * std::numbers::pi;

@@ -59,15 +59,17 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
       continue;
     }
     bool driven = entry.kind == RecordKind::sweep || entry.kind == RecordKind::broadband;
-    const bool excited = part.samples.cols() > responses && part.samples.rightCols(part.samples.cols() - responses).norm() > 0;
+    const bool excited =
+        part.samples.cols() > responses && part.samples.rightCols(part.samples.cols() - responses).norm() > 0;
     if (entry.kind == RecordKind::impact && excited) driven = true;
     if (driven && !excited) {
       warnings.push_back(entry.file + ": nothing excites it, left out");
       continue;
     }
     const double rate = record.sample_rate_hz;
-    const Eigen::VectorXd modal = part.samples.leftCols(responses) *
-                                  sensors.shapes.completeOrthogonalDecomposition().pseudoInverse().row(0).transpose();
+    const Eigen::VectorXd modal =
+        part.samples.leftCols(responses) *
+        sensors.shapes.completeOrthogonalDecomposition().pseudoInverse().row(0).transpose();
     Index first = 0;
     if (!driven) {
       const auto start = find_decay_start(modal, rate);
@@ -83,8 +85,8 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
     const double thinned_rate = rate / static_cast<double>(thinning);
     const Index available = (part.samples.rows() - first - 1) / thinning;
     const auto length = std::min<Index>(
-        available,
-        std::max<Index>(48, static_cast<Index>(std::ceil((driven ? driven_turns : decay_turns) * turn / lowest * thinned_rate))));
+        available, std::max<Index>(48, static_cast<Index>(std::ceil((driven ? driven_turns : decay_turns) * turn /
+                                                                    lowest * thinned_rate))));
     if (length < 48) {
       warnings.push_back(entry.file + ": shorter than a few turns of the lowest mode, left out");
       continue;
@@ -111,8 +113,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
       segment.fold = static_cast<int>(r) + 1000 * (1 + number++ % 10);
       segment.kind = entry.kind;
       segment.sample_s = 1 / thinned_rate;
-      segment.substeps =
-          std::max(1, static_cast<int>(std::ceil(wanted_steps * highest / turn / thinned_rate)));
+      segment.substeps = std::max(1, static_cast<int>(std::ceil(wanted_steps * highest / turn / thinned_rate)));
       segment.response.resize(responses, length);
       segment.noise_sd = noise;
       const Index offset = first + begin * thinning;

@@ -10,13 +10,14 @@
 
 namespace secular {
 
-/// A stretch of a record that is compared sample by sample with the full equations of motion, from a state of its own.
+/// A stretch of a record that is compared sample by sample with the full equations of motion, from a state of its
+/// own.
 struct Segment {
   std::string name;
   std::size_t record = 0;
   int fold = 0;
   RecordKind kind = RecordKind::free_decay;
-  double time_s = 0;           ///< of its middle, since the campaign began
+  double time_s = 0;  ///< of its middle, since the campaign began
   double sample_s = 0;
   Eigen::MatrixXd excitation;  ///< excitation channels x (2*samples - 1), every half sample; empty: none
   Eigen::MatrixXd response;    ///< response channels x samples
@@ -24,9 +25,9 @@ struct Segment {
   int substeps = 1;
 };
 
-/// Free decays, impacts, sweeps and broadband records as segments of some turns of the lowest mode, evenly spread over
-/// the record where it holds more samples than are needed (`most_samples` in all). Decays begin where the structure
-/// swings freely. Samples are thinned where the record is much faster than the highest mode.
+/// Free decays, impacts, sweeps and broadband records as segments of some turns of the lowest mode, evenly spread
+/// over the record where it holds more samples than are needed (`most_samples` in all). Decays begin where the
+/// structure swings freely. Samples are thinned where the record is much faster than the highest mode.
 std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& read, const SensorModel& sensors,
                                   const std::vector<double>& natural_frequency, const Window& window,
                                   Eigen::Index most_samples, std::vector<std::string>& warnings);

@@ -9,6 +9,9 @@
 namespace secular {
 namespace {
 
+/// Fewest segments of one decay that tell a repeatability.
+constexpr std::size_t fewest_segments = 8;
+
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -92,9 +95,9 @@ VectorXd SegmentEvidence::errors(const Segment& s, const VectorXd& unknowns, con
       }
     }
   }
-  const bool extra = signal.half_steps.rows() > 0 &&
-                     std::any_of(faults.extra.amplitude.begin(), faults.extra.amplitude.end(),
-                                 [](double a) { return a != 0; });
+  const bool extra =
+      signal.half_steps.rows() > 0 &&
+      std::any_of(faults.extra.amplitude.begin(), faults.extra.amplitude.end(), [](double a) { return a != 0; });
   const SideOscillator side{faults.extra.frequency, faults.extra.damping};
   const StretchOfMotion motion = integrate_stretch(*model_, memory_, parameters, signal, state, samples, s.substeps,
                                                    change, extra ? &side : nullptr);
@@ -121,8 +124,7 @@ VectorXd SegmentEvidence::errors(const Segment& s, const VectorXd& unknowns, con
     if (fault.inverse_level > 0)
       seen.row(c) = seen.row(c).cwiseMax(-1 / fault.inverse_level).cwiseMin(1 / fault.inverse_level);
     seen.row(c).array() += fault.offset;
-    all.segment(c * samples, samples) =
-        (s.response.row(c).head(samples) - seen.row(c)).transpose() / s.noise_sd(c);
+    all.segment(c * samples, samples) = (s.response.row(c).head(samples) - seen.row(c)).transpose() / s.noise_sd(c);
   }
   return all;
 }
@@ -130,14 +132,14 @@ VectorXd SegmentEvidence::errors(const Segment& s, const VectorXd& unknowns, con
 // Displacements and velocities at the first sample by a sinusoid at every natural frequency over the first turns.
 VectorXd SegmentEvidence::guessed_state(const Segment& s, const VectorXd& unknowns) const {
   const auto modes = static_cast<Index>(model_->modes());
-  const MatrixXd modal =
-      sensors_.shapes.completeOrthogonalDecomposition().pseudoInverse() * s.response;
+  const MatrixXd modal = sensors_.shapes.completeOrthogonalDecomposition().pseudoInverse() * s.response;
   VectorXd state = VectorXd::Zero(2 * modes);
   for (Index k = 0; k < modes; ++k) {
     const double w = unknowns(k);
-    const Index samples = std::min<Index>(
-        s.response.cols(), static_cast<Index>(1.2 * 2 * std::numbers::pi / w / s.sample_s) + 3);
-    const Eigen::ArrayXd phase = Eigen::ArrayXd::LinSpaced(samples, 0, static_cast<double>(samples - 1)) * (w * s.sample_s);
+    const Index samples =
+        std::min<Index>(s.response.cols(), static_cast<Index>(1.2 * 2 * std::numbers::pi / w / s.sample_s) + 3);
+    const Eigen::ArrayXd phase =
+        Eigen::ArrayXd::LinSpaced(samples, 0, static_cast<double>(samples - 1)) * (w * s.sample_s);
     MatrixXd waves(samples, 3);
     waves.col(0) = phase.cos();
     waves.col(1) = phase.sin();
@@ -152,12 +154,14 @@ VectorXd SegmentEvidence::guessed_state(const Segment& s, const VectorXd& unknow
   return state;
 }
 
-double SegmentEvidence::improve_state(const Segment& s, const VectorXd& unknowns, VectorXd& state, Index samples) const {
+double SegmentEvidence::improve_state(const Segment& s, const VectorXd& unknowns, VectorXd& state,
+                                      Index samples) const {
   const auto size = static_cast<Index>(2 * model_->modes());
   const std::vector<LinearChange> unchanged;
   // Scales of displacement and velocity from the channels.
   const double frequency = unknowns(0);
-  const double largest = s.response.cwiseAbs().maxCoeff() / std::max(1e-300, sensors_.shapes.cwiseAbs().maxCoeff()) /
+  const double largest = s.response.cwiseAbs().maxCoeff() /
+                         std::max(1e-300, sensors_.shapes.cwiseAbs().maxCoeff()) /
                          std::pow(frequency, sensors_.derivatives);
   VectorXd step(size);
   step.head(size / 2).setConstant(1e-4 * largest);
@@ -231,6 +235,44 @@ void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
       changes.col(2 * k + 1) = (errors(s, unknowns, f.state, samples, change) - error) * 1e6;
     }
     f.change_basis = beyond(f.state_basis, changes);
+    f.change_sd = VectorXd::Ones(2 * modes);
+    f.rest_sd = 1;
+  }
+  if (coarse == 0) measure_repeatability(unknowns);
+}
+
+void SegmentEvidence::measure_repeatability(const VectorXd& unknowns) {
+  std::vector<VectorXd> changes;
+  std::vector<double> rest;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const Frozen& f = frozen_[i];
+    const VectorXd error = errors(segments_[i], unknowns, f.state, segments_[i].response.cols(), {});
+    changes.push_back(f.change_basis.transpose() * error);
+    const double squares =
+        error.squaredNorm() - (f.state_basis.transpose() * error).squaredNorm() - changes.back().squaredNorm();
+    rest.push_back(std::sqrt(std::max(0.0, squares) /
+                             static_cast<double>(error.size() - f.state_basis.cols() - f.change_basis.cols())));
+  }
+  for (std::size_t first = 0; first < segments_.size();) {
+    std::size_t end = first + 1;
+    while (end < segments_.size() && segments_[end].record == segments_[first].record) ++end;
+    if (segments_[first].excitation.cols() == 0 && end - first >= fewest_segments) {
+      std::vector<double> quiet(rest.begin() + static_cast<std::ptrdiff_t>(first),
+                                rest.begin() + static_cast<std::ptrdiff_t>(end));
+      std::nth_element(quiet.begin(), quiet.begin() + static_cast<std::ptrdiff_t>(quiet.size() / 4), quiet.end());
+      for (std::size_t i = first; i < end; ++i) frozen_[i].rest_sd = std::max(1.0, quiet[quiet.size() / 4]);
+      for (Index row = 0; row < changes[first].size(); ++row) {
+        std::vector<double> rough;
+        for (std::size_t i = first; i + 3 < end; ++i)
+          rough.push_back(
+              std::abs(changes[i + 3](row) - 3 * changes[i + 2](row) + 3 * changes[i + 1](row) - changes[i](row)));
+        std::nth_element(rough.begin(), rough.begin() + static_cast<std::ptrdiff_t>(rough.size() / 2), rough.end());
+        // Third differences of independent errors have 20 times their variance; 0.6745 is the median of |normal|.
+        const double sd = rough[rough.size() / 2] / (0.6745 * std::sqrt(20.0));
+        for (std::size_t i = first; i < end; ++i) frozen_[i].change_sd(row) = std::max(1.0, sd);
+      }
+    }
+    first = end;
   }
 }
 
@@ -241,8 +283,8 @@ void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> ro
     VectorXd error = errors(segments_[i], unknowns, f.state, segments_[i].response.cols(), {}) / f.widening;
     error -= f.state_basis * (f.state_basis.transpose() * error);
     const VectorXd changes = f.change_basis.transpose() * error;
-    rows.segment(first, changes.size()) = changes;
-    rows.segment(first + changes.size(), error.size()) = error - f.change_basis * changes;
+    rows.segment(first, changes.size()) = changes.cwiseQuotient(f.change_sd);
+    rows.segment(first + changes.size(), error.size()) = (error - f.change_basis * changes) / f.rest_sd;
     first += changes.size() + error.size();
   }
 }

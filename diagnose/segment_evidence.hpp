@@ -5,10 +5,14 @@
 
 namespace secular {
 
-/// Evidence of free decays, impacts, sweeps and broadband records: what the full equations of motion do from a state
-/// of each segment's own, sample by sample. The state is eliminated to first order about its best value. The first
-/// rows of a segment are the errors that a change of every mode's stiffness and damping would make, the conservative
-/// and the dissipative part of the discrepancy; the others hold the rest.
+/// Evidence of free decays, impacts, sweeps and broadband records: what the full equations of motion do from a
+/// state of each segment's own, sample by sample. The state is eliminated to first order about its best value. The
+/// first rows of a segment are the errors that a change of every mode's stiffness and damping would make, the
+/// conservative and the dissipative part of the discrepancy; the others hold the rest. Over a long decay those
+/// first rows follow a smooth law of the amplitude, whatever the model lacks: how rough they are from segment to
+/// segment is their repeatability (a clock that is not even, a knock), where that is more than the noise explains.
+/// That of the other rows is what a quarter of the segments stays below: what a model lacks grows and falls with
+/// the amplitude.
 class SegmentEvidence : public Evidence {
  public:
   SegmentEvidence(const CompiledModel& model, std::vector<MemorySlot> memory, SensorModel sensors, FaultTable table,
@@ -24,10 +28,13 @@ class SegmentEvidence : public Evidence {
   struct Frozen {
     Eigen::VectorXd state;
     Eigen::MatrixXd state_basis, change_basis;  // samples*channels x 2 modes, orthonormal
+    Eigen::VectorXd change_sd;                  // repeatability of the first rows
+    double rest_sd = 1;                         // and of the others
     double widening = 1;                        // errors times this
   };
   Eigen::VectorXd errors(const Segment& segment, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& state,
                          Eigen::Index samples, const std::vector<LinearChange>& change) const;
+  void measure_repeatability(const Eigen::VectorXd& unknowns);
   Eigen::VectorXd guessed_state(const Segment& segment, const Eigen::VectorXd& unknowns) const;
   /// Gauss-Newton over the first `samples`; returns the sum of squared errors.
   double improve_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state,

@@ -14,10 +14,12 @@ ExcitationSample interpolated(const Eigen::MatrixXd& half_steps, Index row, doub
   const Index last = half_steps.cols() - 1;
   const auto middle = std::clamp<Index>(static_cast<Index>(std::lround(at)), 1, std::max<Index>(1, last - 1));
   if (last < 2) return {half_steps(row, 0), 0, 0};
-  const double before = half_steps(row, middle - 1), here = half_steps(row, middle), after = half_steps(row, middle + 1);
+  const double before = half_steps(row, middle - 1), here = half_steps(row, middle),
+               after = half_steps(row, middle + 1);
   const double x = at - static_cast<double>(middle);
   const double slope = 0.5 * (after - before), bend = after - 2 * here + before;
-  return {here + slope * x + 0.5 * bend * x * x, (slope + bend * x) / half_step_s, bend / (half_step_s * half_step_s)};
+  return {here + slope * x + 0.5 * bend * x * x, (slope + bend * x) / half_step_s,
+          bend / (half_step_s * half_step_s)};
 }
 
 class Stretch {
@@ -43,7 +45,8 @@ class Stretch {
     for (std::size_t s = 0; s < memory_.size(); ++s) {
       const auto mode = static_cast<Index>(memory_[s].mode);
       const double slip = parameters_[memory_[s].slip_symbol];
-      excitation_[memory_[s].excitation] = {std::clamp(stretch_[s] + state(mode) - origin(mode), -slip, slip), 0, 0};
+      excitation_[memory_[s].excitation] = {std::clamp(stretch_[s] + state(mode) - origin(mode), -slip, slip), 0,
+                                            0};
     }
     model_.acceleration(parameters_.data(), excitation_.data(), state.data(), state.data() + modes_,
                         rate.data() + modes_);
@@ -56,7 +59,8 @@ class Stretch {
       const double x = state(2 * modes_), v = state(2 * modes_ + 1);
       const double force = excitation_.empty() ? 0 : excitation_[0].value;
       rate(2 * modes_) = v;
-      rate(2 * modes_ + 1) = force - 2 * side_->damping * side_->frequency * v - side_->frequency * side_->frequency * x;
+      rate(2 * modes_ + 1) =
+          force - 2 * side_->damping * side_->frequency * v - side_->frequency * side_->frequency * x;
     }
   }
 

@@ -29,7 +29,8 @@ SensorModel sensor_model(const Campaign& campaign, const CompiledModel& model, s
   for (std::size_t c = 0; c < campaign.channels.size() && sensors.excitations.size() < excitations; ++c)
     if (campaign.channels[c].role == ChannelRole::excitation) sensors.excitations.push_back(c);
   const bool dwells = std::any_of(campaign.records.begin(), campaign.records.end(), [](const RecordEntry& entry) {
-    return entry.kind == RecordKind::dwell || entry.kind == RecordKind::sweep || entry.kind == RecordKind::broadband;
+    return entry.kind == RecordKind::dwell || entry.kind == RecordKind::sweep ||
+           entry.kind == RecordKind::broadband;
   });
   if (dwells && sensors.excitations.size() < excitations)
     throw InputError((campaign.folder / "campaign.toml").string(), "",

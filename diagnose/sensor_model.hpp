@@ -20,8 +20,8 @@ struct SensorModel {
   int excitation_derivatives = 0;  ///< likewise; a channel that is differentiated has no steady mean
 };
 
-/// `excitations`: how many of the model's excitations are measured, the first ones; others carry signals with memory.
-/// Throws InputError where channels and model do not fit together.
+/// `excitations`: how many of the model's excitations are measured, the first ones; others carry signals with
+/// memory. Throws InputError where channels and model do not fit together.
 SensorModel sensor_model(const Campaign& campaign, const CompiledModel& model, std::size_t excitations);
 
 /// Faults of one channel: measured(t) = clip((1 + gain)*(true + cross*excitation)(t - delay)) + offset.
@@ -40,7 +40,7 @@ struct ExtraMode {
 /// Everything that can be wrong with excitation and measurement, and drift of the structure; all zero: nothing.
 struct Faults {
   std::vector<ChannelFault> response, excitation;
-  Eigen::MatrixXd mixing;               ///< modes x modes: the true shapes are shapes*(1 + mixing)
+  Eigen::MatrixXd mixing;  ///< modes x modes: the true shapes are shapes*(1 + mixing)
   /// Second and third harmonic of the excitation over its fundamental, phases counted from the fundamental's.
   std::array<std::complex<double>, 2> shaker_harmonic{};
   std::vector<double> frequency_drift;  ///< by mode: relative change of the natural frequency, 1/s
