@@ -222,5 +222,17 @@ TEST_F(SimulateCommand, TheProgramWritesTheCampaignOrSaysWhatIsWrong) {
             "one for each of the 2 responses");
 }
 
+// The same effects in a derivation, with its certificate.
+TEST_F(SimulateCommand, DeriveTakesEffectsToo) {
+  EXPECT_EQ(run("derive two_mass_mode1 --case principal_parametric --with-effect coulomb_friction "
+                "--with-effect quintic_stiffness:v"),
+            0);
+  const std::string text = read("stdout.txt");
+  for (const char* const part : {"fc_v", "alpha5_v", "holds: put back into the original equation"})
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  EXPECT_EQ(run("derive two_mass --with-effect coulomb_friction"), 2);
+  EXPECT_NE(read("stderr.txt").find("write coulomb_friction:v1"), std::string::npos) << read("stderr.txt");
+}
+
 }  // namespace
 }  // namespace secular::app

@@ -162,7 +162,7 @@ TEST(Armature, IsASecondOrderSystemWithTheStructureOnIt) {
       const std::complex<double> free = (s * s + 2 * damping * suspension * s + suspension * suspension) / (s * s);
       const std::complex<double> u = 1.0 / (free - feedback * s * s / mode);
       double worst = 0;
-      integrate_motion(model, parameters, wave, 0, q, v, 60, 0.003, 300, settings, [&](const MotionSample& sample) {
+      integrate_motion(model, parameters, wave, 0, q, v, 40, 0.003, 100, settings, [&](const MotionSample& sample) {
         const std::complex<double> turned = u * std::polar(1.0, command * sample.time);
         worst = std::max({worst, std::abs(sample.excitation[0].value - turned.real()),
                           w * w * std::abs(sample.displacement[0] + (turned / mode).real())});
