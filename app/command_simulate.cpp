@@ -9,24 +9,13 @@
 #include <thread>
 
 #include "app/commands.hpp"
-#include "app/model_loading.hpp"
+#include "app/experiment_loading.hpp"
 #include "app/progress_line.hpp"
 #include "app/shipped_models.hpp"
 #include "input/input_error.hpp"
 #include "simulate/virtual_test.hpp"
 
 namespace secular::app {
-namespace {
-
-// The model that an experiment names: a file beside the experiment, otherwise a path or a shipped model.
-ModelSource model_source(const std::filesystem::path& experiment, bool interpret) {
-  const std::string name = experiment_model(experiment);
-  const std::filesystem::path beside = experiment.parent_path() / name;
-  std::error_code unreadable;
-  return {std::filesystem::is_regular_file(beside, unreadable) ? beside.string() : name, interpret};
-}
-
-}  // namespace
 
 void add_simulate_command(CLI::App& root, Action& chosen) {
   struct Options {
@@ -52,8 +41,7 @@ void add_simulate_command(CLI::App& root, Action& chosen) {
         throw InputError(options->folder, "", "exists and is not an empty folder",
                          "name a new folder or remove this one");
       const std::filesystem::path path = resolve_model(options->experiment);
-      const auto model = model_source(path, options->interpret).load({});  // equations of motion alone
-      const Experiment experiment = read_experiment(path, *model);
+      const auto [model, experiment] = load_experiment(path, options->interpret);
       ProgressLine line("records");
       const SimulatedCampaign simulated =
           run_virtual_test(experiment, *model, options->seed, options->threads,

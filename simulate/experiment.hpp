@@ -5,20 +5,27 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "estimator/campaign/campaign.hpp"
 #include "estimator/compiled_model.hpp"
+#include "simulate/anti_alias_filter.hpp"
+#include "simulate/experiment_effects.hpp"
+#include "simulate/motion.hpp"
 
 namespace secular {
 
 /// A sensor of the virtual test.
 struct SimulatedChannel {
   Channel channel;
-  double noise_sd = 0;      ///< white Gaussian, channel units
-  double quantisation = 0;  ///< step, 0: none
-  std::string coordinate;   ///< measures this coordinate directly; empty with mode shapes or for the excitation
+  double noise_sd = 0;        ///< white Gaussian, channel units
+  double high_pass_hz = 0;    ///< corner of the AC coupling; 0: none
+  double quantisation = 0;    ///< step, 0: none
+  std::string coordinate;     ///< measures this coordinate directly; empty with mode shapes or for the excitation
+  std::vector<double> shape;  ///< of a response: what it sees of every mode, those that effects add included
+  double base = 0;            ///< of an acceleration: what it sees of the base acceleration
 };
 
 /// Steady sinusoidal excitation at every combination of frequency and amplitude, in the order listed.
@@ -76,7 +83,9 @@ struct Experiment {
   double sample_rate_hz = 0;
   std::optional<SimulatedChannel> excitation;
   std::vector<SimulatedChannel> responses;
-  std::optional<ModalBasis> modal_basis;
+  std::optional<ModalBasis> modal_basis;  ///< what the campaign states, right or wrong
+  std::optional<AntiAliasFilter> anti_alias;
+  MotionSettings motion;  ///< integrator, armature, and what effects with memory need
   std::vector<DwellProgramme> dwells;
   std::vector<FreeDecayProgramme> free_decays;
   std::vector<SignalProgramme> signals;
@@ -88,8 +97,10 @@ struct Experiment {
 /// Name of the model that an experiment file asks for.
 std::string experiment_model(const std::filesystem::path& path);
 
-/// Reads an experiment file (schema 1, see models/experiments/principal_parametric.toml for its keys) for `model`.
-/// Throws InputError with line and key.
-Experiment read_experiment(const std::filesystem::path& path, const CompiledModel& model);
+/// Reads an experiment file (schema 1, see docs/simulating.md for its keys) for `model`, which holds the file's
+/// motion effects: `installed`, one for each in file order (see read_experiment_effects). Throws InputError with
+/// line and key.
+Experiment read_experiment(const std::filesystem::path& path, const CompiledModel& model,
+                           std::span<const InstalledEffect> installed = {});
 
 }  // namespace secular

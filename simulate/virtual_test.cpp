@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "simulate/anti_alias_filter.hpp"
 #include "simulate/excitation_signal.hpp"
 #include "simulate/motion.hpp"
 #include "simulate/noise.hpp"
@@ -124,127 +125,164 @@ class VirtualTest {
     }
   }
 
+  // State that one record hands to the next of its chain.
+  struct Course {
+    std::vector<double> displacement, velocity;
+    MotionMemory memory;
+    double phase = 0;  // of the excitation
+  };
+
   template <class Finished>
   void run_chain(const Chain& chain, const Finished& finished) {
-    std::vector<double> displacement, velocity;
-    double phase = 0;
+    Course course;
     bool first = true;
     for (const Task& task : chain) {
       if (task.decay) {
-        displacement = task.decay->initial_displacement;
-        velocity = task.decay->initial_velocity;
-        run_decay(task, displacement, velocity);
+        course.displacement = task.decay->initial_displacement;
+        course.velocity = task.decay->initial_velocity;
+        run_decay(task, course);
       } else if (task.signal) {
-        displacement = task.signal->initial_displacement;
-        velocity.assign(model_.modes(), 0.0);
-        run_signal(task, displacement, velocity);
+        course.displacement = task.signal->initial_displacement;
+        course.velocity.assign(model_.modes(), 0.0);
+        run_signal(task, course);
       } else {
         if (first) {
-          displacement = task.dwell->initial_displacement;
-          velocity.assign(model_.modes(), 0.0);
+          course.displacement = task.dwell->initial_displacement;
+          course.velocity.assign(model_.modes(), 0.0);
         }
-        phase = run_dwell(task, displacement, velocity, phase);
+        run_dwell(task, course);
       }
       first = false;
       finished();
     }
   }
 
-  Record empty_record(std::size_t samples) const {
-    Record record;
-    record.sample_rate_hz = experiment_.sample_rate_hz;
-    record.channels.assign(result_.campaign.channels.size(), std::vector<double>(samples));
-    return record;
-  }
-
-  void run_decay(const Task& task, std::vector<double>& displacement, std::vector<double>& velocity) {
+  void run_decay(const Task& task, Course& course) {
     const auto count =
         static_cast<std::size_t>(std::floor(task.decay->duration_s * experiment_.sample_rate_hz)) + 1;
-    Record record = empty_record(count);
     const ExcitationSignal silent = [&](double, ExcitationSample* samples) {
       for (std::size_t j = 0; j < model_.excitations.size(); ++j) samples[j] = {};
     };
-    integrate(task, silent, 0, displacement, velocity, 0, count, record);
-    if (experiment_.excitation) std::fill(record.channels[0].begin(), record.channels[0].end(), 0.0);
-    store(task, std::move(record));
+    store(task, recorded(task, silent, 0, course, 0, count));
   }
 
-  // Returns the excitation's phase at the end, so that the next dwell goes on without a jump.
-  double run_dwell(const Task& task, std::vector<double>& displacement, std::vector<double>& velocity,
-                   double phase) {
+  // Moves the excitation's phase on, so that the next dwell goes on without a jump.
+  void run_dwell(const Task& task, Course& course) {
     const double omega = 2 * std::numbers::pi * task.frequency_hz;
-    const double amplitude = task.amplitude;
-    const ExcitationSignal signal = harmonic_wave(omega, amplitude, phase, experiment_.shaker_harmonics);
+    const ExcitationSignal signal =
+        harmonic_wave(omega, task.amplitude, course.phase, experiment_.shaker_harmonics);
     const double rate = experiment_.sample_rate_hz;
     const auto count = static_cast<std::size_t>(task.dwell->ensembles) *
                        static_cast<std::size_t>(std::lround(task.dwell->ensemble_s * rate));
-    Record record = empty_record(count);
-    integrate(task, signal, 0, displacement, velocity, task.dwell->settle_s, count, record);
-    record_excitation(signal, task.dwell->settle_s, record);
-    store(task, std::move(record));
+    store(task, recorded(task, signal, 0, course, task.dwell->settle_s, count));
     const double end = task.dwell->settle_s + static_cast<double>(count - 1) / rate;
-    return std::remainder(omega * end + phase, 2 * std::numbers::pi);
+    course.phase = std::remainder(omega * end + course.phase, 2 * std::numbers::pi);
   }
 
-  void run_signal(const Task& task, std::vector<double>& displacement, std::vector<double>& velocity) {
+  void run_signal(const Task& task, Course& course) {
     const SignalProgramme& p = *task.signal;
     const auto count = static_cast<std::size_t>(std::floor(p.duration_s * experiment_.sample_rate_hz)) + 1;
-    Record record = empty_record(count);
-    if (p.kind == SignalProgramme::Kind::sweep && p.settle_s > 0) {
-      // Steady at the first frequency; the sweep then starts with the phase that this ends with, zero.
-      const double omega = 2 * std::numbers::pi * p.low_hz;
-      const ExcitationSignal steady =
-          harmonic_wave(omega, p.amplitude, -omega * p.settle_s, experiment_.shaker_harmonics);
-      Record unused = empty_record(1);
-      integrate(task, steady, 0, displacement, velocity, p.settle_s, 1, unused);
+    if (p.kind == SignalProgramme::Kind::sweep) {
+      // Steady at the first frequency until time 0, with phase 0 there.
+      const std::vector<double>& harmonics = experiment_.shaker_harmonics;
+      const ExcitationSignal steady = harmonic_wave(2 * std::numbers::pi * p.low_hz, p.amplitude, 0, harmonics);
+      const ExcitationSignal sweep = linear_sweep(p.low_hz, p.rate_hz_per_s, p.amplitude, harmonics);
+      const ExcitationSignal signal = [&](double time, ExcitationSample* samples) {
+        (time < 0 ? steady : sweep)(time, samples);
+      };
+      store(task, recorded(task, signal, -p.settle_s, course, 0, count));
+      return;
     }
-    const bool starts_settled = p.kind == SignalProgramme::Kind::sweep;
-    const double first = starts_settled ? 0 : p.settle_s;
-    const ExcitationSignal signal =
-        p.kind == SignalProgramme::Kind::sweep
-            ? linear_sweep(p.low_hz, p.rate_hz_per_s, p.amplitude, experiment_.shaker_harmonics)
-        : p.kind == SignalProgramme::Kind::impact
-            ? half_sine_pulse(p.amplitude, p.at_s, p.width_s)
-            : random_phase_multisine(p.low_hz, p.high_hz, p.lines, p.amplitude, p.seed);
-    integrate(task, signal, 0, displacement, velocity, first, count, record,
-              p.kind == SignalProgramme::Kind::impact ? p.width_s / 8 : 0);
-    record_excitation(signal, first, record);
-    store(task, std::move(record));
+    const bool impact = p.kind == SignalProgramme::Kind::impact;
+    const ExcitationSignal signal = impact
+                                        ? half_sine_pulse(p.amplitude, p.at_s, p.width_s)
+                                        : random_phase_multisine(p.low_hz, p.high_hz, p.lines, p.amplitude, p.seed);
+    store(task, recorded(task, signal, 0, course, p.settle_s, count, impact ? p.width_s / 8 : 0));
   }
 
-  void record_excitation(const ExcitationSignal& signal, double first, Record& record) const {
-    ExcitationSample sample;
-    for (std::size_t i = 0; i < record.channels[0].size(); ++i) {
-      signal(first + static_cast<double>(i) / experiment_.sample_rate_hz, &sample);
-      record.channels[0][i] = sample.value;
-    }
-  }
-
-  void integrate(const Task& task, const ExcitationSignal& signal, double from, std::vector<double>& displacement,
-                 std::vector<double>& velocity, double first, std::size_t count, Record& record,
-                 double largest_step = 0) const {
-    const std::size_t offset = experiment_.excitation ? 1 : 0;
-    MotionSettings settings;
+  // Integrates from `from` and records `count` samples from `first` on: what the sensors see, filtered, at the
+  // recorded rate.
+  Record recorded(const Task& task, const ExcitationSignal& signal, double from, Course& course, double first,
+                  std::size_t count, double largest_step = 0) const {
+    const bool excited = experiment_.excitation.has_value();
+    const std::size_t oversampling = experiment_.anti_alias ? experiment_.anti_alias->oversampling : 1;
+    const double rate = experiment_.sample_rate_hz * static_cast<double>(oversampling);
+    // Samples before the first, on which the filters settle.
+    const auto lead = static_cast<std::size_t>(std::floor(std::min(first - from, filter_memory_s()) * rate));
+    MotionSettings settings = experiment_.motion;
     settings.largest_step = largest_step;
+    settings.clock_origin = task.started_s - first;
     settings.label = fmt::format("{}, record {}", experiment_.file, task.record + 1);
+    std::vector<ChannelChain> chains;
+    if (excited) chains.emplace_back(*experiment_.excitation, experiment_.anti_alias, rate);
+    for (const SimulatedChannel& response : experiment_.responses)
+      chains.emplace_back(response, experiment_.anti_alias, rate);
+    Record record;
+    record.sample_rate_hz = experiment_.sample_rate_hz;
+    record.channels.assign(chains.size(), std::vector<double>(count));
     std::size_t i = 0;
-    integrate_motion(model_, experiment_.parameters.data(), signal, from, displacement, velocity, first,
-                     1 / experiment_.sample_rate_hz, count, settings, [&](const MotionSample& sample) {
-                       for (std::size_t r = 0; r < experiment_.responses.size(); ++r)
-                         record.channels[offset + r][i] = measured(r, sample);
-                       ++i;
-                     });
+    integrate_motion(
+        model_, experiment_.parameters.data(), signal, from, course.displacement, course.velocity,
+        first - static_cast<double>(lead) / rate, 1 / rate, lead + (count - 1) * oversampling + 1, settings,
+        [&](const MotionSample& sample) {
+          const bool keep = i >= lead && (i - lead) % oversampling == 0;
+          for (std::size_t c = 0; c < chains.size(); ++c) {
+            const bool base = excited && c == 0;
+            const double seen =
+                base ? sample.excitation[0].value : measured(experiment_.responses[c - (excited ? 1 : 0)], sample);
+            const double value = chains[c](seen);
+            if (keep) record.channels[c][(i - lead) / oversampling] = value;
+          }
+          ++i;
+        },
+        &course.memory);
+    return record;
   }
 
-  double measured(std::size_t r, const MotionSample& sample) const {
-    const Quantity quantity = experiment_.responses[r].channel.quantity;
+  // Time after which the filters have forgotten how they began, to 1e-8 or so.
+  double filter_memory_s() const {
+    double longest = experiment_.anti_alias ? 40 / experiment_.anti_alias->cut_off_hz : 0;
+    const auto coupling = [&](const SimulatedChannel& channel) {
+      if (channel.high_pass_hz > 0) longest = std::max(longest, 3 / channel.high_pass_hz);
+    };
+    if (experiment_.excitation) coupling(*experiment_.excitation);
+    for (const SimulatedChannel& response : experiment_.responses) coupling(response);
+    return longest;
+  }
+
+  // Filters between one sensor and its samples. What is measured before the first sample: rest, or the displacement
+  // that the motion starts with.
+  class ChannelChain {
+   public:
+    ChannelChain(const SimulatedChannel& channel, const std::optional<AntiAliasFilter>& anti_alias, double rate)
+        : held_(
+              channel.channel.role == ChannelRole::response &&
+              (channel.channel.quantity == Quantity::displacement || channel.channel.quantity == Quantity::angle)) {
+      if (channel.high_pass_hz > 0) filters_.push_back(FilterCascade::high_pass(channel.high_pass_hz, rate));
+      if (anti_alias) filters_.emplace_back(*anti_alias, rate);
+    }
+    double operator()(double value) {
+      for (FilterCascade& filter : filters_) {
+        if (!started_ && held_) filter.settle(value);
+        value = filter(value);
+      }
+      started_ = true;
+      return value;
+    }
+
+   private:
+    std::vector<FilterCascade> filters_;
+    bool held_ = false, started_ = false;
+  };
+
+  static double measured(const SimulatedChannel& response, const MotionSample& sample) {
+    const Quantity quantity = response.channel.quantity;
     const std::vector<double>& modal = quantity == Quantity::acceleration ? sample.acceleration
                                        : quantity == Quantity::velocity   ? sample.velocity
                                                                           : sample.displacement;
-    if (!experiment_.modal_basis) return modal[r];
     double sum = 0;
-    for (std::size_t k = 0; k < modal.size(); ++k)
-      sum += experiment_.modal_basis->mass_normalised_shapes[r][k] * modal[k];
+    for (std::size_t k = 0; k < modal.size(); ++k) sum += response.shape[k] * modal[k];
+    if (response.base != 0) sum += response.base * sample.excitation[0].value;
     return sum;
   }
 
