@@ -9,6 +9,7 @@
 #include "estimator/campaign/file_bytes.hpp"
 #include "estimator/campaign/hdf5_data.hpp"
 #include "estimator/campaign/hdf5_object.hpp"
+#include "estimator/campaign/mapped_file.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
@@ -59,9 +60,10 @@ std::string type_name(const Hdf5Type& type) {
 /// Goes through all objects of a file and collects the numeric ones.
 class Walk {
  public:
-  Walk(const Hdf5Bytes& file, const std::vector<std::string>& wanted, bool matlab)
+  Walk(const Hdf5Bytes& file, const std::vector<std::string>& wanted, std::size_t limit, bool matlab)
       : file_(file),
         wanted_(wanted),
+        limit_(limit),
         matlab_(matlab),
         objects_left_(file.size() / smallest_object),
         bytes_left_(file.size()) {}
@@ -155,7 +157,7 @@ class Walk {
     const bool read = wanted_.empty() || std::find(wanted_.begin(), wanted_.end(), path) != wanted_.end();
     if (read && found.fault.empty()) {
       spend(object);
-      found.values = hdf5_numbers(file_, object, found.fault);
+      found.values = hdf5_numbers(file_, object, found.fault, limit_);
     }
     variables.push_back(std::move(found));
   }
@@ -179,14 +181,17 @@ class Walk {
 
   const Hdf5Bytes& file_;
   const std::vector<std::string>& wanted_;
+  std::size_t limit_;
   bool matlab_;
   std::uint64_t objects_left_, bytes_left_;
 };
 
 }  // namespace
 
-std::vector<MatVariable> read_hdf5(const std::filesystem::path& path, const std::vector<std::string>& wanted) {
-  const std::string bytes = file_bytes(path);
+std::vector<MatVariable> read_hdf5(const std::filesystem::path& path, const std::vector<std::string>& wanted,
+                                   std::size_t limit) {
+  const MappedFile mapped(path);
+  const std::string_view bytes = mapped.bytes();
   const std::string file = path.string();
   const std::optional<std::size_t> place = signature_place(path);
   if (!place)
@@ -195,7 +200,7 @@ std::vector<MatVariable> read_hdf5(const std::filesystem::path& path, const std:
   try {
     const Superblock superblock = read_superblock(bytes, *place);
     const Hdf5Bytes content(bytes, superblock.base);
-    Walk walk(content, wanted, bytes.starts_with("MATLAB"));
+    Walk walk(content, wanted, limit, bytes.starts_with("MATLAB"));
     walk.visit("", superblock.root, 0);
     if (walk.variables.empty() && walk.left_out_groups)
       throw InputError(file, "", "has groups in a form that is not read",
