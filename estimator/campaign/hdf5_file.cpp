@@ -81,6 +81,7 @@ class Walk {
 
   std::vector<MatVariable> variables;
   bool left_out_groups = false;
+  std::vector<MatVariable> dense_groups;
 
  private:
   static std::string class_of(const Hdf5Object& object) {
@@ -89,7 +90,18 @@ class Walk {
   }
 
   void visit_group(const std::string& path, const Hdf5Object& group, int depth) {
-    if (group.has_dense_links) left_out_groups = true;
+    if (group.has_dense_links) {
+      left_out_groups = true;
+      // Nothing is left out in silence: the group stands among the variables and says what to do.
+      if (!path.empty())
+        dense_groups.push_back(
+            {path,
+             {},
+             "group",
+             {},
+             "is a group in a form that is not read: h5repack --low=0 --high=0 writes it so that "
+             "it is"});
+    }
     const std::string type = class_of(group);
     if (!type.empty() && type != "struct") return;  // sparse matrices and objects
     const std::vector<Hdf5Link> members = hdf5_members(file_, group);
@@ -205,6 +217,7 @@ std::vector<MatVariable> read_hdf5(const std::filesystem::path& path, const std:
     if (walk.variables.empty() && walk.left_out_groups)
       throw InputError(file, "", "has groups in a form that is not read",
                        "save it for an earlier version of HDF5 (h5repack --low=0 --high=0), or as MAT v7 or CSV");
+    for (MatVariable& group : walk.dense_groups) walk.variables.push_back(std::move(group));
     return std::move(walk.variables);
   } catch (const Hdf5Damage& damage) {
     throw InputError(file, fmt::format("byte {}", damage.at + 1), damage.what,
