@@ -34,7 +34,7 @@ struct DataFile {
   std::string format;  ///< "CSV", "MAT v5", "MAT v7.3", "HDF5", "UFF 58", "WAV"
   std::vector<DataVariable> variables;
   RowPlace place;
-  bool partial = false;          ///< only the first values were read; the length of a CSV is estimated then
+  bool partial = false;            ///< only the first values were read; the length of a CSV is estimated then
   std::vector<double> last_row{};  ///< of a CSV read in part: by variable, empty if its end is damaged
 
   /// The variable of that name, which must be a vector of numbers. Throws InputError that names the variables there

@@ -14,7 +14,8 @@ struct NumberTable {
   std::vector<std::vector<double>> columns;
   std::size_t first_line = 2;  ///< of the file, counted from 1: where row 0 stands; the rows follow without a break
   std::size_t total_rows = 0;  ///< of the file; estimated from its size where only the first rows were read
-  std::vector<double> last_row{};  ///< of the file, by column, where only the first rows were read; empty if damaged
+  std::vector<double>
+      last_row{};  ///< of the file, by column, where only the first rows were read; empty if damaged
   std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
 };
 
