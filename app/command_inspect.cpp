@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -65,6 +66,9 @@ void append_levels(std::vector<std::string>& row, const ChannelQuality& quality)
   row.push_back(number(quality.resolution));
 }
 
+constexpr const char* partial_note =
+    " judged by their first samples only, for their size; --whole reads everything.";
+
 constexpr const char* level_note =
     "rms: about the mean. noise: rms of the white noise that the upper half of the spectrum would allow.\n";
 
@@ -97,8 +101,8 @@ void print_records(const Campaign& campaign, const std::vector<RecordInspection>
     if (axis) total += duration_s(*axis, records[r].samples);
     const auto given = [](const std::optional<double>& value) { return value ? number(*value) : "-"; };
     rows.push_back({entry.file, to_string(entry.kind), entry.group.empty() ? "-" : entry.group,
-                    std::to_string(records[r].samples), axis ? number(axis->start_s) : "-",
-                    axis ? number(duration_s(*axis, records[r].samples)) : "-",
+                    (records[r].estimated ? "about " : "") + std::to_string(records[r].samples),
+                    axis ? number(axis->start_s) : "-", axis ? number(duration_s(*axis, records[r].samples)) : "-",
                     given(entry.excitation_frequency_hz), given(entry.excitation_amplitude)});
   }
   fmt::print("\n{}, {:.6g} s in all\n{}", count(records.size(), "record"), total, aligned(rows, 3));
@@ -115,13 +119,16 @@ void print_levels(const Campaign& campaign, const std::vector<RecordInspection>&
   if (rows.size() > 1) fmt::print("\nlevels\n{}{}", aligned(rows, 3), level_note);
 }
 
-void print_campaign(const std::filesystem::path& folder) {
+void print_campaign(const std::filesystem::path& folder, const InspectionLimit& limit) {
   const Campaign campaign = read_campaign(folder);
-  const std::vector<RecordInspection> records = inspect_records(campaign);
+  const std::vector<RecordInspection> records = inspect_records(campaign, limit);
   fmt::print("campaign '{}' in {}\nsample rate {} Hz\n", campaign.name, folder.string(), campaign.sample_rate_hz);
   print_channels(campaign);
   print_records(campaign, records);
   print_levels(campaign, records);
+  const auto partly = std::count_if(records.begin(), records.end(),
+                                    [](const RecordInspection& record) { return record.judged < record.samples; });
+  if (partly > 0) fmt::print("{} of {} records{}\n", partly, records.size(), partial_note);
   std::vector<std::string> faults;
   for (std::size_t r = 0; r < records.size(); ++r) {
     for (const DataFault& fault : records[r].faults)
@@ -141,8 +148,8 @@ std::string shown_unit(const VariableInspection& variable) {
   return fmt::format("{} (from {})", variable.unit, variable.stated_unit);
 }
 
-void print_file(const std::filesystem::path& path) {
-  const FileInspection file = inspect_file(path);
+void print_file(const std::filesystem::path& path, const InspectionLimit& limit) {
+  const FileInspection file = inspect_file(path, limit);
   fmt::print("{}: {} with {}\n", path.string(), file.format, count(file.variables.size(), "numeric variable"));
   if (file.variables.empty()) {
     fmt::print("nothing in it can be imported\n");
@@ -165,6 +172,7 @@ void print_file(const std::filesystem::path& path) {
       faults.push_back(fmt::format("{}: {}: {}", variable.name, fault.kind, fault.text));
   }
   fmt::print("\n{}{}", aligned(rows, 4), level_note);
+  if (file.partial) fmt::print("{}Values are{}\n", file.estimated ? "Lengths are estimated. " : "", partial_note);
   for (const std::string& variable : unusable) fmt::print("no channel: {}\n", variable);
   print_faults(faults);
   const bool stated = std::any_of(file.variables.begin(), file.variables.end(),
@@ -202,9 +210,9 @@ void put_axis(Json& object, const std::optional<TimeAxis>& axis, std::size_t sam
   object["duration_s"] = axis ? Json(duration_s(*axis, samples)) : Json(nullptr);
 }
 
-Json campaign_json(const std::filesystem::path& folder) {
+Json campaign_json(const std::filesystem::path& folder, const InspectionLimit& limit) {
   const Campaign campaign = read_campaign(folder);
-  const std::vector<RecordInspection> records = inspect_records(campaign);
+  const std::vector<RecordInspection> records = inspect_records(campaign, limit);
   Json root = {{"campaign", folder.string()}, {"name", campaign.name}, {"sample_rate_hz", campaign.sample_rate_hz}};
   root["channels"] = Json::array();
   for (const Channel& channel : campaign.channels)
@@ -221,6 +229,8 @@ Json campaign_json(const std::filesystem::path& folder) {
   for (std::size_t r = 0; r < records.size(); ++r) {
     const RecordEntry& entry = campaign.records[r];
     Json record = {{"file", entry.file}, {"kind", to_string(entry.kind)}, {"samples", records[r].samples}};
+    if (records[r].judged < records[r].samples) record["judged_samples"] = records[r].judged;
+    if (records[r].estimated) record["samples_estimated"] = true;
     put_axis(record, records[r].axis, records[r].samples);
     if (entry.excitation_frequency_hz) record["excitation_frequency_hz"] = *entry.excitation_frequency_hz;
     if (entry.excitation_amplitude) record["excitation_amplitude"] = *entry.excitation_amplitude;
@@ -240,15 +250,18 @@ Json campaign_json(const std::filesystem::path& folder) {
   return root;
 }
 
-Json file_json(const std::filesystem::path& path) {
-  const FileInspection file = inspect_file(path);
+Json file_json(const std::filesystem::path& path, const InspectionLimit& limit) {
+  const FileInspection file = inspect_file(path, limit);
   Json root = {{"file", path.string()}, {"format", file.format}};
+  if (file.partial) root["judged"] = "the first samples";
+  if (file.estimated) root["lengths_estimated"] = true;
   std::size_t faults = file.faults.size();
   if (!file.time.empty()) {
     root["time"] = {{"variable", file.time}};
-    std::size_t samples = 0;
+    std::size_t samples = 1;
     for (const VariableInspection& variable : file.variables)
-      if (variable.name == file.time && variable.quality) samples = variable.quality->samples;
+      if (variable.name == file.time)
+        for (const std::size_t length : variable.shape) samples *= length;
     put_axis(root["time"], file.axis, samples);
   }
   root["faults"] = faults_json(file.faults);
@@ -273,16 +286,19 @@ Json file_json(const std::filesystem::path& path) {
 void add_inspect_command(CLI::App& root, Action& chosen) {
   struct Options {
     std::string path;
-    bool json = false;
+    bool json = false, whole = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = root.add_subcommand(
       "inspect", "What a campaign or file holds: channels, units, records, levels, noise, faults found");
   command->add_option("CAMPAIGN_OR_FILE", options->path, "campaign folder, or CSV, MAT, HDF5, UFF 58 or WAV file")
       ->required();
+  command->add_flag("--whole", options->whole, "read everything, also where data are larger than 64 MB");
   command->add_flag("--json", options->json, "the same as JSON");
   command->footer(
       "Faults are for you to judge: offset, clipping, constant or coarse channels, missing samples, uneven time.\n"
+      "Of more than 64 MB the first samples of every record are judged, at once; --whole reads all, a record at a "
+      "time.\n"
       "Example: secular inspect out/test");
   command->callback([options, &chosen] {
     chosen = [options] {
@@ -293,14 +309,15 @@ void add_inspect_command(CLI::App& root, Action& chosen) {
         throw InputError(options->path, "", "does not exist",
                          fmt::format("a campaign folder or a {} file was expected", data_formats));
       const bool folder = std::filesystem::is_directory(path, ignored);
+      InspectionLimit limit;
+      if (options->whole) limit.whole_bytes = std::numeric_limits<std::size_t>::max();
       if (options->json)
-        fmt::print(
-            "{}\n",
-            (folder ? campaign_json(path) : file_json(path)).dump(2, ' ', false, Json::error_handler_t::replace));
+        fmt::print("{}\n", (folder ? campaign_json(path, limit) : file_json(path, limit))
+                               .dump(2, ' ', false, Json::error_handler_t::replace));
       else if (folder)
-        print_campaign(path);
+        print_campaign(path, limit);
       else
-        print_file(path);
+        print_file(path, limit);
       return 0;
     };
   });

@@ -106,9 +106,7 @@ Identification identify(const IdentificationRequest& request) {
   const Estimate raw = estimate(result.measured, result.coordinate_unit, result.excitation_units, options);
   result.estimate = raw;
   const auto replay = [&] {
-    return observe_replay(
-        campaign, result.measured,
-        replay_records(campaign, result.measured, result.estimate.parameter_values, request.threads));
+    return observe_replay(campaign, result.measured, result.estimate.parameter_values, request.threads);
   };
   try {
     for (int pass = 0; pass < truncation_passes; ++pass) {

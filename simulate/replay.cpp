@@ -137,50 +137,79 @@ class Replay {
   std::vector<std::size_t> excitations_;
 };
 
+/// Replays records in the order in which they are asked for, a few ahead on all threads.
+class ReplayedRecords {
+ public:
+  ReplayedRecords(const Campaign& campaign, const ObservationSet& measured, const Eigen::VectorXd& parameters,
+                  unsigned threads)
+      : replay_(campaign, measured, parameters),
+        threads_(std::max(1U, threads)),
+        for_each_thread_(measured.resonance->excited ? 16 : 1) {
+    for (std::size_t i = 0; i < measured.observations.size(); ++i) {
+      const Observation& o = measured.observations[i];
+      if (spans_.empty() || spans_.back().first->record != o.record) spans_.push_back({&o, &o});
+      spans_.back().last = &o;
+    }
+  }
+
+  std::size_t count() const { return spans_.size(); }
+  std::size_t original(std::size_t i) const { return spans_[i].first->record; }
+
+  Record read(std::size_t i) {
+    if (i < begin_ || i >= begin_ + ahead_.size()) fill(i);
+    return ahead_[i - begin_];
+  }
+
+ private:
+  struct Span {
+    const Observation *first, *last;
+  };
+
+  void fill(std::size_t begin) {
+    begin_ = begin;
+    ahead_.clear();
+    ahead_.resize(std::min(for_each_thread_ * threads_, spans_.size() - begin));
+    std::atomic<std::size_t> next{0};
+    std::mutex guard;
+    std::exception_ptr failure;
+    const auto work = [&] {
+      for (std::size_t i = next++; i < ahead_.size(); i = next++) try {
+          const Span& span = spans_[begin_ + i];
+          ahead_[i] = replay_.record(*span.first, *span.last, span.first->record);
+        } catch (...) {
+          const std::lock_guard lock(guard);
+          if (!failure) failure = std::current_exception();
+        }
+    };
+    {
+      std::vector<std::jthread> workers;
+      for (unsigned t = 1; t < threads_; ++t) workers.emplace_back(work);
+      work();
+    }
+    if (failure) std::rethrow_exception(failure);
+  }
+
+  Replay replay_;
+  unsigned threads_;
+  std::size_t for_each_thread_;  // one decay; the ensembles of dwells are short
+  std::vector<Span> spans_;      // of each record with observations, which stand together
+  std::size_t begin_ = 0;
+  std::vector<Record> ahead_;
+};
+
 }  // namespace
 
-std::vector<Record> replay_records(const Campaign& campaign, const ObservationSet& measured,
-                                   const Eigen::VectorXd& parameters, unsigned threads) {
-  const Replay replay(campaign, measured, parameters);
-  std::vector<Record> records(campaign.records.size());
-  std::atomic<std::size_t> next{0};
-  std::mutex guard;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    for (std::size_t r = next++; r < records.size(); r = next++) {
-      const auto first = std::find_if(measured.observations.begin(), measured.observations.end(),
-                                      [&](const Observation& o) { return o.record == r; });
-      if (first == measured.observations.end()) continue;
-      const auto last = std::find_if(measured.observations.rbegin(), measured.observations.rend(),
-                                     [&](const Observation& o) { return o.record == r; });
-      try {
-        records[r] = replay.record(*first, *last, r);
-      } catch (...) {
-        const std::lock_guard lock(guard);
-        if (!failure) failure = std::current_exception();
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> workers;
-    for (unsigned i = 1; i < std::max(1U, threads); ++i) workers.emplace_back(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
-  return records;
-}
-
 ObservationSet observe_replay(const Campaign& campaign, const ObservationSet& measured,
-                              const std::vector<Record>& replayed) {
+                              const Eigen::VectorXd& parameters, unsigned threads) {
+  ReplayedRecords replayed(campaign, measured, parameters, threads);
   Campaign reduced = campaign;
-  std::vector<std::size_t> original;
   reduced.records.clear();
-  for (std::size_t r = 0; r < replayed.size(); ++r)
-    if (replayed[r].samples() > 0) {
-      reduced.records.push_back(campaign.records[r]);
-      original.push_back(r);
-    }
-  const RecordReader read = [&](std::size_t r) { return replayed[original[r]]; };
+  std::vector<std::size_t> original;
+  for (std::size_t i = 0; i < replayed.count(); ++i) {
+    original.push_back(replayed.original(i));
+    reduced.records.push_back(campaign.records[original.back()]);
+  }
+  const RecordReader read = [&](std::size_t i) { return replayed.read(i); };
   const ObservationSet exact = measured.resonance->excited
                                    ? observe_dwells(reduced, read, *measured.model, *measured.resonance, {})
                                    : observe_free_decays(reduced, read, *measured.model, *measured.resonance, {});

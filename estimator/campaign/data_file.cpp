@@ -48,37 +48,47 @@ Format format_of(const fs::path& path) {
   return Format::csv;
 }
 
-DataFile with_variables(const fs::path& path, const char* format, std::vector<MatVariable> variables) {
+DataFile with_variables(const fs::path& path, const char* format, std::vector<MatVariable> variables,
+                        std::size_t limit) {
   DataFile data{path.string(), format, {}, {"element", 1}};
-  for (MatVariable& variable : variables)
+  for (MatVariable& variable : variables) {
+    std::size_t count = 1;
+    for (const std::size_t length : variable.shape) count *= length;
+    data.partial = data.partial || (variable.fault.empty() && count > limit);
     data.variables.push_back({std::move(variable.path), std::move(variable.shape), std::move(variable.type),
                               std::move(variable.values), std::move(variable.fault)});
+  }
   return data;
 }
 
-DataFile read_csv_file(const fs::path& path, const std::vector<std::string>& wanted, MissingNumbers missing) {
-  NumberTable table = read_csv(path, wanted, missing);
+DataFile read_csv_file(const fs::path& path, const std::vector<std::string>& wanted, MissingNumbers missing,
+                       std::size_t limit) {
+  NumberTable table = read_csv(path, wanted, missing, limit);
   DataFile data{path.string(), "CSV", {}, {"line", table.first_line}};
+  data.partial = table.rows() < table.total_rows;
+  data.last_row = std::move(table.last_row);
   for (std::size_t c = 0; c < table.names.size(); ++c) {
     std::vector<double>& values = table.columns[c];
     const bool any = std::any_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
     data.variables.push_back(
-        {table.names[c], {values.size()}, any ? "number" : "text", {}, any ? "" : "holds no number"});
+        {table.names[c], {table.total_rows}, any ? "number" : "text", {}, any ? "" : "holds no number"});
     if (any) data.variables.back().values = std::move(values);
   }
   return data;
 }
 
-DataFile read_whole(const fs::path& path, Format format, const std::vector<std::string>& wanted) {
+DataFile read_variables(const fs::path& path, Format format, const std::vector<std::string>& wanted,
+                        std::size_t limit) {
   switch (format) {
     case Format::hdf5:
-      return with_variables(path, looks_like_mat(path) ? "MAT v7.3" : "HDF5", read_hdf5(path, wanted));
+      return with_variables(path, looks_like_mat(path) ? "MAT v7.3" : "HDF5", read_hdf5(path, wanted, limit),
+                            limit);
     case Format::uff:
-      return read_uff_variables(path, wanted);
+      return read_uff_variables(path, wanted, limit);
     case Format::wav:
-      return read_wav(path, wanted);
+      return read_wav(path, wanted, limit);
     default:
-      return with_variables(path, "MAT v5", read_mat(path, wanted));
+      return with_variables(path, "MAT v5", read_mat(path, wanted, limit), limit);
   }
 }
 
@@ -99,7 +109,7 @@ std::string DataFile::names() const {
   return list;
 }
 
-const DataVariable& DataFile::vector(const std::string& name) const {
+std::size_t DataFile::index_of(const std::string& name) const {
   const auto found =
       std::find_if(variables.begin(), variables.end(), [&](const DataVariable& v) { return v.name == name; });
   if (found == variables.end())
@@ -107,13 +117,22 @@ const DataVariable& DataFile::vector(const std::string& name) const {
                      variables.empty() ? "it holds no numeric variables" : "its variables are " + names());
   if (!found->fault.empty())
     throw InputError(file, "variable " + name, found->fault, "a row or a column of real numbers was expected");
-  return *found;
+  return static_cast<std::size_t>(found - variables.begin());
 }
 
-DataFile read_data_file(const fs::path& path, const std::vector<std::string>& wanted, MissingNumbers missing) {
+const DataVariable& DataFile::vector(const std::string& name) const {
+  return variables[index_of(name)];
+}
+
+DataVariable& DataFile::vector(const std::string& name) {
+  return variables[index_of(name)];
+}
+
+DataFile read_data_file(const fs::path& path, const std::vector<std::string>& wanted, MissingNumbers missing,
+                        std::size_t limit) {
   const Format format = format_of(path);
-  if (format == Format::csv) return read_csv_file(path, wanted, missing);
-  DataFile data = read_whole(path, format, wanted);
+  if (format == Format::csv) return read_csv_file(path, wanted, missing, limit);
+  DataFile data = read_variables(path, format, wanted, limit);
   if (missing == MissingNumbers::keep_as_nan) return data;
   for (const DataVariable& variable : data.variables)
     for (std::size_t i = 0; i < variable.values.size(); ++i)
@@ -125,9 +144,7 @@ DataFile read_data_file(const fs::path& path, const std::vector<std::string>& wa
 
 std::vector<DataVariable> describe_data_file(const fs::path& path) {
   if (format_of(path) != Format::csv) {
-    DataFile data = read_data_file(path, {}, MissingNumbers::keep_as_nan);
-    for (DataVariable& variable : data.variables) variable.values = {};
-    return std::move(data.variables);
+    return read_data_file(path, {}, MissingNumbers::keep_as_nan, 0).variables;
   }
   std::vector<DataVariable> variables;
   for (std::string& name : read_csv_names(path)) variables.push_back({std::move(name), {}, "number", {}, {}});

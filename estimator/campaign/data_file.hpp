@@ -34,19 +34,24 @@ struct DataFile {
   std::string format;  ///< "CSV", "MAT v5", "MAT v7.3", "HDF5", "UFF 58", "WAV"
   std::vector<DataVariable> variables;
   RowPlace place;
+  bool partial = false;            ///< only the first values were read; the length of a CSV is estimated then
+  std::vector<double> last_row{};  ///< of a CSV read in part: by variable, empty if its end is damaged
 
   /// The variable of that name, which must be a vector of numbers. Throws InputError that names the variables there
   /// are.
   const DataVariable& vector(const std::string& name) const;
+  DataVariable& vector(const std::string& name);
+  /// Its place in `variables`, by the same rules.
+  std::size_t index_of(const std::string& name) const;
   /// Their names, as messages list them.
   std::string names() const;
 };
 
-/// Reads the variables (values of `wanted` only; empty: of all). The format is told by content, then by name.
-/// Throws InputError for a file of another format, a damaged one, and (MissingNumbers::refuse) a value that is no
-/// finite number.
+/// Reads the variables (values of `wanted` only; empty: of all; at most `limit` of each, and then nothing is read
+/// of the rest where the format lets it be skipped). The format is told by content, then by name. Throws InputError
+/// for a file of another format, a damaged one, and (MissingNumbers::refuse) a value that is no finite number.
 DataFile read_data_file(const std::filesystem::path& path, const std::vector<std::string>& wanted = {},
-                        MissingNumbers missing = MissingNumbers::refuse);
+                        MissingNumbers missing = MissingNumbers::refuse, std::size_t limit = all_values);
 
 /// The formats, as messages name them.
 inline constexpr const char* data_formats = "CSV, MAT, HDF5, UFF 58 or WAV";

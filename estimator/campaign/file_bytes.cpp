@@ -2,9 +2,6 @@
 
 #include <fstream>
 #include <string_view>
-#include <system_error>
-
-#include "input/input_error.hpp"
 
 namespace secular {
 namespace {
@@ -35,21 +32,6 @@ bool is_utf8(std::string_view text) {
 }
 
 }  // namespace
-
-std::string file_bytes(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw InputError(path.string(), "", "is a folder", "a data file was expected");
-  std::ifstream stream(path, std::ios::binary | std::ios::ate);
-  if (!stream)
-    throw InputError(path.string(), "", "cannot be opened for reading", "check the path and its permissions");
-  const auto size = static_cast<std::streamoff>(stream.tellg());
-  std::string text(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
-  stream.seekg(0);
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!stream) throw InputError(path.string(), "", "cannot be read to its end", "check the medium");
-  return text;
-}
 
 std::string some_bytes(const std::filesystem::path& path, std::size_t count, std::size_t begin) {
   std::ifstream stream(path, std::ios::binary);

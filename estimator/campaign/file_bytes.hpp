@@ -7,9 +7,6 @@
 
 namespace secular {
 
-/// The whole file. Throws InputError if it is a folder or cannot be read.
-std::string file_bytes(const std::filesystem::path& path);
-
 /// At most `count` bytes of a file from `begin` on; empty if there are none or it cannot be read.
 std::string some_bytes(const std::filesystem::path& path, std::size_t count, std::size_t begin = 0);
 

@@ -126,7 +126,8 @@ std::string decoded(const Chunk& chunk, const Hdf5Object& data_set, std::uint64_
 
 // Hands the bytes of every element to `put`, in order; false (and a fault) if they are not all there.
 template <class Put>
-bool visit_chunks(const Hdf5Bytes& file, const Hdf5Object& data_set, std::string& fault, const Put& put) {
+bool visit_chunks(const Hdf5Bytes& file, const Hdf5Object& data_set, std::string& fault, std::uint64_t limit,
+                  const Put& put) {
   const std::vector<std::uint64_t>& shape = *data_set.shape;
   const std::vector<std::uint64_t>& chunk_shape = data_set.layout.chunk;
   if (chunk_shape.size() != shape.size() || shape.empty())
@@ -137,7 +138,8 @@ bool visit_chunks(const Hdf5Bytes& file, const Hdf5Object& data_set, std::string
       return false;
     }
   const std::size_t dimension = long_dimension(shape);
-  const std::uint64_t count = shape[dimension], length = chunk_shape[dimension], size = data_set.type->size;
+  const std::uint64_t count = std::min(shape[dimension], limit), length = chunk_shape[dimension],
+                      size = data_set.type->size;
   const std::uint64_t elements = hdf5_count(chunk_shape);
   if (elements == 0 || elements > std::numeric_limits<std::uint32_t>::max() / size)
     throw Hdf5Damage{"a chunk has an impossible shape", data_set.layout.address};
@@ -159,13 +161,14 @@ bool visit_chunks(const Hdf5Bytes& file, const Hdf5Object& data_set, std::string
 }
 
 template <class Put>
-bool visit_elements(const Hdf5Bytes& file, const Hdf5Object& data_set, std::string& fault, const Put& put) {
+bool visit_elements(const Hdf5Bytes& file, const Hdf5Object& data_set, std::string& fault, std::uint64_t limit,
+                    const Put& put) {
   const Hdf5Layout& layout = data_set.layout;
   if (!data_set.filters_known || layout.storage == Hdf5Storage::other) {
     fault = "is stored in a form that is not read (save it for an earlier version of HDF5)";
     return false;
   }
-  if (layout.storage == Hdf5Storage::chunked) return visit_chunks(file, data_set, fault, put);
+  if (layout.storage == Hdf5Storage::chunked) return visit_chunks(file, data_set, fault, limit, put);
   const std::uint64_t count = hdf5_count(*data_set.shape), size = data_set.type->size;
   if (layout.storage == Hdf5Storage::contiguous && layout.address == hdf5_nowhere) {
     fault = "was never written";
@@ -175,7 +178,7 @@ bool visit_elements(const Hdf5Bytes& file, const Hdf5Object& data_set, std::stri
       layout.storage == Hdf5Storage::compact ? layout.compact : file.at(layout.address, layout.size);
   if (count > bytes.size() / size)
     throw Hdf5Damage{"a data set has fewer bytes than its shape needs", layout.address};
-  for (std::uint64_t i = 0; i < count; ++i) put(bytes.substr(i * size, size));
+  for (std::uint64_t i = 0; i < std::min(count, limit); ++i) put(bytes.substr(i * size, size));
   return true;
 }
 
@@ -196,17 +199,19 @@ std::uint64_t hdf5_count(const std::vector<std::uint64_t>& shape) {
   return count;
 }
 
-std::vector<double> hdf5_numbers(const Hdf5Bytes& file, const Hdf5Object& data_set, std::string& fault) {
+std::vector<double> hdf5_numbers(const Hdf5Bytes& file, const Hdf5Object& data_set, std::string& fault,
+                                 std::uint64_t limit) {
   std::vector<double> numbers;
-  const bool whole = visit_elements(
-      file, data_set, fault, [&](std::string_view bytes) { numbers.push_back(number_of(bytes, *data_set.type)); });
+  const bool whole = visit_elements(file, data_set, fault, limit, [&](std::string_view bytes) {
+    numbers.push_back(number_of(bytes, *data_set.type));
+  });
   if (!whole) numbers.clear();
   return numbers;
 }
 
 std::vector<std::uint64_t> hdf5_references(const Hdf5Bytes& file, const Hdf5Object& data_set, std::string& fault) {
   std::vector<std::uint64_t> addresses;
-  visit_elements(file, data_set, fault,
+  visit_elements(file, data_set, fault, std::numeric_limits<std::uint64_t>::max(),
                  [&](std::string_view bytes) { addresses.push_back(unsigned_at(bytes, 0, 8, ByteOrder::little)); });
   return addresses;
 }

@@ -9,6 +9,7 @@
 #include "estimator/campaign/file_bytes.hpp"
 #include "estimator/campaign/hdf5_data.hpp"
 #include "estimator/campaign/hdf5_object.hpp"
+#include "estimator/campaign/mapped_file.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
@@ -59,9 +60,10 @@ std::string type_name(const Hdf5Type& type) {
 /// Goes through all objects of a file and collects the numeric ones.
 class Walk {
  public:
-  Walk(const Hdf5Bytes& file, const std::vector<std::string>& wanted, bool matlab)
+  Walk(const Hdf5Bytes& file, const std::vector<std::string>& wanted, std::size_t limit, bool matlab)
       : file_(file),
         wanted_(wanted),
+        limit_(limit),
         matlab_(matlab),
         objects_left_(file.size() / smallest_object),
         bytes_left_(file.size()) {}
@@ -79,6 +81,7 @@ class Walk {
 
   std::vector<MatVariable> variables;
   bool left_out_groups = false;
+  std::vector<MatVariable> dense_groups;
 
  private:
   static std::string class_of(const Hdf5Object& object) {
@@ -87,7 +90,18 @@ class Walk {
   }
 
   void visit_group(const std::string& path, const Hdf5Object& group, int depth) {
-    if (group.has_dense_links) left_out_groups = true;
+    if (group.has_dense_links) {
+      left_out_groups = true;
+      // Nothing is left out in silence: the group stands among the variables and says what to do.
+      if (!path.empty())
+        dense_groups.push_back(
+            {path,
+             {},
+             "group",
+             {},
+             "is a group in a form that is not read: h5repack --low=0 --high=0 writes it so that "
+             "it is"});
+    }
     const std::string type = class_of(group);
     if (!type.empty() && type != "struct") return;  // sparse matrices and objects
     const std::vector<Hdf5Link> members = hdf5_members(file_, group);
@@ -155,7 +169,7 @@ class Walk {
     const bool read = wanted_.empty() || std::find(wanted_.begin(), wanted_.end(), path) != wanted_.end();
     if (read && found.fault.empty()) {
       spend(object);
-      found.values = hdf5_numbers(file_, object, found.fault);
+      found.values = hdf5_numbers(file_, object, found.fault, limit_);
     }
     variables.push_back(std::move(found));
   }
@@ -179,14 +193,17 @@ class Walk {
 
   const Hdf5Bytes& file_;
   const std::vector<std::string>& wanted_;
+  std::size_t limit_;
   bool matlab_;
   std::uint64_t objects_left_, bytes_left_;
 };
 
 }  // namespace
 
-std::vector<MatVariable> read_hdf5(const std::filesystem::path& path, const std::vector<std::string>& wanted) {
-  const std::string bytes = file_bytes(path);
+std::vector<MatVariable> read_hdf5(const std::filesystem::path& path, const std::vector<std::string>& wanted,
+                                   std::size_t limit) {
+  const MappedFile mapped(path);
+  const std::string_view bytes = mapped.bytes();
   const std::string file = path.string();
   const std::optional<std::size_t> place = signature_place(path);
   if (!place)
@@ -195,11 +212,12 @@ std::vector<MatVariable> read_hdf5(const std::filesystem::path& path, const std:
   try {
     const Superblock superblock = read_superblock(bytes, *place);
     const Hdf5Bytes content(bytes, superblock.base);
-    Walk walk(content, wanted, bytes.starts_with("MATLAB"));
+    Walk walk(content, wanted, limit, bytes.starts_with("MATLAB"));
     walk.visit("", superblock.root, 0);
     if (walk.variables.empty() && walk.left_out_groups)
       throw InputError(file, "", "has groups in a form that is not read",
                        "save it for an earlier version of HDF5 (h5repack --low=0 --high=0), or as MAT v7 or CSV");
+    for (MatVariable& group : walk.dense_groups) walk.variables.push_back(std::move(group));
     return std::move(walk.variables);
   } catch (const Hdf5Damage& damage) {
     throw InputError(file, fmt::format("byte {}", damage.at + 1), damage.what,

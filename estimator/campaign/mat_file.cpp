@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 #include "estimator/campaign/mat_structure.hpp"
@@ -111,48 +113,51 @@ void walk(const std::string& path, matvar_t* variable, int depth, const Visitor&
   if (type_name(variable->class_type)) visit(path, *variable);
 }
 
-void visit_all(const std::filesystem::path& path, const Visitor& visit) {
-  const File file = open(path);
-  bool any = false;
-  while (const Variable variable{Mat_VarReadNext(file.get())}) {
-    if (!variable->name) continue;
-    any = true;
-    walk(variable->name, variable.get(), 0, visit);
-  }
-  if (!any) throw InputError(path.string(), "", "holds no readable variable", "it may be damaged or cut short");
+// Headers first, all of them: reading numbers moves the place in the file.
+void visit_all(mat_t* file, const std::filesystem::path& path, const Visitor& visit) {
+  std::vector<Variable> variables;
+  while (Variable variable{Mat_VarReadNextInfo(file)})
+    if (variable->name) variables.push_back(std::move(variable));
+  if (variables.empty())
+    throw InputError(path.string(), "", "holds no readable variable", "it may be damaged or cut short");
+  for (const Variable& variable : variables) walk(variable->name, variable.get(), 0, visit);
 }
 
+// The first numbers of a variable whose header was read, in file order; empty if they cannot be read.
 template <class Element>
-std::vector<double> converted(const matvar_t& variable) {
-  const auto* data = static_cast<const Element*>(variable.data);
-  const std::size_t count = element_count(variable);
-  std::vector<double> values(count);
-  for (std::size_t i = 0; i < count; ++i) values[i] = static_cast<double>(data[i]);
-  return values;
+std::vector<double> converted(mat_t* file, matvar_t& variable, std::size_t limit) {
+  const std::size_t count = std::min(element_count(variable), limit);
+  std::vector<Element> stored(count);
+  if (count == 0 || Mat_VarReadDataLinear(file, &variable, stored.data(), 0, 1, static_cast<int>(count)) != 0)
+    return {};
+  if constexpr (std::is_same_v<Element, double>)
+    return stored;
+  else
+    return {stored.begin(), stored.end()};
 }
 
-std::vector<double> numbers(const matvar_t& variable) {
+std::vector<double> numbers(mat_t* file, matvar_t& variable, std::size_t limit) {
   switch (variable.class_type) {
     case MAT_C_DOUBLE:
-      return converted<double>(variable);
+      return converted<double>(file, variable, limit);
     case MAT_C_SINGLE:
-      return converted<float>(variable);
+      return converted<float>(file, variable, limit);
     case MAT_C_INT8:
-      return converted<std::int8_t>(variable);
+      return converted<std::int8_t>(file, variable, limit);
     case MAT_C_UINT8:
-      return converted<std::uint8_t>(variable);
+      return converted<std::uint8_t>(file, variable, limit);
     case MAT_C_INT16:
-      return converted<std::int16_t>(variable);
+      return converted<std::int16_t>(file, variable, limit);
     case MAT_C_UINT16:
-      return converted<std::uint16_t>(variable);
+      return converted<std::uint16_t>(file, variable, limit);
     case MAT_C_INT32:
-      return converted<std::int32_t>(variable);
+      return converted<std::int32_t>(file, variable, limit);
     case MAT_C_UINT32:
-      return converted<std::uint32_t>(variable);
+      return converted<std::uint32_t>(file, variable, limit);
     case MAT_C_INT64:
-      return converted<std::int64_t>(variable);
+      return converted<std::int64_t>(file, variable, limit);
     case MAT_C_UINT64:
-      return converted<std::uint64_t>(variable);
+      return converted<std::uint64_t>(file, variable, limit);
     default:
       return {};
   }
@@ -166,9 +171,7 @@ std::string vector_fault(const matvar_t& variable) {
   if (longer > 1) return "is a matrix";
   const std::size_t count = element_count(variable);
   if (count == 0) return "is empty";
-  if (!variable.data || variable.nbytes < count * static_cast<std::size_t>(variable.data_size))
-    return "has no complete data";
-  return {};
+  return count > std::numeric_limits<int>::max() ? "is longer than this format can be" : "";
 }
 
 }  // namespace
@@ -180,16 +183,21 @@ bool looks_like_mat(const std::filesystem::path& path) {
   return probe && std::string(header.data(), header.size()) == "MATLAB";
 }
 
-std::vector<MatVariable> read_mat(const std::filesystem::path& path, const std::vector<std::string>& wanted) {
+std::vector<MatVariable> read_mat(const std::filesystem::path& path, const std::vector<std::string>& wanted,
+                                  std::size_t limit) {
+  const File file = open(path);
   std::vector<MatVariable> variables;
-  visit_all(path, [&](const std::string& name, matvar_t& variable) {
+  visit_all(file.get(), path, [&](const std::string& name, matvar_t& variable) {
     MatVariable found;
     found.path = name;
     found.shape.assign(variable.dims, variable.dims + variable.rank);
     found.type = (variable.isComplex ? "complex " : "") + std::string(type_name(variable.class_type));
     found.fault = vector_fault(variable);
     const bool read = wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
-    if (read && found.fault.empty()) found.values = numbers(variable);
+    if (read && found.fault.empty()) {
+      found.values = numbers(file.get(), variable, limit);
+      if (found.values.empty() && limit > 0) found.fault = "has no complete data";
+    }
     variables.push_back(std::move(found));
   });
   return variables;

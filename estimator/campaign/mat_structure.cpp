@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "estimator/campaign/mapped_file.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
@@ -195,26 +195,17 @@ void check_top_level(const Element& element, bool swapped) {
   check_matrix(matrix.content, swapped, 0);
 }
 
-std::vector<unsigned char> whole_file(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary | std::ios::ate);
-  const auto size = static_cast<std::streamoff>(stream ? static_cast<std::streamoff>(stream.tellg()) : 0);
-  std::vector<unsigned char> bytes(static_cast<std::size_t>(std::max<std::streamoff>(size, 0)));
-  stream.seekg(0);
-  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (!stream) throw InputError(path.string(), "", "cannot be read", "check the path and its permissions");
-  return bytes;
-}
-
 }  // namespace
 
 void check_mat_structure(const std::filesystem::path& path) {
-  const std::vector<unsigned char> bytes = whole_file(path);
+  const MappedFile mapped(path);
+  const Bytes bytes(reinterpret_cast<const unsigned char*>(mapped.bytes().data()), mapped.bytes().size());
   const char* const right = "the file is damaged or cut short: copy or save it again";
   if (bytes.size() < header_size) throw InputError(path.string(), "", "ends inside of its header", right);
   const bool little = bytes[126] == 'I' && bytes[127] == 'M';
   const bool big = bytes[126] == 'M' && bytes[127] == 'I';
   if (!little && !big) throw InputError(path.string(), "byte 127", "does not say its byte order", right);
-  ElementReader reader(Bytes(bytes).subspan(header_size), big);
+  ElementReader reader(bytes.subspan(header_size), big);
   while (!reader.at_end()) {
     const std::size_t at = bytes.size() - reader.left();
     try {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <string_view>
 
-#include "estimator/campaign/file_bytes.hpp"
+#include "estimator/campaign/mapped_file.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
@@ -135,23 +135,14 @@ FieldFault parse_number(std::string_view field, bool decimal_comma, double& valu
 
 constexpr std::size_t skipped = std::numeric_limits<std::size_t>::max();
 
-// target[c]: the column of `table` that field c of a row goes to, or `skipped`.
-void read_rows(const Header& header, const std::vector<std::size_t>& target, MissingNumbers missing,
-               const std::string& file, NumberTable& table) {
-  std::string_view rest = header.rows;
-  std::size_t line_number = header.line, empty_line = 0;
-  while (!rest.empty()) {
-    std::string_view line = trimmed(next_line(rest));
-    ++line_number;
-    if (line.empty()) {
-      if (empty_line == 0) empty_line = line_number;
-      continue;
-    }
-    if (empty_line != 0 && table.rows() != 0)
-      throw InputError(file, fmt::format("line {}", empty_line), "an empty line between rows",
-                       "remove it, or split the file into records");
-    empty_line = 0;
-    if (table.rows() == 0) table.first_line = line_number;
+/// Puts the fields of rows into the columns of a table.
+struct RowReader {
+  const Header& header;
+  const std::vector<std::size_t>& target;  // of every field: a column of the table, or `skipped`
+  MissingNumbers missing;
+  const std::string& file;
+
+  void read(std::string_view line, std::size_t line_number, NumberTable& table) const {
     std::size_t fields = 0;
     for (bool more = true; more;) {
       const std::size_t end = line.find(header.separator);
@@ -175,19 +166,85 @@ void read_rows(const Header& header, const std::vector<std::size_t>& target, Mis
                        fmt::format("has {} fields, the header names {}", fields, target.size()),
                        "every row has one number for every column");
   }
+};
+
+// The last line that is not empty; empty if it is longer than any row.
+std::string_view last_line(std::string_view rows) {
+  constexpr std::size_t longest_row = std::size_t{1} << 20;
+  if (rows.size() > longest_row) rows = rows.substr(rows.size() - longest_row);
+  const std::size_t end = rows.find_last_not_of(" \t\r\n");
+  if (end == std::string_view::npos) return {};
+  rows = rows.substr(0, end + 1);
+  const std::size_t begin = rows.rfind('\n');
+  return begin == std::string_view::npos ? std::string_view() : rows.substr(begin + 1);
+}
+
+void read_last_row(const RowReader& reader, NumberTable& table) {
+  NumberTable last;
+  last.columns.resize(table.columns.size());
+  const RowReader forgiving{reader.header, reader.target, MissingNumbers::keep_as_nan, reader.file};
+  try {
+    forgiving.read(last_line(reader.header.rows), 0, last);
+  } catch (const InputError&) {
+    return;  // cut off: nothing is known of the end
+  }
+  for (const std::vector<double>& column : last.columns) table.last_row.push_back(column.front());
+}
+
+void read_rows(const RowReader& reader, MappedFile& mapped, std::size_t limit, NumberTable& table) {
+  const std::string_view rows = reader.header.rows;
+  const auto header_size = static_cast<std::size_t>(rows.data() - mapped.bytes().data());
+  std::string_view rest = rows;
+  std::size_t line_number = reader.header.line, empty_line = 0;
+  while (!rest.empty() && table.rows() < limit) {
+    std::string_view line = trimmed(next_line(rest));
+    ++line_number;
+    if (line.empty()) {
+      if (empty_line == 0) empty_line = line_number;
+      continue;
+    }
+    if (empty_line != 0 && table.rows() != 0)
+      throw InputError(reader.file, fmt::format("line {}", empty_line), "an empty line between rows",
+                       "remove it, or split the file into records");
+    empty_line = 0;
+    if (table.rows() == 0) table.first_line = line_number;
+    reader.read(line, line_number, table);
+    mapped.release_before(header_size + rows.size() - rest.size());
+  }
+  table.total_rows = table.rows();
+  if (rest.find_first_not_of(" \t\r\n") == std::string_view::npos) return;
+  const auto taken = static_cast<double>(rows.size() - rest.size());
+  table.total_rows = static_cast<std::size_t>(
+      std::llround(static_cast<double>(table.rows()) * static_cast<double>(rows.size()) / taken));
+  read_last_row(reader, table);
+}
+
+// Rows to make room for: their exact count is worth a look at the file, since columns that grow take twice the
+// room.
+std::size_t count_lines(std::string_view rows, MappedFile& mapped, std::size_t limit) {
+  constexpr std::size_t stretch = std::size_t{1} << 22;
+  const auto header_size = static_cast<std::size_t>(rows.data() - mapped.bytes().data());
+  std::size_t lines = 1;
+  for (std::size_t begin = 0; begin < rows.size() && lines <= limit; begin += stretch) {
+    const std::string_view part = rows.substr(begin, stretch);
+    lines += static_cast<std::size_t>(std::count(part.begin(), part.end(), '\n'));
+    if (limit == all_values) mapped.forget(header_size + begin, header_size + begin + part.size());
+  }
+  return std::min(lines, limit);
 }
 
 }  // namespace
 
 std::vector<std::string> read_csv_names(const std::filesystem::path& path) {
-  return read_header(file_bytes(path), path.string()).names;
+  const MappedFile mapped(path);
+  return read_header(mapped.bytes(), path.string()).names;
 }
 
 NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& wanted,
-                     MissingNumbers missing) {
+                     MissingNumbers missing, std::size_t limit) {
   const std::string file = path.string();
-  const std::string text = file_bytes(path);
-  const Header header = read_header(text, file);
+  MappedFile mapped(path);
+  const Header header = read_header(mapped.bytes(), file);
   NumberTable table;
   table.names = wanted.empty() ? header.names : wanted;
   table.columns.resize(table.names.size());
@@ -199,9 +256,9 @@ NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::s
                        fmt::format("its columns are {}", fmt::join(header.names, ", ")));
     target[static_cast<std::size_t>(found - header.names.begin())] = c;
   }
-  const auto lines = static_cast<std::size_t>(std::count(header.rows.begin(), header.rows.end(), '\n')) + 1;
+  const std::size_t lines = count_lines(header.rows, mapped, limit);
   for (std::vector<double>& column : table.columns) column.reserve(lines);
-  read_rows(header, target, missing, file, table);
+  read_rows({header, target, missing, file}, mapped, limit, table);
   if (table.rows() == 0) throw InputError(file, "", "has a header but no rows", "rows of numbers were expected");
   return table;
 }

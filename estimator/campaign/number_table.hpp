@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,19 +13,25 @@ struct NumberTable {
   std::vector<std::string> names;
   std::vector<std::vector<double>> columns;
   std::size_t first_line = 2;  ///< of the file, counted from 1: where row 0 stands; the rows follow without a break
+  std::size_t total_rows = 0;  ///< of the file; estimated from its size where only the first rows were read
+  std::vector<double>
+      last_row{};  ///< of the file, by column, where only the first rows were read; empty if damaged
   std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
 };
+
+/// As a limit: every value that is there.
+inline constexpr std::size_t all_values = std::numeric_limits<std::size_t>::max();
 
 /// What becomes of a field that holds no finite number (empty, text, NaN, infinity).
 enum class MissingNumbers { refuse, keep_as_nan };
 
 /// Reads a CSV with one header line: comma, semicolon or tabulator between fields (a semicolon allows decimal
 /// commas), quoted names, CRLF, byte order mark, blanks and trailing empty lines are accepted. Only the `wanted`
-/// columns are read, in that order (empty: all). Throws InputError with the line for a row of another length, a
-/// field that is no finite number (MissingNumbers::refuse), a wanted column that is not there, two columns of one
-/// name, and for a file without rows.
+/// columns are read, in that order (empty: all), and at most `limit` rows of them. Throws InputError with the line
+/// for a row of another length, a field that is no finite number (MissingNumbers::refuse), a wanted column that is
+/// not there, two columns of one name, and for a file without rows.
 NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& wanted = {},
-                     MissingNumbers missing = MissingNumbers::refuse);
+                     MissingNumbers missing = MissingNumbers::refuse, std::size_t limit = all_values);
 
 /// The header of a CSV, by the same rules.
 std::vector<std::string> read_csv_names(const std::filesystem::path& path);

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "estimator/campaign/campaign.hpp"
 #include "estimator/campaign/data_file.hpp"
@@ -10,22 +12,32 @@
 
 namespace secular {
 
-RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, MissingNumbers missing) {
-  const auto variable_of = [&](const std::string& channel) {
+RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, MissingNumbers missing,
+                            std::size_t limit) {
+  std::vector<std::string> names;  // of t and of every channel
+  for (std::size_t c = 0; c <= campaign.channels.size(); ++c) {
+    const std::string channel = c == 0 ? "t" : campaign.channels[c - 1].name;
     const auto renamed = entry.variables.find(channel);
-    return renamed == entry.variables.end() ? channel : renamed->second;
+    names.push_back(renamed == entry.variables.end() ? channel : renamed->second);
+  }
+  DataFile data = read_data_file(campaign.folder / entry.file, names, missing, limit);
+  // Values move to their last reader: a record is held once.
+  const auto take = [&](std::size_t column) {
+    DataVariable& variable = data.vector(names[column]);
+    const bool again = std::find(names.begin() + static_cast<std::ptrdiff_t>(column) + 1, names.end(),
+                                 names[column]) != names.end();
+    return again ? variable.values : std::exchange(variable.values, {});
   };
-  std::vector<std::string> wanted = {variable_of("t")};
-  for (const Channel& channel : campaign.channels) wanted.push_back(variable_of(channel.name));
-  const DataFile data = read_data_file(campaign.folder / entry.file, wanted, missing);
-  RecordData record{data.file, data.place, data.vector(wanted.front()).values, {}};
+  RecordData record{data.file, data.place, take(0), {}, 1, data.partial, data.format == "CSV", {}};
+  for (const std::size_t length : data.vector(names.front()).shape) record.total *= length;
+  if (!data.last_row.empty()) record.last_stamp_s = data.last_row[data.index_of(names.front())];
   for (std::size_t c = 0; c < campaign.channels.size(); ++c) {
-    const DataVariable& variable = data.vector(wanted[c + 1]);
+    const DataVariable& variable = data.vector(names[c + 1]);
     const Quantity quantity = campaign.channels[c].quantity;
     if (const std::string fault = quantity_fault(variable, quantity); !fault.empty())
       throw InputError(data.file, "variable " + variable.name, fault,
                        fmt::format("campaign.toml says {}", to_string(quantity)));
-    record.channels.push_back(variable.values);
+    record.channels.push_back(take(c + 1));
     if (record.channels.back().size() != record.stamps_s.size())
       throw InputError(
           data.file, "channel " + campaign.channels[c].name,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,15 @@ struct RecordData {
   RowPlace place;
   std::vector<double> stamps_s;
   std::vector<std::vector<double>> channels;  ///< by Campaign::channels, each as long as stamps_s
+  std::size_t total = 0;  ///< samples in the file: more than those here where only the first were asked for
+  bool partial = false;   ///< the file has more
+  bool csv = false;       ///< whose length is estimated where `partial`
+  std::optional<double> last_stamp_s{};  ///< of a CSV read in part, where its end is not damaged
 };
 
 /// Reads the variables that the campaign's channels (and "t") name in the record's file; `entry.variables` renames
-/// them. Throws InputError as read_record does, for everything but time.
-RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, MissingNumbers missing);
+/// them; the first `limit` samples. Throws InputError as read_record does, for everything but time.
+RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, MissingNumbers missing,
+                            std::size_t limit = all_values);
 
 }  // namespace secular

@@ -4,16 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "estimator/campaign/number_table.hpp"
 #include "estimator/campaign/uff_function.hpp"
 
 namespace secular {
 
 enum class UffEncoding { ascii, little_endian, big_endian };
 
-/// The data sets 58 and 58b of a universal file, in file order; other data sets are skipped. Accepts CRLF, trailing
+/// The data sets 58 and 58b of a universal file, in file order, with the first `limit` values of each; other data
+/// sets are skipped. Accepts CRLF, trailing
 /// blanks, Fortran's D exponents and numbers that are not aligned to their columns. Throws InputError with the line
 /// (behind binary data: the byte) for everything that is not as the format says and for a file that is cut short.
-std::vector<UffFunction> read_uff(const std::filesystem::path& path);
+std::vector<UffFunction> read_uff(const std::filesystem::path& path, std::size_t limit = all_values);
 
 /// A universal file of data sets 58 (ASCII) or 58b. ASCII keeps six digits of single and thirteen of double
 /// numbers; the abscissa of ASCII data and the interval of even data have six.

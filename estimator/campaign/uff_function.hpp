@@ -44,6 +44,7 @@ struct UffFunction {
   double rate = 1;   ///< values for each unit of an even abscissa: meant_rate of the printed interval
   double z_value = 0;
   UffAxis abscissa, numerator, denominator, z;
+  std::size_t count = 0;  ///< of values in the file it was read from
   std::vector<double> uneven_abscissa;
   std::vector<double> real, imaginary;  ///< `imaginary` of complex functions only
 };

@@ -15,6 +15,13 @@ std::string_view UffLines::take() {
   return text_.substr(begin_, end - begin_);
 }
 
+bool UffLines::skip_lines(std::size_t count, std::size_t bytes) {
+  if (bytes == 0 || bytes > left() || text_[next_ + bytes - 1] != '\n') return false;
+  next_ += bytes;
+  line_ += count;
+  return true;
+}
+
 std::string_view UffLines::take_bytes(std::size_t count) {
   begin_ = next_;
   next_ += count;

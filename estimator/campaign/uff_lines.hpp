@@ -15,6 +15,8 @@ class UffLines {
   std::size_t left() const { return text_.size() - next_; }
   /// The next line without its break; empty at the end.
   std::string_view take();
+  /// Leaves out lines whose length is known. False, and nothing happens, unless a line ends there.
+  bool skip_lines(std::size_t count, std::size_t bytes);
   /// The next bytes, of which there are enough.
   std::string_view take_bytes(std::size_t count);
   std::string_view rest() const { return text_.substr(next_); }

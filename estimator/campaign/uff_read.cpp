@@ -8,6 +8,7 @@
 
 #include "estimator/campaign/file_bytes.hpp"
 #include "estimator/campaign/fortran_number.hpp"
+#include "estimator/campaign/mapped_file.hpp"
 #include "estimator/campaign/stored_numbers.hpp"
 #include "estimator/campaign/uff_file.hpp"
 #include "estimator/campaign/uff_header.hpp"
@@ -132,8 +133,26 @@ std::optional<std::vector<double>> numbers_by_columns(std::string_view line, std
   return stripped(line).empty() ? std::optional(std::move(numbers)) : std::nullopt;
 }
 
+// From inside of the numbers to behind the delimiter: it is tried where lines of equal length would put it.
+bool skip_numbers(UffLines& lines, std::size_t missing, std::size_t a_line, std::size_t line_size) {
+  if (missing > a_line) {
+    const std::size_t full = (missing - 1) / a_line;
+    UffLines ahead = lines;
+    if (full <= ahead.left() / line_size && ahead.skip_lines(full, full * line_size)) {
+      ahead.take();
+      if (!ahead.at_end() && is_uff_delimiter(ahead.take())) {
+        lines = ahead;
+        return true;
+      }
+    }
+  }
+  while (!lines.at_end())
+    if (is_uff_delimiter(lines.take())) return true;
+  return false;
+}
+
 // Takes the delimiter too.
-void read_ascii_numbers(UffLines& lines, UffHeader& header) {
+void read_ascii_numbers(UffLines& lines, UffHeader& header, std::size_t limit) {
   NumberSink sink(header);
   const std::span<const std::size_t> widths = column_widths(header.function);
   const auto announced = [&] {
@@ -157,6 +176,12 @@ void read_ascii_numbers(UffLines& lines, UffHeader& header) {
     if (is_more(sink.taken() + numbers->size()))
       lines.fail("holds more numbers than the header announces: " + announced(), whole_again);
     for (const double number : *numbers) sink.put(number);
+    if (sink.taken() / sink.a_value() >= limit && sink.taken() / sink.a_value() < header.count &&
+        sink.taken() % sink.a_value() == 0 && !numbers->empty()) {
+      const std::size_t missing = header.count * sink.a_value() - sink.taken();
+      if (skip_numbers(lines, missing, numbers->size(), line.size() + 1)) return;
+      break;
+    }
   }
   lines.fail("the data set does not end: the delimiter -1 is missing", whole_again);
 }
@@ -180,7 +205,7 @@ std::size_t abscissa_size(const UffLines& lines, const UffHeader& header, std::s
 }
 
 // Takes the delimiter too, which may follow with or without a line break.
-void read_binary_numbers(UffLines& lines, const DataSetHead& head, UffHeader& header) {
+void read_binary_numbers(UffLines& lines, const DataSetHead& head, UffHeader& header, std::size_t limit) {
   const UffFunction& function = header.function;
   if (static_cast<unsigned long long>(head.bytes) > lines.left())
     lines.fail(fmt::format("{} bytes of data are announced, {} follow", head.bytes, lines.left()), whole_again);
@@ -190,7 +215,7 @@ void read_binary_numbers(UffLines& lines, const DataSetHead& head, UffHeader& he
   const ByteOrder order = head.byte_order == 1 ? ByteOrder::little : ByteOrder::big;
   NumberSink sink(header);
   std::size_t at = 0;
-  while (at < data.size()) {
+  while (at < data.size() && sink.taken() / sink.a_value() < limit) {
     const bool of_abscissa = !function.even && sink.taken() % sink.a_value() == 0;
     const std::size_t size = of_abscissa ? abscissa : is_double(function.ordinate) ? 8 : 4;
     sink.put(float_at(data, at, size, order));
@@ -201,7 +226,7 @@ void read_binary_numbers(UffLines& lines, const DataSetHead& head, UffHeader& he
   if (!is_uff_delimiter(line)) lines.fail("the delimiter -1 does not follow the binary data", whole_again);
 }
 
-UffFunction read_function(UffLines& lines, const DataSetHead& head) {
+UffFunction read_function(UffLines& lines, const DataSetHead& head, std::size_t limit) {
   if (head.binary) {
     if (head.byte_order != 1 && head.byte_order != 2)
       lines.fail(fmt::format("byte order {} is not known", head.byte_order), "1 (little) or 2 (big) was expected");
@@ -212,17 +237,19 @@ UffFunction read_function(UffLines& lines, const DataSetHead& head) {
       lines.fail(fmt::format("has {} lines in front of the data", head.header_lines), "11 were expected");
   }
   UffHeader header = read_uff_header(lines);
+  header.function.count = header.count;
   if (head.binary)
-    read_binary_numbers(lines, head, header);
+    read_binary_numbers(lines, head, header, limit);
   else
-    read_ascii_numbers(lines, header);
+    read_ascii_numbers(lines, header, limit);
   return std::move(header.function);
 }
 
 }  // namespace
 
-std::vector<UffFunction> read_uff(const std::filesystem::path& path) {
-  const std::string text = file_bytes(path);
+std::vector<UffFunction> read_uff(const std::filesystem::path& path, std::size_t limit) {
+  const MappedFile mapped(path);
+  const std::string_view text = mapped.bytes();
   UffLines lines(text, path.string());
   if (stripped(text).empty()) throw InputError(path.string(), "", "is empty", "data sets 58 were expected");
   std::vector<UffFunction> functions;
@@ -234,7 +261,7 @@ std::vector<UffFunction> read_uff(const std::filesystem::path& path) {
     if (lines.at_end()) lines.fail("no data set follows the delimiter", whole_again);
     const DataSetHead head = read_head(lines);
     if (head.number == 58)
-      functions.push_back(read_function(lines, head));
+      functions.push_back(read_function(lines, head, limit));
     else
       skip_data_set(head, lines);
   }

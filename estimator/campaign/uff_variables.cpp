@@ -59,19 +59,18 @@ std::string channel_fault(const UffFunction& function) {
     return fmt::format("is a {} (function type {}), no time response (type 1)", function_type_name(function.type),
                        function.type);
   if (is_complex(function.ordinate)) return "is complex";
-  if (function.real.empty()) return "is empty";
+  if (function.count == 0) return "is empty";
   return {};
 }
 
 bool same_time(const UffFunction& a, const UffFunction& b) {
-  return a.even == b.even && a.real.size() == b.real.size() && a.start == b.start && a.rate == b.rate &&
+  return a.even == b.even && a.count == b.count && a.start == b.start && a.rate == b.rate &&
          a.uneven_abscissa == b.uneven_abscissa && a.abscissa.unit == b.abscissa.unit &&
          a.abscissa.data_type == b.abscissa.data_type;
 }
 
 DataVariable time_variable(std::string name, const UffFunction& function, bool read) {
-  const std::size_t count = function.real.size();
-  DataVariable time{std::move(name), {count}, "time", {}, {}};
+  DataVariable time{std::move(name), {function.count}, "time", {}, {}};
   const std::optional<double> seconds = seconds_in_unit(function.abscissa);
   if (!seconds) {
     time.fault = function.abscissa.unit.empty()
@@ -85,7 +84,7 @@ DataVariable time_variable(std::string name, const UffFunction& function, bool r
   if (!read) return time;
   time.values = function.uneven_abscissa;
   if (function.even)
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < function.real.size(); ++i)
       time.values.push_back(function.start + static_cast<double>(i) / function.rate);
   if (*seconds != 1)
     for (double& stamp : time.values) stamp *= *seconds;
@@ -94,7 +93,7 @@ DataVariable time_variable(std::string name, const UffFunction& function, bool r
 
 DataVariable channel_variable(std::string name, UffFunction& function, bool read) {
   DataVariable channel{
-      std::move(name), {function.real.size()}, type_name(function.ordinate), {}, channel_fault(function)};
+      std::move(name), {function.count}, type_name(function.ordinate), {}, channel_fault(function)};
   channel.stated_unit = function.numerator.unit;
   const std::optional<UffMeaning> meaning = ordinate_meaning(function.numerator, is_rotation(function.response));
   if (meaning) {
@@ -110,8 +109,9 @@ DataVariable channel_variable(std::string name, UffFunction& function, bool read
 
 }  // namespace
 
-DataFile read_uff_variables(const std::filesystem::path& path, const std::vector<std::string>& wanted) {
-  std::vector<UffFunction> functions = read_uff(path);
+DataFile read_uff_variables(const std::filesystem::path& path, const std::vector<std::string>& wanted,
+                            std::size_t limit) {
+  std::vector<UffFunction> functions = read_uff(path, limit);
   if (functions.empty())
     throw InputError(path.string(), "", "is a universal file without a data set 58",
                      "time responses as data sets 58 or 58b were expected");
@@ -126,6 +126,8 @@ DataFile read_uff_variables(const std::filesystem::path& path, const std::vector
     return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
   };
   DataFile data{path.string(), "UFF 58", {}, {"value", 1}};
+  data.partial = std::any_of(functions.begin(), functions.end(),
+                             [&](const UffFunction& function) { return function.count > limit; });
   for (const std::size_t i : channels) {
     const std::string name = shared ? "t" : names[i] + ".t";
     data.variables.push_back(time_variable(name, functions[i], is_wanted(name)));

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "estimator/campaign/file_bytes.hpp"
+#include "estimator/campaign/mapped_file.hpp"
 #include "estimator/campaign/stored_numbers.hpp"
 #include "input/input_error.hpp"
 
@@ -93,11 +94,11 @@ double sample(const Wav& wav, std::size_t at) {
 
 }  // namespace
 
-DataFile read_wav(const std::filesystem::path& path, const std::vector<std::string>& wanted) {
-  const std::string bytes = file_bytes(path);
+DataFile read_wav(const std::filesystem::path& path, const std::vector<std::string>& wanted, std::size_t limit) {
+  const MappedFile mapped(path);
   if (!looks_like_wav(path))
     throw InputError(path.string(), "byte 1", "is not the begin of a WAV file", "RIFF and WAVE were expected");
-  const Wav wav = read_chunks(bytes, path.string());
+  const Wav wav = read_chunks(mapped.bytes(), path.string());
   const Format& format = wav.format;
   const std::size_t count = wav.samples.size() / (format.channels * format.bytes_a_sample);
   const auto is_wanted = [&](const std::string& name) {
@@ -106,8 +107,10 @@ DataFile read_wav(const std::filesystem::path& path, const std::vector<std::stri
   DataFile data{path.string(), "WAV", {}, {"sample", 1}};
   const std::string empty = count == 0 ? "is empty" : "";
   data.variables.push_back({"t", {count}, "time", {}, empty});
+  const std::size_t taken = std::min(count, limit);
+  data.partial = taken < count;
   if (is_wanted("t"))
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < taken; ++i)
       data.variables.back().values.push_back(static_cast<double>(i) / format.sample_rate_hz);
   const std::string type = fmt::format("{}-bit {}, full scale 1", 8 * format.bytes_a_sample,
                                        format.coding == pcm ? "PCM" : "floating point");
@@ -115,8 +118,8 @@ DataFile read_wav(const std::filesystem::path& path, const std::vector<std::stri
     data.variables.push_back({fmt::format("channel {}", c + 1), {count}, type, {}, empty});
     DataVariable& channel = data.variables.back();
     if (!is_wanted(channel.name)) continue;
-    channel.values.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
+    channel.values.reserve(taken);
+    for (std::size_t i = 0; i < taken; ++i)
       channel.values.push_back(sample(wav, (i * format.channels + c) * format.bytes_a_sample));
   }
   return data;

@@ -40,32 +40,60 @@ VectorXd force_window(Index samples, double rate, const ImpactWindows& windows) 
 
 }  // namespace
 
-FrequencyResponse frequency_response(const std::vector<ImpactBlock>& impacts, double sample_rate_hz,
-                                     const ImpactWindows& windows) {
-  if (impacts.empty()) throw std::invalid_argument("frequency_response: no impacts");
-  const Index samples = impacts.front().force.size(), p = impacts.front().responses.cols();
+void ImpactSpectra::add(const ImpactSpectra& other) {
+  if (impacts == 0) {
+    *this = other;
+    return;
+  }
+  if (other.cross.rows() != cross.rows() || other.cross.cols() != cross.cols())
+    throw std::invalid_argument("frequency_response: impacts of unequal size");
+  force_power += other.force_power;
+  power += other.power;
+  cross += other.cross;
+  impacts += other.impacts;
+}
+
+void ImpactSpectra::remove(const ImpactSpectra& other) {
+  force_power -= other.force_power;
+  power -= other.power;
+  cross -= other.cross;
+  impacts -= other.impacts;
+}
+
+ImpactSpectra impact_spectra(const ImpactBlock& impact, double sample_rate_hz, const ImpactWindows& windows) {
+  const Index samples = impact.force.size(), p = impact.responses.cols(), lines = samples / 2 + 1;
   if (samples < 4 || samples % 2 != 0 || p == 0)
     throw std::invalid_argument("frequency_response: an even number of samples and a response are needed");
-  const Index lines = samples / 2 + 1;
-  const VectorXd force_weight = force_window(samples, sample_rate_hz, windows);
+  if (impact.responses.rows() != samples)
+    throw std::invalid_argument("frequency_response: impacts of unequal size");
   const VectorXd response_weight = force_window(samples, sample_rate_hz, {0, windows.decay});
-  VectorXd force_power = VectorXd::Zero(lines);
-  MatrixXd power = MatrixXd::Zero(lines, p);
-  MatrixXcd cross = MatrixXcd::Zero(lines, p);  // X conj F
-  for (const ImpactBlock& impact : impacts) {
-    if (impact.force.size() != samples || impact.responses.rows() != samples || impact.responses.cols() != p)
-      throw std::invalid_argument("frequency_response: impacts of unequal size");
-    const VectorXcd force = half_spectrum(impact.force.cwiseProduct(force_weight));
-    force_power += force.cwiseAbs2();
-    for (Index c = 0; c < p; ++c) {
-      const VectorXcd x = half_spectrum(impact.responses.col(c).cwiseProduct(response_weight));
-      power.col(c) += x.cwiseAbs2();
-      cross.col(c) += x.cwiseProduct(force.conjugate());
-    }
+  const VectorXcd force = half_spectrum(impact.force.cwiseProduct(force_window(samples, sample_rate_hz, windows)));
+  ImpactSpectra sums{force.cwiseAbs2(), MatrixXd(lines, p), MatrixXcd(lines, p), 1};
+  for (Index c = 0; c < p; ++c) {
+    const VectorXcd x = half_spectrum(impact.responses.col(c).cwiseProduct(response_weight));
+    sums.power.col(c) = x.cwiseAbs2();
+    sums.cross.col(c) = x.cwiseProduct(force.conjugate());
   }
+  return sums;
+}
+
+FrequencyResponse frequency_response(const std::vector<ImpactBlock>& impacts, double sample_rate_hz,
+                                     const ImpactWindows& windows) {
+  ImpactSpectra sums;
+  for (const ImpactBlock& impact : impacts) sums.add(impact_spectra(impact, sample_rate_hz, windows));
+  return frequency_response(sums, sample_rate_hz, windows);
+}
+
+FrequencyResponse frequency_response(const ImpactSpectra& sums, double sample_rate_hz,
+                                     const ImpactWindows& windows) {
+  if (sums.impacts < 1) throw std::invalid_argument("frequency_response: no impacts");
+  const VectorXd& force_power = sums.force_power;
+  const MatrixXd& power = sums.power;
+  const MatrixXcd& cross = sums.cross;
+  const Index lines = cross.rows(), p = cross.cols(), samples = 2 * (lines - 1);
   if (!(force_power.maxCoeff() > 0)) throw std::invalid_argument("frequency_response: there is no force");
   FrequencyResponse result;
-  result.impacts = static_cast<int>(impacts.size());
+  result.impacts = sums.impacts;
   result.windows = windows;
   result.frequency_hz = VectorXd::LinSpaced(lines, 0, static_cast<double>(lines - 1)) *
                         (sample_rate_hz / static_cast<double>(samples));
@@ -77,7 +105,7 @@ FrequencyResponse frequency_response(const std::vector<ImpactBlock>& impacts, do
     for (Index i = 0; i < lines; ++i) {
       if (force_power(i) <= 0) continue;
       result.h1(i, c) = cross(i, c) / force_power(i);
-      if (std::norm(cross(i, c)) <= 0) continue;
+      if (std::norm(cross(i, c)) <= 0 || power(i, c) <= 0) continue;
       result.h2(i, c) = power(i, c) / std::conj(cross(i, c));
       result.coherence(i, c) = std::min(1.0, std::norm(cross(i, c)) / (force_power(i) * power(i, c)));
       if (result.impacts > 1)

@@ -33,6 +33,24 @@ struct FrequencyResponse {
   ImpactWindows windows;
 };
 
+/// Sums over impacts from which the estimates follow: impacts come one at a time and leave again.
+struct ImpactSpectra {
+  Eigen::VectorXd force_power;  ///< lines, sum of |F|^2
+  Eigen::MatrixXd power;        ///< lines x p, sum of |X|^2
+  Eigen::MatrixXcd cross;       ///< lines x p, sum of X conj F
+  int impacts = 0;
+
+  void add(const ImpactSpectra& other);
+  void remove(const ImpactSpectra& other);
+};
+
+/// Those of one impact. Throws std::invalid_argument for an odd number of samples, fewer than four, or no response.
+ImpactSpectra impact_spectra(const ImpactBlock& impact, double sample_rate_hz, const ImpactWindows& windows);
+
+/// H1, H2 and coherence from the sums. Throws std::invalid_argument for none and for sums without any force.
+FrequencyResponse frequency_response(const ImpactSpectra& sums, double sample_rate_hz,
+                                     const ImpactWindows& windows);
+
 /// H1, H2 and coherence of impacts of equal length. Throws std::invalid_argument for none or unequal ones, and for
 /// a block without any force.
 FrequencyResponse frequency_response(const std::vector<ImpactBlock>& impacts, double sample_rate_hz,

@@ -74,12 +74,13 @@ SurveyMode begin_mode(const StableMode& stable) {
 // ---- impacts
 
 // The decay that an exponential window needs so that the responses end three decades below their largest value.
-double chosen_decay(const SurveyRecords& records) {
+double chosen_decay(SurveyRecords& records) {
   double decay = 0;
-  for (const SurveyImpacts& group : records.impacts)
-    for (const ImpactBlock& block : group.blocks) {
+  for (const SurveyImpacts& group : records.impacts())
+    for (const ImpactPlace& place : group.places) {
+      const ImpactBlock block = records.impact(place);
       const Index tail = std::max<Index>(1, block.responses.rows() / 20);
-      const double duration = static_cast<double>(block.responses.rows()) / records.impact_rate_hz;
+      const double duration = static_cast<double>(block.responses.rows()) / records.impact_rate_hz();
       for (Index c = 0; c < block.responses.cols(); ++c) {
         const double largest = block.responses.col(c).cwiseAbs().maxCoeff();
         if (!(largest > 0)) continue;
@@ -158,15 +159,23 @@ ImpactModes modes_of_lines(const std::vector<SurveyReference>& references, Respo
   return result;
 }
 
-std::vector<SurveyReference> references_of(ModalSurvey& survey, const SurveyRecords& records, double decay,
-                                           std::size_t left_out_group, std::size_t left_out) {
+// Sums over the impacts of every group.
+std::vector<ImpactSpectra> sums_of(SurveyRecords& records, const ImpactWindows& windows) {
+  std::vector<ImpactSpectra> sums(records.impacts().size());
+  for (std::size_t g = 0; g < sums.size(); ++g)
+    for (const ImpactPlace& place : records.impacts()[g].places)
+      sums[g].add(impact_spectra(records.impact(place), records.impact_rate_hz(), windows));
+  return sums;
+}
+
+std::vector<SurveyReference> references_of(const ModalSurvey& survey, const SurveyRecords& records,
+                                           const std::vector<ImpactSpectra>& sums, const ImpactWindows& windows) {
   std::vector<SurveyReference> references;
-  for (std::size_t g = 0; g < records.impacts.size(); ++g) {
-    const SurveyImpacts& impacts = records.impacts[g];
+  for (std::size_t g = 0; g < sums.size(); ++g) {
     SurveyReference reference;
-    reference.group = impacts.group;
-    std::string channel = impacts.group;
-    if (const auto given = survey.options.driving_points.find(impacts.group);
+    reference.group = records.impacts()[g].group;
+    std::string channel = reference.group;
+    if (const auto given = survey.options.driving_points.find(reference.group);
         given != survey.options.driving_points.end()) {
       channel = given->second.channel;
       reference.sign = given->second.sign;
@@ -174,9 +183,7 @@ std::vector<SurveyReference> references_of(ModalSurvey& survey, const SurveyReco
     for (std::size_t c = 0; c < survey.channels.size(); ++c)
       if (survey.campaign.channels[survey.channels[c]].name == channel)
         reference.driving_channel = static_cast<Index>(c);
-    std::vector<ImpactBlock> blocks = impacts.blocks;
-    if (g == left_out_group) blocks.erase(blocks.begin() + static_cast<std::ptrdiff_t>(left_out));
-    reference.response = frequency_response(blocks, records.impact_rate_hz, {survey.options.force_window_s, decay});
+    reference.response = frequency_response(sums[g], records.impact_rate_hz(), windows);
     references.push_back(std::move(reference));
   }
   return references;
@@ -185,7 +192,7 @@ std::vector<SurveyReference> references_of(ModalSurvey& survey, const SurveyReco
 void check_driving_points(const ModalSurvey& survey, const SurveyRecords& records) {
   for (const auto& [group, point] : survey.options.driving_points) {
     const bool known =
-        std::any_of(records.impacts.begin(), records.impacts.end(),
+        std::any_of(records.impacts().begin(), records.impacts().end(),
                     [&, &name = group](const SurveyImpacts& impacts) { return impacts.group == name; });
     if (!known)
       throw InputError("--driving-point " + group + "=" + point.channel, "", "no impact record has this group",
@@ -201,13 +208,14 @@ void check_driving_points(const ModalSurvey& survey, const SurveyRecords& record
   }
 }
 
-void survey_impacts(ModalSurvey& survey, const SurveyRecords& records) {
+void survey_impacts(ModalSurvey& survey, SurveyRecords& records) {
   check_driving_points(survey, records);
   const double decay = survey.options.response_decay ? *survey.options.response_decay : chosen_decay(records);
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  survey.references = references_of(survey, records, decay, none, 0);
+  const ImpactWindows impact_windows{survey.options.force_window_s, decay};
+  std::vector<ImpactSpectra> sums = sums_of(records, impact_windows);
+  survey.references = references_of(survey, records, sums, impact_windows);
   const FrequencyResponse& first = survey.references.front().response;
-  const double nyquist = records.impact_rate_hz / 2;
+  const double nyquist = records.impact_rate_hz() / 2;
   const double top =
       survey.options.highest_hz > 0 ? std::min(nyquist, survey.options.highest_hz * 1.25) : 0.8 * nyquist;
   std::vector<MatrixXcd> lines;
@@ -237,9 +245,16 @@ void survey_impacts(ModalSurvey& survey, const SurveyRecords& records) {
   const ImpactModes found = modes_from(survey.references, start);
   // Leaving out one impact at a time; a reference struck once cannot spare it.
   std::vector<ImpactModes> without;
-  for (std::size_t g = 0; g < records.impacts.size(); ++g)
-    for (std::size_t i = 0; records.impacts[g].blocks.size() > 2 && i < records.impacts[g].blocks.size(); ++i)
-      without.push_back(modes_from(references_of(survey, records, decay, g, i), found.poles));
+  for (std::size_t g = 0; g < sums.size(); ++g) {
+    const std::vector<ImpactPlace>& places = records.impacts()[g].places;
+    if (places.size() < 3) continue;
+    const ImpactSpectra all_of_group = sums[g];
+    for (const ImpactPlace& place : places) {
+      sums[g].remove(impact_spectra(records.impact(place), records.impact_rate_hz(), impact_windows));
+      without.push_back(modes_from(references_of(survey, records, sums, impact_windows), found.poles));
+      sums[g] = all_of_group;
+    }
+  }
   const auto n = static_cast<double>(without.size());
   const auto jackknife = [&](const auto& value, double whole) {
     double square = 0;
@@ -278,47 +293,59 @@ void survey_impacts(ModalSurvey& survey, const SurveyRecords& records) {
 
 // ---- free decays
 
-void decay_spectrum(ModalSurvey& survey, const SurveyRecords& records) {
-  Index samples = std::numeric_limits<Index>::max();
-  for (const SurveyDecay& decay : records.decays) samples = std::min(samples, decay.samples.rows() / 2 * 2);
-  const double rate = records.decays.front().sample_rate_hz;
-  const Index lines = samples / 2 + 1;
-  survey.spectrum_hz =
-      VectorXd::LinSpaced(lines, 0, static_cast<double>(lines - 1)) * (rate / static_cast<double>(samples));
-  survey.spectrum = VectorXd::Zero(lines);
-  Eigen::FFT<double> transform;
-  transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  double count = 0;
-  for (const SurveyDecay& decay : records.decays)
-    for (Index c = 0; c < decay.samples.cols(); ++c) {
-      VectorXd column = decay.samples.col(c).head(samples);
+// Adds up the power spectra of the decays as they come.
+class DecaySpectrum {
+ public:
+  explicit DecaySpectrum(const std::vector<DecaySummary>& decays) : rate_(decays.front().sample_rate_hz) {
+    for (const DecaySummary& decay : decays) samples_ = std::min(samples_, decay.rows / 2 * 2);
+    power_ = VectorXd::Zero(samples_ / 2 + 1);
+    transform_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  }
+
+  void add(const MatrixXd& decay) {
+    for (Index c = 0; c < decay.cols(); ++c) {
+      VectorXd column = decay.col(c).head(samples_);
       column.array() -= column.mean();
-      for (Index i = 0; i < samples; ++i)
+      for (Index i = 0; i < samples_; ++i)
         column(i) *=
-            1 - std::cos(2 * std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(samples));
+            1 - std::cos(2 * std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(samples_));
       VectorXcd spectrum;
-      transform.fwd(spectrum, column);
-      survey.spectrum += spectrum.cwiseAbs2();
-      ++count;
+      transform_.fwd(spectrum, column);
+      power_ += spectrum.cwiseAbs2();
+      ++count_;
     }
-  survey.spectrum = (survey.spectrum / count).cwiseSqrt() * (2 / static_cast<double>(samples));
-}
+  }
+
+  void store(ModalSurvey& survey) const {
+    const Index lines = power_.size();
+    survey.spectrum_hz =
+        VectorXd::LinSpaced(lines, 0, static_cast<double>(lines - 1)) * (rate_ / static_cast<double>(samples_));
+    survey.spectrum = (power_ / count_).cwiseSqrt() * (2 / static_cast<double>(samples_));
+  }
+
+ private:
+  Index samples_ = std::numeric_limits<Index>::max();
+  double rate_, count_ = 0;
+  VectorXd power_;
+  Eigen::FFT<double> transform_;
+};
 
 void diagram_of_decays(ModalSurvey& survey, const SurveyRecords& records) {
   Index samples = std::numeric_limits<Index>::max();
-  for (const SurveyDecay& decay : records.decays) samples = std::min(samples, decay.samples.rows());
-  const auto p = static_cast<Index>(survey.channels.size()), q = static_cast<Index>(records.decays.size());
-  // What the Hankel matrix can take; the beginning of the decays, where every mode still moves.
-  samples = std::min<Index>(samples, 4000 / p + 2 * survey.options.largest_order);
+  for (const DecaySummary& decay : records.decays()) samples = std::min(samples, decay.head.rows());
+  // Decays of one structure resemble each other: many of them would fill the Hankel matrix with repetitions in the
+  // place of delays. A few, spread over the campaign, show every mode.
+  constexpr Index most_decays = 8;
+  const auto p = static_cast<Index>(survey.channels.size()), all = static_cast<Index>(records.decays().size());
+  const Index q = std::min(all, most_decays);
   ResponseSequence responses(static_cast<std::size_t>(samples), MatrixXd(p, q));
   for (Index k = 0; k < samples; ++k)
     for (Index j = 0; j < q; ++j)
       responses[static_cast<std::size_t>(k)].col(j) =
-          records.decays[static_cast<std::size_t>(j)].samples.row(k).transpose();
-  survey.diagram = diagram_of(survey, responses, records.decays.front().sample_rate_hz, false);
+          records.decays()[static_cast<std::size_t>(j * all / q)].head.row(k).transpose();
+  survey.diagram = diagram_of(survey, responses, records.decays().front().sample_rate_hz, false);
   keep_strongest(survey.diagram, survey.options.modes);
   for (const StableMode& stable : survey.diagram.modes) survey.modes.push_back(begin_mode(stable));
-  decay_spectrum(survey, records);
 }
 
 // Long enough that the slowest mode loses a fifth and the lowest swings eight times; a quarter of the shortest
@@ -330,8 +357,8 @@ double chosen_window(const ModalSurvey& survey, const SurveyRecords& records) {
     loss = std::max(loss, 0.25 / std::max(1e-12, -mode.pole.real()));
   }
   double least = 0;
-  for (const SurveyDecay& decay : records.decays) {
-    limit = std::min(limit, 0.25 * static_cast<double>(decay.samples.rows()) / decay.sample_rate_hz);
+  for (const DecaySummary& decay : records.decays()) {
+    limit = std::min(limit, 0.25 * static_cast<double>(decay.rows) / decay.sample_rate_hz);
     least = static_cast<double>(12 + 8 * survey.modes.size()) / decay.sample_rate_hz;
   }
   return std::max(least, std::min(limit, std::max(periods, loss)));
@@ -348,7 +375,7 @@ void add_others(const ModalSurvey& survey, double rate, std::vector<Complex>& po
     if (static_cast<double>(poles.size()) + 1 < fits) poles.push_back(mode.pole);
 }
 
-void survey_decays(ModalSurvey& survey, const SurveyRecords& records) {
+void survey_decays(ModalSurvey& survey, SurveyRecords& records) {
   const bool alone = survey.references.empty();
   if (alone) diagram_of_decays(survey, records);
   if (survey.modes.empty()) return;
@@ -358,24 +385,29 @@ void survey_decays(ModalSurvey& survey, const SurveyRecords& records) {
   survey.window_s = options.length_s;
   std::vector<Complex> poles;
   for (const SurveyMode& mode : survey.modes) poles.push_back(mode.pole);
-  if (alone) add_others(survey, records.decays.front().sample_rate_hz, poles);
-  for (const SurveyDecay& decay : records.decays) {
+  if (alone) add_others(survey, records.decays().front().sample_rate_hz, poles);
+  DecaySpectrum spectrum(records.decays());
+  for (std::size_t i = 0; i < records.decays().size(); ++i) {
+    const SurveyDecay& decay = records.decay(i);
+    const std::size_t record = records.decays()[i].record;
+    if (alone) spectrum.add(decay.samples);
     std::vector<ModeWindow> windows;
     try {
       windows = mode_windows(decay.samples, decay.sample_rate_hz, poles, options);
     } catch (const std::invalid_argument&) {
       throw InputError(
-          (survey.campaign.folder / survey.campaign.records[decay.record].file).string(), "",
+          (survey.campaign.folder / survey.campaign.records[record].file).string(), "",
           fmt::format("a window of {:.4g} s does not fit {} modes and the record", options.length_s, poles.size()),
           "choose another --window, or fewer --modes");
     }
     for (ModeWindow& window : windows) {
       if (window.mode >= static_cast<Index>(survey.modes.size())) continue;
-      window.record = decay.record;
+      window.record = record;
       window.centre_s += decay.start_s;
       survey.windows.push_back(std::move(window));
     }
   }
+  if (alone) spectrum.store(survey);
   for (std::size_t r = 0; r < survey.modes.size(); ++r) {
     SurveyMode& mode = survey.modes[r];
     const AmplitudeDependence dependence =
@@ -446,9 +478,9 @@ ModalSurvey modal_survey(const std::filesystem::path& folder, const ModalSurveyO
     throw InputError("--band", "", fmt::format("{} Hz is not below half the sample rate", options.highest_hz),
                      fmt::format("{} samples/s allow less than {} Hz", survey.campaign.sample_rate_hz,
                                  0.5 * survey.campaign.sample_rate_hz));
-  const SurveyRecords records = survey_records(survey);
-  if (!records.impacts.empty()) survey_impacts(survey, records);
-  if (!records.decays.empty()) survey_decays(survey, records);
+  SurveyRecords records(survey);
+  if (!records.impacts().empty()) survey_impacts(survey, records);
+  if (!records.decays().empty()) survey_decays(survey, records);
   if (survey.modes.empty())
     throw InputError(toml_of(survey), "", "no mode stands in the stabilisation diagram",
                      "try another --band, a larger --order, or a part with less noise (--from, --to)");

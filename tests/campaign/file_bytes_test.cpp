@@ -1,5 +1,6 @@
 #include "estimator/campaign/file_bytes.hpp"
 
+#include "estimator/campaign/mapped_file.hpp"
 #include "estimator/campaign/stored_numbers.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 
@@ -33,11 +34,11 @@ TEST(StoredNumbers, BothByteOrders) {
 class FileBytes : public TemporaryFolder {};
 
 TEST_F(FileBytes, AreAllOrAComplaint) {
-  EXPECT_EQ(file_bytes(write("a", std::string("a\0b", 3))), std::string("a\0b", 3));
+  EXPECT_EQ(MappedFile(write("a", std::string("a\0b", 3))).bytes(), std::string("a\0b", 3));
   EXPECT_EQ(some_bytes(folder_ / "a", 2), std::string("a\0", 2));
   EXPECT_EQ(some_bytes(folder_ / "none", 2), "");
-  EXPECT_TRUE(contains(refusal([&] { file_bytes(folder_); }), "is a folder"));
-  EXPECT_TRUE(contains(refusal([&] { file_bytes(folder_ / "none"); }), "cannot be opened"));
+  EXPECT_TRUE(contains(refusal([&] { MappedFile file(folder_); }), "is a folder"));
+  EXPECT_TRUE(contains(refusal([&] { MappedFile file(folder_ / "none"); }), "cannot be opened"));
 }
 
 }  // namespace

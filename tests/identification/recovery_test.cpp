@@ -57,8 +57,7 @@ Recovered recover(const std::string& name, std::uint64_t seed, const EstimateOpt
   r.measured = dwells ? observe_dwells(simulated.campaign, read, *r.model, *r.resonance, {})
                       : observe_free_decays(simulated.campaign, read, *r.model, *r.resonance, {});
   const Estimate raw = estimate(r.measured, unit, {"m/s^2"}, options);
-  const ObservationSet replayed = observe_replay(
-      simulated.campaign, r.measured, replay_records(simulated.campaign, r.measured, raw.parameter_values, 2));
+  const ObservationSet replayed = observe_replay(simulated.campaign, r.measured, raw.parameter_values, 2);
   r.estimate = truncation_corrected(raw, estimate(replayed, unit, {"m/s^2"}, options), raw.parameter_values,
                                     *r.model, *r.resonance);
   return r;

@@ -1,0 +1,132 @@
+#include "estimator/signal/spectral_survey.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "tests/signal/gaussian.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double turn = 2 * std::numbers::pi;
+
+VectorXd tone(Index samples, double rate, double hz, double amplitude, double phase) {
+  VectorXd y(samples);
+  for (Index i = 0; i < samples; ++i)
+    y(i) = amplitude * std::cos(turn * hz * static_cast<double>(i) / rate + phase);
+  return y;
+}
+
+// Figs. 3.1 and 3.2, Eq. (3.15).
+TEST(SpectralSurvey, AnImpulseResponseHasTwoFunctionsOfTime) {
+  VectorXd v(1000);
+  const double damped = std::sqrt(1 - 0.025 * 0.025);
+  for (Index i = 0; i < v.size(); ++i) {
+    const double t = 0.1 * static_cast<double>(i);
+    v(i) = std::exp(-0.025 * t) * std::sin(damped * t) / damped;
+  }
+  SpectralOptions options;
+  options.order = 2;
+  const SpectralSurvey survey = spectral_survey(v, 10, options);
+  EXPECT_EQ(survey.temporal.size(), 60);
+  EXPECT_EQ(survey.step.functions, 2);
+  EXPECT_TRUE(survey.step.clear);
+  EXPECT_GT(survey.step.ratio, 1e6);
+  ASSERT_FALSE(survey.decomposition.poles.empty());
+}
+
+// Figs. 3.3 and 3.4, Eq. (3.16): the same number of states, and no step.
+TEST(SpectralSurvey, AVanDerPolOscillatorHasNoOrder) {
+  const double epsilon = 10;
+  constexpr int steps = 1000;
+  const double h = 0.1 / steps;
+  double u = 0, w = 1;
+  VectorXd v(1000);
+  for (int i = -100; i < 1000; ++i) {
+    if (i >= 0) v(i) = u;
+    for (int k = 0; k < steps; ++k) {  // midpoint rule
+      const double um = u + 0.5 * h * w, wm = w + 0.5 * h * (epsilon * (1 - u * u) * w - u);
+      u += h * wm;
+      w += h * (epsilon * (1 - um * um) * wm - um);
+    }
+  }
+  SpectralOptions options;
+  options.order = 4;
+  const SpectralSurvey survey = spectral_survey(v, 10, options);
+  EXPECT_FALSE(survey.step.clear);
+  EXPECT_LT(survey.step.ratio, 5);
+  EXPECT_GT(survey.temporal(10), 1e-2 * survey.temporal(0));
+  EXPECT_TRUE(survey.tones_limited);
+}
+
+// Tables 4.1 and 4.2 on the tones of Table 4.2: with too small an order the closed forms are off by what is
+// printed, with the right one the harmonics come out.
+TEST(SpectralSurvey, TheShakersTones) {
+  const Index samples = 10240;
+  VectorXd y = tone(samples, 64, 9.796872, 0.896984, 0.83) + tone(samples, 64, 19.593744, 0.01809, 2.8) +
+               tone(samples, 64, 29.390616, 0.001317, 1.2);
+  testing_support::Gaussian noise(3);
+  for (double& value : y) value += 1.07e-3 * noise();
+  SpectralOptions options;
+  options.ensemble_s = 16;
+  options.overlap = 0.75;
+  options.order = 1;
+  const SpectralSurvey one = spectral_survey(y, 64, options);
+  EXPECT_EQ(one.layout.count, 37);
+  const double printed_hz[] = {9.80155, 9.79857, 9.80699}, printed_db[] = {17.2, 25.3, 10.4};
+  for (std::size_t m = 0; m < 3; ++m) {
+    ASSERT_EQ(one.tables[0][m].terms.size(), 1u);
+    EXPECT_NEAR(one.tables[0][m].terms[0].frequency_hz, printed_hz[m], 1e-4) << m;
+    EXPECT_NEAR(one.tables[0][m].signal_to_noise_db, printed_db[m], 0.5) << m;
+  }
+  EXPECT_TRUE(one.settling && one.settling->settled);
+  options.order = 0;
+  const SpectralSurvey chosen = spectral_survey(y, 64, options);
+  EXPECT_EQ(chosen.order, 3);
+  const std::vector<TermStatistics>& refined = chosen.tables[0][3].terms;
+  ASSERT_EQ(refined.size(), 3u);
+  const double hz[] = {9.796872, 19.593744, 29.390616}, amplitude[] = {0.896984, 0.01809, 0.001317};
+  for (std::size_t k = 0; k < 3; ++k) {
+    // 37 ensembles that share samples are worth ten or more; four standard errors of their mean.
+    EXPECT_NEAR(refined[k].frequency_hz, hz[k], 4 * refined[k].frequency_sd / std::sqrt(10.0)) << k;
+    EXPECT_NEAR(refined[k].amplitude, amplitude[k], 4 * refined[k].amplitude_sd / std::sqrt(10.0)) << k;
+    EXPECT_EQ(refined[k].ensembles, 37) << k;
+  }
+}
+
+// Figs. C.2 and C.4.
+TEST(SpectralSurvey, ALinearRelationFindsAPrimaryResonanceAndNoParametricOne) {
+  const VectorXd excitation = tone(8000, 200, 24.7, 1, 0.3);
+  const LinearRelation primary = linear_relation(excitation, tone(8000, 200, 24.7, 3, 1.9), 20);
+  const LinearRelation parametric = linear_relation(excitation, tone(8000, 200, 12.35, 3, 1.9), 20);
+  EXPECT_GT(primary.explained, 0.999);
+  EXPECT_LT(parametric.explained, 1e-3);
+  EXPECT_GT(primary.block_correlation, 0.99);
+  EXPECT_LT(parametric.block_correlation, 1e-3);
+  EXPECT_NEAR(parametric.response(0), 1, 1e-12);
+  EXPECT_LT(parametric.cross.cwiseAbs().maxCoeff(), 0.02);
+}
+
+TEST(SpectralSurvey, RefusesWhatCannotBeAnalysed) {
+  EXPECT_THROW(spectral_survey(VectorXd::Zero(100), 10, {}), std::invalid_argument);
+  EXPECT_THROW(spectral_survey(VectorXd::Ones(4), 10, {}), std::invalid_argument);
+  SpectralOptions options;
+  options.ensemble_s = 100;
+  EXPECT_THROW(spectral_survey(VectorXd::Random(100), 10, options), std::invalid_argument);
+}
+
+TEST(SpectralSurvey, TheAmplitudeSpectrumShowsPeakAmplitudes) {
+  const AmplitudeSpectrum spectrum = amplitude_spectrum(tone(4096, 256, 32, 1.7, 0.4), 256, 1024);
+  Index at = 0;
+  EXPECT_NEAR(spectrum.amplitude.col(0).maxCoeff(&at), 1.7, 1e-9);
+  EXPECT_EQ(spectrum.frequency_hz(at), 32);
+}
+
+}  // namespace
+}  // namespace secular
