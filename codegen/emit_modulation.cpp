@@ -173,6 +173,10 @@ class ModulationCode {
     for (const std::string& name : model_.natural_frequencies)
       if (rotates && std::find(symbols.begin(), symbols.end(), name) == symbols.end()) symbols.push_back(name);
     emitter_.unpack(symbols, "[[maybe_unused]] ");
+    for (std::size_t j = 0; j < model_.excitation_frequencies.size(); ++j)
+      if (const std::string& name = model_.excitation_frequencies[j];
+          std::find(symbols.begin(), symbols.end(), name) != symbols.end())
+        code_.line(fmt::format("const Scalar {} = excitation_frequency[{}];", safe_identifier(name), j));
     emitter_.definitions(writer);
     code_.line(fmt::format("Scalar lumps[{}];", std::max<std::size_t>(1, case_.lumps.size())));
     code_.line("evaluate_lumps(parameters, lumps);");

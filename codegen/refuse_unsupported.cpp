@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "codegen/emit_cpp.hpp"
 #include "codegen/print_text.hpp"
@@ -30,6 +32,20 @@ void refuse_unsupported(const CanonicalModel& model, const CanonicalCase& c) {
   if (c.observed_frequency.empty())
     throw InputError(model.name, "case " + c.name, "no rotating frame makes its modulation equations autonomous",
                      "generate code for cases with one steady state per excitation");
+  const std::size_t frequencies = model.natural_frequencies.size() + model.excitation_frequencies.size();
+  for (std::size_t s = frequencies; s + 1 < model.order.size(); ++s) {
+    const bool parameter =
+        std::find(model.parameters.begin(), model.parameters.end(), model.order[s]) != model.parameters.end();
+    for (const CanonicalLump& lump : c.lumps)
+      if (!parameter && depends_on(lump.definition, s))
+        throw std::logic_error("lump " + lump.name + " holds " + model.order[s] + ", which is no parameter");
+    for (const CanonicalBlock& block : c.blocks)
+      for (const CanonicalBlock::Column& column : block.columns)
+        for (const CanonicalColumnTerm& term : column.terms)
+          if (depends_on(term.factor, s))
+            throw std::logic_error("a factor of the " + block.name + " holds " + model.order[s] +
+                                   ", which is no frequency");
+  }
   for (const CanonicalBlock& block : c.blocks)
     for (const CanonicalBlock::Column& column : block.columns)
       for (const CanonicalColumnTerm& term : column.terms)

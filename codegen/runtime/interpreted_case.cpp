@@ -147,17 +147,27 @@ void InterpretedCase::lumps_jacobian(const double* symbol_values, double* jacobi
 void InterpretedCase::modulation(const double* symbol_values, const double* excitation_frequency,
                                  const Complex* amplitude, const Complex* forcing, Complex* derivative) const {
   const std::size_t modes = model_.coordinates.size();
+  const std::vector<double> symbols = with_excitation(symbol_values, excitation_frequency);
   std::vector<double> values(case_.lumps.size());
   lumps(symbol_values, values.data());
   std::fill(derivative, derivative + modes, Complex());
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const CanonicalBlock& block = case_.blocks[b];
     if (block.modulation && !case_.mode_at_rest[block.mode])
-      derivative[block.mode] += blocks_[b]->target(symbol_values, values.data(), amplitude, forcing);
+      derivative[block.mode] += blocks_[b]->target(symbols.data(), values.data(), amplitude, forcing);
   }
   for (std::size_t k = 0; k < modes; ++k)
     if (!case_.mode_at_rest[k])
       derivative[k] -= Complex(0, rotation(k, symbol_values, excitation_frequency)) * amplitude[k];
+}
+
+std::vector<double> InterpretedCase::with_excitation(const double* symbol_values,
+                                                     const double* excitation_frequency) const {
+  std::vector<double> symbols(symbol_values, symbol_values + model_.order.size());
+  if (excitation_frequency)
+    std::copy_n(excitation_frequency, model_.excitations.size(),
+                symbols.begin() + static_cast<std::ptrdiff_t>(model_.coordinates.size()));
+  return symbols;
 }
 
 double InterpretedCase::rotation(std::size_t mode, const double* symbol_values,
@@ -180,7 +190,8 @@ void InterpretedCase::modulation_jacobian(const double* symbol_values, const dou
   const std::size_t modes = model_.coordinates.size();
   std::vector<double> values(case_.lumps.size());
   lumps(symbol_values, values.data());
-  const FormulaSet::Values factor(derived_formulas_, symbol_values);
+  const std::vector<double> symbols = with_excitation(symbol_values, excitation_frequency);
+  const FormulaSet::Values factor(derived_formulas_, symbols.data());
   std::vector<Complex> by_amplitude(modes * modes), by_conjugate(modes * modes);
   for (const DerivedTerm& term : derived_) {
     const Complex product =

@@ -74,6 +74,8 @@ class InterpretedCase {
     Monomial monomial;
   };
   void derive_modulation();
+  /// The symbols' values with the excitation frequencies, which detunings hold.
+  std::vector<double> with_excitation(const double* symbol_values, const double* excitation_frequency) const;
   /// w_k - omega_k: the frame turns with w_k instead of omega_k.
   double rotation(std::size_t mode, const double* symbol_values, const double* excitation_frequency) const;
 
