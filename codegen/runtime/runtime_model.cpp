@@ -130,7 +130,7 @@ RuntimeModel load_runtime_model(const fs::path& file, const RuntimeModelOptions&
         fmt::format("model {} is interpreted, which is slower: {}", file.stem().string(), compilation.obstacle()));
   }
   result.origin = RuntimeModel::Origin::interpreted;
-  result.model = interpreted_model(derive_for_code(request, result.notes));
+  result.model = interpreted_model(cached_model(request, ModelCache(options.cache_folder), result.notes));
   return result;
 }
 
