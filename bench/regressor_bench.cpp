@@ -7,10 +7,10 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <complex>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <numbers>
@@ -130,18 +130,19 @@ BENCHMARK(regressor_eigen)->Arg(1 << 10)->Arg(1 << 20)->Unit(benchmark::kMicrose
 BENCHMARK(regressor_interpreted)->Arg(1 << 10)->Unit(benchmark::kMicrosecond);
 BENCHMARK(regressor_memory)->Arg(1 << 10)->Arg(1 << 20)->Unit(benchmark::kMicrosecond);
 
-// Best of several turns in seconds; the candidates take turns, so that a busy machine disturbs all alike.
+// Best of several turns in seconds of processor time; the candidates take turns, so that a busy machine disturbs
+// all alike.
 std::vector<double> best_times(const std::vector<std::function<void()>>& work, int turns, int calls) {
   std::vector<double> best(work.size(), INFINITY);
   for (int turn = 0; turn < turns; ++turn)
     for (std::size_t w = 0; w < work.size(); ++w) {
-      const auto begin = std::chrono::steady_clock::now();
+      const std::clock_t begin = std::clock();
       for (int call = 0; call < calls; ++call) {
         work[w]();
         benchmark::ClobberMemory();
       }
-      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-      best[w] = std::min(best[w], elapsed.count() / calls);
+      const double elapsed = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+      best[w] = std::min(best[w], elapsed / calls);
     }
   return best;
 }

@@ -80,7 +80,8 @@ class SlowUnseenModel : public testing::Test {
   std::map<std::string, std::pair<double, double>> estimates(const std::string& output) const {
     std::ifstream stream(folder_ / output / "estimate.json");
     std::map<std::string, std::pair<double, double>> values;
-    for (const auto& item : nlohmann::json::parse(stream).at("estimates"))
+    const nlohmann::json document = nlohmann::json::parse(stream);
+    for (const auto& item : document.at("estimates"))
       if (item.at("identifiable").get<bool>())
         values[item.at("name").get<std::string>()] = {item.at("value").get<double>(), item.at("sd").get<double>()};
     return values;
@@ -88,7 +89,7 @@ class SlowUnseenModel : public testing::Test {
   std::size_t cached(const std::string& extension) const {
     std::size_t count = 0;
     for (const auto& entry : fs::recursive_directory_iterator(folder_ / "cache"))
-      count += entry.path().extension() == extension ? 1 : 0;
+      if (entry.path().extension() == extension) ++count;
     return count;
   }
 
@@ -113,7 +114,7 @@ TEST_F(SlowUnseenModel, HasTheSameEstimatesCompiledCachedAndInterpreted) {
     const auto [estimate, sd] = compiled.at(name);
     const auto [other, other_sd] = estimates("interpreted").at(name);
     EXPECT_NEAR(estimate, other, 1e-6 * sd + 1e-10 * std::abs(estimate)) << name;
-    EXPECT_NEAR(estimate, value, 0.05 * value) << name;  // first order in amplitude leaves percents
+    EXPECT_NEAR(estimate, value, 4 * sd) << name;
   }
 }
 
