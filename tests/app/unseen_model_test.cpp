@@ -113,7 +113,9 @@ TEST_F(SlowUnseenModel, HasTheSameEstimatesCompiledCachedAndInterpreted) {
     ASSERT_TRUE(compiled.count(name)) << name;
     const auto [estimate, sd] = compiled.at(name);
     const auto [other, other_sd] = estimates("interpreted").at(name);
-    EXPECT_NEAR(estimate, other, 1e-6 * sd + 1e-10 * std::abs(estimate)) << name;
+    // Both replays integrate to 1e-10 and may choose other steps: 4e-9 rad/s in the frequency, of which k3 is
+    // 8 w/(3 a^2) = 6e4 times as much, 1e-4 of its error bar.
+    EXPECT_NEAR(estimate, other, 1e-3 * sd) << name;
     EXPECT_NEAR(estimate, value, 4 * sd) << name;
   }
 }
