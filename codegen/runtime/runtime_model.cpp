@@ -17,9 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* needed_headers[] = {"estimator/compiled_model.hpp", "estimator/model_function.hpp",
-                                          "estimator/complex_number.hpp", "estimator/dense_solve.hpp",
-                                          "estimator/dual_number.hpp",    "estimator/integer_power.hpp",
+constexpr const char* needed_headers[] = {"estimator/compiled_model.hpp",  "estimator/model_function.hpp",
+                                          "estimator/complex_number.hpp",  "estimator/dense_solve.hpp",
+                                          "estimator/dual_number.hpp",     "estimator/integer_power.hpp",
                                           "estimator/scalar_functions.hpp"};
 
 struct Headers {
