@@ -72,6 +72,7 @@ std::string command_line(const Options& options) {
   if (request.largest > 0) line += fmt::format(" --largest {}", request.largest);
   if (!options.sweeps.empty())
     line += fmt::format(" --sweep {} --sweep-steps {}", fmt::join(options.sweeps, ","), request.sweep_steps);
+  if (!request.measured.empty()) line += " --measured " + request.measured;
   return line + " -o " + options.folder;
 }
 
@@ -107,6 +108,7 @@ void print_summary(const Prediction& prediction, const std::string& folder) {
                  prediction.model->coordinates[jump.mode],
                  located(jump.from, prediction.axis, prediction.axis_unit),
                  located(jump.to, prediction.axis, prediction.axis_unit));
+  if (!prediction.measured.empty()) fmt::print("measured dwells drawn: {}\n", prediction.measured.size());
   for (const ResponseCurve& curve : prediction.curves) {
     fmt::print("curve of {}: {} points\n", name_of(curve.kind) + " points", curve.points.size());
     for (const auto& [kind, at] : curve.special)
@@ -161,6 +163,8 @@ void add_predict_command(CLI::App& root, Action& chosen) {
   command->add_option("--sweep-steps", request.sweep_steps, "dwells of a simulated sweep")
       ->check(CLI::Range(2, 100000))
       ->capture_default_str();
+  command->add_option("--measured", request.measured,
+                      "campaign whose dwells at this excitation are drawn on the response");
   command->add_option("-o,--output", options->folder, "folder for prediction.json, prediction.csv and report.html")
       ->required();
   command->add_option("--threads", request.threads, "threads; the result does not depend on it")

@@ -12,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/measured_points.hpp"
 #include "app/model_loading.hpp"
 #include "app/parameter_file.hpp"
 #include "input/input_error.hpp"
@@ -93,6 +94,9 @@ class Predictor {
   void check_combination() const {
     const bool excited = result_.resonance->excited;
     const std::string name(result_.resonance->name);
+    if (!request_.measured.empty() && (!excited || request_.against))
+      throw InputError("--measured " + request_.measured, "", "there is no response to draw it on",
+                       "measured dwells belong to a response over --vary of a case with excitation");
     if (!excited && (request_.vary || request_.against || request_.sweep_up || request_.sweep_down))
       throw InputError("--vary, --curve, --sweep", "", "case " + name + " is without excitation",
                        "leave them out: its backbone is computed; --largest sets how far");
@@ -182,6 +186,8 @@ class Predictor {
     result_.diagram = response_diagram(field, response);
     if (result_.diagram.status != DiagramStatus::complete)
       result_.warnings.push_back("some responses may be missing: " + result_.diagram.reason);
+    if (!request_.measured.empty())
+      result_.measured = measured_points(request_.measured, result_, result_.warnings);
     std::vector<std::string> directions;
     if (request_.sweep_up) directions.emplace_back("up");
     if (request_.sweep_down) directions.emplace_back("down");

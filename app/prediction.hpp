@@ -27,6 +27,7 @@ struct PredictionRequest {
   double largest = 0;  ///< peak amplitude up to which responses are looked for; 0: chosen
   bool sweep_up = false, sweep_down = false;
   int sweep_steps = 60;
+  std::string measured;  ///< campaign whose dwells are drawn on the response, or empty
   unsigned threads = 1;
 };
 
@@ -43,6 +44,14 @@ struct PredictedSweep {
   std::vector<Jump> jumps;
 };
 
+/// One measured dwell on a response.
+struct MeasuredPoint {
+  std::string record, group;      ///< the record's file; its group in the campaign
+  double parameter = 0;           ///< measured value of what is varied, rad/s where it is a frequency
+  std::vector<double> amplitude;  ///< [mode] peak, mean over ensembles
+  std::vector<double> spread;     ///< [mode] standard deviation between ensembles
+};
+
 /// Everything that a run of `predict` found, before it is written.
 struct Prediction {
   std::shared_ptr<const CompiledModel> model;
@@ -56,6 +65,7 @@ struct Prediction {
   std::vector<ResponseCurve> curves;
   std::vector<std::pair<std::string, std::vector<BackbonePoint>>> backbones;
   std::vector<PredictedSweep> sweeps;
+  std::vector<MeasuredPoint> measured;
   std::vector<std::string> warnings;
 };
 

@@ -108,6 +108,20 @@ Json sweeps_json(const Prediction& prediction) {
   return result;
 }
 
+Json measured_json(const Prediction& prediction) {
+  Json result = Json::array();
+  for (const MeasuredPoint& point : prediction.measured) {
+    Json at;
+    at["record"] = point.record;
+    at["group"] = point.group;
+    put_parameter(at, prediction.vary->name, point.parameter, prediction.axis_unit);
+    at["amplitude"] = point.amplitude;
+    at["sd_between_ensembles"] = point.spread;
+    result.push_back(std::move(at));
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string name_of(TraceStatus status) {
@@ -200,6 +214,7 @@ std::string prediction_json(const Prediction& prediction) {
     result["backbones"].push_back(std::move(entry));
   }
   if (!prediction.sweeps.empty()) result["simulated_sweeps"] = sweeps_json(prediction);
+  if (!prediction.measured.empty()) result["measured"] = measured_json(prediction);
   return result.dump(1) + "\n";
 }
 

@@ -140,6 +140,17 @@ Figure response_figure(const Prediction& prediction) {
       }
       panel.series.push_back(std::move(points));
     }
+    if (!prediction.measured.empty()) {
+      Series points;
+      points.name = "measured dwells";
+      points.style = SeriesStyle::points;
+      points.role = SeriesRole::data;
+      for (const MeasuredPoint& point : prediction.measured) {
+        points.x.push_back(point.parameter / prediction.axis);
+        points.y.push_back(point.amplitude[mode]);
+      }
+      panel.series.push_back(std::move(points));
+    }
     figure.panels.push_back(std::move(panel));
   }
   return figure;

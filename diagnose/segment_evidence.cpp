@@ -32,6 +32,19 @@ MatrixXd beyond(const MatrixXd& basis, MatrixXd columns) {
   return columns;
 }
 
+// Variance of what is white in a series, channel after channel: third differences of it have 20 times its variance,
+// those of anything sampled this densely have next to none.
+double third_difference_variance(const VectorXd& error, Index samples) {
+  double sum = 0, count = 0;
+  for (Index first = 0; first + samples <= error.size(); first += samples)
+    for (Index i = first; i + 3 < first + samples; ++i) {
+      const double third = error(i + 3) - 3 * error(i + 2) + 3 * error(i + 1) - error(i);
+      sum += third * third / 20;
+      count += 1;
+    }
+  return count > 0 ? sum / count : 1;
+}
+
 }  // namespace
 
 SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<MemorySlot> memory, SensorModel sensors,
@@ -243,11 +256,12 @@ void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
 
 void SegmentEvidence::measure_repeatability(const VectorXd& unknowns) {
   std::vector<VectorXd> changes;
-  std::vector<double> rest;
+  std::vector<double> rest, white;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const Frozen& f = frozen_[i];
     const VectorXd error = errors(segments_[i], unknowns, f.state, segments_[i].response.cols(), {});
     changes.push_back(f.change_basis.transpose() * error);
+    white.push_back(third_difference_variance(error, segments_[i].response.cols()));
     const double squares =
         error.squaredNorm() - (f.state_basis.transpose() * error).squaredNorm() - changes.back().squaredNorm();
     rest.push_back(std::sqrt(std::max(0.0, squares) /
@@ -256,11 +270,19 @@ void SegmentEvidence::measure_repeatability(const VectorXd& unknowns) {
   for (std::size_t first = 0; first < segments_.size();) {
     std::size_t end = first + 1;
     while (end < segments_.size() && segments_[end].record == segments_[first].record) ++end;
+    // What is white in the errors, whatever the channel's noise floor was taken for.
+    double variance = 0;
+    for (std::size_t i = first; i < end; ++i) variance += white[i] / static_cast<double>(end - first);
+    const double level = std::max(1e-3, std::sqrt(variance));
+    for (std::size_t i = first; i < end; ++i) {
+      frozen_[i].rest_sd = level;
+      frozen_[i].change_sd.setConstant(level);
+    }
     if (segments_[first].excitation.cols() == 0 && end - first >= fewest_segments) {
       std::vector<double> quiet(rest.begin() + static_cast<std::ptrdiff_t>(first),
                                 rest.begin() + static_cast<std::ptrdiff_t>(end));
       std::nth_element(quiet.begin(), quiet.begin() + static_cast<std::ptrdiff_t>(quiet.size() / 4), quiet.end());
-      for (std::size_t i = first; i < end; ++i) frozen_[i].rest_sd = std::max(1.0, quiet[quiet.size() / 4]);
+      for (std::size_t i = first; i < end; ++i) frozen_[i].rest_sd = std::max(level, quiet[quiet.size() / 4]);
       for (Index row = 0; row < changes[first].size(); ++row) {
         std::vector<double> rough;
         for (std::size_t i = first; i + 3 < end; ++i)
@@ -269,7 +291,7 @@ void SegmentEvidence::measure_repeatability(const VectorXd& unknowns) {
         std::nth_element(rough.begin(), rough.begin() + static_cast<std::ptrdiff_t>(rough.size() / 2), rough.end());
         // Third differences of independent errors have 20 times their variance; 0.6745 is the median of |normal|.
         const double sd = rough[rough.size() / 2] / (0.6745 * std::sqrt(20.0));
-        for (std::size_t i = first; i < end; ++i) frozen_[i].change_sd(row) = std::max(1.0, sd);
+        for (std::size_t i = first; i < end; ++i) frozen_[i].change_sd(row) = std::max(level, sd);
       }
     }
     first = end;

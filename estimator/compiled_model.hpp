@@ -58,8 +58,11 @@ struct RegressorBlock {
   int order = 0;  ///< lowest power of eps at which its terms appear
   std::span<const int> phase;
   std::span<const int> lumps;  ///< indices into CompiledCase::lumps, one a column
-  /// Fills columns[j][observation].
+  /// Fills columns[j][observation]. Output arrays must not overlap one another or the data.
   ModelFunction<void(const ObservationBatch& data, std::complex<double>* const* columns)> columns;
+  /// columns[j][observation] = d(column j)/d(natural frequency of `mode`).
+  ModelFunction<void(const ObservationBatch& data, std::size_t mode, std::complex<double>* const* columns)>
+      column_slopes;
 };
 
 /// One resonance case of the model, derived by the method of multiple scales.
@@ -107,11 +110,15 @@ struct CompiledModel {
   std::span<const CompiledSymbol> symbols;  ///< every parameter, natural frequencies first, by mode
   std::span<const double> nominal;          ///< by symbol; NaN where the model gives none
   std::span<const CompiledCase> cases;
-  /// Accelerations from the full equations of motion (never from the expansion), solved from the state-dependent
-  /// mass matrix. excitation: [excitation]; displacement, velocity, acceleration: [mode].
-  ModelFunction<void(const double* parameters, const ExcitationSample* excitation, const double* displacement,
-                     const double* velocity, double* acceleration)>
-      acceleration;
+  /// Of the full equations of motion, never of the expansion. excitation: [excitation]; displacement, velocity:
+  /// [mode].
+  using MotionFunction = ModelFunction<void(const double* parameters, const ExcitationSample* excitation,
+                                            const double* displacement, const double* velocity, double* result)>;
+  MotionFunction mass_matrix;   ///< [equation][mode], row-major
+  MotionFunction acceleration;  ///< [mode], solved from the state-dependent mass matrix
+  /// [mode][displacements..., velocities...] and [mode][symbol], row-major: derivatives of the accelerations. Of
+  /// nonsmooth terms the classical derivative on either side, zero at the corner.
+  MotionFunction acceleration_by_state, acceleration_by_parameters;
 
   std::size_t modes() const { return coordinates.size(); }
 };
@@ -119,7 +126,7 @@ struct CompiledModel {
 /// Number of this interface: its version, and the sizes that a compiler or a standard library may choose otherwise.
 /// A shared object of generated code is taken only if both sides compute the same.
 constexpr std::uint64_t compiled_model_abi() {
-  std::uint64_t number = 2;
+  std::uint64_t number = 3;
   for (const std::size_t size :
        {sizeof(CompiledModel), sizeof(CompiledCase), sizeof(RegressorBlock), sizeof(CompiledLump),
         sizeof(CompiledSymbol), sizeof(Ratio), sizeof(ObservationBatch), sizeof(ExcitationSample),

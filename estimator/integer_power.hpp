@@ -13,4 +13,18 @@ constexpr Value integer_power(Value base, int exponent) {
   return result;
 }
 
+/// The same for an exponent that is known to the compiler: no loop.
+template <int exponent, class Value>
+constexpr Value fixed_power(const Value& base) {
+  if constexpr (exponent == 1) {
+    return base;
+  } else {
+    const Value half = fixed_power<exponent / 2>(base);
+    if constexpr (exponent % 2 == 0)
+      return half * half;
+    else
+      return half * half * base;
+  }
+}
+
 }  // namespace secular

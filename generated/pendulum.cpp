@@ -58,11 +58,11 @@ constexpr int case_0_block_3_phase[] = {7};
 constexpr int case_0_block_4_lumps[] = {0, 2};
 constexpr int case_0_block_4_phase[] = {9};
 constexpr RegressorBlock case_0_blocks[] = {
-  {BlockKind::modulation, "modulation of theta", 0, 0, {}, case_0_block_0_lumps, free::columns_0},
-  {BlockKind::harmonic, "harmonic 3*omega0 of theta", 0, 1, case_0_block_1_phase, case_0_block_1_lumps, free::columns_1},
-  {BlockKind::harmonic, "harmonic 5*omega0 of theta", 0, 2, case_0_block_2_phase, case_0_block_2_lumps, free::columns_2},
-  {BlockKind::harmonic, "harmonic 7*omega0 of theta", 0, 2, case_0_block_3_phase, case_0_block_3_lumps, free::columns_3},
-  {BlockKind::harmonic, "harmonic 9*omega0 of theta", 0, 2, case_0_block_4_phase, case_0_block_4_lumps, free::columns_4},
+  {BlockKind::modulation, "modulation of theta", 0, 0, {}, case_0_block_0_lumps, free::columns_0, free::column_slopes_0},
+  {BlockKind::harmonic, "harmonic 3*omega0 of theta", 0, 1, case_0_block_1_phase, case_0_block_1_lumps, free::columns_1, free::column_slopes_1},
+  {BlockKind::harmonic, "harmonic 5*omega0 of theta", 0, 2, case_0_block_2_phase, case_0_block_2_lumps, free::columns_2, free::column_slopes_2},
+  {BlockKind::harmonic, "harmonic 7*omega0 of theta", 0, 2, case_0_block_3_phase, case_0_block_3_lumps, free::columns_3, free::column_slopes_3},
+  {BlockKind::harmonic, "harmonic 9*omega0 of theta", 0, 2, case_0_block_4_phase, case_0_block_4_lumps, free::columns_4, free::column_slopes_4},
 };
 
 constexpr CompiledCase cases[] = {
@@ -76,8 +76,8 @@ constexpr CompiledCase cases[] = {
     .blocks = case_0_blocks,
     .evaluate_lumps = free::evaluate_lumps<double>,
     .evaluate_lumps_jacobian = free::evaluate_lumps_jacobian<double>,
-    .modulation = free::modulation<double>,
-    .modulation_jacobian = free::modulation_jacobian<double>,
+    .modulation = modulation_function<free::modulation<double>>,
+    .modulation_jacobian = jacobian_function<free::modulation_jacobian<double>>,
   },
 };
 
@@ -94,7 +94,10 @@ const CompiledModel model = {
   .symbols = symbols,
   .nominal = nominal,
   .cases = cases,
+  .mass_matrix = mass_matrix<double>,
   .acceleration = accelerations<double>,
+  .acceleration_by_state = acceleration_by_state<double>,
+  .acceleration_by_parameters = acceleration_by_parameters<double>,
 };
 
 }  // namespace secular::generated::pendulum

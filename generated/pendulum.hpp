@@ -14,19 +14,34 @@
 #include <numbers>
 
 #include "estimator/compiled_model.hpp"
+#include "estimator/complex_number.hpp"
+#include "estimator/dense_solve.hpp"
+#include "estimator/dual_number.hpp"
 #include "estimator/integer_power.hpp"
+#include "estimator/scalar_functions.hpp"
 
 namespace secular::generated::pendulum {
+
+/// Mass matrix M of the equations of motion M*acceleration + force = 0 below, state-dependent: mass[k * 1 + j]
+/// multiplies the acceleration of mode j in equation k. 0 operations.
+template <class Scalar>
+void mass_matrix([[maybe_unused]] const Scalar* parameters,
+    [[maybe_unused]] const ExcitationSample* excitation,
+    [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
+    Scalar* mass) {
+  mass[0] = Scalar(1.0);
+}
 
 /// Accelerations of the full equations of motion, solved from the state-dependent mass matrix.
 /// 0 = omega0^2*theta + alpha3*theta^3 + alpha5*theta^5 + 2*mu1*D(theta) + mu2*D(theta)*abs(D(theta)) +
 /// D2(theta) + fc*sgn(D(theta))
 /// parameters: [0] omega0, [1] alpha3, [2] alpha5, [3] mu1, [4] mu2, [5] fc. displacement, velocity,
-/// acceleration: 1 values. 1 operations.
+/// acceleration: 1 values. 20 operations.
 template <class Scalar>
-void accelerations(const Scalar* parameters, [[maybe_unused]] const ExcitationSample* excitation,
-                   [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
-                   Scalar* acceleration) {
+void accelerations([[maybe_unused]] const Scalar* parameters,
+    [[maybe_unused]] const ExcitationSample* excitation,
+    [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
+    Scalar* acceleration) {
   const Scalar omega0 = parameters[0];
   const Scalar alpha3 = parameters[1];
   const Scalar alpha5 = parameters[2];
@@ -34,12 +49,59 @@ void accelerations(const Scalar* parameters, [[maybe_unused]] const ExcitationSa
   const Scalar mu2 = parameters[4];
   const Scalar fc = parameters[5];
   const Scalar omega0_2 = omega0 * omega0;
-  const Scalar mass = Scalar(1.0);
-  const Scalar force = omega0_2 * displacement[0] + alpha3 * displacement[0] * displacement[0] * displacement[0]
+  acceleration[0] = -(omega0_2 * displacement[0] + alpha3 * displacement[0] * displacement[0] * displacement[0]
       + alpha5 * displacement[0] * displacement[0] * displacement[0] * displacement[0] * displacement[0]
-      + Scalar(2.0) * mu1 * velocity[0] + mu2 * velocity[0] * std::abs(velocity[0])
-      + fc * (Scalar(velocity[0] > Scalar(0)) - Scalar(velocity[0] < Scalar(0)));
-  acceleration[0] = -force / mass;
+      + Scalar(2.0) * mu1 * velocity[0] + mu2 * velocity[0] * absolute(velocity[0]) + fc * sign_of(velocity[0]));
+  Scalar mass[1];
+  mass_matrix(parameters, excitation, displacement, velocity, mass);
+  solve_in_place(mass, 1, acceleration, 1);
+}
+
+/// slope[k * 2 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = theta, D(theta).
+/// Of nonsmooth terms the classical derivative: d|x| = sgn(x) dx, zero at the corner, and d sgn(x) = 0. 17
+/// operations before the solution of 2 right sides.
+template <class Scalar>
+void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
+    [[maybe_unused]] const ExcitationSample* excitation,
+    [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
+    Scalar* slope) {
+  const Scalar omega0 = parameters[0];
+  const Scalar alpha3 = parameters[1];
+  const Scalar alpha5 = parameters[2];
+  const Scalar mu1 = parameters[3];
+  const Scalar mu2 = parameters[4];
+  const Scalar omega0_2 = omega0 * omega0;
+  for (std::size_t i = 0; i < 2; ++i) slope[i] = Scalar(0.0);
+  // equation 1 by theta
+  slope[0] = -(omega0_2 + alpha3 * displacement[0] * displacement[0] * Scalar(3.0)
+      + alpha5 * displacement[0] * displacement[0] * displacement[0] * displacement[0] * Scalar(5.0));
+  // equation 1 by D(theta)
+  slope[1] = -(Scalar(2.0) * mu1 + mu2 * absolute(velocity[0]) + mu2 * velocity[0] * sign_of(velocity[0]));
+  Scalar mass[1];
+  mass_matrix(parameters, excitation, displacement, velocity, mass);
+  solve_in_place(mass, 1, slope, 2);
+}
+
+/// slope[k * 6 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = omega0, alpha3,
+/// alpha5, mu1, mu2, fc. Of nonsmooth terms the classical derivative: d|x| = sgn(x) dx, zero at the corner, and
+/// d sgn(x) = 0. 10 operations before the solution of 6 right sides.
+template <class Scalar>
+void acceleration_by_parameters([[maybe_unused]] const Scalar* parameters,
+    [[maybe_unused]] const ExcitationSample* excitation,
+    [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
+    Scalar* slope) {
+  const Scalar omega0 = parameters[0];
+  for (std::size_t i = 0; i < 6; ++i) slope[i] = Scalar(0.0);
+  slope[0] = -(Scalar(2.0) * omega0 * displacement[0]);  // equation 1 by omega0
+  slope[1] = -(displacement[0] * displacement[0] * displacement[0]);  // equation 1 by alpha3
+  // equation 1 by alpha5
+  slope[2] = -(displacement[0] * displacement[0] * displacement[0] * displacement[0] * displacement[0]);
+  slope[3] = -(Scalar(2.0) * velocity[0]);  // equation 1 by mu1
+  slope[4] = -(velocity[0] * absolute(velocity[0]));  // equation 1 by mu2
+  slope[5] = -(sign_of(velocity[0]));  // equation 1 by fc
+  Scalar mass[1];
+  mass_matrix(parameters, excitation, displacement, velocity, mass);
+  solve_in_place(mass, 1, slope, 6);
 }
 
 namespace free {
@@ -106,202 +168,324 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   jacobian[38] = Scalar(1.0) / (Scalar(24.0) * omega0_2);  // d harmonic_re_theta_A_theta5 / d alpha5
 }
 
-/// Regressor rows of the modulation of theta: target = sum of columns[j][i] * lump_j.
+/// What multiplies the 5 terms of the modulation of theta: functions of the frequencies alone. 8 operations.
+template <class Scalar>
+void factors_0([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar pi = Scalar(std::numbers::pi);
+  factor[0] = -Scalar(1.0) / (omega0 * pi);
+  factor[1] = -Scalar(1.0);
+  factor[2] = -Scalar(8.0) * omega0 / (Scalar(3.0) * pi);
+  factor[3] = Scalar(3.0) / (Scalar(2.0) * omega0);
+  factor[4] = Scalar(5.0) / omega0;
+}
+
+/// Rows of the modulation of theta: target = sum of columns[j][i] * lump_j, with the factors above.
 /// (rate - i*omega0)*A_theta = -1/(omega0*Pi)*fc*A_theta*abs(A_theta)^-1 - mu1*A_theta -
 /// 8*omega0/(3*Pi)*mu2*A_theta*abs(A_theta) + 3/(2*omega0)*i*alpha3*A_theta^2*conj(A_theta) +
 /// 5/omega0*i*beta5*A_theta^3*conj(A_theta)^2
-/// 5 columns; per observation 9 complex products, 0 complex sums.
-inline void columns_0(const ObservationBatch& data, std::complex<double>* const* columns) {
+/// 5 columns; per observation at most 13 products and sums of complex numbers.
+template <class Factors>
+void rows_0(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
   using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar pi = std::numbers::pi;
-  const Scalar factor_0_0 = -Scalar(1.0) / (omega0 * pi);
-  const Scalar factor_1_0 = -Scalar(1.0);
-  const Scalar factor_2_0 = -Scalar(8.0) * omega0 / (Scalar(3.0) * pi);
-  const Scalar factor_3_0 = Scalar(3.0) / (Scalar(2.0) * omega0);
-  const Scalar factor_4_0 = Scalar(5.0) / omega0;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar* __restrict column_1 = parts_of(columns[1]);
+  Scalar* __restrict column_2 = parts_of(columns[2]);
+  Scalar* __restrict column_3 = parts_of(columns[3]);
+  Scalar* __restrict column_4 = parts_of(columns[4]);
+  Scalar factor[5];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_theta = data.amplitude[0][i];
-    const Scalar norm_A_theta = std::norm(A_theta);
-    const Scalar abs_A_theta = std::abs(A_theta);
-    const Complex unit_A_theta = abs_A_theta > Scalar(0) ? A_theta / abs_A_theta : Complex();
-    columns[0][i] = factor_0_0 * (unit_A_theta);  // fc
-    columns[1][i] = factor_1_0 * (A_theta);  // mu1
-    columns[2][i] = factor_2_0 * (abs_A_theta * A_theta);  // mu2
-    columns[3][i] = Complex(Scalar(0), Scalar(1)) * factor_3_0 * (norm_A_theta * A_theta);  // alpha3
-    // beta5
-    columns[4][i] = Complex(Scalar(0), Scalar(1)) * factor_4_0 * (norm_A_theta * norm_A_theta * A_theta);
+    const Complex A_theta = load_complex(amplitude_0, i);
+    const Scalar norm_A_theta = norm_of(A_theta);
+    const Scalar abs_A_theta = modulus_of(A_theta);
+    const Scalar inverse_abs_A_theta = inverse_or_zero(abs_A_theta);
+    const Complex unit_A_theta = inverse_abs_A_theta * A_theta;
+    store_complex(column_0, i, factor[0] * (unit_A_theta));  // fc
+    store_complex(column_1, i, factor[1] * (A_theta));  // mu1
+    store_complex(column_2, i, factor[2] * (abs_A_theta * A_theta));  // mu2
+    store_complex(column_3, i, times_i(factor[3] * (norm_A_theta * A_theta)));  // alpha3
+    store_complex(column_4, i, times_i(factor[4] * (norm_A_theta * norm_A_theta * A_theta)));  // beta5
   }
 }
 
-/// Regressor rows of the harmonic 3*omega0 of theta: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] of the rows.
+inline void columns_0(const ObservationBatch& data, std::complex<double>* const* columns) {
+  rows_0(data, FactorValues<factors_0<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_0(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 0, 5>{mode}, columns);
+}
+
+/// What multiplies the 4 terms of the harmonic 3*omega0 of theta: functions of the frequencies alone. 8
+/// operations.
+template <class Scalar>
+void factors_1([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar pi = Scalar(std::numbers::pi);
+  const Scalar omega0_2 = omega0 * omega0;
+  factor[0] = Scalar(1.0) / (Scalar(12.0) * omega0_2 * pi);
+  factor[1] = -Scalar(2.0) / (Scalar(15.0) * pi);
+  factor[2] = Scalar(1.0) / (Scalar(8.0) * omega0_2);
+  factor[3] = Scalar(1.0);
+}
+
+/// Rows of the harmonic 3*omega0 of theta: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(3*omega0)*t) in theta = 1/(12*omega0^2*Pi)*i*fc*A_theta^3*abs(A_theta)^-3 -
 /// 2/(15*Pi)*i*mu2*A_theta^3*abs(A_theta)^-1 + 1/(8*omega0^2)*alpha3*A_theta^3 +
 /// harmonic_re_theta_A_theta4_conjA_theta*A_theta^4*conj(A_theta)
-/// 4 columns; per observation 13 complex products, 0 complex sums.
-inline void columns_1(const ObservationBatch& data, std::complex<double>* const* columns) {
+/// 4 columns; per observation at most 22 products and sums of complex numbers.
+template <class Factors>
+void rows_1(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
   using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar pi = std::numbers::pi;
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar factor_0_0 = Scalar(1.0) / (Scalar(12.0) * omega0_2 * pi);
-  const Scalar factor_1_0 = -Scalar(2.0) / (Scalar(15.0) * pi);
-  const Scalar factor_2_0 = Scalar(1.0) / (Scalar(8.0) * omega0_2);
-  const Scalar factor_3_0 = Scalar(1.0);
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar* __restrict column_1 = parts_of(columns[1]);
+  Scalar* __restrict column_2 = parts_of(columns[2]);
+  Scalar* __restrict column_3 = parts_of(columns[3]);
+  Scalar factor[4];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_theta = data.amplitude[0][i];
-    const Scalar norm_A_theta = std::norm(A_theta);
-    const Scalar abs_A_theta = std::abs(A_theta);
-    const Complex unit_A_theta = abs_A_theta > Scalar(0) ? A_theta / abs_A_theta : Complex();
-    // fc
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (unit_A_theta * unit_A_theta * unit_A_theta);
-    columns[1][i] = Complex(Scalar(0), Scalar(1)) * factor_1_0 * (unit_A_theta * A_theta * A_theta);  // mu2
-    columns[2][i] = factor_2_0 * (A_theta * A_theta * A_theta);  // alpha3
+    const Complex A_theta = load_complex(amplitude_0, i);
+    const Scalar norm_A_theta = norm_of(A_theta);
+    const Scalar abs_A_theta = modulus_of(A_theta);
+    const Scalar inverse_abs_A_theta = inverse_or_zero(abs_A_theta);
+    const Complex unit_A_theta = inverse_abs_A_theta * A_theta;
+    store_complex(column_0, i, times_i(factor[0] * (unit_A_theta * unit_A_theta * unit_A_theta)));  // fc
+    store_complex(column_1, i, times_i(factor[1] * (unit_A_theta * A_theta * A_theta)));  // mu2
+    store_complex(column_2, i, factor[2] * (A_theta * A_theta * A_theta));  // alpha3
     // harmonic_re_theta_A_theta4_conjA_theta
-    columns[3][i] = factor_3_0 * (norm_A_theta * A_theta * A_theta * A_theta);
+    store_complex(column_3, i, factor[3] * (norm_A_theta * A_theta * A_theta * A_theta));
   }
 }
 
-/// Regressor rows of the harmonic 5*omega0 of theta: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] of the rows.
+inline void columns_1(const ObservationBatch& data, std::complex<double>* const* columns) {
+  rows_1(data, FactorValues<factors_1<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_1(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 0, 4>{mode}, columns);
+}
+
+/// What multiplies the 3 terms of the harmonic 5*omega0 of theta: functions of the frequencies alone. 6
+/// operations.
+template <class Scalar>
+void factors_2([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar pi = Scalar(std::numbers::pi);
+  const Scalar omega0_2 = omega0 * omega0;
+  factor[0] = Scalar(1.0) / (Scalar(60.0) * omega0_2 * pi);
+  factor[1] = -Scalar(2.0) / (Scalar(315.0) * pi);
+  factor[2] = Scalar(1.0);
+}
+
+/// Rows of the harmonic 5*omega0 of theta: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(5*omega0)*t) in theta = 1/(60*omega0^2*Pi)*i*fc*A_theta^5*abs(A_theta)^-5 -
 /// 2/(315*Pi)*i*mu2*A_theta^5*abs(A_theta)^-3 + harmonic_re_theta_A_theta5*A_theta^5
-/// 3 columns; per observation 7 complex products, 0 complex sums.
-inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+/// 3 columns; per observation at most 11 products and sums of complex numbers.
+template <class Factors>
+void rows_2(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
   using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar pi = std::numbers::pi;
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar factor_0_0 = Scalar(1.0) / (Scalar(60.0) * omega0_2 * pi);
-  const Scalar factor_1_0 = -Scalar(2.0) / (Scalar(315.0) * pi);
-  const Scalar factor_2_0 = Scalar(1.0);
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar* __restrict column_1 = parts_of(columns[1]);
+  Scalar* __restrict column_2 = parts_of(columns[2]);
+  Scalar factor[3];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_theta = data.amplitude[0][i];
-    const Scalar abs_A_theta = std::abs(A_theta);
-    const Complex unit_A_theta = abs_A_theta > Scalar(0) ? A_theta / abs_A_theta : Complex();
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (integer_power(unit_A_theta, 5));  // fc
+    const Complex A_theta = load_complex(amplitude_0, i);
+    const Scalar abs_A_theta = modulus_of(A_theta);
+    const Scalar inverse_abs_A_theta = inverse_or_zero(abs_A_theta);
+    const Complex unit_A_theta = inverse_abs_A_theta * A_theta;
+    store_complex(column_0, i, times_i(factor[0] * (fixed_power<5>(unit_A_theta))));  // fc
     // mu2
-    columns[1][i] = Complex(Scalar(0), Scalar(1)) * factor_1_0 * (unit_A_theta * unit_A_theta * unit_A_theta
-        * A_theta * A_theta);
-    columns[2][i] = factor_2_0 * (integer_power(A_theta, 5));  // harmonic_re_theta_A_theta5
+    store_complex(column_1, i, times_i(factor[1] * (unit_A_theta * unit_A_theta * unit_A_theta * A_theta
+        * A_theta)));
+    store_complex(column_2, i, factor[2] * (fixed_power<5>(A_theta)));  // harmonic_re_theta_A_theta5
   }
 }
 
-/// Regressor rows of the harmonic 7*omega0 of theta: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] of the rows.
+inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+  rows_2(data, FactorValues<factors_2<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_2(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 0, 3>{mode}, columns);
+}
+
+/// What multiplies the 2 terms of the harmonic 7*omega0 of theta: functions of the frequencies alone. 6
+/// operations.
+template <class Scalar>
+void factors_3([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar pi = Scalar(std::numbers::pi);
+  const Scalar omega0_2 = omega0 * omega0;
+  factor[0] = Scalar(1.0) / (Scalar(168.0) * omega0_2 * pi);
+  factor[1] = -Scalar(1.0) / (Scalar(945.0) * pi);
+}
+
+/// Rows of the harmonic 7*omega0 of theta: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(7*omega0)*t) in theta = 1/(168*omega0^2*Pi)*i*fc*A_theta^7*abs(A_theta)^-7 -
 /// 1/(945*Pi)*i*mu2*A_theta^7*abs(A_theta)^-5
-/// 2 columns; per observation 4 complex products, 0 complex sums.
-inline void columns_3(const ObservationBatch& data, std::complex<double>* const* columns) {
+/// 2 columns; per observation at most 6 products and sums of complex numbers.
+template <class Factors>
+void rows_3(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
   using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar pi = std::numbers::pi;
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar factor_0_0 = Scalar(1.0) / (Scalar(168.0) * omega0_2 * pi);
-  const Scalar factor_1_0 = -Scalar(1.0) / (Scalar(945.0) * pi);
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar* __restrict column_1 = parts_of(columns[1]);
+  Scalar factor[2];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_theta = data.amplitude[0][i];
-    const Scalar abs_A_theta = std::abs(A_theta);
-    const Complex unit_A_theta = abs_A_theta > Scalar(0) ? A_theta / abs_A_theta : Complex();
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (integer_power(unit_A_theta, 7));  // fc
-    // mu2
-    columns[1][i] = Complex(Scalar(0), Scalar(1)) * factor_1_0 * (integer_power(unit_A_theta, 5) * A_theta
-        * A_theta);
+    const Complex A_theta = load_complex(amplitude_0, i);
+    const Scalar abs_A_theta = modulus_of(A_theta);
+    const Scalar inverse_abs_A_theta = inverse_or_zero(abs_A_theta);
+    const Complex unit_A_theta = inverse_abs_A_theta * A_theta;
+    store_complex(column_0, i, times_i(factor[0] * (fixed_power<7>(unit_A_theta))));  // fc
+    store_complex(column_1, i, times_i(factor[1] * (fixed_power<5>(unit_A_theta) * A_theta * A_theta)));  // mu2
   }
 }
 
-/// Regressor rows of the harmonic 9*omega0 of theta: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] of the rows.
+inline void columns_3(const ObservationBatch& data, std::complex<double>* const* columns) {
+  rows_3(data, FactorValues<factors_3<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_3(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_3(data, FactorSlopes<factors_3<DualNumber>, 1, 0, 2>{mode}, columns);
+}
+
+/// What multiplies the 2 terms of the harmonic 9*omega0 of theta: functions of the frequencies alone. 6
+/// operations.
+template <class Scalar>
+void factors_4([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar pi = Scalar(std::numbers::pi);
+  const Scalar omega0_2 = omega0 * omega0;
+  factor[0] = Scalar(1.0) / (Scalar(360.0) * omega0_2 * pi);
+  factor[1] = -Scalar(1.0) / (Scalar(3465.0) * pi);
+}
+
+/// Rows of the harmonic 9*omega0 of theta: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(9*omega0)*t) in theta = 1/(360*omega0^2*Pi)*i*fc*A_theta^9*abs(A_theta)^-9 -
 /// 1/(3465*Pi)*i*mu2*A_theta^9*abs(A_theta)^-7
-/// 2 columns; per observation 4 complex products, 0 complex sums.
-inline void columns_4(const ObservationBatch& data, std::complex<double>* const* columns) {
+/// 2 columns; per observation at most 6 products and sums of complex numbers.
+template <class Factors>
+void rows_4(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
   using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar pi = std::numbers::pi;
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar factor_0_0 = Scalar(1.0) / (Scalar(360.0) * omega0_2 * pi);
-  const Scalar factor_1_0 = -Scalar(1.0) / (Scalar(3465.0) * pi);
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar* __restrict column_1 = parts_of(columns[1]);
+  Scalar factor[2];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_theta = data.amplitude[0][i];
-    const Scalar abs_A_theta = std::abs(A_theta);
-    const Complex unit_A_theta = abs_A_theta > Scalar(0) ? A_theta / abs_A_theta : Complex();
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (integer_power(unit_A_theta, 9));  // fc
-    // mu2
-    columns[1][i] = Complex(Scalar(0), Scalar(1)) * factor_1_0 * (integer_power(unit_A_theta, 7) * A_theta
-        * A_theta);
+    const Complex A_theta = load_complex(amplitude_0, i);
+    const Scalar abs_A_theta = modulus_of(A_theta);
+    const Scalar inverse_abs_A_theta = inverse_or_zero(abs_A_theta);
+    const Complex unit_A_theta = inverse_abs_A_theta * A_theta;
+    store_complex(column_0, i, times_i(factor[0] * (fixed_power<9>(unit_A_theta))));  // fc
+    store_complex(column_1, i, times_i(factor[1] * (fixed_power<7>(unit_A_theta) * A_theta * A_theta)));  // mu2
   }
 }
 
-/// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state.
+/// columns[j][i] of the rows.
+inline void columns_4(const ObservationBatch& data, std::complex<double>* const* columns) {
+  rows_4(data, FactorValues<factors_4<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_4(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_4(data, FactorSlopes<factors_4<DualNumber>, 1, 0, 2>{mode}, columns);
+}
+
+/// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state. amplitude
+/// and derivative hold Re B_0, Im B_0, Re B_1, ..., forcing Re F, Im F of every excitation.
 /// dB_theta/dt + i*(w_theta - omega0)*B_theta = -1/(omega0*Pi)*fc*A_theta*abs(A_theta)^-1 - mu1*A_theta -
 /// 8*omega0/(3*Pi)*mu2*A_theta*abs(A_theta) + 3/(2*omega0)*i*alpha3*A_theta^2*conj(A_theta) +
 /// 5/omega0*i*beta5*A_theta^3*conj(A_theta)^2 with A = B in that frame
+/// 26 operations besides the lumps.
 template <class Scalar>
 void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
-                const std::complex<Scalar>* amplitude,
-                [[maybe_unused]] const std::complex<Scalar>* forcing, std::complex<Scalar>* derivative) {
-  using Complex = std::complex<Scalar>;
-  const Scalar omega0 = parameters[0];
-  const Scalar pi = std::numbers::pi_v<Scalar>;
+    [[maybe_unused]] const Scalar* amplitude, [[maybe_unused]] const Scalar* forcing,
+    Scalar* derivative) {
+  using Complex = ComplexNumber<Scalar>;
+  [[maybe_unused]] const Scalar omega0 = parameters[0];
+  const Scalar pi = Scalar(std::numbers::pi);
   Scalar lumps[7];
   evaluate_lumps(parameters, lumps);
-  const Complex A_theta = amplitude[0];
-  const Scalar norm_A_theta = std::norm(A_theta);
-  const Scalar abs_A_theta = std::abs(A_theta);
-  const Complex unit_A_theta = abs_A_theta > Scalar(0) ? A_theta / abs_A_theta : Complex();
-  derivative[0] = (lumps[0] * -Scalar(1.0) / (omega0 * pi) * (unit_A_theta))
-       + (lumps[1] * -Scalar(1.0) * (A_theta))
-       + (lumps[2] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * (abs_A_theta * A_theta))
-      
-      + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(3.0) / (Scalar(2.0) * omega0) * (norm_A_theta
-      * A_theta))
-      
-      + Complex(Scalar(0), Scalar(1)) * (lumps[4] * Scalar(5.0) / omega0 * (norm_A_theta * norm_A_theta
-      * A_theta));
+  const Complex A_theta = load_complex(amplitude, 0);
+  const Scalar norm_A_theta = norm_of(A_theta);
+  const Scalar abs_A_theta = modulus_of(A_theta);
+  const Scalar inverse_abs_A_theta = inverse_or_zero(abs_A_theta);
+  const Complex unit_A_theta = inverse_abs_A_theta * A_theta;
+  store_complex(derivative, 0, lumps[0] * (-Scalar(1.0) / (omega0 * pi)) * (unit_A_theta)
+       + lumps[1] * (-Scalar(1.0)) * (A_theta)
+       + lumps[2] * (-Scalar(8.0) * omega0 / (Scalar(3.0) * pi)) * (abs_A_theta * A_theta)
+       + times_i(lumps[3] * Scalar(3.0) / (Scalar(2.0) * omega0) * (norm_A_theta * A_theta))
+       + times_i(lumps[4] * Scalar(5.0) / omega0 * (norm_A_theta * norm_A_theta * A_theta)));
 }
 
 /// jacobian[i * 2 + j] = d f_i / d z_j of dz/dt = f(z), z = (Re B_0, Im B_0, Re B_1, ...): what `modulation`
 /// computes, in Cartesian amplitudes. With f = dB_k/dt as a function of B_j and conj(B_j), d/dRe(B_j) = d/dB_j +
 /// d/dconj(B_j) and d/dIm(B_j) = i*(d/dB_j - d/dconj(B_j)). Regular at zero amplitude; a term that has no
-/// derivative there counts as zero.
+/// derivative there counts as zero. 58 operations besides the lumps.
 template <class Scalar>
 void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
-    [[maybe_unused]] const std::complex<Scalar>* amplitude,
-    [[maybe_unused]] const std::complex<Scalar>* forcing, Scalar* jacobian) {
-  using Complex = std::complex<Scalar>;
+    [[maybe_unused]] const Scalar* amplitude, [[maybe_unused]] const Scalar* forcing,
+    Scalar* jacobian) {
+  using Complex = ComplexNumber<Scalar>;
   [[maybe_unused]] const Scalar omega0 = parameters[0];
-  const Scalar pi = std::numbers::pi_v<Scalar>;
+  const Scalar pi = Scalar(std::numbers::pi);
   Scalar lumps[7];
   evaluate_lumps(parameters, lumps);
-  const Complex A_theta = amplitude[0];
-  const Scalar norm_A_theta = std::norm(A_theta);
-  const Scalar abs_A_theta = std::abs(A_theta);
-  const Complex unit_A_theta = abs_A_theta > Scalar(0) ? A_theta / abs_A_theta : Complex();
-  const Scalar inverse_abs_A_theta = abs_A_theta > Scalar(0) ? Scalar(1) / abs_A_theta : Scalar(0);
+  const Complex A_theta = load_complex(amplitude, 0);
+  const Scalar norm_A_theta = norm_of(A_theta);
+  const Scalar abs_A_theta = modulus_of(A_theta);
+  const Scalar inverse_abs_A_theta = inverse_or_zero(abs_A_theta);
+  const Complex unit_A_theta = inverse_abs_A_theta * A_theta;
   for (std::size_t i = 0; i < 4; ++i) jacobian[i] = Scalar(0.0);
-  const Complex by_0_0 = (lumps[0] * -Scalar(1.0) / (omega0 * pi) * Scalar(0.5) * (inverse_abs_A_theta))
-       + (lumps[1] * -Scalar(1.0) * (Complex(Scalar(1.0))))
-       + (lumps[2] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(1.5) * (abs_A_theta))
-      
-      + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(3.0) / (Scalar(2.0) * omega0) * Scalar(2)
-      * (norm_A_theta))
-      
-      + Complex(Scalar(0), Scalar(1)) * (lumps[4] * Scalar(5.0) / omega0 * Scalar(3) * (norm_A_theta
-      * norm_A_theta));
-  const Complex conj_by_0_0 = (lumps[0] * -Scalar(1.0) / (omega0 * pi) * Scalar(-0.5) * (inverse_abs_A_theta
-      * unit_A_theta * unit_A_theta))
-       + (lumps[2] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(0.5) * (unit_A_theta * A_theta))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(3.0) / (Scalar(2.0) * omega0) * (A_theta * A_theta))
-      
-      + Complex(Scalar(0), Scalar(1)) * (lumps[4] * Scalar(5.0) / omega0 * Scalar(2) * (norm_A_theta * A_theta
-      * A_theta));
-  jacobian[0] = by_0_0.real() + conj_by_0_0.real();
-  jacobian[1] = conj_by_0_0.imag() - by_0_0.imag();
-  jacobian[2] = by_0_0.imag() + conj_by_0_0.imag();
-  jacobian[3] = by_0_0.real() - conj_by_0_0.real();
+  const Complex by_0_0 = Complex(lumps[0] * (-Scalar(1.0) / (omega0 * pi)) * Scalar(0.5) * (inverse_abs_A_theta))
+       + Complex(lumps[1] * (-Scalar(1.0)))
+       + Complex(lumps[2] * (-Scalar(8.0) * omega0 / (Scalar(3.0) * pi)) * Scalar(1.5) * (abs_A_theta))
+       + times_i(Complex(lumps[3] * Scalar(3.0) / (Scalar(2.0) * omega0) * Scalar(2) * (norm_A_theta)))
+       + times_i(Complex(lumps[4] * Scalar(5.0) / omega0 * Scalar(3) * (norm_A_theta * norm_A_theta)));
+  const Complex conj_by_0_0 = lumps[0] * (-Scalar(1.0) / (omega0 * pi)) * Scalar(-0.5) * (inverse_abs_A_theta
+      * unit_A_theta * unit_A_theta)
+       + lumps[2] * (-Scalar(8.0) * omega0 / (Scalar(3.0) * pi)) * Scalar(0.5) * (unit_A_theta * A_theta)
+       + times_i(lumps[3] * Scalar(3.0) / (Scalar(2.0) * omega0) * (A_theta * A_theta))
+       + times_i(lumps[4] * Scalar(5.0) / omega0 * Scalar(2) * (norm_A_theta * A_theta * A_theta));
+  jacobian[0] = by_0_0.real + conj_by_0_0.real;
+  jacobian[1] = conj_by_0_0.imag - by_0_0.imag;
+  jacobian[2] = by_0_0.imag + conj_by_0_0.imag;
+  jacobian[3] = by_0_0.real - conj_by_0_0.real;
 }
 
 }  // namespace free

@@ -88,13 +88,13 @@ constexpr int case_0_block_5_phase[] = {0, 3, 0};
 constexpr int case_0_block_6_lumps[] = {6, 10};
 constexpr int case_0_block_6_phase[] = {1, 0, 1};
 constexpr RegressorBlock case_0_blocks[] = {
-  {BlockKind::modulation, "modulation of v1", 0, 0, {}, case_0_block_0_lumps, additive_combination::columns_0},
-  {BlockKind::modulation, "modulation of v2", 1, 0, {}, case_0_block_1_lumps, additive_combination::columns_1},
-  {BlockKind::harmonic, "harmonic omega2+Omega of v1", 0, 1, case_0_block_2_phase, case_0_block_2_lumps, additive_combination::columns_2},
-  {BlockKind::harmonic, "harmonic omega1+2*Omega of v1", 0, 1, case_0_block_3_phase, case_0_block_3_lumps, additive_combination::columns_3},
-  {BlockKind::harmonic, "harmonic 3*omega1 of v1", 0, 1, case_0_block_4_phase, case_0_block_4_lumps, additive_combination::columns_4},
-  {BlockKind::harmonic, "harmonic 3*omega2 of v2", 1, 1, case_0_block_5_phase, case_0_block_5_lumps, additive_combination::columns_5},
-  {BlockKind::harmonic, "harmonic omega1+Omega of v2", 1, 1, case_0_block_6_phase, case_0_block_6_lumps, additive_combination::columns_6},
+  {BlockKind::modulation, "modulation of v1", 0, 0, {}, case_0_block_0_lumps, additive_combination::columns_0, additive_combination::column_slopes_0},
+  {BlockKind::modulation, "modulation of v2", 1, 0, {}, case_0_block_1_lumps, additive_combination::columns_1, additive_combination::column_slopes_1},
+  {BlockKind::harmonic, "harmonic omega2+Omega of v1", 0, 1, case_0_block_2_phase, case_0_block_2_lumps, additive_combination::columns_2, additive_combination::column_slopes_2},
+  {BlockKind::harmonic, "harmonic omega1+2*Omega of v1", 0, 1, case_0_block_3_phase, case_0_block_3_lumps, additive_combination::columns_3, additive_combination::column_slopes_3},
+  {BlockKind::harmonic, "harmonic 3*omega1 of v1", 0, 1, case_0_block_4_phase, case_0_block_4_lumps, additive_combination::columns_4, additive_combination::column_slopes_4},
+  {BlockKind::harmonic, "harmonic 3*omega2 of v2", 1, 1, case_0_block_5_phase, case_0_block_5_lumps, additive_combination::columns_5, additive_combination::column_slopes_5},
+  {BlockKind::harmonic, "harmonic omega1+Omega of v2", 1, 1, case_0_block_6_phase, case_0_block_6_lumps, additive_combination::columns_6, additive_combination::column_slopes_6},
 };
 
 constexpr CompiledCase cases[] = {
@@ -108,8 +108,8 @@ constexpr CompiledCase cases[] = {
     .blocks = case_0_blocks,
     .evaluate_lumps = additive_combination::evaluate_lumps<double>,
     .evaluate_lumps_jacobian = additive_combination::evaluate_lumps_jacobian<double>,
-    .modulation = additive_combination::modulation<double>,
-    .modulation_jacobian = additive_combination::modulation_jacobian<double>,
+    .modulation = modulation_function<additive_combination::modulation<double>>,
+    .modulation_jacobian = jacobian_function<additive_combination::modulation_jacobian<double>>,
   },
 };
 
@@ -126,7 +126,10 @@ const CompiledModel model = {
   .symbols = symbols,
   .nominal = nominal,
   .cases = cases,
+  .mass_matrix = mass_matrix<double>,
   .acceleration = accelerations<double>,
+  .acceleration_by_state = acceleration_by_state<double>,
+  .acceleration_by_parameters = acceleration_by_parameters<double>,
 };
 
 }  // namespace secular::generated::two_mass_lumps

@@ -19,19 +19,36 @@
 #include <numbers>
 
 #include "estimator/compiled_model.hpp"
+#include "estimator/complex_number.hpp"
+#include "estimator/dense_solve.hpp"
+#include "estimator/dual_number.hpp"
 #include "estimator/integer_power.hpp"
+#include "estimator/scalar_functions.hpp"
 
 namespace secular::generated::two_mass_mode1 {
+
+/// Mass matrix M of the equations of motion M*acceleration + force = 0 below, state-dependent: mass[k * 1 + j]
+/// multiplies the acceleration of mode j in equation k. 6 operations.
+template <class Scalar>
+void mass_matrix([[maybe_unused]] const Scalar* parameters,
+    [[maybe_unused]] const ExcitationSample* excitation,
+    [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
+    Scalar* mass) {
+  const Scalar delta2 = parameters[6];
+  const Scalar delta3 = parameters[7];
+  mass[0] = Scalar(2.0) * delta2 * displacement[0] + delta3 * displacement[0] * displacement[0] + Scalar(1.0);
+}
 
 /// Accelerations of the full equations of motion, solved from the state-dependent mass matrix.
 /// 0 = omega0^2*v + delta3*v*D(v)^2 + 2*delta2*v*D2(v) - eta2*v*F*cos(Omega*t) + alpha2*v^2 + delta3*v^2*D2(v) +
 /// alpha3*v^3 + 2*mu1*D(v) + mu2*D(v)*abs(D(v)) + delta2*D(v)^2 + mu3*D(v)^3 + D2(v) - eta1*F*cos(Omega*t)
 /// parameters: [0] omega0, [1] mu1, [2] mu2, [3] mu3, [4] alpha2, [5] alpha3, [6] delta2, [7] delta3, [8] eta1,
-/// [9] eta2. displacement, velocity, acceleration: 1 values. 2 operations.
+/// [9] eta2. displacement, velocity, acceleration: 1 values. 31 operations.
 template <class Scalar>
-void accelerations(const Scalar* parameters, [[maybe_unused]] const ExcitationSample* excitation,
-                   [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
-                   Scalar* acceleration) {
+void accelerations([[maybe_unused]] const Scalar* parameters,
+    [[maybe_unused]] const ExcitationSample* excitation,
+    [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
+    Scalar* acceleration) {
   const Scalar omega0 = parameters[0];
   const Scalar mu1 = parameters[1];
   const Scalar mu2 = parameters[2];
@@ -43,14 +60,78 @@ void accelerations(const Scalar* parameters, [[maybe_unused]] const ExcitationSa
   const Scalar eta1 = parameters[8];
   const Scalar eta2 = parameters[9];
   const Scalar omega0_2 = omega0 * omega0;
-  const Scalar mass = Scalar(2.0) * delta2 * displacement[0] + delta3 * displacement[0] * displacement[0]
-      + Scalar(1.0);
-  const Scalar force = omega0_2 * displacement[0] + delta3 * displacement[0] * velocity[0] * velocity[0]
+  acceleration[0] = -(omega0_2 * displacement[0] + delta3 * displacement[0] * velocity[0] * velocity[0]
       - eta2 * displacement[0] * Scalar(excitation[0].value) + alpha2 * displacement[0] * displacement[0]
       + alpha3 * displacement[0] * displacement[0] * displacement[0] + Scalar(2.0) * mu1 * velocity[0]
-      + mu2 * velocity[0] * std::abs(velocity[0]) + delta2 * velocity[0] * velocity[0]
-      + mu3 * velocity[0] * velocity[0] * velocity[0] - eta1 * Scalar(excitation[0].value);
-  acceleration[0] = -force / mass;
+      + mu2 * velocity[0] * absolute(velocity[0]) + delta2 * velocity[0] * velocity[0]
+      + mu3 * velocity[0] * velocity[0] * velocity[0] - eta1 * Scalar(excitation[0].value));
+  Scalar mass[1];
+  mass_matrix(parameters, excitation, displacement, velocity, mass);
+  solve_in_place(mass, 1, acceleration, 1);
+}
+
+/// slope[k * 2 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = v, D(v). Of
+/// nonsmooth terms the classical derivative: d|x| = sgn(x) dx, zero at the corner, and d sgn(x) = 0. 37
+/// operations before the solution of 2 right sides.
+template <class Scalar>
+void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
+    [[maybe_unused]] const ExcitationSample* excitation,
+    [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
+    Scalar* slope) {
+  Scalar acceleration[1];
+  accelerations(parameters, excitation, displacement, velocity, acceleration);
+  const Scalar omega0 = parameters[0];
+  const Scalar mu1 = parameters[1];
+  const Scalar mu2 = parameters[2];
+  const Scalar mu3 = parameters[3];
+  const Scalar alpha2 = parameters[4];
+  const Scalar alpha3 = parameters[5];
+  const Scalar delta2 = parameters[6];
+  const Scalar delta3 = parameters[7];
+  const Scalar eta2 = parameters[9];
+  const Scalar omega0_2 = omega0 * omega0;
+  for (std::size_t i = 0; i < 2; ++i) slope[i] = Scalar(0.0);
+  // equation 1 by v
+  slope[0] = -(omega0_2 + delta3 * velocity[0] * velocity[0] + Scalar(2.0) * delta2 * acceleration[0]
+      - eta2 * Scalar(excitation[0].value) + alpha2 * displacement[0] * Scalar(2.0)
+      + delta3 * displacement[0] * Scalar(2.0) * acceleration[0]
+      + alpha3 * displacement[0] * displacement[0] * Scalar(3.0));
+  // equation 1 by D(v)
+  slope[1] = -(delta3 * displacement[0] * velocity[0] * Scalar(2.0) + Scalar(2.0) * mu1
+      + mu2 * absolute(velocity[0]) + mu2 * velocity[0] * sign_of(velocity[0]) + delta2 * velocity[0] * Scalar(2.0)
+      + mu3 * velocity[0] * velocity[0] * Scalar(3.0));
+  Scalar mass[1];
+  mass_matrix(parameters, excitation, displacement, velocity, mass);
+  solve_in_place(mass, 1, slope, 2);
+}
+
+/// slope[k * 10 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = omega0, mu1, mu2,
+/// mu3, alpha2, alpha3, delta2, delta3, eta1, eta2. Of nonsmooth terms the classical derivative: d|x| = sgn(x)
+/// dx, zero at the corner, and d sgn(x) = 0. 21 operations before the solution of 10 right sides.
+template <class Scalar>
+void acceleration_by_parameters([[maybe_unused]] const Scalar* parameters,
+    [[maybe_unused]] const ExcitationSample* excitation,
+    [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
+    Scalar* slope) {
+  Scalar acceleration[1];
+  accelerations(parameters, excitation, displacement, velocity, acceleration);
+  const Scalar omega0 = parameters[0];
+  for (std::size_t i = 0; i < 10; ++i) slope[i] = Scalar(0.0);
+  slope[0] = -(Scalar(2.0) * omega0 * displacement[0]);  // equation 1 by omega0
+  slope[1] = -(Scalar(2.0) * velocity[0]);  // equation 1 by mu1
+  slope[2] = -(velocity[0] * absolute(velocity[0]));  // equation 1 by mu2
+  slope[3] = -(velocity[0] * velocity[0] * velocity[0]);  // equation 1 by mu3
+  slope[4] = -(displacement[0] * displacement[0]);  // equation 1 by alpha2
+  slope[5] = -(displacement[0] * displacement[0] * displacement[0]);  // equation 1 by alpha3
+  // equation 1 by delta2
+  slope[6] = -(Scalar(2.0) * displacement[0] * acceleration[0] + velocity[0] * velocity[0]);
+  // equation 1 by delta3
+  slope[7] = -(displacement[0] * velocity[0] * velocity[0] + displacement[0] * displacement[0] * acceleration[0]);
+  slope[8] = -(-Scalar(1.0) * Scalar(excitation[0].value));  // equation 1 by eta1
+  slope[9] = -(-Scalar(1.0) * displacement[0] * Scalar(excitation[0].value));  // equation 1 by eta2
+  Scalar mass[1];
+  mass_matrix(parameters, excitation, displacement, velocity, mass);
+  solve_in_place(mass, 1, slope, 10);
 }
 
 namespace principal_parametric {
@@ -167,208 +248,390 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   jacobian[97] = -Scalar(1.0) / Scalar(4.0);  // d harmonic_re_v_A_v3 / d delta3
 }
 
-/// Regressor rows of the modulation of v: target = sum of columns[j][i] * lump_j.
+/// What multiplies the 5 terms of the modulation of v: functions of the frequencies alone. 8 operations.
+template <class Scalar>
+void factors_0([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar pi = Scalar(std::numbers::pi);
+  const Scalar omega0_2 = omega0 * omega0;
+  factor[0] = -Scalar(1.0);
+  factor[1] = -Scalar(8.0) * omega0 / (Scalar(3.0) * pi);
+  factor[2] = -Scalar(3.0) * omega0_2 / Scalar(2.0);
+  factor[3] = Scalar(4.0) / omega0;
+  factor[4] = -Scalar(1.0) / omega0;
+}
+
+/// Rows of the modulation of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// (rate - i*omega0)*A_v = -mu1*A_v - 8*omega0/(3*Pi)*mu2*A_v*abs(A_v) - 3*omega0^2/2*mu3*A_v^2*conj(A_v) +
 /// 4/omega0*i*alpha_e*A_v^2*conj(A_v) - 1/omega0*i*eta_e*conj(A_v)*F
-/// 5 columns; per observation 9 complex products, 0 complex sums.
+/// 5 columns; per observation at most 13 products and sums of complex numbers.
+template <class Factors>
+void rows_0(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar* __restrict column_1 = parts_of(columns[1]);
+  Scalar* __restrict column_2 = parts_of(columns[2]);
+  Scalar* __restrict column_3 = parts_of(columns[3]);
+  Scalar* __restrict column_4 = parts_of(columns[4]);
+  Scalar factor[5];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Complex conj_A_v = conjugate(A_v);
+    const Scalar norm_A_v = norm_of(A_v);
+    const Scalar abs_A_v = modulus_of(A_v);
+    const Complex F = load_complex(forcing_0, i);
+    store_complex(column_0, i, factor[0] * (A_v));  // mu1
+    store_complex(column_1, i, factor[1] * (abs_A_v * A_v));  // mu2
+    store_complex(column_2, i, factor[2] * (norm_A_v * A_v));  // mu3
+    store_complex(column_3, i, times_i(factor[3] * (norm_A_v * A_v)));  // alpha_e
+    store_complex(column_4, i, times_i(factor[4] * (conj_A_v * F)));  // eta_e
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_0(const ObservationBatch& data, std::complex<double>* const* columns) {
-  using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar pi = std::numbers::pi;
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar factor_0_0 = -Scalar(1.0);
-  const Scalar factor_1_0 = -Scalar(8.0) * omega0 / (Scalar(3.0) * pi);
-  const Scalar factor_2_0 = -Scalar(3.0) * omega0_2 / Scalar(2.0);
-  const Scalar factor_3_0 = Scalar(4.0) / omega0;
-  const Scalar factor_4_0 = -Scalar(1.0) / omega0;
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Complex conj_A_v = std::conj(A_v);
-    const Scalar norm_A_v = std::norm(A_v);
-    const Scalar abs_A_v = std::abs(A_v);
-    const Complex F = data.forcing[0][i];
-    columns[0][i] = factor_0_0 * (A_v);  // mu1
-    columns[1][i] = factor_1_0 * (abs_A_v * A_v);  // mu2
-    columns[2][i] = factor_2_0 * (norm_A_v * A_v);  // mu3
-    columns[3][i] = Complex(Scalar(0), Scalar(1)) * factor_3_0 * (norm_A_v * A_v);  // alpha_e
-    columns[4][i] = Complex(Scalar(0), Scalar(1)) * factor_4_0 * (conj_A_v * F);  // eta_e
-  }
+  rows_0(data, FactorValues<factors_0<double>>{}, columns);
 }
 
-/// Regressor rows of the harmonic 0 of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_0(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 1, 5>{mode}, columns);
+}
+
+/// What multiplies the 1 terms of the harmonic 0 of v: functions of the frequencies alone. 2 operations.
+template <class Scalar>
+void factors_1([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar omega0_2 = omega0 * omega0;
+  factor[0] = -Scalar(2.0) / omega0_2;
+}
+
+/// Rows of the harmonic 0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(0)*t) in v = -2/omega0^2*alpha_0*A_v*conj(A_v)
-/// 1 columns; per observation 1 complex products, 0 complex sums.
+/// 1 columns; per observation at most 1 products and sums of complex numbers.
+template <class Factors>
+void rows_1(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar factor[1];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Scalar norm_A_v = norm_of(A_v);
+    store_complex(column_0, i, Complex(factor[0] * (norm_A_v)));  // alpha_0
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_1(const ObservationBatch& data, std::complex<double>* const* columns) {
-  using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar factor_0_0 = -Scalar(2.0) / omega0_2;
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Scalar norm_A_v = std::norm(A_v);
-    columns[0][i] = factor_0_0 * (norm_A_v);  // alpha_0
-  }
+  rows_1(data, FactorValues<factors_1<double>>{}, columns);
 }
 
-/// Regressor rows of the harmonic Omega of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_1(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 1>{mode}, columns);
+}
+
+/// What multiplies the 2 terms of the harmonic Omega of v: functions of the frequencies alone. 8 operations.
+template <class Scalar>
+void factors_2([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar Omega = excitation_frequency[0];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar Omega_2 = Omega * Omega;
+  factor[0] = Scalar(1.0) / (Scalar(2.0) * omega0_2 - Scalar(2.0) * Omega_2);
+  factor[1] = Scalar(1.0) / (Scalar(3.0) * omega0_2);
+}
+
+/// Rows of the harmonic Omega of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(Omega)*t) in v = 1/(2*omega0^2 - 2*Omega^2)*eta1*F + 1/(3*omega0^2)*alpha_q*A_v^2
-/// 2 columns; per observation 3 complex products, 0 complex sums.
-inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+/// 2 columns; per observation at most 4 products and sums of complex numbers.
+template <class Factors>
+void rows_2(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
   using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar factor_1_0 = Scalar(1.0) / (Scalar(3.0) * omega0_2);
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar* __restrict column_1 = parts_of(columns[1]);
+  Scalar factor[2];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
   for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Complex F = data.forcing[0][i];
-    const Scalar Omega = data.excitation_frequency[0][i];
-    const Scalar Omega_2 = Omega * Omega;
-    const Scalar factor_0_0 = Scalar(1.0) / (Scalar(2.0) * omega0_2 - Scalar(2.0) * Omega_2);
-    columns[0][i] = factor_0_0 * (F);  // eta1
-    columns[1][i] = factor_1_0 * (A_v * A_v);  // alpha_q
+    const Scalar excitation_frequency[] = {frequency_0[i]};
+    factors(natural_frequency, excitation_frequency, factor);
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Complex F = load_complex(forcing_0, i);
+    store_complex(column_0, i, factor[0] * (F));  // eta1
+    store_complex(column_1, i, factor[1] * (A_v * A_v));  // alpha_q
   }
 }
 
-/// Regressor rows of the harmonic omega0+Omega of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] of the rows.
+inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+  rows_2(data, FactorValues<factors_2<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_2(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 1, 2>{mode}, columns);
+}
+
+/// What multiplies the 4 terms of the harmonic omega0+Omega of v: functions of the frequencies alone. 3
+/// operations.
+template <class Scalar>
+void factors_3([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar pi = Scalar(std::numbers::pi);
+  factor[0] = -Scalar(2.0) / (Scalar(15.0) * pi);
+  factor[1] = -omega0 / Scalar(8.0);
+  factor[2] = Scalar(1.0);
+  factor[3] = Scalar(1.0);
+}
+
+/// Rows of the harmonic omega0+Omega of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(omega0 + Omega)*t) in v = -2/(15*Pi)*i*mu2*A_v^3*abs(A_v)^-1 - omega0/8*i*mu3*A_v^3 +
 /// harmonic_re_v_A_v_F*A_v*F + harmonic_re_v_A_v3*A_v^3
-/// 4 columns; per observation 11 complex products, 0 complex sums.
+/// 4 columns; per observation at most 18 products and sums of complex numbers.
+template <class Factors>
+void rows_3(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar* __restrict column_1 = parts_of(columns[1]);
+  Scalar* __restrict column_2 = parts_of(columns[2]);
+  Scalar* __restrict column_3 = parts_of(columns[3]);
+  Scalar factor[4];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Scalar abs_A_v = modulus_of(A_v);
+    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
+    const Complex unit_A_v = inverse_abs_A_v * A_v;
+    const Complex F = load_complex(forcing_0, i);
+    store_complex(column_0, i, times_i(factor[0] * (unit_A_v * A_v * A_v)));  // mu2
+    store_complex(column_1, i, times_i(factor[1] * (A_v * A_v * A_v)));  // mu3
+    store_complex(column_2, i, factor[2] * (A_v * F));  // harmonic_re_v_A_v_F
+    store_complex(column_3, i, factor[3] * (A_v * A_v * A_v));  // harmonic_re_v_A_v3
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_3(const ObservationBatch& data, std::complex<double>* const* columns) {
-  using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar pi = std::numbers::pi;
-  const Scalar factor_0_0 = -Scalar(2.0) / (Scalar(15.0) * pi);
-  const Scalar factor_1_0 = -omega0 / Scalar(8.0);
-  const Scalar factor_2_0 = Scalar(1.0);
-  const Scalar factor_3_0 = Scalar(1.0);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Scalar abs_A_v = std::abs(A_v);
-    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
-    const Complex F = data.forcing[0][i];
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (unit_A_v * A_v * A_v);  // mu2
-    columns[1][i] = Complex(Scalar(0), Scalar(1)) * factor_1_0 * (A_v * A_v * A_v);  // mu3
-    columns[2][i] = factor_2_0 * (A_v * F);  // harmonic_re_v_A_v_F
-    columns[3][i] = factor_3_0 * (A_v * A_v * A_v);  // harmonic_re_v_A_v3
-  }
+  rows_3(data, FactorValues<factors_3<double>>{}, columns);
 }
 
-/// Regressor rows of the harmonic 5*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_3(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_3(data, FactorSlopes<factors_3<DualNumber>, 1, 1, 4>{mode}, columns);
+}
+
+/// What multiplies the 1 terms of the harmonic 5*omega0 of v: functions of the frequencies alone. 2 operations.
+template <class Scalar>
+void factors_4([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar pi = Scalar(std::numbers::pi);
+  factor[0] = -Scalar(2.0) / (Scalar(315.0) * pi);
+}
+
+/// Rows of the harmonic 5*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(5*omega0)*t) in v = -2/(315*Pi)*i*mu2*A_v^5*abs(A_v)^-3
-/// 1 columns; per observation 5 complex products, 0 complex sums.
+/// 1 columns; per observation at most 9 products and sums of complex numbers.
+template <class Factors>
+void rows_4(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar factor[1];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Scalar abs_A_v = modulus_of(A_v);
+    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
+    const Complex unit_A_v = inverse_abs_A_v * A_v;
+    store_complex(column_0, i, times_i(factor[0] * (unit_A_v * unit_A_v * unit_A_v * A_v * A_v)));  // mu2
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_4(const ObservationBatch& data, std::complex<double>* const* columns) {
-  using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar pi = std::numbers::pi;
-  const Scalar factor_0_0 = -Scalar(2.0) / (Scalar(315.0) * pi);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Scalar abs_A_v = std::abs(A_v);
-    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
-    // mu2
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (unit_A_v * unit_A_v * unit_A_v * A_v * A_v);
-  }
+  rows_4(data, FactorValues<factors_4<double>>{}, columns);
 }
 
-/// Regressor rows of the harmonic 7*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_4(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  for (std::size_t j = 0; j < 1; ++j)
+    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+}
+
+/// What multiplies the 1 terms of the harmonic 7*omega0 of v: functions of the frequencies alone. 2 operations.
+template <class Scalar>
+void factors_5([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar pi = Scalar(std::numbers::pi);
+  factor[0] = -Scalar(1.0) / (Scalar(945.0) * pi);
+}
+
+/// Rows of the harmonic 7*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(7*omega0)*t) in v = -1/(945*Pi)*i*mu2*A_v^7*abs(A_v)^-5
-/// 1 columns; per observation 3 complex products, 0 complex sums.
+/// 1 columns; per observation at most 5 products and sums of complex numbers.
+template <class Factors>
+void rows_5(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar factor[1];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Scalar abs_A_v = modulus_of(A_v);
+    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
+    const Complex unit_A_v = inverse_abs_A_v * A_v;
+    store_complex(column_0, i, times_i(factor[0] * (fixed_power<5>(unit_A_v) * A_v * A_v)));  // mu2
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_5(const ObservationBatch& data, std::complex<double>* const* columns) {
-  using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar pi = std::numbers::pi;
-  const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(945.0) * pi);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Scalar abs_A_v = std::abs(A_v);
-    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (integer_power(unit_A_v, 5) * A_v * A_v);  // mu2
-  }
+  rows_5(data, FactorValues<factors_5<double>>{}, columns);
 }
 
-/// Regressor rows of the harmonic 9*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_5(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  for (std::size_t j = 0; j < 1; ++j)
+    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+}
+
+/// What multiplies the 1 terms of the harmonic 9*omega0 of v: functions of the frequencies alone. 2 operations.
+template <class Scalar>
+void factors_6([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar pi = Scalar(std::numbers::pi);
+  factor[0] = -Scalar(1.0) / (Scalar(3465.0) * pi);
+}
+
+/// Rows of the harmonic 9*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(9*omega0)*t) in v = -1/(3465*Pi)*i*mu2*A_v^9*abs(A_v)^-7
-/// 1 columns; per observation 3 complex products, 0 complex sums.
-inline void columns_6(const ObservationBatch& data, std::complex<double>* const* columns) {
+/// 1 columns; per observation at most 5 products and sums of complex numbers.
+template <class Factors>
+void rows_6(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
   using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar pi = std::numbers::pi;
-  const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(3465.0) * pi);
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar factor[1];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Scalar abs_A_v = std::abs(A_v);
-    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (integer_power(unit_A_v, 7) * A_v * A_v);  // mu2
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Scalar abs_A_v = modulus_of(A_v);
+    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
+    const Complex unit_A_v = inverse_abs_A_v * A_v;
+    store_complex(column_0, i, times_i(factor[0] * (fixed_power<7>(unit_A_v) * A_v * A_v)));  // mu2
   }
 }
 
-/// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state.
+/// columns[j][i] of the rows.
+inline void columns_6(const ObservationBatch& data, std::complex<double>* const* columns) {
+  rows_6(data, FactorValues<factors_6<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_6(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  for (std::size_t j = 0; j < 1; ++j)
+    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+}
+
+/// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state. amplitude
+/// and derivative hold Re B_0, Im B_0, Re B_1, ..., forcing Re F, Im F of every excitation.
 /// dB_v/dt + i*(w_v - omega0)*B_v = -mu1*A_v - 8*omega0/(3*Pi)*mu2*A_v*abs(A_v) -
 /// 3*omega0^2/2*mu3*A_v^2*conj(A_v) + 4/omega0*i*alpha_e*A_v^2*conj(A_v) - 1/omega0*i*eta_e*conj(A_v)*F with A =
 /// B in that frame
+/// 30 operations besides the lumps.
 template <class Scalar>
 void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
-                const std::complex<Scalar>* amplitude,
-                [[maybe_unused]] const std::complex<Scalar>* forcing, std::complex<Scalar>* derivative) {
-  using Complex = std::complex<Scalar>;
-  const Scalar omega0 = parameters[0];
-  const Scalar pi = std::numbers::pi_v<Scalar>;
+    [[maybe_unused]] const Scalar* amplitude, [[maybe_unused]] const Scalar* forcing,
+    Scalar* derivative) {
+  using Complex = ComplexNumber<Scalar>;
+  [[maybe_unused]] const Scalar omega0 = parameters[0];
+  const Scalar pi = Scalar(std::numbers::pi);
   const Scalar omega0_2 = omega0 * omega0;
   Scalar lumps[10];
   evaluate_lumps(parameters, lumps);
-  const Complex A_v = amplitude[0];
-  const Complex conj_A_v = std::conj(A_v);
-  const Scalar norm_A_v = std::norm(A_v);
-  const Scalar abs_A_v = std::abs(A_v);
-  const Complex F = forcing[0];
-  derivative[0] = (lumps[0] * -Scalar(1.0) * (A_v))
-       + (lumps[1] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * (abs_A_v * A_v))
-       + (lumps[2] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * (norm_A_v * A_v))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(4.0) / omega0 * (norm_A_v * A_v))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[4] * -Scalar(1.0) / omega0 * (conj_A_v * F))
-       - Complex(Scalar(0), Scalar(-1.0) / Scalar(1.0) * omega0
-      + Scalar(1.0) / Scalar(2.0) * excitation_frequency[0]) * A_v;
+  const Complex A_v = load_complex(amplitude, 0);
+  const Complex conj_A_v = conjugate(A_v);
+  const Scalar norm_A_v = norm_of(A_v);
+  const Scalar abs_A_v = modulus_of(A_v);
+  const Complex F = load_complex(forcing, 0);
+  store_complex(derivative, 0, lumps[0] * (-Scalar(1.0)) * (A_v)
+       + lumps[1] * (-Scalar(8.0) * omega0 / (Scalar(3.0) * pi)) * (abs_A_v * A_v)
+       + lumps[2] * (-Scalar(3.0) * omega0_2 / Scalar(2.0)) * (norm_A_v * A_v)
+       + times_i(lumps[3] * Scalar(4.0) / omega0 * (norm_A_v * A_v))
+       + times_i(lumps[4] * (-Scalar(1.0) / omega0) * (conj_A_v * F))
+       - times_i((-omega0 + excitation_frequency[0] / Scalar(2.0)) * A_v));
 }
 
 /// jacobian[i * 2 + j] = d f_i / d z_j of dz/dt = f(z), z = (Re B_0, Im B_0, Re B_1, ...): what `modulation`
 /// computes, in Cartesian amplitudes. With f = dB_k/dt as a function of B_j and conj(B_j), d/dRe(B_j) = d/dB_j +
 /// d/dconj(B_j) and d/dIm(B_j) = i*(d/dB_j - d/dconj(B_j)). Regular at zero amplitude; a term that has no
-/// derivative there counts as zero.
+/// derivative there counts as zero. 49 operations besides the lumps.
 template <class Scalar>
 void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
-    [[maybe_unused]] const std::complex<Scalar>* amplitude,
-    [[maybe_unused]] const std::complex<Scalar>* forcing, Scalar* jacobian) {
-  using Complex = std::complex<Scalar>;
+    [[maybe_unused]] const Scalar* amplitude, [[maybe_unused]] const Scalar* forcing,
+    Scalar* jacobian) {
+  using Complex = ComplexNumber<Scalar>;
   [[maybe_unused]] const Scalar omega0 = parameters[0];
-  const Scalar pi = std::numbers::pi_v<Scalar>;
+  const Scalar pi = Scalar(std::numbers::pi);
   const Scalar omega0_2 = omega0 * omega0;
   Scalar lumps[10];
   evaluate_lumps(parameters, lumps);
-  const Complex A_v = amplitude[0];
-  const Scalar norm_A_v = std::norm(A_v);
-  const Scalar abs_A_v = std::abs(A_v);
-  const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
-  const Complex F = forcing[0];
+  const Complex A_v = load_complex(amplitude, 0);
+  const Scalar norm_A_v = norm_of(A_v);
+  const Scalar abs_A_v = modulus_of(A_v);
+  const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
+  const Complex unit_A_v = inverse_abs_A_v * A_v;
+  const Complex F = load_complex(forcing, 0);
   for (std::size_t i = 0; i < 4; ++i) jacobian[i] = Scalar(0.0);
-  const Complex by_0_0 = (lumps[0] * -Scalar(1.0) * (Complex(Scalar(1.0))))
-       + (lumps[1] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(1.5) * (abs_A_v))
-       + (lumps[2] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * Scalar(2) * (norm_A_v))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(4.0) / omega0 * Scalar(2) * (norm_A_v))
-       - Complex(Scalar(0), Scalar(-1.0) / Scalar(1.0) * omega0
-      + Scalar(1.0) / Scalar(2.0) * excitation_frequency[0]);
-  const Complex conj_by_0_0 = (lumps[1] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(0.5) * (unit_A_v
-      * A_v))
-       + (lumps[2] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * (A_v * A_v))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(4.0) / omega0 * (A_v * A_v))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[4] * -Scalar(1.0) / omega0 * (F));
-  jacobian[0] = by_0_0.real() + conj_by_0_0.real();
-  jacobian[1] = conj_by_0_0.imag() - by_0_0.imag();
-  jacobian[2] = by_0_0.imag() + conj_by_0_0.imag();
-  jacobian[3] = by_0_0.real() - conj_by_0_0.real();
+  const Complex by_0_0 = Complex(lumps[0] * (-Scalar(1.0)))
+       + Complex(lumps[1] * (-Scalar(8.0) * omega0 / (Scalar(3.0) * pi)) * Scalar(1.5) * (abs_A_v))
+       + Complex(lumps[2] * (-Scalar(3.0) * omega0_2 / Scalar(2.0)) * Scalar(2) * (norm_A_v))
+       + times_i(Complex(lumps[3] * Scalar(4.0) / omega0 * Scalar(2) * (norm_A_v)))
+       - Complex(Scalar(0.0), -omega0 + excitation_frequency[0] / Scalar(2.0));
+  const Complex conj_by_0_0 = lumps[1] * (-Scalar(8.0) * omega0 / (Scalar(3.0) * pi)) * Scalar(0.5) * (unit_A_v
+      * A_v)
+       + lumps[2] * (-Scalar(3.0) * omega0_2 / Scalar(2.0)) * (A_v * A_v)
+       + times_i(lumps[3] * Scalar(4.0) / omega0 * (A_v * A_v))
+       + times_i(lumps[4] * (-Scalar(1.0) / omega0) * (F));
+  jacobian[0] = by_0_0.real + conj_by_0_0.real;
+  jacobian[1] = conj_by_0_0.imag - by_0_0.imag;
+  jacobian[2] = by_0_0.imag + conj_by_0_0.imag;
+  jacobian[3] = by_0_0.real - conj_by_0_0.real;
 }
 
 }  // namespace principal_parametric
@@ -459,186 +722,361 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   jacobian[67] = -Scalar(1.0) / Scalar(4.0);  // d harmonic_re_v_A_v3 / d delta3
 }
 
-/// Regressor rows of the modulation of v: target = sum of columns[j][i] * lump_j.
+/// What multiplies the 4 terms of the modulation of v: functions of the frequencies alone. 7 operations.
+template <class Scalar>
+void factors_0([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar pi = Scalar(std::numbers::pi);
+  const Scalar omega0_2 = omega0 * omega0;
+  factor[0] = -Scalar(1.0);
+  factor[1] = -Scalar(8.0) * omega0 / (Scalar(3.0) * pi);
+  factor[2] = -Scalar(3.0) * omega0_2 / Scalar(2.0);
+  factor[3] = Scalar(4.0) / omega0;
+}
+
+/// Rows of the modulation of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// (rate - i*omega0)*A_v = -mu1*A_v - 8*omega0/(3*Pi)*mu2*A_v*abs(A_v) - 3*omega0^2/2*mu3*A_v^2*conj(A_v) +
 /// 4/omega0*i*alpha_e*A_v^2*conj(A_v)
-/// 4 columns; per observation 7 complex products, 0 complex sums.
+/// 4 columns; per observation at most 10 products and sums of complex numbers.
+template <class Factors>
+void rows_0(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar* __restrict column_1 = parts_of(columns[1]);
+  Scalar* __restrict column_2 = parts_of(columns[2]);
+  Scalar* __restrict column_3 = parts_of(columns[3]);
+  Scalar factor[4];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Scalar norm_A_v = norm_of(A_v);
+    const Scalar abs_A_v = modulus_of(A_v);
+    store_complex(column_0, i, factor[0] * (A_v));  // mu1
+    store_complex(column_1, i, factor[1] * (abs_A_v * A_v));  // mu2
+    store_complex(column_2, i, factor[2] * (norm_A_v * A_v));  // mu3
+    store_complex(column_3, i, times_i(factor[3] * (norm_A_v * A_v)));  // alpha_e
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_0(const ObservationBatch& data, std::complex<double>* const* columns) {
-  using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar pi = std::numbers::pi;
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar factor_0_0 = -Scalar(1.0);
-  const Scalar factor_1_0 = -Scalar(8.0) * omega0 / (Scalar(3.0) * pi);
-  const Scalar factor_2_0 = -Scalar(3.0) * omega0_2 / Scalar(2.0);
-  const Scalar factor_3_0 = Scalar(4.0) / omega0;
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Scalar norm_A_v = std::norm(A_v);
-    const Scalar abs_A_v = std::abs(A_v);
-    columns[0][i] = factor_0_0 * (A_v);  // mu1
-    columns[1][i] = factor_1_0 * (abs_A_v * A_v);  // mu2
-    columns[2][i] = factor_2_0 * (norm_A_v * A_v);  // mu3
-    columns[3][i] = Complex(Scalar(0), Scalar(1)) * factor_3_0 * (norm_A_v * A_v);  // alpha_e
-  }
+  rows_0(data, FactorValues<factors_0<double>>{}, columns);
 }
 
-/// Regressor rows of the harmonic 0 of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_0(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 1, 4>{mode}, columns);
+}
+
+/// What multiplies the 1 terms of the harmonic 0 of v: functions of the frequencies alone. 2 operations.
+template <class Scalar>
+void factors_1([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar omega0_2 = omega0 * omega0;
+  factor[0] = -Scalar(2.0) / omega0_2;
+}
+
+/// Rows of the harmonic 0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(0)*t) in v = -2/omega0^2*alpha_0*A_v*conj(A_v)
-/// 1 columns; per observation 1 complex products, 0 complex sums.
+/// 1 columns; per observation at most 1 products and sums of complex numbers.
+template <class Factors>
+void rows_1(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar factor[1];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Scalar norm_A_v = norm_of(A_v);
+    store_complex(column_0, i, Complex(factor[0] * (norm_A_v)));  // alpha_0
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_1(const ObservationBatch& data, std::complex<double>* const* columns) {
-  using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar factor_0_0 = -Scalar(2.0) / omega0_2;
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Scalar norm_A_v = std::norm(A_v);
-    columns[0][i] = factor_0_0 * (norm_A_v);  // alpha_0
-  }
+  rows_1(data, FactorValues<factors_1<double>>{}, columns);
 }
 
-/// Regressor rows of the harmonic 2*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_1(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 1>{mode}, columns);
+}
+
+/// What multiplies the 1 terms of the harmonic 2*omega0 of v: functions of the frequencies alone. 3 operations.
+template <class Scalar>
+void factors_2([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar omega0_2 = omega0 * omega0;
+  factor[0] = Scalar(1.0) / (Scalar(3.0) * omega0_2);
+}
+
+/// Rows of the harmonic 2*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(2*omega0)*t) in v = 1/(3*omega0^2)*alpha_q*A_v^2
-/// 1 columns; per observation 2 complex products, 0 complex sums.
-inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+/// 1 columns; per observation at most 3 products and sums of complex numbers.
+template <class Factors>
+void rows_2(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
   using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar factor_0_0 = Scalar(1.0) / (Scalar(3.0) * omega0_2);
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar factor[1];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    columns[0][i] = factor_0_0 * (A_v * A_v);  // alpha_q
+    const Complex A_v = load_complex(amplitude_0, i);
+    store_complex(column_0, i, factor[0] * (A_v * A_v));  // alpha_q
   }
 }
 
-/// Regressor rows of the harmonic 3*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] of the rows.
+inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+  rows_2(data, FactorValues<factors_2<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_2(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 1, 1>{mode}, columns);
+}
+
+/// What multiplies the 3 terms of the harmonic 3*omega0 of v: functions of the frequencies alone. 3 operations.
+template <class Scalar>
+void factors_3([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar pi = Scalar(std::numbers::pi);
+  factor[0] = -Scalar(2.0) / (Scalar(15.0) * pi);
+  factor[1] = -omega0 / Scalar(8.0);
+  factor[2] = Scalar(1.0);
+}
+
+/// Rows of the harmonic 3*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(3*omega0)*t) in v = -2/(15*Pi)*i*mu2*A_v^3*abs(A_v)^-1 - omega0/8*i*mu3*A_v^3 +
 /// harmonic_re_v_A_v3*A_v^3
-/// 3 columns; per observation 9 complex products, 0 complex sums.
+/// 3 columns; per observation at most 15 products and sums of complex numbers.
+template <class Factors>
+void rows_3(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar* __restrict column_1 = parts_of(columns[1]);
+  Scalar* __restrict column_2 = parts_of(columns[2]);
+  Scalar factor[3];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Scalar abs_A_v = modulus_of(A_v);
+    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
+    const Complex unit_A_v = inverse_abs_A_v * A_v;
+    store_complex(column_0, i, times_i(factor[0] * (unit_A_v * A_v * A_v)));  // mu2
+    store_complex(column_1, i, times_i(factor[1] * (A_v * A_v * A_v)));  // mu3
+    store_complex(column_2, i, factor[2] * (A_v * A_v * A_v));  // harmonic_re_v_A_v3
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_3(const ObservationBatch& data, std::complex<double>* const* columns) {
-  using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar pi = std::numbers::pi;
-  const Scalar factor_0_0 = -Scalar(2.0) / (Scalar(15.0) * pi);
-  const Scalar factor_1_0 = -omega0 / Scalar(8.0);
-  const Scalar factor_2_0 = Scalar(1.0);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Scalar abs_A_v = std::abs(A_v);
-    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (unit_A_v * A_v * A_v);  // mu2
-    columns[1][i] = Complex(Scalar(0), Scalar(1)) * factor_1_0 * (A_v * A_v * A_v);  // mu3
-    columns[2][i] = factor_2_0 * (A_v * A_v * A_v);  // harmonic_re_v_A_v3
-  }
+  rows_3(data, FactorValues<factors_3<double>>{}, columns);
 }
 
-/// Regressor rows of the harmonic 5*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_3(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_3(data, FactorSlopes<factors_3<DualNumber>, 1, 1, 3>{mode}, columns);
+}
+
+/// What multiplies the 1 terms of the harmonic 5*omega0 of v: functions of the frequencies alone. 2 operations.
+template <class Scalar>
+void factors_4([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar pi = Scalar(std::numbers::pi);
+  factor[0] = -Scalar(2.0) / (Scalar(315.0) * pi);
+}
+
+/// Rows of the harmonic 5*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(5*omega0)*t) in v = -2/(315*Pi)*i*mu2*A_v^5*abs(A_v)^-3
-/// 1 columns; per observation 5 complex products, 0 complex sums.
+/// 1 columns; per observation at most 9 products and sums of complex numbers.
+template <class Factors>
+void rows_4(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar factor[1];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Scalar abs_A_v = modulus_of(A_v);
+    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
+    const Complex unit_A_v = inverse_abs_A_v * A_v;
+    store_complex(column_0, i, times_i(factor[0] * (unit_A_v * unit_A_v * unit_A_v * A_v * A_v)));  // mu2
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_4(const ObservationBatch& data, std::complex<double>* const* columns) {
-  using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar pi = std::numbers::pi;
-  const Scalar factor_0_0 = -Scalar(2.0) / (Scalar(315.0) * pi);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Scalar abs_A_v = std::abs(A_v);
-    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
-    // mu2
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (unit_A_v * unit_A_v * unit_A_v * A_v * A_v);
-  }
+  rows_4(data, FactorValues<factors_4<double>>{}, columns);
 }
 
-/// Regressor rows of the harmonic 7*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_4(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  for (std::size_t j = 0; j < 1; ++j)
+    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+}
+
+/// What multiplies the 1 terms of the harmonic 7*omega0 of v: functions of the frequencies alone. 2 operations.
+template <class Scalar>
+void factors_5([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar pi = Scalar(std::numbers::pi);
+  factor[0] = -Scalar(1.0) / (Scalar(945.0) * pi);
+}
+
+/// Rows of the harmonic 7*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(7*omega0)*t) in v = -1/(945*Pi)*i*mu2*A_v^7*abs(A_v)^-5
-/// 1 columns; per observation 3 complex products, 0 complex sums.
+/// 1 columns; per observation at most 5 products and sums of complex numbers.
+template <class Factors>
+void rows_5(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar factor[1];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Scalar abs_A_v = modulus_of(A_v);
+    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
+    const Complex unit_A_v = inverse_abs_A_v * A_v;
+    store_complex(column_0, i, times_i(factor[0] * (fixed_power<5>(unit_A_v) * A_v * A_v)));  // mu2
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_5(const ObservationBatch& data, std::complex<double>* const* columns) {
-  using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar pi = std::numbers::pi;
-  const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(945.0) * pi);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Scalar abs_A_v = std::abs(A_v);
-    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (integer_power(unit_A_v, 5) * A_v * A_v);  // mu2
-  }
+  rows_5(data, FactorValues<factors_5<double>>{}, columns);
 }
 
-/// Regressor rows of the harmonic 9*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_5(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  for (std::size_t j = 0; j < 1; ++j)
+    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+}
+
+/// What multiplies the 1 terms of the harmonic 9*omega0 of v: functions of the frequencies alone. 2 operations.
+template <class Scalar>
+void factors_6([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar pi = Scalar(std::numbers::pi);
+  factor[0] = -Scalar(1.0) / (Scalar(3465.0) * pi);
+}
+
+/// Rows of the harmonic 9*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(9*omega0)*t) in v = -1/(3465*Pi)*i*mu2*A_v^9*abs(A_v)^-7
-/// 1 columns; per observation 3 complex products, 0 complex sums.
-inline void columns_6(const ObservationBatch& data, std::complex<double>* const* columns) {
+/// 1 columns; per observation at most 5 products and sums of complex numbers.
+template <class Factors>
+void rows_6(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
   using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar pi = std::numbers::pi;
-  const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(3465.0) * pi);
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar factor[1];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Scalar abs_A_v = std::abs(A_v);
-    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (integer_power(unit_A_v, 7) * A_v * A_v);  // mu2
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Scalar abs_A_v = modulus_of(A_v);
+    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
+    const Complex unit_A_v = inverse_abs_A_v * A_v;
+    store_complex(column_0, i, times_i(factor[0] * (fixed_power<7>(unit_A_v) * A_v * A_v)));  // mu2
   }
 }
 
-/// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state.
+/// columns[j][i] of the rows.
+inline void columns_6(const ObservationBatch& data, std::complex<double>* const* columns) {
+  rows_6(data, FactorValues<factors_6<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_6(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  for (std::size_t j = 0; j < 1; ++j)
+    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+}
+
+/// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state. amplitude
+/// and derivative hold Re B_0, Im B_0, Re B_1, ..., forcing Re F, Im F of every excitation.
 /// dB_v/dt + i*(w_v - omega0)*B_v = -mu1*A_v - 8*omega0/(3*Pi)*mu2*A_v*abs(A_v) -
 /// 3*omega0^2/2*mu3*A_v^2*conj(A_v) + 4/omega0*i*alpha_e*A_v^2*conj(A_v) with A = B in that frame
+/// 21 operations besides the lumps.
 template <class Scalar>
 void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
-                const std::complex<Scalar>* amplitude,
-                [[maybe_unused]] const std::complex<Scalar>* forcing, std::complex<Scalar>* derivative) {
-  using Complex = std::complex<Scalar>;
-  const Scalar omega0 = parameters[0];
-  const Scalar pi = std::numbers::pi_v<Scalar>;
+    [[maybe_unused]] const Scalar* amplitude, [[maybe_unused]] const Scalar* forcing,
+    Scalar* derivative) {
+  using Complex = ComplexNumber<Scalar>;
+  [[maybe_unused]] const Scalar omega0 = parameters[0];
+  const Scalar pi = Scalar(std::numbers::pi);
   const Scalar omega0_2 = omega0 * omega0;
   Scalar lumps[7];
   evaluate_lumps(parameters, lumps);
-  const Complex A_v = amplitude[0];
-  const Scalar norm_A_v = std::norm(A_v);
-  const Scalar abs_A_v = std::abs(A_v);
-  derivative[0] = (lumps[0] * -Scalar(1.0) * (A_v))
-       + (lumps[1] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * (abs_A_v * A_v))
-       + (lumps[2] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * (norm_A_v * A_v))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(4.0) / omega0 * (norm_A_v * A_v));
+  const Complex A_v = load_complex(amplitude, 0);
+  const Scalar norm_A_v = norm_of(A_v);
+  const Scalar abs_A_v = modulus_of(A_v);
+  store_complex(derivative, 0, lumps[0] * (-Scalar(1.0)) * (A_v)
+       + lumps[1] * (-Scalar(8.0) * omega0 / (Scalar(3.0) * pi)) * (abs_A_v * A_v)
+       + lumps[2] * (-Scalar(3.0) * omega0_2 / Scalar(2.0)) * (norm_A_v * A_v)
+       + times_i(lumps[3] * Scalar(4.0) / omega0 * (norm_A_v * A_v)));
 }
 
 /// jacobian[i * 2 + j] = d f_i / d z_j of dz/dt = f(z), z = (Re B_0, Im B_0, Re B_1, ...): what `modulation`
 /// computes, in Cartesian amplitudes. With f = dB_k/dt as a function of B_j and conj(B_j), d/dRe(B_j) = d/dB_j +
 /// d/dconj(B_j) and d/dIm(B_j) = i*(d/dB_j - d/dconj(B_j)). Regular at zero amplitude; a term that has no
-/// derivative there counts as zero.
+/// derivative there counts as zero. 42 operations besides the lumps.
 template <class Scalar>
 void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
-    [[maybe_unused]] const std::complex<Scalar>* amplitude,
-    [[maybe_unused]] const std::complex<Scalar>* forcing, Scalar* jacobian) {
-  using Complex = std::complex<Scalar>;
+    [[maybe_unused]] const Scalar* amplitude, [[maybe_unused]] const Scalar* forcing,
+    Scalar* jacobian) {
+  using Complex = ComplexNumber<Scalar>;
   [[maybe_unused]] const Scalar omega0 = parameters[0];
-  const Scalar pi = std::numbers::pi_v<Scalar>;
+  const Scalar pi = Scalar(std::numbers::pi);
   const Scalar omega0_2 = omega0 * omega0;
   Scalar lumps[7];
   evaluate_lumps(parameters, lumps);
-  const Complex A_v = amplitude[0];
-  const Scalar norm_A_v = std::norm(A_v);
-  const Scalar abs_A_v = std::abs(A_v);
-  const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
+  const Complex A_v = load_complex(amplitude, 0);
+  const Scalar norm_A_v = norm_of(A_v);
+  const Scalar abs_A_v = modulus_of(A_v);
+  const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
+  const Complex unit_A_v = inverse_abs_A_v * A_v;
   for (std::size_t i = 0; i < 4; ++i) jacobian[i] = Scalar(0.0);
-  const Complex by_0_0 = (lumps[0] * -Scalar(1.0) * (Complex(Scalar(1.0))))
-       + (lumps[1] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(1.5) * (abs_A_v))
-       + (lumps[2] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * Scalar(2) * (norm_A_v))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(4.0) / omega0 * Scalar(2) * (norm_A_v));
-  const Complex conj_by_0_0 = (lumps[1] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(0.5) * (unit_A_v
-      * A_v))
-       + (lumps[2] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * (A_v * A_v))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[3] * Scalar(4.0) / omega0 * (A_v * A_v));
-  jacobian[0] = by_0_0.real() + conj_by_0_0.real();
-  jacobian[1] = conj_by_0_0.imag() - by_0_0.imag();
-  jacobian[2] = by_0_0.imag() + conj_by_0_0.imag();
-  jacobian[3] = by_0_0.real() - conj_by_0_0.real();
+  const Complex by_0_0 = Complex(lumps[0] * (-Scalar(1.0)))
+       + Complex(lumps[1] * (-Scalar(8.0) * omega0 / (Scalar(3.0) * pi)) * Scalar(1.5) * (abs_A_v))
+       + Complex(lumps[2] * (-Scalar(3.0) * omega0_2 / Scalar(2.0)) * Scalar(2) * (norm_A_v))
+       + times_i(Complex(lumps[3] * Scalar(4.0) / omega0 * Scalar(2) * (norm_A_v)));
+  const Complex conj_by_0_0 = lumps[1] * (-Scalar(8.0) * omega0 / (Scalar(3.0) * pi)) * Scalar(0.5) * (unit_A_v
+      * A_v)
+       + lumps[2] * (-Scalar(3.0) * omega0_2 / Scalar(2.0)) * (A_v * A_v)
+       + times_i(lumps[3] * Scalar(4.0) / omega0 * (A_v * A_v));
+  jacobian[0] = by_0_0.real + conj_by_0_0.real;
+  jacobian[1] = conj_by_0_0.imag - by_0_0.imag;
+  jacobian[2] = by_0_0.imag + conj_by_0_0.imag;
+  jacobian[3] = by_0_0.real - conj_by_0_0.real;
 }
 
 }  // namespace free
@@ -763,248 +1201,436 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   jacobian[117] = -Scalar(1.0) / Scalar(4.0);  // d harmonic_re_v_A_v3 / d delta3
 }
 
-/// Regressor rows of the modulation of v: target = sum of columns[j][i] * lump_j.
+/// What multiplies the 9 terms of the modulation of v: functions of the frequencies alone. 10 operations.
+template <class Scalar>
+void factors_0([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar pi = Scalar(std::numbers::pi);
+  const Scalar omega0_2 = omega0 * omega0;
+  factor[0] = Scalar(1.0);
+  factor[1] = Scalar(2.0);
+  factor[2] = -Scalar(1.0);
+  factor[3] = Scalar(1.0);
+  factor[4] = Scalar(3.0) / Scalar(2.0);
+  factor[5] = -Scalar(8.0) * omega0 / (Scalar(3.0) * pi);
+  factor[6] = -Scalar(3.0) * omega0_2 / Scalar(2.0);
+  factor[7] = Scalar(4.0) / omega0;
+  factor[8] = -Scalar(1.0) / (Scalar(4.0) * omega0);
+}
+
+/// Rows of the modulation of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// (rate - i*omega0)*A_v = i*conservative_v_A_v2_F*A_v^2*F + 2*i*conservative_v_A_v2_F*A_v*conj(A_v)*F - mu1*A_v
 /// + i*conservative_v_A_v_F2*A_v*F^2 + 3/2*i*conservative_v_A_v_F2*conj(A_v)*F^2 -
 /// 8*omega0/(3*Pi)*mu2*A_v*abs(A_v) - 3*omega0^2/2*mu3*A_v^2*conj(A_v) + 4/omega0*i*alpha_e*A_v^2*conj(A_v) -
 /// 1/(4*omega0)*i*eta1*F
-/// 7 columns; per observation 18 complex products, 2 complex sums.
-inline void columns_0(const ObservationBatch& data, std::complex<double>* const* columns) {
+/// 7 columns; per observation at most 29 products and sums of complex numbers.
+template <class Factors>
+void rows_0(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
   using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar pi = std::numbers::pi;
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar factor_0_0 = Scalar(1.0);
-  const Scalar factor_0_1 = Scalar(2.0);
-  const Scalar factor_1_0 = -Scalar(1.0);
-  const Scalar factor_2_0 = Scalar(1.0);
-  const Scalar factor_2_1 = Scalar(3.0) / Scalar(2.0);
-  const Scalar factor_3_0 = -Scalar(8.0) * omega0 / (Scalar(3.0) * pi);
-  const Scalar factor_4_0 = -Scalar(3.0) * omega0_2 / Scalar(2.0);
-  const Scalar factor_5_0 = Scalar(4.0) / omega0;
-  const Scalar factor_6_0 = -Scalar(1.0) / (Scalar(4.0) * omega0);
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar* __restrict column_1 = parts_of(columns[1]);
+  Scalar* __restrict column_2 = parts_of(columns[2]);
+  Scalar* __restrict column_3 = parts_of(columns[3]);
+  Scalar* __restrict column_4 = parts_of(columns[4]);
+  Scalar* __restrict column_5 = parts_of(columns[5]);
+  Scalar* __restrict column_6 = parts_of(columns[6]);
+  Scalar factor[9];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Complex conj_A_v = std::conj(A_v);
-    const Scalar norm_A_v = std::norm(A_v);
-    const Scalar abs_A_v = std::abs(A_v);
-    const Complex F = data.forcing[0][i];
-    const Complex conj_F = std::conj(F);
-    const Scalar norm_F = std::norm(F);
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Complex conj_A_v = conjugate(A_v);
+    const Scalar norm_A_v = norm_of(A_v);
+    const Scalar abs_A_v = modulus_of(A_v);
+    const Complex F = load_complex(forcing_0, i);
+    const Complex conj_F = conjugate(F);
+    const Scalar norm_F = norm_of(F);
     // conservative_v_A_v2_F
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (A_v * A_v * conj_F)
-        + Complex(Scalar(0), Scalar(1)) * factor_0_1 * (norm_A_v * F);
-    columns[1][i] = factor_1_0 * (A_v);  // mu1
+    store_complex(column_0, i, times_i(factor[0] * (A_v * A_v * conj_F)) + times_i(factor[1] * (norm_A_v * F)));
+    store_complex(column_1, i, factor[2] * (A_v));  // mu1
     // conservative_v_A_v_F2
-    columns[2][i] = Complex(Scalar(0), Scalar(1)) * factor_2_0 * (A_v * norm_F)
-        + Complex(Scalar(0), Scalar(1)) * factor_2_1 * (conj_A_v * F * F);
-    columns[3][i] = factor_3_0 * (abs_A_v * A_v);  // mu2
-    columns[4][i] = factor_4_0 * (norm_A_v * A_v);  // mu3
-    columns[5][i] = Complex(Scalar(0), Scalar(1)) * factor_5_0 * (norm_A_v * A_v);  // alpha_e
-    columns[6][i] = Complex(Scalar(0), Scalar(1)) * factor_6_0 * (F);  // eta1
+    store_complex(column_2, i, times_i(factor[3] * (A_v * norm_F)) + times_i(factor[4] * (conj_A_v * F * F)));
+    store_complex(column_3, i, factor[5] * (abs_A_v * A_v));  // mu2
+    store_complex(column_4, i, factor[6] * (norm_A_v * A_v));  // mu3
+    store_complex(column_5, i, times_i(factor[7] * (norm_A_v * A_v)));  // alpha_e
+    store_complex(column_6, i, times_i(factor[8] * (F)));  // eta1
   }
 }
 
-/// Regressor rows of the harmonic 0 of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] of the rows.
+inline void columns_0(const ObservationBatch& data, std::complex<double>* const* columns) {
+  rows_0(data, FactorValues<factors_0<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_0(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 1, 9>{mode}, columns);
+}
+
+/// What multiplies the 3 terms of the harmonic 0 of v: functions of the frequencies alone. 13 operations.
+template <class Scalar>
+void factors_1([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar Omega = excitation_frequency[0];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar Omega_2 = Omega * Omega;
+  factor[0] = Scalar(1.0) / (Scalar(4.0) * omega0 * Omega - Scalar(2.0) * Omega_2);
+  factor[1] = Scalar(1.0) / (Scalar(4.0) * omega0 * Omega - Scalar(2.0) * Omega_2);
+  factor[2] = -Scalar(2.0) / omega0_2;
+}
+
+/// Rows of the harmonic 0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(0)*t) in v = 1/(4*omega0*Omega - 2*Omega^2)*eta2*conj(A_v)*F + 1/(4*omega0*Omega -
 /// 2*Omega^2)*eta2*A_v*F - 2/omega0^2*alpha_0*A_v*conj(A_v)
-/// 2 columns; per observation 5 complex products, 1 complex sums.
-inline void columns_1(const ObservationBatch& data, std::complex<double>* const* columns) {
+/// 2 columns; per observation at most 8 products and sums of complex numbers.
+template <class Factors>
+void rows_1(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
   using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar factor_1_0 = -Scalar(2.0) / omega0_2;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar* __restrict column_1 = parts_of(columns[1]);
+  Scalar factor[3];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
   for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Complex conj_A_v = std::conj(A_v);
-    const Scalar norm_A_v = std::norm(A_v);
-    const Complex F = data.forcing[0][i];
-    const Complex conj_F = std::conj(F);
-    const Scalar Omega = data.excitation_frequency[0][i];
-    const Scalar Omega_2 = Omega * Omega;
-    const Scalar factor_0_0 = Scalar(1.0) / (Scalar(4.0) * omega0 * Omega - Scalar(2.0) * Omega_2);
-    const Scalar factor_0_1 = Scalar(1.0) / (Scalar(4.0) * omega0 * Omega - Scalar(2.0) * Omega_2);
-    columns[0][i] = factor_0_0 * (conj_A_v * F) + factor_0_1 * (A_v * conj_F);  // eta2
-    columns[1][i] = factor_1_0 * (norm_A_v);  // alpha_0
+    const Scalar excitation_frequency[] = {frequency_0[i]};
+    factors(natural_frequency, excitation_frequency, factor);
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Complex conj_A_v = conjugate(A_v);
+    const Scalar norm_A_v = norm_of(A_v);
+    const Complex F = load_complex(forcing_0, i);
+    const Complex conj_F = conjugate(F);
+    store_complex(column_0, i, factor[0] * (conj_A_v * F) + factor[1] * (A_v * conj_F));  // eta2
+    store_complex(column_1, i, Complex(factor[2] * (norm_A_v)));  // alpha_0
   }
 }
 
-/// Regressor rows of the harmonic omega0+Omega of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] of the rows.
+inline void columns_1(const ObservationBatch& data, std::complex<double>* const* columns) {
+  rows_1(data, FactorValues<factors_1<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_1(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 3>{mode}, columns);
+}
+
+/// What multiplies the 2 terms of the harmonic omega0+Omega of v: functions of the frequencies alone. 9
+/// operations.
+template <class Scalar>
+void factors_2([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar Omega = excitation_frequency[0];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar Omega_2 = Omega * Omega;
+  factor[0] = -Scalar(1.0) / (Scalar(4.0) * omega0 * Omega + Scalar(2.0) * Omega_2);
+  factor[1] = Scalar(1.0) / (Scalar(3.0) * omega0_2);
+}
+
+/// Rows of the harmonic omega0+Omega of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(omega0 + Omega)*t) in v = -1/(4*omega0*Omega + 2*Omega^2)*eta2*A_v*F +
 /// 1/(3*omega0^2)*alpha_q*A_v^2
-/// 2 columns; per observation 4 complex products, 0 complex sums.
-inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+/// 2 columns; per observation at most 6 products and sums of complex numbers.
+template <class Factors>
+void rows_2(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
   using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar factor_1_0 = Scalar(1.0) / (Scalar(3.0) * omega0_2);
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar* __restrict column_1 = parts_of(columns[1]);
+  Scalar factor[2];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
   for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Complex F = data.forcing[0][i];
-    const Scalar Omega = data.excitation_frequency[0][i];
-    const Scalar Omega_2 = Omega * Omega;
-    const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(4.0) * omega0 * Omega + Scalar(2.0) * Omega_2);
-    columns[0][i] = factor_0_0 * (A_v * F);  // eta2
-    columns[1][i] = factor_1_0 * (A_v * A_v);  // alpha_q
+    const Scalar excitation_frequency[] = {frequency_0[i]};
+    factors(natural_frequency, excitation_frequency, factor);
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Complex F = load_complex(forcing_0, i);
+    store_complex(column_0, i, factor[0] * (A_v * F));  // eta2
+    store_complex(column_1, i, factor[1] * (A_v * A_v));  // alpha_q
   }
 }
 
-/// Regressor rows of the harmonic omega0+2*Omega of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] of the rows.
+inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+  rows_2(data, FactorValues<factors_2<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_2(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 1, 2>{mode}, columns);
+}
+
+/// What multiplies the 5 terms of the harmonic omega0+2*Omega of v: functions of the frequencies alone. 5
+/// operations.
+template <class Scalar>
+void factors_3([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar pi = Scalar(std::numbers::pi);
+  factor[0] = -Scalar(1.0) / (Scalar(8.0) * omega0);
+  factor[1] = -Scalar(2.0) / (Scalar(15.0) * pi);
+  factor[2] = -omega0 / Scalar(8.0);
+  factor[3] = Scalar(1.0);
+  factor[4] = Scalar(1.0);
+}
+
+/// Rows of the harmonic omega0+2*Omega of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(omega0 + 2*Omega)*t) in v = -1/(8*omega0)*conservative_v_A_v_F2*A_v*F^2 -
 /// 2/(15*Pi)*i*mu2*A_v^3*abs(A_v)^-1 - omega0/8*i*mu3*A_v^3 + harmonic_re_v_A_v2_F*A_v^2*F +
 /// harmonic_re_v_A_v3*A_v^3
-/// 5 columns; per observation 15 complex products, 0 complex sums.
+/// 5 columns; per observation at most 25 products and sums of complex numbers.
+template <class Factors>
+void rows_3(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar* __restrict column_1 = parts_of(columns[1]);
+  Scalar* __restrict column_2 = parts_of(columns[2]);
+  Scalar* __restrict column_3 = parts_of(columns[3]);
+  Scalar* __restrict column_4 = parts_of(columns[4]);
+  Scalar factor[5];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Scalar abs_A_v = modulus_of(A_v);
+    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
+    const Complex unit_A_v = inverse_abs_A_v * A_v;
+    const Complex F = load_complex(forcing_0, i);
+    store_complex(column_0, i, factor[0] * (A_v * F * F));  // conservative_v_A_v_F2
+    store_complex(column_1, i, times_i(factor[1] * (unit_A_v * A_v * A_v)));  // mu2
+    store_complex(column_2, i, times_i(factor[2] * (A_v * A_v * A_v)));  // mu3
+    store_complex(column_3, i, factor[3] * (A_v * A_v * F));  // harmonic_re_v_A_v2_F
+    store_complex(column_4, i, factor[4] * (A_v * A_v * A_v));  // harmonic_re_v_A_v3
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_3(const ObservationBatch& data, std::complex<double>* const* columns) {
-  using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar omega0 = data.natural_frequency[0];
-  const Scalar pi = std::numbers::pi;
-  const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(8.0) * omega0);
-  const Scalar factor_1_0 = -Scalar(2.0) / (Scalar(15.0) * pi);
-  const Scalar factor_2_0 = -omega0 / Scalar(8.0);
-  const Scalar factor_3_0 = Scalar(1.0);
-  const Scalar factor_4_0 = Scalar(1.0);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Scalar abs_A_v = std::abs(A_v);
-    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
-    const Complex F = data.forcing[0][i];
-    columns[0][i] = factor_0_0 * (A_v * F * F);  // conservative_v_A_v_F2
-    columns[1][i] = Complex(Scalar(0), Scalar(1)) * factor_1_0 * (unit_A_v * A_v * A_v);  // mu2
-    columns[2][i] = Complex(Scalar(0), Scalar(1)) * factor_2_0 * (A_v * A_v * A_v);  // mu3
-    columns[3][i] = factor_3_0 * (A_v * A_v * F);  // harmonic_re_v_A_v2_F
-    columns[4][i] = factor_4_0 * (A_v * A_v * A_v);  // harmonic_re_v_A_v3
-  }
+  rows_3(data, FactorValues<factors_3<double>>{}, columns);
 }
 
-/// Regressor rows of the harmonic 5*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_3(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  rows_3(data, FactorSlopes<factors_3<DualNumber>, 1, 1, 5>{mode}, columns);
+}
+
+/// What multiplies the 1 terms of the harmonic 5*omega0 of v: functions of the frequencies alone. 2 operations.
+template <class Scalar>
+void factors_4([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar pi = Scalar(std::numbers::pi);
+  factor[0] = -Scalar(2.0) / (Scalar(315.0) * pi);
+}
+
+/// Rows of the harmonic 5*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(5*omega0)*t) in v = -2/(315*Pi)*i*mu2*A_v^5*abs(A_v)^-3
-/// 1 columns; per observation 5 complex products, 0 complex sums.
+/// 1 columns; per observation at most 9 products and sums of complex numbers.
+template <class Factors>
+void rows_4(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar factor[1];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Scalar abs_A_v = modulus_of(A_v);
+    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
+    const Complex unit_A_v = inverse_abs_A_v * A_v;
+    store_complex(column_0, i, times_i(factor[0] * (unit_A_v * unit_A_v * unit_A_v * A_v * A_v)));  // mu2
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_4(const ObservationBatch& data, std::complex<double>* const* columns) {
-  using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar pi = std::numbers::pi;
-  const Scalar factor_0_0 = -Scalar(2.0) / (Scalar(315.0) * pi);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Scalar abs_A_v = std::abs(A_v);
-    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
-    // mu2
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (unit_A_v * unit_A_v * unit_A_v * A_v * A_v);
-  }
+  rows_4(data, FactorValues<factors_4<double>>{}, columns);
 }
 
-/// Regressor rows of the harmonic 7*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_4(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  for (std::size_t j = 0; j < 1; ++j)
+    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+}
+
+/// What multiplies the 1 terms of the harmonic 7*omega0 of v: functions of the frequencies alone. 2 operations.
+template <class Scalar>
+void factors_5([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar pi = Scalar(std::numbers::pi);
+  factor[0] = -Scalar(1.0) / (Scalar(945.0) * pi);
+}
+
+/// Rows of the harmonic 7*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(7*omega0)*t) in v = -1/(945*Pi)*i*mu2*A_v^7*abs(A_v)^-5
-/// 1 columns; per observation 3 complex products, 0 complex sums.
+/// 1 columns; per observation at most 5 products and sums of complex numbers.
+template <class Factors>
+void rows_5(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar factor[1];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Scalar abs_A_v = modulus_of(A_v);
+    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
+    const Complex unit_A_v = inverse_abs_A_v * A_v;
+    store_complex(column_0, i, times_i(factor[0] * (fixed_power<5>(unit_A_v) * A_v * A_v)));  // mu2
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_5(const ObservationBatch& data, std::complex<double>* const* columns) {
-  using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar pi = std::numbers::pi;
-  const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(945.0) * pi);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Scalar abs_A_v = std::abs(A_v);
-    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (integer_power(unit_A_v, 5) * A_v * A_v);  // mu2
-  }
+  rows_5(data, FactorValues<factors_5<double>>{}, columns);
 }
 
-/// Regressor rows of the harmonic 9*omega0 of v: target = sum of columns[j][i] * lump_j.
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_5(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  for (std::size_t j = 0; j < 1; ++j)
+    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+}
+
+/// What multiplies the 1 terms of the harmonic 9*omega0 of v: functions of the frequencies alone. 2 operations.
+template <class Scalar>
+void factors_6([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar pi = Scalar(std::numbers::pi);
+  factor[0] = -Scalar(1.0) / (Scalar(3465.0) * pi);
+}
+
+/// Rows of the harmonic 9*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(9*omega0)*t) in v = -1/(3465*Pi)*i*mu2*A_v^9*abs(A_v)^-7
-/// 1 columns; per observation 3 complex products, 0 complex sums.
-inline void columns_6(const ObservationBatch& data, std::complex<double>* const* columns) {
+/// 1 columns; per observation at most 5 products and sums of complex numbers.
+template <class Factors>
+void rows_6(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
   using Scalar = double;
-  using Complex = std::complex<double>;
-  const Scalar pi = std::numbers::pi;
-  const Scalar factor_0_0 = -Scalar(1.0) / (Scalar(3465.0) * pi);
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
+  Scalar* __restrict column_0 = parts_of(columns[0]);
+  Scalar factor[1];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = data.amplitude[0][i];
-    const Scalar abs_A_v = std::abs(A_v);
-    const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
-    columns[0][i] = Complex(Scalar(0), Scalar(1)) * factor_0_0 * (integer_power(unit_A_v, 7) * A_v * A_v);  // mu2
+    const Complex A_v = load_complex(amplitude_0, i);
+    const Scalar abs_A_v = modulus_of(A_v);
+    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
+    const Complex unit_A_v = inverse_abs_A_v * A_v;
+    store_complex(column_0, i, times_i(factor[0] * (fixed_power<7>(unit_A_v) * A_v * A_v)));  // mu2
   }
 }
 
-/// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state.
+/// columns[j][i] of the rows.
+inline void columns_6(const ObservationBatch& data, std::complex<double>* const* columns) {
+  rows_6(data, FactorValues<factors_6<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_6(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
+    std::complex<double>* const* columns) {
+  for (std::size_t j = 0; j < 1; ++j)
+    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+}
+
+/// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state. amplitude
+/// and derivative hold Re B_0, Im B_0, Re B_1, ..., forcing Re F, Im F of every excitation.
 /// dB_v/dt + i*(w_v - omega0)*B_v = i*conservative_v_A_v2_F*A_v^2*F + 2*i*conservative_v_A_v2_F*A_v*conj(A_v)*F
 /// - mu1*A_v + i*conservative_v_A_v_F2*A_v*F^2 + 3/2*i*conservative_v_A_v_F2*conj(A_v)*F^2 -
 /// 8*omega0/(3*Pi)*mu2*A_v*abs(A_v) - 3*omega0^2/2*mu3*A_v^2*conj(A_v) + 4/omega0*i*alpha_e*A_v^2*conj(A_v) -
 /// 1/(4*omega0)*i*eta1*F with A = B in that frame
+/// 46 operations besides the lumps.
 template <class Scalar>
 void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
-                const std::complex<Scalar>* amplitude,
-                [[maybe_unused]] const std::complex<Scalar>* forcing, std::complex<Scalar>* derivative) {
-  using Complex = std::complex<Scalar>;
-  const Scalar omega0 = parameters[0];
-  const Scalar pi = std::numbers::pi_v<Scalar>;
+    [[maybe_unused]] const Scalar* amplitude, [[maybe_unused]] const Scalar* forcing,
+    Scalar* derivative) {
+  using Complex = ComplexNumber<Scalar>;
+  [[maybe_unused]] const Scalar omega0 = parameters[0];
+  const Scalar pi = Scalar(std::numbers::pi);
   const Scalar omega0_2 = omega0 * omega0;
   Scalar lumps[12];
   evaluate_lumps(parameters, lumps);
-  const Complex A_v = amplitude[0];
-  const Complex conj_A_v = std::conj(A_v);
-  const Scalar norm_A_v = std::norm(A_v);
-  const Scalar abs_A_v = std::abs(A_v);
-  const Complex F = forcing[0];
-  const Complex conj_F = std::conj(F);
-  const Scalar norm_F = std::norm(F);
-  derivative[0] = Complex(Scalar(0), Scalar(1)) * (lumps[0] * Scalar(1.0) * (A_v * A_v * conj_F))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[0] * Scalar(2.0) * (norm_A_v * F))
-       + (lumps[1] * -Scalar(1.0) * (A_v))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[2] * Scalar(1.0) * (A_v * norm_F))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[2] * Scalar(3.0) / Scalar(2.0) * (conj_A_v * F * F))
-       + (lumps[3] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * (abs_A_v * A_v))
-       + (lumps[4] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * (norm_A_v * A_v))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[5] * Scalar(4.0) / omega0 * (norm_A_v * A_v))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[6] * -Scalar(1.0) / (Scalar(4.0) * omega0) * (F))
-       - Complex(Scalar(0), Scalar(-1.0) / Scalar(1.0) * omega0
-      + Scalar(1.0) / Scalar(1.0) * excitation_frequency[0]) * A_v;
+  const Complex A_v = load_complex(amplitude, 0);
+  const Complex conj_A_v = conjugate(A_v);
+  const Scalar norm_A_v = norm_of(A_v);
+  const Scalar abs_A_v = modulus_of(A_v);
+  const Complex F = load_complex(forcing, 0);
+  const Complex conj_F = conjugate(F);
+  const Scalar norm_F = norm_of(F);
+  store_complex(derivative, 0, times_i(lumps[0] * (A_v * A_v * conj_F))
+       + times_i(lumps[0] * Scalar(2.0) * (norm_A_v * F))
+       + lumps[1] * (-Scalar(1.0)) * (A_v)
+       + times_i(lumps[2] * (A_v * norm_F))
+       + times_i(lumps[2] * Scalar(3.0) / Scalar(2.0) * (conj_A_v * F * F))
+       + lumps[3] * (-Scalar(8.0) * omega0 / (Scalar(3.0) * pi)) * (abs_A_v * A_v)
+       + lumps[4] * (-Scalar(3.0) * omega0_2 / Scalar(2.0)) * (norm_A_v * A_v)
+       + times_i(lumps[5] * Scalar(4.0) / omega0 * (norm_A_v * A_v))
+       + times_i(lumps[6] * (-Scalar(1.0) / (Scalar(4.0) * omega0)) * (F))
+       - times_i((-omega0 + excitation_frequency[0]) * A_v));
 }
 
 /// jacobian[i * 2 + j] = d f_i / d z_j of dz/dt = f(z), z = (Re B_0, Im B_0, Re B_1, ...): what `modulation`
 /// computes, in Cartesian amplitudes. With f = dB_k/dt as a function of B_j and conj(B_j), d/dRe(B_j) = d/dB_j +
 /// d/dconj(B_j) and d/dIm(B_j) = i*(d/dB_j - d/dconj(B_j)). Regular at zero amplitude; a term that has no
-/// derivative there counts as zero.
+/// derivative there counts as zero. 63 operations besides the lumps.
 template <class Scalar>
 void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
-    [[maybe_unused]] const std::complex<Scalar>* amplitude,
-    [[maybe_unused]] const std::complex<Scalar>* forcing, Scalar* jacobian) {
-  using Complex = std::complex<Scalar>;
+    [[maybe_unused]] const Scalar* amplitude, [[maybe_unused]] const Scalar* forcing,
+    Scalar* jacobian) {
+  using Complex = ComplexNumber<Scalar>;
   [[maybe_unused]] const Scalar omega0 = parameters[0];
-  const Scalar pi = std::numbers::pi_v<Scalar>;
+  const Scalar pi = Scalar(std::numbers::pi);
   const Scalar omega0_2 = omega0 * omega0;
   Scalar lumps[12];
   evaluate_lumps(parameters, lumps);
-  const Complex A_v = amplitude[0];
-  const Complex conj_A_v = std::conj(A_v);
-  const Scalar norm_A_v = std::norm(A_v);
-  const Scalar abs_A_v = std::abs(A_v);
-  const Complex unit_A_v = abs_A_v > Scalar(0) ? A_v / abs_A_v : Complex();
-  const Complex F = forcing[0];
-  const Complex conj_F = std::conj(F);
-  const Scalar norm_F = std::norm(F);
+  const Complex A_v = load_complex(amplitude, 0);
+  const Complex conj_A_v = conjugate(A_v);
+  const Scalar norm_A_v = norm_of(A_v);
+  const Scalar abs_A_v = modulus_of(A_v);
+  const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
+  const Complex unit_A_v = inverse_abs_A_v * A_v;
+  const Complex F = load_complex(forcing, 0);
+  const Complex conj_F = conjugate(F);
+  const Scalar norm_F = norm_of(F);
   for (std::size_t i = 0; i < 4; ++i) jacobian[i] = Scalar(0.0);
-  const Complex by_0_0 = Complex(Scalar(0), Scalar(1)) * (lumps[0] * Scalar(1.0) * Scalar(2) * (A_v * conj_F))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[0] * Scalar(2.0) * (conj_A_v * F))
-       + (lumps[1] * -Scalar(1.0) * (Complex(Scalar(1.0))))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[2] * Scalar(1.0) * (norm_F))
-       + (lumps[3] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(1.5) * (abs_A_v))
-       + (lumps[4] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * Scalar(2) * (norm_A_v))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[5] * Scalar(4.0) / omega0 * Scalar(2) * (norm_A_v))
-       - Complex(Scalar(0), Scalar(-1.0) / Scalar(1.0) * omega0
-      + Scalar(1.0) / Scalar(1.0) * excitation_frequency[0]);
-  const Complex conj_by_0_0 = Complex(Scalar(0), Scalar(1)) * (lumps[0] * Scalar(2.0) * (A_v * F))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[2] * Scalar(3.0) / Scalar(2.0) * (F * F))
-       + (lumps[3] * -Scalar(8.0) * omega0 / (Scalar(3.0) * pi) * Scalar(0.5) * (unit_A_v * A_v))
-       + (lumps[4] * -Scalar(3.0) * omega0_2 / Scalar(2.0) * (A_v * A_v))
-       + Complex(Scalar(0), Scalar(1)) * (lumps[5] * Scalar(4.0) / omega0 * (A_v * A_v));
-  jacobian[0] = by_0_0.real() + conj_by_0_0.real();
-  jacobian[1] = conj_by_0_0.imag() - by_0_0.imag();
-  jacobian[2] = by_0_0.imag() + conj_by_0_0.imag();
-  jacobian[3] = by_0_0.real() - conj_by_0_0.real();
+  const Complex by_0_0 = times_i(lumps[0] * Scalar(2) * (A_v * conj_F))
+       + times_i(lumps[0] * Scalar(2.0) * (conj_A_v * F))
+       + Complex(lumps[1] * (-Scalar(1.0)))
+       + times_i(Complex(lumps[2] * (norm_F)))
+       + Complex(lumps[3] * (-Scalar(8.0) * omega0 / (Scalar(3.0) * pi)) * Scalar(1.5) * (abs_A_v))
+       + Complex(lumps[4] * (-Scalar(3.0) * omega0_2 / Scalar(2.0)) * Scalar(2) * (norm_A_v))
+       + times_i(Complex(lumps[5] * Scalar(4.0) / omega0 * Scalar(2) * (norm_A_v)))
+       - Complex(Scalar(0.0), -omega0 + excitation_frequency[0]);
+  const Complex conj_by_0_0 = times_i(lumps[0] * Scalar(2.0) * (A_v * F))
+       + times_i(lumps[2] * Scalar(3.0) / Scalar(2.0) * (F * F))
+       + lumps[3] * (-Scalar(8.0) * omega0 / (Scalar(3.0) * pi)) * Scalar(0.5) * (unit_A_v * A_v)
+       + lumps[4] * (-Scalar(3.0) * omega0_2 / Scalar(2.0)) * (A_v * A_v)
+       + times_i(lumps[5] * Scalar(4.0) / omega0 * (A_v * A_v));
+  jacobian[0] = by_0_0.real + conj_by_0_0.real;
+  jacobian[1] = conj_by_0_0.imag - by_0_0.imag;
+  jacobian[2] = by_0_0.imag + conj_by_0_0.imag;
+  jacobian[3] = by_0_0.real - conj_by_0_0.real;
 }
 
 }  // namespace primary

@@ -160,6 +160,37 @@ std::string powers_name(const FieldKey& key, const FieldLayout& layout, const Mo
   return name;
 }
 
+// One product of powers of the detunings in a coefficient.
+struct DetunedPart {
+  ex coefficient;      // free of detunings
+  ex detunings = 1;    // in terms of the frequencies: sigma = (Omega - 2*omega0)/c for Omega = 2*omega0 + c*sigma
+  std::string suffix;  // for names: "_sigma2"
+};
+
+// Detunings are known from measured frequencies, so that they belong to the columns and never to a lump.
+std::vector<DetunedPart> without_detunings(const Derivation& d, const ex& coefficient) {
+  std::vector<DetunedPart> parts = {{coefficient, 1, ""}};
+  for (const ResonanceRelation& relation : d.resonance->relations) {
+    if (relation.detuning.empty()) continue;
+    const ex& sigma = d.model->symbols.at(relation.detuning);
+    ex value = 0;
+    for (std::size_t i = 0; i < relation.multiples.size(); ++i)
+      value += relation.multiples[i] * d.model->frequency(i);
+    std::vector<DetunedPart> next;
+    for (const DetunedPart& part : parts)
+      for (int power = 0; power <= part.coefficient.degree(sigma); ++power) {
+        const ex alone = part.coefficient.coeff(sigma, power).expand();
+        if (alone.is_zero()) continue;
+        next.push_back(
+            {alone, part.detunings * GiNaC::pow(value / relation.coefficient, power),
+             part.suffix +
+                 (power == 0 ? "" : "_" + relation.detuning + (power == 1 ? "" : std::to_string(power)))});
+      }
+    parts = std::move(next);
+  }
+  return parts;
+}
+
 // A term of a field with its key, in a fixed order (by key).
 bool append_terms(ObservationBlock& block, LumpFinder& finder, const Derivation& d,
                   const std::vector<std::pair<FieldKey, ex>>& terms) {
@@ -169,13 +200,16 @@ bool append_terms(ObservationBlock& block, LumpFinder& finder, const Derivation&
       if (part.is_zero()) continue;
       const std::string kind = block.modulation ? (imaginary ? "conservative_" : "dissipative_")
                                                 : (imaginary ? "harmonic_im_" : "harmonic_re_");
-      const auto split = finder.split(
-          part, kind + d.model->modes[block.mode].coordinate + "_" + powers_name(key, d.layout, *d.model));
-      if (!split) return false;
-      auto column = std::find_if(block.columns.begin(), block.columns.end(),
-                                 [&](const ObservationBlock::Column& c) { return c.lump == split->lump; });
-      if (column == block.columns.end()) column = block.columns.insert(block.columns.end(), {split->lump, {}});
-      column->terms.push_back({split->factor, imaginary, key});
+      const std::string name =
+          kind + d.model->modes[block.mode].coordinate + "_" + powers_name(key, d.layout, *d.model);
+      for (const DetunedPart& detuned : without_detunings(d, part)) {
+        const auto split = finder.split(detuned.coefficient, name + detuned.suffix);
+        if (!split) return false;
+        auto column = std::find_if(block.columns.begin(), block.columns.end(),
+                                   [&](const ObservationBlock::Column& c) { return c.lump == split->lump; });
+        if (column == block.columns.end()) column = block.columns.insert(block.columns.end(), {split->lump, {}});
+        column->terms.push_back({split->factor * detuned.detunings, imaginary, key});
+      }
     }
   return true;
 }

@@ -50,7 +50,8 @@ std::optional<CppCompiler> find_cpp_compiler() {
 const std::vector<std::string>& cpp_compiler_options() {
   // Contraction into fused operations is off: it is the one thing that compilers do on their own account.
   static const std::vector<std::string> options = {
-      "-std=c++20", "-O1", "-fPIC", "-shared", "-fvisibility=hidden", "-ffp-contract=off", "-w", "-pipe"};
+      "-std=c++20",      "-O1", "-fPIC", "-shared", "-fvisibility=hidden", "-ffp-contract=off",
+      "-fno-math-errno", "-w",  "-pipe"};
   return options;
 }
 

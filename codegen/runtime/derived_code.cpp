@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "codegen/runtime/canonical_json.hpp"
 #include "codegen/runtime/content_hash.hpp"
 #include "codegen/runtime/program_identity.hpp"
 #include "input/input_error.hpp"
@@ -12,14 +13,14 @@
 namespace secular {
 namespace {
 
-std::string key_of(const ModelRequest& request) {
+std::string key_of(const char* what, const ModelRequest& request) {
   std::string cases = request.cases ? "some:" : "all";
   for (const std::string& name : request.cases.value_or(std::vector<std::string>())) cases += name + ",";
   std::string effects;
   for (const EffectTerm& term : request.effects)
     effects += term.effect + " " + std::to_string(term.mode) + " " + std::to_string(term.other) + " " +
                std::to_string(term.form) + ",";
-  return content_hash({"derived code", program_identity(), request.text, cases, effects});
+  return content_hash({what, program_identity(), request.text, cases, effects});
 }
 
 std::optional<DerivedCode> parsed(const std::string& text) {
@@ -69,9 +70,29 @@ CanonicalModel derive_for_code(const ModelRequest& request, std::vector<std::str
   return canonical;
 }
 
+CanonicalModel cached_model(const ModelRequest& request, const ModelCache& cache, std::vector<std::string>& notes) {
+  static const std::string suffix = ".model";
+  const std::string key = key_of("derived model", request);
+  if (const auto stored = cache.read(key, suffix)) {
+    const nlohmann::json entry = nlohmann::json::parse(*stored, nullptr, false);
+    if (entry.is_object() && entry.contains("notes") && entry.contains("model"))
+      if (auto model = canonical_from_json(entry["model"].get<std::string>())) {
+        for (const nlohmann::json& note : entry["notes"]) notes.push_back(note.get<std::string>());
+        return std::move(*model);
+      }
+  }
+  std::vector<std::string> found;
+  CanonicalModel model = derive_for_code(request, found);
+  cache.store(key, suffix,
+              nlohmann::json{{"notes", found}, {"model", canonical_json(model)}}.dump(
+                  -1, ' ', false, nlohmann::json::error_handler_t::replace));
+  notes.insert(notes.end(), found.begin(), found.end());
+  return model;
+}
+
 DerivedCode derived_code(const ModelRequest& request, const ModelCache& cache) {
   static const std::string suffix = ".json";
-  const std::string key = key_of(request);
+  const std::string key = key_of("derived code", request);
   if (const auto stored = cache.read(key, suffix))
     if (std::optional<DerivedCode> code = parsed(*stored)) return std::move(*code);
   DerivedCode code;

@@ -24,6 +24,9 @@ struct ModelRequest {
 /// that was asked for by name and cannot be emitted, or whose certificate does not hold, is an InputError.
 CanonicalModel derive_for_code(const ModelRequest& request, std::vector<std::string>& notes);
 
+/// The same for interpretation: from the cache, or derived and put there; see canonical_json for what is kept.
+CanonicalModel cached_model(const ModelRequest& request, const ModelCache& cache, std::vector<std::string>& notes);
+
 /// Code of a model, as it is kept in the cache.
 struct DerivedCode {
   std::string model_name;

@@ -12,16 +12,24 @@ namespace secular {
 using Complex = std::complex<double>;
 
 InterpretedBlock::InterpretedBlock(const CanonicalModel& model, const CanonicalBlock& block)
-    : model_(model), formulas_(model.order.size()) {
+    : model_(model), formulas_(model.order.size()), slope_formulas_(model.order.size()) {
   for (std::size_t j = 0; j < block.columns.size(); ++j)
-    for (const CanonicalColumnTerm& term : block.columns[j].terms)
+    for (const CanonicalColumnTerm& term : block.columns[j].terms) {
+      const LumpGradient gradient = lump_gradient(model, term.factor);
+      const std::size_t denominator = gradient.shared ? slope_formulas_.add(gradient.denominator) : 0;
+      for (const LumpGradient::Entry& entry : gradient.entries)
+        slopes_.push_back({terms_.size(), entry.parameter, slope_formulas_.add(entry.rate),
+                           gradient.shared ? slope_formulas_.add(entry.denominator_rate) : 0, denominator,
+                           gradient.shared});
       terms_.push_back(
           {j, block.columns[j].lump, formulas_.add(term.factor), term.imaginary, Monomial(term.powers)});
+    }
 }
 
-void InterpretedBlock::columns(const ObservationBatch& data, Complex* const* columns) const {
+template <class Factors>
+void InterpretedBlock::rows(const ObservationBatch& data, Factors factors, Complex* const* columns) const {
   const std::size_t modes = model_.coordinates.size(), excitations = model_.excitations.size();
-  std::vector<double> symbols(model_.order.size(), 0.0);
+  std::vector<double> symbols(model_.order.size(), 0.0), numbers(terms_.size());
   symbols.back() = std::numbers::pi;
   std::copy(data.natural_frequency, data.natural_frequency + modes, symbols.begin());
   std::vector<Complex> amplitude(modes), forcing(excitations);
@@ -31,13 +39,42 @@ void InterpretedBlock::columns(const ObservationBatch& data, Complex* const* col
       if (data.forcing) forcing[j] = data.forcing[j][i];
       if (data.excitation_frequency) symbols[modes + j] = data.excitation_frequency[j][i];
     }
-    const FormulaSet::Values factor(formulas_, symbols.data());
+    factors(symbols.data(), numbers.data());
     for (const Term& term : terms_) columns[term.column][i] = 0;
-    for (const Term& term : terms_) {
-      const Complex product = factor[term.factor] * term.monomial(amplitude.data(), forcing.data());
-      columns[term.column][i] += term.imaginary ? Complex(-product.imag(), product.real()) : product;
+    for (std::size_t t = 0; t < terms_.size(); ++t) {
+      const Complex product = numbers[t] * terms_[t].monomial(amplitude.data(), forcing.data());
+      columns[terms_[t].column][i] += terms_[t].imaginary ? Complex(-product.imag(), product.real()) : product;
     }
   }
+}
+
+void InterpretedBlock::columns(const ObservationBatch& data, Complex* const* columns) const {
+  rows(
+      data,
+      [&](const double* symbols, double* numbers) {
+        const FormulaSet::Values factor(formulas_, symbols);
+        for (std::size_t t = 0; t < terms_.size(); ++t) numbers[t] = factor[terms_[t].factor];
+      },
+      columns);
+}
+
+void InterpretedBlock::column_slopes(const ObservationBatch& data, std::size_t mode,
+                                     Complex* const* columns) const {
+  rows(
+      data,
+      [&](const double* symbols, double* numbers) {
+        const FormulaSet::Values factor(formulas_, symbols), rate(slope_formulas_, symbols);
+        std::fill(numbers, numbers + terms_.size(), 0.0);
+        for (const Slope& slope : slopes_) {
+          if (slope.mode != mode) continue;
+          double value = rate[slope.rate];
+          if (slope.shared)
+            value = (value - factor[terms_[slope.term].factor] * rate[slope.denominator_rate]) /
+                    rate[slope.denominator];
+          numbers[slope.term] = value;
+        }
+      },
+      columns);
 }
 
 Complex InterpretedBlock::target(const double* symbol_values, const double* lumps, const Complex* amplitude,
@@ -110,17 +147,27 @@ void InterpretedCase::lumps_jacobian(const double* symbol_values, double* jacobi
 void InterpretedCase::modulation(const double* symbol_values, const double* excitation_frequency,
                                  const Complex* amplitude, const Complex* forcing, Complex* derivative) const {
   const std::size_t modes = model_.coordinates.size();
+  const std::vector<double> symbols = with_excitation(symbol_values, excitation_frequency);
   std::vector<double> values(case_.lumps.size());
   lumps(symbol_values, values.data());
   std::fill(derivative, derivative + modes, Complex());
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const CanonicalBlock& block = case_.blocks[b];
     if (block.modulation && !case_.mode_at_rest[block.mode])
-      derivative[block.mode] += blocks_[b]->target(symbol_values, values.data(), amplitude, forcing);
+      derivative[block.mode] += blocks_[b]->target(symbols.data(), values.data(), amplitude, forcing);
   }
   for (std::size_t k = 0; k < modes; ++k)
     if (!case_.mode_at_rest[k])
       derivative[k] -= Complex(0, rotation(k, symbol_values, excitation_frequency)) * amplitude[k];
+}
+
+std::vector<double> InterpretedCase::with_excitation(const double* symbol_values,
+                                                     const double* excitation_frequency) const {
+  std::vector<double> symbols(symbol_values, symbol_values + model_.order.size());
+  if (excitation_frequency)
+    std::copy_n(excitation_frequency, model_.excitations.size(),
+                symbols.begin() + static_cast<std::ptrdiff_t>(model_.coordinates.size()));
+  return symbols;
 }
 
 double InterpretedCase::rotation(std::size_t mode, const double* symbol_values,
@@ -143,7 +190,8 @@ void InterpretedCase::modulation_jacobian(const double* symbol_values, const dou
   const std::size_t modes = model_.coordinates.size();
   std::vector<double> values(case_.lumps.size());
   lumps(symbol_values, values.data());
-  const FormulaSet::Values factor(derived_formulas_, symbol_values);
+  const std::vector<double> symbols = with_excitation(symbol_values, excitation_frequency);
+  const FormulaSet::Values factor(derived_formulas_, symbols.data());
   std::vector<Complex> by_amplitude(modes * modes), by_conjugate(modes * modes);
   for (const DerivedTerm& term : derived_) {
     const Complex product =

@@ -18,6 +18,8 @@ class InterpretedBlock {
 
   /// See RegressorBlock::columns.
   void columns(const ObservationBatch& data, std::complex<double>* const* columns) const;
+  /// See RegressorBlock::column_slopes.
+  void column_slopes(const ObservationBatch& data, std::size_t mode, std::complex<double>* const* columns) const;
   /// target = sum of columns * lumps at one amplitude; `symbol_values` in the model's order of symbols.
   std::complex<double> target(const double* symbol_values, const double* lumps,
                               const std::complex<double>* amplitude, const std::complex<double>* forcing) const;
@@ -28,9 +30,19 @@ class InterpretedBlock {
     bool imaginary = false;
     Monomial monomial;
   };
+  /// d(factor)/d(natural frequency of `mode`) of one term, as in LumpGradient.
+  struct Slope {
+    std::size_t term = 0, mode = 0, rate = 0, denominator_rate = 0, denominator = 0;
+    bool shared = false;
+  };
+  /// Fills columns from numbers that multiply the terms: factor(values of all symbols, numbers).
+  template <class Factors>
+  void rows(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) const;
+
   const CanonicalModel& model_;
-  FormulaSet formulas_;
+  FormulaSet formulas_, slope_formulas_;
   std::vector<Term> terms_;
+  std::vector<Slope> slopes_;
 };
 
 /// One case computed from its canonical form. `model` must outlive it.
@@ -62,6 +74,8 @@ class InterpretedCase {
     Monomial monomial;
   };
   void derive_modulation();
+  /// The symbols' values with the excitation frequencies, which detunings hold.
+  std::vector<double> with_excitation(const double* symbol_values, const double* excitation_frequency) const;
   /// w_k - omega_k: the frame turns with w_k instead of omega_k.
   double rotation(std::size_t mode, const double* symbol_values, const double* excitation_frequency) const;
 

@@ -36,13 +36,10 @@ class Interpreter {
     compiled_.nominal = nominal_;
     for (const CanonicalCase& c : source_.cases) add_case(c);
     compiled_.cases = cases_;
-    compiled_.acceleration = {[](const void* data, const double* parameters, const ExcitationSample* excitation,
-                                 const double* displacement, const double* velocity, double* acceleration) {
-                                const auto& self = *static_cast<const Interpreter*>(data);
-                                self.motion_.acceleration(parameters, self.symbol_values(parameters).data(),
-                                                          excitation, displacement, velocity, acceleration);
-                              },
-                              this};
+    compiled_.mass_matrix = motion_function<&InterpretedMotion::mass_matrix>();
+    compiled_.acceleration = motion_function<&InterpretedMotion::acceleration>();
+    compiled_.acceleration_by_state = motion_function<&InterpretedMotion::acceleration_by_state>();
+    compiled_.acceleration_by_parameters = motion_function<&InterpretedMotion::acceleration_by_parameters>();
   }
   Interpreter(const Interpreter&) = delete;
   Interpreter& operator=(const Interpreter&) = delete;
@@ -60,6 +57,17 @@ class Interpreter {
     values.back() = std::numbers::pi;
     for (std::size_t p = 0; p < symbol_of_parameter_.size(); ++p) values[symbol_of_parameter_[p]] = parameters[p];
     return values;
+  }
+
+  template <void (InterpretedMotion::*function)(const InterpretedMotion::Point&, double*) const>
+  CompiledModel::MotionFunction motion_function() const {
+    return {[](const void* data, const double* parameters, const ExcitationSample* excitation,
+               const double* displacement, const double* velocity, double* result) {
+              const auto& self = *static_cast<const Interpreter*>(data);
+              const std::vector<double> symbols = self.symbol_values(parameters);
+              (self.motion_.*function)({parameters, symbols.data(), excitation, displacement, velocity}, result);
+            },
+            this};
   }
 
   std::span<const std::string_view> views(const std::vector<std::string>& texts) {
@@ -142,6 +150,11 @@ class Interpreter {
                        static_cast<const InterpretedBlock*>(data)->columns(batch, values);
                      },
                      &functions.block(b)};
+      row.column_slopes = {
+          [](const void* data, const ObservationBatch& batch, std::size_t mode, Complex* const* values) {
+            static_cast<const InterpretedBlock*>(data)->column_slopes(batch, mode, values);
+          },
+          &functions.block(b)};
       list.push_back(row);
     }
     return list;

@@ -8,17 +8,42 @@
 #include "codegen/emit_cpp.hpp"
 #include "estimator/dense_solve.hpp"
 #include "estimator/integer_power.hpp"
+#include "estimator/scalar_functions.hpp"
 
 namespace secular {
 
-InterpretedMotion::InterpretedMotion(const CanonicalModel& model) : model_(model), formulas_(model.order.size()) {
+InterpretedMotion::InterpretedMotion(const CanonicalModel& model)
+    : model_(model),
+      motion_{FormulaSet(model.order.size()), {}, 1, {}},
+      by_state_(motion_),
+      by_parameters_(motion_) {
   refuse_unsupported_motion(model);
   for (std::size_t k = 0; k < model.motion.size(); ++k)
-    for (const CanonicalMotionTerm& canonical : model.motion[k]) {
-      Term term{formulas_.add(canonical.coefficient), {}, k, canonical.acceleration_of};
-      for (const CanonicalFactor& factor : canonical.factors) term.factors.push_back(prepared(factor));
-      terms_.push_back(std::move(term));
-    }
+    for (const CanonicalMotionTerm& term : model.motion[k]) add(motion_, term, k, 0, 1);
+  std::vector<MotionVariable> state, parameters;
+  for (const auto kind : {MotionVariable::Kind::displacement, MotionVariable::Kind::velocity})
+    for (std::size_t k = 0; k < model.coordinates.size(); ++k) state.push_back({kind, k});
+  for (std::size_t p = 0; p < model.parameters.size(); ++p)
+    parameters.push_back({MotionVariable::Kind::parameter, p});
+  add_slopes(by_state_, state);
+  add_slopes(by_parameters_, parameters);
+}
+
+void InterpretedMotion::add(TermList& list, const CanonicalMotionTerm& canonical, std::size_t mode,
+                            std::size_t column, double weight) const {
+  Term term{list.formulas.add(canonical.coefficient), {}, mode, column, canonical.acceleration_of, weight};
+  for (const CanonicalFactor& factor : canonical.factors)
+    term.factors.push_back(prepared(list.factors.emplace_back(factor)));
+  list.terms.push_back(std::move(term));
+}
+
+void InterpretedMotion::add_slopes(TermList& list, const std::vector<MotionVariable>& variables) const {
+  list.columns = variables.size();
+  for (std::size_t k = 0; k < model_.motion.size(); ++k)
+    for (const CanonicalMotionTerm& term : model_.motion[k])
+      for (std::size_t x = 0; x < variables.size(); ++x)
+        for (const WeightedMotionTerm& derived : motion_derivative(model_, term, variables[x]))
+          add(list, derived.term, k, x, static_cast<double>(derived.weight.numerator) / derived.weight.denominator);
 }
 
 InterpretedMotion::Factor InterpretedMotion::prepared(const CanonicalFactor& factor) const {
@@ -37,70 +62,102 @@ InterpretedMotion::Factor InterpretedMotion::prepared(const CanonicalFactor& fac
   return result;
 }
 
-void InterpretedMotion::acceleration(const double* parameters, const double* symbol_values,
-                                     const ExcitationSample* excitation, const double* displacement,
-                                     const double* velocity, double* acceleration) const {
-  const std::size_t modes = model_.coordinates.size();
-  const FormulaSet::Values coefficient(formulas_, symbol_values);
-  const auto argument = [&](const Factor& factor) {
-    const CanonicalFactor& f = *factor.canonical;
-    if (factor.argument.empty()) return f.derivative == 0 ? displacement[f.index] : velocity[f.index];
-    double sum = 0;
-    for (const ArgumentPart& part : factor.argument) switch (part.source) {
-        case ArgumentPart::Source::displacement:
-          sum += part.weight * displacement[part.index];
-          break;
-        case ArgumentPart::Source::velocity:
-          sum += part.weight * velocity[part.index];
-          break;
-        case ArgumentPart::Source::parameter:
-          sum += part.weight * parameters[part.index];
-          break;
-        case ArgumentPart::Source::one:
-          sum += part.weight;
-      }
-    return sum;
-  };
-  const auto value = [&](const Factor& factor) {
-    using Kind = CanonicalFactor::Kind;
-    const CanonicalFactor& f = *factor.canonical;
-    switch (f.kind) {
-      case Kind::displacement:
-        return integer_power(displacement[f.index], f.power);
-      case Kind::velocity:
-        return integer_power(velocity[f.index], f.power);
-      case Kind::excitation: {
-        const ExcitationSample& sample = excitation[f.index];
-        return integer_power(f.derivative == 0   ? sample.value
-                             : f.derivative == 1 ? sample.first_derivative
-                                                 : sample.second_derivative,
-                             f.power);
-      }
-      case Kind::absolute:
-        return integer_power(std::abs(argument(factor)), f.power);
-      case Kind::sign: {
-        const double x = argument(factor);
-        return static_cast<double>(x > 0) - static_cast<double>(x < 0);
-      }
-      case Kind::acceleration:
-      case Kind::clock_cos:
-      case Kind::clock_sin:
+double InterpretedMotion::argument(const Factor& factor, const Point& point) {
+  const CanonicalFactor& f = *factor.canonical;
+  if (factor.argument.empty()) return f.derivative == 0 ? point.displacement[f.index] : point.velocity[f.index];
+  double sum = 0;
+  for (const ArgumentPart& part : factor.argument) switch (part.source) {
+      case ArgumentPart::Source::displacement:
+        sum += part.weight * point.displacement[part.index];
         break;
+      case ArgumentPart::Source::velocity:
+        sum += part.weight * point.velocity[part.index];
+        break;
+      case ArgumentPart::Source::parameter:
+        sum += part.weight * point.parameters[part.index];
+        break;
+      case ArgumentPart::Source::one:
+        sum += part.weight;
     }
-    return 0.0;
-  };
-  thread_local std::vector<double> mass;
-  mass.assign(modes * modes, 0.0);
-  std::fill(acceleration, acceleration + modes, 0.0);
-  for (const Term& term : terms_) {
-    double product = coefficient[term.coefficient];
-    for (const Factor& factor : term.factors) product *= value(factor);
-    if (term.acceleration_of)
-      mass[term.mode * modes + *term.acceleration_of] += product;
-    else
-      acceleration[term.mode] -= product;
+  return sum;
+}
+
+double InterpretedMotion::value(const Factor& factor, const Point& point) {
+  using Kind = CanonicalFactor::Kind;
+  const CanonicalFactor& f = *factor.canonical;
+  switch (f.kind) {
+    case Kind::displacement:
+      return integer_power(point.displacement[f.index], f.power);
+    case Kind::velocity:
+      return integer_power(point.velocity[f.index], f.power);
+    case Kind::excitation: {
+      const ExcitationSample& sample = point.excitation[f.index];
+      return integer_power(f.derivative == 0   ? sample.value
+                           : f.derivative == 1 ? sample.first_derivative
+                                               : sample.second_derivative,
+                           f.power);
+    }
+    case Kind::absolute:
+      return integer_power(absolute(argument(factor, point)), f.power);
+    case Kind::sign:
+      return integer_power(sign_of(argument(factor, point)), f.power);
+    case Kind::acceleration:
+    case Kind::clock_cos:
+    case Kind::clock_sin:
+      break;
   }
+  return 0.0;
+}
+
+void InterpretedMotion::mass_matrix(const Point& point, double* mass) const {
+  const std::size_t modes = model_.coordinates.size();
+  const FormulaSet::Values coefficient(motion_.formulas, point.symbol_values);
+  std::fill(mass, mass + modes * modes, 0.0);
+  for (const Term& term : motion_.terms) {
+    if (!term.acceleration_of) continue;
+    double product = coefficient[term.coefficient];
+    for (const Factor& factor : term.factors) product *= value(factor, point);
+    mass[term.mode * modes + *term.acceleration_of] += product;
+  }
+}
+
+void InterpretedMotion::acceleration(const Point& point, double* acceleration) const {
+  const std::size_t modes = model_.coordinates.size();
+  const FormulaSet::Values coefficient(motion_.formulas, point.symbol_values);
+  std::fill(acceleration, acceleration + modes, 0.0);
+  for (const Term& term : motion_.terms) {
+    if (term.acceleration_of) continue;
+    double product = coefficient[term.coefficient];
+    for (const Factor& factor : term.factors) product *= value(factor, point);
+    acceleration[term.mode] -= product;
+  }
+  std::vector<double> mass(modes * modes);
+  mass_matrix(point, mass.data());
   solve_in_place(mass.data(), modes, acceleration);
+}
+
+void InterpretedMotion::acceleration_slopes(const TermList& list, const Point& point, double* slope) const {
+  const std::size_t modes = model_.coordinates.size();
+  std::vector<double> accelerations(modes), mass(modes * modes);
+  acceleration(point, accelerations.data());
+  const FormulaSet::Values coefficient(list.formulas, point.symbol_values);
+  std::fill(slope, slope + modes * list.columns, 0.0);
+  for (const Term& term : list.terms) {
+    double product = term.weight * coefficient[term.coefficient];
+    for (const Factor& factor : term.factors) product *= value(factor, point);
+    if (term.acceleration_of) product *= accelerations[*term.acceleration_of];
+    slope[term.mode * list.columns + term.column] -= product;
+  }
+  mass_matrix(point, mass.data());
+  solve_in_place(mass.data(), modes, slope, list.columns);
+}
+
+void InterpretedMotion::acceleration_by_state(const Point& point, double* slope) const {
+  acceleration_slopes(by_state_, point, slope);
+}
+
+void InterpretedMotion::acceleration_by_parameters(const Point& point, double* slope) const {
+  acceleration_slopes(by_parameters_, point, slope);
 }
 
 }  // namespace secular

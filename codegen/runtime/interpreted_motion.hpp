@@ -1,8 +1,11 @@
 #pragma once
 
+#include <deque>
+#include <optional>
 #include <vector>
 
 #include "codegen/canonical_model.hpp"
+#include "codegen/motion_derivative.hpp"
 #include "codegen/runtime/formula_set.hpp"
 #include "estimator/compiled_model.hpp"
 
@@ -13,9 +16,19 @@ class InterpretedMotion {
  public:
   explicit InterpretedMotion(const CanonicalModel& model);
 
-  /// See CompiledModel::acceleration; `symbol_values` in the model's order of symbols.
-  void acceleration(const double* parameters, const double* symbol_values, const ExcitationSample* excitation,
-                    const double* displacement, const double* velocity, double* acceleration) const;
+  /// The point at which functions are evaluated; `symbol_values` in the model's order of symbols.
+  struct Point {
+    const double* parameters;
+    const double* symbol_values;
+    const ExcitationSample* excitation;
+    const double* displacement;
+    const double* velocity;
+  };
+  /// See the functions of CompiledModel.
+  void mass_matrix(const Point& point, double* mass) const;
+  void acceleration(const Point& point, double* acceleration) const;
+  void acceleration_by_state(const Point& point, double* slope) const;
+  void acceleration_by_parameters(const Point& point, double* slope) const;
 
  private:
   struct ArgumentPart {
@@ -29,16 +42,28 @@ class InterpretedMotion {
     std::vector<ArgumentPart> argument;  ///< of abs and sgn: empty for one coordinate
   };
   struct Term {
-    std::size_t coefficient = 0;  ///< in formulas_
+    std::size_t coefficient = 0;  ///< in its TermList's formulas
     std::vector<Factor> factors;
-    std::size_t mode = 0;
+    std::size_t mode = 0, column = 0;
     std::optional<std::size_t> acceleration_of;
+    double weight = 1;
   };
+  struct TermList {
+    FormulaSet formulas;
+    std::vector<Term> terms;
+    std::size_t columns = 1;
+    std::deque<CanonicalFactor> factors;  ///< what the terms point to
+  };
+  void add(TermList& list, const CanonicalMotionTerm& canonical, std::size_t mode, std::size_t column,
+           double weight) const;
+  void add_slopes(TermList& list, const std::vector<MotionVariable>& variables) const;
   Factor prepared(const CanonicalFactor& factor) const;
+  static double argument(const Factor& factor, const Point& point);
+  static double value(const Factor& factor, const Point& point);
+  void acceleration_slopes(const TermList& list, const Point& point, double* slope) const;
 
   const CanonicalModel& model_;
-  FormulaSet formulas_;
-  std::vector<Term> terms_;
+  TermList motion_, by_state_, by_parameters_;
 };
 
 }  // namespace secular

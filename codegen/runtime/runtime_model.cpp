@@ -17,8 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* needed_headers[] = {"estimator/compiled_model.hpp", "estimator/model_function.hpp",
-                                          "estimator/dense_solve.hpp", "estimator/integer_power.hpp"};
+constexpr const char* needed_headers[] = {"estimator/compiled_model.hpp",  "estimator/model_function.hpp",
+                                          "estimator/complex_number.hpp",  "estimator/dense_solve.hpp",
+                                          "estimator/dual_number.hpp",     "estimator/integer_power.hpp",
+                                          "estimator/scalar_functions.hpp"};
 
 struct Headers {
   fs::path folder;
@@ -128,7 +130,7 @@ RuntimeModel load_runtime_model(const fs::path& file, const RuntimeModelOptions&
         fmt::format("model {} is interpreted, which is slower: {}", file.stem().string(), compilation.obstacle()));
   }
   result.origin = RuntimeModel::Origin::interpreted;
-  result.model = interpreted_model(derive_for_code(request, result.notes));
+  result.model = interpreted_model(cached_model(request, ModelCache(options.cache_folder), result.notes));
   return result;
 }
 

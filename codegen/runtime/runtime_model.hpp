@@ -31,8 +31,9 @@ struct RuntimeModel {
 /// Derives, emits, compiles and loads the model, each step only if the cache does not hold its result: the
 /// derivation is keyed by the model's text, the cases and this program's build, the shared object by the code, the
 /// headers it includes, the compiler, its options and compiled_model_abi(). Without a compiler, or where its result
-/// cannot be loaded, the model is interpreted. Throws InputError for what is wrong with the model, a case named in
-/// `options.cases` that cannot be emitted included; among all cases such a one is left out with a note.
+/// cannot be loaded, the model is interpreted, from a derivation that is cached likewise. Throws InputError for
+/// what is wrong with the model, a case named in `options.cases` that cannot be emitted included; among all cases
+/// such a one is left out with a note.
 RuntimeModel load_runtime_model(const std::filesystem::path& file, const RuntimeModelOptions& options);
 
 }  // namespace secular

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "estimator/compiled_model.hpp"
+#include "estimator/model_residual.hpp"
 
 namespace secular::test {
 
@@ -52,7 +53,19 @@ inline std::vector<std::vector<double>> outputs(const CompiledModel& model, cons
   model.acceleration(p.parameters.data(), p.excitation.data(), p.displacement.data(), p.velocity.data(),
                      acceleration.data());
   all.push_back(acceleration);
+  const std::size_t modes = model.modes(), symbols = model.symbols.size();
+  for (const auto& [function, size] :
+       {std::pair(&model.mass_matrix, modes * modes), std::pair(&model.acceleration_by_state, 2 * modes * modes),
+        std::pair(&model.acceleration_by_parameters, modes * symbols)}) {
+    std::vector<double> values(size);
+    (*function)(p.parameters.data(), p.excitation.data(), p.displacement.data(), p.velocity.data(), values.data());
+    all.push_back(values);
+  }
   for (const CompiledCase& c : model.cases) {
+    std::vector<double> sensitivity(2 * modes * symbols);
+    modulation_by_parameters(model, c, p.parameters.data(), p.excitation_frequency.data(), p.amplitude.data(),
+                             p.forcing.data(), sensitivity.data());
+    all.push_back(sensitivity);
     std::vector<double> lumps(c.lumps.size()), jacobian(c.lumps.size() * model.symbols.size());
     c.evaluate_lumps(p.parameters.data(), lumps.data());
     c.evaluate_lumps_jacobian(p.parameters.data(), jacobian.data());
@@ -89,6 +102,11 @@ inline std::vector<std::vector<double>> outputs(const CompiledModel& model, cons
       block.columns({2, p.parameters.data(), frequencies.data(), amplitudes.data(), forcings.data()},
                     targets.data());
       for (const auto& column : columns) parts(column);
+      for (std::size_t k = 0; k < modes; ++k) {
+        block.column_slopes({2, p.parameters.data(), frequencies.data(), amplitudes.data(), forcings.data()}, k,
+                            targets.data());
+        for (const auto& column : columns) parts(column);
+      }
     }
   }
   return all;

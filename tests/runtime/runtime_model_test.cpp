@@ -13,6 +13,7 @@
 
 #include "codegen/canonical_model.hpp"
 #include "codegen/runtime/interpreted_model.hpp"
+#include "codegen/runtime/model_cache.hpp"
 #include "generated/registry.hpp"
 #include "perturb/model.hpp"
 #include "tests/campaign/temporary_folder.hpp"
@@ -183,6 +184,38 @@ TEST_F(RuntimeModels, SecondUseComesFromTheCache) {
   const RuntimeModel changed = load(file);
   EXPECT_EQ(changed.origin, Origin::compiled);
   EXPECT_EQ(changed.model->nominal[0], 2);
+}
+
+TEST_F(RuntimeModels, InterpretationTakesTheDerivationFromTheCache) {
+  RuntimeModelOptions without = options();
+  without.interpret = true;
+  for (const char* const name : {"two_mass_lumps", "pendulum"}) {
+    const fs::path file = root / "models" / (std::string(name) + ".toml");
+    const RuntimeModel first = load_runtime_model(file, without), second = load_runtime_model(file, without);
+    EXPECT_EQ(first.origin, Origin::interpreted);
+    expect_same_tables(*first.model, *second.model);
+    EXPECT_EQ(largest_difference(*first.model, *second.model, 5), 0) << name;
+  }
+  // What it is taken from: an entry with other words in it is believed as long as its digest is right.
+  std::vector<fs::path> entries;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "cache"))
+    if (entry.path().extension() == ".model") entries.push_back(entry.path());
+  ASSERT_EQ(entries.size(), 2u);
+  const ModelCache cache(folder_ / "cache");
+  for (const fs::path& entry : entries) {
+    const std::string key = entry.stem().string();
+    std::string text = *cache.read(key, ".model");
+    if (text.find("pendulum") == std::string::npos) continue;
+    text.replace(text.find("pendulum"), 8, "cachelum");
+    ASSERT_TRUE(cache.store(key, ".model", text));
+  }
+  EXPECT_EQ(load_runtime_model(root / "models/pendulum.toml", without).model->name, "cachelum");
+  // One that is damaged, or of another form, is derived anew.
+  for (const fs::path& entry : entries) fs::resize_file(entry, 50);
+  EXPECT_EQ(load_runtime_model(root / "models/pendulum.toml", without).model->name, "pendulum");
+  for (const fs::path& entry : entries)
+    cache.store(entry.stem().string(), ".model", R"({"notes":[],"model":"{}"})");
+  EXPECT_EQ(load_runtime_model(root / "models/pendulum.toml", without).model->name, "pendulum");
 }
 
 TEST_F(RuntimeModels, DamagedEntriesAreRebuilt) {

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cmath>
+#include <complex>
+
+/// What generated code needs of its scalar besides arithmetic, for double, for std::complex<double> as complex-step
+/// differentiation uses it (x + i*h, h tiny), and for DualNumber. Non-smooth functions are those of the real part;
+/// their derivatives are the classical ones on either side, zero where the argument is zero.
+namespace secular {
+
+inline double real_part(double x) {
+  return x;
+}
+inline double real_part(const std::complex<double>& x) {
+  return x.real();
+}
+
+/// |x| as a function with the slope sgn(x), not the modulus of a complex number.
+inline double absolute(double x) {
+  return std::abs(x);
+}
+template <class Scalar>
+Scalar absolute(const Scalar& x) {
+  return real_part(x) < 0 ? -x : x;
+}
+
+/// -1, 0 or 1.
+template <class Scalar>
+Scalar sign_of(const Scalar& x) {
+  return Scalar(static_cast<double>(real_part(x) > 0) - static_cast<double>(real_part(x) < 0));
+}
+
+/// 1/x, and 0 for x = 0. The division comes first and unconditionally, so that loops over it become vector code.
+template <class Scalar>
+Scalar inverse_or_zero(const Scalar& x) {
+  const Scalar inverse = Scalar(1.0) / x;
+  return real_part(x) > 0 ? inverse : Scalar(0.0);
+}
+
+}  // namespace secular
