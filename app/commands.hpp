@@ -24,5 +24,6 @@ void add_import_command(CLI::App& root, Action& chosen);
 void add_inspect_command(CLI::App& root, Action& chosen);
 void add_modal_command(CLI::App& root, Action& chosen);
 void add_procedure_command(CLI::App& root, Action& chosen);
+void add_plan_command(CLI::App& root, Action& chosen);
 
 }  // namespace secular::app

@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   add_inspect_command(root, chosen);
   add_modal_command(root, chosen);
   add_procedure_command(root, chosen);
+  add_plan_command(root, chosen);
   try {
     root.parse(argc, argv);
     return chosen ? chosen() : 0;

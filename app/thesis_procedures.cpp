@@ -17,6 +17,7 @@
 #include "estimator/identification/modal_projection.hpp"
 #include "estimator/procedures/block_rows.hpp"
 #include "estimator/procedures/combination_dwells.hpp"
+#include "estimator/procedures/competing_terms.hpp"
 #include "estimator/procedures/engine_lumps.hpp"
 #include "estimator/procedures/frequency_response_regression.hpp"
 #include "estimator/procedures/harmonic_regression.hpp"
@@ -340,6 +341,7 @@ class Runner {
       }
       outcomes.push_back(std::move(o));
     }
+    decide_damping();
     const std::size_t chosen = outcomes[0].right.residual_sd < outcomes[1].right.residual_sd ? 0 : 1;
     for (std::size_t i = 0; i < 2; ++i) {
       const Outcome& o = outcomes[i];
@@ -414,6 +416,26 @@ class Runner {
         result_.sections.push_back(std::move(section));
       }
     }
+  }
+
+  // Drag against cubic damping on all ensembles, beside the saddle-node diagram's eight points.
+  void decide_damping() {
+    std::vector<std::string> laws;
+    for (const char* name : {"mu2", "mu3"})
+      for (const CompiledLump& lump : result_.resonance->lumps)
+        if (lump.name == name) laws.emplace_back(name);
+    if (laws.size() < 2 || !wants("saddle_node")) return;
+    const std::vector<CompetingTerm> order =
+        compare_terms(result_.measured, unit_, {result_.campaign.channels.front().unit}, laws);
+    ProcedureSection section;
+    section.method = "damping_law";
+    section.title = "Drag or cubic damping";
+    section.text = fmt::format(
+        "All {} ensembles on the generated modulation equations with one of the two laws at a time: with {} the "
+        "residual is {:.3g} times what noise explains, with {} {:.3g} times. {} is decided for.",
+        result_.measured.observations.size(), order[0].name, order[0].normalised_residual, order[1].name,
+        order[1].normalised_residual, order[0].name == "mu3" ? "Cubic damping" : "Drag");
+    result_.sections.push_back(std::move(section));
   }
 
   Figure saddle_node_figure(const std::vector<const Condition*>& points, const SaddleNodeFit& right,

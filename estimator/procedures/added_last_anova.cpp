@@ -18,7 +18,9 @@ namespace {
 
 double upper_tail(double f, double numerator, double denominator) {
   if (!(denominator > 0) || !std::isfinite(f)) return std::isfinite(f) ? 1.0 : 0.0;
-  return boost::math::cdf(boost::math::complement(boost::math::fisher_f(numerator, denominator), std::max(0.0, f)));
+  const double p =
+      boost::math::cdf(boost::math::complement(boost::math::fisher_f(numerator, denominator), std::max(0.0, f)));
+  return p < std::numeric_limits<double>::min() ? 0 : p;
 }
 
 }  // namespace
@@ -56,7 +58,10 @@ AnovaTable added_last_anova(const Eigen::Ref<const Eigen::MatrixXd>& design,
     row.f = row.sum_of_squares / static_cast<double>(q) / variance;
     row.p = upper_tail(row.f, static_cast<double>(q), table.residual_degrees_of_freedom);
     row.clustered_f = row.clustered_p = std::numeric_limits<double>::quiet_NaN();
-    if (whole.covariance_kind == CovarianceKind::clustered && table.clusters > q) {
+    const bool identifiable = std::all_of(term.columns.begin(), term.columns.end(), [&](int column) {
+      return whole.identifiable[static_cast<std::size_t>(column)];
+    });
+    if (identifiable && whole.covariance_kind == CovarianceKind::clustered && table.clusters > q) {
       const Eigen::VectorXd value = whole.coefficients(term.columns);
       const Eigen::MatrixXd covariance = whole.covariance(term.columns, term.columns);
       // Coefficients differ by many powers of ten.
