@@ -211,8 +211,9 @@ class Planner {
             with += (with.empty() ? "" : ", ") + result_.unknowns.names[static_cast<std::size_t>(u)];
         throw InputError(
             "--for " + result_.unknowns.names[static_cast<std::size_t>(w)], "",
-            "no dwell of these ranges determines it" + (with.empty() ? "" : ": entangled with " + with),
-            "hold one of them fixed with --fix, widen the ranges, or use another case");
+            "no dwell of these ranges determines it" +
+                (with.empty() ? "" : "; undetermined as well, so some of them entangled with it: " + with),
+            "take one of them as known with --fix, widen the ranges, or use another case");
       }
     for (Index u = 0; u < sd.size(); ++u)
       if (!std::isfinite(sd(u)))

@@ -22,6 +22,16 @@ using report::SeriesStyle;
 using report::Table;
 using report::Tone;
 
+// What the plan aims at, for people.
+std::string aim_of(const PlanRequest& request) {
+  const std::string names = fmt::format("{}", fmt::join(request.wanted, ", "));
+  if (!request.budget_s) return "shortest time for the error bars of " + request.against + ": " + names;
+  const char* criterion = request.criterion == DesignCriterion::d   ? "D"
+                          : request.criterion == DesignCriterion::a ? "A"
+                                                                    : "c";
+  return fmt::format("{}-optimal for {} in {:g} s", criterion, names, *request.budget_s);
+}
+
 const char* name_of(DesignCriterion criterion) {
   return criterion == DesignCriterion::d ? "D" : criterion == DesignCriterion::a ? "A" : "c";
 }
@@ -154,7 +164,7 @@ std::string plan_json(const PlanRequest& request, const PlanResult& plan) {
   document["schema"] = 1;
   document["model"] = plan.model->name;
   document["case"] = plan.resonance->name;
-  document["criterion"] = name_of(request.criterion);
+  document["criterion"] = request.budget_s ? Json(name_of(request.criterion)) : Json(nullptr);
   document["candidates"] = plan.candidates.size();
   document["wanted"] = Json::array();
   for (const Eigen::Index w : plan.wanted) {
@@ -174,8 +184,7 @@ std::string plan_json(const PlanRequest& request, const PlanResult& plan) {
 
 std::string plan_report(const PlanRequest& request, const PlanResult& plan, const std::string& command) {
   report::HtmlReport page(fmt::format("Test plan for {}", plan.model->name),
-                          fmt::format("Case {}, {}-optimal for {}", plan.resonance->name,
-                                      name_of(request.criterion), fmt::join(request.wanted, ", ")));
+                          fmt::format("Case {}, {}", plan.resonance->name, aim_of(request)));
   for (const std::string& warning : plan.warnings) page.warn(warning);
   page.card({"Laboratory time", minutes(plan.plan.time_s), fmt::format("{} dwells", plan.plan.dwells.size()),
              Tone::neutral});
@@ -238,11 +247,10 @@ std::string plan_report(const PlanRequest& request, const PlanResult& plan, cons
 std::string plan_experiment(const PlanRequest& request, const PlanResult& plan) {
   const CompiledModel& model = *plan.model;
   std::string text = fmt::format(
-      "# {}-optimal for {}, {:.0f} s of laboratory time. Made by `secular plan`.\nschema = 1\nname = "
+      "# {}: {:.0f} s of laboratory time. Made by `secular plan`.\nschema = 1\nname = "
       "\"plan\"\nsource = "
       "\"planned from {}\"\nmodel = \"{}\"\nsample_rate_hz = {}\n\n[parameters]\n",
-      name_of(request.criterion), fmt::join(request.wanted, ", "), plan.plan.time_s, request.parameters,
-      request.model, toml_float(plan.noise.sample_rate_hz));
+      aim_of(request), plan.plan.time_s, request.parameters, request.model, toml_float(plan.noise.sample_rate_hz));
   for (std::size_t s = 0; s < model.symbols.size(); ++s)
     text +=
         fmt::format("{} = {}\n", model.symbols[s].name, toml_float(plan.parameters(static_cast<Eigen::Index>(s))));
