@@ -15,7 +15,7 @@ namespace secular::app {
 struct PlanRequest {
   std::string model, resonance, parameters;
   std::vector<std::string> wanted;
-  std::vector<std::string> fixed;  ///< lumps and frequencies taken as known
+  std::vector<std::string> fixed;                  ///< lumps and frequencies taken as known
   DesignCriterion criterion = DesignCriterion::d;  ///< of a plan with a budget
   double noise = 0.05, excitation_noise = 0.05, repeatability = 0;
   double sample_rate_hz = 256, ensemble_s = 4;
