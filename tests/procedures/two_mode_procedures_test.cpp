@@ -99,7 +99,7 @@ const TwoModeData& steady_states() {
   return result;
 }
 
-TEST(TwoModeRegression, CorrectedReturnsTheLumpsOfTheEngine) {
+TEST(SlowTwoModeRegression, CorrectedReturnsTheLumpsOfTheEngine) {
   const TwoModeData& data = steady_states();
   ASSERT_GE(data.first.size(), 14);
   const VectorXd truth = two_mode_lumps(model(), resonance(), table_6_2());
@@ -111,7 +111,7 @@ TEST(TwoModeRegression, CorrectedReturnsTheLumpsOfTheEngine) {
     EXPECT_NEAR(fit.lumps(l), truth(l), 1e-4 * std::abs(truth(l))) << name_of(static_cast<TwoModeLump>(l));
 }
 
-TEST(TwoModeRegression, AsPrintedEveryLumpTurnsItsSign) {
+TEST(SlowTwoModeRegression, AsPrintedEveryLumpTurnsItsSign) {
   const TwoModeData& data = steady_states();
   const VectorXd right = two_mode_regression(data, false).lumps, printed = two_mode_regression(data, true).lumps;
   for (int l = 0; l < static_cast<int>(TwoModeLump::count); ++l)
