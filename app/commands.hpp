@@ -25,5 +25,7 @@ void add_inspect_command(CLI::App& root, Action& chosen);
 void add_modal_command(CLI::App& root, Action& chosen);
 void add_diagnose_command(CLI::App& root, Action& chosen);
 void add_spectrum_command(CLI::App& root, Action& chosen);
+void add_procedure_command(CLI::App& root, Action& chosen);
+void add_plan_command(CLI::App& root, Action& chosen);
 
 }  // namespace secular::app

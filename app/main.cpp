@@ -26,6 +26,8 @@ int main(int argc, char** argv) {
   add_modal_command(root, chosen);
   add_diagnose_command(root, chosen);
   add_spectrum_command(root, chosen);
+  add_procedure_command(root, chosen);
+  add_plan_command(root, chosen);
   try {
     root.parse(argc, argv);
     return chosen ? chosen() : 0;

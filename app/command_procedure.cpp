@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <system_error>
+
+#include "app/commands.hpp"
+#include "app/thesis_procedures.hpp"
+#include "input/input_error.hpp"
+#include "report/number_format.hpp"
+#include "report/whole_file.hpp"
+
+namespace secular::app {
+namespace {
+
+struct Options {
+  ProcedureRequest request;
+  std::vector<std::string> terms;
+  std::optional<double> from, to;
+  std::string folder;
+  bool json = false;
+};
+
+std::string command_line(const Options& options) {
+  std::string line = "secular procedure " + options.request.campaign + " --model " + options.request.model;
+  if (!options.request.resonance.empty()) line += " --case " + options.request.resonance;
+  for (const std::string& method : options.request.methods) line += " --method " + method;
+  for (const std::string& term : options.terms) line += " --term " + term;
+  for (const std::string& name : options.request.left_out) line += " --without " + name;
+  if (!options.request.truth.empty()) line += " --true " + options.request.truth;
+  return line + " -o " + options.folder;
+}
+
+std::string number_or_blank(const std::optional<double>& value) {
+  return value ? report::format_number(*value, 4) : "";
+}
+
+void print_summary(const ProcedureRun& run, const std::string& folder) {
+  fmt::print("model {}, case {}: {} ensembles\n", run.model->name, run.resonance->name,
+             run.measured.observations.size());
+  for (const ProcedureSection& section : run.sections) {
+    fmt::print("{}\n", section.title);
+    for (const ProcedureRow& row : section.rows) {
+      std::string line = fmt::format(
+          "  {:<40} {:<18}", row.name,
+          row.sd ? report::format_uncertain(row.recovered, *row.sd) : report::format_number(row.recovered, 5));
+      if (row.truth) line += "  true " + number_or_blank(row.truth);
+      if (row.as_printed) line += "  as printed " + number_or_blank(row.as_printed);
+      if (row.source) line += "  Table " + row.table + ": " + number_or_blank(row.source);
+      fmt::print("{}\n", line);
+    }
+    for (const auto& [name, table] : section.anova)
+      for (const AnovaRow& row : table.rows)
+        fmt::print("  {}: without {}: F = {} (p {}), by condition F = {} (p {})\n", name, row.name,
+                   report::format_number(row.f, 4), report::format_number(row.p, 2),
+                   report::format_number(row.clustered_f, 4), report::format_number(row.clustered_p, 2));
+  }
+  fmt::print("written: {0}/procedures.json, {0}/report.html\n", folder);
+}
+
+}  // namespace
+
+void add_procedure_command(CLI::App& root, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  ProcedureRequest& request = options->request;
+  CLI::App* command =
+      root.add_subcommand("procedure", "The source's own estimation procedures, beside truth and printed tables");
+  command->add_option("CAMPAIGN", request.campaign, "campaign folder with dwells")->required();
+  command->add_option("--model", request.model, "model file, or the name of a shipped model")->required();
+  command->add_option("--case", request.resonance, "resonance case; otherwise the one that the methods cover");
+  command
+      ->add_option("--method", request.methods,
+                   "saddle_node, harmonic, frequency_response, two_modes, anova; all that apply without it")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"saddle_node", "harmonic", "frequency_response", "two_modes", "anova"}));
+  command->add_option("--term", options->terms, "NAME,NAME: columns tested together in the analysis of variance")
+      ->allow_extra_args(false);
+  command->add_option("--without", request.left_out, "lumps that the analysis of variance leaves out of the model")
+      ->delimiter(',');
+  command->add_option("--true", request.truth, "parameters a simulated campaign was made with: experiment or JSON");
+  command->add_option("--records", request.window.records, "shell pattern on the records' files");
+  command->add_option("--from", options->from, "use every record from this time on, s");
+  command->add_option("--to", options->to, "use every record up to this time, s");
+  command->add_option("-o,--output", options->folder, "folder for procedures.json and report.html")->required();
+  command->add_flag("--interpret", request.interpret, "no compiled code of the model: slower, same results");
+  command->add_flag("--json", options->json, "print procedures.json instead of the summary");
+  command->footer(
+      "Example: secular procedure campaign --model two_mass_mode1 --true experiments/thesis_chapter5 -o out");
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      ProcedureRequest& asked = options->request;
+      if (options->from) asked.window.from_s = *options->from;
+      if (options->to) asked.window.to_s = *options->to;
+      for (const std::string& text : options->terms) {
+        std::vector<std::string> names;
+        std::istringstream stream(text);
+        for (std::string name; std::getline(stream, name, ',');) names.push_back(name);
+        asked.terms.push_back(std::move(names));
+      }
+      const ProcedureRun run = run_procedures(asked);
+      const std::string json = procedures_json(run);
+      const std::string html = procedures_report(run, command_line(*options));
+      const std::filesystem::path folder(options->folder);
+      std::error_code error;
+      std::filesystem::create_directories(folder, error);
+      if (error)
+        throw InputError(options->folder, "", "cannot be made a folder", "name a folder that can be written");
+      report::write_whole_file(folder / "procedures.json", json);
+      report::write_whole_file(folder / "report.html", html);
+      for (const std::string& warning : run.warnings) fmt::print(stderr, "warning: {}\n", warning);
+      if (options->json)
+        fmt::print("{}", json);
+      else
+        print_summary(run, options->folder);
+      return 0;
+    };
+  });
+}
+
+}  // namespace secular::app

@@ -1,0 +1,101 @@
+// `secular procedure` on the virtual chapter 5 campaign: recovered beside true beside printed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/thesis_procedures.hpp"
+#include "estimator/campaign/campaign.hpp"
+#include "generated/registry.hpp"
+#include "input/input_error.hpp"
+#include "simulate/virtual_test.hpp"
+
+namespace secular::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SlowProcedure : public testing::Test {
+ protected:
+  static fs::path folder() { return fs::path(testing::TempDir()) / "secular_procedure_chapter5"; }
+  static void SetUpTestSuite() {
+    fs::remove_all(folder());
+    const fs::path file = fs::path(SECULAR_SOURCE_DIR) / "models/experiments/thesis_chapter5.toml";
+    const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
+    const SimulatedCampaign simulated = run_virtual_test(read_experiment(file, model), model, 1, 2);
+    write_campaign(simulated.campaign, simulated.samples, folder());
+  }
+  static void TearDownTestSuite() { fs::remove_all(folder()); }
+
+  static ProcedureRequest request() {
+    ProcedureRequest r;
+    r.campaign = folder().string();
+    r.model = "two_mass_mode1";
+    r.truth = "experiments/thesis_chapter5";
+    return r;
+  }
+  static const ProcedureRow& row(const ProcedureRun& run, const std::string& method, const std::string& name) {
+    for (const ProcedureSection& section : run.sections)
+      for (const ProcedureRow& r : section.rows)
+        if (section.method == method && r.name == name) return r;
+    throw std::out_of_range(method + ": " + name);
+  }
+};
+
+TEST_F(SlowProcedure, SetsRecoveredBesideTrueBesidePrinted) {
+  const ProcedureRun run = run_procedures(request());
+  EXPECT_EQ(run.measured.observations.size(), 190u);  // 8 and 11 conditions of ten ensembles
+  const ProcedureRow& frequency = row(run, "jump_frequencies", "omega0");
+  EXPECT_LT(std::abs(frequency.recovered - *frequency.truth), 2 * *frequency.sd);
+  const ProcedureRow& eta1 = row(run, "harmonic", "eta1");
+  EXPECT_NEAR(eta1.recovered, *eta1.truth, 0.02 * std::abs(*eta1.truth));
+  EXPECT_NEAR(*eta1.as_printed, -eta1.recovered, 0.02 * std::abs(*eta1.truth)) << "the sign misprint of (5.38)";
+  EXPECT_EQ(eta1.source, -17.99e-3);
+  const ProcedureRow& stiffness = row(run, "frequency_response", "alpha_e");
+  EXPECT_NEAR(stiffness.recovered, *stiffness.truth, 0.03 * std::abs(*stiffness.truth));
+  // The cubic law is chosen: only it gets a frequency response.
+  EXPECT_NO_THROW(row(run, "frequency_response", "mu3"));
+  EXPECT_THROW(row(run, "frequency_response", "mu2"), std::out_of_range);
+  const nlohmann::json document = nlohmann::json::parse(procedures_json(run));
+  EXPECT_EQ(document["schema"], 1);
+  EXPECT_EQ(document["ensembles"], 190);
+  EXPECT_NE(procedures_report(run, "command").find("Saddle-node regression"), std::string::npos);
+}
+
+TEST_F(SlowProcedure, OneLevelIsNotEnoughForASaddleNodeDiagram) {
+  ProcedureRequest one = request();
+  one.window.records = "*001[1-5]*";  // no such pattern: [ ] are plain characters
+  EXPECT_THROW(run_procedures(one), InputError);
+  one.window.records = "records/001*.csv";
+  const ProcedureRun run = run_procedures(one);
+  bool said = false;
+  for (const std::string& warning : run.warnings) said = said || warning.find("level") != std::string::npos;
+  EXPECT_TRUE(said);
+  EXPECT_THROW(row(run, "saddle_node", "mu1/|eta_e|"), std::out_of_range);
+}
+
+TEST_F(SlowProcedure, TermsOfTheAnalysisOfVarianceAreNamed) {
+  ProcedureRequest r = request();
+  r.methods = {"anova"};
+  r.left_out = {"mu2"};
+  r.terms = {{"mu1", "mu3"}};
+  const ProcedureRun run = run_procedures(r);
+  ASSERT_EQ(run.sections.back().anova.size(), 1u);
+  const AnovaTable& table = run.sections.back().anova[0].second;
+  EXPECT_EQ(table.rows.back().name, "mu1, mu3");
+  EXPECT_EQ(table.rows.back().degrees_of_freedom, 2);
+  EXPECT_LT(table.rows.back().clustered_p, 1e-6);
+  r.terms = {{"nothing"}};
+  EXPECT_THROW(run_procedures(r), InputError);
+}
+
+TEST(Procedure, RefusesCasesItDoesNotCover) {
+  ProcedureRequest r;
+  r.campaign = "nowhere";
+  r.model = "pendulum";
+  EXPECT_THROW(run_procedures(r), InputError);
+}
+
+}  // namespace
+}  // namespace secular::app
