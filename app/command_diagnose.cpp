@@ -10,6 +10,7 @@
 
 #include "app/commands.hpp"
 #include "app/diagnosis_json.hpp"
+#include "app/diagnosis_report.hpp"
 #include "app/diagnosis_run.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
@@ -57,25 +58,26 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
   }
   for (const ParameterMove& m : d.parameters_moved)
     fmt::print("  {} moves from {:.6g} to {}\n", m.name, m.from, report::format_uncertain(m.to, m.sd));
-  fmt::print("written: {0}/diagnosis.json\n", folder);
+  fmt::print("written: {0}/diagnosis.json, {0}/report.html\n", folder);
 }
 
-int run(Options& options) {
+int run(Options& options, const CLI::App& command) {
   if (!(options.request.window.from_s < options.request.window.to_s))
     throw InputError("--from, --to", "", "the window is empty", "--from must be before --to");
   const DiagnosisRun result = run_diagnosis(options.request);
   const std::string json = diagnosis_json(result);
+  std::string line = "secular diagnose " + options.request.campaign + " -o " + options.folder;
+  for (const CLI::Option* option : command.get_options())
+    if (option->count() > 0 && !option->get_positional() && option->get_name() != "--output" &&
+        option->get_name() != "--json")
+      for (const std::string& value : option->results()) line += " " + option->get_name() + " " + value;
+  const std::string html = diagnosis_report(result, line);
   std::error_code error;
   std::filesystem::create_directories(options.folder, error);
   if (error) throw InputError(options.folder, "", "cannot be made a folder", "name a folder that can be written");
   report::write_whole_file(std::filesystem::path(options.folder) / "diagnosis.json", json);
+  report::write_whole_file(std::filesystem::path(options.folder) / "report.html", html);
   for (const std::string& warning : result.diagnosis.warnings) fmt::print(stderr, "warning: {}\n", warning);
-  if (std::getenv("SECULAR_ROWS"))
-    for (std::size_t r = 0; r < result.diagnosis.labels.size(); ++r) {
-      const RowLabel& l = result.diagnosis.labels[r];
-      const auto i = static_cast<Eigen::Index>(r);
-      fmt::print(stderr, "{} {} {} {} amp {:.4g} w {:.5g}: {:.2f} {:.2f}\n", l.record, l.place, to_string(l.component), l.harmonic, l.amplitude, l.frequency/6.283185307, result.diagnosis.rows_before(i), result.diagnosis.rows_after(i));
-    }
   if (options.json)
     fmt::print("{}", json);
   else
@@ -104,7 +106,8 @@ void add_diagnose_command(CLI::App& root, Action& chosen) {
       ->check(CLI::Range(1U, 1024U));
   command->add_flag("--json", options->json, "print diagnosis.json instead of the summary");
   command->footer("Example: secular diagnose campaign --model two_mass_mode1 -o results");
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback(
+      [options, command, &chosen] { chosen = [options, command] { return run(*options, *command); }; });
 }
 
 }  // namespace secular::app

@@ -28,8 +28,9 @@ constexpr double false_alarm = 0.003;
 /// The best explanation leaves structure where noise alone would leave as much less often than this.
 constexpr double remainder_alarm = 1e-4;
 
-/// An explanation that leaves structure is still the cause if it closes this much of the gap.
-constexpr double good_closure = 0.9;
+/// An explanation that leaves structure is still the cause if what it leaves beyond repeatability is this share of
+/// what was there.
+constexpr double small_remainder = 0.18;
 
 /// Samples of decays, sweeps and broadband records that are compared, in all.
 constexpr Index most_samples = 6000;
@@ -216,7 +217,11 @@ class Diagnoser {
     const double left = upper_tail(best.explanation->fit.chi_squared,
                                    static_cast<double>(discrepancy_.freedom() - best.explanation->fit.rank));
     const bool structured = left < remainder_alarm;
-    const bool unknown = structured && result_.gap.closed < good_closure;
+    const auto beyond_floor = [&](double rms) {
+      return std::sqrt(std::max(0.0, rms * rms - result_.gap.floor * result_.gap.floor));
+    };
+    const bool unknown =
+        structured && beyond_floor(result_.gap.after) > small_remainder * beyond_floor(result_.gap.before);
 
     collect_causes(all, before.rows);
     std::vector<std::string> set;
@@ -226,8 +231,10 @@ class Diagnoser {
     // Rivals of the same number of effects: what would have to stand in the first one's place.
     const std::string leading = leading_effect(best);
     add(leading);
+    // Where moved parameters are enough, every effect that is tried beside them is one too many.
+    const bool own_parameters = best.explanation->members.empty();
     for (const Rival& r : all) {
-      if (r.effects.size() != best.effects.size()) continue;
+      if (own_parameters || r.effects.size() != best.effects.size()) continue;
       const std::vector<std::string> replacing = different(r.effects, best.effects);
       if (replacing.size() != 1) continue;
       const std::vector<std::string> replaced = different(best.effects, r.effects);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <thread>
 
 namespace secular {
@@ -28,6 +29,10 @@ constexpr double least_gain = 4;
 
 /// Pairs: partners for so many of the best single explanations, and so many partners each.
 constexpr std::size_t most_firsts = 3, most_partners = 6;
+constexpr int most_exchanges = 3;
+
+/// A second effect is looked for where the best single one leaves so many standard deviations of chi-squared.
+constexpr double least_remainder = 3.5;
 
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
@@ -189,30 +194,50 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
   };
   // A second effect only where the best single one leaves more than noise.
   const bool incomplete =
-      !found.empty() &&
-      found.front().fit.chi_squared > result.degrees_of_freedom + 2.5 * std::sqrt(2 * result.degrees_of_freedom);
+      !found.empty() && found.front().fit.chi_squared >
+                            result.degrees_of_freedom + least_remainder * std::sqrt(2 * result.degrees_of_freedom);
   if (incomplete) {
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    std::vector<VectorXd> starts;
-    const std::size_t firsts = std::min(most_firsts, found.size());
-    for (std::size_t f = 0; f < firsts; ++f) {
+    const std::size_t singles_found = found.size();
+    std::vector<Explanation> doubles;
+    std::set<std::pair<std::size_t, std::size_t>> tried;
+    std::set<std::size_t> expanded;
+    // Partners of one single explanation.
+    const auto expand = [&](const Explanation& single) {
+      const std::size_t first = single.members.front();
+      if (!expanded.insert(first).second) return;
       std::vector<Screening> seconds;
-      screen_all(found[f].fit, seconds);
-      const std::size_t first = found[f].members.front();
+      screen_all(single.fit, seconds);
       seconds[first].gain = 0;
+      std::vector<std::pair<std::size_t, std::size_t>> pairs;
+      std::vector<VectorXd> starts;
       for (const std::size_t second : promising(seconds, most_partners)) {
-        const auto pair = std::minmax(first, second);
-        if (std::find(pairs.begin(), pairs.end(), std::pair(pair.first, pair.second)) != pairs.end()) continue;
-        pairs.emplace_back(pair);
-        VectorXd begin = found[f].fit.unknowns;
+        if (!tried.insert(std::minmax(first, second)).second) continue;
+        pairs.emplace_back(first, second);
+        VectorXd begin = single.fit.unknowns;
         take_over(begin, seconds[second].start, candidates[second]);
         starts.push_back(std::move(begin));
       }
+      std::vector<Explanation> fresh(pairs.size());
+      in_parallel(pairs.size(), options.threads, [&](std::size_t i) {
+        fresh[i] = explain(discrepancy, candidates, {pairs[i].first, pairs[i].second}, starts[i], own);
+      });
+      for (Explanation& e : fresh) doubles.push_back(std::move(e));
+    };
+    for (std::size_t f = 0; f < std::min(most_firsts, singles_found); ++f) expand(found[f]);
+    // The two that act together need not be the best alone: partners of both members of the best pair, until it
+    // stays.
+    for (int round = 0; round < most_exchanges && !doubles.empty(); ++round) {
+      keep_best_of_each(doubles, candidates);
+      const std::vector<std::size_t> best = doubles.front().members;
+      bool moved = false;
+      for (const std::size_t member : best) {
+        if (expanded.count(member) > 0) continue;
+        moved = true;
+        expand(explain(discrepancy, candidates, {member},
+                       singles[member].start.size() > 0 ? singles[member].start : result.null.fit.unknowns, own));
+      }
+      if (!moved) break;
     }
-    std::vector<Explanation> doubles(pairs.size());
-    in_parallel(pairs.size(), options.threads, [&](std::size_t i) {
-      doubles[i] = explain(discrepancy, candidates, {pairs[i].first, pairs[i].second}, starts[i], own);
-    });
     keep_best_of_each(doubles, candidates);
     for (Explanation& e : doubles) found.push_back(std::move(e));
   }

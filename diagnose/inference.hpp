@@ -28,7 +28,7 @@ struct Inference {
 
 struct InferenceOptions {
   unsigned threads = 1;
-  double prior_second = 0.02;  ///< prior odds of a second effect beside a first
+  double prior_second = 1e-3;  ///< prior odds of a second effect beside a first
 };
 
 /// Fits every candidate that shows at first order, with all `own` unknowns free beside it, and pairs of the best
