@@ -23,5 +23,6 @@ void add_predict_command(CLI::App& root, Action& chosen);
 void add_import_command(CLI::App& root, Action& chosen);
 void add_inspect_command(CLI::App& root, Action& chosen);
 void add_modal_command(CLI::App& root, Action& chosen);
+void add_blind_command(CLI::App& root, Action& chosen);
 
 }  // namespace secular::app

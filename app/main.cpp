@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   add_import_command(root, chosen);
   add_inspect_command(root, chosen);
   add_modal_command(root, chosen);
+  add_blind_command(root, chosen);
   try {
     root.parse(argc, argv);
     return chosen ? chosen() : 0;
