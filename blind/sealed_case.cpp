@@ -55,11 +55,18 @@ void set_strength(Truth& truth, const Specimen& specimen, const Signatures& sign
     }
     truth.raw_sigma = signatures.strength(change, all);
     truth.relative = signatures.relative(change, all);
-    const Eigen::VectorXd left = signatures.remainder(change, all);
-    truth.sigma = signatures.strength(left, all);
-    double factor = truth.sigma > 0 ? target / truth.sigma : 100;
-    if (truth.relative > 0) factor = std::min(factor, cap / truth.relative);
-    if (attempt == 5 || std::abs(std::log(factor)) < 0.2) break;
+    // The linear fit leads to the target, the converged one judges what was reached.
+    const auto factor_to_target = [&](const Eigen::VectorXd& left) {
+      truth.sigma = signatures.strength(left, all);
+      const double wanted = truth.sigma > 0 ? target / truth.sigma : 100;
+      return truth.relative > 0 ? std::min(wanted, cap / truth.relative) : wanted;
+    };
+    const bool last = attempt == 5;
+    double factor = factor_to_target(signatures.linear_remainder(change, all));
+    if (last || std::abs(std::log(factor)) < 0.2) {
+      factor = factor_to_target(signatures.remainder(change, all));
+      if (last || std::abs(std::log(factor)) < 0.4) break;
+    }
     factor = std::clamp(factor, 0.02, 50.0);
     if (truth.raw_sigma == 0) factor = 3;
     w.coefficient *= factor;

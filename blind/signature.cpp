@@ -145,6 +145,11 @@ const Eigen::MatrixXd& Signatures::own_parameters(bool all_ensembles) const {
   return columns;
 }
 
+Eigen::VectorXd Signatures::linear_remainder(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
+  const Eigen::MatrixXd& columns = own_parameters(all_ensembles);
+  return change_seen - columns * columns.colPivHouseholderQr().solve(change_seen);
+}
+
 Eigen::VectorXd Signatures::remainder(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
   const Eigen::MatrixXd& columns = own_parameters(all_ensembles);
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);

@@ -26,6 +26,8 @@ class Signatures {
   /// What is left of `change` when the model's own parameters are fitted to it (Gauss and Newton, the linearisation
   /// at the nominal values).
   Eigen::VectorXd remainder(const Eigen::VectorXd& change, bool all_ensembles) const;
+  /// The same after the first step alone.
+  Eigen::VectorXd linear_remainder(const Eigen::VectorXd& change, bool all_ensembles) const;
 
   /// Norm of a change over one ensemble of one dwell, root mean square over the dwells: in standard deviations.
   double strength(const Eigen::VectorXd& change, bool all_ensembles) const;

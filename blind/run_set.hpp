@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "blind/sealed_set.hpp"
+
+namespace secular::blind {
+
+struct RunOptions {
+  std::filesystem::path program;  ///< the `secular` that is checked
+  unsigned threads = 1;           ///< cases at once
+  double limit_s = 300;           ///< wall time of a case
+};
+
+struct FailedCase {
+  std::size_t number = 0;
+  std::string reason;  ///< "exit status 2: message"
+};
+
+struct RunSummary {
+  std::size_t cases = 0, kept = 0;  ///< kept: had a diagnosis before
+  std::vector<FailedCase> failed;
+};
+
+/// `secular diagnose` of every case of a set that has no diagnosis yet, each in a process of its own:
+/// CASE/diagnosis/, what it printed in CASE/diagnosis.log, how it ended in CASE/run.json.
+RunSummary run_set(const std::filesystem::path& folder, const RunOptions& options, const Progress& progress);
+
+}  // namespace secular::blind
