@@ -51,7 +51,7 @@ void switch_on(const Withheld& w, const Specimen& specimen, const std::vector<do
     if (w.effect == "extra_mode") {
       const double excited = specimen.family == "principal_parametric" ? 2 * mode.omega : mode.omega;
       reality.structure.extra.omega = excited * w.detail;
-      reality.structure.extra.mu = specimen.decay_rate[w.mode] * 0.6;
+      reality.structure.extra.mu = specimen.decay_rate[w.mode] * 1.2;
     }
   }
 }

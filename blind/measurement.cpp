@@ -44,8 +44,9 @@ std::vector<std::vector<double>> measured(const Measurement& measurement, const 
           measurement.of_displacement ? motion.displacement[k] : motion.acceleration[k];
       for (std::size_t i = 0; i < samples; ++i) channels[c][i] += weight * from[i];
     }
-    if (!measurement.of_displacement)
-      for (std::size_t i = 0; i < samples; ++i) channels[c][i] += motion.extra[i];
+    const std::vector<double>& extra =
+        measurement.of_displacement ? motion.extra_displacement : motion.extra_acceleration;
+    for (std::size_t i = 0; i < samples; ++i) channels[c][i] += extra[i];
     channels[c] = delayed(channels[c], measurement.fault[c].late);
   }
   for (std::size_t c = 0; c < channels.size(); ++c) {

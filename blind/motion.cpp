@@ -38,7 +38,8 @@ Motion recorded_motion(const Structure& structure, const Drive& drive, const Sta
   Motion motion;
   motion.displacement.assign(structure.modes, std::vector<double>(samples));
   motion.acceleration.assign(structure.modes, std::vector<double>(samples));
-  motion.extra.assign(samples, 0);
+  motion.extra_displacement.assign(samples, 0);
+  motion.extra_acceleration.assign(samples, 0);
   Integrator integrator(structure, drive, 0, from);
   const double step = 1 / (sample_rate_hz * static_cast<double>(substeps));
   for (std::size_t i = 0; i < samples; ++i) {
@@ -47,7 +48,8 @@ Motion recorded_motion(const Structure& structure, const Drive& drive, const Sta
       motion.displacement[k][i] = displacement(integrator.state(), k);
       motion.acceleration[k][i] = a.modal[k];
     }
-    motion.extra[i] = a.extra;
+    motion.extra_displacement[i] = integrator.state()[extra_at];
+    motion.extra_acceleration[i] = a.extra;
     for (std::size_t j = 0; j < substeps; ++j) integrator.advance(step);
   }
   return motion;

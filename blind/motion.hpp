@@ -23,8 +23,8 @@ struct Settling {
 /// Samples of a record at `sample_rate_hz`, from t = 0 on.
 struct Motion {
   std::vector<std::vector<double>> displacement, acceleration;  ///< of each mode
-  std::vector<double> extra;                                    ///< acceleration of the mode that no model knows
-  std::size_t samples() const { return extra.size(); }
+  std::vector<double> extra_displacement, extra_acceleration;   ///< of the mode that no model knows
+  std::size_t samples() const { return extra_displacement.size(); }
 };
 
 /// The state at t = 0 of a settled dwell.

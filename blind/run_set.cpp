@@ -44,8 +44,7 @@ std::vector<std::string> thread_arguments(const fs::path& folder, const RunOptio
 }  // namespace
 
 RunSummary run_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
-  // How many there are is no secret; what they are stays in the labels.
-  const std::size_t cases = read_labels(folder).at("cases").get<std::size_t>();
+  const std::size_t cases = count_of_cases(folder);
   const std::vector<std::string> threads = thread_arguments(folder, options);
   RunSummary summary;
   summary.cases = cases;

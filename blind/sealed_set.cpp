@@ -7,6 +7,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -43,6 +44,15 @@ fs::path case_folder(const fs::path& folder, std::size_t number) {
   return folder / fmt::format("case_{:04}", number);
 }
 
+std::size_t count_of_cases(const fs::path& folder) {
+  const nlohmann::json head = nlohmann::json::parse(read_text(folder / "set.json"), nullptr, false);
+  if (!fs::exists(folder / "labels.sha256") || !head.is_object() || !head.contains("cases") ||
+      !head["cases"].is_number_unsigned())
+    throw InputError(folder.string(), "", "is not a complete set of cases",
+                     "a folder for which `secular blind generate` came to its end");
+  return head["cases"].get<std::size_t>();
+}
+
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
   std::mutex guard;
@@ -67,7 +77,11 @@ void in_parallel(std::size_t count, unsigned threads, const std::function<void(s
 
 void generate_set(const fs::path& folder, const SetOptions& options, const Progress& progress) {
   const ordered_json head = heading(options);
-  fs::create_directories(folder);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw InputError(folder.string(), "", "cannot be made: " + error.message(),
+                     "name a folder that you may write to");
   if (fs::exists(folder / "labels.json")) {
     const nlohmann::json sealed = read_labels(folder);
     for (const auto& [key, value] : head.items())

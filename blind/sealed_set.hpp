@@ -27,6 +27,9 @@ void generate_set(const std::filesystem::path& folder, const SetOptions& options
 /// The labels of a set. Throws InputError where they are not the ones that were sealed.
 nlohmann::json read_labels(const std::filesystem::path& folder);
 
+/// How many cases a sealed set has; its labels stay closed. Throws InputError where the folder holds no sealed set.
+std::size_t count_of_cases(const std::filesystem::path& folder);
+
 /// FOLDER/case_0001
 std::filesystem::path case_folder(const std::filesystem::path& folder, std::size_t number);
 

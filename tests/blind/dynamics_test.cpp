@@ -219,6 +219,32 @@ TEST(BlindStructure, NaturalFrequencyDriftsWithCampaignTime) {
   EXPECT_NEAR(integrator.acceleration().modal[0], -4 * 1.1 * 1.1, 1e-12);
 }
 
+// An extra mode is a linear oscillator of its own, seen by accelerometers and displacement sensors alike.
+TEST(BlindMeasurement, EverySensorSeesTheExtraMode) {
+  Structure structure = one_mode(2 * pi * 11);
+  structure.mode[0].mu1 = 0.5;
+  structure.extra = {.omega = 2 * pi * 12, .mu = 2, .direct = 0.1};
+  const Drive drive{.amplitude = 3, .frequency = 2 * pi * 11.5};
+  const Motion motion =
+      recorded_motion(structure, drive, settled_state(structure, drive, State{}, {.time_constant = 2}), 256, 4);
+  const double w = drive.frequency, w0 = structure.extra.omega;
+  const std::complex<double> z = 0.1 * 3 / std::complex(w0 * w0 - w * w, 2 * 2 * w);
+  Measurement m;
+  m.names = {"base", "v"};
+  m.shapes = {{1.0}};
+  m.fault.assign(2, {});
+  for (const bool of_displacement : {false, true}) {
+    m.of_displacement = of_displacement;
+    const auto channels = measured(m, drive, motion, true);
+    const double size = std::abs(z) * (of_displacement ? 1 : w * w);
+    for (std::size_t i : {3UL, 200UL}) {
+      const double phase = w * static_cast<double>(i) / sample_rate_hz;
+      const double expected = (z * std::polar(1.0, phase)).real() * (of_displacement ? 1 : -w * w);
+      EXPECT_NEAR(channels[1][i], expected, 1e-4 * size) << i;
+    }
+  }
+}
+
 TEST(BlindMeasurement, FaultsDoWhatTheySay) {
   Measurement m;
   m.names = {"base", "a", "b"};
@@ -231,7 +257,8 @@ TEST(BlindMeasurement, FaultsDoWhatTheySay) {
   Motion motion;
   motion.displacement = {{0, 0}, {0, 0}};
   motion.acceleration = {{1, 2}, {0, 1}};
-  motion.extra = {0, 0};
+  motion.extra_displacement = {0, 0};
+  motion.extra_acceleration = {0, 0};
   const Drive drive{.amplitude = 3, .frequency = 1};
   const auto channels = measured(m, drive, motion, true);
   EXPECT_DOUBLE_EQ(channels[0][0], 3);

@@ -31,6 +31,7 @@ class BlindRun : public testing::Test {
           {{"case", i}, {"kind", "none"}, {"snr_db", 40}, {"effects", nlohmann::json::array()}});
       fs::create_directories(case_folder(folder, static_cast<std::size_t>(i)));
     }
+    write_text(folder / "set.json", R"({"schema": 1, "seed": 1, "set": "short", "cases": 3})");
     write_text(folder / "labels.json", labels.dump());
     write_text(folder / "labels.sha256", sha256(labels.dump()));
     // Called as PROGRAM diagnose CASE/campaign --model CASE/model.toml -o CASE/diagnosis
@@ -74,6 +75,11 @@ TEST_F(BlindRun, GivesParametersWhereACaseHasThem) {
   const std::string given = "--parameters " + (case_folder(folder, 2) / "parameters.json").string();
   EXPECT_NE(calls.find(given), std::string::npos) << calls;
   EXPECT_EQ(calls.find("--parameters", calls.find(given) + 1), std::string::npos);
+}
+
+TEST_F(BlindRun, AnUnsealedSetIsRefused) {
+  fs::remove(folder / "labels.sha256");
+  EXPECT_THROW(run_set(folder, {.program = program}, {}), InputError);
 }
 
 TEST_F(BlindRun, AProgramWithoutDiagnoseIsRefused) {
