@@ -28,20 +28,25 @@ std::string last_line(const std::string& text) {
 
 // Threads that each diagnosis may use, where the command knows that option.
 std::vector<std::string> thread_arguments(const fs::path& folder, const RunOptions& options) {
-  const fs::path log = folder / "help.log";
-  const Ended help = run_child({options.program.string(), "diagnose", "--help"}, log, 60);
-  const std::string text = help.status == 0 ? read_text(log) : std::string();
-  std::error_code ignored;
-  fs::remove(log, ignored);
-  if (help.status != 0)
-    throw InputError(options.program.string(), "", "has no working command 'diagnose'",
-                     "a program for which `diagnose --help` ends with status 0");
-  if (text.find("--threads") == std::string::npos) return {};
+  const std::optional<std::string> help = help_of_diagnose(options.program, folder / "help.log");
+  if (!help)
+    throw InputError(options.program.string(), "", "has no command 'diagnose'", "a program that lists its options");
+  if (help->find("--threads") == std::string::npos) return {};
   const unsigned each = std::max(1U, std::thread::hardware_concurrency() / std::max(1U, options.threads));
   return {"--threads", std::to_string(each)};
 }
 
 }  // namespace
+
+std::optional<std::string> help_of_diagnose(const fs::path& program, const fs::path& log) {
+  const Ended ended = run_child({program.string(), "diagnose", "--help"}, log, 60);
+  const std::string text = ended.status == 0 ? read_text(log) : std::string();
+  std::error_code ignored;
+  fs::remove(log, ignored);
+  // A program without that command prints its own help and ends with status 0 as well.
+  if (text.find("--model") == std::string::npos) return std::nullopt;
+  return text;
+}
 
 RunSummary run_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
   const std::size_t cases = count_of_cases(folder);

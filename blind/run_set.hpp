@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct RunSummary {
   std::size_t cases = 0, kept = 0;  ///< kept: had a diagnosis before
   std::vector<FailedCase> failed;
 };
+
+/// What `PROGRAM diagnose --help` prints, by way of a file `log`; nothing where the program has no such command.
+std::optional<std::string> help_of_diagnose(const std::filesystem::path& program, const std::filesystem::path& log);
 
 /// `secular diagnose` of every case of a set that has no diagnosis yet, each in a process of its own:
 /// CASE/diagnosis/, what it printed in CASE/diagnosis.log, how it ended in CASE/run.json.

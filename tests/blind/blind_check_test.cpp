@@ -8,7 +8,6 @@
 #include <string>
 #include <thread>
 
-#include "blind/child_process.hpp"
 #include "blind/run_set.hpp"
 #include "blind/score_set.hpp"
 #include "blind/sealed_set.hpp"
@@ -40,9 +39,7 @@ TEST(SlowBlindCheck, AShortSetKeepsItsTargetsWithinChance) {
   const fs::path folder = fs::path(testing::TempDir()) / "secular_blind_check";
   fs::remove_all(folder);
   fs::create_directories(folder);
-  if (run_child({SECULAR_PROGRAM, "diagnose", "--help"}, folder / "help.log", 60).status != 0)
-    GTEST_SKIP() << "there is no `secular diagnose`";
-  fs::remove(folder / "help.log");
+  if (!help_of_diagnose(SECULAR_PROGRAM, folder / "help.log")) GTEST_SKIP() << "there is no `secular diagnose`";
   const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   generate_set(folder, {.cases = 12, .seed = 2024, .size = SetSize::short_set, .threads = threads}, {});
   const RunSummary run = run_set(folder, {.program = SECULAR_PROGRAM, .threads = threads, .limit_s = 120}, {});

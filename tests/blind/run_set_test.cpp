@@ -37,7 +37,7 @@ class BlindRun : public testing::Test {
     // Called as PROGRAM diagnose CASE/campaign --model CASE/model.toml -o CASE/diagnosis
     program = folder / "program";
     write_text(program, R"x(#!/bin/sh
-[ "$2" = --help ] && exit 0
+[ "$2" = --help ] && echo "--model M" && exit 0
 echo "$@" >> "$(dirname "$0")/calls"
 case "$2" in
   *case_0001*) mkdir "$6"; echo '{"gap": {"detected": false}, "verdict": "no_gap"}' > "$6/diagnosis.json" ;;
@@ -83,7 +83,7 @@ TEST_F(BlindRun, AnUnsealedSetIsRefused) {
 }
 
 TEST_F(BlindRun, AProgramWithoutDiagnoseIsRefused) {
-  write_text(program, "#!/bin/sh\nexit 2\n");
+  write_text(program, "#!/bin/sh\necho usage\n");
   EXPECT_THROW(run_set(folder, {.program = program}, {}), InputError);
 }
 
