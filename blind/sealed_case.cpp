@@ -94,22 +94,32 @@ void find_look_alikes(Truth& truth, const SealedCase& c, const Signatures& signa
       rival.mode = truth.withheld.mode;
       if (name == "hysteresis" || name == "freeplay") rival.detail = variant == 0 ? 0.15 : 0.4;
       rival.smooth = variant == 1;
-      for (int attempt = 0; attempt < 2; ++attempt) {
+      // The rival's coefficient that explains most, its own change computed again where it has moved: large changes
+      // are not proportional to it.
+      for (int attempt = 0; attempt < 4; ++attempt) {
         Reality other = reality_of(c.specimen);
         switch_on(rival, c.specimen, peak, other);
-        Eigen::VectorXd change = signatures.change(other, all);
+        const Eigen::VectorXd change = signatures.change(other, all);
         const double size = signatures.strength(change, all);
         if (!change.allFinite() || size == 0) break;
         if (attempt == 0) {
           rival.coefficient *= std::clamp(truth.raw_sigma / size, 0.02, 50.0);
           continue;
         }
+        const Eigen::VectorXd own_taken_off = signatures.remainder(change, all);
+        const double length = own_taken_off.norm();
+        if (length == 0) break;
         Eigen::MatrixXd columns(own.rows(), own.cols() + 1);
-        columns << own, change / change.norm();
-        const Eigen::VectorXd unexplained = left - columns * columns.colPivHouseholderQr().solve(left);
-        if (unexplained.norm() * ensembles < visible &&
-            std::find(truth.same_as.begin(), truth.same_as.end(), name) == truth.same_as.end())
-          truth.same_as.push_back(name);
+        columns << own, own_taken_off / length;
+        const Eigen::VectorXd fit = columns.colPivHouseholderQr().solve(left);
+        if ((left - columns * fit).norm() * ensembles < visible) {
+          if (std::find(truth.same_as.begin(), truth.same_as.end(), name) == truth.same_as.end())
+            truth.same_as.push_back(name);
+          break;
+        }
+        const double factor = fit(fit.size() - 1) / length;
+        if (attempt > 1 && std::abs(factor - 1) < 0.02) break;
+        rival.coefficient *= std::copysign(std::clamp(std::abs(factor), 0.02, 50.0), factor);
       }
       if (name != "hysteresis" && name != "freeplay") break;
     }
