@@ -27,5 +27,6 @@ void add_diagnose_command(CLI::App& root, Action& chosen);
 void add_spectrum_command(CLI::App& root, Action& chosen);
 void add_procedure_command(CLI::App& root, Action& chosen);
 void add_plan_command(CLI::App& root, Action& chosen);
+void add_blind_command(CLI::App& root, Action& chosen);
 
 }  // namespace secular::app

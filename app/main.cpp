@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   add_spectrum_command(root, chosen);
   add_procedure_command(root, chosen);
   add_plan_command(root, chosen);
+  add_blind_command(root, chosen);
   try {
     root.parse(argc, argv);
     return chosen ? chosen() : 0;

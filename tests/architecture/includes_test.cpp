@@ -31,7 +31,8 @@ const std::map<std::string, std::set<std::string>> allowed_folders = {
     {"simulate", {"input", "estimator"}},
     {"diagnose", {"input", "estimator", "simulate"}},
     {"report", {"input"}},
-    {"app", {"input", "perturb", "codegen", "estimator", "generated", "simulate", "diagnose", "report", "verify"}},
+    {"blind", {"input"}},
+    {"app", {"input", "perturb", "codegen", "estimator", "generated", "simulate", "diagnose", "report", "verify", "blind"}},
 };
 
 /// Folders that may see GiNaC and CLN: a compiled estimator links without them.

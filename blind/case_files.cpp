@@ -1,0 +1,244 @@
+#include "blind/case_files.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <system_error>
+
+#include "blind/integrator.hpp"
+#include "blind/signature.hpp"
+#include "input/input_error.hpp"
+
+namespace secular::blind {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t decay_samples = 3072;
+
+// A term as the model file writes it: the mode's equation, its coordinate {v}, the other one {u}, the symbol {c}.
+std::string term_text(const std::string& effect, const std::string& c, const std::string& v, const std::string& u) {
+  if (effect == "viscous_damping") return fmt::format("- 2*{}*D({})", c, v);
+  if (effect == "quadratic_damping") return fmt::format("- {}*abs(D({}))*D({})", c, v, v);
+  if (effect == "cubic_damping") return fmt::format("- {}*D({})^3", c, v);
+  if (effect == "quadratic_stiffness") return fmt::format("- {}*{}^2", c, v);
+  if (effect == "cubic_stiffness") return fmt::format("- {}*{}^3", c, v);
+  if (effect == "direct_excitation") return fmt::format("+ {}*F*cos(Omega*t)", c);
+  if (effect == "parametric_excitation") return fmt::format("+ {}*{}*F*cos(Omega*t)", c, v);
+  return fmt::format("- {}*{}*{}^2", c, v, u);  // cubic_coupling, in each of the two equations
+}
+
+// Powers of eps with which the terms enter, by resonance.
+int order_of(const std::string& effect, bool parametric_resonance) {
+  if (effect == "quadratic_stiffness") return 1;
+  if (effect == "direct_excitation") return parametric_resonance ? 1 : 2;
+  return 2;
+}
+
+std::string case_text(const Specimen& s, const std::string& name, const std::string& relation, bool excited,
+                      const std::string& at_rest) {
+  std::string orders;
+  for (const OwnTerm& term : s.own)
+    orders += fmt::format("{}{} = {}", orders.empty() ? "" : ", ", term.symbol,
+                          order_of(term.effect, s.family == "principal_parametric"));
+  std::string text = fmt::format("[[case]]\nname = \"{}\"\nrelations = [{}]\norder = {{ {} }}\nexpand_to = 2\n",
+                                 name, relation.empty() ? "" : "\"" + relation + "\"", orders);
+  if (!at_rest.empty()) text += fmt::format("modes_at_rest = [\"{}\"]\n", at_rest);
+  if (!excited) text += "excitation = false\n";
+  return text + "\n";
+}
+
+std::string record_text(const std::string& file, const std::string& kind, double started) {
+  return fmt::format("\n[[record]]\nfile = \"{}\"\nkind = \"{}\"\nstarted_s = {:.1f}\n", file, kind, started);
+}
+
+std::string campaign_head(const Measurement& m, const std::vector<std::string>& coordinates,
+                          const std::string& name) {
+  std::string text = fmt::format("schema = 1\nname = \"{}\"\nsample_rate_hz = {:.1f}\n", name, sample_rate_hz);
+  for (std::size_t c = 0; c < m.names.size(); ++c) {
+    const bool length = c > 0 && m.of_displacement;
+    text += fmt::format("\n[[channel]]\nname = \"{}\"\nrole = \"{}\"\nquantity = \"{}\"\nunit = \"{}\"\n",
+                        m.names[c], c == 0 ? "excitation" : "response", length ? "displacement" : "acceleration",
+                        length ? "m" : "m/s^2");
+  }
+  if (m.with_modal_basis) {
+    std::string channels, modes, rows;
+    for (std::size_t c = 1; c < m.names.size(); ++c) {
+      channels += fmt::format("{}\"{}\"", c == 1 ? "" : ", ", m.names[c]);
+      std::string row;
+      for (const double shape : m.shapes[c - 1]) row += fmt::format("{}{:.4f}", row.empty() ? "" : ", ", shape);
+      rows += fmt::format("{}[{}]", c == 1 ? "" : ", ", row);
+    }
+    for (const std::string& coordinate : coordinates)
+      modes += fmt::format("{}\"{}\"", modes.empty() ? "" : ", ", coordinate);
+    text += fmt::format("\n[modal_basis]\nchannels = [{}]\nmodes = [{}]\nmass_normalised_shapes = [{}]\n", channels,
+                        modes, rows);
+  }
+  return text;
+}
+
+// Noise, then saturation, then the converter.
+void disturb(const SealedCase& c, Random& noise, std::vector<std::vector<double>>& channels) {
+  for (std::size_t i = 0; i < channels.size(); ++i)
+    for (double& x : channels[i]) x += c.noise_sd[i] * noise.gaussian();
+  clip(c.reality.measurement, channels);
+  for (std::size_t i = 0; i < channels.size(); ++i)
+    if (c.quantum[i] > 0)
+      for (double& x : channels[i]) x = c.quantum[i] * std::round(x / c.quantum[i]);
+}
+
+std::string csv_text(const std::vector<std::string>& names, const std::vector<std::vector<double>>& channels) {
+  fmt::memory_buffer text;
+  fmt::format_to(std::back_inserter(text), "t");
+  for (const std::string& name : names) fmt::format_to(std::back_inserter(text), ",{}", name);
+  for (std::size_t i = 0; i < channels.front().size(); ++i) {
+    fmt::format_to(std::back_inserter(text), "\n{:.8f}", static_cast<double>(i) / sample_rate_hz);
+    for (const std::vector<double>& channel : channels)
+      fmt::format_to(std::back_inserter(text), ",{:.7g}", channel[i]);
+  }
+  text.push_back('\n');
+  return fmt::to_string(text);
+}
+
+}  // namespace
+
+void write_text(const fs::path& path, const std::string& text) {
+  const fs::path partial = path.string() + ".partial";
+  {
+    std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
+    stream << text;
+    stream.flush();
+    if (!stream) throw InputError(path.string(), "", "cannot be written", "name a folder that you may write to");
+  }
+  std::error_code error;
+  fs::rename(partial, path, error);
+  if (error) throw InputError(path.string(), "", "cannot be written: " + error.message());
+}
+
+std::string read_text(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw InputError(path.string(), "", "cannot be read", "a folder made by `secular blind generate`");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string model_text(const Specimen& s, std::uint64_t nominal_seed) {
+  Random random(nominal_seed, 1);
+  const std::size_t modes = s.structure.modes;
+  std::string text =
+      fmt::format("# A structure of the blind check: what is known of it.\nschema = 1\nname = \"{}\"\n", s.family);
+  text += "source = \"drawn\"\n\n";
+  for (std::size_t k = 0; k < modes; ++k) {
+    const std::string& v = s.coordinates[k];
+    const std::string u = modes == 2 ? s.coordinates[1 - k] : "";
+    std::string right;
+    for (const OwnTerm& term : s.own)
+      if (term.mode == k || term.effect == "cubic_coupling")
+        right += (right.empty() ? "" : " ") + term_text(term.effect, term.symbol, v, u);
+    if (right.starts_with("+ ")) right.erase(0, 2);
+    text += fmt::format(
+        "[[mode]]\ncoordinate = \"{0}\"\nfrequency = \"{1}\"\nequation = \"D2({0}) + {1}^2*{0} = {2}\"\n\n", v,
+        s.frequency_symbols[k], right);
+  }
+  if (s.family == "principal_parametric") {
+    text += case_text(s, "principal_parametric", "Omega = 2*omega0 + eps^2*sigma", true, "");
+  } else if (modes == 1) {
+    text += case_text(s, "primary", "Omega = omega0 + eps^2*sigma", true, "");
+  } else {
+    text += case_text(s, "primary_1", "Omega = omega1 + eps^2*sigma", true, "v2");
+    text += case_text(s, "primary_2", "Omega = omega2 + eps^2*sigma", true, "v1");
+  }
+  if (modes == 1) text += case_text(s, "free", "", false, "");
+  text += "[nominal]\n";
+  for (std::size_t k = 0; k < modes; ++k)
+    text += fmt::format("{} = {:.4g}\n", s.frequency_symbols[k],
+                        s.structure.mode[k].omega * (1 + random.uniform(-0.01, 0.01)));
+  return text;
+}
+
+void write_case(const SealedCase& c, std::uint64_t seed, const fs::path& folder) {
+  const fs::path partial = folder.string() + ".partial";
+  std::error_code ignored;
+  fs::remove_all(partial, ignored);
+  fs::create_directories(partial / "campaign" / "records");
+  const Specimen& s = c.specimen;
+  Random noise(seed, 1'000'000 + c.plan.number);
+  write_text(partial / "model.toml", model_text(s, seed + c.plan.number));
+  if (!c.parameters.empty()) {
+    nlohmann::ordered_json numbers;
+    for (const auto& [symbol, value] : c.parameters) numbers[symbol] = std::stod(fmt::format("{:.10g}", value));
+    write_text(partial / "parameters.json", numbers.dump(1) + "\n");
+  }
+  std::string text = campaign_head(s.measurement, s.coordinates, fmt::format("case {}", c.plan.number));
+  std::size_t number = 0;
+  double started = 0;
+  for (const Dwell& dwell : s.dwells) {
+    const Drive drive = drive_of(dwell, c.reality);
+    const State state = settled_state(c.reality.structure, drive, dwell.state, s.settling);
+    const Motion motion = recorded_motion(c.reality.structure, drive, state, ensembles_per_dwell * ensemble_samples,
+                                          s.settling.substeps);
+    std::vector<std::vector<double>> channels = measured(c.reality.measurement, drive, motion, false);
+    disturb(c, noise, channels);
+    const std::string file = fmt::format("records/{:04}.csv", ++number);
+    write_text(partial / "campaign" / file, csv_text(s.measurement.names, channels));
+    started = drive.started;
+    text += record_text(file, "dwell", started);
+    text += fmt::format(
+        "excitation_frequency_hz = {:.4f}\nexcitation_amplitude = {:.10g}\nensemble_s = {:.1f}\ngroup = \"{}\"\n",
+        drive.frequency / (2 * std::numbers::pi), drive.amplitude,
+        static_cast<double>(ensemble_samples) / sample_rate_hz, dwell.group);
+  }
+  for (const double start : s.decay_starts) {
+    started += 90;
+    State state{};
+    displacement(state, 0) = start;
+    Drive rest;
+    rest.frequency = s.structure.mode[0].omega;
+    rest.started = started;
+    const Motion motion = recorded_motion(c.reality.structure, rest, state, decay_samples, s.settling.substeps);
+    std::vector<std::vector<double>> channels = measured(c.reality.measurement, rest, motion, false);
+    disturb(c, noise, channels);
+    const std::string file = fmt::format("records/{:04}.csv", ++number);
+    write_text(partial / "campaign" / file, csv_text(s.measurement.names, channels));
+    text += record_text(file, "free_decay", started) + "group = \"free decays\"\n";
+  }
+  write_text(partial / "campaign" / "campaign.toml", text);
+  fs::remove_all(folder, ignored);
+  fs::rename(partial, folder);
+}
+
+nlohmann::ordered_json label_of(const SealedCase& c) {
+  using nlohmann::ordered_json;
+  ordered_json label = {{"case", c.plan.number},
+                        {"family", c.specimen.family},
+                        {"kind", c.plan.kind},
+                        {"snr_db", c.plan.snr_db},
+                        {"dwells", c.specimen.dwells.size()},
+                        {"decays", c.specimen.decay_starts.size()},
+                        {"coarse_converter", c.quantum.front() > 0},
+                        {"parameters_given", !c.parameters.empty()},
+                        {"effects", ordered_json::array()}};
+  if (!c.moved.empty()) label["parameters_moved"] = c.moved;
+  for (const Truth& truth : c.truths) {
+    const Withheld& w = truth.withheld;
+    std::string where = w.effect == "parameters" || w.effect == "shaker_harmonics" || w.effect == "extra_mode"
+                            ? ""
+                            : c.specimen.coordinates[w.mode];
+    if (is_measurement_fault(w.effect) && w.effect != "mode_shape_error")
+      where = c.specimen.measurement.names[w.channel];
+    label["effects"].push_back({{"effect", w.effect},
+                                {"mode", where},
+                                {"coefficient", w.coefficient},
+                                {"detail", w.detail},
+                                {"sigma", truth.sigma},
+                                {"raw_sigma", truth.raw_sigma},
+                                {"relative", truth.relative},
+                                {"same_as", truth.same_as}});
+  }
+  return label;
+}
+
+}  // namespace secular::blind

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "blind/specimen.hpp"
+
+namespace secular::blind {
+
+/// What is withheld from the model: an effect, where it acts, how strong it is.
+struct Withheld {
+  std::string effect;
+  std::size_t mode = 0;     ///< of the structure
+  std::size_t channel = 0;  ///< of the measurement, for its faults
+  double coefficient = 0;   ///< in SI; see `switch_on`
+  double detail = 0;    ///< gap or slip over the typical amplitude; third over second shaker harmonic; frequency
+                        ///< of an extra mode over the excited one; 0 without meaning
+  bool smooth = false;  ///< hysteresis of Bouc and Wen instead of Jenkins
+};
+
+/// A structure, its excitation and its sensors with effects switched on.
+struct Reality {
+  Structure structure;
+  Measurement measurement;
+  double second = 0, third = 0;  ///< shaker harmonics over the fundamental
+};
+
+Reality reality_of(const Specimen& specimen);
+
+/// Coefficients of terms: see ModeTerms. extra_mode: its excitation; shaker_harmonics: second harmonic over the
+/// first; sensor_gain: relative error; sensor_offset: channel unit; sensor_cross_axis: of the excitation;
+/// channel_skew: s; clipping: 1/(1 + coefficient) of `peak` is the range; mode_shape_error: what leaks into `mode`
+/// from the other.
+void switch_on(const Withheld& withheld, const Specimen& specimen, const std::vector<double>& peak,
+               Reality& reality);
+
+/// Names of EFFECTS.md that a family can show, and effects that no catalogue lists.
+std::vector<std::string> effects_of_family(const std::string& family);
+std::vector<std::string> uncatalogued_effects();
+bool is_measurement_fault(const std::string& effect);
+
+/// Effects that could be the same thing to the data, by physics; whether they are is decided case by case from
+/// their signatures. See docs/blind_check.md.
+std::vector<std::string> look_alikes(const std::string& effect, const std::string& family);
+
+/// Draws where an effect acts, its sign and its details; `coefficient` is a first guess of the strength.
+Withheld draw_withheld(const std::string& effect, const Specimen& specimen, Random& random);
+
+}  // namespace secular::blind

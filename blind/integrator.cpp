@@ -1,0 +1,173 @@
+#include "blind/integrator.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace secular::blind {
+namespace {
+
+// Guards of one mode: positive on the present branch, negative beyond its end.
+enum Guard : std::size_t {
+  friction_guard,
+  slider_guard,
+  contact_guard,
+  band_guard,
+  threshold_guard,
+  guards_per_mode
+};
+constexpr double never = std::numeric_limits<double>::infinity();
+
+int sign_of(double x) {
+  return x < 0 ? -1 : 1;
+}
+
+int band_of(double x, double gap) {
+  return x > gap ? 1 : x < -gap ? -1 : 0;
+}
+
+// Of the branch `band` of a dead band: distance to its nearest end.
+double band_distance(int band, double x, double gap) {
+  return band == 0 ? gap - std::abs(x) : band * x - gap;
+}
+
+}  // namespace
+
+Integrator::Integrator(const Structure& structure, const Drive& drive, double t, const State& state)
+    : structure_(structure), drive_(drive), t_(t), x_(state) {
+  start();
+}
+
+void Integrator::start() {
+  for (std::size_t k = 0; k < structure_.modes; ++k) {
+    const ModeTerms& m = structure_.mode[k];
+    const double q = displacement(x_, k), p = velocity(x_, k), s = slider_spring(x_, k);
+    regime_.sliding[k] = sign_of(p);
+    regime_.side[k] = sign_of(q);
+    regime_.band[k] = band_of(q, m.gap);
+    regime_.beyond[k] = band_of(q, m.threshold);
+    regime_.slipping[k] = m.slider != 0 && std::abs(s) >= m.slip && s * p > 0 ? sign_of(p) : 0;
+    nonsmooth_ = nonsmooth_ || m.friction != 0 || (m.slider != 0 && !m.smooth_slider) || m.bilinear != 0 ||
+                 m.freeplay != 0 || m.threshold_damping != 0;
+  }
+  for (std::size_t k = 0; k < structure_.modes; ++k)
+    if (structure_.mode[k].friction != 0 && velocity(x_, k) == 0) cross(k * guards_per_mode + friction_guard);
+}
+
+State Integrator::stepped(double h) const {
+  State k1{}, k2{}, k3{}, k4{}, y = x_;
+  derivative(structure_, drive_, regime_, t_, x_, k1);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h / 2 * k1[i];
+  derivative(structure_, drive_, regime_, t_ + h / 2, y, k2);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h / 2 * k2[i];
+  derivative(structure_, drive_, regime_, t_ + h / 2, y, k3);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h * k3[i];
+  derivative(structure_, drive_, regime_, t_ + h, y, k4);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h / 6 * (k1[i] + 2 * (k2[i] + k3[i]) + k4[i]);
+  return y;
+}
+
+double Integrator::guard(std::size_t number, double t, const State& x) const {
+  const std::size_t k = number / guards_per_mode;
+  const ModeTerms& m = structure_.mode[k];
+  switch (number % guards_per_mode) {
+    case friction_guard:
+      if (m.friction == 0) return never;
+      if (regime_.sliding[k] != 0) return velocity(x, k) * regime_.sliding[k];
+      return m.friction - std::abs(force(structure_, drive_, regime_, k, t, drive_.at(t), x));
+    case slider_guard:
+      if (m.slider == 0 || m.smooth_slider) return never;
+      if (regime_.slipping[k] != 0) return velocity(x, k) * regime_.slipping[k];
+      return m.slip - std::abs(slider_spring(x, k));
+    case contact_guard:
+      return m.bilinear == 0 ? never : displacement(x, k) * regime_.side[k];
+    case band_guard:
+      return m.freeplay == 0 ? never : band_distance(regime_.band[k], displacement(x, k), m.gap);
+    default:
+      return m.threshold_damping == 0 ? never : band_distance(regime_.beyond[k], displacement(x, k), m.threshold);
+  }
+}
+
+// The branch behind the guard that the present state has just passed.
+void Integrator::cross(std::size_t number) {
+  const std::size_t k = number / guards_per_mode;
+  const ModeTerms& m = structure_.mode[k];
+  const double q = displacement(x_, k);
+  switch (number % guards_per_mode) {
+    case friction_guard: {
+      const double f = force(structure_, drive_, regime_, k, t_, drive_.at(t_), x_);
+      const bool was_at_rest = regime_.sliding[k] == 0;
+      if (!was_at_rest && std::abs(f) <= m.friction) {
+        regime_.sliding[k] = 0;
+        velocity(x_, k) = 0;
+      } else {
+        regime_.sliding[k] = sign_of(f);
+        velocity(x_, k) = 0;
+      }
+      break;
+    }
+    case slider_guard:
+      if (regime_.slipping[k] != 0) {
+        regime_.slipping[k] = 0;
+      } else {
+        regime_.slipping[k] = sign_of(slider_spring(x_, k));
+      }
+      slider_spring(x_, k) = std::clamp(slider_spring(x_, k), -m.slip, m.slip);
+      break;
+    case contact_guard:
+      regime_.side[k] = -regime_.side[k];
+      break;
+    case band_guard:
+      regime_.band[k] = regime_.band[k] == 0 ? sign_of(q) : 0;
+      break;
+    default:
+      regime_.beyond[k] = regime_.beyond[k] == 0 ? sign_of(q) : 0;
+  }
+}
+
+void Integrator::advance(double step) {
+  if (!nonsmooth_) {
+    x_ = stepped(step);
+    t_ += step;
+    return;
+  }
+  const double end = t_ + step;
+  const std::size_t guards = structure_.modes * guards_per_mode;
+  // A slider or a contact that chatters would cut the step without end: after so many cuts the rest is taken whole.
+  for (int cuts = 0; cuts < 20; ++cuts) {
+    const double left = end - t_;
+    const State whole = stepped(left);
+    double first = left;
+    std::size_t which = guards;
+    for (std::size_t g = 0; g < guards; ++g) {
+      if (guard(g, end, whole) >= 0) continue;
+      const double before = guard(g, t_, x_);
+      double at = 0;
+      if (before > 0) {
+        std::uintmax_t evaluations = 30;
+        const auto bracket = boost::math::tools::toms748_solve(
+            [&](double h) { return guard(g, t_ + h, stepped(h)); }, 0.0, left, before, guard(g, end, whole),
+            [step](double a, double b) { return std::abs(b - a) < 1e-12 * step; }, evaluations);
+        at = bracket.second;
+      }
+      if (which == guards || at < first) {
+        first = at;
+        which = g;
+      }
+    }
+    if (which == guards) {
+      x_ = whole;
+      t_ = end;
+      return;
+    }
+    x_ = stepped(first);
+    t_ += first;
+    cross(which);
+  }
+  x_ = stepped(end - t_);
+  t_ = end;
+}
+
+}  // namespace secular::blind

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "blind/structure.hpp"
+
+namespace secular::blind {
+
+/// Classical Runge-Kutta of fourth order with a fixed step, which is cut where a nonsmooth term changes its branch
+/// (friction that reverses or comes to rest, a slider that starts or stops, a contact, a dead band), so that no
+/// step crosses a kink.
+class Integrator {
+ public:
+  /// `state` at time t (seconds since the record began; negative while it settles).
+  Integrator(const Structure& structure, const Drive& drive, double t, const State& state);
+
+  void advance(double step);
+
+  double time() const { return t_; }
+  const State& state() const { return x_; }
+  const Regime& regime() const { return regime_; }
+  Accelerations acceleration() const { return accelerations(structure_, drive_, regime_, t_, x_); }
+
+ private:
+  State stepped(double step) const;
+  double guard(std::size_t number, double t, const State& x) const;
+  void cross(std::size_t number);
+  void start();
+
+  Structure structure_;
+  Drive drive_;
+  double t_;
+  State x_;
+  Regime regime_;
+  bool nonsmooth_ = false;
+};
+
+}  // namespace secular::blind

@@ -1,0 +1,94 @@
+#include "blind/run_set.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <thread>
+
+#include "blind/case_files.hpp"
+#include "blind/child_process.hpp"
+#include "input/input_error.hpp"
+
+namespace secular::blind {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string last_line(const std::string& text) {
+  const std::size_t end = text.find_last_not_of("\r\n");
+  if (end == std::string::npos) return "";
+  const std::size_t begin = text.find_last_of("\r\n", end);
+  return text.substr(begin == std::string::npos ? 0 : begin + 1,
+                     end - (begin == std::string::npos ? 0 : begin + 1) + 1);
+}
+
+// Threads that each diagnosis may use, where the command knows that option.
+std::vector<std::string> thread_arguments(const fs::path& folder, const RunOptions& options) {
+  const std::optional<std::string> help = help_of_diagnose(options.program, folder / "help.log");
+  if (!help)
+    throw InputError(options.program.string(), "", "has no command 'diagnose'", "a program that lists its options");
+  if (help->find("--threads") == std::string::npos) return {};
+  const unsigned each = std::max(1U, std::thread::hardware_concurrency() / std::max(1U, options.threads));
+  return {"--threads", std::to_string(each)};
+}
+
+}  // namespace
+
+std::optional<std::string> help_of_diagnose(const fs::path& program, const fs::path& log) {
+  const Ended ended = run_child({program.string(), "diagnose", "--help"}, log, 60);
+  const std::string text = ended.status == 0 ? read_text(log) : std::string();
+  std::error_code ignored;
+  fs::remove(log, ignored);
+  // A program without that command prints its own help and ends with status 0 as well.
+  if (text.find("--model") == std::string::npos) return std::nullopt;
+  return text;
+}
+
+RunSummary run_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
+  const std::size_t cases = count_of_cases(folder);
+  const std::vector<std::string> threads = thread_arguments(folder, options);
+  RunSummary summary;
+  summary.cases = cases;
+  std::mutex guard;
+  std::atomic<std::size_t> done{0};
+  in_parallel(cases, options.threads, [&](std::size_t i) {
+    const fs::path place = case_folder(folder, i + 1), result = place / "diagnosis";
+    if (fs::exists(result / "diagnosis.json") && fs::exists(place / "run.json")) {
+      const std::lock_guard lock(guard);
+      ++summary.kept;
+    } else {
+      std::error_code ignored;
+      fs::remove_all(result, ignored);
+      std::vector<std::string> arguments = {options.program.string(), "diagnose", (place / "campaign").string(),
+                                            "--model", (place / "model.toml").string()};
+      if (fs::exists(place / "parameters.json"))
+        arguments.insert(arguments.end(), {"--parameters", (place / "parameters.json").string()});
+      arguments.insert(arguments.end(), {"-o", result.string()});
+      arguments.insert(arguments.end(), threads.begin(), threads.end());
+      const Ended ended = run_child(arguments, place / "diagnosis.log", options.limit_s);
+      const nlohmann::ordered_json how = {
+          {"status", ended.status}, {"out_of_time", ended.out_of_time}, {"seconds", ended.seconds}};
+      write_text(place / "run.json", how.dump() + "\n");
+      if (ended.status != 0 || !fs::exists(result / "diagnosis.json")) {
+        const std::string said =
+            fs::exists(place / "diagnosis.log") ? last_line(read_text(place / "diagnosis.log")) : "";
+        const std::string reason = ended.out_of_time   ? fmt::format("more than {:.0f} s", options.limit_s)
+                                   : ended.status < 0  ? "crashed"
+                                   : ended.status == 0 ? "no diagnosis.json"
+                                                       : fmt::format("exit status {}: {}", ended.status, said);
+        const std::lock_guard lock(guard);
+        summary.failed.push_back({i + 1, reason});
+      }
+    }
+    if (progress) progress(++done, cases);
+  });
+  std::sort(summary.failed.begin(), summary.failed.end(),
+            [](const FailedCase& a, const FailedCase& b) { return a.number < b.number; });
+  return summary;
+}
+
+}  // namespace secular::blind

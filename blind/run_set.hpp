@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "blind/sealed_set.hpp"
+
+namespace secular::blind {
+
+struct RunOptions {
+  std::filesystem::path program;  ///< the `secular` that is checked
+  unsigned threads = 1;           ///< cases at once
+  double limit_s = 300;           ///< wall time of a case
+};
+
+struct FailedCase {
+  std::size_t number = 0;
+  std::string reason;  ///< "exit status 2: message"
+};
+
+struct RunSummary {
+  std::size_t cases = 0, kept = 0;  ///< kept: had a diagnosis before
+  std::vector<FailedCase> failed;
+};
+
+/// What `PROGRAM diagnose --help` prints, by way of a file `log`; nothing where the program has no such command.
+std::optional<std::string> help_of_diagnose(const std::filesystem::path& program, const std::filesystem::path& log);
+
+/// `secular diagnose` of every case of a set that has no diagnosis yet, each in a process of its own:
+/// CASE/diagnosis/, what it printed in CASE/diagnosis.log, how it ended in CASE/run.json.
+RunSummary run_set(const std::filesystem::path& folder, const RunOptions& options, const Progress& progress);
+
+}  // namespace secular::blind

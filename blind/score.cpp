@@ -1,0 +1,263 @@
+#include "blind/score.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace secular::blind {
+namespace {
+
+using nlohmann::json;
+
+constexpr double normal_975 = 1.959963984540054;
+constexpr double strong_sigma = 3;
+
+struct Label {
+  std::size_t number = 0;
+  std::string kind, family;
+  double snr_db = 0;
+  std::vector<std::string> effects;
+  std::vector<std::vector<std::string>> same_as;
+  double sigma = 0;  // of the weakest effect
+};
+
+bool contains(const std::vector<std::string>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+Label read_label(const json& text) {
+  Label label;
+  label.number = text.at("case").get<std::size_t>();
+  label.kind = text.at("kind").get<std::string>();
+  label.family = text.value("family", "");
+  label.snr_db = text.at("snr_db").get<double>();
+  for (const json& effect : text.at("effects")) {
+    label.effects.push_back(effect.at("effect").get<std::string>());
+    label.same_as.push_back(effect.at("same_as").get<std::vector<std::string>>());
+    const double sigma = effect.at("sigma").get<double>();
+    label.sigma = label.effects.size() == 1 ? sigma : std::min(label.sigma, sigma);
+  }
+  return label;
+}
+
+// Effects that the data show, so that a diagnosis can be held to them.
+bool visible(const Label& label) {
+  return label.sigma >= strong_sigma && std::none_of(label.same_as.begin(), label.same_as.end(),
+                                                     [](const auto& alike) { return contains(alike, "no_gap"); });
+}
+
+bool can_be_told(const Label& label) {
+  return visible(label) &&
+         std::all_of(label.same_as.begin(), label.same_as.end(), [](const auto& alike) { return alike.empty(); });
+}
+
+bool names(const Said& said, const std::string& effect) {
+  return (said.verdict == "cause" || said.verdict == "set") && (said.cause == effect || contains(said.set, effect));
+}
+
+double probability_of(const Said& said, const std::string& effect) {
+  const auto found = said.probability.find(effect);
+  return found == said.probability.end() ? 0 : found->second;
+}
+
+bool found_among(const Said& said, const std::string& effect) {
+  return names(said, effect) || probability_of(said, effect) >= 0.5;
+}
+
+std::string truth_text(const Label& label) {
+  if (label.kind == "none") return "no_gap";
+  if (label.kind == "outside") return "outside: " + label.effects.front();
+  std::string text;
+  for (const std::string& effect : label.effects) text += (text.empty() ? "" : " + ") + effect;
+  return text;
+}
+
+std::string named_text(const Said& said) {
+  if (said.verdict != "cause" && said.verdict != "set") return said.verdict;
+  return said.cause;
+}
+
+// What a case's outcome should have been.
+bool right(const Label& label, const Said& said) {
+  if (said.verdict == "failed") return false;
+  if (label.kind == "none") return said.verdict == "no_gap";
+  if (!visible(label) && said.verdict == "no_gap") return true;
+  if (label.kind == "outside")
+    return said.verdict == "unknown" || std::any_of(label.same_as[0].begin(), label.same_as[0].end(),
+                                                    [&](const auto& n) { return names(said, n); });
+  return std::all_of(label.effects.begin(), label.effects.end(),
+                     [&](const std::string& effect) { return found_among(said, effect); });
+}
+
+// Counts of a yes-or-no figure.
+struct Share {
+  std::size_t hits = 0, trials = 0;
+  void count(bool hit) {
+    if (hit) ++hits;
+    ++trials;
+  }
+  Figure figure(std::string name, std::optional<double> target, bool at_most = false) const {
+    Figure f{std::move(name), 0, wilson(hits, trials), trials, target, at_most};
+    if (trials > 0) f.value = static_cast<double>(hits) / static_cast<double>(trials);
+    return f;
+  }
+};
+
+// Mean with the 95 % interval of its standard error.
+Figure mean_figure(std::string name, const std::vector<double>& values, std::optional<double> target,
+                   bool at_most = false) {
+  Figure f{std::move(name), 0, {}, values.size(), target, at_most};
+  if (values.empty()) return f;
+  const double n = static_cast<double>(values.size());
+  double squares = 0;
+  for (const double x : values) f.value += x / n;
+  for (const double x : values) squares += (x - f.value) * (x - f.value);
+  const double half = values.size() > 1 ? normal_975 * std::sqrt(squares / (n - 1) / n) : INFINITY;
+  f.ci95 = {f.value - half, f.value + half};
+  return f;
+}
+
+std::vector<CalibrationBin> calibration_of(const std::vector<Label>& labels, const std::vector<Said>& said) {
+  std::vector<CalibrationBin> bins(10);
+  for (std::size_t b = 0; b < bins.size(); ++b) {
+    bins[b].low = static_cast<double>(b) / 10;
+    bins[b].high = static_cast<double>(b + 1) / 10;
+  }
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    for (const auto& [effect, probability] : said[i].probability) {
+      CalibrationBin& bin = bins[std::min<std::size_t>(9, static_cast<std::size_t>(probability * 10))];
+      ++bin.stated;
+      bin.mean_stated += probability;
+      if (contains(labels[i].effects, effect)) ++bin.right;
+    }
+  for (CalibrationBin& bin : bins)
+    if (bin.stated > 0) bin.mean_stated /= static_cast<double>(bin.stated);
+  return bins;
+}
+
+}  // namespace
+
+Interval wilson(std::size_t hits, std::size_t trials) {
+  if (trials == 0) return {};
+  const double n = static_cast<double>(trials), p = static_cast<double>(hits) / n, z2 = normal_975 * normal_975;
+  const double centre = (p + z2 / (2 * n)) / (1 + z2 / n);
+  const double half = normal_975 / (1 + z2 / n) * std::sqrt(p * (1 - p) / n + z2 / (4 * n * n));
+  return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
+}
+
+Said what_was_said(const json& diagnosis) {
+  Said said;
+  try {
+    const json& gap = diagnosis.at("gap");
+    said.detected = gap.at("detected").get<bool>();
+    if (gap.contains("closed") && gap["closed"].is_number()) said.closed = gap["closed"].get<double>();
+    const std::string verdict = diagnosis.at("verdict").get<std::string>();
+    if (diagnosis.contains("causes"))
+      for (const json& cause : diagnosis["causes"]) {
+        double& probability = said.probability[cause.at("effect").get<std::string>()];
+        probability = std::min(1.0, probability + std::max(0.0, cause.at("probability").get<double>()));
+      }
+    if (diagnosis.contains("cause") && diagnosis["cause"].is_string())
+      said.cause = diagnosis["cause"].get<std::string>();
+    double best = -1;
+    for (const auto& [effect, probability] : said.probability)
+      if (probability > best) {
+        best = probability;
+        if (said.cause.empty() || verdict != "cause") said.cause = effect;
+      }
+    for (const char* key : {"set", "together"})
+      if (diagnosis.contains(key) && diagnosis[key].is_array())
+        for (const json& name : diagnosis[key])
+          said.set.push_back(name.is_string() ? name.get<std::string>() : name.at("effect").get<std::string>());
+    static const std::vector<std::string> verdicts = {"no_gap", "cause", "set", "unknown"};
+    if (contains(verdicts, verdict)) said.verdict = verdict;
+  } catch (const json::exception&) {
+    said = Said{};
+  }
+  return said;
+}
+
+Score score_of(const json& sealed, const std::vector<Said>& said) {
+  std::vector<Label> labels;
+  for (const json& label : sealed.at("labels")) labels.push_back(read_label(label));
+  Score score;
+  score.cases = labels.size();
+  Share contained, weak, false_alarm, detected, unknown, misnamed, pairs30, pairs;
+  std::map<double, Share, std::greater<>> top;
+  std::vector<double> probability, closed30, closed, seconds;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const Label& label = labels[i];
+    const Said& s = said.at(i);
+    ++score.confusion[truth_text(label)][named_text(s)];
+    if (s.verdict == "failed") ++score.failed;
+    if (s.seconds > 0) seconds.push_back(s.seconds);
+    if (!right(label, s)) {
+      std::string named = named_text(s);
+      for (const std::string& other : s.set)
+        if (s.verdict == "set" && other != s.cause) named += ", " + other;
+      score.wrong.push_back({label.number, truth_text(label), named, label.family, label.sigma, label.snr_db});
+    }
+    if (label.kind == "none") {
+      false_alarm.count(s.detected || s.verdict != "no_gap");
+      continue;
+    }
+    if (visible(label)) detected.count(s.detected);
+    if (label.kind == "outside") {
+      if (can_be_told(label)) {
+        unknown.count(s.verdict == "unknown");
+        misnamed.count(s.verdict == "cause" || s.verdict == "set");
+      }
+      continue;
+    }
+    if (label.kind == "pair") {
+      if (!visible(label)) continue;
+      const bool both = found_among(s, label.effects[0]) && found_among(s, label.effects[1]);
+      pairs.count(both);
+      if (label.snr_db == 30) pairs30.count(both);
+      continue;
+    }
+    const std::string& truth = label.effects.front();
+    (visible(label) ? contained : weak).count(names(s, truth));
+    if (!can_be_told(label)) continue;
+    const bool first = (s.verdict == "cause" || s.verdict == "set") && s.cause == truth;
+    top[label.snr_db].count(first);
+    probability.push_back(probability_of(s, truth));
+    if (first && s.closed) {
+      closed.push_back(*s.closed);
+      if (label.snr_db == 30) closed30.push_back(*s.closed);
+    }
+  }
+  const std::map<double, double> top_targets = {{40, 0.9}, {20, 0.8}, {10, 0.6}};
+  auto& figures = score.figures;
+  figures.push_back(contained.figure("named cause or its set contains the truth (at least 3 sigma)", 0.95));
+  for (const auto& [snr, share] : top) {
+    const auto target = top_targets.find(snr);
+    figures.push_back(share.figure(fmt::format("top cause right, where data can tell, {:.0f} dB", snr),
+                                   target == top_targets.end() ? std::nullopt : std::optional(target->second)));
+  }
+  figures.push_back(mean_figure("mean probability put on the true cause, where data can tell", probability, 0.8));
+  figures.push_back(false_alarm.figure("false alarm on campaigns without a gap", 0.01, true));
+  figures.push_back(detected.figure("gap detected (at least 3 sigma)", 0.99));
+  figures.push_back(unknown.figure("effect outside of the catalogue is called unknown", 0.9));
+  figures.push_back(misnamed.figure("effect outside of the catalogue is named as another one", 0.05, true));
+  figures.push_back(pairs30.figure("two effects, both found, 30 dB", 0.7));
+  figures.push_back(pairs.figure("two effects, both found, all noise levels", std::nullopt));
+  figures.push_back(mean_figure("of the reducible gap closed, right cause, 30 dB", closed30, 0.9));
+  figures.push_back(
+      mean_figure("of the reducible gap closed, right cause, all noise levels", closed, std::nullopt));
+  figures.push_back(weak.figure("named cause or its set contains the truth (less than 3 sigma)", std::nullopt));
+  figures.push_back(mean_figure("wall time of a campaign, s", seconds, 30, true));
+  if (!seconds.empty())
+    figures.push_back({"longest wall time of a campaign, s",
+                       *std::max_element(seconds.begin(), seconds.end()),
+                       {-INFINITY, INFINITY},
+                       seconds.size(),
+                       std::nullopt,
+                       true});
+  score.calibration = calibration_of(labels, said);
+  return score;
+}
+
+}  // namespace secular::blind

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace secular::blind {
+
+/// 95 % interval of a probability from `hits` of `trials` (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927).
+struct Interval {
+  double low = 0, high = 1;
+};
+Interval wilson(std::size_t hits, std::size_t trials);
+
+/// A figure beside its target.
+struct Figure {
+  std::string name;
+  double value = 0;
+  Interval ci95;
+  std::size_t trials = 0;  ///< 0: nothing to judge, no value
+  std::optional<double> target;
+  bool at_most = false;  ///< the target is an upper bound
+};
+
+/// Stated probabilities of one interval and how often they were right.
+struct CalibrationBin {
+  double low = 0, high = 1, mean_stated = 0;
+  std::size_t stated = 0, right = 0;
+};
+
+/// A case that did not end as it should have.
+struct WrongCase {
+  std::size_t number = 0;
+  std::string truth, named, family;
+  double sigma = 0, snr_db = 0;
+};
+
+struct Score {
+  std::size_t cases = 0, failed = 0;
+  std::vector<Figure> figures;
+  std::map<std::string, std::map<std::string, std::size_t>> confusion;  ///< truth -> named -> cases
+  std::vector<CalibrationBin> calibration;
+  std::vector<WrongCase> wrong;
+};
+
+/// What a diagnosis said of one case. A case without (whole) diagnosis has verdict "failed".
+struct Said {
+  std::string verdict = "failed";
+  std::string cause;                          ///< of the largest probability
+  std::vector<std::string> set;               ///< named together with `cause`
+  std::map<std::string, double> probability;  ///< by effect, all modes together
+  bool detected = false;
+  std::optional<double> closed;
+  double seconds = 0;
+};
+
+/// Reads the contract's diagnosis.json (section 6); a document that does not follow it gives verdict "failed".
+Said what_was_said(const nlohmann::json& diagnosis);
+
+/// Compares `labels.at("labels")` with what was said of each case, in their order.
+Score score_of(const nlohmann::json& labels, const std::vector<Said>& said);
+
+nlohmann::ordered_json score_json(const Score& score);
+std::string score_markdown(const Score& score, const std::string& set_name);
+/// Stated probability against the share that was right, as an SVG of its own.
+std::string calibration_svg(const std::vector<CalibrationBin>& bins);
+
+}  // namespace secular::blind

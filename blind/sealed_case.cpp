@@ -1,0 +1,253 @@
+#include "blind/sealed_case.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "blind/signature.hpp"
+
+namespace secular::blind {
+namespace {
+
+constexpr double weakest_sigma = 3, strongest_sigma = 100;
+constexpr double largest_relative_change = 0.3;
+// Norm, over the whole campaign, below which a difference is nothing that data could show: its chi-square would
+// exceed the degrees of freedom of a comparison by 16 only.
+constexpr double visible = 4;
+
+bool changes_with_time(const std::string& effect) {
+  return effect == "modulated_force";
+}
+
+std::vector<std::string> catalogued_effects() {
+  std::set<std::string> names;
+  for (const std::string& family : families)
+    for (const std::string& effect : effects_of_family(family)) names.insert(effect);
+  return {names.begin(), names.end()};
+}
+
+std::string family_for(const std::vector<std::string>& effects, Random& random) {
+  std::vector<std::string> fitting;
+  for (const std::string& family : families) {
+    const std::vector<std::string> shown = effects_of_family(family);
+    if (std::all_of(effects.begin(), effects.end(), [&](const std::string& effect) {
+          return std::find(shown.begin(), shown.end(), effect) != shown.end();
+        }))
+      fitting.push_back(family);
+  }
+  return fitting.empty() ? std::string() : fitting[random.below(fitting.size())];
+}
+
+// Scales the coefficient until the change that the model's own parameters cannot imitate is about `target`.
+void set_strength(Truth& truth, const Specimen& specimen, const Signatures& signatures,
+                  const std::vector<double>& peak, double target) {
+  Withheld& w = truth.withheld;
+  const bool all = changes_with_time(w.effect);
+  const double cap = largest_relative_change;
+  for (int attempt = 0; attempt < 6; ++attempt) {
+    Reality reality = reality_of(specimen);
+    switch_on(w, specimen, peak, reality);
+    const Eigen::VectorXd change = signatures.change(reality, all);
+    if (!change.allFinite()) {
+      w.coefficient /= 5;
+      continue;
+    }
+    truth.raw_sigma = signatures.strength(change, all);
+    truth.relative = signatures.relative(change, all);
+    // The linear fit leads to the target, the converged one judges what was reached.
+    const auto factor_to_target = [&](const Eigen::VectorXd& left) {
+      truth.sigma = signatures.strength(left, all);
+      const double wanted = truth.sigma > 0 ? target / truth.sigma : 100;
+      return truth.relative > 0 ? std::min(wanted, cap / truth.relative) : wanted;
+    };
+    const bool last = attempt == 5;
+    double factor = factor_to_target(signatures.linear_remainder(change, all));
+    if (last || std::abs(std::log(factor)) < 0.2) {
+      factor = factor_to_target(signatures.remainder(change, all));
+      if (last || std::abs(std::log(factor)) < 0.4) break;
+    }
+    factor = std::clamp(factor, 0.02, 50.0);
+    if (truth.raw_sigma == 0) factor = 3;
+    w.coefficient *= factor;
+  }
+}
+
+// Which look-alikes explain the change as well.
+void find_look_alikes(Truth& truth, const SealedCase& c, const Signatures& signatures,
+                      const std::vector<double>& peak, Random& random) {
+  const bool all = changes_with_time(truth.withheld.effect);
+  Reality reality = reality_of(c.specimen);
+  switch_on(truth.withheld, c.specimen, peak, reality);
+  const Eigen::VectorXd left = signatures.remainder(signatures.change(reality, all), all);
+  const double ensembles = all ? 1 : std::sqrt(static_cast<double>(ensembles_per_dwell));
+  // One sensor alone has no sensitivity that the model's own parameters would not take up.
+  const bool hidden = truth.withheld.effect == "sensor_gain" && c.specimen.measurement.names.size() == 2;
+  if (hidden || left.norm() * ensembles < visible) {
+    truth.same_as.emplace_back("no_gap");
+    return;
+  }
+  const Eigen::MatrixXd& own = signatures.own_parameters(all);
+  for (const std::string& name : look_alikes(truth.withheld.effect, c.specimen.family)) {
+    for (std::size_t variant = 0; variant < 2; ++variant) {
+      Withheld rival = draw_withheld(name, c.specimen, random);
+      rival.mode = truth.withheld.mode;
+      if (name == "hysteresis" || name == "freeplay") rival.detail = variant == 0 ? 0.15 : 0.4;
+      rival.smooth = variant == 1;
+      // The rival's coefficient that explains most, its own change computed again where it has moved: large changes
+      // are not proportional to it.
+      for (int attempt = 0; attempt < 4; ++attempt) {
+        Reality other = reality_of(c.specimen);
+        switch_on(rival, c.specimen, peak, other);
+        const Eigen::VectorXd change = signatures.change(other, all);
+        const double size = signatures.strength(change, all);
+        if (!change.allFinite() || size == 0) break;
+        if (attempt == 0) {
+          rival.coefficient *= std::clamp(truth.raw_sigma / size, 0.02, 50.0);
+          continue;
+        }
+        const Eigen::VectorXd own_taken_off = signatures.remainder(change, all);
+        const double length = own_taken_off.norm();
+        if (length == 0) break;
+        Eigen::MatrixXd columns(own.rows(), own.cols() + 1);
+        columns << own, own_taken_off / length;
+        const Eigen::VectorXd fit = columns.colPivHouseholderQr().solve(left);
+        if ((left - columns * fit).norm() * ensembles < visible) {
+          if (std::find(truth.same_as.begin(), truth.same_as.end(), name) == truth.same_as.end())
+            truth.same_as.push_back(name);
+          break;
+        }
+        const double factor = fit(fit.size() - 1) / length;
+        if (attempt > 1 && std::abs(factor - 1) < 0.02) break;
+        rival.coefficient *= std::copysign(std::clamp(std::abs(factor), 0.02, 50.0), factor);
+      }
+      if (name != "hysteresis" && name != "freeplay") break;
+    }
+  }
+}
+
+std::map<std::string, double> numbers_of(const Specimen& specimen) {
+  std::map<std::string, double> numbers;
+  Structure own = specimen.structure;
+  for (std::size_t k = 0; k < own.modes; ++k) numbers[specimen.frequency_symbols[k]] = own.mode[k].omega;
+  for (const OwnTerm& term : specimen.own) numbers[term.symbol] = *coefficient(own, term.effect, term.mode);
+  return numbers;
+}
+
+// Moves one to three of the model's own numbers until the response is `target` standard deviations away.
+void move_parameters(SealedCase& c, const Signatures& signatures, double target, Random& random) {
+  struct Move {
+    std::string effect, symbol;
+    std::size_t mode;
+    double relative;
+  };
+  std::vector<Move> possible;
+  for (std::size_t k = 0; k < c.specimen.structure.modes; ++k)
+    possible.push_back({"natural_frequency", c.specimen.frequency_symbols[k], k,
+                        0.3 * c.specimen.decay_rate[k] / c.specimen.structure.mode[k].omega});
+  for (const OwnTerm& term : c.specimen.own) possible.push_back({term.effect, term.symbol, term.mode, 0.1});
+  random.shuffle(possible);
+  possible.resize(1 + random.below(3));
+  for (Move& move : possible) move.relative *= random.sign() * random.uniform(0.5, 1.5);
+  Truth truth;
+  truth.withheld.effect = "parameters";
+  for (int attempt = 0; attempt < 5; ++attempt) {
+    Reality moved = reality_of(c.specimen);
+    for (const Move& move : possible) *coefficient(moved.structure, move.effect, move.mode) *= 1 + move.relative;
+    const Eigen::VectorXd change = signatures.change(moved, false);
+    double factor = 0.2;
+    if (change.allFinite()) {
+      truth.sigma = truth.raw_sigma = signatures.strength(change, false);
+      truth.relative = signatures.relative(change, false);
+      factor = std::min(target / truth.sigma, largest_relative_change / truth.relative);
+      if (attempt == 4 || std::abs(std::log(factor)) < 0.2) break;
+    }
+    for (Move& move : possible) move.relative = std::clamp(move.relative * factor, -0.6, 0.6);
+  }
+  c.parameters = numbers_of(c.specimen);
+  for (const Move& move : possible) {
+    c.parameters[move.symbol] *= 1 + move.relative;
+    c.moved.push_back(move.symbol);
+  }
+  std::sort(c.moved.begin(), c.moved.end());
+  truth.withheld.coefficient = possible.front().relative;
+  c.truths.push_back(truth);
+}
+
+}  // namespace
+
+std::vector<CasePlan> draw_plans(std::size_t cases, std::uint64_t seed, SetSize size) {
+  Random random(seed, 0);
+  const std::vector<double> noise =
+      size == SetSize::short_set ? std::vector<double>{40, 30} : std::vector<double>{40, 30, 20, 10};
+  std::vector<std::string> deck = catalogued_effects(), outside = uncatalogued_effects(), pairable;
+  for (const std::string& effect : catalogued_effects())
+    if (!is_measurement_fault(effect) && effect != "quadratic_inertia" && effect != "cubic_inertia")
+      pairable.push_back(effect);
+  random.shuffle(deck);
+  random.shuffle(outside);
+  // Of twenty cases eleven have one effect, three none, two are pairs, three lie outside, one has wrong numbers.
+  std::vector<std::string> kinds = {"single", "none",   "single",  "outside", "single",     "pair",  "single",
+                                    "none",   "single", "single",  "outside", "single",     "pair",  "single",
+                                    "none",   "single", "outside", "single",  "parameters", "single"};
+  std::vector<CasePlan> plans;
+  std::size_t singles = 0, outsiders = 0;
+  for (std::size_t i = 0; i < cases; ++i) {
+    if (i % kinds.size() == 0) random.shuffle(kinds);
+    CasePlan plan;
+    plan.number = i + 1;
+    plan.kind = kinds[i % kinds.size()];
+    if (plan.kind == "single") plan.effects = {deck[singles++ % deck.size()]};
+    if (plan.kind == "outside") plan.effects = {outside[outsiders++ % outside.size()]};
+    plan.family = families[random.below(families.size())];
+    if (plan.kind == "single") plan.family = family_for(plan.effects, random);
+    if (plan.kind == "pair") {
+      do {
+        const std::string first = pairable[random.below(pairable.size())];
+        std::string second = first;
+        while (second == first) second = pairable[random.below(pairable.size())];
+        plan.effects = {first, second};
+        plan.family = family_for(plan.effects, random);
+      } while (plan.family.empty());
+    }
+    plan.snr_db = noise[random.below(noise.size())];
+    plan.dwells = size == SetSize::short_set ? 20 : 40;
+    plans.push_back(plan);
+  }
+  return plans;
+}
+
+SealedCase draw_case(const CasePlan& plan, std::uint64_t seed) {
+  Random random(seed, plan.number);
+  SealedCase c;
+  c.plan = plan;
+  const std::set<std::string> withheld(plan.effects.begin(), plan.effects.end());
+  do {
+    c.specimen = draw_specimen(plan.family, withheld, plan.dwells, random);
+  } while (c.specimen.dwells.size() < plan.dwells / 2);
+  c.reality = reality_of(c.specimen);
+  const Levels levels = levels_of(c.specimen, c.reality);
+  for (const double rms : levels.median_rms) c.noise_sd.push_back(rms * std::pow(10, -plan.snr_db / 20));
+  // A converter of twelve bits whose range is three times the largest signal.
+  const bool coarse = random.chance(0.2);
+  for (const double peak : levels.peak) c.quantum.push_back(coarse ? 6 * peak / 4096 : 0);
+  const Signatures signatures(c.specimen, c.noise_sd);
+  for (const std::string& effect : plan.effects) {
+    Truth truth;
+    truth.withheld = draw_withheld(effect, c.specimen, random);
+    // The unit of a fault is what its channel reads.
+    if (effect == "sensor_offset") truth.withheld.coefficient *= levels.median_rms[truth.withheld.channel];
+    if (effect == "sensor_cross_axis")
+      truth.withheld.coefficient *= levels.median_rms[truth.withheld.channel] / levels.median_rms[0];
+    set_strength(truth, c.specimen, signatures, levels.peak, random.log_uniform(weakest_sigma, strongest_sigma));
+    find_look_alikes(truth, c, signatures, levels.peak, random);
+    switch_on(truth.withheld, c.specimen, levels.peak, c.reality);
+    c.truths.push_back(truth);
+  }
+  if (plan.kind == "parameters")
+    move_parameters(c, signatures, random.log_uniform(weakest_sigma, strongest_sigma), random);
+  if (plan.kind == "none" && random.chance(0.3)) c.parameters = numbers_of(c.specimen);
+  return c;
+}
+
+}  // namespace secular::blind

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "blind/effect.hpp"
+#include "blind/specimen.hpp"
+
+namespace secular::blind {
+
+enum class SetSize { short_set, full_set };
+
+/// What a case is to be, before anything is drawn for it.
+struct CasePlan {
+  std::size_t number = 1;
+  std::string kind;  ///< single | none | pair | outside | parameters
+  std::vector<std::string> effects;
+  std::string family;
+  double snr_db = 30;
+  std::size_t dwells = 20;
+};
+
+/// The plans of a set: every effect as often as any other, every noise level, in an order that the seed fixes.
+std::vector<CasePlan> draw_plans(std::size_t cases, std::uint64_t seed, SetSize size);
+
+/// One thing that the model does not know, with how strongly the data show it. Strengths are norms of the change of
+/// a dwell's harmonic amplitudes in standard deviations of one ensemble, root mean square over the dwells.
+struct Truth {
+  Withheld withheld;
+  double raw_sigma = 0;              ///< of the change itself
+  double sigma = 0;                  ///< of what the model's own parameters cannot imitate
+  double relative = 0;               ///< of the change, relative to the amplitudes
+  std::vector<std::string> same_as;  ///< effects (or "no_gap") that these data cannot tell from it
+};
+
+struct SealedCase {
+  CasePlan plan;
+  Specimen specimen;
+  std::vector<Truth> truths;
+  Reality reality;
+  std::vector<double> noise_sd;              ///< by channel
+  std::vector<double> quantum;               ///< by channel; 0: none
+  std::map<std::string, double> parameters;  ///< for parameters.json; empty: none
+  std::vector<std::string> moved;            ///< symbols whose numbers in it are off
+};
+
+/// Draws everything of a case. Depends on the seed and the plan alone.
+SealedCase draw_case(const CasePlan& plan, std::uint64_t seed);
+
+}  // namespace secular::blind

@@ -1,0 +1,135 @@
+#include "blind/sealed_set.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "blind/case_files.hpp"
+#include "blind/sha256.hpp"
+#include "input/input_error.hpp"
+
+namespace secular::blind {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+// Labels of cases that are made, until all of them are sealed.
+fs::path unsealed(const fs::path& folder) {
+  return folder / "unsealed";
+}
+
+ordered_json heading(const SetOptions& options) {
+  return {{"schema", 1},
+          {"seed", options.seed},
+          {"set", options.size == SetSize::short_set ? "short" : "full"},
+          {"cases", options.cases}};
+}
+
+[[noreturn]] void refuse_other_set(const fs::path& folder) {
+  throw InputError(folder.string(), "", "holds another set of cases",
+                   "name a new folder, or give the seed, the size and the number of cases that it was made with");
+}
+
+}  // namespace
+
+fs::path case_folder(const fs::path& folder, std::size_t number) {
+  return folder / fmt::format("case_{:04}", number);
+}
+
+std::size_t count_of_cases(const fs::path& folder) {
+  const nlohmann::json head = nlohmann::json::parse(read_text(folder / "set.json"), nullptr, false);
+  if (!fs::exists(folder / "labels.sha256") || !head.is_object() || !head.contains("cases") ||
+      !head["cases"].is_number_unsigned())
+    throw InputError(folder.string(), "", "is not a complete set of cases",
+                     "a folder for which `secular blind generate` came to its end");
+  return head["cases"].get<std::size_t>();
+}
+
+void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next{0};
+  std::mutex guard;
+  std::exception_ptr failure;
+  const auto serve = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        const std::lock_guard lock(guard);
+        if (!failure) failure = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  std::vector<std::thread> others;
+  for (unsigned i = 1; i < threads && i < count; ++i) others.emplace_back(serve);
+  serve();
+  for (std::thread& thread : others) thread.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+void generate_set(const fs::path& folder, const SetOptions& options, const Progress& progress) {
+  const ordered_json head = heading(options);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw InputError(folder.string(), "", "cannot be made: " + error.message(),
+                     "name a folder that you may write to");
+  if (fs::exists(folder / "labels.json")) {
+    const nlohmann::json sealed = read_labels(folder);
+    for (const auto& [key, value] : head.items())
+      if (sealed.at(key) != nlohmann::json(value)) refuse_other_set(folder);
+    return;
+  }
+  const fs::path begun = folder / "set.json";
+  if (fs::exists(begun)) {
+    if (read_text(begun) != head.dump() + "\n") refuse_other_set(folder);
+  } else {
+    if (!fs::is_empty(folder))
+      throw InputError(folder.string(), "", "exists and is not an empty folder", "name a new folder");
+    write_text(begun, head.dump() + "\n");
+  }
+  fs::create_directories(unsealed(folder));
+  const std::vector<CasePlan> plans = draw_plans(options.cases, options.seed, options.size);
+  std::vector<ordered_json> labels(plans.size());
+  std::atomic<std::size_t> done{0};
+  in_parallel(plans.size(), options.threads, [&](std::size_t i) {
+    const fs::path label = unsealed(folder) / fmt::format("{:04}.json", plans[i].number);
+    const fs::path target = case_folder(folder, plans[i].number);
+    if (fs::exists(label) && fs::exists(target)) {
+      labels[i] = ordered_json::parse(read_text(label));
+    } else {
+      const SealedCase sealed = draw_case(plans[i], options.seed);
+      write_case(sealed, options.seed, target);
+      labels[i] = label_of(sealed);
+      write_text(label, labels[i].dump() + "\n");
+    }
+    if (progress) progress(++done, plans.size());
+  });
+  ordered_json all = head;
+  all["labels"] = labels;
+  const std::string text = all.dump(1) + "\n";
+  // The hash first: labels without it would never be accepted.
+  write_text(folder / "labels.sha256", sha256(text) + "  labels.json\n");
+  write_text(folder / "labels.json", text);
+  fs::remove_all(unsealed(folder));
+}
+
+nlohmann::json read_labels(const fs::path& folder) {
+  const std::string text = read_text(folder / "labels.json");
+  const std::string sealed = read_text(folder / "labels.sha256").substr(0, 64);
+  if (sha256(text) != sealed)
+    throw InputError((folder / "labels.json").string(), "",
+                     "is not what was sealed: its SHA-256 differs from labels.sha256",
+                     "the labels as they were generated");
+  return nlohmann::json::parse(text);
+}
+
+}  // namespace secular::blind

@@ -1,0 +1,182 @@
+#include "blind/signature.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+namespace secular::blind {
+namespace {
+
+// A structure that differs little from the settled one is settled again soon.
+Settling resettling(const Specimen& specimen) {
+  Settling settling = specimen.settling;
+  settling.least_blocks = 5;
+  settling.most_blocks = 25;
+  settling.tolerance = 1e-3;
+  return settling;
+}
+
+// Columns 1, cos, sin of the harmonics of the response's fundamental, at the samples from `first` on.
+Eigen::MatrixXd harmonic_basis(double fundamental, std::size_t harmonics, std::size_t first) {
+  Eigen::MatrixXd basis(ensemble_samples, 2 * harmonics + 1);
+  for (Eigen::Index i = 0; i < basis.rows(); ++i) {
+    const double phase = fundamental * static_cast<double>(first + static_cast<std::size_t>(i)) / sample_rate_hz;
+    basis(i, 0) = 1;
+    for (std::size_t h = 1; h <= harmonics; ++h) {
+      const auto column = static_cast<Eigen::Index>(2 * h - 1);
+      basis(i, column) = std::cos(static_cast<double>(h) * phase);
+      basis(i, column + 1) = std::sin(static_cast<double>(h) * phase);
+    }
+  }
+  return basis;
+}
+
+}  // namespace
+
+Drive drive_of(const Dwell& dwell, const Reality& reality) {
+  Drive drive = dwell.drive;
+  drive.second = reality.second;
+  drive.third = reality.third;
+  return drive;
+}
+
+Levels levels_of(const Specimen& specimen, const Reality& reality) {
+  const std::size_t channels = specimen.measurement.names.size();
+  Levels levels{std::vector<double>(channels), std::vector<double>(channels)};
+  std::vector<std::vector<double>> rms(channels);
+  for (const Dwell& dwell : specimen.dwells) {
+    const Drive drive = drive_of(dwell, reality);
+    const Motion motion = recorded_motion(reality.structure, drive, dwell.state, 256, specimen.settling.substeps);
+    const auto samples = measured(reality.measurement, drive, motion, true);
+    for (std::size_t c = 0; c < channels; ++c) {
+      double squares = 0;
+      for (const double x : samples[c]) {
+        squares += x * x;
+        levels.peak[c] = std::max(levels.peak[c], std::abs(x));
+      }
+      rms[c].push_back(std::sqrt(squares / static_cast<double>(samples[c].size())));
+    }
+  }
+  for (std::size_t c = 0; c < channels; ++c) {
+    std::sort(rms[c].begin(), rms[c].end());
+    levels.median_rms[c] = rms[c].empty() ? 0 : rms[c][rms[c].size() / 2];
+  }
+  return levels;
+}
+
+Signatures::Signatures(const Specimen& specimen, std::vector<double> noise_sd)
+    : specimen_(specimen),
+      noise_sd_(std::move(noise_sd)),
+      harmonics_(specimen.settling.periods_of_two == 2 ? 6 : 4) {}
+
+const Eigen::VectorXd& Signatures::nominal(bool all_ensembles) const {
+  Eigen::VectorXd& amplitudes_of_model = nominal_[all_ensembles];
+  if (amplitudes_of_model.size() == 0) amplitudes_of_model = amplitudes(reality_of(specimen_), all_ensembles);
+  return amplitudes_of_model;
+}
+
+Eigen::VectorXd Signatures::amplitudes(const Reality& reality, bool all_ensembles) const {
+  const std::size_t ensembles = all_ensembles ? ensembles_per_dwell : 1, channels = noise_sd_.size();
+  const std::size_t components = 2 * harmonics_ + 1;
+  Eigen::VectorXd result(static_cast<Eigen::Index>(specimen_.dwells.size() * ensembles * channels * components));
+  const Settling settling = resettling(specimen_);
+  Eigen::Index at = 0;
+  for (const Dwell& dwell : specimen_.dwells) {
+    const Drive drive = drive_of(dwell, reality);
+    const State state = settled_state(reality.structure, drive, dwell.state, settling);
+    const Motion motion =
+        recorded_motion(reality.structure, drive, state, ensembles * ensemble_samples, settling.substeps);
+    const auto samples = measured(reality.measurement, drive, motion, true);
+    const double fundamental = drive.frequency / static_cast<double>(settling.periods_of_two);
+    for (std::size_t e = 0; e < ensembles; ++e) {
+      const Eigen::MatrixXd basis = harmonic_basis(fundamental, harmonics_, e * ensemble_samples);
+      const Eigen::LDLT<Eigen::MatrixXd> normal(basis.transpose() * basis);
+      for (std::size_t c = 0; c < channels; ++c) {
+        const Eigen::Map<const Eigen::VectorXd> y(samples[c].data() + e * ensemble_samples, ensemble_samples);
+        const double sd = noise_sd_[c] * std::sqrt(2.0 / static_cast<double>(ensemble_samples));
+        result.segment(at, static_cast<Eigen::Index>(components)) = normal.solve(basis.transpose() * y) / sd;
+        result(at) *= std::sqrt(2.0);  // the mean's standard deviation is the smaller one
+        at += static_cast<Eigen::Index>(components);
+      }
+    }
+  }
+  return result;
+}
+
+Eigen::VectorXd Signatures::change(const Reality& reality, bool all_ensembles) const {
+  return amplitudes(reality, all_ensembles) - nominal(all_ensembles);
+}
+
+namespace {
+
+struct OwnParameter {
+  std::string effect;
+  std::size_t mode = 0;
+  double step = 0;
+};
+
+// The natural frequencies, then the coefficients, with steps that change the response a little.
+std::vector<OwnParameter> own_parameters_of(const Specimen& specimen) {
+  std::vector<OwnParameter> parameters;
+  for (std::size_t k = 0; k < specimen.structure.modes; ++k)
+    parameters.push_back({"natural_frequency", k, 0.02 * specimen.decay_rate[k]});
+  Structure own = specimen.structure;
+  for (const OwnTerm& term : specimen.own)
+    parameters.push_back({term.effect, term.mode, 0.01 * *coefficient(own, term.effect, term.mode)});
+  return parameters;
+}
+
+}  // namespace
+
+const Eigen::MatrixXd& Signatures::own_parameters(bool all_ensembles) const {
+  Eigen::MatrixXd& columns = own_[all_ensembles];
+  if (columns.cols() > 0) return columns;
+  const std::vector<OwnParameter> parameters = own_parameters_of(specimen_);
+  columns.resize(nominal(all_ensembles).size(), static_cast<Eigen::Index>(parameters.size()));
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    Reality reality = reality_of(specimen_);
+    *coefficient(reality.structure, parameters[i].effect, parameters[i].mode) += parameters[i].step;
+    const Eigen::VectorXd found = change(reality, all_ensembles);
+    const double norm = found.norm();
+    columns.col(static_cast<Eigen::Index>(i)) = norm > 0 ? Eigen::VectorXd(found / norm) : found;
+    steps_[all_ensembles].push_back(norm > 0 ? parameters[i].step / norm : 0);
+  }
+  return columns;
+}
+
+Eigen::VectorXd Signatures::linear_remainder(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
+  const Eigen::MatrixXd& columns = own_parameters(all_ensembles);
+  return change_seen - columns * columns.colPivHouseholderQr().solve(change_seen);
+}
+
+Eigen::VectorXd Signatures::remainder(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
+  const Eigen::MatrixXd& columns = own_parameters(all_ensembles);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+  const std::vector<OwnParameter> parameters = own_parameters_of(specimen_);
+  Eigen::VectorXd fitted = qr.solve(change_seen), best = change_seen - columns * fitted;
+  for (int iteration = 0; iteration < 2; ++iteration) {
+    Reality moved = reality_of(specimen_);
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      *coefficient(moved.structure, parameters[i].effect, parameters[i].mode) +=
+          fitted(static_cast<Eigen::Index>(i)) * steps_[all_ensembles][i];
+    const Eigen::VectorXd left = change_seen - change(moved, all_ensembles);
+    if (!left.allFinite()) break;
+    const Eigen::VectorXd further = qr.solve(left), remaining = left - columns * further;
+    if (remaining.norm() >= best.norm()) break;
+    best = remaining;
+    fitted += further;
+  }
+  return best;
+}
+
+double Signatures::strength(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
+  const double parts = static_cast<double>(specimen_.dwells.size() * (all_ensembles ? ensembles_per_dwell : 1));
+  return change_seen.norm() / std::sqrt(parts);
+}
+
+double Signatures::relative(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
+  return change_seen.norm() / nominal(all_ensembles).norm();
+}
+
+}  // namespace secular::blind

@@ -1,0 +1,138 @@
+#include "blind/structure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace secular::blind {
+
+double Drive::at(double t) const {
+  double sum = std::cos(frequency * t);
+  if (second != 0) sum += second * std::cos(2 * frequency * t);
+  if (third != 0) sum += third * std::cos(3 * frequency * t);
+  return amplitude * sum;
+}
+
+double force(const Structure& structure, const Drive& drive, const Regime& regime, std::size_t k, double t,
+             double excitation, const State& x) {
+  const ModeTerms& m = structure.mode[k];
+  const double q = displacement(x, k), p = velocity(x, k), q2 = q * q, p2 = p * p;
+  const double omega = m.drift == 0 ? m.omega : m.omega * (1 + m.drift * (drive.started + t));
+  double f = -omega * omega * q -
+             p * (2 * m.mu1 + m.mu2 * std::abs(p) + m.mu3 * p2 + q2 * (m.mu4 + m.quartic_damping * q2));
+  f -= q2 * (m.alpha2 + m.alpha3 * q + q2 * q * (m.alpha5 + m.alpha7 * q2));
+  f += (m.direct + m.parametric * q) * excitation;
+  if (m.bilinear != 0 && regime.side[k] > 0) f -= m.bilinear * q;
+  if (m.freeplay != 0) f += m.freeplay * (regime.band[k] == 0 ? q : regime.band[k] * m.gap);
+  if (m.slider != 0) f -= m.slider * slider_spring(x, k);
+  if (m.one_sided != 0) f -= m.one_sided * std::max(p, 0.0);
+  if (m.threshold_damping != 0 && regime.beyond[k] != 0) f -= m.threshold_damping * p;
+  if (m.level_stiffness != 0) f -= m.level_stiffness * drive.amplitude * drive.amplitude * q;
+  if (m.modulated_force != 0)
+    f += m.modulated_force * drive.amplitude * std::sin(2 * std::numbers::pi * t / 9) *
+         std::cos(drive.frequency * t);
+  if (structure.modes == 2) {
+    const ModeTerms& o = structure.mode[1 - k];
+    const double u = displacement(x, 1 - k), both = m.cubic_coupling + o.cubic_coupling;
+    f -= m.damping_coupling * velocity(x, 1 - k);
+    f -= 2 * m.quadratic_coupling * q * u + o.quadratic_coupling * u * u;
+    f -= both * q * u * u;
+    f -= 3 * m.third_coupling * q2 * u + o.third_coupling * u * u * u;
+    f += m.parametric_coupling * u * excitation;
+  }
+  return f;
+}
+
+namespace {
+
+double acceleration(const Structure& structure, const Drive& drive, const Regime& regime, std::size_t k, double t,
+                    double excitation, const State& x) {
+  const ModeTerms& m = structure.mode[k];
+  if (m.friction != 0 && regime.sliding[k] == 0) return 0;
+  const double q = displacement(x, k), p = velocity(x, k);
+  double f = force(structure, drive, regime, k, t, excitation, x) - m.friction * regime.sliding[k];
+  if (m.delta2 == 0 && m.delta3 == 0) return f;
+  f -= (m.delta2 + m.delta3 * q) * p * p;
+  return f / (1 + (2 * m.delta2 + m.delta3 * q) * q);
+}
+
+double extra_acceleration(const ExtraMode& e, double excitation, const State& x) {
+  return e.direct * excitation - 2 * e.mu * x[extra_at + 1] - e.omega * e.omega * x[extra_at];
+}
+
+}  // namespace
+
+void derivative(const Structure& structure, const Drive& drive, const Regime& regime, double t, const State& x,
+                State& rate) {
+  const double excitation = drive.at(t);
+  for (std::size_t k = 0; k < structure.modes; ++k) {
+    const ModeTerms& m = structure.mode[k];
+    const bool at_rest = m.friction != 0 && regime.sliding[k] == 0;
+    const double p = at_rest ? 0 : velocity(x, k);
+    displacement(rate, k) = p;
+    velocity(rate, k) = acceleration(structure, drive, regime, k, t, excitation, x);
+    if (m.slider == 0) {
+      slider_spring(rate, k) = 0;
+    } else if (m.smooth_slider) {
+      const double s = slider_spring(x, k);
+      slider_spring(rate, k) = p - std::abs(p) * s * std::abs(s) / (m.slip * m.slip);
+    } else {
+      slider_spring(rate, k) = regime.slipping[k] == 0 ? p : 0;
+    }
+  }
+  if (structure.extra.direct != 0) {
+    rate[extra_at] = x[extra_at + 1];
+    rate[extra_at + 1] = extra_acceleration(structure.extra, excitation, x);
+  }
+}
+
+Accelerations accelerations(const Structure& structure, const Drive& drive, const Regime& regime, double t,
+                            const State& x) {
+  Accelerations result;
+  const double excitation = drive.at(t);
+  for (std::size_t k = 0; k < structure.modes; ++k)
+    result.modal[k] = acceleration(structure, drive, regime, k, t, excitation, x);
+  if (structure.extra.direct != 0) result.extra = extra_acceleration(structure.extra, excitation, x);
+  return result;
+}
+
+double* coefficient(Structure& structure, const std::string& effect, std::size_t mode) {
+  ModeTerms& m = structure.mode.at(mode);
+  struct Entry {
+    const char* effect;
+    double* value;
+  };
+  const Entry entries[] = {{"viscous_damping", &m.mu1},
+                           {"quadratic_damping", &m.mu2},
+                           {"cubic_damping", &m.mu3},
+                           {"amplitude_dependent_damping", &m.mu4},
+                           {"coulomb_friction", &m.friction},
+                           {"quadratic_stiffness", &m.alpha2},
+                           {"cubic_stiffness", &m.alpha3},
+                           {"quintic_stiffness", &m.alpha5},
+                           {"bilinear_stiffness", &m.bilinear},
+                           {"freeplay", &m.freeplay},
+                           {"quadratic_inertia", &m.delta2},
+                           {"cubic_inertia", &m.delta3},
+                           {"hysteresis", &m.slider},
+                           {"direct_excitation", &m.direct},
+                           {"parametric_excitation", &m.parametric},
+                           {"natural_frequency_drift", &m.drift},
+                           {"damping_coupling", &m.damping_coupling},
+                           {"quadratic_coupling", &m.quadratic_coupling},
+                           {"cubic_coupling", &m.cubic_coupling},
+                           {"parametric_coupling", &m.parametric_coupling},
+                           {"extra_mode", &structure.extra.direct},
+                           {"natural_frequency", &m.omega},
+                           {"septic_stiffness", &m.alpha7},
+                           {"one_sided_damping", &m.one_sided},
+                           {"threshold_damping", &m.threshold_damping},
+                           {"quartic_damping", &m.quartic_damping},
+                           {"level_stiffness", &m.level_stiffness},
+                           {"modulated_force", &m.modulated_force}};
+  for (const Entry& entry : entries)
+    if (effect == entry.effect) return entry.value;
+  return nullptr;
+}
+
+}  // namespace secular::blind

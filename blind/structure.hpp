@@ -1,0 +1,121 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace secular::blind {
+
+inline constexpr std::size_t most_modes = 2;
+
+/// What acts at one modal coordinate q (mass-normalised: unit mass, SI). Left-hand side
+///   (1 + 2 delta2 q + delta3 q^2) q'' + delta2 q'^2 + delta3 q q'^2 + omega^2 q,
+/// right-hand side the other terms, each with the sign that its comment shows.
+struct ModeTerms {
+  double omega = 1;     ///< natural frequency, rad/s
+  double drift = 0;     ///< omega (1 + drift t), t since the campaign began, 1/s
+  double mu1 = 0;       ///< -2 mu1 q'
+  double mu2 = 0;       ///< -mu2 |q'| q'
+  double mu3 = 0;       ///< -mu3 q'^3
+  double mu4 = 0;       ///< -mu4 q^2 q'
+  double friction = 0;  ///< -friction sgn(q'), with rest
+  double alpha2 = 0;    ///< -alpha2 q^2
+  double alpha3 = 0;    ///< -alpha3 q^3
+  double alpha5 = 0;    ///< -alpha5 q^5
+  double bilinear = 0;  ///< -bilinear max(q, 0)
+  double freeplay = 0;  ///< +freeplay clamp(q, -gap, gap): this stiffness is lost within the gap
+  double gap = 0;       ///< of the dead band, > 0 with freeplay
+  double delta2 = 0;    ///< quadratic inertia, see above
+  double delta3 = 0;    ///< cubic inertia, see above
+  double slider =
+      0;            ///< -slider s, s the elastic displacement of a spring behind a slider that slips at |s| = slip
+  double slip = 0;  ///< > 0 with a slider
+  bool smooth_slider = false;  ///< Bouc-Wen, s' = q' - |q'| s |s| / slip^2, instead of Jenkins
+  double direct = 0;           ///< +direct f(t)
+  double parametric = 0;       ///< +parametric q f(t)
+  // Outside of the catalogue
+  double alpha7 = 0;             ///< -alpha7 q^7
+  double one_sided = 0;          ///< -one_sided max(q', 0)
+  double threshold_damping = 0;  ///< -threshold_damping q' where |q| > threshold
+  double threshold = 0;
+  double quartic_damping = 0;  ///< -quartic_damping q^4 q'
+  double level_stiffness = 0;  ///< -level_stiffness F^2 q: the excitation's level loosens a joint
+  double modulated_force = 0;  ///< +modulated_force F sin(2 pi t/9) cos(Omega t): a force that no channel records
+  // With the other mode u of two
+  double damping_coupling = 0;     ///< -damping_coupling u'
+  double quadratic_coupling = 0;   ///< potential quadratic_coupling q^2 u
+  double cubic_coupling = 0;       ///< potential cubic_coupling q^2 u^2 / 2 (of either mode)
+  double third_coupling = 0;       ///< potential third_coupling q^3 u
+  double parametric_coupling = 0;  ///< +parametric_coupling u f(t)
+};
+
+/// A linear mode that no model knows: z'' + 2 mu z' + omega^2 z = direct f(t), seen by every response channel.
+struct ExtraMode {
+  double omega = 1, mu = 0, direct = 0;
+};
+
+struct Structure {
+  std::size_t modes = 1;
+  std::array<ModeTerms, most_modes> mode;
+  ExtraMode extra;
+};
+
+/// Excitation f(t) = F (cos Omega t + second cos 2 Omega t + third cos 3 Omega t) in a record that began
+/// `started` seconds after the campaign.
+struct Drive {
+  double amplitude = 0, frequency = 0;  ///< F in m/s^2, Omega in rad/s
+  double second = 0, third = 0;
+  double started = 0;
+  double at(double t) const;
+};
+
+/// q, q', s of each mode, then z, z'.
+using State = std::array<double, 3 * most_modes + 2>;
+inline double& displacement(State& x, std::size_t k) {
+  return x[3 * k];
+}
+inline double& velocity(State& x, std::size_t k) {
+  return x[3 * k + 1];
+}
+inline double& slider_spring(State& x, std::size_t k) {
+  return x[3 * k + 2];
+}
+inline double displacement(const State& x, std::size_t k) {
+  return x[3 * k];
+}
+inline double velocity(const State& x, std::size_t k) {
+  return x[3 * k + 1];
+}
+inline double slider_spring(const State& x, std::size_t k) {
+  return x[3 * k + 2];
+}
+inline constexpr std::size_t extra_at = 3 * most_modes;
+
+/// On which branch of its nonsmooth terms each mode is.
+struct Regime {
+  std::array<int, most_modes> sliding{};   ///< friction: sign of q', 0 at rest
+  std::array<int, most_modes> slipping{};  ///< Jenkins: sign of q', 0 while the slider holds
+  std::array<int, most_modes> side{};      ///< sign of q, for a contact
+  std::array<int, most_modes> band{};      ///< -1, 0, 1: below, within, above the dead band
+  std::array<int, most_modes> beyond{};    ///< the same for threshold damping
+};
+
+/// All forces on mode k but inertia and friction; divided by the mode's effective mass they give q''.
+double force(const Structure& structure, const Drive& drive, const Regime& regime, std::size_t k, double t,
+             double excitation, const State& x);
+/// Time derivative of the state on the branches of `regime`.
+void derivative(const Structure& structure, const Drive& drive, const Regime& regime, double t, const State& x,
+                State& rate);
+/// Modal accelerations q'' (first) and z''.
+struct Accelerations {
+  std::array<double, most_modes> modal{};
+  double extra = 0;
+};
+Accelerations accelerations(const Structure& structure, const Drive& drive, const Regime& regime, double t,
+                            const State& x);
+
+/// The coefficient that switches an effect of EFFECTS.md, or one of those outside of it, on; nullptr for faults of
+/// the excitation or the measurement.
+double* coefficient(Structure& structure, const std::string& effect, std::size_t mode);
+
+}  // namespace secular::blind

@@ -1,0 +1,55 @@
+// A small sealed set through the program itself.
+#include <gtest/gtest.h>
+
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "blind/run_set.hpp"
+#include "blind/score_set.hpp"
+#include "blind/sealed_set.hpp"
+
+namespace secular::blind {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Figure& figure(const Score& score, const std::string& part) {
+  for (const Figure& f : score.figures)
+    if (f.name.find(part) != std::string::npos) return f;
+  ADD_FAILURE() << "no figure " << part;
+  return score.figures.front();
+}
+
+// A figure may miss its target by chance: fewer than one time in a thousand it lies beyond the band that is allowed
+// here.
+void expect_within_band(const Figure& f) {
+  if (f.trials == 0) return;
+  const double wanted = f.at_most ? *f.target : 1 - *f.target;
+  const double misses = std::round((f.at_most ? f.value : 1 - f.value) * static_cast<double>(f.trials));
+  const boost::math::binomial chance(static_cast<double>(f.trials), wanted);
+  const double beyond = misses < 1 ? 1 : boost::math::cdf(boost::math::complement(chance, misses - 1));
+  EXPECT_GT(beyond, 1e-3) << f.name << ": " << misses << " misses of " << f.trials;
+}
+
+TEST(SlowBlindCheck, AShortSetKeepsItsTargetsWithinChance) {
+  const fs::path folder = fs::path(testing::TempDir()) / "secular_blind_check";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  if (!help_of_diagnose(SECULAR_PROGRAM, folder / "help.log")) GTEST_SKIP() << "there is no `secular diagnose`";
+  const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  generate_set(folder, {.cases = 12, .seed = 2024, .size = SetSize::short_set, .threads = threads}, {});
+  const RunSummary run = run_set(folder, {.program = SECULAR_PROGRAM, .threads = threads, .limit_s = 120}, {});
+  for (const FailedCase& failed : run.failed) ADD_FAILURE() << "case " << failed.number << ": " << failed.reason;
+  const Score score = score_set(folder);
+  expect_within_band(figure(score, "false alarm"));
+  expect_within_band(figure(score, "gap detected"));
+  expect_within_band(figure(score, "contains the truth (at least"));
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace secular::blind

@@ -1,0 +1,91 @@
+// How a set is run, with a stand-in for the program.
+#include "blind/run_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "blind/case_files.hpp"
+#include "blind/score_set.hpp"
+#include "blind/sha256.hpp"
+#include "input/input_error.hpp"
+
+namespace secular::blind {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A set of three cases without campaigns, and a program that finds no gap in the first, refuses the second and says
+// nothing of the third.
+class BlindRun : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = fs::path(testing::TempDir()) / "secular_blind_run";
+    fs::remove_all(folder);
+    nlohmann::json labels = {
+        {"schema", 1}, {"seed", 1}, {"set", "short"}, {"cases", 3}, {"labels", nlohmann::json::array()}};
+    for (int i = 1; i <= 3; ++i) {
+      labels["labels"].push_back(
+          {{"case", i}, {"kind", "none"}, {"snr_db", 40}, {"effects", nlohmann::json::array()}});
+      fs::create_directories(case_folder(folder, static_cast<std::size_t>(i)));
+    }
+    write_text(folder / "set.json", R"({"schema": 1, "seed": 1, "set": "short", "cases": 3})");
+    write_text(folder / "labels.json", labels.dump());
+    write_text(folder / "labels.sha256", sha256(labels.dump()));
+    // Called as PROGRAM diagnose CASE/campaign --model CASE/model.toml -o CASE/diagnosis
+    program = folder / "program";
+    write_text(program, R"x(#!/bin/sh
+[ "$2" = --help ] && echo "--model M" && exit 0
+echo "$@" >> "$(dirname "$0")/calls"
+case "$2" in
+  *case_0001*) mkdir "$6"; echo '{"gap": {"detected": false}, "verdict": "no_gap"}' > "$6/diagnosis.json" ;;
+  *case_0002*) echo "secular: bad campaign"; exit 2 ;;
+esac
+)x");
+    fs::permissions(program, fs::perms::owner_all);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+  fs::path folder, program;
+};
+
+TEST_F(BlindRun, ListsFailuresAndKeepsDiagnoses) {
+  const RunOptions options{.program = program, .threads = 2, .limit_s = 20};
+  const RunSummary first = run_set(folder, options, {});
+  EXPECT_EQ(first.kept, 0u);
+  ASSERT_EQ(first.failed.size(), 2u);
+  EXPECT_EQ(first.failed[0].reason, "exit status 2: secular: bad campaign");
+  EXPECT_EQ(first.failed[1].reason, "no diagnosis.json");
+  const RunSummary again = run_set(folder, options, {});
+  EXPECT_EQ(again.kept, 1u);
+  EXPECT_EQ(again.failed.size(), 2u);
+  const Score score = score_set(folder);
+  EXPECT_EQ(score.failed, 2u);
+  EXPECT_EQ(score.confusion.at("no_gap").at("no_gap"), 1u);
+  write_score(score, name_of_set(folder), folder / "page");
+  EXPECT_NE(read_text(folder / "page" / "score.md").find("short set of 3 cases, seed 1"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(read_text(folder / "page" / "score.json"))["failed"], 2);
+}
+
+TEST_F(BlindRun, GivesParametersWhereACaseHasThem) {
+  write_text(case_folder(folder, 2) / "parameters.json", "{}");
+  run_set(folder, {.program = program, .threads = 1, .limit_s = 20}, {});
+  const std::string calls = read_text(folder / "calls");
+  const std::string given = "--parameters " + (case_folder(folder, 2) / "parameters.json").string();
+  EXPECT_NE(calls.find(given), std::string::npos) << calls;
+  EXPECT_EQ(calls.find("--parameters", calls.find(given) + 1), std::string::npos);
+}
+
+TEST_F(BlindRun, AnUnsealedSetIsRefused) {
+  fs::remove(folder / "labels.sha256");
+  EXPECT_THROW(run_set(folder, {.program = program}, {}), InputError);
+}
+
+TEST_F(BlindRun, AProgramWithoutDiagnoseIsRefused) {
+  write_text(program, "#!/bin/sh\necho usage\n");
+  EXPECT_THROW(run_set(folder, {.program = program}, {}), InputError);
+}
+
+}  // namespace
+}  // namespace secular::blind

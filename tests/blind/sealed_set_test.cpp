@@ -1,0 +1,207 @@
+// Drawing, sealing and writing a set.
+#include "blind/sealed_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "blind/case_files.hpp"
+#include "blind/child_process.hpp"
+#include "blind/random.hpp"
+#include "blind/sha256.hpp"
+#include "blind/signature.hpp"
+#include "input/input_error.hpp"
+
+namespace secular::blind {
+namespace {
+
+namespace fs = std::filesystem;
+
+class BlindFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = fs::path(testing::TempDir()) /
+             ("secular_blind_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+  fs::path folder;
+};
+
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files[fs::relative(entry.path(), folder).string()] = read_text(entry.path());
+  return files;
+}
+
+// FIPS 180-4, examples of the appendix and the empty message.
+TEST(BlindSha256, IsTheStandards) {
+  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+}
+
+TEST(BlindRandom, GaussianHasItsMoments) {
+  Random random(5, 7);
+  constexpr int n = 20000;
+  double sum = 0, squares = 0, fourth = 0;
+  for (int i = 0; i < n; ++i) {
+    const double x = random.gaussian();
+    sum += x;
+    squares += x * x;
+    fourth += x * x * x * x;
+  }
+  // Five standard errors: 1/sqrt(n), sqrt(2/n), sqrt(96/n).
+  EXPECT_NEAR(sum / n, 0, 5 / std::sqrt(n));
+  EXPECT_NEAR(squares / n, 1, 5 * std::sqrt(2.0 / n));
+  EXPECT_NEAR(fourth / n, 3, 5 * std::sqrt(96.0 / n));
+  Random same(5, 7), other(5, 8);
+  EXPECT_EQ(Random(5, 7).gaussian(), same.gaussian());
+  EXPECT_NE(Random(5, 7).gaussian(), other.gaussian());
+}
+
+TEST(BlindPlans, EveryEffectIsDrawnAndKindsKeepTheirShares) {
+  const std::vector<CasePlan> plans = draw_plans(400, 3, SetSize::full_set);
+  std::map<std::string, int> kinds;
+  std::set<std::string> effects;
+  std::set<double> noise;
+  for (const CasePlan& plan : plans) {
+    ++kinds[plan.kind];
+    noise.insert(plan.snr_db);
+    if (plan.kind == "single") effects.insert(plan.effects.begin(), plan.effects.end());
+    EXPECT_FALSE(plan.family.empty());
+  }
+  EXPECT_EQ(kinds["none"], 60);
+  EXPECT_EQ(kinds["single"], 220);
+  EXPECT_EQ(kinds["pair"], 40);
+  EXPECT_EQ(kinds["outside"], 60);
+  EXPECT_EQ(kinds["parameters"], 20);
+  EXPECT_EQ(noise, (std::set<double>{10, 20, 30, 40}));
+  // All of EFFECTS.md but `parameters`, which is a kind of its own.
+  EXPECT_EQ(effects.size(), 28u);
+}
+
+// A coefficient's step of a strength that is known: linear response q = eta1 F H, so 1 % more eta1 is 1 % more q.
+TEST(BlindSignature, CountsStandardDeviationsOfAnEnsemble) {
+  Random random(11, 4);
+  Specimen specimen =
+      draw_specimen("primary", {"cubic_stiffness", "quadratic_damping", "cubic_damping"}, 4, random);
+  specimen.dwells.resize(2);
+  const double sd = 1e-3;
+  const Signatures signatures(specimen, std::vector<double>(specimen.measurement.names.size(), sd));
+  Reality reality = reality_of(specimen);
+  reality.structure.mode[0].direct *= 1.01;
+  const Eigen::VectorXd change = signatures.change(reality, false);
+  double squares = 0;
+  for (const Dwell& dwell : specimen.dwells) {
+    const Motion motion = recorded_motion(specimen.structure, dwell.drive, dwell.state, 4096, 4);
+    const auto channels = measured(specimen.measurement, dwell.drive, motion, true);
+    for (std::size_t c = 1; c < channels.size(); ++c) {
+      double mean_square = 0;
+      for (const double x : channels[c]) mean_square += x * x / 4096;
+      squares += std::pow(0.01, 2) * 2 * mean_square / (sd * sd * 2 / static_cast<double>(ensemble_samples));
+    }
+  }
+  EXPECT_NEAR(signatures.strength(change, false), std::sqrt(squares / 2), 0.01 * std::sqrt(squares / 2));
+  // The model's own parameters take it up.
+  EXPECT_LT(signatures.remainder(change, false).norm(), 1e-3 * change.norm());
+}
+
+TEST_F(BlindFolder, CaseHasTheNoiseThatItsLabelSays) {
+  CasePlan plan{.number = 3, .kind = "none", .effects = {}, .family = "primary", .snr_db = 20, .dwells = 4};
+  const SealedCase sealed = draw_case(plan, 8);
+  write_case(sealed, 8, folder / "case");
+  // The base is a pure harmonic here: what a fit of its frequency leaves is noise.
+  const Dwell& dwell = sealed.specimen.dwells.front();
+  std::istringstream text(read_text(folder / "case" / "campaign" / "records" / "0001.csv"));
+  std::string line;
+  std::getline(text, line);
+  double squares = 0;
+  int n = 0;
+  while (std::getline(text, line)) {
+    const double t = std::stod(line), base = std::stod(line.substr(line.find(',') + 1));
+    squares += std::pow(base - dwell.drive.at(t), 2);
+    ++n;
+  }
+  ASSERT_EQ(n, 6144);
+  const double quantum = sealed.quantum[0], variance = std::pow(sealed.noise_sd[0], 2) + quantum * quantum / 12;
+  EXPECT_NEAR(squares / n, variance, 5 * variance * std::sqrt(2.0 / n));
+  // 20 dB under the median dwell's level
+  EXPECT_GT(sealed.noise_sd[0], 0.02 * dwell.drive.amplitude / std::sqrt(2));
+}
+
+TEST_F(BlindFolder, SameSeedGivesTheSameBytes) {
+  CasePlan plan{.number = 3, .kind = "none", .effects = {}, .family = "primary", .dwells = 4};
+  for (const char* name : {"one", "two"}) {
+    const SealedCase sealed = draw_case(plan, 8);
+    write_case(sealed, 8, folder / name);
+    write_text(folder / name / "label", label_of(sealed).dump());
+  }
+  EXPECT_EQ(files_in(folder / "one"), files_in(folder / "two"));
+  write_case(draw_case(plan, 9), 9, folder / "other");
+  EXPECT_NE(read_text(folder / "other" / "model.toml"), read_text(folder / "one" / "model.toml"));
+}
+
+TEST_F(BlindFolder, LabelsThatWereTouchedAreRefused) {
+  const std::string labels = "{\"labels\": []}\n";
+  write_text(folder / "labels.json", labels);
+  write_text(folder / "labels.sha256", sha256(labels) + "  labels.json\n");
+  EXPECT_EQ(read_labels(folder).at("labels").size(), 0u);
+  std::ofstream(folder / "labels.json", std::ios::app) << " ";
+  EXPECT_THROW(read_labels(folder), InputError);
+  fs::remove(folder / "labels.sha256");
+  EXPECT_THROW(read_labels(folder), InputError);
+}
+
+TEST_F(BlindFolder, SharedWorkIsDoneOnceAndItsFailureIsSeen) {
+  std::vector<int> times(100);
+  in_parallel(times.size(), 4, [&](std::size_t i) { ++times[i]; });
+  EXPECT_EQ(times, std::vector<int>(100, 1));
+  EXPECT_THROW(in_parallel(9, 3,
+                           [](std::size_t i) {
+                             if (i == 5) throw InputError("x", "", "y");
+                           }),
+               InputError);
+}
+
+class SlowBlindSet : public BlindFolder {};
+
+TEST_F(SlowBlindSet, IsTheSameForAnyThreadsAndKeepsWhatIsThere) {
+  SetOptions options{.cases = 2, .seed = 21, .size = SetSize::short_set, .threads = 1};
+  generate_set(folder / "one", options, {});
+  options.threads = 2;
+  generate_set(folder / "two", options, {});
+  const auto one = files_in(folder / "one"), two = files_in(folder / "two");
+  EXPECT_EQ(one, two);
+  EXPECT_GT(one.size(), 40u);
+  const auto written = fs::last_write_time(folder / "one" / "labels.json");
+  generate_set(folder / "one", options, {});
+  EXPECT_EQ(fs::last_write_time(folder / "one" / "labels.json"), written);
+  options.seed = 22;
+  EXPECT_THROW(generate_set(folder / "one", options, {}), InputError);
+}
+
+TEST_F(BlindFolder, ChildrenAreJudgedByHowTheyEnd) {
+  EXPECT_EQ(run_child({"/bin/sh", "-c", "echo said; exit 3"}, folder / "log", 20).status, 3);
+  EXPECT_EQ(read_text(folder / "log"), "said\n");
+  EXPECT_EQ(run_child({"/bin/sh", "-c", "kill -9 $$"}, folder / "log", 20).status, -1);
+  EXPECT_EQ(run_child({(folder / "missing").string()}, folder / "log", 20).status, -1);
+  const Ended slow = run_child({"/bin/sh", "-c", "sleep 30"}, folder / "log", 0.05);
+  EXPECT_TRUE(slow.out_of_time);
+  EXPECT_EQ(slow.status, -1);
+  EXPECT_LT(slow.seconds, 20);
+}
+
+}  // namespace
+}  // namespace secular::blind
