@@ -209,6 +209,7 @@ class Diagnoser {
       return;
     }
     const Rival& best = all.front();
+    best_ = best.explanation;
     const HeldOut after = predict_held_out(discrepancy_, best.explanation->fit, result_.labels);
     fill_gap(before.rows, after.rows);
     result_.rows_after = best.explanation->fit.rows;
@@ -341,48 +342,56 @@ class Diagnoser {
                                            : faults_.names()[unknown - model_.symbols.size()];
   }
 
-  // Shares of what the gap has beyond noise, by mode or channel, component, harmonic and amplitude.
+  // The gap row by row: what the named effect does to the rows, all else as it is; without a name, what is left.
+  VectorXd gap_rows() const {
+    const Explanation* best = best_;
+    if (result_.verdict != "cause" && result_.verdict != "set") return result_.rows_before;
+    if (!best || best->members.empty()) return result_.rows_before - result_.rows_after;
+    VectorXd without = best->fit.unknowns;
+    for (const std::size_t m : best->members)
+      for (const std::size_t u : candidates_[m].strengths) without(static_cast<Index>(u)) = 0;
+    return discrepancy_(without) - best->fit.rows;
+  }
+
+  // Shares of the gap by mode or channel, component, harmonic and amplitude.
   void share_out() {
-    const VectorXd& rows = result_.rows_before;
+    const VectorXd rows = gap_rows(), unmixed = discrepancy_.unmixed(rows);
     std::map<std::string, std::vector<double>> amplitudes;
-    for (std::size_t r = 0; r < result_.labels.size(); ++r)
-      amplitudes[result_.labels[r].place].push_back(result_.labels[r].amplitude);
+    for (const RowLabel& label : result_.labels) amplitudes[label.place].push_back(label.amplitude);
     std::map<std::string, double> middle;
     for (auto& [place, values] : amplitudes) {
       std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
                        values.end());
       middle[place] = values[values.size() / 2];
     }
+    // Where the cause says which force is missing, the balances are its own; in phase and in quadrature are what
+    // can be said of the others.
     const Candidate* leading = nullptr;
-    if (!result_.causes.empty() && (result_.verdict == "cause" || result_.verdict == "set"))
-      for (const Candidate& c : candidates_)
-        if (c.effect == result_.causes.front().effect && c.subject == result_.causes.front().subject) leading = &c;
+    if (result_.verdict == "cause" && best_ && !best_->members.empty())
+      for (const std::size_t m : best_->members)
+        if (candidates_[m].effect == result_.cause) leading = &candidates_[m];
+    const bool finer = leading && leading->component != GapComponent::conservative &&
+                       leading->component != GapComponent::dissipative;
     struct Group {
       double low = 0, high = 0;
     };
     std::map<std::tuple<std::string, int, std::string>, Group> groups;
-    // What an explanation takes away, noise and all; without one, what is beyond noise.
-    const bool explained = result_.verdict == "cause" || result_.verdict == "set";
+    double total = 0;
     for (std::size_t r = 0; r < result_.labels.size(); ++r) {
       const RowLabel& label = result_.labels[r];
-      GapComponent component = label.component;
       const auto i = static_cast<Index>(r);
-      // Where the cause says which force is missing, the rows it explains are its own; in phase and in quadrature
-      // are what can be said of the others.
-      const bool finer = leading && leading->component != GapComponent::conservative &&
-                         leading->component != GapComponent::dissipative;
-      if (finer && label.balance && (!leading->equation || leading->mode == label.mode) &&
-          std::abs(result_.rows_after(i)) < 0.5 * std::abs(rows(i)))
-        component = leading->component;
-      const double excess = rows(i) * rows(i) - (explained ? result_.rows_after(i) * result_.rows_after(i) : 1);
+      double energy = rows(i) * rows(i);
+      GapComponent component = label.component;
+      if (label.balance) {
+        // Errors in phase and in quadrature are correlated: the pair's weight goes to where the force is.
+        const Index pair = component == GapComponent::conservative ? i + 1 : i - 1;
+        const double here = unmixed(i) * unmixed(i), there = unmixed(pair) * unmixed(pair);
+        energy = (energy + rows(pair) * rows(pair)) * here / std::max(here + there, 1e-300);
+        if (finer && (!leading->equation || leading->mode == label.mode)) component = leading->component;
+      }
+      total += energy;
       Group& group = groups[{label.place, static_cast<int>(component), label.harmonic}];
-      (label.amplitude > middle[label.place] ? group.high : group.low) += excess;
-    }
-    double total = 0;
-    for (auto& [key, group] : groups) {
-      group.low = std::max(0.0, group.low);
-      group.high = std::max(0.0, group.high);
-      total += group.low + group.high;
+      (label.amplitude > middle[label.place] ? group.high : group.low) += energy;
     }
     for (const auto& [key, group] : groups) {
       const double share = (group.low + group.high) / std::max(total, 1e-300);
@@ -412,6 +421,7 @@ class Diagnoser {
   std::vector<Candidate> candidates_;
   Discrepancy discrepancy_;
   Inference inference_;
+  const Explanation* best_ = nullptr;
   Diagnosis result_;
 };
 

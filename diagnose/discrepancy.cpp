@@ -58,4 +58,14 @@ Eigen::VectorXd Discrepancy::operator()(const Eigen::VectorXd& unknowns) const {
   return rows;
 }
 
+Eigen::VectorXd Discrepancy::unmixed(const Eigen::VectorXd& rows) const {
+  Eigen::VectorXd all(rows.size());
+  Index first = 0;
+  for (const auto& part : parts_) {
+    all.segment(first, part->size()) = part->unmixed(rows.segment(first, part->size()));
+    first += part->size();
+  }
+  return all;
+}
+
 }  // namespace secular

@@ -44,6 +44,8 @@ class Evidence {
   /// share of the inertia only, for unknowns that are still far off.
   virtual void freeze(const Eigen::VectorXd& unknowns, double coarse) = 0;
   virtual void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const = 0;
+  /// Rows before they were made independent of each other, where that mixed them.
+  virtual Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const { return rows; }
 };
 
 /// All evidence of a campaign as one vector of rows.
@@ -55,6 +57,7 @@ class Discrepancy {
   std::vector<RowLabel> labels() const;
   void freeze(const Eigen::VectorXd& unknowns, double coarse = 0);
   Eigen::VectorXd operator()(const Eigen::VectorXd& unknowns) const;
+  Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const;
 
  private:
   std::vector<std::unique_ptr<Evidence>> parts_;

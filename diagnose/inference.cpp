@@ -241,6 +241,17 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
     keep_best_of_each(doubles, candidates);
     for (Explanation& e : doubles) found.push_back(std::move(e));
   }
+  // Once more with the errors and starting points that hold at the best explanation.
+  if (!found.empty()) {
+    const auto best = std::min_element(found.begin(), found.end(), [](const Explanation& a, const Explanation& b) {
+      return a.fit.chi_squared < b.fit.chi_squared;
+    });
+    discrepancy.freeze(best->fit.unknowns);
+    result.null.fit = refit(discrepancy, result.null.fit.unknowns, own, all_threads);
+    in_parallel(found.size(), options.threads, [&](std::size_t i) {
+      found[i].fit = refit(discrepancy, found[i].fit.unknowns, found[i].fit.free);
+    });
+  }
   double dispersion = dispersion_of(result.null);
   for (const Explanation& e : found) dispersion = std::min(dispersion, dispersion_of(e));
   result.dispersion = std::max(1.0, dispersion);

@@ -155,4 +155,16 @@ void LineEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows)
   }
 }
 
+VectorXd LineEvidence::unmixed(const VectorXd& rows) const {
+  VectorXd all(rows.size());
+  Index first = 0;
+  for (const Whitening& w : whitening_) {
+    const auto count = static_cast<Index>(w.kept.size());
+    all.segment(first, count) =
+        w.inverse_root.triangularView<Eigen::Lower>().solve(rows.segment(first, count).eval());
+    first += count;
+  }
+  return all;
+}
+
 }  // namespace secular

@@ -16,6 +16,8 @@ class LineEvidence : public Evidence {
   void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
 
+  Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const override;
+
   const std::vector<Condition>& conditions() const { return conditions_; }
 
  private:

@@ -19,7 +19,11 @@ std::optional<Multiple> simplest_multiple(double natural, double excitation) {
   std::optional<Multiple> best;
   double distance = near;
   for (const Multiple& m : candidates) {
-    const double off = std::abs(excitation * m.numerator / m.denominator / natural - 1);
+    // The higher the multiple, the narrower its resonance.
+    const int order = m.numerator * m.denominator;
+    const double off = std::abs(excitation * m.numerator / m.denominator / natural - 1) * (order > 3   ? 4
+                                                                                           : order > 2 ? 2
+                                                                                                       : 1);
     // A simpler one is kept unless the other is much closer.
     if (off < distance) {
       best = m;

@@ -1,0 +1,192 @@
+// Whole diagnoses of simulated campaigns, with one or two terms of a compiled-in model withheld.
+#include "diagnose/diagnosis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "diagnose/held_out.hpp"
+#include "generated/registry.hpp"
+#include "input/input_error.hpp"
+#include "simulate/virtual_test.hpp"
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+
+SimulatedCampaign simulated(const CompiledModel& model, const std::string& text, std::uint64_t seed) {
+  const fs::path path = fs::path(testing::TempDir()) / ("diagnosis_" + std::to_string(seed) + ".toml");
+  std::ofstream(path) << text;
+  return run_virtual_test(read_experiment(path, model), model, seed, 1);
+}
+
+struct Withheld {
+  std::string symbol, effect;
+};
+
+Diagnosis diagnosed(const CompiledModel& model, const SimulatedCampaign& data,
+                    const std::vector<Withheld>& withheld, DiagnosisOptions options = {}) {
+  std::vector<std::size_t> own;
+  std::vector<EquationEffect> effects;
+  for (std::size_t s = 0; s < model.symbols.size(); ++s) {
+    const auto found = std::find_if(withheld.begin(), withheld.end(),
+                                    [&](const Withheld& w) { return model.symbols[s].name == w.symbol; });
+    if (found == withheld.end())
+      own.push_back(s);
+    else
+      effects.push_back({found->effect, 0, "v", s, {}});
+  }
+  const RecordReader read = [&](std::size_t r) { return data.samples[r]; };
+  return diagnose(data.campaign, read, model, own, effects, options);
+}
+
+std::string pendulum_swing(double mu2, double fc) {
+  return R"(schema = 1
+name = "swing"
+model = "pendulum"
+sample_rate_hz = 100.0
+[parameters]
+omega0 = 5.77
+alpha3 = -5.55
+alpha5 = 0.2775
+mu1 = 0.004
+mu2 = )" +
+         std::to_string(mu2) + "\nfc = " + std::to_string(fc) + R"(
+[[response]]
+name = "theta"
+quantity = "angle"
+unit = "rad"
+noise_sd = 2e-4
+[[free_decay]]
+initial_displacement = [0.9]
+duration_s = 60.0
+)";
+}
+
+const std::vector<Withheld> damping_laws = {{"mu2", "quadratic_damping"}, {"fc", "coulomb_friction"}};
+
+TEST(Diagnosis, ACompleteModelHasNoGap) {
+  const CompiledModel& model = *generated::find_compiled_model("pendulum");
+  const Diagnosis d = diagnosed(model, simulated(model, pendulum_swing(0.01, 0.03), 11), {});
+  EXPECT_EQ(d.verdict, "no_gap") << d.gap.p_value;
+  EXPECT_NEAR(d.gap.before, 1, 0.1);
+}
+
+TEST(Diagnosis, NamesTheOneLawThatActs) {
+  const CompiledModel& model = *generated::find_compiled_model("pendulum");
+  const Diagnosis drag = diagnosed(model, simulated(model, pendulum_swing(0.01, 0), 12), damping_laws);
+  EXPECT_EQ(drag.verdict, "cause");
+  EXPECT_EQ(drag.cause, "quadratic_damping");
+  EXPECT_TRUE(drag.together.empty());
+  ASSERT_FALSE(drag.causes.empty());
+  EXPECT_NEAR(drag.causes.front().coefficient, 0.01, 4 * drag.causes.front().sd);
+  EXPECT_GT(drag.gap.closed, 0.9);
+  EXPECT_EQ(drag.where.front().component, GapComponent::dissipative);
+  const Diagnosis dry = diagnosed(model, simulated(model, pendulum_swing(0, 0.03), 13), damping_laws);
+  EXPECT_EQ(dry.cause, "coulomb_friction");
+}
+
+TEST(Diagnosis, NamesTwoLawsThatActTogether) {
+  const CompiledModel& model = *generated::find_compiled_model("pendulum");
+  const Diagnosis d = diagnosed(model, simulated(model, pendulum_swing(0.01, 0.03), 14), damping_laws);
+  std::vector<std::string> together = d.together;
+  std::sort(together.begin(), together.end());
+  EXPECT_EQ(together, (std::vector<std::string>{"coulomb_friction", "quadratic_damping"}));
+  EXPECT_GT(d.gap.closed, 0.95);
+}
+
+TEST(Diagnosis, OfGivenNumbersThatAreOffTheParametersAreTheCause) {
+  const CompiledModel& model = *generated::find_compiled_model("pendulum");
+  DiagnosisOptions options;
+  options.parameters = {{"omega0", 5.77}, {"alpha3", -5.55}, {"alpha5", 0.2775},
+                        {"mu1", 0.007},   {"mu2", 0.01},     {"fc", 0.03}};
+  const SimulatedCampaign data = simulated(model, pendulum_swing(0.01, 0.03), 15);
+  const Diagnosis d = diagnosed(model, data, {}, options);
+  EXPECT_EQ(d.verdict, "cause");
+  EXPECT_EQ(d.cause, "parameters");
+  ASSERT_FALSE(d.parameters_moved.empty());
+  EXPECT_TRUE(std::any_of(d.parameters_moved.begin(), d.parameters_moved.end(),
+                          [](const ParameterMove& m) { return m.name == "mu1"; }));
+  options.parameters["mu1"] = 0.004;
+  EXPECT_EQ(diagnosed(model, data, {}, options).verdict, "no_gap");
+}
+
+TEST(Diagnosis, RefusesUnknownSymbolsAndEmptyCampaigns) {
+  const CompiledModel& model = *generated::find_compiled_model("pendulum");
+  SimulatedCampaign data = simulated(model, pendulum_swing(0.01, 0.03), 16);
+  DiagnosisOptions options;
+  options.parameters = {{"nonsense", 1.0}};
+  EXPECT_THROW(diagnosed(model, data, {}, options), InputError);
+  data.campaign.records.clear();
+  EXPECT_THROW(diagnosed(model, data, {}), InputError);
+}
+
+std::string parametric_dwells() {
+  return R"(schema = 1
+name = "dwells"
+model = "two_mass_mode1"
+sample_rate_hz = 256.0
+[parameters]
+omega0 = 77.8487
+mu1 = 0.222
+mu2 = 0.0
+mu3 = 36.87
+alpha2 = 0.0
+alpha3 = -2.0e7
+delta2 = 0.0
+delta3 = 0.0
+eta1 = -0.018
+eta2 = 7.65
+[excitation]
+name = "base"
+quantity = "acceleration"
+noise_sd = 0.05
+[[response]]
+name = "v"
+quantity = "acceleration"
+noise_sd = 0.05
+[[dwell]]
+frequencies_hz = [24.68, 24.72, 24.76]
+amplitudes = [18.0, 22.5, 27.0]
+ensembles = 6
+ensemble_s = 4.0
+settle_s = 60.0
+initial_displacement = [1e-3]
+)";
+}
+
+TEST(SlowDiagnosis, DwellsOfAParametricResonance) {
+  const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
+  const SimulatedCampaign data = simulated(model, parametric_dwells(), 21);
+  EXPECT_EQ(diagnosed(model, data, {}).verdict, "no_gap");
+  const Diagnosis d = diagnosed(model, data, {{"mu2", "quadratic_damping"}, {"mu3", "cubic_damping"}});
+  EXPECT_EQ(d.cause, "cubic_damping");
+  EXPECT_EQ(d.where.front().component, GapComponent::dissipative);
+  EXPECT_NE(d.where.front().harmonic.find("Omega/2"), std::string::npos);
+  ASSERT_FALSE(d.causes.empty());
+  EXPECT_NEAR(d.causes.front().coefficient, 36.87, 4 * d.causes.front().sd);
+}
+
+TEST(SlowDiagnosis, AChannelThatIsLateIsTold) {
+  const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
+  const SimulatedCampaign data = simulated(
+      model, parametric_dwells() + "[[fault]]\neffect = \"channel_skew\"\nchannel = \"v\"\nstrength = 1e-4\n", 22);
+  const Diagnosis d = diagnosed(model, data, {});
+  EXPECT_NE(std::find(d.set.begin(), d.set.end(), "channel_skew"), d.set.end());
+}
+
+TEST(ClosedShare, IsThatOfItsDefinition) {
+  std::vector<RowLabel> labels(8);
+  for (std::size_t i = 0; i < labels.size(); ++i) labels[i].fold = static_cast<int>(i / 2);
+  const ClosedShare share =
+      closed_share(Eigen::VectorXd::Constant(8, 5), Eigen::VectorXd::Constant(8, 2), labels, 1);
+  EXPECT_DOUBLE_EQ(share.closed, (5.0 - 2) / (5 - 1));
+  EXPECT_DOUBLE_EQ(share.low, share.closed);
+  EXPECT_DOUBLE_EQ(share.high, share.closed);
+}
+
+}  // namespace
+}  // namespace secular

@@ -1,0 +1,82 @@
+#include "diagnose/torus.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "diagnose/motion_balance.hpp"
+#include "diagnose/resonant_lines.hpp"
+#include "diagnose/sensor_model.hpp"
+
+namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+
+TEST(Torus, CoefficientsAndSamplesAreEachOthersInverse) {
+  for (const Torus& torus : {Torus(1, 6, 32), Torus(2, 3, 16)}) {
+    MatrixXcd coefficients = MatrixXcd::Random(3, torus.lines());
+    coefficients.col(0).imag().setZero();
+    EXPECT_LT((torus.coefficients(torus.samples(coefficients)) - coefficients).cwiseAbs().maxCoeff(), 1e-14);
+  }
+}
+
+TEST(Torus, ProductsOfLinesFallOnSumsAndDifferences) {
+  const Torus torus(2, 3, 16);
+  MatrixXcd x = MatrixXcd::Zero(1, torus.lines()), y = x;
+  const Complex a(0.3, -0.2), b(1.1, 0.4);
+  x(0, *torus.find({1, 0})) = a;
+  y(0, *torus.find({0, 1})) = b;
+  const MatrixXcd product = torus.coefficients(torus.samples(x).cwiseProduct(torus.samples(y)));
+  EXPECT_LT(std::abs(product(0, *torus.find({1, 1})) - a * b), 1e-15);
+  EXPECT_LT(std::abs(product(0, *torus.find({-1, 1})) - std::conj(a) * b), 1e-15);
+  EXPECT_FALSE(torus.find({1, -1}));  // the other half of the lattice
+}
+
+TEST(Slider, LosesFourTimesSlipTimesSlidingInACycle) {
+  // A spring of unit stiffness in series with a slider, driven by x = X cos(theta): the loop's area is 4 z (X - z).
+  const Torus torus(1, 1, 4096);
+  MatrixXcd line = MatrixXcd::Zero(1, 2);
+  const double amplitude = 2, slip = 0.3;
+  line(0, 1) = amplitude / 2;
+  const MatrixXd path = torus.samples(line);
+  const Eigen::RowVectorXd stretch = slider_stretch(path, slip);
+  double area = 0;
+  for (Eigen::Index i = 0; i < path.cols(); ++i) {
+    const Eigen::Index before = i == 0 ? path.cols() - 1 : i - 1;
+    area += 0.5 * (stretch(i) + stretch(before)) * (path(0, i) - path(0, before));
+  }
+  EXPECT_NEAR(area, 4 * slip * (amplitude - slip), 1e-5);
+  // Below its slip it is a spring and loses nothing.
+  EXPECT_LT((slider_stretch(path, 10) - slider_stretch(path, 20)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(LineLayout, FindsTheResonanceOfEveryKind) {
+  EXPECT_EQ(possible_layouts({100}, 101).front().resonances.front().line, (LinePhase{1, 0}));
+  const LineLayout parametric = possible_layouts({100}, 199).front();
+  EXPECT_EQ(parametric.divisor, 2);
+  EXPECT_EQ(parametric.excitation, (LinePhase{2, 0}));
+  EXPECT_EQ(parametric.resonances.front().line, (LinePhase{1, 0}));
+  const LineLayout superharmonic = possible_layouts({100}, 50).front();
+  EXPECT_EQ(superharmonic.resonances.front().line, (LinePhase{2, 0}));
+  const LineLayout additive = possible_layouts({72, 209}, 283).front();
+  EXPECT_EQ(additive.dimensions, 2);
+  EXPECT_EQ(additive.excitation, (LinePhase{1, 1}));
+  const LineLayout difference = possible_layouts({250, 95}, 155).front();
+  EXPECT_EQ(difference.excitation, (LinePhase{-1, 1}));
+  EXPECT_EQ(difference.resonances.front().mode, 1U);
+  // Nothing near: forced motion alone.
+  EXPECT_TRUE(possible_layouts({100}, 470).front().resonances.empty());
+}
+
+TEST(Clipping, TheDescribingFunctionIsInverted) {
+  for (const double half : {0.2, 0.5, 0.8, 3.0})
+    EXPECT_NEAR(unclipped_amplitude(clipped_fundamental(half, 1), 1), half, 1e-9);
+  // A sinusoid that is cut off far below its peak is a square wave: 4/pi of its level.
+  EXPECT_NEAR(2 * clipped_fundamental(1e4, 1), 4 / std::numbers::pi, 1e-6);
+}
+
+}  // namespace
+}  // namespace secular
