@@ -93,11 +93,15 @@ void add_identify_command(CLI::App& root, Action& chosen) {
   command->add_option("CAMPAIGN", options->request.campaign, "campaign folder")->required();
   command->add_option("--model", options->request.model, "model file, or the name of a shipped model")->required();
   command->add_option("-o,--output", options->folder, "folder for estimate.json and report.html")->required();
-  command->add_option("--case", options->request.resonances,
-                      "resonance case, may be given several times; chosen from the records without it");
+  command
+      ->add_option("--case", options->request.resonances,
+                   "resonance case, may be given several times; chosen from the records without it")
+      ->allow_extra_args(false);
   command->add_option("--bootstrap", options->request.bootstrap, "resamples of the conditions, for intervals")
       ->check(CLI::Range(0, 100000));
   command->add_option("--seed", options->request.seed, "of the bootstrap");
+  command->add_flag("--refine", options->request.refine,
+                    "maximum likelihood with errors in amplitudes, phases, forces and frequencies");
   command->add_option("--from", options->request.window.from_s, "use every record from this time on, s");
   command->add_option("--to", options->request.window.to_s, "use every record up to this time, s");
   command->add_option("--records", options->request.window.records,

@@ -163,6 +163,7 @@ Identification identify(const IdentificationRequest& request) {
   options.fixed = request.fixed;
   options.bootstrap = request.bootstrap;
   options.seed = request.seed;
+  options.refine = request.refine;
   Estimate raw = estimate(result.measured, units, options);
   raw.warnings.insert(raw.warnings.begin(), assignment.warnings.begin(), assignment.warnings.end());
   result.estimate = raw;
@@ -174,14 +175,19 @@ Identification identify(const IdentificationRequest& request) {
           request.threads));
     return sets;
   };
-  EstimateOptions again = options;
-  again.bootstrap = 0;
-  again.damping_laws = false;
   try {
-    for (int pass = 0; pass < truncation_passes; ++pass)
-      result.estimate =
-          truncation_corrected(raw, estimate(replay(), units, again), result.estimate.parameter_values, model);
-    result.replayed = replay();
+    for (int pass = 0; pass < truncation_passes; ++pass) {
+      result.replayed = replay();
+      const auto corrected = with_truncation(result.measured, result.replayed, result.estimate.parameter_values);
+      EstimateOptions quick = options;
+      if (pass + 1 < truncation_passes) {
+        quick.bootstrap = 0;
+        quick.damping_laws = false;
+      }
+      result.estimate = with_truncation_error(estimate(corrected, units, quick), raw);
+    }
+    result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
+                                    assignment.warnings.end());
     for (ObservationSet& set : result.replayed)
       if (set.resonance->excited) to_steady_amplitudes(set, result.estimate.parameter_values);
   } catch (const InputError& error) {

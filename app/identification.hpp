@@ -22,6 +22,7 @@ struct IdentificationRequest {
   std::map<std::string, double> fixed;
   unsigned threads = 1;
   int bootstrap = 0;       ///< resamples of the conditions
+  bool refine = false;     ///< maximum likelihood with errors in everything measured
   std::uint64_t seed = 1;  ///< of the bootstrap
 };
 

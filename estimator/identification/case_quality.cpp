@@ -61,7 +61,7 @@ std::vector<Index> dissipative_columns(const CaseFit& fit, std::size_t block_ind
     bool real = true;
     double size = 0;
     for (std::size_t i = 0; i < fit.set->observations.size(); ++i) {
-      const auto rows = data.rows(i, {fit.columns[c]}, zero, natural);
+      const auto rows = data.rows(i, {fit.columns[c]}, zero, natural, natural);
       if (rows.design.rows() != 2) continue;
       const Complex ratio = Complex(rows.design(0, 0), rows.design(1, 0)) *
                             std::conj(fit.set->observations[i].amplitude[static_cast<std::size_t>(block.mode)]);
@@ -328,7 +328,7 @@ MatrixXd bootstrap_coefficients(const CaseFit& fit, int resamples, std::uint64_t
       }
       const Eigen::LDLT<MatrixXd> solver(sum);
       if (solver.vectorD().minCoeff() < 1e-6) continue;
-      result.col(s) = fit.fit.basis * solver.solve(total);
+      result.col(s) = fit.reference + fit.fit.basis * solver.solve(total);
       break;
     }
   }

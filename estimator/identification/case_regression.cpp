@@ -6,6 +6,8 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "estimator/identification/equation_data.hpp"
 
@@ -19,6 +21,9 @@ using Eigen::VectorXd;
 
 constexpr int pass_limit = 14;
 constexpr double converged_change = 1e-9;
+
+/// Each halves the digits that are missing; the adjustments are small.
+constexpr int adjustment_rounds = 3;
 
 /// Probability that a campaign without outliers has one down-weighted.
 constexpr double outlier_false_alarm = 0.01;
@@ -41,7 +46,7 @@ class CaseRegression {
     result_.weight.assign(set.observations.size(), 1.0);
     result_.distance.assign(set.observations.size(), 0.0);
     lump_.assign(case_.lumps.size(), 0.0);
-    natural_ = known.natural_frequency;
+    natural_ = reference_ = known.natural_frequency;
     std::set<std::size_t> lumps, frequencies, offsets;
     for (const std::size_t b : blocks) {
       const RegressorBlock& block = case_.blocks[b];
@@ -60,16 +65,26 @@ class CaseRegression {
     }
     for (const std::size_t k : frequencies) result_.columns.push_back({CaseColumn::Kind::natural_frequency, k});
     for (const std::size_t k : offsets) result_.columns.push_back({CaseColumn::Kind::sensor_offset, k});
+    result_.reference = VectorXd::Zero(static_cast<Index>(result_.columns.size()));
+    for (std::size_t c = 0; c < result_.columns.size(); ++c)
+      if (result_.columns[c].kind == CaseColumn::Kind::natural_frequency)
+        result_.reference(static_cast<Index>(c)) = reference_[result_.columns[c].index];
   }
 
   CaseFit run() {
     if (result_.columns.empty() || set_.observations.empty()) return std::move(result_);
     iterate();
     if (set_.resonance->excited && weigh_ensembles()) iterate();
+    if (known_.errors_in_variables)
+      for (int round = 0; round < adjustment_rounds; ++round) {
+        adjust();
+        iterate();
+      }
     assemble(false, true);
     if (result_.system.design.rows() > 0)
       result_.fit = linear_fit(result_.system.design, result_.system.response, result_.system.condition, 1e-9,
                                result_.system.column_noise);
+    if (result_.fit.coefficients.size() > 0) result_.fit.coefficients += result_.reference;
     return std::move(result_);
   }
 
@@ -96,7 +111,7 @@ class CaseRegression {
     double change = 0;
     for (std::size_t c = 0; c < result_.columns.size(); ++c) {
       const CaseColumn& column = result_.columns[c];
-      const double value = values_(static_cast<Index>(c));
+      const double value = values_(static_cast<Index>(c)) + result_.reference(static_cast<Index>(c));
       double* old = column.kind == CaseColumn::Kind::lump                ? &lump_[column.index]
                     : column.kind == CaseColumn::Kind::natural_frequency ? &natural_[column.index]
                                                                          : &offset_[column.index];
@@ -123,7 +138,8 @@ class CaseRegression {
   }
 
   void assemble(bool first_pass, bool last_pass) {
-    data_.evaluate(natural_);
+    EquationData& data = adjusted_data_ ? *adjusted_data_ : data_;
+    data.evaluate(natural_);
     WhitenedSystem& system = result_.system;
     const auto columns = static_cast<Index>(result_.columns.size());
     const Index most = 2 * static_cast<Index>(set_.observations.size() * result_.blocks.size());
@@ -133,15 +149,17 @@ class CaseRegression {
     Index used = 0;
     for (std::size_t i = 0; i < set_.observations.size(); ++i) {
       const Observation& o = set_.observations[i];
-      const EquationData::Rows rows = data_.rows(i, result_.columns, lump_, natural_);
+      EquationData::Rows rows = data.rows(i, result_.columns, lump_, natural_, reference_);
       const Index count = rows.response.size();
       if (count == 0) continue;
+      // From the adjusted values back to the measured ones, along the tangent.
+      if (adjusted_data_) rows.response += rows.variants * moved_[i];
       MatrixXd design = rows.design;
       VectorXd response = rows.response;
       const double weight = std::sqrt(result_.weight[i]);
       if (first_pass) {
         for (Index r = 0; r < count; ++r) {
-          const double size = data_.first_scale(i, rows.block[static_cast<std::size_t>(r)]);
+          const double size = data.first_scale(i, rows.block[static_cast<std::size_t>(r)]);
           design.row(r) /= size;
           response(r) /= size;
         }
@@ -171,7 +189,7 @@ class CaseRegression {
         whiten(right);
         response = right;
         if (last_pass)
-          for (MatrixXd error : data_.column_errors(i, result_.columns)) {
+          for (MatrixXd error : data.column_errors(i, result_.columns)) {
             whiten(error);
             system.column_noise += error.transpose() * error;
           }
@@ -187,6 +205,33 @@ class CaseRegression {
     }
     system.design.conservativeResize(used, columns);
     system.response.conservativeResize(used);
+  }
+
+  // Moves everything measured to where the equations hold, by the least that its noise allows.
+  void adjust() {
+    if (!adjusted_data_) {
+      adjusted_ = set_;
+      adjusted_data_.emplace(adjusted_, result_.blocks);
+      moved_.assign(set_.observations.size(), VectorXd::Zero(adjusted_data_->quantities()));
+    }
+    adjusted_data_->evaluate(natural_);
+    ObservationSet next = set_;
+    for (std::size_t i = 0; i < set_.observations.size(); ++i) {
+      const EquationData::Rows rows = adjusted_data_->rows(i, result_.columns, lump_, natural_, reference_);
+      if (rows.response.size() == 0) continue;
+      const VectorXd misfit = rows.response + rows.variants * moved_[i] - rows.design * values_;
+      MatrixXd covariance = rows.variants * rows.variants.transpose();
+      covariance.diagonal() += rows.own_variance;
+      const VectorXd sd = covariance.diagonal().cwiseSqrt();
+      const MatrixXd correlation = sd.cwiseInverse().asDiagonal() * covariance * sd.cwiseInverse().asDiagonal() +
+                                   1e-9 * MatrixXd::Identity(sd.size(), sd.size());
+      const VectorXd solved =
+          sd.cwiseInverse().asDiagonal() * correlation.llt().solve(sd.cwiseInverse().asDiagonal() * misfit);
+      moved_[i] = rows.variants.transpose() * solved;
+      adjusted_data_->move(next.observations[i], moved_[i]);
+    }
+    adjusted_ = std::move(next);
+    adjusted_data_.emplace(adjusted_, result_.blocks);
   }
 
   // Deviation of each ensemble's whitened residual from the median of its condition; true if a weight changed.
@@ -248,7 +293,10 @@ class CaseRegression {
   const CaseKnowledge& known_;
   EquationData data_;
   CaseFit result_;
-  std::vector<double> lump_, natural_;
+  std::vector<double> lump_, natural_, reference_;
+  ObservationSet adjusted_;                    // measured values moved to where the equations hold
+  std::optional<EquationData> adjusted_data_;  // of `adjusted_`; empty: not adjusted
+  std::vector<VectorXd> moved_;                // by observation: how far, in standard deviations
   std::map<std::size_t, double> offset_, scale_;
   VectorXd values_;
   std::vector<Marginal> marginals_;

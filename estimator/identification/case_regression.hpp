@@ -39,8 +39,9 @@ struct CaseFit {
   const ObservationSet* set = nullptr;
   std::vector<std::size_t> blocks;  ///< regressed
   std::vector<CaseColumn> columns;
-  WhitenedSystem system;  ///< of the last pass, robust weights applied
-  LinearFit fit;
+  WhitenedSystem system;      ///< of the last pass, robust weights applied
+  Eigen::VectorXd reference;  ///< by column: what the system's unknown is counted from (natural frequencies)
+  LinearFit fit;              ///< coefficients include `reference`
   std::map<std::size_t, double> block_misfit;  ///< by block: residual over what noise explains, unscaled
   std::vector<double> weight;                  ///< by observation: 1, less where it is an outlier
   std::vector<double> distance;  ///< by observation: deviation from its condition over what is usual; 0 if unknown
@@ -51,6 +52,9 @@ struct CaseKnowledge {
   std::vector<double> natural_frequency;  ///< by mode: start, and value where the case does not estimate it
   std::set<std::size_t> fixed_frequency;  ///< modes whose natural frequency is given
   std::map<std::string, double> fixed;    ///< lumps that are given, by name
+  /// Maximum likelihood with errors in everything measured: amplitudes, phases, forces and frequencies are adjusted
+  /// to the equations (Gauss-Helmert), which takes out the bias that noise in the regression's columns makes.
+  bool errors_in_variables = false;
 };
 
 /// Regression of `blocks` together: iteratively reweighted, every equation by the joint noise of amplitudes,

@@ -112,8 +112,8 @@ void EquationData::evaluate(const std::vector<double>& natural_frequency) {
 }
 
 EquationData::Rows EquationData::rows(std::size_t observation, const std::vector<CaseColumn>& columns,
-                                      const std::vector<double>& lump,
-                                      const std::vector<double>& natural_frequency) const {
+                                      const std::vector<double>& lump, const std::vector<double>& natural_frequency,
+                                      const std::vector<double>& reference_frequency) const {
   const Observation& o = set_.observations[observation];
   const auto count = static_cast<Index>(set_.observations.size());
   const auto at = static_cast<Index>(observation);
@@ -154,7 +154,8 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
       }
       put([&](Index row, double x) { result.design(row, c) = x; }, value);
     }
-    if (modulation && !frequency_open) target -= Complex(0, natural_frequency[mode]) * a;
+    if (modulation) target -= Complex(0, (frequency_open ? reference_frequency : natural_frequency)[mode]) * a;
+    if (set_.truncation.size() > 0) target -= set_.truncation(at, static_cast<Index>(b));
     std::vector<bool> open(block.lumps.size(), false);
     for (Index c = 0; c < width; ++c) {
       const CaseColumn& column = columns[static_cast<std::size_t>(c)];
@@ -213,6 +214,36 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
     r += zero ? 1 : 2;
   }
   return result;
+}
+
+void EquationData::move(Observation& o, const VectorXd& deviations) const {
+  for (std::size_t q = 0; q < quantities_.size(); ++q) {
+    const Quantity& quantity = quantities_[q];
+    const double change = -deviations(static_cast<Index>(q)) * sd(quantity, o);
+    const Complex complex_change = quantity.imaginary ? Complex(0, change) : Complex(change, 0);
+    const auto turn = [&](const MatrixXd& share) {
+      for (std::size_t k = 0; k < o.rate.size(); ++k)
+        o.rate[k] += Complex(0, change * share(static_cast<Index>(k), static_cast<Index>(quantity.index)));
+    };
+    switch (quantity.kind) {
+      case Kind::amplitude:
+        o.amplitude[quantity.index] += complex_change;
+        break;
+      case Kind::growth:
+        o.rate[quantity.index] += change;
+        break;
+      case Kind::free_frequency:
+        turn(modes_.coupling);
+        break;
+      case Kind::forcing:
+        o.forcing[quantity.index] += complex_change;
+        break;
+      case Kind::excitation_frequency:
+        o.excitation_frequency[quantity.index] += change;
+        turn(modes_.forced);
+        break;
+    }
+  }
 }
 
 std::vector<MatrixXd> EquationData::column_errors(std::size_t observation,

@@ -31,9 +31,17 @@ class EquationData {
     Eigen::VectorXd own_variance;  ///< rows: noise of the row's own measured harmonic, and a floor
     std::vector<std::size_t> block;
   };
-  /// `lump`, by CompiledCase::lumps, and `natural_frequency`: current values, also of what is given.
+  /// `lump`, by CompiledCase::lumps, and `natural_frequency`: current values, also of what is given. Unknown
+  /// natural frequencies are counted from `reference_frequency`: where something else acts like a change of
+  /// frequency, both then stay small.
   Rows rows(std::size_t observation, const std::vector<CaseColumn>& columns, const std::vector<double>& lump,
-            const std::vector<double>& natural_frequency) const;
+            const std::vector<double>& natural_frequency, const std::vector<double>& reference_frequency) const;
+
+  /// Number of varied quantities.
+  Eigen::Index quantities() const { return static_cast<Eigen::Index>(quantities_.size()); }
+
+  /// Takes `deviations` standard deviations (by varied quantity) off an observation.
+  void move(Observation& observation, const Eigen::VectorXd& deviations) const;
 
   /// Errors of the design of one observation, one for every varied quantity.
   std::vector<Eigen::MatrixXd> column_errors(std::size_t observation, const std::vector<CaseColumn>& columns) const;

@@ -95,6 +95,7 @@ class Estimator {
   // A locked mode's frequency is the excitation's: close to the natural one by the resonance relation.
   void start_frequencies() {
     knowledge_.fixed = options_.fixed;
+    knowledge_.errors_in_variables = options_.refine;
     for (std::size_t k = 0; k < model_.modes(); ++k) {
       const std::string name(model_.symbols[k].name);
       double sum = 0, count = 0;
@@ -405,16 +406,15 @@ class Estimator {
             fmt::format("case {}: too few conditions ({} for {} unknowns) for error bars from their scatter; they "
                         "come from the residuals and may be too small",
                         name, conditions, fit.fit.rank));
-      std::set<std::pair<std::string, std::string>> near;
+      std::string near;
       const auto entangled = nearly_entangled(fit);
       for (std::size_t c = 0; c < entangled.size(); ++c)
-        for (const std::string& other : entangled[c])
-          if (fit.columns[c].kind == CaseColumn::Kind::lump) near.insert(std::minmax(column_name(fit, c), other));
-      for (const auto& [a, b] : near)
+        if (!entangled[c].empty()) near += (near.empty() ? "" : ", ") + column_name(fit, c);
+      if (!near.empty())
         result_.warnings.push_back(fmt::format(
-            "case {}: {} and {} act nearly alike on these conditions, their error bars say how little is "
-            "known of each; conditions with other ratios of the amplitudes would part them",
-            name, a, b));
+            "case {}: {} act nearly alike on these conditions, their error bars say how little is known of "
+            "each; conditions with other levels and other ratios of the amplitudes would part them",
+            name, near));
       std::string lost;
       for (std::size_t c = 0; c < fit.columns.size(); ++c)
         if (!fit.fit.identifiable[c]) lost += (lost.empty() ? "" : ", ") + column_name(fit, c);

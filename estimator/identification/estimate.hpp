@@ -50,6 +50,7 @@ struct EstimateOptions {
   int bootstrap = 0;                    ///< resamples of the conditions; 0: none
   std::uint64_t seed = 1;               ///< of the bootstrap
   bool damping_laws = true;             ///< compare them
+  bool refine = false;                  ///< maximum likelihood with errors in everything measured
 };
 
 /// Units of what was measured, for the units of what is estimated.
@@ -71,6 +72,17 @@ Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& uni
 /// The same for one case.
 Estimate estimate(const ObservationSet& set, const std::string& coordinate_unit,
                   const std::vector<std::string>& excitation_units, const EstimateOptions& options);
+
+/// The sets with what the truncated equations leave at the `replayed` motions of the full equations at `parameters`
+/// (ObservationSet::truncation): regressing them gives estimates without that bias. Observations that were not
+/// replayed are left out.
+std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets,
+                                            std::span<const ObservationSet> replayed,
+                                            const Eigen::VectorXd& parameters);
+
+/// `corrected`, the estimate from sets with_truncation, with its difference to the `raw` one as the correction:
+/// half of it joins the standard deviation, because it depends somewhat on how lumps split into parameters.
+Estimate with_truncation_error(Estimate corrected, const Estimate& raw);
 
 /// Takes the expansion's truncation out of an estimate. `replayed` is the same regression on what the full
 /// equations do at `replay_parameters`: where it does not return them, the expansion is biased by the difference,

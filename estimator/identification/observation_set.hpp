@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <complex>
 #include <functional>
 #include <string>
@@ -34,6 +35,9 @@ struct ObservationSet {
   const CompiledModel* model = nullptr;
   const CompiledCase* resonance = nullptr;
   std::vector<Observation> observations;
+  /// observations x blocks: what the truncated equations leave (left minus right side) where they should leave
+  /// nothing; taken out of them before they are fitted. Empty: not known.
+  Eigen::MatrixXcd truncation;
   std::vector<std::string> warnings;
 };
 

@@ -1,6 +1,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/estimate.hpp"
 #include "estimator/regression/confidence.hpp"
 #include "estimator/regression/nonlinear_fit.hpp"
@@ -58,6 +59,66 @@ VectorXd representative(const Estimate& estimate, const VectorXd& start, const C
 }
 
 }  // namespace
+
+std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets,
+                                            std::span<const ObservationSet> replayed, const VectorXd& parameters) {
+  std::vector<ObservationSet> result;
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    ObservationSet set = sets[s];
+    const ObservationSet& exact = replayed[s];
+    const CompiledCase& resonance = *set.resonance;
+    std::vector<std::size_t> blocks;
+    for (std::size_t b = 0; b < resonance.blocks.size(); ++b)
+      if (resonance.blocks[b].kind == BlockKind::modulation || resonance.blocks[b].order <= 1) blocks.push_back(b);
+    std::vector<double> lumps(resonance.lumps.size());
+    if (!lumps.empty()) resonance.evaluate_lumps(parameters.data(), lumps.data());
+    const std::vector<double> natural(parameters.data(), parameters.data() + set.model->modes());
+    EquationData data(exact, blocks);
+    data.evaluate(natural);
+    std::vector<Observation> kept;
+    set.truncation = Eigen::MatrixXcd::Zero(static_cast<Index>(set.observations.size()),
+                                            static_cast<Index>(resonance.blocks.size()));
+    std::size_t from = 0;  // both are in the same order
+    for (const Observation& o : set.observations) {
+      while (from < exact.observations.size() &&
+             (exact.observations[from].record < o.record ||
+              (exact.observations[from].record == o.record && exact.observations[from].centre_s < o.centre_s)))
+        ++from;
+      if (from == exact.observations.size() || exact.observations[from].record != o.record ||
+          exact.observations[from].centre_s != o.centre_s)
+        continue;
+      const EquationData::Rows rows = data.rows(from, {}, lumps, natural, natural);
+      for (Index r = 0; r < rows.response.size(); ++r) {
+        const auto block = static_cast<Index>(rows.block[static_cast<std::size_t>(r)]);
+        const bool imaginary =
+            r > 0 && rows.block[static_cast<std::size_t>(r - 1)] == rows.block[static_cast<std::size_t>(r)];
+        set.truncation(static_cast<Index>(kept.size()), block) +=
+            imaginary ? std::complex<double>(0, rows.response(r)) : std::complex<double>(rows.response(r), 0);
+      }
+      kept.push_back(o);
+    }
+    set.observations = std::move(kept);
+    set.truncation.conservativeResize(static_cast<Index>(set.observations.size()), Eigen::NoChange);
+    result.push_back(std::move(set));
+  }
+  return result;
+}
+
+Estimate with_truncation_error(Estimate corrected, const Estimate& raw) {
+  const auto add = [](std::vector<EstimatedValue>& values, const std::vector<EstimatedValue>& before) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      EstimatedValue& value = values[i];
+      if (!value.value || !before[i].value || value.fixed) continue;
+      value.truncation = *before[i].value - *value.value;
+      value.sd = std::hypot(value.sd, 0.5 * value.truncation);
+      value.significant =
+          value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
+    }
+  };
+  add(corrected.parameters, raw.parameters);
+  add(corrected.lumps, raw.lumps);
+  return corrected;
+}
 
 Estimate truncation_corrected(const Estimate& raw, const Estimate& replayed, const VectorXd& replay_parameters,
                               const CompiledModel& model) {

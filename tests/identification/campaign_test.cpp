@@ -109,7 +109,8 @@ TEST_F(SlowCampaign, AnOutlyingEnsembleIsListedAndDoesNoHarm) {
   EXPECT_EQ(after.outliers.front().record, spoilt.observations[33].record);
   EXPECT_LT(after.outliers.front().weight, 0.05);
   for (const char* name : {"mu1", "mu3", "alpha_e", "eta_e"})
-    EXPECT_NEAR(*value_of(after, name).value, *value_of(before, name).value, 0.5 * value_of(before, name).sd) << name;
+    EXPECT_NEAR(*value_of(after, name).value, *value_of(before, name).value, 0.5 * value_of(before, name).sd)
+        << name;
 }
 
 TEST_F(SlowCampaign, DampingLawsAreDecidedByPrediction) {
@@ -156,8 +157,8 @@ TEST_F(SlowCampaign, DwellsAndDecayTogetherAreSharper) {
   decay.duration_s = 14;
   e.free_decays = {decay};
   const Tested swing = run(e);
-  const std::vector<ObservationSet> sets = {parametric(*tested_),
-                                            observed(swing.simulated, *swing.model, case_named(*swing.model, "free"))};
+  const std::vector<ObservationSet> sets = {
+      parametric(*tested_), observed(swing.simulated, *swing.model, case_named(*swing.model, "free"))};
   ASSERT_FALSE(sets[1].observations.empty()) << (sets[1].warnings.empty() ? "" : sets[1].warnings.front());
   const MeasuredUnits units{"kg^(1/2) m", {"m/s^2"}};
   const Estimate dwells = estimate(std::span(&sets[0], 1), units, {});

@@ -43,7 +43,8 @@ TEST(StatisticalRelatedTones, FrequencyAndItsErrorBar) {
   }
   // Sum of `draws` squares of standard normals: mean draws, sd sqrt(2 draws).
   EXPECT_NEAR(square, draws, 4 * std::sqrt(2.0 * draws));
-  // Cramer-Rao bound of the shared frequency: 12 sd^2/(rate T^3) over the sum of squared peak amplitudes times half.
+  // Cramer-Rao bound of the shared frequency: 12 sd^2/(rate T^3) over the sum of squared peak amplitudes times
+  // half.
   const double power = 9 * (1 + 0.49) + 4 * (0.36 + 1), length = samples / rate;
   const double bound = noise_sd * std::sqrt(24 / (rate * length * length * length * power));
   EXPECT_NEAR(reported / bound, 1, 0.05);
@@ -56,11 +57,19 @@ Experiment combination_experiment() {
   e.name = "combination";
   e.model = "two_mass_lumps";
   e.sample_rate_hz = 256;
-  const std::map<std::string, double> values = {
-      {"omega1", 77.84866595595507}, {"omega2", 208.41325663914688}, {"mu11", 0.273}, {"mu22", 0.293},
-      {"mu13", 229},                 {"mu23", 1006},                 {"lambda", 0},   {"alpha1", 1430491217.98},
-      {"alpha2", -12091836408.2},    {"kappa", -0.149},              {"p", -6.604},   {"q1", -0.002593},
-      {"q2", -0.01757}};
+  const std::map<std::string, double> values = {{"omega1", 77.84866595595507},
+                                                {"omega2", 208.41325663914688},
+                                                {"mu11", 0.273},
+                                                {"mu22", 0.293},
+                                                {"mu13", 229},
+                                                {"mu23", 1006},
+                                                {"lambda", 0},
+                                                {"alpha1", 1430491217.98},
+                                                {"alpha2", -12091836408.2},
+                                                {"kappa", -0.149},
+                                                {"p", -6.604},
+                                                {"q1", -0.002593},
+                                                {"q2", -0.01757}};
   e.parameters.resize(static_cast<Index>(model.symbols.size()));
   for (std::size_t p = 0; p < model.symbols.size(); ++p)
     e.parameters(static_cast<Index>(p)) = values.at(std::string(model.symbols[p].name));
@@ -95,13 +104,14 @@ TEST(SlowCombination, LumpsOfTheThesisAreRecovered) {
   for (const char* name : {"omega2", "mu11", "mu22", "mu13", "mu23", "p", "q1", "q2", "alpha1", "alpha2"}) {
     const EstimatedValue& v = value_of(result, name);
     ASSERT_TRUE(v.value) << name;
-    // Twelve conditions: Student's t with eleven degrees of freedom exceeds 4.4 once in a thousand; one percent of the
-    // value for what the first-order expansion leaves out.
+    // Twelve conditions: Student's t with eleven degrees of freedom exceeds 4.4 once in a thousand; one percent of
+    // the value for what the first-order expansion leaves out.
     EXPECT_NEAR(*v.value, truth_of(model, resonance, experiment.parameters, name),
                 4.4 * v.sd + 0.01 * std::abs(*v.value))
         << name << " sd " << v.sd;
   }
-  for (const char* name : {"mu11", "mu22", "p"}) EXPECT_LT(value_of(result, name).sd, 0.05 * std::abs(*value_of(result, name).value));
+  for (const char* name : {"mu11", "mu22", "p"})
+    EXPECT_LT(value_of(result, name).sd, 0.05 * std::abs(*value_of(result, name).value));
   // A change of stiffness and a change of natural frequency are one and the same.
   EXPECT_FALSE(value_of(result, "lambda").identifiable);
   bool named = false;

@@ -1,6 +1,6 @@
-// Coverage of the 95 % intervals: the full equations are integrated once, noise is drawn many times, everything after
-// it (observation, regression, error bars) is done again for every draw. Set SECULAR_COVERAGE_DRAWS for the table
-// with more draws.
+// Coverage of the 95 % intervals: the full equations are integrated once, noise is drawn many times, everything
+// after it (observation, regression, error bars) is done again for every draw. Set SECULAR_COVERAGE_DRAWS for the
+// table with more draws.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -99,7 +99,8 @@ TEST(StatisticalCoverage, PrincipalParametricDwells) {
   Experiment e = shipped_experiment("principal_parametric");
   for (DwellProgramme& d : e.dwells) d.ensembles = 4;
   const int draws = draws_wanted(40);
-  check(coverage(e, "principal_parametric", {"omega0", "mu1", "mu2", "mu3", "alpha_e", "eta_e", "eta1"}, draws), draws);
+  check(coverage(e, "principal_parametric", {"omega0", "mu1", "mu2", "mu3", "alpha_e", "eta_e", "eta1"}, draws),
+        draws);
 }
 
 TEST(StatisticalCoverage, FreeDecay) {

@@ -59,8 +59,8 @@ Recovered recover(const std::string& name, std::uint64_t seed, const EstimateOpt
   const Estimate raw = estimate(r.measured, unit, {"m/s^2"}, options);
   const ObservationSet replayed = observe_replay(
       simulated.campaign, r.measured, replay_records(simulated.campaign, r.measured, raw.parameter_values, 2));
-  r.estimate = truncation_corrected(raw, estimate(replayed, unit, {"m/s^2"}, options), raw.parameter_values,
-                                    *r.model);
+  r.estimate =
+      truncation_corrected(raw, estimate(replayed, unit, {"m/s^2"}, options), raw.parameter_values, *r.model);
   return r;
 }
 
