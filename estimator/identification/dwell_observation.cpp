@@ -40,6 +40,9 @@ constexpr double level_tolerance = 0.2;
 /// Free frequencies are searched this far from where the nominal values put them, relative to the lowest mode.
 constexpr double search_range = 0.1;
 
+/// Bins between a weak harmonic and every other tone, for it to be fitted.
+constexpr double separate_bins = 2;
+
 double strongest_frequency(const Eigen::Ref<const VectorXd>& y, double rate) {
   // Mean distance of upward crossings of the mean: enough as a start for one dominant tone.
   const double mean = y.mean();
@@ -255,11 +258,14 @@ class DwellObserver {
     };
     std::vector<Tone> tones;
     const auto frequency = [&](const Tone& t) { return t.fixed + (unknowns > 0 ? t.coupling.dot(free) : 0.0); };
-    const auto index_of = [&](const Tone& tone) -> std::ptrdiff_t {
+    // `apart`: bins from every other tone that a tone of its own needs; -1 where it is too close to one.
+    const auto index_of = [&](const Tone& tone, double apart) -> std::ptrdiff_t {
       const double f = frequency(tone);
       if (f < 2 * resolution || f > nyquist - 2 * resolution) return -1;
       for (std::size_t i = 0; i < tones.size(); ++i)
         if (std::abs(frequency(tones[i]) - f) < 0.5 * resolution) return static_cast<std::ptrdiff_t>(i);
+      for (const Tone& other : tones)
+        if (std::abs(frequency(other) - f) < apart * resolution) return -1;
       tones.push_back(tone);
       return static_cast<std::ptrdiff_t>(tones.size() - 1);
     };
@@ -270,10 +276,11 @@ class DwellObserver {
       of_mode[k].coupling = modes_.coupling.row(static_cast<Index>(k));
       for (std::size_t j = 0; j < excitations_.size(); ++j)
         of_mode[k].fixed += modes_.forced(static_cast<Index>(k), static_cast<Index>(j)) * o.excitation_frequency[j];
-      mode_index[k] = index_of(of_mode[k]);
+      mode_index[k] = index_of(of_mode[k], 0);
     }
     const std::size_t main_tones = tones.size();
     std::vector<bool> reversed, zero;
+    std::vector<Tone> block_tone;
     for (const RegressorBlock& block : resonance_.blocks) {
       Tone tone{Eigen::RowVectorXd::Zero(unknowns), 0};
       for (std::size_t i = 0; i < block.phase.size(); ++i) {
@@ -290,8 +297,16 @@ class DwellObserver {
         tone.fixed = -tone.fixed;
       }
       zero.push_back(std::all_of(block.phase.begin(), block.phase.end(), [](int p) { return p == 0; }));
-      block_index.push_back(block.kind == BlockKind::harmonic && !zero.back() ? index_of(tone) : -1);
+      block_tone.push_back(tone);
     }
+    // Harmonics of first order are regressed; weaker ones are fitted where they cost the others nothing.
+    block_index.assign(resonance_.blocks.size(), -1);
+    for (const int order : {1, 2})
+      for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
+        const RegressorBlock& block = resonance_.blocks[b];
+        if (block.kind == BlockKind::harmonic && !zero[b] && (block.order <= 1) == (order == 1))
+          block_index[b] = index_of(block_tone[b], order == 1 ? 0 : separate_bins);
+      }
     const auto related = [&](std::size_t count) {
       RelatedTones list{VectorXd(static_cast<Index>(count)), MatrixXd(static_cast<Index>(count), unknowns), 0};
       for (std::size_t i = 0; i < count; ++i) {

@@ -1,5 +1,6 @@
 #include <Eigen/Dense>
 #include <cmath>
+#include <complex>
 
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/estimate.hpp"
@@ -58,6 +59,21 @@ VectorXd representative(const Estimate& estimate, const VectorXd& start, const C
   return rows > 0 ? nonlinear_fit(function, rows, start).parameters : start;
 }
 
+// Both were seen at different instants: turns an equation of one into the frame of the other.
+std::complex<double> rotation(const RegressorBlock& block, const Observation& from, const Observation& to) {
+  const auto turn = [](std::complex<double> a, std::complex<double> b) { return std::arg(b) - std::arg(a); };
+  if (block.kind == BlockKind::modulation) {
+    const auto mode = static_cast<std::size_t>(block.mode);
+    return std::polar(1.0, turn(from.amplitude[mode], to.amplitude[mode]));
+  }
+  double angle = 0;
+  const std::size_t modes = from.amplitude.size();
+  for (std::size_t i = 0; i < block.phase.size(); ++i)
+    angle += block.phase[i] * (i < modes ? turn(from.amplitude[i], to.amplitude[i])
+                                         : turn(from.forcing[i - modes], to.forcing[i - modes]));
+  return std::polar(1.0, angle);
+}
+
 }  // namespace
 
 std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets,
@@ -88,12 +104,13 @@ std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets
           exact.observations[from].centre_s != o.centre_s)
         continue;
       const EquationData::Rows rows = data.rows(from, {}, lumps, natural, natural);
+      const Observation& same = exact.observations[from];
       for (Index r = 0; r < rows.response.size(); ++r) {
-        const auto block = static_cast<Index>(rows.block[static_cast<std::size_t>(r)]);
-        const bool imaginary =
-            r > 0 && rows.block[static_cast<std::size_t>(r - 1)] == rows.block[static_cast<std::size_t>(r)];
-        set.truncation(static_cast<Index>(kept.size()), block) +=
-            imaginary ? std::complex<double>(0, rows.response(r)) : std::complex<double>(rows.response(r), 0);
+        const std::size_t b = rows.block[static_cast<std::size_t>(r)];
+        const bool imaginary = r > 0 && rows.block[static_cast<std::size_t>(r - 1)] == b;
+        const std::complex<double> part = imaginary ? std::complex<double>(0, rows.response(r)) : rows.response(r);
+        set.truncation(static_cast<Index>(kept.size()), static_cast<Index>(b)) +=
+            part * rotation(resonance.blocks[b], same, o);
       }
       kept.push_back(o);
     }

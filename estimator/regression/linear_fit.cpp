@@ -14,6 +14,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// Fewer clusters say too little of their scatter.
+constexpr Index fewest_clusters = 5;
+
+/// A cluster that alone determines a direction leaves nothing to compare it with.
+constexpr double largest_leverage = 0.999;
+
 }  // namespace
 
 LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<const VectorXd>& response,
@@ -29,15 +35,9 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
   const Eigen::BDCSVD<MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeFullV);
   const VectorXd singular = svd.singularValues();
   const double cut = tolerance * std::max(singular(0), std::numeric_limits<double>::min());
-  // Directions that are seen come first.
   std::vector<Index> seen, unseen;
   for (Index i = 0; i < columns; ++i) {
-    bool is_seen = i < singular.size() && singular(i) > cut;
-    if (is_seen && column_noise.size() > 0) {
-      const VectorXd direction = scale.asDiagonal() * svd.matrixV().col(i);
-      is_seen = singular(i) * singular(i) > noise_ratio * direction.dot(column_noise * direction);
-    }
-    (is_seen ? seen : unseen).push_back(i);
+    (i < singular.size() && singular(i) > cut ? seen : unseen).push_back(i);
   }
   fit.rank = static_cast<Index>(seen.size());
   const Index rank = fit.rank;
@@ -82,11 +82,28 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
       if (normal_inverse(c, c) > 0)
         fit.variance_proportions(i, c) = v(c, i) * v(c, i) * inverse(i) * inverse(i) / normal_inverse(c, c);
 
+  // Directions in which the columns differ by their own errors: what mainly rests on them is not identifiable
+  // either.
+  if (column_noise.size() > 0) {
+    VectorXd share = VectorXd::Zero(columns);
+    for (Index i = 0; i < rank; ++i) {
+      const VectorXd direction = scale.asDiagonal() * v.col(i);
+      if (1 / (inverse(i) * inverse(i)) <= noise_ratio * direction.dot(column_noise * direction))
+        share += fit.variance_proportions.row(i).transpose();
+    }
+    for (Index c = 0; c < columns; ++c)
+      for (Index other = 0; other < columns && share(c) > 0.5; ++other) {
+        fit.identifiable[static_cast<std::size_t>(c)] = false;
+        if (other != c && share(other) > 0.5)
+          fit.entangled_with[static_cast<std::size_t>(c)].push_back(static_cast<int>(other));
+      }
+  }
+
   std::map<int, std::vector<Index>> members;
   for (Index r = 0; r < rows; ++r) members[cluster[static_cast<std::size_t>(r)]].push_back(r);
   const auto groups = static_cast<Index>(members.size());
   fit.influence = MatrixXd::Zero(groups, columns);
-  bool clustered = groups >= rank + 2 && rows > rank && rank > 0;
+  bool clustered = groups >= fewest_clusters && rows > rank && rank > 0;
   Index g = 0;
   for (const auto& [label, group] : members) {
     fit.cluster_labels.push_back(label);
@@ -100,7 +117,7 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
     // Leaving rows out changes the coordinates in u by -(I - U_g' U_g)^-1 U_g' e_g.
     const MatrixXd kept = MatrixXd::Identity(rank, rank) - basis.transpose() * basis;
     const Eigen::LDLT<MatrixXd> solver(kept);
-    if (solver.vectorD().minCoeff() < 1e-10) clustered = false;
+    if (solver.vectorD().minCoeff() < 1 - largest_leverage) clustered = false;
     const VectorXd change = -(v * (inverse.asDiagonal() * solver.solve(basis.transpose() * residual)));
     fit.influence.row(g++) = (scale.asDiagonal() * change).transpose();
   }

@@ -36,11 +36,11 @@ struct LinearFit {
 /// Columns are scaled to unit norm; singular values below `tolerance` times the largest count as zero. `cluster`
 /// labels rows that share one condition (ten ensembles of one dwell are not ten independent conditions). The
 /// covariance is the delete-one-cluster jackknife, exact by solving without each cluster; its bias is upward for
-/// few clusters, which keeps intervals honest where the usual sandwich is too narrow. With fewer than columns + 2
-/// clusters, or where leaving a cluster out loses rank, the plain covariance is used and said. `column_noise`, if
-/// not empty, is the expected Gram matrix of the errors in `design` itself: a direction whose squared singular
-/// value is not above `noise_ratio` times what these errors alone give is not identifiable (its least-squares
-/// coefficient would be made of noise). Throws std::invalid_argument for sizes that differ.
+/// few clusters, which keeps intervals honest where the usual sandwich is too narrow. With fewer than five
+/// clusters, or where one cluster alone determines a direction, the plain covariance is used and said.
+/// `column_noise`, if not empty, is the expected Gram matrix of the errors in `design` itself: a direction whose
+/// squared singular value is not above `noise_ratio` times what these errors alone give is not identifiable (its
+/// least-squares coefficient would be made of noise). Throws std::invalid_argument for sizes that differ.
 LinearFit linear_fit(const Eigen::Ref<const Eigen::MatrixXd>& design,
                      const Eigen::Ref<const Eigen::VectorXd>& response, std::span<const int> cluster,
                      double tolerance = 1e-9, const Eigen::MatrixXd& column_noise = {});

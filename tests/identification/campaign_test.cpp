@@ -182,9 +182,10 @@ TEST(Identifiability, NullDirectionsAreReadableAndNameWhatPartsThem) {
   known.model = &model;
   known.parameters.assign(model.symbols.size(), false);
   known.parameters[0] = true;
-  known.cases = {{&resonance, std::vector<bool>(resonance.lumps.size(), true)}};
-  for (std::size_t l = 0; l < resonance.lumps.size(); ++l)  // all but the zero-frequency component's
-    known.cases[0].lumps[l] = resonance.lumps[l].name != "alpha_0";
+  known.cases = {{&resonance, std::vector<bool>(resonance.lumps.size(), false)}};
+  for (std::size_t l = 0; l < resonance.lumps.size(); ++l)  // modulation equation and the harmonic at Omega
+    for (const char* seen : {"mu1", "mu2", "mu3", "alpha_e", "eta_e", "eta1", "alpha_q"})
+      if (resonance.lumps[l].name == seen) known.cases[0].lumps[l] = true;
   const std::vector<NullDirection> directions = null_directions(known);
   // alpha2, delta2, alpha3, delta3 are four unknowns in alpha_e and alpha_q.
   ASSERT_EQ(directions.size(), 2U);
