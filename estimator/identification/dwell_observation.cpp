@@ -40,6 +40,9 @@ constexpr double level_tolerance = 0.2;
 /// Free frequencies are searched this far from where the nominal values put them, relative to the lowest mode.
 constexpr double search_range = 0.1;
 
+/// Fewer ensembles cannot tell phases that stand still from independent ones at the one percent that is asked for.
+constexpr std::size_t lock_ensembles = 6;
+
 /// Bins between a weak harmonic and every other tone, for it to be fitted.
 constexpr double separate_bins = 2;
 
@@ -307,6 +310,31 @@ class DwellObserver {
         if (block.kind == BlockKind::harmonic && !zero[b] && (block.order <= 1) == (order == 1))
           block_index[b] = index_of(block_tone[b], order == 1 ? 0 : separate_bins);
       }
+    // Whatever else is likely to be there must not count as noise: combinations of up to three frequencies.
+    const std::size_t sources = modes + excitations_.size();
+    std::vector<int> multiple(sources, 0);
+    const auto combine = [&](const auto& self, std::size_t from, int left) -> void {
+      if (from == sources) {
+        Tone tone{Eigen::RowVectorXd::Zero(unknowns), 0};
+        for (std::size_t i = 0; i < sources; ++i) {
+          if (i < modes) {
+            tone.coupling += multiple[i] * of_mode[i].coupling;
+            tone.fixed += multiple[i] * of_mode[i].fixed;
+          } else {
+            tone.fixed += multiple[i] * o.excitation_frequency[i - modes];
+          }
+        }
+        index_of(tone, separate_bins);
+        return;
+      }
+      const bool there = from >= modes || modes_.oscillates[from];
+      for (int n = there ? -left : 0; n <= (there ? left : 0); ++n) {
+        multiple[from] = n;
+        self(self, from + 1, left - std::abs(n));
+      }
+      multiple[from] = 0;
+    };
+    combine(combine, 0, 3);
     const auto related = [&](std::size_t count) {
       RelatedTones list{VectorXd(static_cast<Index>(count)), MatrixXd(static_cast<Index>(count), unknowns), 0};
       for (std::size_t i = 0; i < count; ++i) {
@@ -392,7 +420,8 @@ class DwellObserver {
     std::vector<std::size_t> pair;
     for (std::size_t k = 0; k < model_.modes(); ++k)
       if (modes_.oscillates[k]) pair.push_back(k);
-    if (modes_.free.size() != 1 || pair.size() != 2 || found.size() < 4 || model_.excitations.size() != 1)
+    if (modes_.free.size() != 1 || pair.size() != 2 || found.size() < lock_ensembles ||
+        model_.excitations.size() != 1)
       return true;
     const int drive = resonance_.relations[model_.modes()];
     const int sign[] = {resonance_.relations[pair[0]] * drive, resonance_.relations[pair[1]] * drive};

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "estimator/identification/case_quality.hpp"
@@ -25,6 +26,9 @@ using Eigen::VectorXd;
 
 /// Cases are fitted again with the natural frequencies of all of them; the columns depend on those weakly.
 constexpr int case_rounds = 2;
+
+/// Standard deviation, relative, of a natural frequency about the observed one where nothing else tells it.
+constexpr double resonance_width = 0.005;
 
 /// Percentiles of the bootstrap's interval.
 constexpr double bootstrap_tail = 0.025;
@@ -228,6 +232,7 @@ class Estimator {
       lump_estimates_.push_back(std::move(part));
       kept_.push_back(std::move(kept));
     }
+    add_resonance_widths();
     VectorXd start = VectorXd::Zero(static_cast<Index>(model_.symbols.size()));
     for (Index p = 0; p < start.size(); ++p) {
       const std::string name(model_.symbols[static_cast<std::size_t>(p)].name);
@@ -242,6 +247,25 @@ class Estimator {
     shared_ = shared_parameters(lump_estimates_, start, given_);
     result_.parameter_values = shared_.values;
     if (options_.bootstrap > 0) draw_bootstrap();
+  }
+
+  // A natural frequency that no regression separates from other changes of stiffness is still near the observed
+  // one: that is what the resonance means. Without it, coefficients that hold it weakly would have to determine it.
+  void add_resonance_widths() {
+    for (std::size_t k = 0; k < model_.modes(); ++k) {
+      const bool estimated =
+          std::any_of(lump_estimates_.begin(), lump_estimates_.end(), [&](const LumpEstimates& part) {
+            return std::find(part.index.begin(), part.index.end(), -1 - static_cast<int>(k)) != part.index.end();
+          });
+      if (estimated || given_[k]) continue;
+      LumpEstimates near;
+      near.resonance = sets_.front()->resonance;
+      near.index = {-1 - static_cast<int>(k)};
+      near.values = VectorXd::Constant(1, knowledge_.natural_frequency[k]);
+      near.plain = MatrixXd::Constant(1, 1, std::pow(resonance_width * near.values(0), 2));
+      near.degrees_of_freedom = std::numeric_limits<double>::infinity();
+      lump_estimates_.push_back(std::move(near));
+    }
   }
 
   void draw_bootstrap() {

@@ -38,9 +38,11 @@ struct LinearFit {
 /// covariance is the delete-one-cluster jackknife, exact by solving without each cluster; its bias is upward for
 /// few clusters, which keeps intervals honest where the usual sandwich is too narrow. With fewer than five
 /// clusters, or where one cluster alone determines a direction, the plain covariance is used and said.
-/// `column_noise`, if not empty, is the expected Gram matrix of the errors in `design` itself: a direction whose
-/// squared singular value is not above `noise_ratio` times what these errors alone give is not identifiable (its
-/// least-squares coefficient would be made of noise). Throws std::invalid_argument for sizes that differ.
+/// `column_noise`, if not
+/// empty, is the expected Gram matrix of the errors in `design` itself: where a squared singular value is not above
+/// `noise_ratio` times what these errors alone give, the columns whose variance rests mainly on that direction are
+/// not identifiable (their least-squares coefficients would be made of noise). Throws std::invalid_argument for
+/// sizes that differ.
 LinearFit linear_fit(const Eigen::Ref<const Eigen::MatrixXd>& design,
                      const Eigen::Ref<const Eigen::VectorXd>& response, std::span<const int> cluster,
                      double tolerance = 1e-9, const Eigen::MatrixXd& column_noise = {});

@@ -82,15 +82,14 @@ Experiment combination_experiment() {
     d.frequencies_hz = std::move(frequencies);
     d.amplitudes = std::move(levels);
     d.ensembles = 4;
-    d.settle_s = 90;
+    d.settle_s = 200;
     d.carry_state = true;
     d.initial_displacement = {4e-4, 2e-4};
     e.dwells.push_back(d);
   };
-  dwell({45.545, 45.555, 45.565, 45.575}, {23.3});
-  dwell({45.56}, {28, 26, 24.5, 23});
-  dwell({45.57}, {30, 27, 25});
-  for (DwellProgramme& d : e.dwells) d.ensemble_s = 4;
+  dwell({45.545, 45.555, 45.565}, {26});
+  dwell({45.56}, {30, 28, 25});
+  dwell({45.57}, {31, 29, 27});
   return e;
 }
 
@@ -100,15 +99,15 @@ TEST(SlowCombination, LumpsOfTheThesisAreRecovered) {
   const CompiledCase& resonance = case_named(model, "additive_combination");
   const SimulatedCampaign simulated = run_virtual_test(experiment, model, 3, 2);
   const ObservationSet set = observed(simulated, model, resonance);
-  ASSERT_GE(set.observations.size(), 40U) << (set.warnings.empty() ? "" : set.warnings.front());
+  ASSERT_GE(set.observations.size(), 32U) << (set.warnings.empty() ? "" : set.warnings.front());
   const Estimate result = estimate(set, "kg^(1/2) m", {"m/s^2"}, {});
   for (const char* name : {"omega2", "mu11", "mu22", "mu13", "mu23", "p", "q1", "q2", "alpha1", "alpha2"}) {
     const EstimatedValue& v = value_of(result, name);
     ASSERT_TRUE(v.value) << name;
-    // Eleven conditions: Student's t with ten degrees of freedom exceeds 4.6 once in a thousand; one percent of
-    // the value for what the first-order expansion leaves out.
+    // Nine conditions at most: Student's t with eight degrees of freedom exceeds 5 once in a thousand; one percent
+    // of the value for what the first-order expansion leaves out.
     EXPECT_NEAR(*v.value, truth_of(model, resonance, experiment.parameters, name),
-                4.6 * v.sd + 0.01 * std::abs(*v.value))
+                5 * v.sd + 0.01 * std::abs(*v.value))
         << name << " sd " << v.sd;
   }
   for (const char* name : {"mu11", "mu22", "p"})
