@@ -41,8 +41,9 @@ void parse_fixed(Options& options) {
 }
 
 void print_summary(const Identification& id, const std::string& folder) {
-  fmt::print("model {}, case {}: {} observations\n", id.model->name, id.resonance->name,
-             id.measured.observations.size());
+  for (const ObservationSet& set : id.measured)
+    fmt::print("model {}, case {}: {} observations\n", id.model->name, set.resonance->name,
+               set.observations.size());
   const auto print = [](const EstimatedValue& v) {
     if (v.fixed)
       fmt::print("  {:<12} {:>20} {:<14} given\n", v.name, report::format_number(*v.value, 6), v.unit);
@@ -58,8 +59,23 @@ void print_summary(const Identification& id, const std::string& folder) {
   fmt::print("parameters\n");
   for (const EstimatedValue& v : id.estimate.parameters) print(v);
   fmt::print("lumps\n");
-  for (const EstimatedValue& v : id.estimate.lumps)
-    if (v.value) print(v);
+  for (const ObservationSet& set : id.measured) {
+    if (id.measured.size() > 1) fmt::print(" case {}\n", set.resonance->name);
+    for (const EstimatedValue& v : id.estimate.lumps)
+      if (v.value && v.resonance == set.resonance->name) print(v);
+  }
+  for (const DampingComparison& damping : id.estimate.damping) {
+    std::string terms;
+    for (const std::string& term : damping.laws.front().terms) terms += (terms.empty() ? "" : " + ") + term;
+    fmt::print("damping of {} that predicts left-out conditions best: {}{}\n", damping.mode, terms,
+               damping.decided ? "" : " (not decided)");
+  }
+  for (const NullDirection& direction : id.estimate.null_directions) {
+    std::string tests;
+    for (std::size_t i = 0; i < direction.parted_by.size() && i < 3; ++i)
+      tests += (i == 0 ? "" : "; ") + direction.parted_by[i];
+    fmt::print("not separated: {}{}\n", direction.text, tests.empty() ? "" : ". What would part them: " + tests);
+  }
   for (const HeldOutPrediction& p : id.held_out) {
     const bool angle = id.coordinate_unit == "rad";
     fmt::print("held out: {:.1f} s to {:.1f} s predicted within {:.3g} {} RMS\n", p.from_s, p.to_s,
@@ -77,7 +93,15 @@ void add_identify_command(CLI::App& root, Action& chosen) {
   command->add_option("CAMPAIGN", options->request.campaign, "campaign folder")->required();
   command->add_option("--model", options->request.model, "model file, or the name of a shipped model")->required();
   command->add_option("-o,--output", options->folder, "folder for estimate.json and report.html")->required();
-  command->add_option("--case", options->request.resonance, "resonance case; chosen from the records without it");
+  command
+      ->add_option("--case", options->request.resonances,
+                   "resonance case, may be given several times; chosen from the records without it")
+      ->allow_extra_args(false);
+  command->add_option("--bootstrap", options->request.bootstrap, "resamples of the conditions, for intervals")
+      ->check(CLI::Range(0, 100000));
+  command->add_option("--seed", options->request.seed, "of the bootstrap");
+  command->add_flag("--refine", options->request.refine,
+                    "maximum likelihood with errors in amplitudes, phases, forces and frequencies");
   command->add_option("--from", options->request.window.from_s, "use every record from this time on, s");
   command->add_option("--to", options->request.window.to_s, "use every record up to this time, s");
   command->add_option("--records", options->request.window.records,

@@ -15,6 +15,7 @@ Json value_json(const EstimatedValue& value, bool lump) {
   Json entry;
   entry["name"] = value.name;
   if (lump) entry["definition"] = value.definition;
+  if (lump) entry["case"] = value.resonance;
   if (value.value) {
     entry["value"] = *value.value;
     entry["sd"] = value.sd;
@@ -36,6 +37,44 @@ Json value_json(const EstimatedValue& value, bool lump) {
   if (value.fixed) entry["fixed"] = true;
   if (value.truncation != 0) entry["truncation_correction"] = -value.truncation;
   if (!value.identifiable) entry["entangled_with"] = value.entangled_with;
+  if (!value.nearly_entangled_with.empty()) entry["nearly_entangled_with"] = value.nearly_entangled_with;
+  if (value.partial_f)
+    entry["partial_f"] = {{"f", value.partial_f->f},
+                          {"numerator_df", 1},
+                          {"denominator_df", value.partial_f->degrees_of_freedom},
+                          {"p_value", value.partial_f->p_value},
+                          {"p_value_holm", value.partial_f->p_value_holm},
+                          {"tests", value.partial_f->tests}};
+  if (value.bootstrap)
+    entry["bootstrap"] = {{"sd", value.bootstrap->sd}, {"ci95", {value.bootstrap->low, value.bootstrap->high}}};
+  return entry;
+}
+
+Json condition_json(const ConditionQuality& condition, const Identification& id) {
+  Json entry;
+  entry["case"] = condition.resonance;
+  entry["record"] = id.campaign.records[condition.record].file;
+  entry["ensembles"] = condition.ensembles;
+  entry["amplitude"] = condition.amplitude;
+  if (condition.gamma) {
+    entry["gamma_rad"] = *condition.gamma;
+    entry["gamma_sd"] = *condition.gamma_sd;
+  }
+  entry["leverage"] = condition.leverage;
+  entry["influence"] = condition.influence;
+  entry["residual"] = condition.residual;
+  return entry;
+}
+
+Json damping_json(const DampingComparison& comparison) {
+  Json entry;
+  entry["case"] = comparison.resonance;
+  entry["mode"] = comparison.mode;
+  entry["decided"] = comparison.decided;
+  entry["laws"] = Json::array();
+  for (const DampingLaw& law : comparison.laws)
+    entry["laws"].push_back(
+        {{"terms", law.terms}, {"held_out_score", law.score}, {"worse_by", law.worse_by}, {"worse_by_sd", law.sd}});
   return entry;
 }
 
@@ -45,7 +84,16 @@ std::string estimate_json(const Identification& identification) {
   Json result;
   result["schema"] = 1;
   result["model"] = identification.model->name;
-  result["case"] = identification.resonance->name;
+  Json cases = Json::array();
+  std::size_t observations = 0;
+  for (const ObservationSet& set : identification.measured) {
+    cases.push_back(set.resonance->name);
+    observations += set.observations.size();
+  }
+  if (cases.size() == 1)
+    result["case"] = cases.front();
+  else
+    result["cases"] = cases;
   result["estimates"] = Json::array();
   for (const EstimatedValue& value : identification.estimate.parameters)
     result["estimates"].push_back(value_json(value, false));
@@ -53,11 +101,12 @@ std::string estimate_json(const Identification& identification) {
   for (const EstimatedValue& value : identification.estimate.lumps)
     result["lumps"].push_back(value_json(value, true));
   Json quality;
-  quality["observations"] = identification.measured.observations.size();
+  quality["observations"] = observations;
   quality["blocks"] = Json::array();
   for (const BlockQuality& block : identification.estimate.blocks) {
     Json entry;
     entry["name"] = block.name;
+    entry["case"] = block.resonance;
     entry["equations"] = block.equations;
     entry["conditions"] = block.conditions;
     entry["normalised_residual"] = block.normalised_residual;
@@ -66,6 +115,23 @@ std::string estimate_json(const Identification& identification) {
     for (const auto& [name, inflation] : block.variance_inflation) entry["variance_inflation"][name] = inflation;
     quality["blocks"].push_back(std::move(entry));
   }
+  quality["conditions"] = Json::array();
+  for (const ConditionQuality& condition : identification.estimate.conditions)
+    quality["conditions"].push_back(condition_json(condition, identification));
+  quality["outliers"] = Json::array();
+  for (const OutlyingEnsemble& o : identification.estimate.outliers)
+    quality["outliers"].push_back({{"case", o.resonance},
+                                   {"record", identification.campaign.records[o.record].file},
+                                   {"centre_s", o.centre_s},
+                                   {"distance", o.distance},
+                                   {"weight", o.weight}});
+  quality["damping_laws"] = Json::array();
+  for (const DampingComparison& comparison : identification.estimate.damping)
+    quality["damping_laws"].push_back(damping_json(comparison));
+  quality["not_separated"] = Json::array();
+  for (const NullDirection& direction : identification.estimate.null_directions)
+    quality["not_separated"].push_back(
+        {{"parameters", direction.parameters}, {"direction", direction.text}, {"parted_by", direction.parted_by}});
   if (!identification.held_out.empty()) {
     quality["held_out"] = Json::array();
     for (const HeldOutPrediction& prediction : identification.held_out)

@@ -8,6 +8,7 @@
 
 #include "app/model_loading.hpp"
 #include "estimator/identification/modal_projection.hpp"
+#include "estimator/identification/steady_amplitude.hpp"
 #include "input/input_error.hpp"
 #include "simulate/replay.hpp"
 
@@ -16,6 +17,9 @@ namespace {
 
 /// The correction is evaluated at the estimate and once more at the corrected one.
 constexpr int truncation_passes = 2;
+
+/// A dwell belongs to a resonance within this relative distance.
+constexpr double resonance_width = 0.1;
 
 // How far a dwell is from a case's resonances, relative; infinite where that cannot be told.
 double mismatch(const ModelSource& model, const CaseOutline& resonance, double excitation_frequency) {
@@ -43,36 +47,85 @@ void require_case(const ModelSource& model, const std::string& name) {
   throw InputError("--case " + name, "", "is no case of model " + model.name(), "its cases are " + known);
 }
 
-// The case whose resonance the dwells excite, or the one without excitation for decays.
-std::string fitting_case(const ModelSource& model, const Campaign& campaign, const Window& window) {
-  std::vector<double> frequencies;
-  bool decays = false;
-  for (const RecordEntry& entry : campaign.records) {
-    if (!matches_pattern(window.records, entry.file)) continue;
-    if (entry.kind == RecordKind::dwell && entry.excitation_frequency_hz)
-      frequencies.push_back(2 * std::numbers::pi * *entry.excitation_frequency_hz);
-    decays = decays || entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact;
+// Cases by name with the records that they explain, in the order of the model.
+struct Assignment {
+  std::vector<std::string> names;
+  std::vector<std::vector<bool>> records;  ///< [case][record]
+  std::vector<std::string> warnings;
+};
+
+Assignment assign_records(const ModelSource& model, const Campaign& campaign,
+                          const IdentificationRequest& request) {
+  const auto allowed = [&](const CaseOutline& resonance) {
+    return request.resonances.empty() || std::find(request.resonances.begin(), request.resonances.end(),
+                                                   resonance.name) != request.resonances.end();
+  };
+  const std::vector<CaseOutline>& cases = model.cases();
+  std::vector<std::vector<bool>> records(cases.size(), std::vector<bool>(campaign.records.size(), false));
+  const auto excited =
+      std::count_if(cases.begin(), cases.end(), [&](const CaseOutline& c) { return c.excited && allowed(c); });
+  // Decays go to every case of one free mode; the case of the caller's choice, if there is one, comes first.
+  const auto decays_to = [&](const CaseOutline& resonance) {
+    return !resonance.excited && allowed(resonance) &&
+           (!request.resonances.empty() || model.modes() == 1 || resonance.active_modes == 1);
+  };
+  Assignment result;
+  bool dwells = false, decays = false;
+  double stray = 0;
+  for (std::size_t r = 0; r < campaign.records.size(); ++r) {
+    const RecordEntry& entry = campaign.records[r];
+    if (!request.window.takes(r, entry.file)) continue;
+    if (entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact) {
+      decays = true;
+      bool first = true;
+      for (std::size_t c = 0; c < cases.size(); ++c)
+        if (decays_to(cases[c]) && (first || model.modes() > 1)) {
+          records[c][r] = true;
+          first = false;
+        }
+    }
+    if (entry.kind != RecordKind::dwell) continue;
+    dwells = true;
+    if (excited == 1 && !request.resonances.empty()) {
+      for (std::size_t c = 0; c < cases.size(); ++c)
+        if (cases[c].excited && allowed(cases[c])) records[c][r] = true;
+      continue;
+    }
+    if (!entry.excitation_frequency_hz) {
+      result.warnings.push_back(
+          fmt::format("{}: a dwell without excitation_frequency_hz belongs to no case, left out", entry.file));
+      continue;
+    }
+    const double frequency = 2 * std::numbers::pi * *entry.excitation_frequency_hz;
+    std::size_t best = cases.size();
+    for (std::size_t c = 0; c < cases.size(); ++c)
+      if (cases[c].excited && allowed(cases[c]) &&
+          (best == cases.size() || mismatch(model, cases[c], frequency) < mismatch(model, cases[best], frequency)))
+        best = c;
+    if (best < cases.size() && mismatch(model, cases[best], frequency) < resonance_width) {
+      records[best][r] = true;
+    } else {
+      stray = *entry.excitation_frequency_hz;
+      result.warnings.push_back(fmt::format(
+          "{}: {:.4g} Hz excites no resonance that the model has a case for, left out", entry.file, stray));
+    }
   }
-  if (!frequencies.empty()) {
-    std::nth_element(frequencies.begin(), frequencies.begin() + static_cast<std::ptrdiff_t>(frequencies.size() / 2),
-                     frequencies.end());
-    const double typical = frequencies[frequencies.size() / 2];
-    const CaseOutline* best = nullptr;
-    for (const CaseOutline& resonance : model.cases())
-      if (resonance.excited && (!best || mismatch(model, resonance, typical) < mismatch(model, *best, typical)))
-        best = &resonance;
-    if (best && mismatch(model, *best, typical) < 0.1) return best->name;
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    if (std::find(records[c].begin(), records[c].end(), true) != records[c].end()) {
+      result.names.push_back(cases[c].name);
+      result.records.push_back(records[c]);
+    }
+  if (!result.names.empty()) return result;
+  if (dwells)
     throw InputError(campaign.folder.string(), "",
-                     fmt::format("its dwells near {:.4g} Hz excite no resonance that model {} has a case for",
-                                 typical / (2 * std::numbers::pi), model.name()),
+                     stray > 0
+                         ? fmt::format("its dwells near {:.4g} Hz excite no resonance that model {} has a case for",
+                                       stray, model.name())
+                         : "its dwells belong to no case of model " + model.name(),
                      "name the case with --case, or add a [[case]] to the model");
-  }
-  if (decays)
-    for (const CaseOutline& resonance : model.cases())
-      if (!resonance.excited) return resonance.name;
   throw InputError(campaign.folder.string(), "",
                    "has no records that model " + model.name() + " can be identified from",
-                   decays ? "its free decays need a case with excitation = false"
+                   decays ? "its free decays need a case with excitation = false in which one mode is not at rest"
                           : "dwells with excitation_frequency_hz or free decays were expected");
 }
 
@@ -86,47 +139,69 @@ const CompiledCase& named_case(const CompiledModel& model, const std::string& na
 Identification identify(const IdentificationRequest& request) {
   Identification result;
   const ModelSource source(request.model, request.interpret);
-  if (!request.resonance.empty()) require_case(source, request.resonance);
+  for (const std::string& name : request.resonances) require_case(source, name);
   result.campaign = read_campaign(request.campaign);
   const Campaign& campaign = result.campaign;
-  const std::string resonance =
-      request.resonance.empty() ? fitting_case(source, campaign, request.window) : request.resonance;
-  result.model = source.load({resonance});
+  const Assignment assignment = assign_records(source, campaign, request);
+  result.model = source.load(assignment.names);
   const CompiledModel& model = *result.model;
-  result.resonance = &named_case(model, resonance);
   result.coordinate_unit = modal_projection(campaign, model).unit;
-  if (result.resonance->excited)
-    for (const std::size_t channel : excitation_channels(campaign, model))
-      result.excitation_units.push_back(campaign.channels[channel].unit);
   const RecordReader read = [&](std::size_t r) { return read_record(campaign, campaign.records[r]); };
-  result.measured = result.resonance->excited
-                        ? observe_dwells(campaign, read, model, *result.resonance, request.window)
-                        : observe_free_decays(campaign, read, model, *result.resonance, request.window);
-  const EstimateOptions options{request.fixed};
-  const Estimate raw = estimate(result.measured, result.coordinate_unit, result.excitation_units, options);
+  for (std::size_t c = 0; c < assignment.names.size(); ++c) {
+    const CompiledCase& resonance = named_case(model, assignment.names[c]);
+    if (resonance.excited && result.excitation_units.empty())
+      for (const std::size_t channel : excitation_channels(campaign, model))
+        result.excitation_units.push_back(campaign.channels[channel].unit);
+    Window window = request.window;
+    window.chosen = assignment.records[c];
+    window.threads = request.threads;
+    result.measured.push_back(resonance.excited ? observe_dwells(campaign, read, model, resonance, window)
+                                                : observe_free_decays(campaign, read, model, resonance, window));
+  }
+  const MeasuredUnits units{result.coordinate_unit, result.excitation_units};
+  EstimateOptions options;
+  options.fixed = request.fixed;
+  options.bootstrap = request.bootstrap;
+  options.seed = request.seed;
+  options.refine = request.refine;
+  Estimate raw = estimate(result.measured, units, options);
+  raw.warnings.insert(raw.warnings.begin(), assignment.warnings.begin(), assignment.warnings.end());
   result.estimate = raw;
   const auto replay = [&] {
-    return observe_replay(campaign, result.measured, result.estimate.parameter_values, request.threads);
+    std::vector<ObservationSet> sets;
+    for (const ObservationSet& set : result.measured)
+      sets.push_back(observe_replay(campaign, set, result.estimate.parameter_values, request.threads));
+    return sets;
   };
   try {
     for (int pass = 0; pass < truncation_passes; ++pass) {
-      const Estimate again = estimate(replay(), result.coordinate_unit, result.excitation_units, options);
-      result.estimate =
-          truncation_corrected(raw, again, result.estimate.parameter_values, model, *result.resonance);
+      result.replayed = replay();
+      const auto corrected = with_truncation(result.measured, result.replayed, result.estimate.parameter_values);
+      EstimateOptions quick = options;
+      if (pass + 1 < truncation_passes) {
+        quick.bootstrap = 0;
+        quick.damping_laws = false;
+      }
+      result.estimate = with_truncation_error(estimate(corrected, units, quick), raw);
     }
-    result.replayed = replay();
+    result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
+                                    assignment.warnings.end());
+    for (ObservationSet& set : result.replayed)
+      if (set.resonance->excited) to_steady_amplitudes(set, result.estimate.parameter_values);
   } catch (const InputError& error) {
-    result.replayed = {};
+    result.replayed = result.measured;
+    for (ObservationSet& set : result.replayed) set.observations.clear();
     result.estimate = raw;
     result.estimate.warnings.push_back(
         std::string("the expansion's truncation could not be corrected by the full equations (") + error.what() +
         "): standard deviations do not contain it");
   }
-  if (!result.resonance->excited)
-    for (std::size_t r = 0; r < campaign.records.size(); ++r)
-      if (auto prediction = predict_held_out_decay(campaign, read, result.measured, r,
-                                                   result.estimate.parameter_values, request.window))
-        result.held_out.push_back(std::move(*prediction));
+  for (const ObservationSet& set : result.measured)
+    if (!set.resonance->excited && model.modes() == 1)
+      for (std::size_t r = 0; r < campaign.records.size(); ++r)
+        if (auto prediction =
+                predict_held_out_decay(campaign, read, set, r, result.estimate.parameter_values, request.window))
+          result.held_out.push_back(std::move(*prediction));
   return result;
 }
 

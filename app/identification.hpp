@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,27 +15,32 @@
 namespace secular::app {
 
 struct IdentificationRequest {
-  std::string campaign, model, resonance;  ///< resonance empty: chosen from the records
-  bool interpret = false;                  ///< never use compiled code of the model
+  std::string campaign, model;
+  std::vector<std::string> resonances;  ///< cases; empty: chosen from the records
+  bool interpret = false;               ///< never use compiled code of the model
   Window window;
   std::map<std::string, double> fixed;
   unsigned threads = 1;
+  int bootstrap = 0;       ///< resamples of the conditions
+  bool refine = false;     ///< maximum likelihood with errors in everything measured
+  std::uint64_t seed = 1;  ///< of the bootstrap
 };
 
 /// Everything that a run of `identify` found, before it is written.
 struct Identification {
   Campaign campaign;
   std::shared_ptr<const CompiledModel> model;
-  const CompiledCase* resonance = nullptr;
-  ObservationSet measured;
-  ObservationSet replayed;  ///< what the full equations do at the estimated parameters; empty if that failed
+  std::vector<ObservationSet> measured;  ///< by case
+  /// What the full equations do at the estimated parameters, by case; observations empty if that failed.
+  std::vector<ObservationSet> replayed;
   Estimate estimate;
   std::vector<HeldOutPrediction> held_out;
   std::string coordinate_unit;
   std::vector<std::string> excitation_units;
 };
 
-/// Observations, regression, correction for the expansion's truncation, prediction of what was held out.
+/// Every record goes to the case whose resonance it excites (decays to cases of one free mode); then observations,
+/// one regression of all cases, correction for the expansion's truncation, prediction of what was held out.
 Identification identify(const IdentificationRequest& request);
 
 }  // namespace secular::app

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <map>
 #include <numbers>
 #include <utility>
 
+#include "estimator/identification/mode_frequencies.hpp"
 #include "estimator/regression/confidence.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
@@ -34,13 +36,51 @@ struct Condition {
   double model_amplitude = 0, phase_difference = 0;
 };
 
-std::size_t first_mode(const Identification& id) {
+// One case of an identification, for its figures.
+struct CaseView {
+  const CompiledModel* model;
+  const CompiledCase* resonance;
+  const Campaign& campaign;
+  const ObservationSet &measured, &replayed;
+  const std::string& coordinate_unit;
+  ModeFrequencies modes;
+};
+
+CaseView view_of(const Identification& id, std::size_t c) {
+  return {id.model.get(),
+          id.measured[c].resonance,
+          id.campaign,
+          id.measured[c],
+          id.replayed[c],
+          id.coordinate_unit,
+          mode_frequencies(*id.model, *id.measured[c].resonance)};
+}
+
+std::size_t first_mode(const CaseView& id) {
   for (std::size_t k = 0; k < id.model->modes(); ++k)
-    if (!id.resonance->mode_at_rest[k]) return k;
+    if (id.modes.oscillates[k]) return k;
   return 0;
 }
 
-std::vector<Condition> conditions_of(const Identification& id) {
+// Phase of the response against the excitation, and the turn after which it repeats. Locked modes: the response's
+// phase minus its share of the excitation's (half in a 2:1 lock, ambiguous by half a turn of the excitation). Two
+// modes with a free frequency: gamma = arg(F conj(A1) conj(A2)).
+struct RelativePhase {
+  double phase = 0, turn = 0;
+};
+RelativePhase relative_phase(const CaseView& id, const Observation& o) {
+  const std::size_t mode = first_mode(id);
+  if (!id.modes.free.empty()) {
+    std::complex<double> product = o.forcing[0];
+    for (std::size_t k = 0; k < id.model->modes(); ++k)
+      if (id.modes.oscillates[k]) product *= std::conj(o.amplitude[k]);
+    return {std::arg(product), 2 * std::numbers::pi};
+  }
+  const double ratio = o.rate[mode].imag() / o.excitation_frequency[0];
+  return {std::arg(o.amplitude[mode]) - ratio * std::arg(o.forcing[0]), 2 * std::numbers::pi * ratio};
+}
+
+std::vector<Condition> conditions_of(const CaseView& id) {
   const std::size_t mode = first_mode(id);
   std::map<std::size_t, std::vector<std::size_t>> members;
   const auto& seen = id.measured.observations;
@@ -62,14 +102,9 @@ std::vector<Condition> conditions_of(const Identification& id) {
       if (!replayed) continue;
       const Observation& m = id.replayed.observations[i];
       c.model_amplitude += 2 * std::abs(m.amplitude[mode]) / n;
-      // Phase relative to the excitation: twice the response's phase minus the excitation's in a 2:1 lock. The
-      // square of both sides takes the sign ambiguity of half a phase away.
-      const double ratio = m.rate[mode].imag() / m.excitation_frequency[0];
-      const auto relative = [&](const Observation& x) {
-        return std::arg(x.amplitude[mode]) - ratio * std::arg(x.forcing[0]);
-      };
-      const double turn = 2 * std::numbers::pi * ratio;
-      c.phase_difference += std::remainder(relative(o) - relative(m), turn) * 180 / std::numbers::pi / n;
+      const RelativePhase seen_phase = relative_phase(id, o), model_phase = relative_phase(id, m);
+      c.phase_difference +=
+          std::remainder(seen_phase.phase - model_phase.phase, seen_phase.turn) * 180 / std::numbers::pi / n;
     }
     c.amplitude_sd = std::sqrt(std::max(0.0, square - c.amplitude * c.amplitude));
     conditions.push_back(c);
@@ -77,7 +112,7 @@ std::vector<Condition> conditions_of(const Identification& id) {
   return conditions;
 }
 
-Figure dwell_response(const Identification& id) {
+Figure dwell_response(const CaseView& id) {
   const std::vector<Condition> conditions = conditions_of(id);
   const bool replayed = id.replayed.observations.size() == id.measured.observations.size();
   Figure figure;
@@ -117,7 +152,7 @@ Figure dwell_response(const Identification& id) {
   return figure;
 }
 
-Figure dwell_differences(const Identification& id) {
+Figure dwell_differences(const CaseView& id) {
   Figure figure;
   figure.title = "Measured minus computed";
   figure.x = {"Peak amplitude", id.coordinate_unit, false, {}};
@@ -135,42 +170,44 @@ Figure dwell_differences(const Identification& id) {
   return figure;
 }
 
-Figure decay_response(const Identification& id) {
+Figure decay_response(const CaseView& id) {
   Figure figure;
   figure.title = "Free decay: frequency and damping against amplitude";
-  figure.x = {fmt::format("Peak amplitude of {}", id.model->coordinates[0]), id.coordinate_unit, false, {}};
+  figure.x = {
+      fmt::format("Peak amplitude of {}", id.model->coordinates[first_mode(id)]), id.coordinate_unit, false, {}};
+  const std::size_t own = first_mode(id);
   Series frequency, damping, model_frequency, model_damping;
   frequency.name = damping.name = "measured, windows";
   frequency.style = damping.style = SeriesStyle::error_bars;
   frequency.role = damping.role = SeriesRole::data;
   model_frequency.name = model_damping.name = "full equations, estimated parameters";
   for (const Observation& o : id.measured.observations) {
-    const double peak = 2 * std::abs(o.amplitude[0]);
+    const double peak = 2 * std::abs(o.amplitude[own]);
     frequency.x.push_back(peak);
-    frequency.y.push_back(o.rate[0].imag() * to_hz);
-    frequency.y_error.push_back(2 * o.frequency_sd[0] * to_hz);
+    frequency.y.push_back(o.rate[own].imag() * to_hz);
+    frequency.y_error.push_back(2 * o.frequency_sd[own] * to_hz);
     damping.x.push_back(peak);
-    damping.y.push_back(-o.rate[0].real());
-    damping.y_error.push_back(2 * o.growth_sd[0]);
+    damping.y.push_back(-o.rate[own].real());
+    damping.y_error.push_back(2 * o.growth_sd[own]);
   }
   std::vector<const Observation*> computed;
   for (const Observation& o : id.replayed.observations) computed.push_back(&o);
-  std::sort(computed.begin(), computed.end(), [](const Observation* a, const Observation* b) {
-    return std::abs(a->amplitude[0]) < std::abs(b->amplitude[0]);
+  std::sort(computed.begin(), computed.end(), [own](const Observation* a, const Observation* b) {
+    return std::abs(a->amplitude[own]) < std::abs(b->amplitude[own]);
   });
   for (const Observation* o : computed) {
-    const double peak = 2 * std::abs(o->amplitude[0]);
+    const double peak = 2 * std::abs(o->amplitude[own]);
     model_frequency.x.push_back(peak);
-    model_frequency.y.push_back(o->rate[0].imag() * to_hz);
+    model_frequency.y.push_back(o->rate[own].imag() * to_hz);
     model_damping.x.push_back(peak);
-    model_damping.y.push_back(-o->rate[0].real());
+    model_damping.y.push_back(-o->rate[own].real());
   }
   figure.panels.push_back({"", {"Frequency", "Hz", false, {}}, {frequency, model_frequency}});
   figure.panels.push_back({"", {"Decay rate", "1/s", false, {}}, {damping, model_damping}});
   return figure;
 }
 
-Figure held_out_figure(const Identification& id, const HeldOutPrediction& prediction) {
+Figure held_out_figure(const CaseView& id, const HeldOutPrediction& prediction) {
   Figure figure;
   figure.title = "Held out: the rest of the decay, predicted";
   figure.x = {"Time in the record", "s", false, {}};
@@ -185,28 +222,29 @@ Figure held_out_figure(const Identification& id, const HeldOutPrediction& predic
   predicted.y = prediction.predicted;
   for (std::size_t i = 0; i < prediction.time.size(); ++i)
     difference.y.push_back(prediction.measured[i] - prediction.predicted[i]);
-  const std::string name(id.model->coordinates[0]);
+  const std::string name(id.model->coordinates[first_mode(id)]);
   figure.panels.push_back({"", {name, id.coordinate_unit, false, {}}, {measured, predicted}});
   figure.panels.push_back({"", {"Measured minus predicted", id.coordinate_unit, false, {}}, {difference}});
   return figure;
 }
 
-Figure decay_residuals(const Identification& id) {
+Figure decay_residuals(const CaseView& id) {
   Figure figure;
   figure.title = "Measured minus computed";
   figure.x = {"Time in the record", "s", false, {}};
+  const std::size_t own = first_mode(id);
   Series frequency, damping;
   frequency.style = damping.style = SeriesStyle::error_bars;
   frequency.role = damping.role = SeriesRole::data;
   for (std::size_t i = 0; i < id.replayed.observations.size(); ++i) {
     const Observation &seen = id.measured.observations[i], &computed = id.replayed.observations[i];
-    const std::complex<double> difference = seen.rate[0] - computed.rate[0];
+    const std::complex<double> difference = seen.rate[own] - computed.rate[own];
     frequency.x.push_back(seen.centre_s);
     frequency.y.push_back(difference.imag() * to_hz);
-    frequency.y_error.push_back(2 * seen.frequency_sd[0] * to_hz);
+    frequency.y_error.push_back(2 * seen.frequency_sd[own] * to_hz);
     damping.x.push_back(seen.centre_s);
     damping.y.push_back(difference.real());
-    damping.y_error.push_back(2 * seen.growth_sd[0]);
+    damping.y_error.push_back(2 * seen.growth_sd[own]);
   }
   figure.panels.push_back({"", {"Frequency difference", "Hz", false, {}}, {frequency}});
   figure.panels.push_back({"", {"Growth difference", "1/s", false, {}}, {damping}});
@@ -247,15 +285,139 @@ void add_values(report::HtmlReport& page, const std::vector<EstimatedValue>& val
   page.table(table);
 }
 
+std::string cases_text(const Identification& id) {
+  std::string text;
+  for (const ObservationSet& set : id.measured)
+    text += (text.empty() ? "" : ", ") + std::string(set.resonance->name);
+  return (id.measured.size() > 1 ? "cases " : "case ") + text;
+}
+
+std::size_t observations_of(const Identification& id) {
+  std::size_t count = 0;
+  for (const ObservationSet& set : id.measured) count += set.observations.size();
+  return count;
+}
+
+std::string joined(const std::vector<std::string>& names, const std::string& between) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : between) + name;
+  return text;
+}
+
+void add_null_directions(report::HtmlReport& page, const Estimate& estimate) {
+  page.section("What these tests leave open");
+  Table table;
+  table.columns = {{"Parameters", Column::Kind::text, ""},
+                   {"What is not noticed", Column::Kind::text, ""},
+                   {"What would part them", Column::Kind::text, ""}};
+  for (const NullDirection& direction : estimate.null_directions)
+    table.rows.push_back(
+        {joined(direction.parameters, ", "), direction.text,
+         direction.parted_by.empty() ? "no case of this model" : joined(direction.parted_by, "; ")});
+  page.table(table);
+}
+
+void add_damping(report::HtmlReport& page, const Estimate& estimate) {
+  page.section("Damping laws");
+  page.paragraph(
+      "Every selection of damping terms, judged by how well it predicts the equations of conditions that were left "
+      "out, "
+      "one after the other. The score is the mean square over what noise explains; the last column compares with "
+      "the "
+      "best law condition by condition.");
+  for (const DampingComparison& comparison : estimate.damping) {
+    Table table;
+    table.columns = {{"Terms of " + comparison.mode, Column::Kind::text, ""},
+                     {"Held-out score", Column::Kind::number, ""},
+                     {"Worse than the best by", Column::Kind::number, ""},
+                     {"Standard deviation", Column::Kind::number, ""}};
+    for (const DampingLaw& law : comparison.laws)
+      table.rows.push_back({joined(law.terms, " + "), report::format_number(law.score, 4),
+                            report::format_number(law.worse_by, 3), report::format_number(law.sd, 2)});
+    page.table(table);
+    page.paragraph(comparison.decided ? "Decided: no law without the best one's terms comes within two standard "
+                                        "deviations of it."
+                                      : "Not decided: another law predicts about as well.");
+  }
+}
+
+void add_tests(report::HtmlReport& page, const Estimate& estimate) {
+  Table table;
+  table.columns = {
+      {"Lump", Column::Kind::text, ""}, {"Case", Column::Kind::text, ""},
+      {"F", Column::Kind::number, ""},  {"Degrees of freedom", Column::Kind::text, ""},
+      {"p", Column::Kind::number, ""},  {"p, all tests of the case allowed for", Column::Kind::number, ""}};
+  for (const EstimatedValue& v : estimate.lumps)
+    if (v.partial_f)
+      table.rows.push_back({v.name, v.resonance, report::format_number(v.partial_f->f, 4),
+                            fmt::format("1, {:.0f}", v.partial_f->degrees_of_freedom),
+                            report::format_number(v.partial_f->p_value, 3),
+                            report::format_number(v.partial_f->p_value_holm, 3)});
+  if (table.rows.empty()) return;
+  page.section("Analysis of variance, added last");
+  page.paragraph(
+      "Partial F of each lump added after all others. The denominator's degrees of freedom count conditions, not "
+      "ensembles: ensembles of one condition share what the model gets wrong there. The last column is Holm's, for "
+      "all "
+      "tests of the case together.");
+  page.table(table);
+}
+
+void add_conditions(report::HtmlReport& page, const Identification& id) {
+  if (id.estimate.conditions.empty()) return;
+  page.section("Conditions");
+  Figure figure;
+  figure.title = "Residual of every condition";
+  figure.x = {"Peak amplitude of the first oscillating mode", id.coordinate_unit, false, {}};
+  Panel panel;
+  panel.y = {"Residual over noise", "", false, {}};
+  Table table;
+  table.columns = {{"Record", Column::Kind::text, ""},
+                   {"Case", Column::Kind::text, ""},
+                   {"Ensembles", Column::Kind::number, ""},
+                   {"Leverage", Column::Kind::number, ""},
+                   {"Influence (Cook)", Column::Kind::number, ""},
+                   {"Residual over noise", Column::Kind::number, ""}};
+  for (std::size_t c = 0; c < id.measured.size(); ++c) {
+    Series points;
+    points.name = std::string(id.measured[c].resonance->name);
+    points.style = SeriesStyle::points;
+    points.role = SeriesRole::data;
+    points.group = static_cast<int>(c);
+    const CaseView view = view_of(id, c);
+    for (const ConditionQuality& q : id.estimate.conditions) {
+      if (q.resonance != points.name) continue;
+      points.x.push_back(q.amplitude[first_mode(view)]);
+      points.y.push_back(q.residual);
+      table.rows.push_back({id.campaign.records[q.record].file, q.resonance, std::to_string(q.ensembles),
+                            report::format_number(q.leverage, 3), report::format_number(q.influence, 3),
+                            report::format_number(q.residual, 3)});
+      table.row_tones.push_back(q.influence > 1 ? Tone::caution : Tone::neutral);
+    }
+    if (!points.x.empty()) panel.series.push_back(std::move(points));
+  }
+  figure.panels.push_back(std::move(panel));
+  page.figure(figure,
+              "Root mean square of the whitened equation residuals by condition. A trend with amplitude says "
+              "that the model lacks something.");
+  page.table(table);
+  page.paragraph(
+      "Leverage adds up to the number of unknowns. Influence above one (marked) means that the estimates "
+      "move by more than their joint error bar when that condition is left out.");
+}
+
 }  // namespace
 
 Figure response_figure(const Identification& id) {
-  return id.resonance->excited ? dwell_response(id) : decay_response(id);
+  std::size_t shown = 0;
+  while (shown + 1 < id.measured.size() && id.measured[shown].observations.empty()) ++shown;
+  const CaseView view = view_of(id, shown);
+  return view.resonance->excited ? dwell_response(view) : decay_response(view);
 }
 
 std::string identification_report(const Identification& id, const std::string& command) {
   report::HtmlReport page("Identification of " + std::string(id.model->name),
-                          "Campaign " + id.campaign.name + ", case " + std::string(id.resonance->name));
+                          "Campaign " + id.campaign.name + ", " + cases_text(id));
   for (const std::string& warning : id.estimate.warnings) page.warn(warning);
   int cards = 0;
   for (const EstimatedValue& v : id.estimate.parameters)
@@ -281,25 +443,33 @@ std::string identification_report(const Identification& id, const std::string& c
       "expansion's "
       "truncation.");
   add_values(page, id.estimate.parameters, false);
-  page.section("Response");
-  if (id.resonance->excited) {
-    page.figure(dwell_response(id),
-                "Peak amplitude of the modal displacement (mean over the ensembles of a dwell, bars: two standard "
-                "deviations) and what the full equations of motion do with the estimated parameters.");
-    if (id.replayed.observations.size() == id.measured.observations.size())
-      page.figure(dwell_differences(id),
-                  "What is left: amplitude and phase of every dwell against the full equations.");
-  } else {
-    page.figure(
-        decay_response(id),
-        "Every window of the decay (bars: two standard deviations) and the same windows on the full equations "
-        "with the estimated parameters.");
-    if (id.held_out.empty() && id.replayed.observations.size() == id.measured.observations.size())
-      page.figure(decay_residuals(id), "What is left of frequency and growth rate in every window.");
-    for (const HeldOutPrediction& p : id.held_out)
-      page.figure(held_out_figure(id, p),
-                  "The part of the record after the fitted window, integrated from the state at the window's end.");
+  for (std::size_t c = 0; c < id.measured.size(); ++c) {
+    const CaseView view = view_of(id, c);
+    if (view.measured.observations.empty()) continue;
+    page.section(id.measured.size() > 1 ? "Response, case " + std::string(view.resonance->name) : "Response");
+    if (view.resonance->excited) {
+      page.figure(
+          dwell_response(view),
+          "Peak amplitude of the modal displacement (mean over the ensembles of a dwell, bars: two standard "
+          "deviations) and what the full equations of motion do with the estimated parameters.");
+      if (view.replayed.observations.size() == view.measured.observations.size())
+        page.figure(dwell_differences(view),
+                    "What is left: amplitude and phase of every dwell against the full equations.");
+    } else {
+      page.figure(
+          decay_response(view),
+          "Every window of the decay (bars: two standard deviations) and the same windows on the full equations "
+          "with the estimated parameters.");
+      if (id.held_out.empty() && view.replayed.observations.size() == view.measured.observations.size())
+        page.figure(decay_residuals(view), "What is left of frequency and growth rate in every window.");
+      for (const HeldOutPrediction& p : id.held_out)
+        page.figure(
+            held_out_figure(view, p),
+            "The part of the record after the fitted window, integrated from the state at the window's end.");
+    }
   }
+  if (!id.estimate.null_directions.empty()) add_null_directions(page, id.estimate);
+  if (!id.estimate.damping.empty()) add_damping(page, id.estimate);
   page.section("Lumps");
   page.paragraph("The parameter combinations that the regression sees near this resonance.");
   add_values(page, id.estimate.lumps, true);
@@ -319,16 +489,21 @@ std::string identification_report(const Identification& id, const std::string& c
       "truncated "
       "or the model lacks an effect. A condition index above about 30 warns of parameters that the data separate "
       "poorly.");
+  add_tests(page, id.estimate);
+  add_conditions(page, id);
   page.details("Model and equations", [&] {
     std::string text = "Source: " + std::string(id.model->source) + "\n";
-    for (const CompiledLump& lump : id.resonance->lumps)
-      text += std::string(lump.name) + " = " + std::string(lump.definition) + "\n";
+    for (const ObservationSet& set : id.measured) {
+      if (id.measured.size() > 1) text += "Case " + std::string(set.resonance->name) + "\n";
+      for (const CompiledLump& lump : set.resonance->lumps)
+        text += std::string(lump.name) + " = " + std::string(lump.definition) + "\n";
+    }
     page.preformatted(text);
   });
   page.provenance({command,
                    "secular 0.1.0",
                    {fmt::format("campaign {}, {} records, {} observations used", id.campaign.name,
-                                id.campaign.records.size(), id.measured.observations.size())}});
+                                id.campaign.records.size(), observations_of(id))}});
   return page.html();
 }
 

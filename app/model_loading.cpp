@@ -43,7 +43,8 @@ void ModelSource::outline(const CompiledModel& model) {
   nominal_frequencies_.assign(model.nominal.begin(), model.nominal.begin() + static_cast<std::ptrdiff_t>(modes_));
   nominal_frequencies_.resize(columns, std::numeric_limits<double>::quiet_NaN());
   for (const CompiledCase& resonance : model.cases) {
-    CaseOutline outline{std::string(resonance.name), resonance.excited, {}};
+    CaseOutline outline{std::string(resonance.name), resonance.excited, 0, {}};
+    for (const bool rest : resonance.mode_at_rest) outline.active_modes += rest ? 0 : 1;
     for (std::size_t r = 0; r < resonance.relations.size(); r += columns) {
       const auto row = resonance.relations.subspan(r, columns);
       outline.relations.emplace_back(row.begin(), row.end());
@@ -68,7 +69,9 @@ void ModelSource::outline_file() {
                                                                 : value->second);
   }
   for (const ResonanceCase& resonance : model.cases) {
-    CaseOutline outline{resonance.name, resonance.excited, {}};
+    CaseOutline outline{resonance.name, resonance.excited, 0, {}};
+    for (std::size_t k = 0; k < modes_; ++k)
+      outline.active_modes += k < resonance.mode_at_rest.size() && resonance.mode_at_rest[k] ? 0U : 1U;
     for (const ResonanceRelation& relation : resonance.relations) {
       outline.relations.push_back(relation.multiples);
       outline.relations.back().resize(model.frequency_count(), 0);

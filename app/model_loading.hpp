@@ -16,6 +16,7 @@ namespace secular::app {
 struct CaseOutline {
   std::string name;
   bool excited = true;
+  std::size_t active_modes = 0;  ///< not in modes_at_rest
   /// Integer relations over the natural frequencies and then the excitations' frequencies.
   std::vector<std::vector<int>> relations;
 };

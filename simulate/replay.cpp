@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "estimator/identification/modal_projection.hpp"
+#include "estimator/identification/mode_frequencies.hpp"
 #include "input/input_error.hpp"
 #include "simulate/motion.hpp"
 
@@ -19,8 +20,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Time in which a steady motion that starts at the measured one comes to rest on its own: many decay times.
-constexpr double settle_cycles = 600;
+/// A dwell starts at the measured motion, near the model's own steady one. What its state leaves out (harmonics
+/// beyond those measured) dies out or joins the modes within these cycles; the modes may go on changing slowly.
+constexpr double settle_cycles = 30;
 
 class Replay {
  public:
@@ -29,7 +31,10 @@ class Replay {
         measured_(measured),
         model_(*measured.model),
         parameters_(parameters),
-        projection_(modal_projection(campaign, model_)) {
+        projection_(modal_projection(campaign, model_)),
+        modes_(mode_frequencies(model_, *measured.resonance)) {
+    for (std::size_t k = 0; k < model_.modes(); ++k)
+      if (modes_.oscillates[k]) oscillating_.push_back(k);
     if (campaign.modal_basis)
       for (const std::vector<double>& row : campaign.modal_basis->mass_normalised_shapes) shapes_.push_back(row);
     if (measured.resonance->excited) excitations_ = excitation_channels(campaign, model_);
@@ -81,6 +86,26 @@ class Replay {
       q[k] += 2 * amplitude.real();
       v[k] += 2 * (o.rate[k] * amplitude).real();
     }
+    if (!measured_.resonance->excited) return;
+    for (std::size_t b = 0; b < measured_.resonance->blocks.size(); ++b) {
+      const RegressorBlock& block = measured_.resonance->blocks[b];
+      if (block.kind != BlockKind::harmonic || !(o.harmonic_sd[b] >= 0)) continue;
+      double frequency = 0;
+      for (std::size_t i = 0; i < block.phase.size(); ++i)
+        frequency +=
+            block.phase[i] * (i < model_.modes() ? o.rate[i].imag() : o.excitation_frequency[i - model_.modes()]);
+      if (frequency == 0) continue;  // with the sensor's offset in it
+      const auto k = static_cast<std::size_t>(block.mode);
+      const Complex amplitude = o.harmonic[b] * std::exp(Complex(0, -frequency * earlier));
+      q[k] += 2 * amplitude.real();
+      v[k] -= 2 * frequency * amplitude.imag();
+    }
+  }
+
+  double slowest(const Observation& o) const {
+    double frequency = INFINITY;
+    for (const std::size_t k : oscillating_) frequency = std::min(frequency, o.rate[k].imag());
+    return frequency;
   }
 
   Record dwell(const Observation& o, std::size_t index) const {
@@ -97,7 +122,7 @@ class Replay {
     };
     std::vector<double> q, v;
     initial_state(o, 0, q, v);
-    const double settle = settle_cycles * 2 * std::numbers::pi / o.rate[0].imag();
+    const double settle = settle_cycles * 2 * std::numbers::pi / slowest(o);
     Record record = empty(count, 0);
     std::size_t i = 0;
     integrate_motion(model_, parameters_.data(), signal, 0, q, v, settle, 1 / rate, count, settings(index),
@@ -114,8 +139,8 @@ class Replay {
     const double rate = campaign_.sample_rate_hz;
     std::vector<double> q, v;
     // Some periods earlier and longer than what was seen, so that as many windows fit in after the start is found.
-    const double before = 2.5 * 2 * std::numbers::pi / first.rate[0].imag();
-    const double after = 4 * 2 * std::numbers::pi / last.rate[0].imag();
+    const double before = 2.5 * 2 * std::numbers::pi / slowest(first);
+    const double after = 4 * 2 * std::numbers::pi / slowest(last);
     initial_state(first, before, q, v);
     const auto count = static_cast<std::size_t>((last.centre_s - first.centre_s + before + after) * rate);
     const ExcitationSignal silent = [&](double, ExcitationSample* s) {
@@ -133,6 +158,8 @@ class Replay {
   const CompiledModel& model_;
   const Eigen::VectorXd& parameters_;
   ModalProjection projection_;
+  ModeFrequencies modes_;
+  std::vector<std::size_t> oscillating_;
   std::vector<std::vector<double>> shapes_;
   std::vector<std::size_t> excitations_;
 };
@@ -210,9 +237,14 @@ ObservationSet observe_replay(const Campaign& campaign, const ObservationSet& me
     reduced.records.push_back(campaign.records[original.back()]);
   }
   const RecordReader read = [&](std::size_t i) { return replayed.read(i); };
-  const ObservationSet exact = measured.resonance->excited
-                                   ? observe_dwells(reduced, read, *measured.model, *measured.resonance, {})
-                                   : observe_free_decays(reduced, read, *measured.model, *measured.resonance, {});
+  // Records come in their order, a few ahead: the threads are those that replay them.
+  const ObservationSet exact =
+      measured.resonance->excited
+          ? observe_dwells(reduced, read, *measured.model, *measured.resonance, {}, DwellMotion::transient)
+          : observe_free_decays(reduced, read, *measured.model, *measured.resonance, {});
+  const ModeFrequencies modes = mode_frequencies(*measured.model, *measured.resonance);
+  std::size_t own = 0;  // the mode that a decay is followed in
+  while (own + 1 < modes.oscillates.size() && !modes.oscillates[own]) ++own;
   // Every measured observation takes the exact values seen nearest to it in the same record, and keeps its noise.
   ObservationSet result = measured;
   result.warnings.clear();
@@ -222,8 +254,8 @@ ObservationSet observe_replay(const Campaign& campaign, const ObservationSet& me
     for (const Observation& o : exact.observations) {
       if (original[o.record] != seen.record) continue;
       if (!nearest || (!measured.resonance->excited &&
-                       std::abs(std::abs(o.amplitude[0]) - std::abs(seen.amplitude[0])) <
-                           std::abs(std::abs(nearest->amplitude[0]) - std::abs(seen.amplitude[0]))))
+                       std::abs(std::abs(o.amplitude[own]) - std::abs(seen.amplitude[own])) <
+                           std::abs(std::abs(nearest->amplitude[own]) - std::abs(seen.amplitude[own]))))
         nearest = &o;
     }
     if (!nearest) continue;

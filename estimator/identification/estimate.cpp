@@ -8,631 +8,488 @@
 #include <limits>
 #include <set>
 
+#include "estimator/identification/case_quality.hpp"
+#include "estimator/identification/case_regression.hpp"
+#include "estimator/identification/equation_data.hpp"
+#include "estimator/identification/identifiability.hpp"
+#include "estimator/identification/shared_parameters.hpp"
 #include "estimator/identification/unit_text.hpp"
 #include "estimator/regression/confidence.hpp"
-#include "estimator/regression/linear_fit.hpp"
-#include "estimator/regression/nonlinear_fit.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
 namespace {
 
-using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// The measured quantities that enter the rows of one observation, as real numbers that can be varied.
-struct Measured {
-  std::vector<Complex> amplitude, forcing;
-  std::vector<double> excitation_frequency;
-  std::vector<Complex> rate;
-  Complex harmonic;
-};
+/// Cases are fitted again with the natural frequencies of all of them; the columns depend on those weakly.
+constexpr int case_rounds = 2;
 
-// Value and columns of one block at one observation: target - sum columns*lumps, target and columns complex.
-struct Row {
-  Complex target;
-  std::vector<Complex> columns;
-};
+/// Standard deviation, relative, of a natural frequency about the observed one where nothing else tells it.
+constexpr double resonance_width = 0.005;
 
-Row evaluate(const RegressorBlock& block, const double* natural_frequency, const Measured& m) {
-  std::vector<const Complex*> amplitude, forcing;
-  std::vector<const double*> excitation;
-  for (const Complex& a : m.amplitude) amplitude.push_back(&a);
-  for (const Complex& f : m.forcing) forcing.push_back(&f);
-  for (const double& w : m.excitation_frequency) excitation.push_back(&w);
-  Row row;
-  row.columns.resize(block.lumps.size());
-  std::vector<Complex*> columns;
-  for (Complex& c : row.columns) columns.push_back(&c);
-  const ObservationBatch batch{1, natural_frequency, excitation.data(), amplitude.data(), forcing.data()};
-  block.columns(batch, columns.data());
-  const auto mode = static_cast<std::size_t>(block.mode);
-  row.target = block.kind == BlockKind::modulation ? m.rate[mode] * m.amplitude[mode] : m.harmonic;
-  return row;
+/// Percentiles of the bootstrap's interval.
+constexpr double bootstrap_tail = 0.025;
+
+bool significant(const EstimatedValue& value) {
+  return value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
 }
 
-double observed_frequency(const CompiledModel& model, const CompiledCase& resonance, std::size_t mode,
-                          const std::vector<double>& excitation, double fallback) {
-  const std::size_t modes = model.modes(), columns = modes + model.excitations.size();
-  double sum = 0;
-  for (std::size_t i = 0; i < columns; ++i) {
-    const Ratio r = resonance.observed_frequency[mode * columns + i];
-    if (r.numerator == 0) continue;
-    if (i < modes) return fallback;  // not locked: what was measured
-    sum += r.numerator * excitation[i - modes] / r.denominator;
-  }
-  return sum;
+BootstrapInterval interval_of(VectorXd draws) {
+  std::sort(draws.data(), draws.data() + draws.size());
+  const auto at = [&](double share) {
+    const double place = share * static_cast<double>(draws.size() - 1);
+    const auto below = static_cast<Index>(std::floor(place));
+    const Index above = std::min(below + 1, draws.size() - 1);
+    return draws(below) + (place - std::floor(place)) * (draws(above) - draws(below));
+  };
+  const double mean = draws.mean();
+  return {at(bootstrap_tail), at(1 - bootstrap_tail),
+          std::sqrt((draws.array() - mean).square().sum() /
+                    std::max<double>(1, static_cast<double>(draws.size() - 1)))};
 }
 
 class Estimator {
  public:
-  Estimator(const ObservationSet& set, const std::string& coordinate_unit,
-            const std::vector<std::string>& excitation_units, const EstimateOptions& options)
-      : set_(set), model_(*set.model), case_(*set.resonance), options_(options) {
-    coordinate_units_.assign(model_.modes(), coordinate_unit);
-    excitation_units_ = excitation_units;
-    excitation_units_.resize(model_.excitations.size(), "1");
-    for (std::size_t k = 0; k < model_.modes(); ++k) {
-      double sum = 0;
-      for (const Observation& o : set.observations) sum += o.rate[k].imag();
-      natural_frequency_.push_back(sum / static_cast<double>(std::max<std::size_t>(1, set.observations.size())));
+  Estimator(std::span<const ObservationSet> sets, const MeasuredUnits& units, const EstimateOptions& options)
+      : model_(*sets.front().model), units_(units), options_(options) {
+    for (const ObservationSet& set : sets) {
+      result_.warnings.insert(result_.warnings.end(), set.warnings.begin(), set.warnings.end());
+      if (!set.observations.empty()) sets_.push_back(&set);
+      result_.cases.push_back(set.resonance);
+      all_.push_back(&set);
     }
-    // A locked mode's frequency is the excitation's: close to the natural one by the resonance relation.
-    lump_value_.assign(case_.lumps.size(), 0.0);
-    lump_state_.assign(case_.lumps.size(), State::open);
-    for (const auto& [name, value] : options.fixed) fix(name, value);
+    units_.excitation.resize(model_.excitations.size(), "1");
+    check_fixed();
+    start_frequencies();
   }
 
   Estimate run() {
-    result_.warnings = set_.warnings;
-    for (const RegressorBlock& block : case_.blocks)
-      if (block.kind == BlockKind::modulation) fit_modulation(block);
-    for (const RegressorBlock& block : case_.blocks)
-      if (block.kind == BlockKind::harmonic && block.order <= 1 && sees_something_new(block)) fit_harmonic(block);
-    physical_parameters();
+    std::vector<std::vector<std::size_t>> blocks = modulation_blocks();
+    fit_cases(blocks);
+    const bool more = add_useful_harmonics(blocks);
+    for (int round = more ? 0 : 1; round < case_rounds; ++round) fit_cases(blocks);
+    shared();
+    report_parameters();
     report_lumps();
+    report_quality();
     return std::move(result_);
   }
 
  private:
-  enum class State { open, fixed, estimated, not_identifiable };
-
-  void fix(const std::string& name, double value) {
-    std::string known;
-    bool found = false;
-    for (const CompiledSymbol& symbol : model_.symbols) {
-      known += (known.empty() ? "" : ", ") + std::string(symbol.name);
-      found = found || symbol.name == name;
-    }
-    if (!found)
-      throw InputError("--fix " + name, "", "is no symbol of model " + std::string(model_.name),
-                       "its symbols are " + known);
-    for (std::size_t k = 0; k < model_.modes(); ++k)
-      if (model_.symbols[k].name == name) {
-        natural_frequency_[k] = value;
-        fixed_frequency_.insert(k);
+  void check_fixed() {
+    for (const auto& [name, value] : options_.fixed) {
+      std::string known;
+      bool found = false;
+      for (const CompiledSymbol& symbol : model_.symbols) {
+        known += (known.empty() ? "" : ", ") + std::string(symbol.name);
+        found = found || symbol.name == name;
       }
-    for (std::size_t l = 0; l < case_.lumps.size(); ++l)
-      if (case_.lumps[l].name == name) {
-        lump_value_[l] = value;
-        lump_state_[l] = State::fixed;
-      }
+      if (!found)
+        throw InputError("--fix " + name, "", "is no symbol of model " + std::string(model_.name),
+                         "its symbols are " + known);
+    }
+    given_.assign(model_.symbols.size(), false);
+    for (std::size_t p = 0; p < given_.size(); ++p)
+      given_[p] = options_.fixed.count(std::string(model_.symbols[p].name)) != 0;
   }
 
-  Measured measured(const Observation& o, std::size_t block) const {
-    return {o.amplitude, o.forcing, o.excitation_frequency, o.rate, o.harmonic[block]};
-  }
-
-  // Left side minus right side with the current lumps and frequencies: what noise makes of it tells the weight.
-  Complex misfit(const RegressorBlock& block, const Measured& m) const {
-    const Row row = evaluate(block, natural_frequency_.data(), m);
-    Complex sum = row.target;
-    if (block.kind == BlockKind::modulation) {
-      const auto mode = static_cast<std::size_t>(block.mode);
-      sum -= Complex(0, natural_frequency_[mode]) * m.amplitude[mode];
-    }
-    for (std::size_t j = 0; j < row.columns.size(); ++j)
-      sum -= lump_value_[static_cast<std::size_t>(block.lumps[j])] * row.columns[j];
-    return sum;
-  }
-
-  // Covariance of real and imaginary part of the misfit from the noise of everything measured in it.
-  Eigen::Matrix2d noise_covariance(const RegressorBlock& block, std::size_t b, const Observation& o) const {
-    const Measured centre = measured(o, b);
-    const Complex base = misfit(block, centre);
-    Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-    const auto vary = [&](double sd, const auto& change) {
-      if (!(sd > 0)) return;
-      Measured moved = centre;
-      change(moved, sd);
-      const Complex difference = misfit(block, moved) - base;
-      const Eigen::Vector2d d(difference.real(), difference.imag());
-      covariance += d * d.transpose();
-    };
-    for (std::size_t k = 0; k < o.amplitude.size(); ++k) {
-      vary(o.amplitude_sd[k], [k](Measured& m, double sd) { m.amplitude[k] += sd; });
-      vary(o.amplitude_sd[k], [k](Measured& m, double sd) { m.amplitude[k] += Complex(0, sd); });
-      vary(o.growth_sd[k], [k](Measured& m, double sd) { m.rate[k] += sd; });
-      vary(o.frequency_sd[k], [k](Measured& m, double sd) { m.rate[k] += Complex(0, sd); });
-    }
-    for (std::size_t j = 0; j < o.forcing.size(); ++j) {
-      vary(o.forcing_sd[j], [j](Measured& m, double sd) { m.forcing[j] += sd; });
-      vary(o.forcing_sd[j], [j](Measured& m, double sd) { m.forcing[j] += Complex(0, sd); });
-      vary(o.excitation_frequency_sd[j], [&, j](Measured& m, double sd) {
-        m.excitation_frequency[j] += sd;
-        for (std::size_t k = 0; k < m.rate.size(); ++k)
-          m.rate[k].imag(observed_frequency(model_, case_, k, m.excitation_frequency, m.rate[k].imag()));
-      });
-    }
-    if (block.kind == BlockKind::harmonic) {
-      covariance(0, 0) += o.harmonic_sd[b] * o.harmonic_sd[b];
-      covariance(1, 1) += o.harmonic_sd[b] * o.harmonic_sd[b];
-    }
-    // Noise-free data: equal weights relative to the size of the equation.
-    const double floor = std::norm(1e-12 * evaluate(block, natural_frequency_.data(), centre).target);
-    covariance.diagonal().array() += floor + std::numeric_limits<double>::min();
-    return covariance;
-  }
-
-  std::size_t index_of(const RegressorBlock& block) const {
-    return static_cast<std::size_t>(&block - case_.blocks.data());
-  }
-
-  // Whitened rows: two real ones (real and imaginary part, decorrelated) for every observation.
-  struct System {
-    MatrixXd design;
-    VectorXd response;
-    std::vector<int> cluster;
-    std::vector<std::size_t> unknown;  // lumps by column; the natural frequency's column comes last if it is free
-    bool frequency = false;
-  };
-
-  System assemble(const RegressorBlock& block, bool first_pass) const {
-    const std::size_t b = index_of(block);
-    System system;
-    for (const int lump : block.lumps) {
-      const auto l = static_cast<std::size_t>(lump);
-      if (lump_state_[l] == State::open) system.unknown.push_back(l);
-    }
-    const auto mode = static_cast<std::size_t>(block.mode);
-    system.frequency = block.kind == BlockKind::modulation && fixed_frequency_.count(mode) == 0;
-    const auto columns = static_cast<Index>(system.unknown.size()) + (system.frequency ? 1 : 0);
-    std::vector<const Observation*> used;
-    for (const Observation& o : set_.observations)
-      if (block.kind == BlockKind::modulation || o.harmonic_sd[b] >= 0) used.push_back(&o);
-    system.design.resize(2 * static_cast<Index>(used.size()), columns);
-    system.response.resize(system.design.rows());
-    Index r = 0;
-    for (const Observation* o : used) {
-      const Measured m = measured(*o, b);
-      const Row row = evaluate(block, natural_frequency_.data(), m);
-      Complex target = row.target;
-      if (block.kind == BlockKind::modulation && !system.frequency)
-        target -= Complex(0, natural_frequency_[mode]) * m.amplitude[mode];
-      Eigen::Matrix<double, 2, Eigen::Dynamic> pair(2, columns);
-      Index column = 0;
-      for (std::size_t j = 0; j < row.columns.size(); ++j) {
-        const auto l = static_cast<std::size_t>(block.lumps[j]);
-        if (lump_state_[l] != State::open) {
-          if (lump_state_[l] != State::not_identifiable) target -= lump_value_[l] * row.columns[j];
-          continue;
+  // A locked mode's frequency is the excitation's: close to the natural one by the resonance relation.
+  void start_frequencies() {
+    knowledge_.fixed = options_.fixed;
+    knowledge_.errors_in_variables = options_.refine;
+    for (std::size_t k = 0; k < model_.modes(); ++k) {
+      const std::string name(model_.symbols[k].name);
+      double sum = 0, count = 0;
+      for (const ObservationSet* set : sets_) {
+        if (!mode_frequencies(model_, *set->resonance).oscillates[k]) continue;
+        for (const Observation& o : set->observations) {
+          sum += o.rate[k].imag();
+          ++count;
         }
-        pair.col(column++) << row.columns[j].real(), row.columns[j].imag();
       }
-      if (system.frequency) {
-        const Complex turned = Complex(0, 1) * m.amplitude[mode];
-        pair.col(column) << turned.real(), turned.imag();
+      double value = count > 0 ? sum / count : model_.nominal[k];
+      if (given_[k]) {
+        value = options_.fixed.at(name);
+        knowledge_.fixed_frequency.insert(k);
       }
-      Eigen::Vector2d right(target.real(), target.imag());
-      if (first_pass) {
-        const double scale =
-            std::abs(block.kind == BlockKind::modulation ? m.amplitude[mode] : Complex(o->harmonic_sd[b]));
-        const double weight = scale > 0 ? 1 / scale : 1;
-        pair *= weight;
-        right *= weight;
-      } else {
-        const Eigen::LLT<Eigen::Matrix2d> cholesky(noise_covariance(block, b, *o));
-        cholesky.matrixL().solveInPlace(pair);
-        cholesky.matrixL().solveInPlace(right);
-      }
-      system.design.middleRows(r, 2) = pair;
-      system.response.segment(r, 2) = right;
-      system.cluster.insert(system.cluster.end(), 2, o->condition);
-      r += 2;
+      if (!std::isfinite(value))
+        throw InputError("model " + std::string(model_.name), "natural frequency " + name,
+                         "is not seen in this campaign and has no nominal value",
+                         "give it with --fix " + name + "=VALUE (rad/s) or in the model's [nominal]");
+      knowledge_.natural_frequency.push_back(value);
     }
-    return system;
   }
 
-  LinearFit fit(const RegressorBlock& block) {
-    const auto mode = static_cast<std::size_t>(block.mode);
-    LinearFit last;
-    System system;
-    for (int pass = 0; pass < 12; ++pass) {
-      system = assemble(block, pass == 0);
-      if (system.design.rows() == 0 || system.design.cols() == 0) return last;
-      last = linear_fit(system.design, system.response, system.cluster);
-      double change = 0;
-      for (std::size_t j = 0; j < system.unknown.size(); ++j) {
-        const double value = last.coefficients(static_cast<Index>(j));
-        change = std::max(change, std::abs(value - lump_value_[system.unknown[j]]) / (std::abs(value) + 1e-300));
-        lump_value_[system.unknown[j]] = value;
+  std::vector<std::vector<std::size_t>> modulation_blocks() const {
+    std::vector<std::vector<std::size_t>> blocks;
+    for (const ObservationSet* set : sets_) {
+      const ModeFrequencies modes = mode_frequencies(model_, *set->resonance);
+      blocks.emplace_back();
+      for (std::size_t b = 0; b < set->resonance->blocks.size(); ++b) {
+        const RegressorBlock& block = set->resonance->blocks[b];
+        if (block.kind == BlockKind::modulation && modes.oscillates[static_cast<std::size_t>(block.mode)])
+          blocks.back().push_back(b);
       }
-      if (system.frequency) {
-        const double value = last.coefficients(last.coefficients.size() - 1);
-        change = std::max(change, std::abs(value / natural_frequency_[mode] - 1));
-        natural_frequency_[mode] = value;
-      }
-      if (pass > 1 && change < 1e-10) break;
     }
-    record(block, system, last);
-    return last;
+    return blocks;
   }
 
-  // Keeps values, covariance and quality of a fitted block.
-  void record(const RegressorBlock& block, const System& system, const LinearFit& fit) {
-    BlockQuality quality;
-    quality.name = std::string(block.name);
-    quality.equations = static_cast<std::size_t>(system.design.rows());
-    quality.conditions = std::set<int>(system.cluster.begin(), system.cluster.end()).size();
-    quality.normalised_residual = fit.residual_sd;
-    quality.condition_index = fit.condition_indices(std::max<Index>(0, fit.rank - 1));
-    quality.clustered = fit.covariance_kind == CovarianceKind::clustered;
-    const auto mode = static_cast<std::size_t>(block.mode);
-    const auto name_of = [&](std::size_t column) {
-      return column < system.unknown.size() ? std::string(case_.lumps[system.unknown[column]].name)
-                                            : std::string(model_.symbols[mode].name);
-    };
-    Entry entry;
-    entry.block = std::string(block.name);
-    entry.degrees_of_freedom = fit.degrees_of_freedom;
-    std::vector<Index> kept;
-    for (std::size_t c = 0; c < fit.identifiable.size(); ++c) {
-      const std::string name = name_of(c);
-      quality.variance_inflation[name] = fit.variance_inflation(static_cast<Index>(c));
-      const bool frequency = c >= system.unknown.size();
-      if (fit.identifiable[c]) {
+  void fit_cases(const std::vector<std::vector<std::size_t>>& blocks) {
+    fits_.clear();
+    for (std::size_t s = 0; s < sets_.size(); ++s) fits_.push_back(fit_case(*sets_[s], blocks[s], knowledge_));
+    // What all cases say of each natural frequency, each by its weight.
+    for (std::size_t k = 0; k < model_.modes(); ++k) {
+      if (given_[k]) continue;
+      double sum = 0, weights = 0;
+      for (const CaseFit& fit : fits_)
+        for (std::size_t c = 0; c < fit.columns.size(); ++c) {
+          if (fit.columns[c].kind != CaseColumn::Kind::natural_frequency || fit.columns[c].index != k) continue;
+          if (fit.fit.coefficients.size() == 0 || !fit.fit.identifiable[c]) continue;
+          const auto at = static_cast<Index>(c);
+          const double weight = 1 / (fit.fit.plain_covariance(at, at) + 1e-300);
+          sum += weight * fit.fit.coefficients(at);
+          weights += weight;
+        }
+      if (weights > 0) knowledge_.natural_frequency[k] = sum / weights;
+    }
+  }
+
+  CampaignKnowledge campaign_knowledge() const {
+    CampaignKnowledge known;
+    known.model = &model_;
+    known.parameters = given_;
+    for (const CaseFit& fit : fits_) {
+      KnownLumps part{fit.set->resonance, std::vector<bool>(fit.set->resonance->lumps.size(), false)};
+      for (std::size_t l = 0; l < part.lumps.size(); ++l)
+        part.lumps[l] = options_.fixed.count(std::string(part.resonance->lumps[l].name)) != 0;
+      for (std::size_t c = 0; c < fit.columns.size(); ++c) {
+        if (fit.fit.coefficients.size() == 0 || !fit.fit.identifiable[c]) continue;
+        if (fit.columns[c].kind == CaseColumn::Kind::lump) part.lumps[fit.columns[c].index] = true;
+        if (fit.columns[c].kind == CaseColumn::Kind::natural_frequency)
+          known.parameters[fit.columns[c].index] = true;
+      }
+      known.cases.push_back(std::move(part));
+    }
+    return known;
+  }
+
+  // First-order harmonics whose lumps say something about the parameters that the modulation equations do not. (A
+  // harmonic that only repeats what they say would bring its own truncation error and nothing else.)
+  bool add_useful_harmonics(std::vector<std::vector<std::size_t>>& blocks) const {
+    CampaignKnowledge known = campaign_knowledge();
+    // Coefficients take natural frequencies as known: from this campaign or from the model's nominal values.
+    for (std::size_t k = 0; k < model_.modes(); ++k) known.parameters[k] = true;
+    const VectorXd point = generic_point(static_cast<Index>(model_.symbols.size()));
+    const Index rank = scaled_rank(known_jacobian(known, point));
+    bool added = false;
+    for (std::size_t s = 0; s < sets_.size(); ++s) {
+      const CompiledCase& resonance = *sets_[s]->resonance;
+      for (std::size_t b = 0; b < resonance.blocks.size(); ++b) {
+        const RegressorBlock& block = resonance.blocks[b];
+        if (block.kind != BlockKind::harmonic || block.order > 1) continue;
+        const bool measured = std::any_of(sets_[s]->observations.begin(), sets_[s]->observations.end(),
+                                          [&](const Observation& o) { return o.harmonic_sd[b] >= 0; });
+        if (!measured) continue;
+        CampaignKnowledge further = known;
+        for (const int l : block.lumps) further.cases[s].lumps[static_cast<std::size_t>(l)] = true;
+        if (scaled_rank(known_jacobian(further, point)) <= rank) continue;
+        blocks[s].push_back(b);
+        added = true;
+      }
+    }
+    return added;
+  }
+
+  void shared() {
+    for (const CaseFit& fit : fits_) {
+      LumpEstimates part;
+      part.resonance = fit.set->resonance;
+      std::vector<Index> kept;
+      for (std::size_t c = 0; c < fit.columns.size(); ++c) {
+        if (fit.fit.coefficients.size() == 0 || !fit.fit.identifiable[c]) continue;
+        if (fit.columns[c].kind == CaseColumn::Kind::sensor_offset) continue;
         kept.push_back(static_cast<Index>(c));
-        entry.names.push_back(name);
-        entry.lumps.push_back(frequency ? -1 : static_cast<int>(system.unknown[c]));
-        entry.mode = mode;
-        if (!frequency) lump_state_[system.unknown[c]] = State::estimated;
-      } else if (!frequency) {
-        lump_state_[system.unknown[c]] = State::not_identifiable;
-        for (const int other : fit.entangled_with[c])
-          lump_entangled_[system.unknown[c]].push_back(name_of(static_cast<std::size_t>(other)));
+        part.index.push_back(fit.columns[c].kind == CaseColumn::Kind::lump
+                                 ? static_cast<int>(fit.columns[c].index)
+                                 : -1 - static_cast<int>(fit.columns[c].index));
       }
+      const auto size = static_cast<Index>(kept.size());
+      part.values.resize(size);
+      part.plain.resize(size, size);
+      part.influence.resize(fit.fit.influence.rows(), size);
+      for (Index i = 0; i < size; ++i) {
+        const Index from = kept[static_cast<std::size_t>(i)];
+        part.values(i) = fit.fit.coefficients(from);
+        part.influence.col(i) = fit.fit.influence.col(from);
+        for (Index j = 0; j < size; ++j)
+          part.plain(i, j) = fit.fit.plain_covariance(from, kept[static_cast<std::size_t>(j)]);
+      }
+      part.clustered = fit.fit.covariance_kind == CovarianceKind::clustered;
+      part.degrees_of_freedom = fit.fit.degrees_of_freedom;
+      lump_estimates_.push_back(std::move(part));
+      kept_.push_back(std::move(kept));
     }
-    entry.values.resize(static_cast<Index>(kept.size()));
-    entry.covariance.resize(entry.values.size(), entry.values.size());
-    for (Index i = 0; i < entry.values.size(); ++i) {
-      entry.values(i) = fit.coefficients(kept[static_cast<std::size_t>(i)]);
-      for (Index j = 0; j < entry.values.size(); ++j)
-        entry.covariance(i, j) =
-            fit.covariance(kept[static_cast<std::size_t>(i)], kept[static_cast<std::size_t>(j)]);
+    add_resonance_widths();
+    VectorXd start = VectorXd::Zero(static_cast<Index>(model_.symbols.size()));
+    for (Index p = 0; p < start.size(); ++p) {
+      const std::string name(model_.symbols[static_cast<std::size_t>(p)].name);
+      if (p < static_cast<Index>(model_.modes()))
+        start(p) = knowledge_.natural_frequency[static_cast<std::size_t>(p)];
+      for (const LumpEstimates& part : lump_estimates_)
+        for (std::size_t i = 0; i < part.index.size(); ++i)
+          if (part.index[i] >= 0 && part.resonance->lumps[static_cast<std::size_t>(part.index[i])].name == name)
+            start(p) = part.values(static_cast<Index>(i));
+      if (given_[static_cast<std::size_t>(p)]) start(p) = options_.fixed.at(name);
     }
-    if (!quality.clustered)
-      result_.warnings.push_back(
-          quality.name +
-          ": too few conditions for error bars from their scatter; they come from the residuals of " +
-          std::to_string(quality.conditions) + " conditions and may be too small");
-    entries_.push_back(std::move(entry));
-    result_.blocks.push_back(std::move(quality));
+    shared_ = shared_parameters(lump_estimates_, start, given_);
+    result_.parameter_values = shared_.values;
+    if (options_.bootstrap > 0) draw_bootstrap();
   }
 
-  void fit_modulation(const RegressorBlock& block) {
-    if (set_.observations.empty()) return;
-    fit(block);
-  }
-
-  void fit_harmonic(const RegressorBlock& block) {
-    const std::size_t b = index_of(block);
-    const bool any = std::any_of(set_.observations.begin(), set_.observations.end(),
-                                 [&](const Observation& o) { return o.harmonic_sd[b] >= 0; });
-    if (any) fit(block);
-  }
-
-  // Jacobian of all lumps and natural frequencies at a generic point, rows of what is known so far.
-  MatrixXd known_jacobian(const VectorXd& parameters, const std::vector<bool>& lump_known) const {
-    const auto count = static_cast<Index>(model_.symbols.size());
-    MatrixXd all(static_cast<Index>(case_.lumps.size()), count);
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> row_major(all.rows(), count);
-    case_.evaluate_lumps_jacobian(parameters.data(), row_major.data());
-    std::vector<Index> rows;
-    for (std::size_t l = 0; l < case_.lumps.size(); ++l)
-      if (lump_known[l]) rows.push_back(static_cast<Index>(l));
-    MatrixXd known =
-        MatrixXd::Zero(static_cast<Index>(rows.size() + model_.modes() + options_.fixed.size()), count);
-    Index r = 0;
-    for (const Index l : rows) known.row(r++) = row_major.row(l);
-    for (std::size_t k = 0; k < model_.modes(); ++k) known(r++, static_cast<Index>(k)) = 1;
-    for (const auto& [name, value] : options_.fixed)
-      for (Index p = 0; p < count; ++p)
-        if (model_.symbols[static_cast<std::size_t>(p)].name == name) known(r, p) = 1;
-    return known;
-  }
-
-  // Parameters that the known lumps fix, at a generic point.
-  struct Identifiability {
-    std::vector<bool> fixed;
-    std::vector<std::vector<int>> entangled_with;
-  };
-  Identifiability identifiability(const std::vector<bool>& lump_known) const {
-    VectorXd generic(static_cast<Index>(model_.symbols.size()));
-    for (Index p = 0; p < generic.size(); ++p)  // irrational-looking values of order one, the same in every run
-      generic(p) = 1 + std::fmod(0.6180339887498949 * static_cast<double>(p + 1), 1.0);
-    const MatrixXd known = known_jacobian(generic, lump_known);
-    VectorXd scale = known.colwise().norm().transpose();
-    for (Index c = 0; c < scale.size(); ++c) scale(c) = scale(c) > 0 ? 1 / scale(c) : 1;
-    const Eigen::BDCSVD<MatrixXd> svd(known * scale.asDiagonal(), Eigen::ComputeFullV);
-    Index rank = 0;
-    while (rank < svd.singularValues().size() && svd.singularValues()(rank) > 1e-10 * svd.singularValues()(0))
-      ++rank;
-    const MatrixXd null = svd.matrixV().rightCols(generic.size() - rank);
-    const MatrixXd projection = null * null.transpose();
-    Identifiability result;
-    result.entangled_with.resize(static_cast<std::size_t>(generic.size()));
-    for (Index p = 0; p < generic.size(); ++p) {
-      result.fixed.push_back(projection(p, p) < 1e-10);
-      for (Index q = 0; q < generic.size(); ++q)
-        if (q != p && !result.fixed.back() && std::abs(projection(p, q)) > 1e-8)
-          result.entangled_with[static_cast<std::size_t>(p)].push_back(static_cast<int>(q));
+  // A natural frequency that no regression separates from other changes of stiffness is still near the observed
+  // one: that is what the resonance means. Without it, coefficients that hold it weakly would have to determine it.
+  void add_resonance_widths() {
+    for (std::size_t k = 0; k < model_.modes(); ++k) {
+      const bool estimated =
+          std::any_of(lump_estimates_.begin(), lump_estimates_.end(), [&](const LumpEstimates& part) {
+            return std::find(part.index.begin(), part.index.end(), -1 - static_cast<int>(k)) != part.index.end();
+          });
+      if (estimated || given_[k]) continue;
+      LumpEstimates near;
+      near.resonance = sets_.front()->resonance;
+      near.index = {-1 - static_cast<int>(k)};
+      near.values = VectorXd::Constant(1, knowledge_.natural_frequency[k]);
+      near.plain = MatrixXd::Constant(1, 1, std::pow(resonance_width * near.values(0), 2));
+      near.degrees_of_freedom = std::numeric_limits<double>::infinity();
+      lump_estimates_.push_back(std::move(near));
     }
-    return result;
   }
 
-  std::vector<bool> known_lumps() const {
-    std::vector<bool> known;
-    for (const State state : lump_state_) known.push_back(state == State::fixed || state == State::estimated);
-    return known;
-  }
-
-  bool sees_something_new(const RegressorBlock& block) const {
-    std::vector<bool> known = known_lumps();
-    const std::vector<bool> before = identifiability(known).fixed;
-    // A parameter of an open lump that is not fixed yet.
-    VectorXd generic = VectorXd::LinSpaced(static_cast<Index>(model_.symbols.size()), 1.1, 1.9);
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian(
-        static_cast<Index>(case_.lumps.size()), generic.size());
-    case_.evaluate_lumps_jacobian(generic.data(), jacobian.data());
-    const bool zero_frequency = std::all_of(block.phase.begin(), block.phase.end(), [](int p) { return p == 0; });
-    if (zero_frequency) return false;  // sensors drift there
-    for (const int lump : block.lumps) {
-      if (lump_state_[static_cast<std::size_t>(lump)] != State::open) continue;
-      for (Index p = 0; p < generic.size(); ++p)
-        if (jacobian(lump, p) != 0 && !before[static_cast<std::size_t>(p)]) return true;
+  void draw_bootstrap() {
+    const Index count = shared_.values.size();
+    bootstrap_ = shared_.values.replicate(1, options_.bootstrap);
+    for (std::size_t s = 0; s < fits_.size(); ++s) {
+      if (fits_[s].fit.coefficients.size() == 0) {
+        bootstrap_lumps_.emplace_back();
+        continue;
+      }
+      bootstrap_lumps_.push_back(bootstrap_coefficients(fits_[s], options_.bootstrap, options_.seed + s));
+      MatrixXd change(static_cast<Index>(kept_[s].size()), options_.bootstrap);
+      for (std::size_t i = 0; i < kept_[s].size(); ++i)
+        change.row(static_cast<Index>(i)) =
+            bootstrap_lumps_[s].row(kept_[s][i]).array() - fits_[s].fit.coefficients(kept_[s][i]);
+      if (shared_.slope[s].rows() == count) bootstrap_ += shared_.slope[s] * change;
     }
-    return false;
   }
 
-  void physical_parameters() {
-    const auto count = static_cast<Index>(model_.symbols.size());
-    VectorXd start = VectorXd::Zero(count);
-    for (std::size_t k = 0; k < model_.modes(); ++k) start(static_cast<Index>(k)) = natural_frequency_[k];
-    for (Index p = 0; p < count; ++p)
-      for (std::size_t l = 0; l < case_.lumps.size(); ++l)
-        if (case_.lumps[l].name == model_.symbols[static_cast<std::size_t>(p)].name &&
-            lump_state_[l] != State::open && lump_state_[l] != State::not_identifiable)
-          start(p) = lump_value_[l];
-    for (const auto& [name, value] : options_.fixed)
-      for (Index p = 0; p < count; ++p)
-        if (model_.symbols[static_cast<std::size_t>(p)].name == name) start(p) = value;
-
-    std::vector<bool> given(static_cast<std::size_t>(count), false);
-    for (Index p = 0; p < count; ++p)
-      given[static_cast<std::size_t>(p)] =
-          options_.fixed.count(std::string(model_.symbols[static_cast<std::size_t>(p)].name)) != 0;
-    Index rows = 0;
-    for (const Entry& entry : entries_) rows += entry.values.size();
-    FitReport report;
-    report.parameters = start;
-    report.covariance = MatrixXd::Zero(count, count);
-    if (rows > 0) {
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> lump_jacobian(
-          static_cast<Index>(case_.lumps.size()), count);
-      VectorXd lumps(static_cast<Index>(case_.lumps.size()));
-      const ResidualFunction function = [&](const VectorXd& parameters, VectorXd& residual, MatrixXd& jacobian) {
-        case_.evaluate_lumps(parameters.data(), lumps.data());
-        case_.evaluate_lumps_jacobian(parameters.data(), lump_jacobian.data());
-        Index r = 0;
-        for (const Entry& entry : entries_) {
-          const Index size = entry.values.size();
-          VectorXd difference(size);
-          MatrixXd slope = MatrixXd::Zero(size, count);
-          for (Index i = 0; i < size; ++i) {
-            const int lump = entry.lumps[static_cast<std::size_t>(i)];
-            if (lump < 0) {
-              difference(i) = parameters(static_cast<Index>(entry.mode)) - entry.values(i);
-              slope(i, static_cast<Index>(entry.mode)) = 1;
-            } else {
-              difference(i) = lumps(lump) - entry.values(i);
-              slope.row(i) = lump_jacobian.row(lump);
-            }
-          }
-          for (Index p = 0; p < count; ++p)
-            if (given[static_cast<std::size_t>(p)]) slope.col(p).setZero();
-          // Whitened through scaled variables: lumps differ by many powers of ten.
-          const VectorXd sd = entry.covariance.diagonal().cwiseSqrt().cwiseMax(std::numeric_limits<double>::min());
-          const MatrixXd correlation =
-              sd.cwiseInverse().asDiagonal() * entry.covariance * sd.cwiseInverse().asDiagonal();
-          const Eigen::LLT<MatrixXd> cholesky(correlation + 1e-12 * MatrixXd::Identity(size, size));
-          difference = sd.cwiseInverse().asDiagonal() * difference;
-          slope = sd.cwiseInverse().asDiagonal() * slope;
-          cholesky.matrixL().solveInPlace(difference);
-          cholesky.matrixL().solveInPlace(slope);
-          residual.segment(r, size) = difference;
-          jacobian.middleRows(r, size) = slope;
-          r += size;
-        }
-      };
-      report = nonlinear_fit(function, rows, start);
-    }
-    result_.parameter_values = report.parameters;
-    const Identifiability known = identifiability(known_lumps());
-    for (Index p = 0; p < count; ++p) {
-      const auto index = static_cast<std::size_t>(p);
+  void report_parameters() {
+    const CampaignKnowledge known = campaign_knowledge();
+    const Identifiability what = identifiability(known);
+    for (std::size_t p = 0; p < model_.symbols.size(); ++p) {
+      const auto at = static_cast<Index>(p);
       EstimatedValue value;
-      value.name = std::string(model_.symbols[index].name);
-      value.unit = unit_text(model_.symbols[index].dimension, coordinate_units_, excitation_units_);
-      if (given[index]) {
-        value.fixed = true;
-        value.identifiable = true;
-        value.value = start(p);
+      value.name = std::string(model_.symbols[p].name);
+      value.unit = unit_text(model_.symbols[p].dimension,
+                             std::vector<std::string>(model_.modes(), units_.coordinate), units_.excitation);
+      if (given_[p]) {
+        value.fixed = value.identifiable = true;
+        value.value = shared_.values(at);
         value.from = "given";
-      } else if (known.fixed[index] && rows > 0) {
+      } else if (what.determined[p] && shared_.covariance(at, at) > 0) {
         value.identifiable = true;
-        value.value = report.parameters(p);
-        value.sd = std::sqrt(std::max(0.0, report.covariance(p, p)));
-        value.degrees_of_freedom = smallest_degrees_of_freedom();
-        value.from = source_of(value.name);
-        value.significant = is_significant(value);
+        value.value = shared_.values(at);
+        value.sd = std::sqrt(shared_.covariance(at, at));
+        value.degrees_of_freedom = shared_.degrees_of_freedom(at);
+        value.from = source_of(at);
+        value.significant = significant(value);
+        value.nearly_entangled_with = near_parameters(value.name);
+        if (bootstrap_.cols() > 0) value.bootstrap = interval_of(bootstrap_.row(at).transpose());
       } else {
         value.from = "not determined by this campaign";
-        for (const int other : known.entangled_with[index])
+        for (const int other : what.entangled_with[p])
           value.entangled_with.emplace_back(model_.symbols[static_cast<std::size_t>(other)].name);
       }
       result_.parameters.push_back(std::move(value));
     }
+    result_.null_directions = null_directions(known);
   }
 
-  double smallest_degrees_of_freedom() const {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const Entry& entry : entries_) smallest = std::min(smallest, entry.degrees_of_freedom);
-    return smallest;
+  // The blocks of the cases whose lumps move the parameter, by their share of its weight.
+  std::string source_of(Index p) const {
+    std::string text;
+    for (std::size_t s = 0; s < fits_.size(); ++s) {
+      const MatrixXd& slope = shared_.slope[s];
+      if (slope.rows() == 0) continue;
+      std::set<std::size_t> blocks;
+      for (std::size_t i = 0; i < kept_[s].size(); ++i) {
+        const auto at = static_cast<Index>(i);
+        const double part = slope(p, at) * slope(p, at) * lump_estimates_[s].plain(at, at);
+        if (!(part > 1e-6 * shared_.covariance(p, p))) continue;
+        for (const std::size_t b : blocks_of(fits_[s], static_cast<std::size_t>(kept_[s][i]))) blocks.insert(b);
+      }
+      if (blocks.empty()) continue;
+      std::string names;
+      for (const std::size_t b : blocks)
+        names += (names.empty() ? "" : ", ") + std::string(sets_[s]->resonance->blocks[b].name);
+      text += (text.empty() ? "" : "; ") +
+              (fits_.size() > 1 ? std::string(sets_[s]->resonance->name) + ": " + names : names);
+    }
+    return text;
   }
 
-  static bool is_significant(const EstimatedValue& value) {
-    return value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
+  static std::vector<std::size_t> blocks_of(const CaseFit& fit, std::size_t column) {
+    const CaseColumn& c = fit.columns[column];
+    std::vector<std::size_t> found;
+    for (const std::size_t b : fit.blocks) {
+      const RegressorBlock& block = fit.set->resonance->blocks[b];
+      const bool here =
+          c.kind == CaseColumn::Kind::lump
+              ? std::find(block.lumps.begin(), block.lumps.end(), static_cast<int>(c.index)) != block.lumps.end()
+              : block.kind == BlockKind::modulation && static_cast<int>(c.index) == block.mode;
+      if (here) found.push_back(b);
+    }
+    return found;
   }
 
-  std::string source_of(const std::string& name) const {
-    for (const Entry& entry : entries_)
-      if (std::find(entry.names.begin(), entry.names.end(), name) != entry.names.end()) return entry.block;
-    return "lumps";
+  // Near dependencies of the lump that is the parameter itself.
+  std::vector<std::string> near_parameters(const std::string& name) const {
+    if (fits_.size() != 1) return {};
+    const auto near = nearly_entangled(fits_.front());
+    for (std::size_t c = 0; c < near.size(); ++c)
+      if (fits_.front().columns[c].kind == CaseColumn::Kind::lump && column_name(fits_.front(), c) == name)
+        return near[c];
+    return {};
   }
 
   void report_lumps() {
-    for (std::size_t l = 0; l < case_.lumps.size(); ++l) {
-      EstimatedValue value;
-      value.name = std::string(case_.lumps[l].name);
-      value.definition = std::string(case_.lumps[l].definition);
-      value.unit = unit_text(case_.lumps[l].dimension, coordinate_units_, excitation_units_);
-      if (lump_state_[l] == State::fixed) {
-        value.fixed = value.identifiable = true;
-        value.value = lump_value_[l];
-        value.from = "given";
-      } else if (lump_state_[l] == State::estimated) {
-        for (const Entry& entry : entries_)
-          for (std::size_t i = 0; i < entry.lumps.size(); ++i)
-            if (entry.lumps[i] == static_cast<int>(l)) {
-              const auto at = static_cast<Index>(i);
-              value.identifiable = true;
-              value.value = entry.values(at);
-              value.sd = std::sqrt(std::max(0.0, entry.covariance(at, at)));
-              value.degrees_of_freedom = entry.degrees_of_freedom;
-              value.from = entry.block;
-              value.significant = is_significant(value);
-            }
-      } else {
-        value.from = lump_state_[l] == State::open ? "not used" : "not determined by this campaign";
-        const auto entangled = lump_entangled_.find(l);
-        if (entangled != lump_entangled_.end()) value.entangled_with = entangled->second;
+    for (const ObservationSet* set : all_) {
+      const auto fitted = std::find_if(fits_.begin(), fits_.end(), [&](const CaseFit& f) { return f.set == set; });
+      for (std::size_t l = 0; l < set->resonance->lumps.size(); ++l) {
+        EstimatedValue value;
+        value.name = std::string(set->resonance->lumps[l].name);
+        value.definition = std::string(set->resonance->lumps[l].definition);
+        value.resonance = std::string(set->resonance->name);
+        value.unit = unit_text(set->resonance->lumps[l].dimension,
+                               std::vector<std::string>(model_.modes(), units_.coordinate), units_.excitation);
+        value.from = "not used";
+        const auto given = options_.fixed.find(value.name);
+        if (given != options_.fixed.end()) {
+          value.fixed = value.identifiable = true;
+          value.value = given->second;
+          value.from = "given";
+        } else if (fitted != fits_.end() && fitted->fit.coefficients.size() > 0) {
+          fill_lump(*fitted, static_cast<std::size_t>(fitted - fits_.begin()), l, value);
+        }
+        result_.lumps.push_back(std::move(value));
       }
-      result_.lumps.push_back(std::move(value));
     }
   }
 
-  // Estimated lumps (and the natural frequency, lump -1) of one block.
-  struct Entry {
-    std::string block;
-    std::vector<std::string> names;
-    std::vector<int> lumps;
-    std::size_t mode = 0;
-    VectorXd values;
-    MatrixXd covariance;
-    double degrees_of_freedom = 0;
-  };
+  void fill_lump(const CaseFit& fit, std::size_t s, std::size_t l, EstimatedValue& value) const {
+    for (std::size_t c = 0; c < fit.columns.size(); ++c) {
+      if (fit.columns[c].kind != CaseColumn::Kind::lump || fit.columns[c].index != l) continue;
+      const auto at = static_cast<Index>(c);
+      value.from.clear();
+      for (const std::size_t b : blocks_of(fit, c))
+        value.from += (value.from.empty() ? "" : ", ") + std::string(fit.set->resonance->blocks[b].name);
+      if (!fit.fit.identifiable[c]) {
+        value.from = "not determined by this campaign";
+        for (const int other : fit.fit.entangled_with[c])
+          value.entangled_with.push_back(column_name(fit, static_cast<std::size_t>(other)));
+        return;
+      }
+      value.identifiable = true;
+      value.value = fit.fit.coefficients(at);
+      value.sd = std::sqrt(std::max(0.0, fit.fit.covariance(at, at)));
+      value.degrees_of_freedom = fit.fit.degrees_of_freedom;
+      value.significant = significant(value);
+      value.partial_f = partial_f(fit)[c];
+      value.nearly_entangled_with = nearly_entangled(fit)[c];
+      if (s < bootstrap_lumps_.size() && bootstrap_lumps_[s].cols() > 0)
+        value.bootstrap = interval_of(bootstrap_lumps_[s].row(at).transpose());
+    }
+  }
 
-  const ObservationSet& set_;
+  void report_quality() {
+    const auto append = [](auto& to, auto from) {
+      to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+    };
+    for (const CaseFit& fit : fits_) {
+      if (fit.fit.coefficients.size() == 0) continue;
+      const std::string name(fit.set->resonance->name);
+      append(result_.blocks, block_quality(fit));
+      append(result_.conditions, condition_quality(fit));
+      append(result_.outliers, outlying_ensembles(fit));
+      if (options_.damping_laws) append(result_.damping, compare_damping(fit));
+      const std::size_t conditions = fit.fit.cluster_labels.size();
+      if (fit.fit.covariance_kind != CovarianceKind::clustered)
+        result_.warnings.push_back(
+            fmt::format("case {}: too few conditions ({} for {} unknowns) for error bars from their scatter; they "
+                        "come from the residuals and may be too small",
+                        name, conditions, fit.fit.rank));
+      std::string near;
+      const auto entangled = nearly_entangled(fit);
+      for (std::size_t c = 0; c < entangled.size(); ++c)
+        if (!entangled[c].empty()) near += (near.empty() ? "" : ", ") + column_name(fit, c);
+      if (!near.empty())
+        result_.warnings.push_back(fmt::format(
+            "case {}: {} act nearly alike on these conditions, their error bars say how little is known of "
+            "each; conditions with other levels and other ratios of the amplitudes would part them",
+            name, near));
+      std::string lost;
+      for (std::size_t c = 0; c < fit.columns.size(); ++c)
+        if (!fit.fit.identifiable[c]) lost += (lost.empty() ? "" : ", ") + column_name(fit, c);
+      if (!lost.empty())
+        result_.warnings.push_back(fmt::format(
+            "case {}: {} cannot be told apart on {} condition{} (their columns differ by noise or not at "
+            "all); no numbers are given for them",
+            name, lost, conditions, conditions == 1 ? "" : "s"));
+    }
+    for (const OutlyingEnsemble& o : result_.outliers)
+      result_.warnings.push_back(
+          fmt::format("record {}, ensemble at {:.1f} s: {:.1f} times the usual distance from its condition, weight "
+                      "{:.2g}",
+                      o.record + 1, o.centre_s, o.distance, o.weight));
+  }
+
   const CompiledModel& model_;
-  const CompiledCase& case_;
+  MeasuredUnits units_;
   const EstimateOptions& options_;
-  std::vector<std::string> coordinate_units_, excitation_units_;
-  std::vector<double> natural_frequency_;
-  std::set<std::size_t> fixed_frequency_;
-  std::vector<double> lump_value_;
-  std::vector<State> lump_state_;
-  std::map<std::size_t, std::vector<std::string>> lump_entangled_;
-  std::vector<Entry> entries_;
+  std::vector<const ObservationSet*> sets_, all_;  // those with observations, and all
+  std::vector<bool> given_;
+  CaseKnowledge knowledge_;
+  std::vector<CaseFit> fits_;
+  std::vector<LumpEstimates> lump_estimates_;
+  std::vector<std::vector<Index>> kept_;  // by fit: columns that are in lump_estimates_
+  SharedParameters shared_;
+  MatrixXd bootstrap_;
+  std::vector<MatrixXd> bootstrap_lumps_;
   Estimate result_;
 };
 
 }  // namespace
 
+Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& units,
+                  const EstimateOptions& options) {
+  const bool any =
+      std::any_of(sets.begin(), sets.end(), [](const ObservationSet& s) { return !s.observations.empty(); });
+  if (!any) {
+    std::string names, why = "the campaign has no record of the kind it needs";
+    for (auto set = sets.rbegin(); set != sets.rend(); ++set) {
+      names = std::string(set->resonance->name) + (names.empty() ? "" : ", ") + names;
+      if (!set->warnings.empty()) why = set->warnings.front();
+    }
+    throw InputError("case " + names, "", "no observations are left to identify it from", why);
+  }
+  return Estimator(sets, units, options).run();
+}
+
 Estimate estimate(const ObservationSet& set, const std::string& coordinate_unit,
                   const std::vector<std::string>& excitation_units, const EstimateOptions& options) {
-  if (set.observations.empty())
-    throw InputError(
-        "case " + std::string(set.resonance->name), "", "no observations are left to identify it from",
-        set.warnings.empty() ? "the campaign has no record of the kind it needs" : set.warnings.front());
-  return Estimator(set, coordinate_unit, excitation_units, options).run();
-}
-
-namespace {
-
-// Parameters near `start` that give the estimated lumps and natural frequencies, each weighed by its error bar.
-VectorXd representative(const Estimate& estimate, const VectorXd& start, const CompiledModel& model,
-                        const CompiledCase& resonance) {
-  const Index count = start.size();
-  std::vector<std::size_t> lumps_used, parameters_used;
-  for (std::size_t l = 0; l < estimate.lumps.size(); ++l)
-    if (estimate.lumps[l].value && estimate.lumps[l].sd > 0) lumps_used.push_back(l);
-  for (std::size_t p = 0; p < model.symbols.size(); ++p)
-    if (estimate.parameters[p].value && (estimate.parameters[p].sd > 0 || estimate.parameters[p].fixed))
-      parameters_used.push_back(p);
-  VectorXd lumps(static_cast<Index>(resonance.lumps.size()));
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> slope(lumps.size(), count);
-  const ResidualFunction function = [&](const VectorXd& parameters, VectorXd& residual, MatrixXd& jacobian) {
-    resonance.evaluate_lumps(parameters.data(), lumps.data());
-    resonance.evaluate_lumps_jacobian(parameters.data(), slope.data());
-    Index r = 0;
-    for (const std::size_t l : lumps_used) {
-      const EstimatedValue& v = estimate.lumps[l];
-      residual(r) = (lumps(static_cast<Index>(l)) - *v.value) / v.sd;
-      jacobian.row(r++) = slope.row(static_cast<Index>(l)) / v.sd;
-    }
-    for (const std::size_t p : parameters_used) {
-      const EstimatedValue& v = estimate.parameters[p];
-      const double sd = v.fixed ? 1e-9 * (1e-9 + std::abs(*v.value)) : v.sd;
-      residual(r) = (parameters(static_cast<Index>(p)) - *v.value) / sd;
-      jacobian.row(r).setZero();
-      jacobian(r++, static_cast<Index>(p)) = 1 / sd;
-    }
-  };
-  const auto rows = static_cast<Index>(lumps_used.size() + parameters_used.size());
-  return rows > 0 ? nonlinear_fit(function, rows, start).parameters : start;
-}
-
-}  // namespace
-
-Estimate truncation_corrected(const Estimate& raw, const Estimate& replayed, const VectorXd& replay_parameters,
-                              const CompiledModel& model, const CompiledCase& resonance) {
-  Estimate corrected = raw;
-  std::vector<double> lumps(resonance.lumps.size());
-  resonance.evaluate_lumps(replay_parameters.data(), lumps.data());
-  const auto correct = [](EstimatedValue& value, const EstimatedValue& again, double truth) {
-    if (!value.value || !again.value || value.fixed) return;
-    value.truncation = *again.value - truth;
-    *value.value -= value.truncation;
-    value.sd = std::hypot(value.sd, 0.5 * value.truncation);
-    value.significant = value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
-  };
-  for (std::size_t l = 0; l < corrected.lumps.size(); ++l) correct(corrected.lumps[l], replayed.lumps[l], lumps[l]);
-  for (std::size_t p = 0; p < model.symbols.size(); ++p)
-    correct(corrected.parameters[p], replayed.parameters[p], replay_parameters(static_cast<Index>(p)));
-  corrected.parameter_values = representative(corrected, replay_parameters, model, resonance);
-  return corrected;
+  return estimate(std::span(&set, 1), {coordinate_unit, excitation_units}, options);
 }
 
 }  // namespace secular

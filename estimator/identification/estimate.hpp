@@ -1,11 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "estimator/identification/estimate_quality.hpp"
 #include "estimator/identification/observation_set.hpp"
 
 namespace secular {
@@ -14,6 +17,7 @@ namespace secular {
 struct EstimatedValue {
   std::string name;
   std::string definition;  ///< lumps: the combination of symbols
+  std::string resonance;   ///< lumps: the case
   std::optional<double> value;
   double sd = 0, degrees_of_freedom = 0;
   double truncation = 0;  ///< what was subtracted for the expansion's truncation; half of it is in sd
@@ -21,39 +25,64 @@ struct EstimatedValue {
   bool identifiable = false;
   bool significant = false;  ///< differs from zero at 95 %
   bool fixed = false;        ///< given by the user
-  std::string from;          ///< the equation it comes from
+  std::string from;          ///< the equations it comes from
   std::vector<std::string> entangled_with;
-};
-
-/// How one block of equations was fitted.
-struct BlockQuality {
-  std::string name;
-  std::size_t equations = 0, conditions = 0;
-  double normalised_residual = 0;  ///< residual over what the measured noise explains; 1 is perfect
-  double condition_index = 0;      ///< largest, of scaled columns
-  bool clustered = false;          ///< covariance from scatter between conditions
-  std::map<std::string, double> variance_inflation;
+  /// Of the same case: those it is hard to tell from on this data (condition index above 30, variance shared).
+  std::vector<std::string> nearly_entangled_with;
+  std::optional<PartialF> partial_f;           ///< lumps
+  std::optional<BootstrapInterval> bootstrap;  ///< if asked for
 };
 
 struct Estimate {
-  std::vector<EstimatedValue> parameters, lumps;
+  std::vector<const CompiledCase*> cases;         ///< in the order of their lumps
+  std::vector<EstimatedValue> parameters, lumps;  ///< lumps of all cases, one after the other
   std::vector<BlockQuality> blocks;
+  std::vector<ConditionQuality> conditions;
+  std::vector<OutlyingEnsemble> outliers;
+  std::vector<DampingComparison> damping;
+  std::vector<NullDirection> null_directions;  ///< what the campaign leaves open
   Eigen::VectorXd parameter_values;  ///< by CompiledModel::symbols: a representative that reproduces the lumps
   std::vector<std::string> warnings;
 };
 
 struct EstimateOptions {
   std::map<std::string, double> fixed;  ///< parameters that are not estimated
+  int bootstrap = 0;                    ///< resamples of the conditions; 0: none
+  std::uint64_t seed = 1;               ///< of the bootstrap
+  bool damping_laws = true;             ///< compare them
+  bool refine = false;                  ///< maximum likelihood with errors in everything measured
 };
 
-/// Regression of all observations on the generated rows. Modulation equations first, natural frequencies with them;
-/// then those first-order harmonics that see a parameter which the modulation equations leave open. Every equation
-/// is whitened by the noise of everything measured in it (amplitudes, forces, frequencies, rates); error bars come
-/// from the scatter between conditions. Physical parameters follow from the lumps by weighted nonlinear least
-/// squares, as far as the lumps determine them. Throws InputError where no observations are left or a fixed name is
-/// unknown.
+/// Units of what was measured, for the units of what is estimated.
+struct MeasuredUnits {
+  std::string coordinate;
+  std::vector<std::string> excitation;
+};
+
+/// One-step regression of all observations of all cases of one model on the generated rows. In each case the
+/// modulation equations, natural frequencies with them, together with those first-order harmonics (the component at
+/// zero frequency too, where displacements are measured) that see something which the modulation equations of all
+/// cases leave open. Every equation is whitened by the joint noise of everything measured in it. Physical
+/// parameters, shared by all cases, follow from the lumps of all cases by nonlinear least squares weighted with
+/// their full covariance, as far as the lumps determine them; error bars come from the scatter between conditions
+/// (jackknife) carried through that map. Throws InputError where no observations are left, a fixed name is unknown
+/// or a natural frequency is neither observed nor known.
+Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& units, const EstimateOptions& options);
+
+/// The same for one case.
 Estimate estimate(const ObservationSet& set, const std::string& coordinate_unit,
                   const std::vector<std::string>& excitation_units, const EstimateOptions& options);
+
+/// The sets with what the truncated equations leave at the `replayed` motions of the full equations at `parameters`
+/// (ObservationSet::truncation): regressing them gives estimates without that bias. Observations that were not
+/// replayed are left out.
+std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets,
+                                            std::span<const ObservationSet> replayed,
+                                            const Eigen::VectorXd& parameters);
+
+/// `corrected`, the estimate from sets with_truncation, with its difference to the `raw` one as the correction:
+/// half of it joins the standard deviation, because it depends somewhat on how lumps split into parameters.
+Estimate with_truncation_error(Estimate corrected, const Estimate& raw);
 
 /// Takes the expansion's truncation out of an estimate. `replayed` is the same regression on what the full
 /// equations do at `replay_parameters`: where it does not return them, the expansion is biased by the difference,
@@ -61,7 +90,6 @@ Estimate estimate(const ObservationSet& set, const std::string& coordinate_unit,
 /// into parameters. The result's parameter_values reproduce the corrected lumps, so that the correction can be
 /// repeated from there.
 Estimate truncation_corrected(const Estimate& raw, const Estimate& replayed,
-                              const Eigen::VectorXd& replay_parameters, const CompiledModel& model,
-                              const CompiledCase& resonance);
+                              const Eigen::VectorXd& replay_parameters, const CompiledModel& model);
 
 }  // namespace secular

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <complex>
 #include <functional>
 #include <string>
@@ -24,14 +25,19 @@ struct Observation {
   std::vector<double> amplitude_sd;
   std::vector<std::complex<double>> rate;       ///< [mode] growth + i*(observed frequency)
   std::vector<double> growth_sd, frequency_sd;  ///< [mode]
-  std::vector<std::complex<double>> harmonic;   ///< [block] measured harmonic, 0 where not measured
-  std::vector<double> harmonic_sd;              ///< [block], negative where not measured
+  /// Of the frequencies that the case leaves free (ModeFrequencies::free): what the modes' frequencies share.
+  std::vector<double> free_frequency_sd;
+  std::vector<std::complex<double>> harmonic;  ///< [block] measured harmonic, 0 where not measured
+  std::vector<double> harmonic_sd;             ///< [block], negative where not measured
 };
 
 struct ObservationSet {
   const CompiledModel* model = nullptr;
   const CompiledCase* resonance = nullptr;
   std::vector<Observation> observations;
+  /// observations x blocks: what the truncated equations leave (left minus right side) where they should leave
+  /// nothing; taken out of them before they are fitted. Empty: not known.
+  Eigen::MatrixXcd truncation;
   std::vector<std::string> warnings;
 };
 
@@ -39,16 +45,30 @@ struct ObservationSet {
 struct Window {
   double from_s = -1e300, to_s = 1e300;
   std::string records = "*";  ///< shell pattern on the record's file
+  std::vector<bool> chosen;   ///< by record: those of one case; empty: all
+  unsigned threads = 1;       ///< for reading and observing; the result does not depend on it
+
+  bool takes(std::size_t record, const std::string& file) const;
 };
 
-/// Samples of one of a campaign's records by its index: read from its file, or replayed on a model.
+/// Samples of one of a campaign's records by its index: read from its file, or replayed on a model. Called from any
+/// thread.
 using RecordReader = std::function<Record(std::size_t record)>;
 
+/// How an ensemble of a dwell is taken.
+enum class DwellMotion {
+  steady,     ///< amplitudes stand still; dwells that do not are left out
+  transient,  ///< amplitudes may change slowly: their rate is observed too. For noise-free records of a model
+};
+
 /// Ensembles of every dwell: excitation by circular-hyperbolic decomposition and maximum likelihood, responses by
-/// least squares at the frequencies that the case predicts from it. Dwells on the trivial branch and records that
-/// have not settled are reported and left out.
+/// maximum likelihood at frequencies related to it as the case says; where the resonance leaves a frequency free
+/// (Omega = omega1 + omega2: only the sum of the response frequencies is known), that is estimated with them.
+/// Dwells on the trivial branch, records that have not settled, combination resonances whose modes are not locked
+/// to the excitation and records whose excitation channel holds something else are reported and left out.
 ObservationSet observe_dwells(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-                              const CompiledCase& resonance, const Window& window);
+                              const CompiledCase& resonance, const Window& window,
+                              DwellMotion motion = DwellMotion::steady);
 
 /// Sliding windows over every free decay, from its start (found) to where it sinks into the noise.
 ObservationSet observe_free_decays(const Campaign& campaign, const RecordReader& read_samples,

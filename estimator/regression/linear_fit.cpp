@@ -14,10 +14,16 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// Fewer clusters say too little of their scatter.
+constexpr Index fewest_clusters = 5;
+
+/// A cluster that alone determines a direction leaves nothing to compare it with.
+constexpr double largest_leverage = 0.999;
+
 }  // namespace
 
 LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<const VectorXd>& response,
-                     std::span<const int> cluster, double tolerance) {
+                     std::span<const int> cluster, double tolerance, const MatrixXd& column_noise) {
   const Index rows = design.rows(), columns = design.cols();
   if (response.size() != rows || static_cast<Index>(cluster.size()) != rows)
     throw std::invalid_argument("rows of design, response and clusters differ");
@@ -29,21 +35,32 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
   const Eigen::BDCSVD<MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeFullV);
   const VectorXd singular = svd.singularValues();
   const double cut = tolerance * std::max(singular(0), std::numeric_limits<double>::min());
-  while (fit.rank < singular.size() && singular(fit.rank) > cut) ++fit.rank;
+  std::vector<Index> seen, unseen;
+  for (Index i = 0; i < columns; ++i) {
+    (i < singular.size() && singular(i) > cut ? seen : unseen).push_back(i);
+  }
+  fit.rank = static_cast<Index>(seen.size());
   const Index rank = fit.rank;
-  const MatrixXd u = svd.matrixU().leftCols(rank), v = svd.matrixV().leftCols(rank);
-  const VectorXd inverse = singular.head(rank).cwiseInverse();
+  MatrixXd u(rows, rank), v(columns, rank), null(columns, columns - rank);
+  VectorXd inverse(rank);
+  for (Index i = 0; i < rank; ++i) {
+    const Index from = seen[static_cast<std::size_t>(i)];
+    u.col(i) = svd.matrixU().col(from);
+    v.col(i) = svd.matrixV().col(from);
+    inverse(i) = 1 / singular(from);
+  }
+  for (Index i = 0; i < null.cols(); ++i) null.col(i) = svd.matrixV().col(unseen[static_cast<std::size_t>(i)]);
   const VectorXd solution = v * inverse.asDiagonal() * (u.transpose() * response);
   fit.coefficients = scale.asDiagonal() * solution;
+  fit.basis = scale.asDiagonal() * v * inverse.asDiagonal();
   fit.residual = response - design * fit.coefficients;
   fit.leverage = u.rowwise().squaredNorm();
   fit.residual_sd = rows > rank ? std::sqrt(fit.residual.squaredNorm() / static_cast<double>(rows - rank))
                                 : std::numeric_limits<double>::quiet_NaN();
   fit.condition_indices = VectorXd::Constant(columns, std::numeric_limits<double>::infinity());
-  for (Index i = 0; i < rank; ++i) fit.condition_indices(i) = singular(0) / singular(i);
+  for (Index i = 0; i < rank; ++i) fit.condition_indices(i) = singular(0) * inverse(i);
 
   // A column is identifiable if no null direction of the scaled columns has a part in it.
-  const MatrixXd null = svd.matrixV().rightCols(columns - rank);
   fit.identifiable.assign(static_cast<std::size_t>(columns), true);
   fit.entangled_with.resize(static_cast<std::size_t>(columns));
   const MatrixXd null_projection = null * null.transpose();
@@ -57,14 +74,36 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
 
   const MatrixXd normal_inverse = v * inverse.cwiseAbs2().asDiagonal() * v.transpose();  // of scaled columns
   fit.variance_inflation = normal_inverse.diagonal();
-  const MatrixXd plain =
+  fit.plain_covariance =
       fit.residual_sd * fit.residual_sd * (scale.asDiagonal() * normal_inverse * scale.asDiagonal());
+  fit.variance_proportions = MatrixXd::Zero(columns, columns);
+  for (Index i = 0; i < rank; ++i)
+    for (Index c = 0; c < columns; ++c)
+      if (normal_inverse(c, c) > 0)
+        fit.variance_proportions(i, c) = v(c, i) * v(c, i) * inverse(i) * inverse(i) / normal_inverse(c, c);
+
+  // Directions in which the columns differ by their own errors: what mainly rests on them is not identifiable
+  // either.
+  if (column_noise.size() > 0) {
+    VectorXd share = VectorXd::Zero(columns);
+    for (Index i = 0; i < rank; ++i) {
+      const VectorXd direction = scale.asDiagonal() * v.col(i);
+      if (1 / (inverse(i) * inverse(i)) <= noise_ratio * direction.dot(column_noise * direction))
+        share += fit.variance_proportions.row(i).transpose();
+    }
+    for (Index c = 0; c < columns; ++c)
+      for (Index other = 0; other < columns && share(c) > 0.5; ++other) {
+        fit.identifiable[static_cast<std::size_t>(c)] = false;
+        if (other != c && share(other) > 0.5)
+          fit.entangled_with[static_cast<std::size_t>(c)].push_back(static_cast<int>(other));
+      }
+  }
 
   std::map<int, std::vector<Index>> members;
   for (Index r = 0; r < rows; ++r) members[cluster[static_cast<std::size_t>(r)]].push_back(r);
   const auto groups = static_cast<Index>(members.size());
   fit.influence = MatrixXd::Zero(groups, columns);
-  bool clustered = groups >= rank + 2 && rows > rank;
+  bool clustered = groups >= fewest_clusters && rows > rank && rank > 0;
   Index g = 0;
   for (const auto& [label, group] : members) {
     fit.cluster_labels.push_back(label);
@@ -78,7 +117,7 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
     // Leaving rows out changes the coordinates in u by -(I - U_g' U_g)^-1 U_g' e_g.
     const MatrixXd kept = MatrixXd::Identity(rank, rank) - basis.transpose() * basis;
     const Eigen::LDLT<MatrixXd> solver(kept);
-    if (solver.vectorD().minCoeff() < 1e-10) clustered = false;
+    if (solver.vectorD().minCoeff() < 1 - largest_leverage) clustered = false;
     const VectorXd change = -(v * (inverse.asDiagonal() * solver.solve(basis.transpose() * residual)));
     fit.influence.row(g++) = (scale.asDiagonal() * change).transpose();
   }
@@ -88,7 +127,7 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
     fit.covariance_kind = CovarianceKind::clustered;
     fit.degrees_of_freedom = n - 1;
   } else {
-    fit.covariance = plain;
+    fit.covariance = fit.plain_covariance;
     fit.degrees_of_freedom = static_cast<double>(std::max<Index>(1, rows - rank));
   }
   return fit;

@@ -13,8 +13,9 @@ enum class CovarianceKind {
 
 /// Least squares with honest error bars. Rows are whitened by the caller (divided by their noise level).
 struct LinearFit {
-  Eigen::VectorXd coefficients;  ///< minimum-norm in scaled columns where not identifiable
-  Eigen::MatrixXd covariance;    ///< of the identifiable part
+  Eigen::VectorXd coefficients;      ///< minimum-norm in scaled columns where not identifiable
+  Eigen::MatrixXd covariance;        ///< of the identifiable part
+  Eigen::MatrixXd plain_covariance;  ///< the same from the residual variance alone, whatever `covariance_kind`
   CovarianceKind covariance_kind = CovarianceKind::plain;
   double degrees_of_freedom = 0;  ///< for Student's t: clusters - 1 if clustered, rows - rank otherwise
   Eigen::Index rank = 0;
@@ -22,6 +23,9 @@ struct LinearFit {
   std::vector<std::vector<int>> entangled_with;  ///< by column: the others of its null directions
   Eigen::VectorXd condition_indices;             ///< largest over each singular value of the scaled columns
   Eigen::VectorXd variance_inflation;            ///< by column, uncentred
+  Eigen::MatrixXd variance_proportions;  ///< [singular value][column]: share of a variance (Belsley, Kuh, Welsch)
+  /// columns x rank: design*basis has orthonormal columns, coefficients = basis*((design*basis)' response).
+  Eigen::MatrixXd basis;
   Eigen::VectorXd residual;
   Eigen::VectorXd leverage;  ///< by row
   double residual_sd = 0;
@@ -32,11 +36,18 @@ struct LinearFit {
 /// Columns are scaled to unit norm; singular values below `tolerance` times the largest count as zero. `cluster`
 /// labels rows that share one condition (ten ensembles of one dwell are not ten independent conditions). The
 /// covariance is the delete-one-cluster jackknife, exact by solving without each cluster; its bias is upward for
-/// few clusters, which keeps intervals honest where the usual sandwich is too narrow. With fewer than columns + 2
-/// clusters, or where leaving a cluster out loses rank, the plain covariance is used and said. Throws
-/// std::invalid_argument for sizes that differ.
+/// few clusters, which keeps intervals honest where the usual sandwich is too narrow. With fewer than five
+/// clusters, or where one cluster alone determines a direction, the plain covariance is used and said.
+/// `column_noise`, if not
+/// empty, is the expected Gram matrix of the errors in `design` itself: where a squared singular value is not above
+/// `noise_ratio` times what these errors alone give, the columns whose variance rests mainly on that direction are
+/// not identifiable (their least-squares coefficients would be made of noise). Throws std::invalid_argument for
+/// sizes that differ.
 LinearFit linear_fit(const Eigen::Ref<const Eigen::MatrixXd>& design,
                      const Eigen::Ref<const Eigen::VectorXd>& response, std::span<const int> cluster,
-                     double tolerance = 1e-9);
+                     double tolerance = 1e-9, const Eigen::MatrixXd& column_noise = {});
+
+/// See linear_fit: three parts signal to one part noise.
+inline constexpr double noise_ratio = 4;
 
 }  // namespace secular

@@ -323,7 +323,7 @@ void check_model(const CompiledModel& compiled, const CanonicalModel& canonical,
 CanonicalModel canonical_of(const std::string& name, std::optional<std::vector<std::string>> cases = std::nullopt) {
   const fs::path file = root / "models" / (name + ".toml");
   std::vector<std::string> notes;
-  return derive_for_code({file.string(), *read_file_bytes(file), std::move(cases)}, notes);
+  return derive_for_code({file.string(), *read_file_bytes(file), std::move(cases), {}}, notes);
 }
 
 class Digits : public testing::TestWithParam<std::string> {};

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "estimator/identification/mode_frequencies.hpp"
+#include "estimator/identification/observation_set.hpp"
+#include "estimator/regression/linear_fit.hpp"
+
+namespace secular {
+
+/// An unknown of one case's regression.
+struct CaseColumn {
+  enum class Kind {
+    lump,               ///< index into CompiledCase::lumps
+    natural_frequency,  ///< of mode `index`
+    sensor_offset,      ///< of mode `index`: what the sensors add to its zero-frequency component
+  };
+  Kind kind = Kind::lump;
+  std::size_t index = 0;
+};
+
+/// Whitened rows of one case: every observation's equations, real and imaginary parts, decorrelated by the joint
+/// covariance of everything measured in them.
+struct WhitenedSystem {
+  Eigen::MatrixXd design;
+  Eigen::VectorXd response;
+  std::vector<int> condition;            ///< by row
+  std::vector<std::size_t> observation;  ///< by row
+  std::vector<std::size_t> block;        ///< by row: index into CompiledCase::blocks
+  Eigen::MatrixXd column_noise;          ///< expected Gram matrix of the columns' errors
+};
+
+/// Linear regression of one case's equations on its lumps and natural frequencies.
+struct CaseFit {
+  const ObservationSet* set = nullptr;
+  std::vector<std::size_t> blocks;  ///< regressed
+  std::vector<CaseColumn> columns;
+  WhitenedSystem system;      ///< of the last pass, robust weights applied
+  Eigen::VectorXd reference;  ///< by column: what the system's unknown is counted from (natural frequencies)
+  LinearFit fit;              ///< coefficients include `reference`
+  std::map<std::size_t, double> block_misfit;  ///< by block: residual over what noise explains, unscaled
+  std::vector<double> weight;                  ///< by observation: 1, less where it is an outlier
+  std::vector<double> distance;  ///< by observation: deviation from its condition over what is usual; 0 if unknown
+};
+
+/// What a case's regression takes as given.
+struct CaseKnowledge {
+  std::vector<double> natural_frequency;  ///< by mode: start, and value where the case does not estimate it
+  std::set<std::size_t> fixed_frequency;  ///< modes whose natural frequency is given
+  std::map<std::string, double> fixed;    ///< lumps that are given, by name
+  /// Maximum likelihood with errors in everything measured: amplitudes, phases, forces and frequencies are adjusted
+  /// to the equations (Gauss-Helmert), which takes out the bias that noise in the regression's columns makes.
+  bool errors_in_variables = false;
+};
+
+/// Regression of `blocks` together: iteratively reweighted, every equation by the joint noise of amplitudes,
+/// forces, frequencies, rates and harmonics; an equation that fits worse than its noise explains counts accordingly
+/// less against the others; ensembles of a dwell that stand out from the others of their condition are
+/// down-weighted (weight (c/d)^2 beyond a distance c that one clean campaign in a hundred reaches).
+CaseFit fit_case(const ObservationSet& set, const std::vector<std::size_t>& blocks, const CaseKnowledge& known);
+
+}  // namespace secular

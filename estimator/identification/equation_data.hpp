@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <vector>
+
+#include "estimator/identification/case_regression.hpp"
+#include "estimator/identification/mode_frequencies.hpp"
+#include "estimator/identification/observation_set.hpp"
+
+namespace secular {
+
+/// True for the component at zero frequency, which has no imaginary part and shares it with the sensor's offset.
+bool is_zero_frequency(const RegressorBlock& block);
+
+/// Columns of the generated equations at every observation, and how they change where a measured quantity is off by
+/// one standard deviation.
+class EquationData {
+ public:
+  /// `blocks`: indices into CompiledCase::blocks. `set` must outlive this.
+  EquationData(const ObservationSet& set, const std::vector<std::size_t>& blocks);
+
+  /// Columns at these natural frequencies (by mode); nothing is done while they move by less than 1e-12.
+  void evaluate(const std::vector<double>& natural_frequency);
+
+  /// Equations of one observation as real rows: two a block, one at zero frequency.
+  struct Rows {
+    Eigen::MatrixXd design;        ///< rows x columns
+    Eigen::VectorXd response;      ///< known lumps subtracted
+    Eigen::MatrixXd variants;      ///< rows x varied quantities: change of left minus right side by one sd
+    Eigen::VectorXd own_variance;  ///< rows: noise of the row's own measured harmonic, and a floor
+    std::vector<std::size_t> block;
+  };
+  /// `lump`, by CompiledCase::lumps, and `natural_frequency`: current values, also of what is given. Unknown
+  /// natural frequencies are counted from `reference_frequency`: where something else acts like a change of
+  /// frequency, both then stay small.
+  Rows rows(std::size_t observation, const std::vector<CaseColumn>& columns, const std::vector<double>& lump,
+            const std::vector<double>& natural_frequency, const std::vector<double>& reference_frequency) const;
+
+  /// Number of varied quantities.
+  Eigen::Index quantities() const { return static_cast<Eigen::Index>(quantities_.size()); }
+
+  /// Takes `deviations` standard deviations (by varied quantity) off an observation.
+  void move(Observation& observation, const Eigen::VectorXd& deviations) const;
+
+  /// Errors of the design of one observation, one for every varied quantity.
+  std::vector<Eigen::MatrixXd> column_errors(std::size_t observation, const std::vector<CaseColumn>& columns) const;
+
+  /// Size of a block's equation at an observation, before its noise is known.
+  double first_scale(std::size_t observation, std::size_t block) const;
+
+ private:
+  enum class Kind { amplitude, growth, free_frequency, forcing, excitation_frequency };
+  struct Quantity {
+    Kind kind;
+    std::size_t index;
+    bool imaginary;
+  };
+  double sd(const Quantity& q, const Observation& o) const;
+  bool present(std::size_t block, const Observation& o) const;
+
+  const ObservationSet& set_;
+  const CompiledCase& case_;
+  ModeFrequencies modes_;
+  std::vector<std::size_t> blocks_;
+  std::vector<Quantity> quantities_;
+  std::vector<int> column_variant_;  ///< by quantity: which copy of the columns, 0 where they do not depend on it
+  std::size_t copies_ = 1;
+  std::vector<double> evaluated_at_;
+  /// [block in blocks_][lump of the block]: values at copy*observations + observation.
+  std::vector<std::vector<Eigen::VectorXcd>> columns_;
+};
+
+}  // namespace secular

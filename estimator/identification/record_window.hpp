@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+#include "estimator/identification/modal_projection.hpp"
+#include "estimator/identification/observation_set.hpp"
+
+// Small steps shared by the observations of dwells and of decays.
+namespace secular {
+
+/// samples x channels from sample `first` on.
+Eigen::MatrixXd samples_of(const Record& record, const std::vector<std::size_t>& channels, Eigen::Index first,
+                           Eigen::Index count);
+
+/// Samples of the record inside the window.
+struct SampleRange {
+  Eigen::Index first = 0, count = 0;
+};
+SampleRange range_of(const Record& record, const Window& window);
+
+/// A tone exp(s t) of the measured quantity as displacement.
+std::complex<double> to_displacement(std::complex<double> amplitude, std::complex<double> s, int derivatives);
+
+/// Modal value of channel amplitudes, and the standard deviation of its real (or imaginary) part.
+std::complex<double> project(const ModalProjection& projection, std::size_t mode,
+                             const Eigen::RowVectorXcd& amplitudes);
+double project_sd(const ModalProjection& projection, std::size_t mode, const Eigen::RowVectorXd& sds);
+
+}  // namespace secular

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "estimator/compiled_model.hpp"
+
+namespace secular {
+
+/// Estimated lumps and natural frequencies of one case, as its regression gave them.
+struct LumpEstimates {
+  const CompiledCase* resonance = nullptr;
+  std::vector<int> index;  ///< lump, or -1 - mode for a natural frequency
+  Eigen::VectorXd values;
+  Eigen::MatrixXd plain;      ///< covariance from residuals: the weights
+  Eigen::MatrixXd influence;  ///< [condition][value]: change where the condition is left out
+  bool clustered = false;     ///< error bars from `influence`, else from `plain`
+  double degrees_of_freedom = 0;
+};
+
+/// Parameters that all cases share.
+struct SharedParameters {
+  Eigen::VectorXd values;              ///< by CompiledModel::symbols
+  std::vector<Eigen::MatrixXd> slope;  ///< by case: d values/d its lump estimates
+  Eigen::MatrixXd covariance;
+  Eigen::VectorXd degrees_of_freedom;  ///< by symbol (Satterthwaite over the cases)
+  /// Weighted misfit of the lumps that tie cases together, and how many more lumps than parameters there are.
+  double misfit = 0;
+  Eigen::Index surplus = 0;
+};
+
+/// Weighted nonlinear least squares of all lumps on the parameters, from `start`; weights are the full inverse
+/// covariances from residuals. The error bars carry each condition's influence through the map, so that they do not
+/// rest on the weights. `given` parameters stay.
+SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const Eigen::VectorXd& start,
+                                   const std::vector<bool>& given);
+
+}  // namespace secular

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "estimator/identification/estimate.hpp"
+#include "estimator/identification/modal_projection.hpp"
+#include "generated/registry.hpp"
+#include "simulate/virtual_test.hpp"
+
+// Virtual tests in memory and what is identified from them.
+namespace secular::testing_support {
+
+inline const CompiledCase& case_named(const CompiledModel& model, const std::string& name) {
+  for (const CompiledCase& resonance : model.cases)
+    if (resonance.name == name) return resonance;
+  throw std::out_of_range(name);
+}
+
+inline const EstimatedValue& value_of(const Estimate& estimate, const std::string& name) {
+  for (const auto* list : {&estimate.parameters, &estimate.lumps})
+    for (const EstimatedValue& v : *list)
+      if (v.name == name && (v.value || list == &estimate.lumps)) return v;
+  for (const EstimatedValue& v : estimate.parameters)
+    if (v.name == name) return v;
+  throw std::out_of_range(name);
+}
+
+inline double truth_of(const CompiledModel& model, const CompiledCase& resonance, const Eigen::VectorXd& parameters,
+                       const std::string& name) {
+  for (std::size_t p = 0; p < model.symbols.size(); ++p)
+    if (model.symbols[p].name == name) return parameters(static_cast<Eigen::Index>(p));
+  std::vector<double> lumps(resonance.lumps.size());
+  resonance.evaluate_lumps(parameters.data(), lumps.data());
+  for (std::size_t l = 0; l < lumps.size(); ++l)
+    if (resonance.lumps[l].name == name) return lumps[l];
+  throw std::out_of_range(name);
+}
+
+inline Experiment shipped_experiment(const std::string& name) {
+  const auto path = std::filesystem::path(SECULAR_SOURCE_DIR) / "models/experiments" / (name + ".toml");
+  return read_experiment(path, *generated::find_compiled_model(experiment_model(path)));
+}
+
+/// Observations of the records of a simulated campaign that belong to a case: all dwells, or all decays.
+inline ObservationSet observed(const SimulatedCampaign& simulated, const CompiledModel& model,
+                               const CompiledCase& resonance) {
+  const RecordReader read = [&](std::size_t r) { return simulated.samples[r]; };
+  return resonance.excited ? observe_dwells(simulated.campaign, read, model, resonance, {})
+                           : observe_free_decays(simulated.campaign, read, model, resonance, {});
+}
+
+inline bool warns(const std::vector<std::string>& warnings, const std::string& text) {
+  for (const std::string& warning : warnings)
+    if (warning.find(text) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace secular::testing_support
