@@ -173,9 +173,21 @@ Identification identify(const IdentificationRequest& request) {
       sets.push_back(observe_replay(campaign, set, result.estimate.parameter_values, request.threads));
     return sets;
   };
+  const bool dwells = std::any_of(result.measured.begin(), result.measured.end(),
+                                  [](const ObservationSet& set) { return set.resonance->excited; });
   try {
     for (int pass = 0; pass < truncation_passes; ++pass) {
       result.replayed = replay();
+      // Windows of a decay and of its replay meet at other phases: there the estimates are corrected, not the
+      // equations.
+      if (!dwells) {
+        EstimateOptions quick = options;
+        quick.bootstrap = 0;
+        quick.damping_laws = false;
+        result.estimate = truncation_corrected(raw, estimate(result.replayed, units, quick),
+                                               result.estimate.parameter_values, model);
+        continue;
+      }
       const auto corrected = with_truncation(result.measured, result.replayed, result.estimate.parameter_values);
       EstimateOptions quick = options;
       if (pass + 1 < truncation_passes) {
@@ -184,8 +196,9 @@ Identification identify(const IdentificationRequest& request) {
       }
       result.estimate = with_truncation_error(estimate(corrected, units, quick), raw);
     }
-    result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
-                                    assignment.warnings.end());
+    if (dwells)
+      result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
+                                      assignment.warnings.end());
     for (ObservationSet& set : result.replayed)
       if (set.resonance->excited) to_steady_amplitudes(set, result.estimate.parameter_values);
   } catch (const InputError& error) {
@@ -196,12 +209,17 @@ Identification identify(const IdentificationRequest& request) {
         std::string("the expansion's truncation could not be corrected by the full equations (") + error.what() +
         "): standard deviations do not contain it");
   }
-  for (const ObservationSet& set : result.measured)
-    if (!set.resonance->excited && model.modes() == 1)
-      for (std::size_t r = 0; r < campaign.records.size(); ++r)
-        if (auto prediction =
-                predict_held_out_decay(campaign, read, set, r, result.estimate.parameter_values, request.window))
-          result.held_out.push_back(std::move(*prediction));
+  try {
+    for (const ObservationSet& set : result.measured)
+      if (!set.resonance->excited && model.modes() == 1)
+        for (std::size_t r = 0; r < campaign.records.size(); ++r)
+          if (auto prediction =
+                  predict_held_out_decay(campaign, read, set, r, result.estimate.parameter_values, request.window))
+            result.held_out.push_back(std::move(*prediction));
+  } catch (const InputError& error) {
+    result.estimate.warnings.push_back(std::string("what was held out could not be predicted (") + error.what() +
+                                       ")");
+  }
   return result;
 }
 

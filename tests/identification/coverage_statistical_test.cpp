@@ -9,6 +9,7 @@
 
 #include "estimator/regression/confidence.hpp"
 #include "simulate/noise.hpp"
+#include "simulate/replay.hpp"
 #include "virtual_campaign.hpp"
 
 namespace secular {
@@ -29,12 +30,12 @@ Experiment without_noise(Experiment e) {
 
 struct Coverage {
   std::string name;
-  int inside = 0;
-  double bias = 0, truth = 0, mean_sd = 0, scatter = 0, mean = 0;
+  int inside = 0, centred_inside = 0;  ///< draws whose interval holds the truth; the mean of all draws
+  double bias = 0, truncation = 0, truth = 0, mean_sd = 0, scatter = 0, mean = 0;
 };
 
-// How often the interval contains the truth once the bias that all draws share (the expansion's truncation, which
-// `identify` takes out by replaying the full equations) is taken out: that is listed by itself.
+// How often the interval contains the truth, the expansion's truncation taken out as `identify` does it, with the
+// full equations at the true parameters: what is left is statistics. The truncation is listed by itself.
 std::vector<Coverage> coverage(const Experiment& experiment, const std::string& case_name,
                                const std::vector<std::string>& names, int draws) {
   const CompiledModel& model = *generated::find_compiled_model(experiment.model);
@@ -42,6 +43,7 @@ std::vector<Coverage> coverage(const Experiment& experiment, const std::string& 
   const SimulatedCampaign exact = run_virtual_test(without_noise(experiment), model, 1, 2);
   EstimateOptions options;
   options.damping_laws = false;
+  options.refine = std::getenv("SECULAR_COVERAGE_REFINE") != nullptr;
   const auto add_noise = [&](SimulatedCampaign& noisy, std::uint64_t seed) {
     for (std::size_t r = 0; r < noisy.samples.size(); ++r)
       for (std::size_t c = 0; c < noisy.samples[r].channels.size(); ++c) {
@@ -53,11 +55,18 @@ std::vector<Coverage> coverage(const Experiment& experiment, const std::string& 
       }
   };
   std::vector<Coverage> result;
+  const ObservationSet clean = observed(exact, model, resonance);
+  const Estimate truncated = estimate(clean, "m", {"m/s^2"}, options);
+  const std::vector<Record> full = replay_records(exact.campaign, clean, experiment.parameters, 2);
   std::vector<Estimate> estimates;
   for (int draw = 0; draw < draws; ++draw) {
     SimulatedCampaign noisy = exact;
     add_noise(noisy, static_cast<std::uint64_t>(draw) + 1);
-    estimates.push_back(estimate(observed(noisy, model, resonance), "m", {"m/s^2"}, options));
+    const ObservationSet set = observed(noisy, model, resonance);
+    const ObservationSet replayed = observe_replay(exact.campaign, set, full);
+    const std::vector<ObservationSet> corrected =
+        with_truncation(std::span(&set, 1), std::span(&replayed, 1), experiment.parameters);
+    estimates.push_back(estimate(corrected, {"m", {"m/s^2"}}, options));
   }
   for (const std::string& name : names) {
     Coverage c;
@@ -72,35 +81,39 @@ std::vector<Coverage> coverage(const Experiment& experiment, const std::string& 
     }
     c.scatter = std::sqrt(std::max(0.0, square - c.mean * c.mean) * draws / (draws - 1));
     c.bias = c.mean - c.truth;
+    c.truncation = *value_of(truncated, name).value - c.truth;
     for (const Estimate& e : estimates) {
       const EstimatedValue& v = value_of(e, name);
-      const Interval interval = confidence_interval(*v.value - c.bias, v.sd, v.degrees_of_freedom);
+      const Interval interval = confidence_interval(*v.value, v.sd, v.degrees_of_freedom);
       c.inside += interval.low <= c.truth && c.truth <= interval.high;
+      c.centred_inside += interval.low <= c.mean && c.mean <= interval.high;
     }
-    std::printf("%-10s truth %12.5g  bias %9.2e  sd %9.2e  scatter %9.2e  covered %5.1f %% of %d\n", name.c_str(),
-                c.truth, c.bias, c.mean_sd, c.scatter, 100.0 * c.inside / draws, draws);
+    std::printf(
+        "%-8s truth %12.5g  truncation taken out %9.2e  bias left %9.2e  sd %9.2e  scatter %9.2e  covered %5.1f %% "
+        "of %d\n",
+        name.c_str(), c.truth, c.truncation, c.bias, c.mean_sd, c.scatter, 100.0 * c.inside / draws, draws);
     result.push_back(c);
   }
   return result;
 }
 
-void check(const std::vector<Coverage>& table, int draws) {
-  for (const Coverage& c : table) {
-    // Binomial with p between 0.93 and 0.97 nominal; four standard deviations of a draw count below 0.93, and the
-    // jackknife's bias is upward.
-    const double band = 4 * std::sqrt(0.05 * 0.95 / draws);
-    EXPECT_GT(static_cast<double>(c.inside) / draws, 0.93 - band) << c.name;
-    // Truncation: what is left after the noise is gone is a few percent at most, before it is corrected.
-    EXPECT_LT(std::abs(c.bias), 0.2 * std::abs(c.truth) + 5 * c.mean_sd) << c.name;
-  }
+// Binomial with p between 0.93 and 0.97 nominal; four standard deviations of a draw count below 0.93, and the
+// jackknife's bias is upward.
+double lowest_share(int draws) {
+  return 0.93 - 4 * std::sqrt(0.05 * 0.95 / draws);
 }
 
 TEST(StatisticalCoverage, PrincipalParametricDwells) {
   Experiment e = shipped_experiment("principal_parametric");
   for (DwellProgramme& d : e.dwells) d.ensembles = 4;
   const int draws = draws_wanted(40);
-  check(coverage(e, "principal_parametric", {"omega0", "mu1", "mu2", "mu3", "alpha_e", "eta_e", "eta1"}, draws),
-        draws);
+  for (const Coverage& c :
+       coverage(e, "principal_parametric", {"omega0", "mu1", "mu2", "mu3", "alpha_e", "eta_e", "eta1"}, draws)) {
+    EXPECT_GT(static_cast<double>(c.inside) / draws, lowest_share(draws)) << c.name;
+    // Of what truncation does to the estimate, next to nothing is left.
+    EXPECT_LT(std::abs(c.bias), 0.2 * std::abs(c.truncation) + 5 * c.scatter / std::sqrt(draws) + 0.5 * c.mean_sd)
+        << c.name;
+  }
 }
 
 TEST(StatisticalCoverage, FreeDecay) {
@@ -112,7 +125,13 @@ TEST(StatisticalCoverage, FreeDecay) {
   decay.duration_s = 12;
   e.free_decays = {decay, decay};
   const int draws = draws_wanted(40);
-  check(coverage(e, "free", {"omega0", "mu1", "mu3", "alpha_e"}, draws), draws);
+  // Windows of two periods are biased by noise and by harmonics that they do not hold: mu3 by -14 %, which
+  // replaying the full equations does not take out. What is tested is that the intervals are as wide as the
+  // estimates scatter.
+  for (const Coverage& c : coverage(e, "free", {"omega0", "mu1", "mu3", "alpha_e"}, draws)) {
+    EXPECT_GT(static_cast<double>(c.centred_inside) / draws, lowest_share(draws)) << c.name;
+    EXPECT_LT(std::abs(c.bias), 0.25 * std::abs(c.truth)) << c.name;
+  }
 }
 
 }  // namespace
