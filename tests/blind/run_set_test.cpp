@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 class BlindRun : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::path(testing::TempDir()) / "secular_blind_run";
+    folder = fs::path(testing::TempDir()) /
+             (std::string("secular_blind_run_") + testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder);
     nlohmann::json labels = {
         {"schema", 1}, {"seed", 1}, {"set", "short"}, {"cases", 3}, {"labels", nlohmann::json::array()}};

@@ -57,13 +57,12 @@ std::vector<Coverage> coverage(const Experiment& experiment, const std::string& 
   std::vector<Coverage> result;
   const ObservationSet clean = observed(exact, model, resonance);
   const Estimate truncated = estimate(clean, "m", {"m/s^2"}, options);
-  const std::vector<Record> full = replay_records(exact.campaign, clean, experiment.parameters, 2);
   std::vector<Estimate> estimates;
   for (int draw = 0; draw < draws; ++draw) {
     SimulatedCampaign noisy = exact;
     add_noise(noisy, static_cast<std::uint64_t>(draw) + 1);
     const ObservationSet set = observed(noisy, model, resonance);
-    const ObservationSet replayed = observe_replay(exact.campaign, set, full);
+    const ObservationSet replayed = observe_replay(exact.campaign, set, experiment.parameters, 2);
     const std::vector<ObservationSet> corrected =
         with_truncation(std::span(&set, 1), std::span(&replayed, 1), experiment.parameters);
     estimates.push_back(estimate(corrected, {"m", {"m/s^2"}}, options));
