@@ -106,6 +106,8 @@ std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects,
     c.component = component_of(e.effect);
     c.mode = e.mode;
     c.equation = true;
+    c.passive = e.effect == "coulomb_friction" || e.effect == "hysteresis" || e.effect == "freeplay" ||
+                e.effect == "quadratic_damping";
     c.strengths = {e.strength};
     c.shapes = e.shapes;
     if (e.shapes.empty()) {

@@ -28,6 +28,7 @@ struct Candidate {
   std::vector<std::size_t> strengths;         ///< indices of unknowns
   std::vector<std::size_t> shapes;            ///< unknowns that matter only with a strength
   std::vector<Eigen::VectorXd> shape_starts;  ///< values to begin with; one empty entry where there is no shape
+  bool passive = false;                       ///< a force that can only oppose or give way: no negative strength
   double least_strength = 0;                  ///< a strength that must begin away from zero (saturation)
 };
 

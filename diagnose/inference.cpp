@@ -91,6 +91,7 @@ Screening screen(const Discrepancy& discrepancy, const Refit& base, const Matrix
     for (std::size_t s = 0; s < candidate.strengths.size(); ++s)
       unknowns(static_cast<Index>(candidate.strengths[s])) +=
           scale(static_cast<Index>(s)) * strength(static_cast<Index>(s));
+    if (candidate.passive && unknowns(static_cast<Index>(candidate.strengths[0])) < 0) continue;
     best = {gain, unknowns};
   }
   return best;
@@ -120,6 +121,12 @@ void take_over(VectorXd& into, const VectorXd& from, const Candidate& c) {
   for (const std::size_t u : c.shapes) into(static_cast<Index>(u)) = from(static_cast<Index>(u));
 }
 
+bool is_possible(const Explanation& e, const std::vector<Candidate>& candidates) {
+  return std::none_of(e.members.begin(), e.members.end(), [&](std::size_t m) {
+    return candidates[m].passive && e.fit.unknowns(static_cast<Index>(candidates[m].strengths[0])) < 0;
+  });
+}
+
 // Of explanations by the same effect at the same place only the best stays.
 void keep_best_of_each(std::vector<Explanation>& all, const std::vector<Candidate>& candidates) {
   std::stable_sort(all.begin(), all.end(), [](const Explanation& a, const Explanation& b) {
@@ -128,6 +135,7 @@ void keep_best_of_each(std::vector<Explanation>& all, const std::vector<Candidat
   std::map<std::vector<std::string>, bool> taken;
   std::vector<Explanation> kept;
   for (Explanation& e : all) {
+    if (!is_possible(e, candidates)) continue;
     std::vector<std::string> name;
     for (const std::size_t m : e.members) name.push_back(candidates[m].effect + "\n" + candidates[m].subject);
     std::sort(name.begin(), name.end());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace secular {
 namespace {
@@ -12,7 +13,7 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::RowVectorXcd;
 
-constexpr int iteration_limit = 60;
+constexpr int iteration_limit = 200;
 constexpr double tolerance = 1e-10;
 
 RowVectorXcd line_rates(const MotionSetting& setting) {
@@ -76,6 +77,9 @@ Motion MotionBalance::solve(const MotionSetting& setting, const Eigen::VectorXcd
   std::vector<ExcitationSample> excitation(model_->excitations.size());
   MatrixXd acceleration(modes, points);
   MatrixXcd residual;
+  // Strong forces on a slaved line make the plain iteration overshoot: its steps are shortened as soon as they
+  // grow.
+  double share = 1, before = std::numeric_limits<double>::infinity();
   for (int i = 0; i < iteration_limit; ++i) {
     const MatrixXd position = torus.samples(motion.displacement);
     const MatrixXd velocity = torus.samples(motion.displacement * rates.asDiagonal());
@@ -96,9 +100,12 @@ Motion MotionBalance::solve(const MotionSetting& setting, const Eigen::VectorXcd
     residual = torus.coefficients(acceleration) - motion.displacement * rates.cwiseProduct(rates).asDiagonal();
     const MatrixXcd step = residual.cwiseProduct(compliance);
     if (!step.allFinite()) break;
-    motion.displacement += step;
+    const double length = step.cwiseAbs().maxCoeff();
+    if (length > before) share = std::max(0.05, 0.5 * share);
+    before = length;
+    motion.displacement += share * step;
     const double size = std::max(scale, motion.displacement.cwiseAbs().maxCoeff());
-    if (step.cwiseAbs().maxCoeff() <= tolerance * size) {
+    if (length <= tolerance * size) {
       motion.converged = true;
       break;
     }

@@ -248,8 +248,10 @@ void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
       changes.col(2 * k + 1) = (errors(s, unknowns, f.state, samples, change) - error) * 1e6;
     }
     f.change_basis = beyond(f.state_basis, changes);
-    f.change_sd = VectorXd::Ones(2 * modes);
-    f.rest_sd = 1;
+    if (coarse > 0 || f.change_sd.size() == 0) {
+      f.change_sd = VectorXd::Constant(2 * modes, 1e-3);
+      f.rest_sd = 1e-3;
+    }
   }
   if (coarse == 0) measure_repeatability(unknowns);
 }
@@ -275,14 +277,16 @@ void SegmentEvidence::measure_repeatability(const VectorXd& unknowns) {
     for (std::size_t i = first; i < end; ++i) variance += white[i] / static_cast<double>(end - first);
     const double level = std::max(1e-3, std::sqrt(variance));
     for (std::size_t i = first; i < end; ++i) {
-      frozen_[i].rest_sd = level;
-      frozen_[i].change_sd.setConstant(level);
+      // A repeatability is not taken back by an explanation that fits better.
+      frozen_[i].rest_sd = std::max(level, frozen_[i].rest_sd);
+      frozen_[i].change_sd = frozen_[i].change_sd.cwiseMax(level);
     }
     if (segments_[first].excitation.cols() == 0 && end - first >= fewest_segments) {
       std::vector<double> quiet(rest.begin() + static_cast<std::ptrdiff_t>(first),
                                 rest.begin() + static_cast<std::ptrdiff_t>(end));
       std::nth_element(quiet.begin(), quiet.begin() + static_cast<std::ptrdiff_t>(quiet.size() / 4), quiet.end());
-      for (std::size_t i = first; i < end; ++i) frozen_[i].rest_sd = std::max(level, quiet[quiet.size() / 4]);
+      for (std::size_t i = first; i < end; ++i)
+        frozen_[i].rest_sd = std::max(frozen_[i].rest_sd, quiet[quiet.size() / 4]);
       for (Index row = 0; row < changes[first].size(); ++row) {
         std::vector<double> rough;
         for (std::size_t i = first; i + 3 < end; ++i)
@@ -291,7 +295,8 @@ void SegmentEvidence::measure_repeatability(const VectorXd& unknowns) {
         std::nth_element(rough.begin(), rough.begin() + static_cast<std::ptrdiff_t>(rough.size() / 2), rough.end());
         // Third differences of independent errors have 20 times their variance; 0.6745 is the median of |normal|.
         const double sd = rough[rough.size() / 2] / (0.6745 * std::sqrt(20.0));
-        for (std::size_t i = first; i < end; ++i) frozen_[i].change_sd(row) = std::max(level, sd);
+        for (std::size_t i = first; i < end; ++i)
+          frozen_[i].change_sd(row) = std::max(frozen_[i].change_sd(row), sd);
       }
     }
     first = end;
