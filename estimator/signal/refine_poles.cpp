@@ -62,6 +62,7 @@ MatrixXd hessian_of(std::span<const Pole> poles, const Moments& m, const MatrixX
                     const VectorXd& weight) {
   const Index unknowns = parameter_count(poles);
   MatrixXd hessian = MatrixXd::Zero(unknowns, unknowns);
+  if (unknowns == 0) return hessian;
   for (Index c = 0; c < amplitudes.cols(); ++c) {
     const MatrixXd turn = rotated(poles, amplitudes.col(c));
     hessian += weight(c) * (turn.transpose() * m.free * turn);
@@ -94,16 +95,20 @@ MatrixXd covariance_of(std::span<const Pole> poles, const Moments& m, const Matr
   const MatrixXd inverse = m.gram.scale.asDiagonal() *
                            m.gram.factor.solve(MatrixXd::Identity(functions, functions)) *
                            m.gram.scale.asDiagonal();
-  MatrixXd drag(functions * channels, unknowns);
-  for (Index c = 0; c < channels; ++c)
-    drag.middleRows(c * functions, functions) =
-        m.gram.scale.asDiagonal() * m.gram.factor.solve(m.first * rotated(poles, amplitudes.col(c)));
-  covariance.topLeftCorner(unknowns, unknowns) = poles_covariance;
-  covariance.bottomLeftCorner(functions * channels, unknowns) = -drag * poles_covariance;
-  covariance.topRightCorner(unknowns, functions * channels) =
-      covariance.bottomLeftCorner(functions * channels, unknowns).transpose();
-  covariance.bottomRightCorner(functions * channels, functions * channels) =
-      drag * poles_covariance * drag.transpose();
+  covariance.bottomRightCorner(functions * channels, functions * channels).setZero();
+  // Without unknown poles there is nothing that drags the amplitudes along.
+  if (unknowns > 0) {
+    MatrixXd drag(functions * channels, unknowns);
+    for (Index c = 0; c < channels; ++c)
+      drag.middleRows(c * functions, functions) =
+          m.gram.scale.asDiagonal() * m.gram.factor.solve(m.first * rotated(poles, amplitudes.col(c)));
+    covariance.topLeftCorner(unknowns, unknowns) = poles_covariance;
+    covariance.bottomLeftCorner(functions * channels, unknowns) = -drag * poles_covariance;
+    covariance.topRightCorner(unknowns, functions * channels) =
+        covariance.bottomLeftCorner(functions * channels, unknowns).transpose();
+    covariance.bottomRightCorner(functions * channels, functions * channels) =
+        drag * poles_covariance * drag.transpose();
+  }
   for (Index c = 0; c < channels; ++c)
     covariance.block(unknowns + c * functions, unknowns + c * functions, functions, functions) +=
         variance(c) * inverse;

@@ -41,8 +41,8 @@ TEST(SlowBlindCheck, AShortSetKeepsItsTargetsWithinChance) {
   fs::create_directories(folder);
   if (!help_of_diagnose(SECULAR_PROGRAM, folder / "help.log")) GTEST_SKIP() << "there is no `secular diagnose`";
   const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-  generate_set(folder, {.cases = 12, .seed = 2024, .size = SetSize::short_set, .threads = threads}, {});
-  const RunSummary run = run_set(folder, {.program = SECULAR_PROGRAM, .threads = threads, .limit_s = 120}, {});
+  generate_set(folder, {.cases = 6, .seed = 2024, .size = SetSize::short_set, .threads = threads}, {});
+  const RunSummary run = run_set(folder, {.program = SECULAR_PROGRAM, .threads = threads, .limit_s = 600}, {});
   for (const FailedCase& failed : run.failed) ADD_FAILURE() << "case " << failed.number << ": " << failed.reason;
   const Score score = score_set(folder);
   expect_within_band(figure(score, "false alarm"));
