@@ -64,11 +64,12 @@ std::string factor_code(const CanonicalModel& model, const CanonicalFactor& f) {
   return {};
 }
 
-// coefficient * factors, without the acceleration.
-std::string term_code(const CanonicalModel& model, CppWriter& writer, const CanonicalMotionTerm& term) {
+// coefficient * factors, without the acceleration. `multiplied`: the caller multiplies it by more.
+std::string term_code(const CanonicalModel& model, CppWriter& writer, const CanonicalMotionTerm& term,
+                      bool multiplied = false) {
   std::string product = term.coefficient.is_one() ? "" : writer.expression(term.coefficient);
   const bool sum = term.coefficient.numerator.size() > 1 && term.coefficient.denominator_is_number();
-  if (sum && !term.factors.empty()) product = "(" + product + ")";
+  if (sum && (multiplied || !term.factors.empty())) product = "(" + product + ")";
   for (const CanonicalFactor& factor : term.factors)
     product += (product.empty() ? "" : " * ") + factor_code(model, factor);
   return product.empty() ? "Scalar(1.0)" : product;
@@ -153,8 +154,10 @@ void slopes(Emitter& emitter, const std::string& name, const std::vector<MotionV
       std::string sum;
       for (const CanonicalMotionTerm& term : model.motion[k])
         for (const WeightedMotionTerm& derived : motion_derivative(model, term, variables[x])) {
-          std::string product = term_code(model, writer, derived.term);
-          if (derived.weight.numerator != 1 || derived.weight.denominator != 1)
+          const bool weighted = derived.weight.numerator != 1 || derived.weight.denominator != 1;
+          std::string product =
+              term_code(model, writer, derived.term, weighted || derived.term.acceleration_of.has_value());
+          if (weighted)
             product += " * " + (derived.weight.numerator < 0 || derived.weight.denominator != 1
                                     ? "(" + ratio_code(derived.weight.numerator, derived.weight.denominator) + ")"
                                     : ratio_code(derived.weight.numerator, 1));

@@ -23,11 +23,8 @@ double largest_displacement(const std::vector<Condition>& conditions, const Sens
     for (const MasterLine& m : c.masters) {
       if (m.mode != mode) continue;
       const auto column = static_cast<Index>(std::find(c.lines.begin(), c.lines.end(), m.line) - c.lines.begin());
-      std::complex<double> rate = 0;
-      for (std::size_t j = 0; j < 2; ++j)
-        rate += std::complex<double>(0, c.torus->phase(m.line)[j] * c.rate[j].imag());
       const double modal = std::abs((shape.transpose().cast<std::complex<double>>() * c.response.col(column))(0)) /
-                           shape.squaredNorm() / std::pow(std::abs(rate), sensors.derivatives);
+                           shape.squaredNorm() / std::pow(std::abs(c.line_rate(m.line)), sensors.derivatives);
       largest = std::max(largest, 2 * modal);
     }
   return largest;
@@ -49,7 +46,7 @@ std::vector<VectorXd> extra_mode_starts(const std::vector<Condition>& conditions
   double low = INFINITY, high = 0;
   for (const Condition& c : conditions) {
     if (c.fundamental == 0) continue;
-    const double w = MotionSetting{c.torus, c.rate, {}, {}}.line_rate(c.fundamental).imag();
+    const double w = c.line_rate(c.fundamental).imag();
     low = std::min(low, w);
     high = std::max(high, w);
   }

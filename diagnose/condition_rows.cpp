@@ -27,10 +27,6 @@ Complex restored(Complex measured, const ChannelFault& fault, Complex rate) {
   return measured * std::exp(rate * fault.delay) / (1 + fault.gain);
 }
 
-struct TrueExcitation {
-  MatrixXcd lines;  // excitation channel x excitation line, as the structure sees it
-};
-
 class Evaluation {
  public:
   Evaluation(const Condition& c, const MotionBalance& balance, const SensorModel& sensors, const Faults& faults,
@@ -42,9 +38,12 @@ class Evaluation {
         parameters_(parameters.begin(), parameters.end()) {
     for (std::size_t k = 0; k < faults.frequency_drift.size(); ++k)
       parameters_[k] *= 1 + faults.frequency_drift[k] * c.time_s;
-    MatrixXd mixed = sensors.shapes;
-    if (!faults.mixing.isZero(0)) mixed += sensors.shapes * faults.mixing;
-    shapes_ = std::move(mixed);
+    shapes_ = sensors.shapes;
+    filter_ = sensors.filter;
+    if (!faults.mixing.isZero(0)) {
+      shapes_ += sensors.shapes * faults.mixing;
+      filter_ = shapes_.completeOrthogonalDecomposition().pseudoInverse();
+    }
   }
 
   ConditionRows run(const Motion* start) {
@@ -56,9 +55,8 @@ class Evaluation {
       for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
         setting.excitation(j, c_.excitation_lines[l]) = true_excitation_(j, static_cast<Index>(l));
     ConditionRows rows;
-    rows.amplitudes = master_amplitudes(setting);
+    rows.amplitudes = master_amplitudes();
     rows.motion = balance_.solve(setting, rows.amplitudes, parameters_, start);
-    rows.converged = rows.motion.converged;
     std::vector<double> values;
     const auto push = [&](Complex value, bool real) {
       values.push_back(value.real());
@@ -68,11 +66,11 @@ class Evaluation {
       Complex balance = rows.motion.balance(m) / rows.amplitudes(m);
       // An amplitude B(t) exp(i w t) has the inertia -(s^2 B + 2 s dB/dt).
       if (!c_.creep.empty())
-        balance -= 2.0 * setting.line_rate(c_.masters[static_cast<std::size_t>(m)].line) *
+        balance -= 2.0 * c_.line_rate(c_.masters[static_cast<std::size_t>(m)].line) *
                    c_.creep[static_cast<std::size_t>(m)];
       push(balance, false);
     }
-    const MatrixXcd predicted = predicted_responses(setting, rows.motion);
+    const MatrixXcd predicted = predicted_responses(rows.motion);
     for (Index c = 0; c < c_.response.rows(); ++c)
       for (std::size_t l = 0; l < c_.lines.size(); ++l)
         push(c_.response(c, static_cast<Index>(l)) - predicted(c, c_.lines[l]), c_.lines[l] == 0);
@@ -87,14 +85,6 @@ class Evaluation {
   }
 
  private:
-  Complex rate_of(Index line) const {
-    Complex sum = 0;
-    const LinePhase& n = c_.torus->phase(line);
-    for (std::size_t j = 0; j < 2; ++j)
-      sum += Complex(std::abs(n[j]) * c_.rate[j].real(), n[j] * c_.rate[j].imag());
-    return sum;
-  }
-
   // The fundamental as measured, harmonics in the ratio to it that the faults say, a mean only where the quantity
   // can have one.
   void restore_excitation() {
@@ -108,7 +98,7 @@ class Evaluation {
           if (fault.inverse_level > 0)
             fundamental *=
                 unclipped_amplitude(std::abs(fundamental), 1 / fault.inverse_level) / std::abs(fundamental);
-          fundamental = restored(fundamental, fault, rate_of(c_.fundamental));
+          fundamental = restored(fundamental, fault, c_.line_rate(c_.fundamental));
         }
       const Complex turned = fundamental == 0.0 ? Complex(1) : fundamental / std::abs(fundamental);
       for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l) {
@@ -141,16 +131,15 @@ class Evaluation {
   Complex extra_response(std::size_t channel, Index line) const {
     const double amplitude = faults_.extra.amplitude[channel];
     if (amplitude == 0 || line == 0) return 0;
-    const Complex s = rate_of(line);
+    const Complex s = c_.line_rate(line);
     const double w = faults_.extra.frequency;
     return amplitude * power(s, sensors_.derivatives) * excitation_at(line) /
            (w * w + 2 * faults_.extra.damping * w * s + s * s);
   }
 
-  VectorXcd master_amplitudes(const MotionSetting& setting) const {
+  VectorXcd master_amplitudes() const {
     const auto channels = c_.response.rows();
     VectorXcd amplitudes(static_cast<Index>(c_.masters.size()));
-    const MatrixXd filter = shapes_.completeOrthogonalDecomposition().pseudoInverse();
     for (std::size_t m = 0; m < c_.masters.size(); ++m) {
       const MasterLine& master = c_.masters[m];
       const auto column =
@@ -166,12 +155,12 @@ class Evaluation {
                                 std::abs(c_.response(c, strongest));
           value *= factor;
         }
-        value = restored(value, fault, setting.line_rate(master.line)) - fault.cross * excitation_at(master.line) -
+        value = restored(value, fault, c_.line_rate(master.line)) - fault.cross * excitation_at(master.line) -
                 extra_response(static_cast<std::size_t>(c), master.line);
         seen(c) = value;
       }
-      amplitudes(static_cast<Index>(m)) = (filter.row(static_cast<Index>(master.mode)).cast<Complex>() * seen)(0) /
-                                          power(setting.line_rate(master.line), sensors_.derivatives);
+      amplitudes(static_cast<Index>(m)) = (filter_.row(static_cast<Index>(master.mode)).cast<Complex>() * seen)(0) /
+                                          power(c_.line_rate(master.line), sensors_.derivatives);
     }
     return amplitudes;
   }
@@ -185,10 +174,10 @@ class Evaluation {
     return strongest;
   }
 
-  MatrixXcd predicted_responses(const MotionSetting& setting, const Motion& motion) const {
+  MatrixXcd predicted_responses(const Motion& motion) const {
     MatrixXcd lines = shapes_ * motion.displacement;
     for (Index l = 0; l < lines.cols(); ++l) {
-      const Complex s = setting.line_rate(l);
+      const Complex s = c_.line_rate(l);
       lines.col(l) *= power(s, sensors_.derivatives);
       for (Index c = 0; c < lines.rows(); ++c) {
         const ChannelFault& fault = faults_.response[static_cast<std::size_t>(c)];
@@ -220,8 +209,8 @@ class Evaluation {
       MatrixXcd lines = MatrixXcd::Zero(1, c_.torus->lines());
       for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l) {
         const Index line = c_.excitation_lines[l];
-        lines(0, line) =
-            true_excitation_(j, static_cast<Index>(l)) * (1 + fault.gain) * std::exp(-rate_of(line) * fault.delay);
+        lines(0, line) = true_excitation_(j, static_cast<Index>(l)) * (1 + fault.gain) *
+                         std::exp(-c_.line_rate(line) * fault.delay);
       }
       if (fault.inverse_level > 0) clip(lines, 0, 1 / fault.inverse_level);
       lines(0, 0) += fault.offset;
@@ -236,7 +225,7 @@ class Evaluation {
   const SensorModel& sensors_;
   const Faults& faults_;
   std::vector<double> parameters_;
-  MatrixXd shapes_;
+  MatrixXd shapes_, filter_;
   MatrixXcd true_excitation_;
 };
 
@@ -304,18 +293,6 @@ MatrixXd ConditionModel::covariance(const Condition& condition, const VectorXd& 
     }
   }
   for (std::size_t m = 0; m < condition.creep_sd.size(); ++m) vary(moved.creep[m], condition.creep_sd[m], false);
-  for (std::size_t j = 0; j < 2; ++j) {
-    const Complex kept = moved.rate[j];
-    if (condition.growth_sd[j] > 0) {
-      moved.rate[j] = kept + condition.growth_sd[j];
-      add(condition.growth_sd[j]);
-    }
-    if (condition.frequency_sd[j] > 0) {
-      moved.rate[j] = kept + Complex(0, condition.frequency_sd[j]);
-      add(condition.frequency_sd[j]);
-    }
-    moved.rate[j] = kept;
-  }
   return covariance;
 }
 

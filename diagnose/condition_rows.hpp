@@ -26,7 +26,6 @@ struct ConditionRows {
   Eigen::VectorXd values;
   Motion motion;
   Eigen::VectorXcd amplitudes;  ///< of the masters
-  bool converged = false;
 };
 
 /// Turns unknowns (model's symbols, then the faults of `table`) into rows.

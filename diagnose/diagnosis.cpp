@@ -53,8 +53,7 @@ class Diagnoser {
   Diagnoser(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
             const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
             const DiagnosisOptions& options)
-      : campaign_(campaign),
-        model_(model),
+      : model_(model),
         own_(own),
         options_(options),
         sensors_(sensor_model(campaign, model, model.excitations.size() - options.memory.size())),
@@ -87,20 +86,12 @@ class Diagnoser {
     result_.labels = discrepancy_.labels();
     InferenceOptions inference_options;
     inference_options.threads = options_.threads;
-    VectorXd given_rows;
-    if (given()) {
-      discrepancy_.freeze(start_);
-      given_rows = discrepancy_(start_);
-    }
     inference_ = infer(discrepancy_, candidates_, start_, own_, inference_options);
-    if (given()) {
-      // Rows of the given numbers with the errors that hold at the fit.
-      given_rows = discrepancy_(start_);
-    }
+    // Rows of the given numbers with the errors that hold at the fit.
+    const VectorXd given_rows = given() ? discrepancy_(start_) : VectorXd();
     detect(given_rows);
     result_.rows_before = given() ? given_rows : inference_.null.fit.rows;
     result_.rows_after = result_.rows_before;
-    result_.unknowns = inference_.null.fit.unknowns;
     if (!result_.gap.detected) {
       result_.verdict = "no_gap";
       const double rms = std::sqrt(result_.rows_before.squaredNorm() / static_cast<double>(discrepancy_.freedom()));
@@ -213,7 +204,6 @@ class Diagnoser {
     const HeldOut after = predict_held_out(discrepancy_, best.explanation->fit, result_.labels);
     fill_gap(before.rows, after.rows);
     result_.rows_after = best.explanation->fit.rows;
-    result_.unknowns = best.explanation->fit.unknowns;
 
     const double left = upper_tail(best.explanation->fit.chi_squared,
                                    static_cast<double>(discrepancy_.freedom() - best.explanation->fit.rank));
@@ -411,7 +401,6 @@ class Diagnoser {
                      [](const GapShare& a, const GapShare& b) { return a.share > b.share; });
   }
 
-  const Campaign& campaign_;
   const CompiledModel& model_;
   std::vector<std::size_t> own_;
   DiagnosisOptions options_;

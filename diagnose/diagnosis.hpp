@@ -66,7 +66,6 @@ struct Diagnosis {
   std::vector<RowLabel> labels;
   Eigen::VectorXd rows_before, rows_after;
   std::size_t conditions = 0;
-  Eigen::VectorXd unknowns;  ///< of the best explanation
 };
 
 /// Diagnoses the gap between a model and a campaign. `model` is the augmented model, `own` lists the symbols of the

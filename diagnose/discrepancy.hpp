@@ -28,7 +28,6 @@ struct RowLabel {
   GapComponent component = GapComponent::measurement;
   std::string harmonic;  ///< "omega0", "2 Omega", ...
   double amplitude = 0;  ///< of the mode (or of the channel's strongest line), half of the peak
-  double frequency = 0;  ///< of the excitation or of the motion, rad/s
   double time_s = 0;
 };
 

@@ -2,14 +2,12 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <set>
-#include <thread>
+
+#include "diagnose/in_parallel.hpp"
 
 namespace secular {
 namespace {
@@ -33,16 +31,6 @@ constexpr int most_exchanges = 3;
 
 /// A second effect is looked for where the best single one leaves so many standard deviations of chi-squared.
 constexpr double least_remainder = 3.5;
-
-void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::jthread> workers;
-  for (unsigned i = 1; i < std::min<std::size_t>(threads, count); ++i) workers.emplace_back(run);
-  run();
-}
 
 // Orthonormal basis of the columns, without directions that are rounding.
 MatrixXd basis_of(const MatrixXd& columns) {
@@ -132,14 +120,14 @@ void keep_best_of_each(std::vector<Explanation>& all, const std::vector<Candidat
   std::stable_sort(all.begin(), all.end(), [](const Explanation& a, const Explanation& b) {
     return a.fit.chi_squared < b.fit.chi_squared;
   });
-  std::map<std::vector<std::string>, bool> taken;
+  std::set<std::vector<std::string>> taken;
   std::vector<Explanation> kept;
   for (Explanation& e : all) {
     if (!is_possible(e, candidates)) continue;
     std::vector<std::string> name;
     for (const std::size_t m : e.members) name.push_back(candidates[m].effect + "\n" + candidates[m].subject);
     std::sort(name.begin(), name.end());
-    if (!taken.emplace(name, true).second) continue;
+    if (!taken.insert(std::move(name)).second) continue;
     kept.push_back(std::move(e));
   }
   all = std::move(kept);
@@ -270,15 +258,7 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
     if (e.members.size() > 1) e.log_evidence += std::log(options.prior_second);
   };
   weigh(result.null);
-  double largest = result.null.log_evidence;
-  for (Explanation& e : found) {
-    weigh(e);
-    largest = std::max(largest, e.log_evidence);
-  }
-  double sum = std::exp(result.null.log_evidence - largest);
-  for (const Explanation& e : found) sum += std::exp(e.log_evidence - largest);
-  result.null.probability = std::exp(result.null.log_evidence - largest) / sum;
-  for (Explanation& e : found) e.probability = std::exp(e.log_evidence - largest) / sum;
+  for (Explanation& e : found) weigh(e);
   std::stable_sort(found.begin(), found.end(),
                    [](const Explanation& a, const Explanation& b) { return a.log_evidence > b.log_evidence; });
   result.explanations = std::move(found);

@@ -14,7 +14,6 @@ struct Explanation {
   Refit fit;
   std::size_t unknowns = 0;  ///< that it has beyond the model's own
   double log_evidence = 0;
-  double probability = 0;
 };
 
 /// What the candidates explain.

@@ -69,8 +69,6 @@ LineEvidence::LineEvidence(ConditionModel model, std::vector<Condition> conditio
       label.harmonic = line_name(c, meaning.line, compiled);
       label.time_s = c.time_s;
       label.amplitude = amplitude;
-      label.frequency = c.fundamental > 0 ? MotionSetting{c.torus, c.rate, {}, {}}.line_rate(c.fundamental).imag()
-                                          : c.rate[0].imag();
       label.balance = meaning.kind == RowMeaning::Kind::balance;
       if (label.balance) {
         label.mode = meaning.mode;
@@ -91,9 +89,8 @@ void LineEvidence::whiten(std::size_t condition, const VectorXd& unknowns, doubl
   const Condition& c = conditions_[condition];
   w.motion = model_.rows(c, unknowns, w.motion.converged ? &w.motion : nullptr).motion;
   MatrixXd covariance = model_.covariance(c, unknowns, w.motion.converged ? &w.motion : nullptr);
-  const MotionSetting setting{c.torus, c.rate, {}, {}};
   for (std::size_t m = 0; m < c.masters.size(); ++m) {
-    const double inertia = std::norm(setting.line_rate(c.masters[m].line));
+    const double inertia = std::norm(c.line_rate(c.masters[m].line));
     covariance.diagonal().segment<2>(static_cast<Index>(2 * m)).array() += coarse * inertia * coarse * inertia;
   }
   const bool first = w.kept.empty();

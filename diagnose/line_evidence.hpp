@@ -18,8 +18,6 @@ class LineEvidence : public Evidence {
 
   Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const override;
 
-  const std::vector<Condition>& conditions() const { return conditions_; }
-
  private:
   struct Whitening {
     std::vector<Eigen::Index> kept;

@@ -24,8 +24,8 @@ RowVectorXcd line_rates(const MotionSetting& setting) {
 
 }  // namespace
 
-Complex MotionSetting::line_rate(Index line) const {
-  const LinePhase& n = torus->phase(line);
+Complex line_rate(const Torus& torus, const std::array<Complex, 2>& rate, Index line) {
+  const LinePhase& n = torus.phase(line);
   Complex sum = 0;
   for (std::size_t j = 0; j < 2; ++j) sum += Complex(std::abs(n[j]) * rate[j].real(), n[j] * rate[j].imag());
   return sum;

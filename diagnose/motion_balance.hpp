@@ -24,6 +24,10 @@ struct MasterLine {
   Eigen::Index line = 0;
 };
 
+/// Rate of a line on a torus whose base phases turn at `rate`: sum |n_j| growth_j + i sum n_j frequency_j.
+std::complex<double> line_rate(const Torus& torus, const std::array<std::complex<double>, 2>& rate,
+                               Eigen::Index line);
+
 /// One steady or slowly decaying motion: base phases theta_j turn at the rates growth + i*frequency.
 struct MotionSetting {
   std::shared_ptr<const Torus> torus;
@@ -31,8 +35,7 @@ struct MotionSetting {
   Eigen::MatrixXcd excitation;  ///< model's excitations x lines
   std::vector<MasterLine> masters;
 
-  /// Rate of a line: sum |n_j| growth_j + i sum n_j frequency_j.
-  std::complex<double> line_rate(Eigen::Index line) const;
+  std::complex<double> line_rate(Eigen::Index line) const { return secular::line_rate(*torus, rate, line); }
 };
 
 struct Motion {

@@ -1,7 +1,5 @@
 #include "diagnose/observe_conditions.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -105,8 +103,6 @@ ObservedConditions observe_conditions(const Campaign& campaign, const RecordRead
     dwell.condition.excitation_sd = excitations.of(dwell);
     observed.conditions.push_back(std::move(dwell.condition));
   }
-  std::stable_sort(observed.conditions.begin(), observed.conditions.end(),
-                   [](const Condition& a, const Condition& b) { return a.record < b.record; });
   for (Condition& condition : observed.conditions) condition.time_s += starts[condition.record];
   double middle = 0;
   for (const Condition& condition : observed.conditions) middle += condition.time_s;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -302,7 +301,6 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
     return leave_out("too few turns of the excitation in an ensemble");
   const DwellReader reader(part, rate, sensors.responses.size(), length);
   const double resolution = turn * rate / static_cast<double>(length), nyquist = std::numbers::pi * rate;
-  const MatrixXd filter = sensors.shapes.completeOrthogonalDecomposition().pseudoInverse();
 
   for (const LineLayout& layout : possible_layouts(natural_frequency, *omega)) {
     std::array<double, 2> base = {*omega / layout.divisor, 0};
@@ -341,7 +339,7 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
       const auto line = torus->find(resonance.line);
       if (!line || std::find(lines.begin(), lines.end(), *line) == lines.end()) continue;
       const auto column = static_cast<Index>(place(lines, *line));
-      const Eigen::RowVectorXd weights = filter.row(static_cast<Index>(resonance.mode));
+      const Eigen::RowVectorXd weights = sensors.filter.row(static_cast<Index>(resonance.mode));
       const auto modal = [&](const MatrixXcd& response) {
         return (weights.cast<Complex>() * response.col(column))(0);
       };
@@ -369,10 +367,8 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
     if (drift > largest_creep)
       return leave_out(fmt::format("it has not settled (its amplitude changes by {:.1f} %)", 100 * drift));
 
-    c.name = entry.file;
     c.record = index;
     c.fold = static_cast<int>(index);
-    c.kind = RecordKind::dwell;
     c.time_s = part.start_s - record.start_s + 0.5 * static_cast<double>(part.samples.rows()) / rate;
     c.torus = torus;
     c.rate = {Complex(0, base[0]), Complex(0, base[1])};

@@ -1,10 +1,10 @@
 #include "diagnose/refit.hpp"
 
 #include <Eigen/Dense>
-#include <atomic>
 #include <cmath>
-#include <functional>
-#include <thread>
+#include <limits>
+
+#include "diagnose/in_parallel.hpp"
 
 namespace secular {
 namespace {
@@ -15,16 +15,6 @@ using Eigen::VectorXd;
 
 /// Singular values of the scaled columns below this share of the largest count as zero: differences are not better.
 constexpr double rank_tolerance = 1e-6;
-
-void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::jthread> workers;
-  for (unsigned i = 1; i < std::min<std::size_t>(threads, count); ++i) workers.emplace_back(run);
-  run();
-}
 
 // Minimum-norm solution in columns of unit length, and what it leaves undetermined.
 struct Step {

@@ -29,12 +29,6 @@ constexpr double end_at_noise = 8;
 /// Nothing measured is trusted beyond this share of the record's largest value.
 constexpr double floor_share = 1e-5;
 
-struct Piece {
-  std::size_t record = 0;
-  RecordKind kind = RecordKind::free_decay;
-  Index first = 0, length = 0;  // of the thinned samples
-};
-
 }  // namespace
 
 std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& read, const SensorModel& sensors,
@@ -67,9 +61,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
       continue;
     }
     const double rate = record.sample_rate_hz;
-    const Eigen::VectorXd modal =
-        part.samples.leftCols(responses) *
-        sensors.shapes.completeOrthogonalDecomposition().pseudoInverse().row(0).transpose();
+    const Eigen::VectorXd modal = part.samples.leftCols(responses) * sensors.filter.row(0).transpose();
     Index first = 0;
     if (!driven) {
       const auto start = find_decay_start(modal, rate);
@@ -108,10 +100,8 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
     int number = 0;
     for (const Index begin : starts) {
       Segment segment;
-      segment.name = entry.file;
       segment.record = r;
       segment.fold = static_cast<int>(r) + 1000 * (1 + number++ % 10);
-      segment.kind = entry.kind;
       segment.sample_s = 1 / thinned_rate;
       segment.substeps = std::max(1, static_cast<int>(std::ceil(wanted_steps * highest / turn / thinned_rate)));
       segment.response.resize(responses, length);

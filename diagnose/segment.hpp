@@ -13,10 +13,8 @@ namespace secular {
 /// A stretch of a record that is compared sample by sample with the full equations of motion, from a state of its
 /// own.
 struct Segment {
-  std::string name;
   std::size_t record = 0;
   int fold = 0;
-  RecordKind kind = RecordKind::free_decay;
   double time_s = 0;  ///< of its middle, since the campaign began
   double sample_s = 0;
   Eigen::MatrixXd excitation;  ///< excitation channels x (2*samples - 1), every half sample; empty: none

@@ -145,7 +145,7 @@ VectorXd SegmentEvidence::errors(const Segment& s, const VectorXd& unknowns, con
 // Displacements and velocities at the first sample by a sinusoid at every natural frequency over the first turns.
 VectorXd SegmentEvidence::guessed_state(const Segment& s, const VectorXd& unknowns) const {
   const auto modes = static_cast<Index>(model_->modes());
-  const MatrixXd modal = sensors_.shapes.completeOrthogonalDecomposition().pseudoInverse() * s.response;
+  const MatrixXd modal = sensors_.filter * s.response;
   VectorXd state = VectorXd::Zero(2 * modes);
   for (Index k = 0; k < modes; ++k) {
     const double w = unknowns(k);

@@ -25,6 +25,7 @@ SensorModel sensor_model(const Campaign& campaign, const CompiledModel& model, s
   SensorModel sensors;
   sensors.responses = projection.channels;
   sensors.derivatives = projection.derivatives;
+  sensors.filter = projection.matrix;
   sensors.shapes = projection.matrix.completeOrthogonalDecomposition().pseudoInverse();
   for (std::size_t c = 0; c < campaign.channels.size() && sensors.excitations.size() < excitations; ++c)
     if (campaign.channels[c].role == ChannelRole::excitation) sensors.excitations.push_back(c);

@@ -16,6 +16,7 @@ struct SensorModel {
   std::vector<std::size_t> responses, excitations;  ///< indices into Campaign::channels
   std::vector<std::string> response_names, excitation_names;
   Eigen::MatrixXd shapes;  ///< responses x modes: displacement of the channel per modal displacement
+  Eigen::MatrixXd filter;  ///< modes x responses: modal displacement from the channels' (the modal filter)
   int derivatives = 0;     ///< how often a response channel's quantity is differentiated: 2 for accelerations
   int excitation_derivatives = 0;  ///< likewise; a channel that is differentiated has no steady mean
 };
