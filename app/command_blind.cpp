@@ -10,6 +10,7 @@
 
 #include "app/commands.hpp"
 #include "app/progress_line.hpp"
+#include "blind/follow_up.hpp"
 #include "blind/run_set.hpp"
 #include "blind/score_set.hpp"
 #include "blind/sealed_set.hpp"
@@ -36,18 +37,34 @@ void generate(const Options& options) {
   fmt::print("{} cases in {}, labels sealed\n", set.cases, options.folder);
 }
 
-void run(const Options& options) {
+blind::RunOptions run_options(const Options& options) {
   blind::RunOptions how;
   how.program = options.program.empty() ? std::filesystem::read_symlink("/proc/self/exe")
                                         : std::filesystem::absolute(options.program);
   how.threads = options.threads;
   how.limit_s = options.limit_s;
+  return how;
+}
+
+void print_failed(const std::vector<blind::FailedCase>& cases) {
+  for (const blind::FailedCase& failed : cases) fmt::print("  case {:04}: {}\n", failed.number, failed.reason);
+}
+
+void follow(const Options& options) {
+  ProgressLine line("proposals followed");
+  const blind::FollowUpSummary summary = blind::follow_up_set(
+      options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
+  fmt::print("{} verdicts left a set, {} of them with a dwell proposed; {} diagnoses failed\n", summary.sets,
+             summary.proposed, summary.failed.size());
+  print_failed(summary.failed);
+}
+
+void run(const Options& options) {
   ProgressLine line("cases diagnosed");
-  const blind::RunSummary summary =
-      blind::run_set(options.folder, how, [&line](std::size_t done, std::size_t total) { line(done, total); });
+  const blind::RunSummary summary = blind::run_set(
+      options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
   fmt::print("{} cases, {} diagnosed before, {} failed\n", summary.cases, summary.kept, summary.failed.size());
-  for (const blind::FailedCase& failed : summary.failed)
-    fmt::print("  case {:04}: {}\n", failed.number, failed.reason);
+  print_failed(summary.failed);
 }
 
 void score(const Options& options) {
@@ -106,15 +123,20 @@ void add_blind_command(CLI::App& root, Action& chosen) {
       add("generate", "Draw structures, effects and noise; write campaigns; seal what they are", generate);
   add_set_options(making, make_options);
   add_threads(making, make_options);
-  const auto [running, run_options] = add("run", "Diagnose every campaign that has no diagnosis yet", run);
-  running->add_option("FOLDER", run_options->folder, "made by generate")->required();
-  add_threads(running, run_options);
-  add_run_options(running, run_options);
+  const auto [following, follow_options] =
+      add("follow", "Run the dwell that each open verdict proposes, and a random one; diagnose again", follow);
+  following->add_option("FOLDER", follow_options->folder, "made by generate, diagnosed by run")->required();
+  add_threads(following, follow_options);
+  add_run_options(following, follow_options);
+  const auto [running, running_options] = add("run", "Diagnose every campaign that has no diagnosis yet", run);
+  running->add_option("FOLDER", running_options->folder, "made by generate")->required();
+  add_threads(running, running_options);
+  add_run_options(running, running_options);
   const auto [scoring, score_options] = add("score", "Open the labels and compare", score);
   scoring->add_option("FOLDER", score_options->folder, "made by generate, diagnosed by run")->required();
   scoring->add_option("-o,--output", score_options->page, "folder of score.md, score.json and calibration.svg")
       ->capture_default_str();
-  const auto [all, all_options] = add("all", "generate, run and score", generate, run, score);
+  const auto [all, all_options] = add("all", "generate, run, follow and score", generate, run, follow, score);
   add_set_options(all, all_options);
   add_threads(all, all_options);
   add_run_options(all, all_options);

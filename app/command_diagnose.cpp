@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -29,6 +30,21 @@ std::string joined(const std::vector<std::string>& names, const char* between) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : between) + name;
   return text;
+}
+
+void print_next_experiment(const DiagnosisRun& run) {
+  const NextExperiment& next = run.diagnosis.next_experiment;
+  if (!next.dwell) {
+    if (run.diagnosis.gap.detected) fmt::print("next experiment: none proposed; {}\n", next.reason);
+    return;
+  }
+  const ProposedDwell& dwell = *next.dwell;
+  fmt::print("next experiment: a dwell at {:.5g} Hz, {:.3g} times the excitation of {} ({})\n",
+             dwell.frequency / (2 * std::numbers::pi), dwell.level, run.campaign.records[dwell.like].file,
+             dwell.resonance);
+  fmt::print("  to tell {} apart: {:.1f} sd expected, seen in the {}; the right one's probability {} -> {}\n",
+             joined(next.separates, ", "), dwell.separation, dwell.watch, report::format_percent(dwell.before),
+             report::format_percent(dwell.probability));
 }
 
 void print_summary(const DiagnosisRun& run, const std::string& folder) {
@@ -58,6 +74,7 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
   }
   for (const ParameterMove& m : d.parameters_moved)
     fmt::print("  {} moves from {:.6g} to {}\n", m.name, m.from, report::format_uncertain(m.to, m.sd));
+  print_next_experiment(run);
   fmt::print("written: {0}/diagnosis.json, {0}/report.html\n", folder);
 }
 

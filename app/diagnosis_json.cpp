@@ -1,11 +1,45 @@
 #include "app/diagnosis_json.hpp"
 
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 namespace secular::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json next_experiment(const DiagnosisRun& run) {
+  const NextExperiment& next = run.diagnosis.next_experiment;
+  if (!next.dwell) return {{"proposed", false}, {"reason", next.reason}};
+  const ProposedDwell& dwell = *next.dwell;
+  return {{"proposed", true},
+          {"kind", "dwell"},
+          {"resonance", dwell.resonance},
+          {"like", run.campaign.records[dwell.like].file},
+          {"level_factor", dwell.level},
+          {"excitation_channel", dwell.channel},
+          {"excitation_peak", dwell.excitation},
+          {"frequency_hz", dwell.frequency / (2 * std::numbers::pi)},
+          {"watch", dwell.watch},
+          {"separates", next.separates},
+          {"separation_sigma", dwell.separation},
+          {"probability_before", dwell.before},
+          {"expected_probability", dwell.probability},
+          {"expected_probability_of_a_random_one", dwell.typical},
+          {"compared", dwell.compared}};
+}
+
+Json simulated_errors(const std::vector<SimulatedError>& errors) {
+  Json list = Json::array();
+  for (const SimulatedError& e : errors)
+    list.push_back(
+        {{"channel", e.channel}, {"signal_rms", e.signal}, {"before_rms", e.before}, {"after_rms", e.after}});
+  return list;
+}
+
+}  // namespace
 
 std::string diagnosis_json(const DiagnosisRun& run) {
-  using Json = nlohmann::ordered_json;
   const Diagnosis& d = run.diagnosis;
   Json root;
   root["schema"] = 1;
@@ -53,6 +87,12 @@ std::string diagnosis_json(const DiagnosisRun& run) {
       root["parameters_moved"].push_back(
           {{"name", move.name}, {"from", move.from}, {"to", move.to}, {"sd", move.sd}});
   }
+  if (d.simulated)
+    root["simulated"] = {{"dwells", simulated_errors(d.simulated->dwells)},
+                         {"steady", d.simulated->steady},
+                         {"lost", d.simulated->lost},
+                         {"segments", simulated_errors(d.simulated->segments)}};
+  root["next_experiment"] = next_experiment(run);
   root["conditions"] = d.conditions;
   root["warnings"] = d.warnings;
   return root.dump(2) + "\n";

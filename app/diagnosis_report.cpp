@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
@@ -221,6 +222,68 @@ void closing_section(HtmlReport& page, const Diagnosis& d) {
       ". Predictions are those of the full equations of motion; no expansion enters.");
 }
 
+void simulated_rows(Table& table, const std::string& what, const std::vector<SimulatedError>& errors) {
+  for (const SimulatedError& e : errors)
+    table.rows.push_back({what, e.channel, report::format_number(e.signal, 4), report::format_number(e.before, 4),
+                          report::format_number(e.after, 4)});
+}
+
+// The same question once more, asked of the equations of motion alone.
+void simulated_section(HtmlReport& page, const Diagnosis& d) {
+  if (!d.simulated || (d.simulated->dwells.empty() && d.simulated->segments.empty())) return;
+  Table table;
+  table.columns = {{"Records", Column::Kind::text, ""},
+                   {"Channel", Column::Kind::text, ""},
+                   {"Measured", Column::Kind::number, ""},
+                   {"Difference before", Column::Kind::number, ""},
+                   {"Difference after", Column::Kind::number, ""}};
+  simulated_rows(table, "dwells", d.simulated->dwells);
+  simulated_rows(table, "decays, sweeps, broadband", d.simulated->segments);
+  table.caption =
+      "Root mean squares in the channel's unit: the full equations of motion solved by themselves, with the "
+      "measured "
+      "excitation, against what was measured" +
+      (d.simulated->lost > 0 ? "; " + std::to_string(d.simulated->lost) +
+                                   " dwells without a steady motion near the "
+                                   "measured one are left out"
+                             : std::string());
+  page.table(table);
+}
+
+void next_section(HtmlReport& page, const DiagnosisRun& run) {
+  const NextExperiment& next = run.diagnosis.next_experiment;
+  if (!run.diagnosis.gap.detected) return;
+  page.section("Next experiment");
+  if (!next.dwell) {
+    page.paragraph("None is proposed: " + next.reason + ".");
+    return;
+  }
+  const ProposedDwell& dwell = *next.dwell;
+  std::string rivals;
+  for (const std::string& effect : next.separates) rivals += (rivals.empty() ? "" : ", ") + spaced(effect);
+  Table table;
+  table.columns = {{"", Column::Kind::text, ""}, {"", Column::Kind::text, ""}};
+  table.rows = {{"Dwell", dwell.resonance},
+                {"Frequency", report::format_number(dwell.frequency / (2 * std::numbers::pi), 5) + " Hz"},
+                {"Peak of " + dwell.channel, report::format_number(dwell.excitation, 4) + ", " +
+                                                 report::format_number(dwell.level, 2) + " times that of " +
+                                                 run.campaign.records[dwell.like].file},
+                {"Tells apart", rivals},
+                {"Expected separation", report::format_number(dwell.separation, 2) + " sd of the closest two"},
+                {"Look at", dwell.watch},
+                {"Expected probability of the right one",
+                 report::format_percent(dwell.probability) + " after it, " + report::format_percent(dwell.before) +
+                     " now, " + report::format_percent(dwell.typical) + " after one taken at random"}};
+  table.caption = "Best of " + std::to_string(dwell.compared) +
+                  " dwells at the resonances measured, between half the lowest and one and a half of the highest "
+                  "level used";
+  page.table(table);
+  if (dwell.separation < 2)
+    page.paragraph(
+        "Even this dwell would hardly part them: another kind of test is needed, for example a second sensor, a "
+        "calibration of the excitation, or a resonance that was not measured yet.");
+}
+
 }  // namespace
 
 std::string diagnosis_report(const DiagnosisRun& run, const std::string& command) {
@@ -244,6 +307,8 @@ std::string diagnosis_report(const DiagnosisRun& run, const std::string& command
   where_section(page, run);
   which_section(page, d);
   closing_section(page, d);
+  simulated_section(page, d);
+  next_section(page, run);
   page.provenance({command,
                    "secular 0.1.0",
                    {"campaign: " + run.campaign.folder.string() + ", " +

@@ -104,7 +104,29 @@ std::string csv_text(const std::vector<std::string>& names, const std::vector<st
   return fmt::to_string(text);
 }
 
+// The record of a settled dwell that begins with the motion `from`, and its entry of campaign.toml.
+std::string write_dwell(const SealedCase& c, const Drive& drive, const State& from, const std::string& group,
+                        Random& noise, const fs::path& campaign, const std::string& file) {
+  const Specimen& s = c.specimen;
+  const State state = settled_state(c.reality.structure, drive, from, s.settling);
+  const Motion motion = recorded_motion(c.reality.structure, drive, state, ensembles_per_dwell * ensemble_samples,
+                                        s.settling.substeps);
+  std::vector<std::vector<double>> channels = measured(c.reality.measurement, drive, motion, false);
+  disturb(c, noise, channels);
+  write_text(campaign / file, csv_text(s.measurement.names, channels));
+  return record_text(file, "dwell", drive.started) + fmt::format(
+                                                         "excitation_frequency_hz = {:.4f}\nexcitation_amplitude = "
+                                                         "{:.10g}\nensemble_s = {:.1f}\ngroup = \"{}\"\n",
+                                                         drive.frequency / (2 * std::numbers::pi), drive.amplitude,
+                                                         static_cast<double>(ensemble_samples) / sample_rate_hz,
+                                                         group);
+}
+
 }  // namespace
+
+std::string dwell_file(std::size_t index) {
+  return fmt::format("records/{:04}.csv", index + 1);
+}
 
 void write_text(const fs::path& path, const std::string& text) {
   const fs::path partial = path.string() + ".partial";
@@ -177,19 +199,8 @@ void write_case(const SealedCase& c, std::uint64_t seed, const fs::path& folder)
   double started = 0;
   for (const Dwell& dwell : s.dwells) {
     const Drive drive = drive_of(dwell, c.reality);
-    const State state = settled_state(c.reality.structure, drive, dwell.state, s.settling);
-    const Motion motion = recorded_motion(c.reality.structure, drive, state, ensembles_per_dwell * ensemble_samples,
-                                          s.settling.substeps);
-    std::vector<std::vector<double>> channels = measured(c.reality.measurement, drive, motion, false);
-    disturb(c, noise, channels);
-    const std::string file = fmt::format("records/{:04}.csv", ++number);
-    write_text(partial / "campaign" / file, csv_text(s.measurement.names, channels));
+    text += write_dwell(c, drive, dwell.state, dwell.group, noise, partial / "campaign", dwell_file(number++));
     started = drive.started;
-    text += record_text(file, "dwell", started);
-    text += fmt::format(
-        "excitation_frequency_hz = {:.4f}\nexcitation_amplitude = {:.10g}\nensemble_s = {:.1f}\ngroup = \"{}\"\n",
-        drive.frequency / (2 * std::numbers::pi), drive.amplitude,
-        static_cast<double>(ensemble_samples) / sample_rate_hz, dwell.group);
   }
   for (const double start : s.decay_starts) {
     started += 90;
@@ -201,13 +212,32 @@ void write_case(const SealedCase& c, std::uint64_t seed, const fs::path& folder)
     const Motion motion = recorded_motion(c.reality.structure, rest, state, decay_samples, s.settling.substeps);
     std::vector<std::vector<double>> channels = measured(c.reality.measurement, rest, motion, false);
     disturb(c, noise, channels);
-    const std::string file = fmt::format("records/{:04}.csv", ++number);
+    const std::string file = dwell_file(number++);
     write_text(partial / "campaign" / file, csv_text(s.measurement.names, channels));
     text += record_text(file, "free_decay", started) + "group = \"free decays\"\n";
   }
   write_text(partial / "campaign" / "campaign.toml", text);
   fs::remove_all(folder, ignored);
   fs::rename(partial, folder);
+}
+
+void write_extended_campaign(const SealedCase& c, std::uint64_t seed, const FurtherDwell& further,
+                             const fs::path& campaign, const fs::path& target) {
+  const fs::path partial = target.string() + ".partial";
+  std::error_code ignored;
+  fs::remove_all(partial, ignored);
+  fs::copy(campaign, partial, fs::copy_options::recursive);
+  Dwell dwell = c.specimen.dwells.at(further.like);
+  dwell.drive.amplitude *= further.level;
+  dwell.drive.frequency = further.frequency;
+  dwell.drive.started =
+      c.specimen.dwells.back().drive.started + 90 * static_cast<double>(c.specimen.decay_starts.size() + 1);
+  Random noise(seed, 3'000'000 + c.plan.number);
+  const std::size_t number = c.specimen.dwells.size() + c.specimen.decay_starts.size();
+  const std::string entry = write_dwell(c, drive_of(dwell, c.reality), dwell.state, dwell.group + ", further",
+                                        noise, partial, dwell_file(number));
+  write_text(partial / "campaign.toml", read_text(partial / "campaign.toml") + entry);
+  fs::rename(partial, target);
 }
 
 nlohmann::ordered_json label_of(const SealedCase& c) {

@@ -15,6 +15,21 @@ std::string model_text(const Specimen& specimen, std::uint64_t nominal_seed);
 /// Makes `folder` with model.toml, campaign/ and, where the case has numbers, parameters.json: whole or not at all.
 void write_case(const SealedCase& sealed, std::uint64_t seed, const std::filesystem::path& folder);
 
+/// Where a case keeps its dwell `index`: "records/0001.csv".
+std::string dwell_file(std::size_t index);
+
+/// A dwell that was not in a case's programme.
+struct FurtherDwell {
+  std::size_t like = 0;  ///< dwell of the programme whose motion it begins with
+  double level = 1;      ///< times that dwell's excitation
+  double frequency = 0;  ///< rad/s
+};
+
+/// A copy of `campaign` in `target` (which must not exist) with one dwell more, recorded on the structure as it
+/// really is, after all others.
+void write_extended_campaign(const SealedCase& sealed, std::uint64_t seed, const FurtherDwell& further,
+                             const std::filesystem::path& campaign, const std::filesystem::path& target);
+
 /// What the case really is, for labels.json.
 nlohmann::ordered_json label_of(const SealedCase& sealed);
 

@@ -48,41 +48,46 @@ std::optional<std::string> help_of_diagnose(const fs::path& program, const fs::p
   return text;
 }
 
+Diagnoser::Diagnoser(const fs::path& folder, const RunOptions& options)
+    : options_(options), threads_(thread_arguments(folder, options)) {}
+
+std::optional<std::string> Diagnoser::run(const fs::path& place, const fs::path& campaign,
+                                          const fs::path& out) const {
+  const fs::path result = out / "diagnosis", log = out / "diagnosis.log";
+  std::error_code ignored;
+  fs::remove_all(result, ignored);
+  std::vector<std::string> arguments = {options_.program.string(), "diagnose", campaign.string(), "--model",
+                                        (place / "model.toml").string()};
+  if (fs::exists(place / "parameters.json"))
+    arguments.insert(arguments.end(), {"--parameters", (place / "parameters.json").string()});
+  arguments.insert(arguments.end(), {"-o", result.string()});
+  arguments.insert(arguments.end(), threads_.begin(), threads_.end());
+  const Ended ended = run_child(arguments, log, options_.limit_s);
+  const nlohmann::ordered_json how = {
+      {"status", ended.status}, {"out_of_time", ended.out_of_time}, {"seconds", ended.seconds}};
+  write_text(out / "run.json", how.dump() + "\n");
+  if (ended.status == 0 && fs::exists(result / "diagnosis.json")) return std::nullopt;
+  if (ended.out_of_time) return fmt::format("more than {:.0f} s", options_.limit_s);
+  if (ended.status < 0) return "crashed";
+  if (ended.status == 0) return "no diagnosis.json";
+  return fmt::format("exit status {}: {}", ended.status, fs::exists(log) ? last_line(read_text(log)) : "");
+}
+
 RunSummary run_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
   const std::size_t cases = count_of_cases(folder);
-  const std::vector<std::string> threads = thread_arguments(folder, options);
+  const Diagnoser diagnoser(folder, options);
   RunSummary summary;
   summary.cases = cases;
   std::mutex guard;
   std::atomic<std::size_t> done{0};
   in_parallel(cases, options.threads, [&](std::size_t i) {
-    const fs::path place = case_folder(folder, i + 1), result = place / "diagnosis";
-    if (fs::exists(result / "diagnosis.json") && fs::exists(place / "run.json")) {
+    const fs::path place = case_folder(folder, i + 1);
+    if (fs::exists(place / "diagnosis" / "diagnosis.json") && fs::exists(place / "run.json")) {
       const std::lock_guard lock(guard);
       ++summary.kept;
-    } else {
-      std::error_code ignored;
-      fs::remove_all(result, ignored);
-      std::vector<std::string> arguments = {options.program.string(), "diagnose", (place / "campaign").string(),
-                                            "--model", (place / "model.toml").string()};
-      if (fs::exists(place / "parameters.json"))
-        arguments.insert(arguments.end(), {"--parameters", (place / "parameters.json").string()});
-      arguments.insert(arguments.end(), {"-o", result.string()});
-      arguments.insert(arguments.end(), threads.begin(), threads.end());
-      const Ended ended = run_child(arguments, place / "diagnosis.log", options.limit_s);
-      const nlohmann::ordered_json how = {
-          {"status", ended.status}, {"out_of_time", ended.out_of_time}, {"seconds", ended.seconds}};
-      write_text(place / "run.json", how.dump() + "\n");
-      if (ended.status != 0 || !fs::exists(result / "diagnosis.json")) {
-        const std::string said =
-            fs::exists(place / "diagnosis.log") ? last_line(read_text(place / "diagnosis.log")) : "";
-        const std::string reason = ended.out_of_time   ? fmt::format("more than {:.0f} s", options.limit_s)
-                                   : ended.status < 0  ? "crashed"
-                                   : ended.status == 0 ? "no diagnosis.json"
-                                                       : fmt::format("exit status {}: {}", ended.status, said);
-        const std::lock_guard lock(guard);
-        summary.failed.push_back({i + 1, reason});
-      }
+    } else if (const std::optional<std::string> fault = diagnoser.run(place, place / "campaign", place)) {
+      const std::lock_guard lock(guard);
+      summary.failed.push_back({i + 1, *fault});
     }
     if (progress) progress(++done, cases);
   });

@@ -29,6 +29,22 @@ struct RunSummary {
 /// What `PROGRAM diagnose --help` prints, by way of a file `log`; nothing where the program has no such command.
 std::optional<std::string> help_of_diagnose(const std::filesystem::path& program, const std::filesystem::path& log);
 
+/// `secular diagnose` as a process of its own.
+class Diagnoser {
+ public:
+  /// Throws InputError where the program has no such command. `folder`: where files may be written for a moment.
+  Diagnoser(const std::filesystem::path& folder, const RunOptions& options);
+
+  /// Diagnoses `campaign` with model and numbers of the case at `place`: OUT/diagnosis/, what it printed in
+  /// OUT/diagnosis.log, how it ended in OUT/run.json. Returns what went wrong, if anything did.
+  std::optional<std::string> run(const std::filesystem::path& place, const std::filesystem::path& campaign,
+                                 const std::filesystem::path& out) const;
+
+ private:
+  RunOptions options_;
+  std::vector<std::string> threads_;
+};
+
 /// `secular diagnose` of every case of a set that has no diagnosis yet, each in a process of its own:
 /// CASE/diagnosis/, what it printed in CASE/diagnosis.log, how it ended in CASE/run.json.
 RunSummary run_set(const std::filesystem::path& folder, const RunOptions& options, const Progress& progress);

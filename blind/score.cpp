@@ -184,7 +184,7 @@ Score score_of(const json& sealed, const std::vector<Said>& said) {
   for (const json& label : sealed.at("labels")) labels.push_back(read_label(label));
   Score score;
   score.cases = labels.size();
-  Share contained, weak, false_alarm, detected, unknown, misnamed, pairs30, pairs;
+  Share resolved, resolved_by_chance, contained, weak, false_alarm, detected, unknown, misnamed, pairs30, pairs;
   std::map<double, Share, std::greater<>> top;
   std::vector<double> probability, closed30, closed, seconds;
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -219,6 +219,11 @@ Score score_of(const json& sealed, const std::vector<Said>& said) {
       continue;
     }
     const std::string& truth = label.effects.front();
+    if (s.verdict == "set" && contains(s.set, truth) && s.named_after.contains("proposed") &&
+        s.named_after.contains("random")) {
+      resolved.count(s.named_after.at("proposed") == truth);
+      resolved_by_chance.count(s.named_after.at("random") == truth);
+    }
     (visible(label) ? contained : weak).count(names(s, truth));
     if (!can_be_told(label)) continue;
     const bool first = (s.verdict == "cause" || s.verdict == "set") && s.cause == truth;
@@ -247,6 +252,8 @@ Score score_of(const json& sealed, const std::vector<Said>& said) {
   figures.push_back(mean_figure("of the reducible gap closed, right cause, 30 dB", closed30, 0.9));
   figures.push_back(
       mean_figure("of the reducible gap closed, right cause, all noise levels", closed, std::nullopt));
+  figures.push_back(resolved.figure("set that holds the truth: one proposed dwell resolves it", 0.8));
+  figures.push_back(resolved_by_chance.figure("the same set: one random dwell resolves it", std::nullopt));
   figures.push_back(weak.figure("named cause or its set contains the truth (less than 3 sigma)", std::nullopt));
   figures.push_back(mean_figure("wall time of a campaign, s", seconds, 30, true));
   if (!seconds.empty())

@@ -55,6 +55,8 @@ struct Said {
   bool detected = false;
   std::optional<double> closed;
   double seconds = 0;
+  /// By follow-up, "proposed" and "random": the one cause named after one more dwell, empty where none was.
+  std::map<std::string, std::string> named_after;
 };
 
 /// Reads the contract's diagnosis.json (section 6); a document that does not follow it gives verdict "failed".

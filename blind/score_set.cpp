@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "blind/case_files.hpp"
+#include "blind/follow_up.hpp"
 #include "blind/sealed_set.hpp"
 
 namespace secular::blind {
@@ -19,6 +20,12 @@ Said said_of(const fs::path& place) {
   if (fs::exists(run)) {
     const nlohmann::json how = nlohmann::json::parse(read_text(run), nullptr, false);
     if (how.is_object()) said.seconds = how.value("seconds", 0.0);
+  }
+  for (const char* const which : follow_ups) {
+    const fs::path after = follow_up_folder(place, which) / "diagnosis" / "diagnosis.json";
+    if (!fs::exists(after)) continue;
+    const Said then = what_was_said(nlohmann::json::parse(read_text(after), nullptr, false));
+    said.named_after[which] = then.verdict == "cause" ? then.cause : "";
   }
   return said;
 }

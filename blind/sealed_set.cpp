@@ -44,13 +44,21 @@ fs::path case_folder(const fs::path& folder, std::size_t number) {
   return folder / fmt::format("case_{:04}", number);
 }
 
-std::size_t count_of_cases(const fs::path& folder) {
+SetOptions options_of(const fs::path& folder) {
   const nlohmann::json head = nlohmann::json::parse(read_text(folder / "set.json"), nullptr, false);
-  if (!fs::exists(folder / "labels.sha256") || !head.is_object() || !head.contains("cases") ||
-      !head["cases"].is_number_unsigned())
+  const auto is_count = [&](const char* key) { return head.contains(key) && head[key].is_number_unsigned(); };
+  if (!fs::exists(folder / "labels.sha256") || !head.is_object() || !is_count("cases") || !is_count("seed"))
     throw InputError(folder.string(), "", "is not a complete set of cases",
                      "a folder for which `secular blind generate` came to its end");
-  return head["cases"].get<std::size_t>();
+  SetOptions options;
+  options.cases = head["cases"].get<std::size_t>();
+  options.seed = head["seed"].get<std::uint64_t>();
+  options.size = head.value("set", "") == "short" ? SetSize::short_set : SetSize::full_set;
+  return options;
+}
+
+std::size_t count_of_cases(const fs::path& folder) {
+  return options_of(folder).cases;
 }
 
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {

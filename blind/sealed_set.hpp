@@ -30,6 +30,9 @@ nlohmann::json read_labels(const std::filesystem::path& folder);
 /// How many cases a sealed set has; its labels stay closed. Throws InputError where the folder holds no sealed set.
 std::size_t count_of_cases(const std::filesystem::path& folder);
 
+/// What a sealed set was made with. Throws InputError where the folder holds none.
+SetOptions options_of(const std::filesystem::path& folder);
+
 /// FOLDER/case_0001
 std::filesystem::path case_folder(const std::filesystem::path& folder, std::size_t number);
 

@@ -1,7 +1,7 @@
 # What `cmake --install` puts where: the program, the libraries with their headers, the models, and the files that let
 # another project say find_package(secular). Headers keep their folders, so that generated code includes
 # "estimator/compiled_model.hpp" in the tree and installed alike.
-set(secular_libraries secular_input secular_perturb secular_verify secular_codegen secular_estimator secular_generated
+set(secular_libraries secular_input secular_dense secular_perturb secular_verify secular_codegen secular_estimator secular_generated
   secular_simulate secular_report)
 foreach(library IN LISTS secular_libraries)
   string(REPLACE "secular_" "" short_name ${library})

@@ -44,43 +44,54 @@ class Evaluation {
       shapes_ += sensors.shapes * faults.mixing;
       filter_ = shapes_.completeOrthogonalDecomposition().pseudoInverse();
     }
+    restore_excitation();
   }
 
-  ConditionRows run(const Motion* start) {
-    restore_excitation();
+  ConditionForecast forecast(const VectorXcd& amplitudes, const Motion* start) const {
     MotionSetting setting{
         c_.torus, c_.rate,
         MatrixXcd::Zero(static_cast<Index>(balance_.model().excitations.size()), c_.torus->lines()), c_.masters};
     for (Index j = 0; j < true_excitation_.rows(); ++j)
       for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
         setting.excitation(j, c_.excitation_lines[l]) = true_excitation_(j, static_cast<Index>(l));
+    ConditionForecast forecast;
+    forecast.motion = balance_.solve(setting, amplitudes, parameters_, start);
+    forecast.balance = forecast.motion.balance.cwiseQuotient(amplitudes);
+    const MatrixXcd lines = predicted_responses(forecast.motion);
+    forecast.response.resize(lines.rows(), static_cast<Index>(c_.lines.size()));
+    for (std::size_t l = 0; l < c_.lines.size(); ++l)
+      forecast.response.col(static_cast<Index>(l)) = lines.col(c_.lines[l]);
+    forecast.excitation = expected_excitation();
+    return forecast;
+  }
+
+  ConditionRows run(const Motion* start) const {
     ConditionRows rows;
     rows.amplitudes = master_amplitudes();
-    rows.motion = balance_.solve(setting, rows.amplitudes, parameters_, start);
+    ConditionForecast expected = forecast(rows.amplitudes, start);
     std::vector<double> values;
     const auto push = [&](Complex value, bool real) {
       values.push_back(value.real());
       if (!real) values.push_back(value.imag());
     };
     for (Index m = 0; m < rows.amplitudes.size(); ++m) {
-      Complex balance = rows.motion.balance(m) / rows.amplitudes(m);
+      Complex balance = expected.balance(m);
       // An amplitude B(t) exp(i w t) has the inertia -(s^2 B + 2 s dB/dt).
       if (!c_.creep.empty())
         balance -= 2.0 * c_.line_rate(c_.masters[static_cast<std::size_t>(m)].line) *
                    c_.creep[static_cast<std::size_t>(m)];
       push(balance, false);
     }
-    const MatrixXcd predicted = predicted_responses(rows.motion);
     for (Index c = 0; c < c_.response.rows(); ++c)
-      for (std::size_t l = 0; l < c_.lines.size(); ++l)
-        push(c_.response(c, static_cast<Index>(l)) - predicted(c, c_.lines[l]), c_.lines[l] == 0);
-    const MatrixXcd expected = expected_excitation();
+      for (Index l = 0; l < c_.response.cols(); ++l)
+        push(c_.response(c, l) - expected.response(c, l), c_.lines[static_cast<std::size_t>(l)] == 0);
     for (Index j = 0; j < c_.excitation.rows(); ++j)
       for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
         if (c_.excitation_lines[l] != c_.fundamental)
-          push(c_.excitation(j, static_cast<Index>(l)) - expected(j, static_cast<Index>(l)),
+          push(c_.excitation(j, static_cast<Index>(l)) - expected.excitation(j, static_cast<Index>(l)),
                c_.excitation_lines[l] == 0);
     rows.values = Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
+    rows.motion = std::move(expected.motion);
     return rows;
   }
 
@@ -236,6 +247,13 @@ ConditionRows ConditionModel::rows(const Condition& condition, const VectorXd& u
   const std::size_t symbols = balance_.model().symbols.size();
   const Faults faults = table_.faults(unknowns.data() + symbols);
   return Evaluation(condition, balance_, sensors_, faults, {unknowns.data(), symbols}).run(start);
+}
+
+ConditionForecast ConditionModel::forecast(const Condition& condition, const VectorXcd& amplitudes,
+                                           const VectorXd& unknowns, const Motion* start) const {
+  const std::size_t symbols = balance_.model().symbols.size();
+  const Faults faults = table_.faults(unknowns.data() + symbols);
+  return Evaluation(condition, balance_, sensors_, faults, {unknowns.data(), symbols}).forecast(amplitudes, start);
 }
 
 std::vector<RowMeaning> ConditionModel::meanings(const Condition& condition) const {

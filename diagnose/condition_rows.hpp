@@ -28,6 +28,14 @@ struct ConditionRows {
   Eigen::VectorXcd amplitudes;  ///< of the masters
 };
 
+/// What a condition's channels would show if its masters had given amplitudes.
+struct ConditionForecast {
+  Motion motion;
+  Eigen::VectorXcd balance;     ///< by master, over its amplitude, 1/s^2: zero for a steady motion
+  Eigen::MatrixXcd response;    ///< response channel x observed line
+  Eigen::MatrixXcd excitation;  ///< excitation channel x excitation line
+};
+
 /// Turns unknowns (model's symbols, then the faults of `table`) into rows.
 class ConditionModel {
  public:
@@ -36,6 +44,9 @@ class ConditionModel {
 
   ConditionRows rows(const Condition& condition, const Eigen::VectorXd& unknowns, const Motion* start) const;
   std::vector<RowMeaning> meanings(const Condition& condition) const;
+  /// Of the condition only the excitation and the layout of lines count; `amplitudes` by master.
+  ConditionForecast forecast(const Condition& condition, const Eigen::VectorXcd& amplitudes,
+                             const Eigen::VectorXd& unknowns, const Motion* start) const;
 
   /// Covariance of the rows from the errors of everything measured in the condition, by differences at `unknowns`.
   Eigen::MatrixXd covariance(const Condition& condition, const Eigen::VectorXd& unknowns,

@@ -41,6 +41,10 @@ constexpr double separable = 6;
 /// Others stay in the set down to this share of the best one's probability.
 constexpr double credible_odds = 0.05;
 
+/// Explanations that a next experiment is planned for, and the least probability that each counts with there.
+constexpr std::size_t most_hypotheses = 4;
+constexpr double least_rival = 0.05;
+
 double upper_tail(double chi_squared, double degrees_of_freedom) {
   if (!(degrees_of_freedom > 0)) return 1;
   if (!std::isfinite(chi_squared)) return 0;
@@ -72,13 +76,16 @@ class Diagnoser {
               (result_.warnings.empty() ? "" : " (" + result_.warnings.front() + ")"),
           "settled dwells, free decays, sweeps or broadband records near the model's resonances are expected");
     result_.conditions = observed.conditions.size() + segments.size();
-    candidates_ = candidates_of(effects, model, sensors_, faults_, observed.conditions);
-    ConditionModel lines(MotionBalance(model, options.memory), sensors_, faults_);
-    if (!observed.conditions.empty())
-      discrepancy_.add(std::make_unique<LineEvidence>(std::move(lines), std::move(observed.conditions), start_));
-    if (!segments.empty())
-      discrepancy_.add(
-          std::make_unique<SegmentEvidence>(model, options.memory, sensors_, faults_, std::move(segments)));
+    conditions_ = std::move(observed.conditions);
+    candidates_ = candidates_of(effects, model, sensors_, faults_, conditions_);
+    if (!conditions_.empty())
+      discrepancy_.add(std::make_unique<LineEvidence>(condition_model(), conditions_, start_));
+    if (!segments.empty()) {
+      auto evidence =
+          std::make_unique<SegmentEvidence>(model, options.memory, sensors_, faults_, std::move(segments));
+      segments_ = evidence.get();
+      discrepancy_.add(std::move(evidence));
+    }
     if (!options.parameter_sd.empty()) discrepancy_.add(prior());
   }
 
@@ -97,15 +104,25 @@ class Diagnoser {
       const double rms = std::sqrt(result_.rows_before.squaredNorm() / static_cast<double>(discrepancy_.freedom()));
       result_.gap.before = result_.gap.after = rms;
       result_.gap.metric = metric();
+      result_.next_experiment.reason = "there is no gap to explain";
       return std::move(result_);
     }
     name_cause(given_rows);
     share_out();
+    propose_experiment();
+    if (best_)
+      result_.simulated =
+          simulated_check(condition_model(), conditions_, segments_,
+                          given() ? start_ : inference_.null.fit.unknowns, best_->fit.unknowns, options_.threads);
     return std::move(result_);
   }
 
  private:
   bool given() const { return !options_.parameters.empty(); }
+
+  ConditionModel condition_model() const {
+    return ConditionModel(MotionBalance(model_, options_.memory), sensors_, faults_);
+  }
 
   static std::string metric() {
     return "root mean square over held-out rows (balance of every resonant line, lines of every channel) in units "
@@ -264,6 +281,41 @@ class Diagnoser {
       }
   }
 
+  // Rivals of the best explanation: the others of its set; where it stands alone, the one that comes nearest.
+  void propose_experiment() {
+    NextExperiment& next = result_.next_experiment;
+    std::vector<Hypothesis> hypotheses;
+    std::vector<std::vector<std::string>> taken;
+    for (const Rival& r : rivals()) {
+      const bool in_set = std::all_of(r.effects.begin(), r.effects.end(), [&](const std::string& effect) {
+        return std::find(result_.set.begin(), result_.set.end(), effect) != result_.set.end() ||
+               std::find(result_.together.begin(), result_.together.end(), effect) != result_.together.end();
+      });
+      const bool wanted = hypotheses.empty() || in_set || (result_.set.size() < 2 && hypotheses.size() < 2);
+      if (!wanted || std::find(taken.begin(), taken.end(), r.effects) != taken.end()) continue;
+      hypotheses.push_back({r.explanation, std::max(r.probability, least_rival)});
+      taken.push_back(r.effects);
+      if (hypotheses.size() == most_hypotheses) break;
+    }
+    if (conditions_.empty()) {
+      next.reason = "dwells are proposed by changing measured ones, and the campaign has none that has settled";
+      return;
+    }
+    if (hypotheses.size() < 2) {
+      next.reason = "nothing competes with the explanation";
+      return;
+    }
+    const ProposedDwell dwell =
+        next_experiment(condition_model(), conditions_, hypotheses, inference_.dispersion, options_.threads);
+    if (dwell.compared == 0) {
+      next.reason = "no steady motion near the measured ones could be predicted under every explanation";
+      return;
+    }
+    for (const std::vector<std::string>& effects : taken)
+      next.separates.push_back(fmt::format("{}", fmt::join(effects, " + ")));
+    next.dwell = dwell;
+  }
+
   static std::vector<std::string> different(const std::vector<std::string>& a, const std::vector<std::string>& b) {
     std::vector<std::string> only;
     for (const std::string& x : a)
@@ -408,7 +460,9 @@ class Diagnoser {
   FaultTable faults_;
   VectorXd start_;
   std::vector<Candidate> candidates_;
+  std::vector<Condition> conditions_;
   Discrepancy discrepancy_;
+  const SegmentEvidence* segments_ = nullptr;  // of discrepancy_
   Inference inference_;
   const Explanation* best_ = nullptr;
   Diagnosis result_;

@@ -8,6 +8,8 @@
 
 #include "diagnose/candidate.hpp"
 #include "diagnose/inference.hpp"
+#include "diagnose/next_experiment.hpp"
+#include "diagnose/simulated_check.hpp"
 #include "estimator/identification/observation_set.hpp"
 
 namespace secular {
@@ -48,6 +50,13 @@ struct GapReport {
   std::string wrong_cause;
 };
 
+/// The test that should come next.
+struct NextExperiment {
+  std::optional<ProposedDwell> dwell;
+  std::vector<std::string> separates;  ///< effects that the test tells apart
+  std::string reason;                  ///< why none is proposed
+};
+
 struct ParameterMove {
   std::string name;
   double from = 0, to = 0, sd = 0;
@@ -61,6 +70,8 @@ struct Diagnosis {
   std::vector<std::string> together;  ///< two effects that act at once, each by name
   std::vector<CauseReport> causes;
   std::vector<ParameterMove> parameters_moved;
+  NextExperiment next_experiment;
+  std::optional<SimulatedCheck> simulated;  ///< where a gap was found
   std::vector<std::string> warnings;
   // For figures and later questions:
   std::vector<RowLabel> labels;

@@ -316,4 +316,31 @@ void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> ro
   }
 }
 
+VectorXd SegmentEvidence::mean_square_error(const VectorXd& unknowns) const {
+  const auto channels = static_cast<Index>(sensors_.response_names.size());
+  VectorXd sum = VectorXd::Zero(channels);
+  double count = 0;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const Segment& s = segments_[i];
+    VectorXd state = frozen_[i].state;
+    find_state(s, unknowns, state);
+    const Index samples = s.response.cols();
+    const VectorXd error = errors(s, unknowns, state, samples, {});
+    for (Index c = 0; c < channels; ++c)
+      sum(c) += error.segment(c * samples, samples).squaredNorm() * s.noise_sd(c) * s.noise_sd(c);
+    count += static_cast<double>(samples);
+  }
+  return sum / count;
+}
+
+VectorXd SegmentEvidence::mean_square_signal() const {
+  VectorXd sum = VectorXd::Zero(static_cast<Index>(sensors_.response_names.size()));
+  double count = 0;
+  for (const Segment& s : segments_) {
+    sum += s.response.rowwise().squaredNorm();
+    count += static_cast<double>(s.response.cols());
+  }
+  return sum / count;
+}
+
 }  // namespace secular

@@ -24,6 +24,12 @@ class SegmentEvidence : public Evidence {
   void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
 
+  /// Mean square of the error over all samples, by response channel, in the square of its unit; every segment from
+  /// its best state.
+  Eigen::VectorXd mean_square_error(const Eigen::VectorXd& unknowns) const;
+  /// That of the channels themselves.
+  Eigen::VectorXd mean_square_signal() const;
+
  private:
   struct Frozen {
     Eigen::VectorXd state;

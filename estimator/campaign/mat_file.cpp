@@ -1,5 +1,6 @@
 #include "estimator/campaign/mat_file.hpp"
 
+#include <fmt/format.h>
 #include <matio.h>
 
 #include <algorithm>
@@ -99,7 +100,7 @@ void walk(const std::string& path, matvar_t* variable, int depth, const Visitor&
     if (!names || !variable->data) return;
     for (std::size_t i = 0; i < count; ++i)
       for (unsigned f = 0; f < fields; ++f)
-        walk(path + (count > 1 ? "(" + std::to_string(i + 1) + ")" : "") + "." + names[f],
+        walk(count > 1 ? fmt::format("{}({}).{}", path, i + 1, names[f]) : fmt::format("{}.{}", path, names[f]),
              Mat_VarGetStructFieldByIndex(variable, f, i), depth + 1, visit);
     return;
   }

@@ -1,6 +1,8 @@
 // Names of the enumerations as campaign.toml writes them.
 #include "estimator/campaign/names.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 
@@ -29,13 +31,13 @@ std::string channel_name_fault(std::string_view name) {
     return static_cast<unsigned char>(c) < 0x20 || c == ',' || c == ';' || c == '"';
   };
   if (std::any_of(name.begin(), name.end(), separates))
-    return "'" + std::string(name) +
-           "' has a comma, semicolon, quote or control character, which a CSV header cannot hold";
+    return fmt::format("'{}' has a comma, semicolon, quote or control character, which a CSV header cannot hold",
+                       name);
   if (name.front() == ' ' || name.back() == ' ')
-    return "'" + std::string(name) + "' begins or ends with a blank, which a CSV header cannot hold";
+    return fmt::format("'{}' begins or ends with a blank, which a CSV header cannot hold", name);
   double number = 0;
   if (std::from_chars(name.data(), name.data() + name.size(), number).ptr == name.data() + name.size())
-    return "'" + std::string(name) + "' is a number, which a CSV header cannot hold";
+    return fmt::format("'{}' is a number, which a CSV header cannot hold", name);
   return {};
 }
 

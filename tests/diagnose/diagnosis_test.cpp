@@ -166,6 +166,12 @@ TEST(SlowDiagnosis, DwellsOfAParametricResonance) {
   EXPECT_EQ(d.cause, "cubic_damping");
   EXPECT_EQ(d.where.front().component, GapComponent::dissipative);
   EXPECT_NE(d.where.front().harmonic.find("Omega/2"), std::string::npos);
+  const NextExperiment& next = d.next_experiment;
+  ASSERT_TRUE(next.dwell) << next.reason;
+  EXPECT_EQ(next.dwell->resonance, "Omega near 2 omega0");
+  EXPECT_GT(next.dwell->separation, 0);
+  EXPECT_GE(next.dwell->probability, next.dwell->typical);
+  EXPECT_EQ(next.separates.front(), "cubic_damping");
   ASSERT_FALSE(d.causes.empty());
   EXPECT_NEAR(d.causes.front().coefficient, 36.87, 4 * d.causes.front().sd);
 }

@@ -1,0 +1,25 @@
+#pragma once
+
+// What most numerical sources include, parsed once; and Eigen's decompositions, which cost a compiler many seconds
+// each wherever they stand, compiled once in dense.cpp. No source relies on this file: each includes what it uses.
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <random>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cmake/precompiled/dense_instances.hpp"
+
+#define SECULAR_INSTANCE extern template
+SECULAR_DENSE_INSTANCES
+#undef SECULAR_INSTANCE

@@ -1,0 +1,218 @@
+#include "diagnose/next_experiment.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+#include "diagnose/in_parallel.hpp"
+#include "diagnose/line_evidence.hpp"
+#include "diagnose/virtual_dwell.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Variance, in scaled unknowns, of a direction that the campaign says nothing about.
+constexpr double unknown_variance = 1e6;
+
+constexpr double levels[] = {0.5, 0.7, 1.0, 1.5};
+
+/// Shifts of the frequency, in parts of the range that the campaign covers at the resonance.
+constexpr double shifts[] = {-0.5, -0.2, 0, 0.2, 0.5};
+
+/// Range of frequencies of a resonance that was measured at one frequency only, relative.
+constexpr double least_range = 0.01;
+
+constexpr double highest_level = 1.5, lowest_level = 0.5;
+
+double drive(const Condition& c) {
+  for (std::size_t l = 0; l < c.excitation_lines.size(); ++l)
+    if (c.excitation_lines[l] == c.fundamental) return 2 * std::abs(c.excitation(0, static_cast<Index>(l)));
+  return 0;
+}
+
+double frequency_of(const Condition& c) {
+  return c.line_rate(c.fundamental).imag();
+}
+
+struct Test {
+  std::size_t condition = 0;
+  double level = 1, frequency = 1;
+};
+
+// Dwells at one resonance: the same line of the same mode, counted from the excitation's.
+using Resonance = std::tuple<std::size_t, Index, Index>;
+
+std::vector<Test> tests_around(const std::vector<Condition>& conditions) {
+  std::map<Resonance, std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const Condition& c = conditions[i];
+    if (c.torus->dimensions() != 1 || c.masters.empty() || c.fundamental == 0 || !(drive(c) > 0)) continue;
+    groups[{c.masters[0].mode, c.masters[0].line, c.fundamental}].push_back(i);
+  }
+  std::vector<Test> tests;
+  for (auto& [resonance, members] : groups) {
+    std::sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
+      return std::pair(drive(conditions[a]), a) < std::pair(drive(conditions[b]), b);
+    });
+    const double least = lowest_level * drive(conditions[members.front()]),
+                 most = highest_level * drive(conditions[members.back()]);
+    double low = INFINITY, high = 0;
+    for (const std::size_t i : members) {
+      low = std::min(low, frequency_of(conditions[i]));
+      high = std::max(high, frequency_of(conditions[i]));
+    }
+    const double range = std::max(least_range, high / low - 1);
+    std::vector<std::size_t> from = {members.front(), members[members.size() / 2], members.back()};
+    from.erase(std::unique(from.begin(), from.end()), from.end());
+    for (const std::size_t i : from)
+      for (const double level : levels)
+        for (const double shift : shifts) {
+          const double excitation = level * drive(conditions[i]);
+          if (excitation < least * (1 - 1e-9) || excitation > most * (1 + 1e-9)) continue;
+          tests.push_back({i, level, 1 + shift * range});
+        }
+  }
+  return tests;
+}
+
+std::string resonance_of(const Condition& c, const CompiledModel& model) {
+  const int excitation = c.torus->phase(c.fundamental)[0], line = c.torus->phase(c.masters[0].line)[0];
+  const int common = std::gcd(excitation, line), top = excitation / common, bottom = line / common;
+  const std::string drive(model.excitation_frequencies.empty() ? "Omega" : model.excitation_frequencies[0]);
+  return drive + " near " + (top == 1 ? "" : std::to_string(top) + " ") +
+         std::string(model.symbols[c.masters[0].mode].name) + (bottom == 1 ? "" : "/" + std::to_string(bottom));
+}
+
+struct Judgement {
+  double separation = 0;  ///< squared, in standard deviations
+  std::string watch;
+};
+
+// How a dwell is judged by an explanation that is not its own.
+Judgement judged(const ConditionModel& model, const Condition& dwell, const Refit& fit, double dispersion) {
+  LineEvidence evidence(model, {dwell}, fit.unknowns);
+  const std::vector<RowLabel> labels = evidence.labels();
+  Discrepancy discrepancy;
+  discrepancy.add(std::make_unique<LineEvidence>(std::move(evidence)));
+  discrepancy.freeze(fit.unknowns);
+  const VectorXd rows = discrepancy(fit.unknowns);
+  const MatrixXd jacobian = jacobian_of(discrepancy, fit.unknowns, fit.free, fit.scale, 1);
+  MatrixXd freedom = fit.covariance * dispersion;
+  for (Index f = 0; f < freedom.rows(); ++f) {
+    const double scale = fit.scale(f) > 0 ? fit.scale(f) : 1;
+    freedom.row(f) /= scale;
+    freedom.col(f) /= scale;
+    if (!fit.identifiable[static_cast<std::size_t>(f)]) freedom(f, f) = unknown_variance;
+  }
+  MatrixXd spread = dispersion * MatrixXd::Identity(rows.size(), rows.size());
+  if (freedom.rows() > 0) spread += jacobian * freedom * jacobian.transpose();
+  Judgement result;
+  if (!rows.allFinite() || !spread.allFinite() || rows.size() == 0) return result;
+  const VectorXd explained = spread.ldlt().solve(rows);
+  result.separation = std::max(0.0, rows.dot(explained));
+  Index strongest = 0;
+  rows.cwiseProduct(explained).maxCoeff(&strongest);
+  const RowLabel& label = labels[static_cast<std::size_t>(strongest)];
+  result.watch = (label.balance ? "balance of " : "channel ") + label.place + ", " + label.harmonic;
+  return result;
+}
+
+struct Outcome {
+  bool possible = false;
+  double probability = 0;  ///< expected of the right hypothesis
+  double separation = 0;   ///< of the closest two
+  std::string watch;
+  Condition dwell;  ///< under the likeliest hypothesis
+};
+
+double expected_probability(const std::vector<Hypothesis>& hypotheses, const MatrixXd& separation) {
+  double total = 0, expected = 0;
+  for (std::size_t h = 0; h < hypotheses.size(); ++h) {
+    double rest = 0;
+    for (std::size_t g = 0; g < hypotheses.size(); ++g)
+      rest += hypotheses[g].probability * std::exp(-0.5 * separation(static_cast<Index>(h), static_cast<Index>(g)));
+    const double p = hypotheses[h].probability;
+    expected += p * (p / rest);
+    total += p;
+  }
+  return expected / total;
+}
+
+Outcome outcome_of(const ConditionModel& model, const Condition& measured, const Test& test,
+                   const std::vector<Hypothesis>& hypotheses, double dispersion) {
+  const auto count = static_cast<Index>(hypotheses.size());
+  Outcome outcome;
+  MatrixXd separation = MatrixXd::Zero(count, count);
+  double closest = INFINITY;
+  for (Index h = 0; h < count; ++h) {
+    const Hypothesis& truth = hypotheses[static_cast<std::size_t>(h)];
+    std::optional<Condition> dwell =
+        virtual_dwell(model, measured, truth.explanation->fit.unknowns, test.level, test.frequency);
+    if (!dwell) return outcome;
+    for (Index g = 0; g < count; ++g) {
+      if (g == h) continue;
+      const Judgement judgement =
+          judged(model, *dwell, hypotheses[static_cast<std::size_t>(g)].explanation->fit, dispersion);
+      separation(h, g) = judgement.separation;
+      if (judgement.separation < closest) {
+        closest = judgement.separation;
+        outcome.watch = judgement.watch;
+      }
+    }
+    if (h == 0) outcome.dwell = std::move(*dwell);
+  }
+  outcome.possible = true;
+  outcome.separation = std::sqrt(closest);
+  outcome.probability = expected_probability(hypotheses, separation);
+  return outcome;
+}
+
+}  // namespace
+
+ProposedDwell next_experiment(const ConditionModel& model, const std::vector<Condition>& conditions,
+                              const std::vector<Hypothesis>& hypotheses, double dispersion, unsigned threads) {
+  ProposedDwell best;
+  if (hypotheses.size() < 2) return best;
+  const auto count = static_cast<Index>(hypotheses.size());
+  best.before = expected_probability(hypotheses, MatrixXd::Zero(count, count));
+  const std::vector<Test> tests = tests_around(conditions);
+  std::vector<Outcome> outcomes(tests.size());
+  in_parallel(tests.size(), threads, [&](std::size_t t) {
+    outcomes[t] = outcome_of(model, conditions[tests[t].condition], tests[t], hypotheses, dispersion);
+  });
+  const Outcome* chosen = nullptr;
+  double sum = 0;
+  for (std::size_t t = 0; t < tests.size(); ++t) {
+    const Outcome& outcome = outcomes[t];
+    if (!outcome.possible) continue;
+    ++best.compared;
+    sum += outcome.probability;
+    // Expected probabilities saturate; between certain ones the larger separation is the safer test.
+    if (chosen && std::pair(std::min(outcome.probability, 0.999), outcome.separation) <=
+                      std::pair(std::min(chosen->probability, 0.999), chosen->separation))
+      continue;
+    chosen = &outcome;
+    best.like = conditions[tests[t].condition].record;
+    best.level = tests[t].level;
+  }
+  if (!chosen) return best;
+  best.channel = model.sensors().excitation_names.front();
+  best.excitation = drive(chosen->dwell);
+  best.frequency = frequency_of(chosen->dwell);
+  best.resonance = resonance_of(chosen->dwell, model.balance().model());
+  best.separation = chosen->separation;
+  best.watch = chosen->watch;
+  best.probability = chosen->probability;
+  best.typical = sum / static_cast<double>(best.compared);
+  return best;
+}
+
+}  // namespace secular

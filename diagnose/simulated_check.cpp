@@ -1,0 +1,72 @@
+#include "diagnose/simulated_check.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "diagnose/in_parallel.hpp"
+#include "diagnose/virtual_dwell.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// Mean square of a channel's oscillating lines: half of the peak squared, 2 |c|^2, each; the mean's own is added.
+VectorXd mean_square(const Condition& c, const Eigen::MatrixXcd& lines) {
+  VectorXd sum = VectorXd::Zero(lines.rows());
+  for (Index l = 0; l < lines.cols(); ++l)
+    sum += (c.lines[static_cast<std::size_t>(l)] == 0 ? 1 : 2) * lines.col(l).cwiseAbs2();
+  return sum;
+}
+
+std::vector<SimulatedError> errors_of(const SensorModel& sensors, const VectorXd& signal, const VectorXd& before,
+                                      const VectorXd& after) {
+  std::vector<SimulatedError> errors;
+  for (std::size_t c = 0; c < sensors.response_names.size(); ++c) {
+    const auto i = static_cast<Index>(c);
+    errors.push_back({sensors.response_names[c], std::sqrt(signal(i)), std::sqrt(before(i)), std::sqrt(after(i))});
+  }
+  return errors;
+}
+
+}  // namespace
+
+SimulatedCheck simulated_check(const ConditionModel& model, const std::vector<Condition>& conditions,
+                               const SegmentEvidence* segments, const VectorXd& before, const VectorXd& after,
+                               unsigned threads) {
+  SimulatedCheck check;
+  const SensorModel& sensors = model.sensors();
+  const auto channels = static_cast<Index>(sensors.response_names.size());
+  struct Pair {
+    std::optional<Condition> before, after;
+  };
+  std::vector<Pair> steady(conditions.size());
+  in_parallel(conditions.size(), threads, [&](std::size_t i) {
+    steady[i].before = virtual_dwell(model, conditions[i], before, 1, 1);
+    steady[i].after = virtual_dwell(model, conditions[i], after, 1, 1);
+  });
+  VectorXd signal = VectorXd::Zero(channels), off_before = signal, off_after = signal;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const Condition& c = conditions[i];
+    if (c.torus->dimensions() != 1 || c.masters.empty() || c.fundamental == 0) continue;
+    if (!steady[i].before || !steady[i].after) {
+      ++check.lost;
+      continue;
+    }
+    ++check.steady;
+    signal += mean_square(c, c.response);
+    off_before += mean_square(c, c.response - steady[i].before->response);
+    off_after += mean_square(c, c.response - steady[i].after->response);
+  }
+  if (check.steady > 0) {
+    const auto n = static_cast<double>(check.steady);
+    check.dwells = errors_of(sensors, signal / n, off_before / n, off_after / n);
+  }
+  if (segments)
+    check.segments = errors_of(sensors, segments->mean_square_signal(), segments->mean_square_error(before),
+                               segments->mean_square_error(after));
+  return check;
+}
+
+}  // namespace secular

@@ -1,0 +1,152 @@
+// Dwells predicted under an explanation, against closed forms.
+#include "diagnose/virtual_dwell.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "diagnose/next_experiment.hpp"
+#include "generated/registry.hpp"
+
+namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::VectorXd;
+
+constexpr double natural = 80, damping = 0.4, direct = -0.02;
+
+// One accelerometer on one mode, the base's acceleration measured.
+SensorModel one_accelerometer() {
+  SensorModel sensors;
+  sensors.responses = {1};
+  sensors.excitations = {0};
+  sensors.response_names = {"v"};
+  sensors.excitation_names = {"base"};
+  sensors.shapes = sensors.filter = Eigen::MatrixXd::Ones(1, 1);
+  sensors.derivatives = sensors.excitation_derivatives = 2;
+  return sensors;
+}
+
+struct Laboratory {
+  const CompiledModel& compiled = *generated::find_compiled_model("two_mass_mode1");
+  SensorModel sensors = one_accelerometer();
+  FaultTable faults{compiled, sensors};
+  ConditionModel model{MotionBalance(compiled, {}), sensors, faults};
+
+  std::size_t symbol(const std::string& name) const {
+    for (std::size_t s = 0; s < compiled.symbols.size(); ++s)
+      if (compiled.symbols[s].name == name) return s;
+    return compiled.symbols.size();
+  }
+  VectorXd unknowns(std::initializer_list<std::pair<const char*, double>> more) const {
+    VectorXd values = VectorXd::Zero(static_cast<Eigen::Index>(compiled.symbols.size() + faults.size()));
+    const auto set = [&](const std::string& name, double value) {
+      values(static_cast<Eigen::Index>(symbol(name))) = value;
+    };
+    set("omega0", natural);
+    set("mu1", damping);
+    set("eta1", direct);
+    for (const auto& [name, value] : more) set(name, value);
+    const auto first = static_cast<Eigen::Index>(compiled.symbols.size());
+    values(first + static_cast<Eigen::Index>(faults.extra_frequency())) = natural;
+    values(first + static_cast<Eigen::Index>(faults.extra_damping())) = 0.01;
+    return values;
+  }
+
+  // A dwell at primary resonance whose measured lines are those of `amplitude` (half of the peak displacement).
+  Condition dwell(double frequency, double force, Complex amplitude) const {
+    Condition c;
+    c.torus = std::make_shared<const Torus>(1, 5, 64);
+    c.rate = {Complex(0, frequency), Complex(0)};
+    c.masters = {{0, 1}};
+    c.fundamental = 1;
+    c.lines = {1, 2, 3};
+    c.response = Eigen::MatrixXcd::Zero(1, 3);
+    c.response(0, 0) = -frequency * frequency * amplitude;
+    c.response_sd = Eigen::MatrixXd::Constant(1, 3, 1e-3);
+    c.excitation_lines = {1};
+    c.excitation = Eigen::MatrixXcd::Constant(1, 1, force / 2);
+    c.excitation_sd = Eigen::MatrixXd::Constant(1, 1, 1e-4);
+    return c;
+  }
+};
+
+Complex transfer(double frequency) {
+  return direct / Complex(natural * natural - frequency * frequency, 2 * damping * frequency);
+}
+
+TEST(VirtualDwell, OfALinearOscillatorFollowsItsTransferFunction) {
+  const Laboratory lab;
+  const double force = 3, frequency = 80.2;
+  const Condition measured = lab.dwell(frequency, force, transfer(frequency) * force / 2.0);
+  for (const auto& [level, ratio] : {std::pair(1.0, 1.0), std::pair(1.5, 1.0), std::pair(0.5, 1.01)}) {
+    const auto dwell = virtual_dwell(lab.model, measured, lab.unknowns({}), level, ratio);
+    ASSERT_TRUE(dwell);
+    const double w = ratio * frequency;
+    const Complex expected = -w * w * transfer(w) * level * force / 2.0;
+    EXPECT_LT(std::abs(dwell->response(0, 0) - expected), 1e-6 * std::abs(expected));
+    EXPECT_NEAR(std::abs(dwell->excitation(0, 0)), level * force / 2, 1e-12);
+  }
+}
+
+// On the backbone's large branch of a softening oscillator, x'' + w^2 x - a x^3 with little force, the amplitude of
+// a harmonic response solves A^2 ((w^2 - s^2 - 3 a A^2/4)^2 + (2 mu s)^2) = (eta F)^2: the large solution
+// disappears where F falls below that of the upper saddle-node, at which dissipation takes all the force can give.
+TEST(VirtualDwell, EndsWithTheBranch) {
+  const Laboratory lab;
+  // Four half-bandwidths below: more than the square root of three that a fold needs.
+  const double stiffness = -2e7, frequency = natural - 4 * damping;
+  const double most = std::sqrt((natural * natural - frequency * frequency) / (-0.75 * stiffness));
+  const double force = 1.05 * 2 * damping * frequency * most / std::abs(direct);
+  const VectorXd unknowns = lab.unknowns({{"alpha3", stiffness}});
+  // In quadrature at the crest of the backbone.
+  const Condition measured = lab.dwell(frequency, force, Complex(0, 0.5 * most));
+  EXPECT_TRUE(virtual_dwell(lab.model, measured, unknowns, 1, 1));
+  EXPECT_TRUE(virtual_dwell(lab.model, measured, unknowns, 1.2, 1));
+  EXPECT_FALSE(virtual_dwell(lab.model, measured, unknowns, 0.8, 1));
+}
+
+Explanation explanation(const Laboratory& lab, const VectorXd& unknowns, const std::string& symbol, double sd) {
+  Explanation e;
+  e.fit.unknowns = unknowns;
+  e.fit.free = {lab.symbol(symbol)};
+  e.fit.scale = VectorXd::Constant(1, sd);
+  e.fit.covariance = Eigen::MatrixXd::Constant(1, 1, sd * sd);
+  e.fit.identifiable = {true};
+  return e;
+}
+
+// Two laws of damping that were matched at one amplitude part at another, and the farther from it the better; one
+// law twice is never parted.
+TEST(NextExperiment, GoesWhereTheLawsPart) {
+  const Laboratory lab;
+  const double force = 3, frequency = natural, half = 0.5 * force * std::abs(direct) / (2 * damping * frequency);
+  const double peak = 2 * half;
+  // 2 mu + 3/4 mu3 w^2 X^2 against 2 mu + 8/(3 pi) mu2 w X: both add a tenth to the damping.
+  const double added = 0.2 * damping;
+  const VectorXd cubic =
+      lab.unknowns({{"mu1", 0.9 * damping}, {"mu3", added / (0.75 * std::pow(frequency * peak, 2))}});
+  const VectorXd drag =
+      lab.unknowns({{"mu1", 0.9 * damping}, {"mu2", added / (8 / (3 * std::numbers::pi) * frequency * peak)}});
+  const Condition measured = lab.dwell(frequency, force, Complex(0, half));
+  const Explanation first =
+                        explanation(lab, cubic, "mu3", 0.01 * cubic(static_cast<Eigen::Index>(lab.symbol("mu3")))),
+                    second =
+                        explanation(lab, drag, "mu2", 0.01 * drag(static_cast<Eigen::Index>(lab.symbol("mu2"))));
+  const ProposedDwell next = next_experiment(lab.model, {measured}, {{&first, 0.5}, {&second, 0.5}}, 1, 1);
+  ASSERT_GT(next.compared, 3u);
+  EXPECT_DOUBLE_EQ(next.before, 0.5);
+  EXPECT_GE(next.probability, next.typical);
+  EXPECT_GE(next.typical, next.before);
+  EXPECT_GT(next.separation, 2);
+  EXPECT_NE(next.level, 1);
+  EXPECT_EQ(next.resonance, "Omega near omega0");
+  const ProposedDwell none = next_experiment(lab.model, {measured}, {{&first, 0.5}, {&first, 0.5}}, 1, 1);
+  EXPECT_LT(none.separation, 1e-3);
+  EXPECT_NEAR(none.probability, 0.5, 1e-6);
+}
+
+}  // namespace
+}  // namespace secular
