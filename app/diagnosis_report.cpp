@@ -275,7 +275,7 @@ void next_section(HtmlReport& page, const DiagnosisRun& run) {
                  report::format_percent(dwell.probability) + " after it, " + report::format_percent(dwell.before) +
                      " now, " + report::format_percent(dwell.typical) + " after one taken at random"}};
   table.caption = "Best of " + std::to_string(dwell.compared) +
-                  " dwells at the resonances measured, between half the lowest and one and a half of the highest "
+                  " dwells at the resonances measured, between half the lowest and twice the highest "
                   "level used";
   page.table(table);
   if (dwell.separation < 2)

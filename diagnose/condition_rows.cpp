@@ -282,7 +282,7 @@ MatrixXd ConditionModel::covariance(const Condition& condition, const VectorXd& 
   const auto add = [&](double sd) {
     if (!(sd > 0)) return;
     const VectorXd difference = rows(moved, unknowns, &base.motion).values - base.values;
-    if (difference.allFinite()) covariance += difference * difference.transpose();
+    covariance += difference * difference.transpose();
   };
   const auto vary = [&](Complex& value, double sd, bool real) {
     const Complex kept = value;

@@ -49,6 +49,7 @@ class ConditionModel {
                              const Eigen::VectorXd& unknowns, const Motion* start) const;
 
   /// Covariance of the rows from the errors of everything measured in the condition, by differences at `unknowns`.
+  /// Not finite where no motion is found there.
   Eigen::MatrixXd covariance(const Condition& condition, const Eigen::VectorXd& unknowns,
                              const Motion* start) const;
 

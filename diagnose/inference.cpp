@@ -109,6 +109,14 @@ void take_over(VectorXd& into, const VectorXd& from, const Candidate& c) {
   for (const std::size_t u : c.shapes) into(static_cast<Index>(u)) = from(static_cast<Index>(u));
 }
 
+// An explanation's unknowns with these candidates switched off.
+VectorXd without(VectorXd unknowns, const std::vector<std::size_t>& members,
+                 const std::vector<Candidate>& candidates) {
+  for (const std::size_t m : members)
+    for (const std::size_t u : candidates[m].strengths) unknowns(static_cast<Index>(u)) = 0;
+  return unknowns;
+}
+
 bool is_possible(const Explanation& e, const std::vector<Candidate>& candidates) {
   return std::none_of(e.members.begin(), e.members.end(), [&](std::size_t m) {
     return candidates[m].passive && e.fit.unknowns(static_cast<Index>(candidates[m].strengths[0])) < 0;
@@ -235,7 +243,18 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
       if (!moved) break;
     }
     keep_best_of_each(doubles, candidates);
+    // Members of the best pairs alone, from the pair's numbers: on its own way from the null one may have stopped
+    // short.
+    std::set<std::size_t> again;
+    for (std::size_t d = 0; d < std::min(most_firsts, doubles.size()); ++d)
+      for (std::size_t m = 0; m < 2; ++m) {
+        const std::size_t member = doubles[d].members[m], other = doubles[d].members[1 - m];
+        if (!again.insert(member).second) continue;
+        found.push_back(
+            explain(discrepancy, candidates, {member}, without(doubles[d].fit.unknowns, {other}, candidates), own));
+      }
     for (Explanation& e : doubles) found.push_back(std::move(e));
+    keep_best_of_each(found, candidates);
   }
   // Once more with the errors and starting points that hold at the best explanation.
   if (!found.empty()) {
@@ -243,7 +262,10 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
       return a.fit.chi_squared < b.fit.chi_squared;
     });
     discrepancy.freeze(best->fit.unknowns);
+    const VectorXd switched_off = without(best->fit.unknowns, best->members, candidates);
     result.null.fit = refit(discrepancy, result.null.fit.unknowns, own, all_threads);
+    Refit from_best = refit(discrepancy, switched_off, own, all_threads);
+    if (from_best.chi_squared < result.null.fit.chi_squared) result.null.fit = std::move(from_best);
     in_parallel(found.size(), options.threads, [&](std::size_t i) {
       found[i].fit = refit(discrepancy, found[i].fit.unknowns, found[i].fit.free);
     });

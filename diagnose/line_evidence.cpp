@@ -97,8 +97,12 @@ void LineEvidence::whiten(std::size_t condition, const VectorXd& unknowns, doubl
   std::vector<Index> rows = w.kept;
   if (first)
     for (Index i = 0; i < covariance.rows(); ++i) rows.push_back(i);
-  // Numbers so far off that no motion is found: every row counts alike until they are nearer.
-  if (!covariance.allFinite()) covariance.setIdentity();
+  // Numbers so far off that no motion is found: errors stay what they were; without any, every row counts alike
+  // until the numbers are nearer.
+  if (!covariance.allFinite()) {
+    if (!first) return;
+    covariance.setIdentity();
+  }
   // A row of a channel has at least its line's error of its own, unless the amplitudes were taken from it.
   const std::vector<RowMeaning> meanings = model_.meanings(c);
   const auto own_variance = [&](Index row) {

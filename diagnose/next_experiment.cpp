@@ -22,7 +22,7 @@ using Eigen::VectorXd;
 /// Variance, in scaled unknowns, of a direction that the campaign says nothing about.
 constexpr double unknown_variance = 1e6;
 
-constexpr double levels[] = {0.5, 0.7, 1.0, 1.5};
+constexpr double levels[] = {0.5, 0.7, 1.0, 1.5, 2.0};
 
 /// Shifts of the frequency, in parts of the range that the campaign covers at the resonance.
 constexpr double shifts[] = {-0.5, -0.2, 0, 0.2, 0.5};
@@ -30,7 +30,7 @@ constexpr double shifts[] = {-0.5, -0.2, 0, 0.2, 0.5};
 /// Range of frequencies of a resonance that was measured at one frequency only, relative.
 constexpr double least_range = 0.01;
 
-constexpr double highest_level = 1.5, lowest_level = 0.5;
+constexpr double highest_level = 2, lowest_level = 0.5;
 
 double drive(const Condition& c) {
   for (std::size_t l = 0; l < c.excitation_lines.size(); ++l)

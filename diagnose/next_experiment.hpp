@@ -36,7 +36,7 @@ struct ProposedDwell {
 /// unknowns and judged by every other, whose unknowns may move as far as the campaign leaves them free: the
 /// separation d^2 = r^T (1 + J P J^T)^-1 r of whitened rows r, Jacobian J and covariance P is the fall of
 /// chi-squared that refitting cannot take back (a discrimination design; Box and Hill 1967, Atkinson and Fedorov
-/// 1975), and exp(-d^2/2) the expected odds. Levels stay within half the lowest and one and a half of the highest
+/// 1975), and exp(-d^2/2) the expected odds. Levels stay within half the lowest and twice the highest
 /// used. Without a proposal (compared = 0) there is no dwell to start from.
 ProposedDwell next_experiment(const ConditionModel& model, const std::vector<Condition>& conditions,
                               const std::vector<Hypothesis>& hypotheses, double dispersion, unsigned threads);
