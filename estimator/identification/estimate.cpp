@@ -106,6 +106,7 @@ class Estimator {
       for (const ObservationSet* set : sets_) {
         if (!mode_frequencies(model_, *set->resonance).oscillates[k]) continue;
         for (const Observation& o : set->observations) {
+          if (o.growth_sd[k] < 0) continue;
           sum += o.rate[k].imag();
           ++count;
         }

@@ -17,6 +17,7 @@ struct Observation {
   int condition = 0;       ///< what repeats of one test condition share; the clusters of the regression
   std::size_t record = 0;  ///< index into Campaign::records
   double centre_s = 0;     ///< in the record's time
+  double length_s = 0;     ///< of a decay's window
   std::vector<double> excitation_frequency;  ///< [excitation] rad/s
   std::vector<double> excitation_frequency_sd;
   std::vector<std::complex<double>> forcing;    ///< [excitation] F exp(i*phase)
@@ -24,8 +25,9 @@ struct Observation {
   std::vector<std::complex<double>> amplitude;  ///< [mode]
   std::vector<double> amplitude_sd;
   std::vector<std::complex<double>> rate;       ///< [mode] growth + i*(observed frequency)
-  std::vector<double> growth_sd, frequency_sd;  ///< [mode]
-  /// Of the frequencies that the case leaves free (ModeFrequencies::free): what the modes' frequencies share.
+  /// [mode]. A negative growth_sd: the mode is not seen here, and its equation says nothing.
+  std::vector<double> growth_sd, frequency_sd;
+  /// Dwells, of the frequencies that the case leaves free (ModeFrequencies::free): what the modes' frequencies share.
   std::vector<double> free_frequency_sd;
   std::vector<std::complex<double>> harmonic;  ///< [block] measured harmonic, 0 where not measured
   std::vector<double> harmonic_sd;             ///< [block], negative where not measured
@@ -70,7 +72,11 @@ ObservationSet observe_dwells(const Campaign& campaign, const RecordReader& read
                               const CompiledCase& resonance, const Window& window,
                               DwellMotion motion = DwellMotion::steady);
 
-/// Sliding windows over every free decay, from its start (found) to where it sinks into the noise.
+/// Windows over every free decay, from its start (found) to where its last mode sinks into the noise: amplitudes and
+/// rates of all modes that ring, together. Windows are a twenty-fourth of the decay long, shorter where amplitudes
+/// change fast, but long enough to separate the tones. A condition is a stretch of two windows' length, in which
+/// windows overlap by half. What the finite window does to rates (of the order of the rate times the square of the
+/// change of amplitude in a window) is in the replayed motion too, and so comes out with the truncation.
 ObservationSet observe_free_decays(const Campaign& campaign, const RecordReader& read_samples,
                                    const CompiledModel& model, const CompiledCase& resonance, const Window& window);
 
