@@ -78,8 +78,7 @@ std::vector<bool> decay_cases(const ModelSource& model, const std::vector<std::s
   if (best == cases.size()) return takes;
   takes[best] = true;
   if (cases[best].active_modes == 1 && model.modes() > 1)
-    for (std::size_t c = 0; c < cases.size(); ++c)
-      takes[c] = !cases[c].excited && cases[c].active_modes == 1;
+    for (std::size_t c = 0; c < cases.size(); ++c) takes[c] = !cases[c].excited && cases[c].active_modes == 1;
   return takes;
 }
 
@@ -206,7 +205,7 @@ Identification identify(const IdentificationRequest& request) {
       result.estimate = with_truncation_error(estimate(corrected, units, quick), raw);
     }
     result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
-                                      assignment.warnings.end());
+                                    assignment.warnings.end());
     for (ObservationSet& set : result.replayed)
       if (set.resonance->excited) to_steady_amplitudes(set, result.estimate.parameter_values);
   } catch (const InputError& error) {

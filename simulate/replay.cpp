@@ -144,8 +144,8 @@ class Replay {
     return record;
   }
 
-  // From the first window's begin to the last one's end, started so that the first window shows what was measured in
-  // it. A free decay has as many initial values as its modes have amplitudes and phases: nothing has to settle.
+  // From the first window's begin to the last one's end, started so that the first window shows what was measured
+  // in it. A free decay has as many initial values as its modes have amplitudes and phases: nothing has to settle.
   Record decay(const Observation& first, const Observation& last, std::size_t index) const {
     const double rate = campaign_.sample_rate_hz;
     const auto half = [&](const Observation& o) { return 0.5 * (std::round(o.length_s * rate) - 1) / rate; };
@@ -198,9 +198,7 @@ class ReplayedRecords {
  public:
   ReplayedRecords(const Campaign& campaign, const ObservationSet& measured, const Eigen::VectorXd& parameters,
                   unsigned threads)
-      : measured_(measured),
-        replay_(campaign, measured, parameters),
-        threads_(std::max(1U, threads)) {
+      : measured_(measured), replay_(campaign, measured, parameters), threads_(std::max(1U, threads)) {
     for (std::size_t i = 0; i < measured.observations.size(); ++i) {
       const Observation& o = measured.observations[i];
       // A decay starts anew in every stretch: it stays with what was measured, across knocks too.
@@ -255,7 +253,7 @@ class ReplayedRecords {
   const ObservationSet& measured_;
   Replay replay_;
   unsigned threads_;
-  std::vector<Span> spans_;      // of each record (stretch of a decay) with observations, which stand together
+  std::vector<Span> spans_;  // of each record (stretch of a decay) with observations, which stand together
   std::size_t begin_ = 0;
   std::vector<Record> ahead_;
 };

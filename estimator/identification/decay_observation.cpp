@@ -20,9 +20,16 @@ using Eigen::VectorXd;
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-/// A window whose residual is this many times that of its neighbours is not used.
-constexpr double disturbed_noise = 3;
-constexpr std::size_t neighbours = 4;  // on either side
+/// A window that leaves more than the quietest one on each side does is not used: more by this, and by as many
+/// standard deviations of a noise level; at the ends of a decay, where one side is missing, by the other factor.
+constexpr double disturbed_noise = 1.2, disturbed_sd = 5, disturbed_end = 3;
+constexpr std::size_t neighbours = 12;  // on either side
+
+/// A decay of which more is disturbed is cut into the shortest windows, of which more fit between disturbances.
+constexpr double largest_disturbed_share = 0.25;
+
+/// Windows in a stretch begin a quarter of their length apart.
+constexpr int windows_in_a_stretch = 5;
 
 /// Windows' length, of the decay's.
 constexpr double windows_in_a_decay = 24;
@@ -85,13 +92,30 @@ class DecayObserver {
           windows_.oscillating().size() > 1 ? "modes" : "oscillation", duration,
           windows_.oscillating().size() > 1 ? "the modes and their combinations" : "the oscillation's harmonics",
           shortest));
-    std::vector<FoundWindow> found = cut(modal, rate, shortest, duration, scan);
+    std::vector<FoundWindow> found =
+        cut(modal, rate, shortest, std::max(shortest, duration / windows_in_a_decay), duration, scan);
+    std::vector<bool> bad = disturbed(found);
+    const auto disturbances = [&] { return std::count(bad.begin(), bad.end(), true); };
+    if (static_cast<double>(disturbances()) > largest_disturbed_share * static_cast<double>(found.size())) {
+      found = cut(modal, rate, shortest, shortest, duration, scan);
+      bad = disturbed(found);
+    }
     const auto time_of = [&](const Part& part) {
       return record.start_s + (static_cast<double>(range.first + start->sample + part.first) +
                                0.5 * static_cast<double>(part.count - 1)) /
                                   rate;
     };
-    drop_disturbed(found, file, time_of, set);
+    if (disturbances() > 0) {
+      const auto first = static_cast<std::size_t>(std::find(bad.begin(), bad.end(), true) - bad.begin());
+      set.warnings.push_back(fmt::format(
+          "{}: {} of {} windows are disturbed (they leave clearly more than quiet ones before and after them: a "
+          "knock, lost samples or a step of the clock; the first at {:.1f} s), left out",
+          file, disturbances(), found.size(), time_of(found[first].part)));
+      std::vector<FoundWindow> quiet;
+      for (std::size_t i = 0; i < found.size(); ++i)
+        if (!bad[i]) quiet.push_back(std::move(found[i]));
+      found = std::move(quiet);
+    }
     drop_visited(found, modal, file, set);
     if (found.size() < fewest_windows) {
       std::string names;
@@ -131,7 +155,8 @@ class DecayObserver {
   }
 
   // Where each mode rings: its coordinate's strongest line near the nominal frequency, if the model gives one.
-  VectorXd start_frequencies(const MatrixXd& modal, double rate, const DecayStart& start, std::size_t leading) const {
+  VectorXd start_frequencies(const MatrixXd& modal, double rate, const DecayStart& start,
+                             std::size_t leading) const {
     VectorXd frequency = VectorXd::Zero(modal.cols());
     for (const std::size_t k : windows_.oscillating()) {
       const auto at = static_cast<Index>(k);
@@ -151,7 +176,8 @@ class DecayObserver {
       const VectorXd t = VectorXd::LinSpaced(count, 0, static_cast<double>(count - 1) / rate);
       double best = -1;
       for (double w = low; w <= high; w += 0.2 * bin) {
-        const double power = std::hypot((w * t).array().cos().matrix().dot(y), (w * t).array().sin().matrix().dot(y));
+        const double power =
+            std::hypot((w * t).array().cos().matrix().dot(y), (w * t).array().sin().matrix().dot(y));
         if (power <= best) continue;
         best = power;
         frequency(at) = w;
@@ -180,14 +206,14 @@ class DecayObserver {
                        [&](std::size_t k) { return o.growth_sd[k] >= 0; });
   }
 
-  // Stretches of two windows, each cut into windows that overlap by half.
-  std::vector<FoundWindow> cut(const MatrixXd& modal, double rate, double shortest, double duration,
+  // Stretches of two windows, each cut into windows that overlap by three quarters.
+  std::vector<FoundWindow> cut(const MatrixXd& modal, double rate, double shortest, double longest, double duration,
                                const std::vector<Scanned>& scan) const {
     std::vector<FoundWindow> found;
     const Index end = std::min<Index>(modal.rows(), static_cast<Index>(duration * rate));
     Index begin = 0;
     for (int stretch = 0; begin < end; ++stretch) {
-      double seconds = std::max(shortest, duration / windows_in_a_decay);
+      double seconds = longest;
       const auto near = [&](Index sample) -> const Scanned& {
         const auto i = static_cast<std::size_t>(static_cast<double>(sample) / rate / shortest);
         return scan[std::min(i, scan.size() - 1)];
@@ -204,11 +230,11 @@ class DecayObserver {
         if (straight || seconds <= shortest) break;
         seconds = std::max(shortest, 0.7 * seconds);
       }
-      for (int half = 0; half < 3; ++half) {
-        const Index at = begin + half * count / 2;
+      for (int step = 0; step < windows_in_a_stretch; ++step) {
+        const Index at = begin + step * count / (windows_in_a_stretch - 1);
         if (at + count > end && !found.empty()) break;
         if (at + count > modal.rows()) break;
-        if (half > 0) {
+        if (step > 0) {
           VectorXd frequency = near(at + count / 2).frequency;
           first = windows_.fit(modal.middleRows(at, count), rate, frequency);
         }
@@ -219,32 +245,23 @@ class DecayObserver {
     return found;
   }
 
-  // A window that leaves clearly more than those before and after it: a knock, lost samples, a step of the clock.
-  void drop_disturbed(std::vector<FoundWindow>& found, const std::string& file, const auto& time_of,
-                      ObservationSet& set) const {
+  // Windows that leave clearly more than quiet ones before and after them: a knock, lost samples, a step of the
+  // clock. What the tones leave out falls with the amplitude, and does not stand out from both sides.
+  std::vector<bool> disturbed(const std::vector<FoundWindow>& found) const {
     std::vector<bool> bad(found.size(), false);
     for (const std::size_t k : windows_.oscillating())
       for (std::size_t i = 0; i < found.size(); ++i) {
-        const std::size_t low = i > neighbours ? i - neighbours : 0, high = std::min(found.size(), i + neighbours + 1);
-        std::vector<double> noise;
-        for (std::size_t j = low; j < high; ++j)
-          if (j != i) noise.push_back(found[j].window.noise_sd(static_cast<Index>(k)));
-        if (noise.size() < neighbours) continue;
-        const auto middle = noise.begin() + static_cast<std::ptrdiff_t>(noise.size() / 2);
-        std::nth_element(noise.begin(), middle, noise.end());
-        if (found[i].window.noise_sd(static_cast<Index>(k)) > disturbed_noise * *middle) bad[i] = true;
+        const auto noise = [&](std::size_t j) { return found[j].window.noise_sd(static_cast<Index>(k)); };
+        double before = INFINITY, after = INFINITY;
+        for (std::size_t j = i > neighbours ? i - neighbours : 0; j < i; ++j) before = std::min(before, noise(j));
+        for (std::size_t j = i + 1; j < std::min(found.size(), i + neighbours + 1); ++j)
+          after = std::min(after, noise(j));
+        const double limit = disturbed_noise + disturbed_sd / std::sqrt(2 * found[i].window.degrees_of_freedom);
+        const bool both = std::isfinite(before) && std::isfinite(after);
+        const double quiet = both ? limit * std::max(before, after) : disturbed_end * std::min(before, after);
+        if (noise(i) > quiet) bad[i] = true;
       }
-    const auto count = std::count(bad.begin(), bad.end(), true);
-    if (count == 0) return;
-    const auto at = static_cast<std::size_t>(std::find(bad.begin(), bad.end(), true) - bad.begin());
-    set.warnings.push_back(
-        fmt::format("{}: {} of {} windows are disturbed (they leave more than {} times what their neighbours leave: a "
-                    "knock, lost samples or a step of the clock; the first at {:.1f} s), left out",
-                    file, count, found.size(), disturbed_noise, time_of(found[at].part)));
-    std::vector<FoundWindow> kept;
-    for (std::size_t i = 0; i < found.size(); ++i)
-      if (!bad[i]) kept.push_back(std::move(found[i]));
-    found = std::move(kept);
+    return bad;
   }
 
   // Windows in which a mode moves visibly that the case has at rest: more than its share of the others' motion and

@@ -22,8 +22,9 @@ constexpr double two_pi = 2 * std::numbers::pi;
 /// Of the amplitudes in time.
 constexpr int degree = 2;
 
-/// Bins between two tones of second degree, for a window to separate them; `shortest_s` asks for some more.
-constexpr double separate_bins = 2.5, comfortable_bins = 3;
+/// Bins between two tones of second degree, for a window to separate them; `shortest_s` asks for some more. From a
+/// constant at zero frequency fewer are enough.
+constexpr double separate_bins = 2.5, comfortable_bins = 3, bins_from_constant = 2;
 
 /// A harmonic that is nearer than this to a mode's tone, over the lowest frequency, does not lengthen the windows:
 /// where they do not separate it, it is left out.
@@ -50,6 +51,9 @@ DecayWindows::DecayWindows(const Campaign& campaign, const CompiledModel& model,
   const ModeFrequencies modes = mode_frequencies(model, resonance);
   for (std::size_t k = 0; k < model.modes(); ++k)
     if (modes.oscillates[k]) oscillating_.push_back(k);
+  for (const RegressorBlock& block : resonance.blocks)
+    rectifies_ = rectifies_ || (block.kind == BlockKind::harmonic &&
+                                std::all_of(block.phase.begin(), block.phase.end(), [](int p) { return p == 0; }));
 }
 
 MatrixXd DecayWindows::modal_samples(const Record& record, Index first, Index count) const {
@@ -96,7 +100,7 @@ bool DecayWindows::same(const std::vector<int>& a, const std::vector<int>& b) co
 double DecayWindows::shortest_s(const VectorXd& frequency, double rate) const {
   double lowest = INFINITY, distance = INFINITY;
   for (const std::size_t k : oscillating_) lowest = std::min(lowest, frequency(static_cast<Index>(k)));
-  distance = lowest;
+  distance = lowest * (rectifies_ ? 1 : comfortable_bins / bins_from_constant);
   std::size_t count = oscillating_.size();
   for (const std::size_t k : oscillating_) {
     const double own = frequency(static_cast<Index>(k));
@@ -112,7 +116,8 @@ double DecayWindows::shortest_s(const VectorXd& frequency, double rate) const {
   }
   count += resonance_.blocks.size();
   // Samples for twice the unknowns at least.
-  return std::max(comfortable_bins * two_pi / distance, 2.0 * (2 * static_cast<double>(count) + 1) * (degree + 1) / rate);
+  return std::max(comfortable_bins * two_pi / distance,
+                  2.0 * (2 * static_cast<double>(count) + 1) * (degree + 1) / rate);
 }
 
 DecayWindows::Tones DecayWindows::tones(const VectorXd& frequency, double seconds, double rate) const {
@@ -156,7 +161,7 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
   Tones list;
   for (int step = 0; step < frequency_steps; ++step) {
     list = tones(frequency, seconds, rate);
-    seen = fit_slow_tones(modal, rate, list.frequency, degree);
+    seen = fit_slow_tones(modal, rate, list.frequency, degree, rectifies_ ? degree : 0);
     o.amplitude.assign(modes, Complex());
     o.amplitude_sd.assign(modes, 0.0);
     o.rate.assign(modes, Complex());
@@ -180,17 +185,17 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
       o.rate[k] = Complex(0, w) + slope / a;
       o.growth_sd[k] = o.frequency_sd[k] = std::abs(to.value) * seen.sd[1](tone, at) / std::abs(a);
       const double size = std::abs(y0);
-      window.bend = std::max(
-          window.bend, (std::abs(y2) - 2 * seen.sd[2](tone, at)) / size * seconds * seconds / 8);
+      window.bend = std::max(window.bend, (std::abs(y2) - 2 * seen.sd[2](tone, at)) / size * seconds * seconds / 8);
       window.fall = std::max(window.fall, (std::abs((y1 / y0).real()) - 2 * seen.sd[1](tone, at) / size) * seconds);
-      const double shift = std::clamp(o.rate[k].imag() - frequency(at), -0.25 * two_pi / seconds,
-                                      0.25 * two_pi / seconds);
+      const double shift =
+          std::clamp(o.rate[k].imag() - frequency(at), -0.25 * two_pi / seconds, 0.25 * two_pi / seconds);
       moved = std::max(moved, std::abs(shift) * seconds);
       if (step + 1 < frequency_steps) frequency(at) += shift;
     }
     if (moved < 1e-3) break;
   }
   window.noise_sd = seen.noise_sd;
+  window.degrees_of_freedom = static_cast<double>(seen.degrees_of_freedom);
   for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
     const RegressorBlock& block = resonance_.blocks[b];
     const auto at = static_cast<Index>(block.mode);

@@ -11,8 +11,9 @@ namespace secular {
 
 /// What one window of a free decay shows.
 struct DecayWindow {
-  Observation observation;   ///< without condition, record and centre
-  Eigen::VectorXd noise_sd;  ///< [mode], of the modal coordinate's samples
+  Observation observation;        ///< without condition, record and centre
+  Eigen::VectorXd noise_sd;       ///< [mode], of the modal coordinate's samples
+  double degrees_of_freedom = 0;  ///< of the noise levels
   /// Over all modes that are seen, in parts of their amplitude: how far it and its phase are from a straight line
   /// at the window's ends, and by how much the amplitude changes from end to end; two standard deviations less.
   double bend = 0, fall = 0;
@@ -57,6 +58,7 @@ class DecayWindows {
   const CompiledCase& resonance_;
   ModalProjection projection_;
   std::vector<std::size_t> oscillating_;
+  bool rectifies_ = false;  // the expansion has a slow motion at zero frequency
 };
 
 }  // namespace secular

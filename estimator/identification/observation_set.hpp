@@ -24,10 +24,10 @@ struct Observation {
   std::vector<double> forcing_sd;               ///< of real and imaginary part
   std::vector<std::complex<double>> amplitude;  ///< [mode]
   std::vector<double> amplitude_sd;
-  std::vector<std::complex<double>> rate;       ///< [mode] growth + i*(observed frequency)
+  std::vector<std::complex<double>> rate;  ///< [mode] growth + i*(observed frequency)
   /// [mode]. A negative growth_sd: the mode is not seen here, and its equation says nothing.
   std::vector<double> growth_sd, frequency_sd;
-  /// Dwells, of the frequencies that the case leaves free (ModeFrequencies::free): what the modes' frequencies share.
+  /// Dwells, of frequencies that the case leaves free (ModeFrequencies::free): what the modes' frequencies share.
   std::vector<double> free_frequency_sd;
   std::vector<std::complex<double>> harmonic;  ///< [block] measured harmonic, 0 where not measured
   std::vector<double> harmonic_sd;             ///< [block], negative where not measured
@@ -72,11 +72,11 @@ ObservationSet observe_dwells(const Campaign& campaign, const RecordReader& read
                               const CompiledCase& resonance, const Window& window,
                               DwellMotion motion = DwellMotion::steady);
 
-/// Windows over every free decay, from its start (found) to where its last mode sinks into the noise: amplitudes and
-/// rates of all modes that ring, together. Windows are a twenty-fourth of the decay long, shorter where amplitudes
-/// change fast, but long enough to separate the tones. A condition is a stretch of two windows' length, in which
-/// windows overlap by half. What the finite window does to rates (of the order of the rate times the square of the
-/// change of amplitude in a window) is in the replayed motion too, and so comes out with the truncation.
+/// Windows over every free decay, from its start (found) to where its last mode sinks into the noise: amplitudes
+/// and rates of all modes that ring, together. They are a twenty-fourth of the decay long, shorter where amplitudes
+/// change fast, but separate the tones. A condition is a stretch of two windows' length, with windows a quarter of
+/// theirs apart. What their length does to rates (of the order of the rate times the square of the change of
+/// amplitude in one) the replayed motion has too: it comes out with the truncation.
 ObservationSet observe_free_decays(const Campaign& campaign, const RecordReader& read_samples,
                                    const CompiledModel& model, const CompiledCase& resonance, const Window& window);
 

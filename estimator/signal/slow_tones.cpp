@@ -14,23 +14,23 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 SlowToneFit fit_slow_tones(const Eigen::Ref<const MatrixXd>& channels, double rate,
-                           const std::vector<double>& frequencies, int degree) {
+                           const std::vector<double>& frequencies, int degree, int offset_degree) {
   const Index samples = channels.rows(), powers = degree + 1;
   const auto tones = static_cast<Index>(frequencies.size());
-  const Index unknowns = (2 * tones + 1) * powers;
+  const Index constant = 2 * tones * powers, unknowns = constant + offset_degree + 1;
   if (samples <= unknowns) throw std::invalid_argument("fewer samples than unknowns of slow tones");
   const double half = 0.5 * static_cast<double>(samples - 1) / rate;
   // Times over half the window: all columns are of order one.
   const ArrayXd u = ArrayXd::LinSpaced(samples, -1, 1);
   MatrixXd basis(samples, unknowns);
-  for (Index p = 0; p < powers; ++p) {
+  for (Index p = 0; p <= std::max<Index>(degree, offset_degree); ++p) {
     const ArrayXd power = p == 0 ? ArrayXd(ArrayXd::Ones(samples)) : ArrayXd(u.pow(static_cast<double>(p)));
-    for (Index j = 0; j < tones; ++j) {
+    if (p <= offset_degree) basis.col(constant + p) = power;
+    for (Index j = 0; j < tones && p < powers; ++j) {
       const ArrayXd angle = u * (half * frequencies[static_cast<std::size_t>(j)]);
       basis.col(2 * (p * tones + j)) = 2 * power * angle.cos();
       basis.col(2 * (p * tones + j) + 1) = -2 * power * angle.sin();
     }
-    basis.col(2 * tones * powers + p) = power;
   }
   const Eigen::HouseholderQR<MatrixXd> qr(basis);
   const MatrixXd coefficients = qr.solve(channels);
@@ -40,7 +40,9 @@ SlowToneFit fit_slow_tones(const Eigen::Ref<const MatrixXd>& channels, double ra
   const VectorXd variance = inverse.rowwise().squaredNorm();  // over the noise's
 
   SlowToneFit fit;
-  fit.noise_sd = (residual.colwise().squaredNorm().transpose() / static_cast<double>(samples - unknowns)).cwiseSqrt();
+  fit.degrees_of_freedom = samples - unknowns;
+  fit.noise_sd =
+      (residual.colwise().squaredNorm().transpose() / static_cast<double>(fit.degrees_of_freedom)).cwiseSqrt();
   double factor = 1;  // from the coefficient of u^p to the derivative of order p
   for (Index p = 0; p < powers; ++p) {
     if (p > 0) factor *= static_cast<double>(p) / half;
@@ -57,7 +59,6 @@ SlowToneFit fit_slow_tones(const Eigen::Ref<const MatrixXd>& channels, double ra
     fit.derivative.push_back(std::move(value));
     fit.sd.push_back(std::move(sd));
   }
-  const Index constant = 2 * tones * powers;
   fit.offset = coefficients.row(constant).transpose();
   fit.offset_sd = std::sqrt(variance(constant)) * fit.noise_sd;
   return fit;
