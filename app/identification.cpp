@@ -54,6 +54,34 @@ struct Assignment {
   std::vector<std::string> warnings;
 };
 
+// Which cases free decays go to. All modes ring together after a pluck, so the case with most of them takes the
+// decays, from the first window to the last one in which any of them is seen; of several, one whose resonance
+// between the modes the nominal frequencies fulfil. Cases of one mode each share the decays out.
+std::vector<bool> decay_cases(const ModelSource& model, const std::vector<std::string>& chosen) {
+  const std::vector<CaseOutline>& cases = model.cases();
+  std::vector<bool> takes(cases.size(), false);
+  std::size_t best = cases.size();
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const CaseOutline& resonance = cases[c];
+    if (resonance.excited) continue;
+    if (!chosen.empty()) {
+      takes[c] = std::find(chosen.begin(), chosen.end(), resonance.name) != chosen.end() &&
+                 (model.modes() > 1 || std::find(takes.begin(), takes.end(), true) == takes.end());
+      continue;
+    }
+    const double off = mismatch(model, resonance, 0);  // infinite without relations or nominal frequencies
+    if (std::isfinite(off) && off >= resonance_width) continue;
+    if (best == cases.size() || resonance.active_modes > cases[best].active_modes ||
+        (resonance.active_modes == cases[best].active_modes && off < mismatch(model, cases[best], 0)))
+      best = c;
+  }
+  if (best == cases.size()) return takes;
+  takes[best] = true;
+  if (cases[best].active_modes == 1 && model.modes() > 1)
+    for (std::size_t c = 0; c < cases.size(); ++c) takes[c] = !cases[c].excited && cases[c].active_modes == 1;
+  return takes;
+}
+
 Assignment assign_records(const ModelSource& model, const Campaign& campaign,
                           const IdentificationRequest& request) {
   const auto allowed = [&](const CaseOutline& resonance) {
@@ -64,11 +92,7 @@ Assignment assign_records(const ModelSource& model, const Campaign& campaign,
   std::vector<std::vector<bool>> records(cases.size(), std::vector<bool>(campaign.records.size(), false));
   const auto excited =
       std::count_if(cases.begin(), cases.end(), [&](const CaseOutline& c) { return c.excited && allowed(c); });
-  // Decays go to every case of one free mode; the case of the caller's choice, if there is one, comes first.
-  const auto decays_to = [&](const CaseOutline& resonance) {
-    return !resonance.excited && allowed(resonance) &&
-           (!request.resonances.empty() || model.modes() == 1 || resonance.active_modes == 1);
-  };
+  const std::vector<bool> decays_to = decay_cases(model, request.resonances);
   Assignment result;
   bool dwells = false, decays = false;
   double stray = 0;
@@ -77,12 +101,8 @@ Assignment assign_records(const ModelSource& model, const Campaign& campaign,
     if (!request.window.takes(r, entry.file)) continue;
     if (entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact) {
       decays = true;
-      bool first = true;
       for (std::size_t c = 0; c < cases.size(); ++c)
-        if (decays_to(cases[c]) && (first || model.modes() > 1)) {
-          records[c][r] = true;
-          first = false;
-        }
+        if (decays_to[c]) records[c][r] = true;
     }
     if (entry.kind != RecordKind::dwell) continue;
     dwells = true;
@@ -125,7 +145,7 @@ Assignment assign_records(const ModelSource& model, const Campaign& campaign,
                      "name the case with --case, or add a [[case]] to the model");
   throw InputError(campaign.folder.string(), "",
                    "has no records that model " + model.name() + " can be identified from",
-                   decays ? "its free decays need a case with excitation = false in which one mode is not at rest"
+                   decays ? "its free decays need a case with excitation = false"
                           : "dwells with excitation_frequency_hz or free decays were expected");
 }
 
@@ -173,21 +193,9 @@ Identification identify(const IdentificationRequest& request) {
       sets.push_back(observe_replay(campaign, set, result.estimate.parameter_values, request.threads));
     return sets;
   };
-  const bool dwells = std::any_of(result.measured.begin(), result.measured.end(),
-                                  [](const ObservationSet& set) { return set.resonance->excited; });
   try {
     for (int pass = 0; pass < truncation_passes; ++pass) {
       result.replayed = replay();
-      // Windows of a decay and of its replay meet at other phases: there the estimates are corrected, not the
-      // equations.
-      if (!dwells) {
-        EstimateOptions quick = options;
-        quick.bootstrap = 0;
-        quick.damping_laws = false;
-        result.estimate = truncation_corrected(raw, estimate(result.replayed, units, quick),
-                                               result.estimate.parameter_values, model);
-        continue;
-      }
       const auto corrected = with_truncation(result.measured, result.replayed, result.estimate.parameter_values);
       EstimateOptions quick = options;
       if (pass + 1 < truncation_passes) {
@@ -196,9 +204,8 @@ Identification identify(const IdentificationRequest& request) {
       }
       result.estimate = with_truncation_error(estimate(corrected, units, quick), raw);
     }
-    if (dwells)
-      result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
-                                      assignment.warnings.end());
+    result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
+                                    assignment.warnings.end());
     for (ObservationSet& set : result.replayed)
       if (set.resonance->excited) to_steady_amplitudes(set, result.estimate.parameter_values);
   } catch (const InputError& error) {

@@ -182,6 +182,7 @@ Figure decay_response(const CaseView& id) {
   frequency.role = damping.role = SeriesRole::data;
   model_frequency.name = model_damping.name = "full equations, estimated parameters";
   for (const Observation& o : id.measured.observations) {
+    if (o.growth_sd[own] < 0) continue;
     const double peak = 2 * std::abs(o.amplitude[own]);
     frequency.x.push_back(peak);
     frequency.y.push_back(o.rate[own].imag() * to_hz);
@@ -191,7 +192,8 @@ Figure decay_response(const CaseView& id) {
     damping.y_error.push_back(2 * o.growth_sd[own]);
   }
   std::vector<const Observation*> computed;
-  for (const Observation& o : id.replayed.observations) computed.push_back(&o);
+  for (const Observation& o : id.replayed.observations)
+    if (o.growth_sd[own] >= 0) computed.push_back(&o);
   std::sort(computed.begin(), computed.end(), [own](const Observation* a, const Observation* b) {
     return std::abs(a->amplitude[own]) < std::abs(b->amplitude[own]);
   });
@@ -238,6 +240,7 @@ Figure decay_residuals(const CaseView& id) {
   frequency.role = damping.role = SeriesRole::data;
   for (std::size_t i = 0; i < id.replayed.observations.size(); ++i) {
     const Observation &seen = id.measured.observations[i], &computed = id.replayed.observations[i];
+    if (seen.growth_sd[own] < 0) continue;
     const std::complex<double> difference = seen.rate[own] - computed.rate[own];
     frequency.x.push_back(seen.centre_s);
     frequency.y.push_back(difference.imag() * to_hz);

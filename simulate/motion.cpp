@@ -30,6 +30,7 @@ class Motion {
         settings_(settings),
         modes_(model.modes()),
         held_(modes_, false),
+        side_(modes_, 0),
         phases_(settings.slip_elements.size()),
         samples_(std::max<std::size_t>(1, model.excitations.size())),
         reaction_(modes_) {
@@ -40,7 +41,7 @@ class Motion {
 
   void accelerations(const State& x, double time, double* result) const {
     supply_excitation(x, time);
-    model_.acceleration(parameters_, samples_.data(), x.data(), x.data() + modes_, result);
+    model_.acceleration(parameters_, samples_.data(), x.data(), one_side(x), result);
     for (std::size_t k = 0; k < modes_; ++k)
       if (held_[k]) result[k] = 0;
   }
@@ -64,13 +65,16 @@ class Motion {
   std::pair<double, double> one_sided(State x, double time, std::size_t k) const {
     std::vector<double> a(modes_);
     const bool was_held = held_[k];
+    const int side = side_[k];
     held_[k] = false;
+    side_[k] = 0;
     x[modes_ + k] = 1e-300;
     accelerations(x, time, a.data());
     const double above = a[k];
     x[modes_ + k] = -1e-300;
     accelerations(x, time, a.data());
     held_[k] = was_held;
+    side_[k] = side;
     return {above, a[k]};
   }
 
@@ -85,9 +89,26 @@ class Motion {
     return std::abs(above - below) > 1e-12 * (std::abs(above) + std::abs(below));
   }
 
+  // Where dry friction acts on mode k, from a state at the begin of a step: held, or on the side of zero velocity
+  // that it moves on or leaves to.
+  void take_side(const State& x, double time, std::size_t k) {
+    held_[k] = false;
+    side_[k] = 0;
+    const double v = x[modes_ + k];
+    if (v == 0) held_[k] = sticks(x, time, k);
+    if (held_[k]) return;
+    if (v != 0) {
+      side_[k] = v > 0 ? 1 : -1;
+    } else {
+      const auto [above, below] = one_sided(x, time, k);
+      side_[k] = above > 0 ? 1 : (below < 0 ? -1 : 0);
+    }
+  }
+
   std::size_t modes() const { return modes_; }
   bool held(std::size_t k) const { return held_[k]; }
-  void hold(std::size_t k, bool value) const { held_[k] = value; }
+  /// The sign of mode k's velocity in this step; 0: either.
+  int side(std::size_t k) const { return side_[k]; }
   const std::vector<ExcitationSample>& excitation() const { return samples_; }
 
   std::size_t elements() const { return phases_.size(); }
@@ -120,6 +141,17 @@ class Motion {
   bool sliding(std::size_t e) const { return phases_[e].sliding != 0; }
 
  private:
+  // Velocities with those of one sign kept to it: within a step the equations are those of one side of a jump at
+  // zero velocity, smooth across it, and the step ends where the velocity comes to zero. (A step control that meets
+  // the jump itself makes its steps ever smaller in front of it where the mode is about to stick.)
+  const double* one_side(const State& x) const {
+    velocity_.assign(x.begin() + static_cast<std::ptrdiff_t>(modes_),
+                     x.begin() + static_cast<std::ptrdiff_t>(2 * modes_));
+    for (std::size_t k = 0; k < modes_; ++k)
+      if (side_[k] != 0 && velocity_[k] * side_[k] <= 0) velocity_[k] = side_[k] * 1e-300;
+    return velocity_.data();
+  }
+
   void supply_excitation(const State& x, double time) const {
     if (excitation_) excitation_(time, samples_.data());
     for (std::size_t e = 0; e < phases_.size(); ++e)
@@ -142,7 +174,7 @@ class Motion {
       samples_[0].second_derivative =
           command.second_derivative - loss * samples_[0].first_derivative - w * w * base;
       if (!feeds_back_) return 0.0;
-      model_.acceleration(parameters_, samples_.data(), x.data(), x.data() + modes_, reaction_.data());
+      model_.acceleration(parameters_, samples_.data(), x.data(), one_side(x), reaction_.data());
       double sum = base - undisturbed;
       for (std::size_t k = 0; k < modes_; ++k) sum += armature.feedback[k] * (held_[k] ? 0.0 : reaction_[k]);
       return sum;
@@ -166,6 +198,8 @@ class Motion {
   const MotionSettings& settings_;
   std::size_t modes_;
   mutable std::vector<bool> held_;
+  mutable std::vector<int> side_;
+  mutable std::vector<double> velocity_;
   std::vector<SlipPhase> phases_;
   mutable std::vector<ExcitationSample> samples_;
   mutable std::vector<double> reaction_;
@@ -195,8 +229,11 @@ class EventSearch {
     const State& now = stepper_.state();
     const std::size_t modes = motion_.modes();
     for (std::size_t k = 0; dry && k < modes; ++k) {
-      if (motion_.held(k) || before_[modes + k] == 0 || before_[modes + k] * now[modes + k] > 0) continue;
-      const double when = root(end_, [&](const State& x) { return x[modes + k] * before_[modes + k] > 0; });
+      const int side = motion_.side(k);
+      if (motion_.held(k) || side == 0 || side * now[modes + k] > 0) continue;
+      double when = root(end_, [&](const State& x) { return side * x[modes + k] > 0; });
+      // From rest and back within a step, by less than can be told: the step counts.
+      if (before_[modes + k] == 0 && when - begin_ < 1e-9 * (end_ - begin_)) when = end_;
       if (!event_.found() || when < event_.when) event_ = {when, k, none};
     }
     for (std::size_t e = 0; e < motion_.elements(); ++e) {
@@ -264,11 +301,12 @@ void integrate_motion(const CompiledModel& model, const double* parameters, cons
       make_stepper({settings.method, settings.relative_tolerance, settings.absolute_tolerance,
                     settings.largest_step > 0 ? std::min(settings.largest_step, 0.1 * step) : 0.1 * step,
                     fixed && settings.largest_step > 0 ? std::min(longest, settings.largest_step) : longest});
-  bool dry = false;
-  for (std::size_t k = 0; k < modes; ++k) dry = dry || motion.has_dry_friction(x, from, k);
+  std::vector<bool> jumps(modes);
+  for (std::size_t k = 0; k < modes; ++k) jumps[k] = motion.has_dry_friction(x, from, k);
+  const bool dry = std::find(jumps.begin(), jumps.end(), true) != jumps.end();
   const auto settle_friction = [&] {
     for (std::size_t k = 0; dry && k < modes; ++k)
-      if (x[modes + k] == 0) motion.hold(k, motion.sticks(x, stepper->time(), k));
+      if (jumps[k]) motion.take_side(x, stepper->time(), k);
   };
   stepper->start(x, from);
   if (dry) settle_friction();

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <thread>
 
+#include "estimator/identification/decay_window.hpp"
 #include "estimator/identification/modal_projection.hpp"
 #include "estimator/identification/mode_frequencies.hpp"
 #include "input/input_error.hpp"
@@ -24,6 +25,13 @@ using Complex = std::complex<double>;
 /// beyond those measured) dies out or joins the modes within these cycles; the modes may go on changing slowly.
 constexpr double settle_cycles = 30;
 
+/// For each thread; ensembles and stretches are short.
+constexpr std::size_t records_ahead = 16;
+
+/// A stretch of a decay is started again until its first window is met to this, relative.
+constexpr int start_steps = 4;
+constexpr double start_tolerance = 1e-4;
+
 class Replay {
  public:
   Replay(const Campaign& campaign, const ObservationSet& measured, const Eigen::VectorXd& parameters)
@@ -32,7 +40,8 @@ class Replay {
         model_(*measured.model),
         parameters_(parameters),
         projection_(modal_projection(campaign, model_)),
-        modes_(mode_frequencies(model_, *measured.resonance)) {
+        modes_(mode_frequencies(model_, *measured.resonance)),
+        decay_windows_(campaign, model_, *measured.resonance) {
     for (std::size_t k = 0; k < model_.modes(); ++k)
       if (modes_.oscillates[k]) oscillating_.push_back(k);
     if (campaign.modal_basis)
@@ -135,22 +144,41 @@ class Replay {
     return record;
   }
 
+  // From the first window's begin to the last one's end, started so that the first window shows what was measured
+  // in it. A free decay has as many initial values as its modes have amplitudes and phases: nothing has to settle.
   Record decay(const Observation& first, const Observation& last, std::size_t index) const {
     const double rate = campaign_.sample_rate_hz;
-    std::vector<double> q, v;
-    // Some periods earlier and longer than what was seen, so that as many windows fit in after the start is found.
-    const double before = 2.5 * 2 * std::numbers::pi / slowest(first);
-    const double after = 4 * 2 * std::numbers::pi / slowest(last);
-    initial_state(first, before, q, v);
-    const auto count = static_cast<std::size_t>((last.centre_s - first.centre_s + before + after) * rate);
+    const auto half = [&](const Observation& o) { return 0.5 * (std::round(o.length_s * rate) - 1) / rate; };
+    const double begin = first.centre_s - half(first);
     const ExcitationSignal silent = [&](double, ExcitationSample* s) {
       for (std::size_t j = 0; j < model_.excitations.size(); ++j) s[j] = {};
     };
-    Record record = empty(count, first.centre_s - before);
-    std::size_t i = 0;
-    integrate_motion(model_, parameters_.data(), silent, 0, q, v, 0, 1 / rate, count, settings(index),
-                     [&](const MotionSample& sample) { store(sample, i++, record); });
-    return record;
+    const auto motion = [&](const std::vector<double>& displacement, const std::vector<double>& velocity,
+                            double seconds) {
+      std::vector<double> q = displacement, v = velocity;
+      const auto count = static_cast<std::size_t>(std::lround(seconds * rate)) + 1;
+      Record record = empty(count, begin);
+      std::size_t i = 0;
+      integrate_motion(model_, parameters_.data(), silent, 0, q, v, 0, 1 / rate, count, settings(index),
+                       [&](const MotionSample& sample) { store(sample, i++, record); });
+      return record;
+    };
+    std::vector<double> q, v;
+    initial_state(first, half(first), q, v);
+    for (int step = 0; step < start_steps; ++step) {
+      const Observation seen = decay_windows_.fit_again(motion(q, v, 2 * half(first)), first);
+      double missed = 0;
+      for (const std::size_t k : oscillating_) {
+        if (first.growth_sd[k] < 0 || seen.growth_sd[k] < 0) continue;
+        const Complex wanted = first.amplitude[k] - seen.amplitude[k];
+        const Complex more = wanted * std::exp(-first.rate[k] * half(first));
+        q[k] += 2 * more.real();
+        v[k] += 2 * (first.rate[k] * more).real();
+        missed = std::max(missed, std::abs(wanted) / std::abs(first.amplitude[k]));
+      }
+      if (missed < start_tolerance) break;
+    }
+    return motion(q, v, last.centre_s + half(last) - begin);
   }
 
   const Campaign& campaign_;
@@ -159,6 +187,7 @@ class Replay {
   const Eigen::VectorXd& parameters_;
   ModalProjection projection_;
   ModeFrequencies modes_;
+  DecayWindows decay_windows_;
   std::vector<std::size_t> oscillating_;
   std::vector<std::vector<double>> shapes_;
   std::vector<std::size_t> excitations_;
@@ -169,18 +198,23 @@ class ReplayedRecords {
  public:
   ReplayedRecords(const Campaign& campaign, const ObservationSet& measured, const Eigen::VectorXd& parameters,
                   unsigned threads)
-      : replay_(campaign, measured, parameters),
-        threads_(std::max(1U, threads)),
-        for_each_thread_(measured.resonance->excited ? 16 : 1) {
+      : measured_(measured), replay_(campaign, measured, parameters), threads_(std::max(1U, threads)) {
     for (std::size_t i = 0; i < measured.observations.size(); ++i) {
       const Observation& o = measured.observations[i];
-      if (spans_.empty() || spans_.back().first->record != o.record) spans_.push_back({&o, &o});
+      // A decay starts anew in every stretch: it stays with what was measured, across knocks too.
+      const bool same = !spans_.empty() && spans_.back().first->record == o.record &&
+                        (measured.resonance->excited || spans_.back().first->condition == o.condition);
+      if (!same) spans_.push_back({&o, &o});
       spans_.back().last = &o;
     }
   }
 
   std::size_t count() const { return spans_.size(); }
   std::size_t original(std::size_t i) const { return spans_[i].first->record; }
+  /// Index after the last observation of span i.
+  std::size_t end(std::size_t i) const {
+    return static_cast<std::size_t>(spans_[i].last - measured_.observations.data()) + 1;
+  }
 
   Record read(std::size_t i) {
     if (i < begin_ || i >= begin_ + ahead_.size()) fill(i);
@@ -195,7 +229,7 @@ class ReplayedRecords {
   void fill(std::size_t begin) {
     begin_ = begin;
     ahead_.clear();
-    ahead_.resize(std::min(for_each_thread_ * threads_, spans_.size() - begin));
+    ahead_.resize(std::min(records_ahead * threads_, spans_.size() - begin));
     std::atomic<std::size_t> next{0};
     std::mutex guard;
     std::exception_ptr failure;
@@ -216,10 +250,10 @@ class ReplayedRecords {
     if (failure) std::rethrow_exception(failure);
   }
 
+  const ObservationSet& measured_;
   Replay replay_;
   unsigned threads_;
-  std::size_t for_each_thread_;  // one decay; the ensembles of dwells are short
-  std::vector<Span> spans_;      // of each record with observations, which stand together
+  std::vector<Span> spans_;  // of each record (stretch of a decay) with observations, which stand together
   std::size_t begin_ = 0;
   std::vector<Record> ahead_;
 };
@@ -229,6 +263,29 @@ class ReplayedRecords {
 ObservationSet observe_replay(const Campaign& campaign, const ObservationSet& measured,
                               const Eigen::VectorXd& parameters, unsigned threads) {
   ReplayedRecords replayed(campaign, measured, parameters, threads);
+  // Every measured observation takes the exact values and keeps its noise.
+  ObservationSet result = measured;
+  result.warnings.clear();
+  result.observations.clear();
+  const auto take = [&](const Observation& seen, const Observation& exact) {
+    Observation mixed = seen;
+    mixed.excitation_frequency = exact.excitation_frequency;
+    mixed.forcing = exact.forcing;
+    mixed.amplitude = exact.amplitude;
+    mixed.rate = exact.rate;
+    mixed.harmonic = exact.harmonic;
+    result.observations.push_back(std::move(mixed));
+  };
+  if (!measured.resonance->excited) {
+    const DecayWindows windows(campaign, *measured.model, *measured.resonance);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < replayed.count(); ++i) {
+      const Record record = replayed.read(i);
+      for (; next < replayed.end(i); ++next)
+        take(measured.observations[next], windows.fit_again(record, measured.observations[next]));
+    }
+    return result;
+  }
   Campaign reduced = campaign;
   reduced.records.clear();
   std::vector<std::size_t> original;
@@ -239,35 +296,13 @@ ObservationSet observe_replay(const Campaign& campaign, const ObservationSet& me
   const RecordReader read = [&](std::size_t i) { return replayed.read(i); };
   // Records come in their order, a few ahead: the threads are those that replay them.
   const ObservationSet exact =
-      measured.resonance->excited
-          ? observe_dwells(reduced, read, *measured.model, *measured.resonance, {}, DwellMotion::transient)
-          : observe_free_decays(reduced, read, *measured.model, *measured.resonance, {});
-  const ModeFrequencies modes = mode_frequencies(*measured.model, *measured.resonance);
-  std::size_t own = 0;  // the mode that a decay is followed in
-  while (own + 1 < modes.oscillates.size() && !modes.oscillates[own]) ++own;
-  // Every measured observation takes the exact values seen nearest to it in the same record, and keeps its noise.
-  ObservationSet result = measured;
-  result.warnings.clear();
-  std::vector<Observation> kept;
-  for (const Observation& seen : measured.observations) {
-    const Observation* nearest = nullptr;
-    for (const Observation& o : exact.observations) {
-      if (original[o.record] != seen.record) continue;
-      if (!nearest || (!measured.resonance->excited &&
-                       std::abs(std::abs(o.amplitude[own]) - std::abs(seen.amplitude[own])) <
-                           std::abs(std::abs(nearest->amplitude[own]) - std::abs(seen.amplitude[own]))))
-        nearest = &o;
-    }
-    if (!nearest) continue;
-    Observation mixed = seen;
-    mixed.excitation_frequency = nearest->excitation_frequency;
-    mixed.forcing = nearest->forcing;
-    mixed.amplitude = nearest->amplitude;
-    mixed.rate = nearest->rate;
-    mixed.harmonic = nearest->harmonic;
-    kept.push_back(std::move(mixed));
-  }
-  result.observations = std::move(kept);
+      observe_dwells(reduced, read, *measured.model, *measured.resonance, {}, DwellMotion::transient);
+  for (const Observation& seen : measured.observations)
+    for (const Observation& o : exact.observations)
+      if (original[o.record] == seen.record) {
+        take(seen, o);
+        break;
+      }
   return result;
 }
 

@@ -27,8 +27,10 @@ EquationData::EquationData(const ObservationSet& set, const std::vector<std::siz
     add(Kind::amplitude, k, false, true);
     add(Kind::amplitude, k, true, true);
     add(Kind::growth, k, false, false);
+    // Without excitation every mode's frequency is observed by itself, a resonance between them or not.
+    if (!case_.excited) add(Kind::frequency, k, false, false);
   }
-  for (std::size_t f = 0; f < modes_.free.size(); ++f) add(Kind::free_frequency, f, false, false);
+  for (std::size_t f = 0; f < modes_.free.size() && case_.excited; ++f) add(Kind::free_frequency, f, false, false);
   for (std::size_t j = 0; j < set.model->excitations.size() && case_.excited; ++j) {
     add(Kind::forcing, j, false, true);
     add(Kind::forcing, j, true, true);
@@ -41,7 +43,9 @@ double EquationData::sd(const Quantity& q, const Observation& o) const {
     case Kind::amplitude:
       return o.amplitude_sd[q.index];
     case Kind::growth:
-      return o.growth_sd[q.index];
+      return std::max(0.0, o.growth_sd[q.index]);
+    case Kind::frequency:
+      return o.frequency_sd[q.index];
     case Kind::free_frequency:
       return o.free_frequency_sd[q.index];
     case Kind::forcing:
@@ -54,7 +58,8 @@ double EquationData::sd(const Quantity& q, const Observation& o) const {
 
 bool EquationData::present(std::size_t block, const Observation& o) const {
   const RegressorBlock& b = case_.blocks[block];
-  return b.kind == BlockKind::modulation ? modes_.oscillates[static_cast<std::size_t>(b.mode)]
+  const auto mode = static_cast<std::size_t>(b.mode);
+  return b.kind == BlockKind::modulation ? modes_.oscillates[mode] && o.growth_sd[mode] >= 0
                                          : o.harmonic_sd[block] >= 0;
 }
 
@@ -185,6 +190,9 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
           case Kind::growth:
             if (quantity.index == mode) change = step * a;
             break;
+          case Kind::frequency:
+            if (quantity.index == mode) change = Complex(0, step) * a;
+            break;
           case Kind::free_frequency:
             change =
                 Complex(0, step * modes_.coupling(static_cast<Index>(mode), static_cast<Index>(quantity.index))) *
@@ -231,6 +239,9 @@ void EquationData::move(Observation& o, const VectorXd& deviations) const {
         break;
       case Kind::growth:
         o.rate[quantity.index] += change;
+        break;
+      case Kind::frequency:
+        o.rate[quantity.index] += Complex(0, change);
         break;
       case Kind::free_frequency:
         turn(modes_.coupling);

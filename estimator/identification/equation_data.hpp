@@ -50,7 +50,7 @@ class EquationData {
   double first_scale(std::size_t observation, std::size_t block) const;
 
  private:
-  enum class Kind { amplitude, growth, free_frequency, forcing, excitation_frequency };
+  enum class Kind { amplitude, growth, frequency, free_frequency, forcing, excitation_frequency };
   struct Quantity {
     Kind kind;
     std::size_t index;

@@ -72,6 +72,13 @@ class Estimator {
     const bool more = add_useful_harmonics(blocks);
     for (int round = more ? 0 : 1; round < case_rounds; ++round) fit_cases(blocks);
     shared();
+    if (know_shifts()) {
+      fit_cases(blocks);
+      lump_estimates_.clear();
+      bootstrap_lumps_.clear();
+      kept_.clear();
+      shared();
+    }
     report_parameters();
     report_lumps();
     report_quality();
@@ -106,6 +113,7 @@ class Estimator {
       for (const ObservationSet* set : sets_) {
         if (!mode_frequencies(model_, *set->resonance).oscillates[k]) continue;
         for (const Observation& o : set->observations) {
+          if (o.growth_sd[k] < 0) continue;
           sum += o.rate[k].imag();
           ++count;
         }
@@ -155,6 +163,40 @@ class Estimator {
         }
       if (weights > 0) knowledge_.natural_frequency[k] = sum / weights;
     }
+  }
+
+  // Where damping is of the first order, the second one shifts the frequency by a lump of its own (-mu^2/(2
+  // omega)), whose column is that of the natural frequency: neither can be told. The lump's symbols are known from
+  // elsewhere, though, and it depends on the natural frequency weakly: it is given its value, and the frequency can
+  // be.
+  bool know_shifts() {
+    CampaignKnowledge known = campaign_knowledge();
+    for (std::size_t k = 0; k < model_.modes(); ++k) known.parameters[k] = true;
+    const Identifiability what = identifiability(known);
+    const std::size_t symbols = model_.symbols.size();
+    bool found = false;
+    for (const CaseFit& fit : fits_) {
+      if (fit.fit.coefficients.size() == 0) continue;
+      const CompiledCase& resonance = *fit.set->resonance;
+      std::vector<double> lumps(resonance.lumps.size()), slope(lumps.size() * symbols);
+      resonance.evaluate_lumps(shared_.values.data(), lumps.data());
+      resonance.evaluate_lumps_jacobian(shared_.values.data(), slope.data());
+      for (std::size_t c = 0; c < fit.columns.size(); ++c) {
+        if (fit.columns[c].kind != CaseColumn::Kind::lump || fit.fit.identifiable[c]) continue;
+        const std::vector<int>& others = fit.fit.entangled_with[c];
+        const bool with_frequency = !others.empty() && std::all_of(others.begin(), others.end(), [&](int other) {
+          return fit.columns[static_cast<std::size_t>(other)].kind == CaseColumn::Kind::natural_frequency;
+        });
+        const std::size_t l = fit.columns[c].index;
+        bool follows = with_frequency;
+        for (std::size_t p = 0; p < symbols; ++p)
+          if (slope[l * symbols + p] != 0 && !what.determined[p]) follows = false;
+        if (!follows) continue;
+        knowledge_.fixed[std::string(resonance.lumps[l].name)] = lumps[l];
+        found = true;
+      }
+    }
+    return found;
   }
 
   CampaignKnowledge campaign_knowledge() const {
@@ -374,7 +416,7 @@ class Estimator {
         value.resonance = std::string(set->resonance->name);
         value.unit = unit_text(set->resonance->lumps[l].dimension,
                                std::vector<std::string>(model_.modes(), units_.coordinate), units_.excitation);
-        value.from = "not used";
+        value.from = knowledge_.fixed.count(value.name) != 0 ? "follows from its symbols" : "not used";
         const auto given = options_.fixed.find(value.name);
         if (given != options_.fixed.end()) {
           value.fixed = value.identifiable = true;

@@ -84,12 +84,4 @@ std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets
 /// half of it joins the standard deviation, because it depends somewhat on how lumps split into parameters.
 Estimate with_truncation_error(Estimate corrected, const Estimate& raw);
 
-/// Takes the expansion's truncation out of an estimate. `replayed` is the same regression on what the full
-/// equations do at `replay_parameters`: where it does not return them, the expansion is biased by the difference,
-/// which is subtracted. Half of it joins the standard deviation, because it depends somewhat on how lumps split
-/// into parameters. The result's parameter_values reproduce the corrected lumps, so that the correction can be
-/// repeated from there.
-Estimate truncation_corrected(const Estimate& raw, const Estimate& replayed,
-                              const Eigen::VectorXd& replay_parameters, const CompiledModel& model);
-
 }  // namespace secular

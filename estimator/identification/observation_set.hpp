@@ -17,15 +17,17 @@ struct Observation {
   int condition = 0;       ///< what repeats of one test condition share; the clusters of the regression
   std::size_t record = 0;  ///< index into Campaign::records
   double centre_s = 0;     ///< in the record's time
+  double length_s = 0;     ///< of a decay's window
   std::vector<double> excitation_frequency;  ///< [excitation] rad/s
   std::vector<double> excitation_frequency_sd;
   std::vector<std::complex<double>> forcing;    ///< [excitation] F exp(i*phase)
   std::vector<double> forcing_sd;               ///< of real and imaginary part
   std::vector<std::complex<double>> amplitude;  ///< [mode]
   std::vector<double> amplitude_sd;
-  std::vector<std::complex<double>> rate;       ///< [mode] growth + i*(observed frequency)
-  std::vector<double> growth_sd, frequency_sd;  ///< [mode]
-  /// Of the frequencies that the case leaves free (ModeFrequencies::free): what the modes' frequencies share.
+  std::vector<std::complex<double>> rate;  ///< [mode] growth + i*(observed frequency)
+  /// [mode]. A negative growth_sd: the mode is not seen here, and its equation says nothing.
+  std::vector<double> growth_sd, frequency_sd;
+  /// Dwells, of frequencies that the case leaves free (ModeFrequencies::free): what the modes' frequencies share.
   std::vector<double> free_frequency_sd;
   std::vector<std::complex<double>> harmonic;  ///< [block] measured harmonic, 0 where not measured
   std::vector<double> harmonic_sd;             ///< [block], negative where not measured
@@ -70,7 +72,11 @@ ObservationSet observe_dwells(const Campaign& campaign, const RecordReader& read
                               const CompiledCase& resonance, const Window& window,
                               DwellMotion motion = DwellMotion::steady);
 
-/// Sliding windows over every free decay, from its start (found) to where it sinks into the noise.
+/// Windows over every free decay, from its start (found) to where its last mode sinks into the noise: amplitudes
+/// and rates of all modes that ring, together. They are a twenty-fourth of the decay long, shorter where amplitudes
+/// change fast, but separate the tones. A condition is a stretch of two windows' length, with windows a quarter of
+/// theirs apart. What their length does to rates (of the order of the rate times the square of the change of
+/// amplitude in one) the replayed motion has too: it comes out with the truncation.
 ObservationSet observe_free_decays(const Campaign& campaign, const RecordReader& read_samples,
                                    const CompiledModel& model, const CompiledCase& resonance, const Window& window);
 

@@ -5,59 +5,12 @@
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/estimate.hpp"
 #include "estimator/regression/confidence.hpp"
-#include "estimator/regression/nonlinear_fit.hpp"
 
 namespace secular {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-// Lumps of all cases of the estimate, one after the other, and their slope.
-VectorXd all_lumps(const Estimate& estimate, const VectorXd& parameters, RowMajor* slope) {
-  VectorXd lumps(static_cast<Index>(estimate.lumps.size()));
-  if (slope) slope->resize(lumps.size(), parameters.size());
-  Index at = 0;
-  for (const CompiledCase* resonance : estimate.cases) {
-    const auto count = static_cast<Index>(resonance->lumps.size());
-    if (count == 0) continue;
-    resonance->evaluate_lumps(parameters.data(), lumps.data() + at);
-    if (slope) resonance->evaluate_lumps_jacobian(parameters.data(), slope->row(at).data());
-    at += count;
-  }
-  return lumps;
-}
-
-// Parameters near `start` that give the estimated lumps and natural frequencies, each weighed by its error bar.
-VectorXd representative(const Estimate& estimate, const VectorXd& start, const CompiledModel& model) {
-  std::vector<std::size_t> lumps_used, parameters_used;
-  for (std::size_t l = 0; l < estimate.lumps.size(); ++l)
-    if (estimate.lumps[l].value && estimate.lumps[l].sd > 0) lumps_used.push_back(l);
-  for (std::size_t p = 0; p < model.symbols.size(); ++p)
-    if (estimate.parameters[p].value && (estimate.parameters[p].sd > 0 || estimate.parameters[p].fixed))
-      parameters_used.push_back(p);
-  const ResidualFunction function = [&](const VectorXd& parameters, VectorXd& residual, MatrixXd& jacobian) {
-    RowMajor slope;
-    const VectorXd lumps = all_lumps(estimate, parameters, &slope);
-    Index r = 0;
-    for (const std::size_t l : lumps_used) {
-      const EstimatedValue& v = estimate.lumps[l];
-      residual(r) = (lumps(static_cast<Index>(l)) - *v.value) / v.sd;
-      jacobian.row(r++) = slope.row(static_cast<Index>(l)) / v.sd;
-    }
-    for (const std::size_t p : parameters_used) {
-      const EstimatedValue& v = estimate.parameters[p];
-      const double sd = v.fixed ? 1e-9 * (1e-9 + std::abs(*v.value)) : v.sd;
-      residual(r) = (parameters(static_cast<Index>(p)) - *v.value) / sd;
-      jacobian.row(r).setZero();
-      jacobian(r++, static_cast<Index>(p)) = 1 / sd;
-    }
-  };
-  const auto rows = static_cast<Index>(lumps_used.size() + parameters_used.size());
-  return rows > 0 ? nonlinear_fit(function, rows, start).parameters : start;
-}
 
 // Both were seen at different instants: turns an equation of one into the frame of the other.
 std::complex<double> rotation(const RegressorBlock& block, const Observation& from, const Observation& to) {
@@ -134,29 +87,6 @@ Estimate with_truncation_error(Estimate corrected, const Estimate& raw) {
   };
   add(corrected.parameters, raw.parameters);
   add(corrected.lumps, raw.lumps);
-  return corrected;
-}
-
-Estimate truncation_corrected(const Estimate& raw, const Estimate& replayed, const VectorXd& replay_parameters,
-                              const CompiledModel& model) {
-  Estimate corrected = raw;
-  const VectorXd lumps = all_lumps(raw, replay_parameters, nullptr);
-  const auto correct = [](EstimatedValue& value, const EstimatedValue& again, double truth) {
-    if (!value.value || !again.value || value.fixed) return;
-    value.truncation = *again.value - truth;
-    *value.value -= value.truncation;
-    value.sd = std::hypot(value.sd, 0.5 * value.truncation);
-    value.significant = value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
-    if (value.bootstrap) {
-      value.bootstrap->low -= value.truncation;
-      value.bootstrap->high -= value.truncation;
-    }
-  };
-  for (std::size_t l = 0; l < corrected.lumps.size(); ++l)
-    correct(corrected.lumps[l], replayed.lumps[l], lumps(static_cast<Index>(l)));
-  for (std::size_t p = 0; p < model.symbols.size(); ++p)
-    correct(corrected.parameters[p], replayed.parameters[p], replay_parameters(static_cast<Index>(p)));
-  corrected.parameter_values = representative(corrected, replay_parameters, model);
   return corrected;
 }
 

@@ -109,41 +109,4 @@ std::optional<DecayStart> find_decay_start(const Eigen::Ref<const VectorXd>& sam
   return DecayStart{start, decomposed_frequency(samples.segment(start, window), rate, frequency)};
 }
 
-std::vector<DecayWindow> sliding_windows(const Eigen::Ref<const Eigen::MatrixXd>& channels, double rate,
-                                         double frequency, const WindowOptions& options) {
-  std::vector<DecayWindow> windows;
-  double expected = frequency;
-  double begin = 0;
-  for (;;) {
-    const auto length = static_cast<Index>(std::lround(options.periods * 2 * std::numbers::pi / expected * rate));
-    const auto first = static_cast<Index>(std::lround(begin));
-    if (length < 8 || first + length > channels.rows()) break;
-    const Eigen::MatrixXd samples = channels.middleRows(first, length);
-    Index strongest = 0;
-    double range = -1;
-    for (Index c = 0; c < samples.cols(); ++c) {
-      const double here = samples.col(c).maxCoeff() - samples.col(c).minCoeff();
-      if (here > range) {
-        range = here;
-        strongest = c;
-      }
-    }
-    ToneOptions tone;
-    tone.harmonics = options.harmonics;
-    tone.fit_growth = true;
-    tone.fit_sweep = true;
-    const ToneFit fit =
-        fit_harmonic_tone(samples, rate, decomposed_frequency(samples.col(strongest), rate, expected), tone);
-    begin += (1 - options.overlap) * static_cast<double>(length);
-    const bool lost = fit.status == ToneStatus::ill_conditioned || std::abs(fit.frequency / expected - 1) > 0.2 ||
-                      std::abs(fit.amplitude(0, strongest)) * 2 < options.end_at_noise * fit.noise_sd(strongest);
-    if (lost) break;  // the motion has sunk into the noise
-    expected = fit.frequency;
-    windows.push_back({(static_cast<double>(first) + 0.5 * static_cast<double>(length - 1)) / rate, fit.frequency,
-                       fit.growth, fit.frequency_sd, fit.growth_sd, fit.amplitude, fit.amplitude_sd, fit.offset,
-                       fit.noise_sd});
-  }
-  return windows;
-}
-
 }  // namespace secular

@@ -163,7 +163,7 @@ TEST_F(SlowCampaign, DwellsAndDecayTogetherAreSharper) {
   decay.initial_displacement = {4e-3};
   decay.initial_velocity = {0};
   decay.duration_s = 14;
-  e.free_decays = {decay};
+  e.free_decays = {decay, decay, decay, decay};
   const Tested swing = run(e);
   const std::vector<ObservationSet> sets = {
       parametric(*tested_), observed(swing.simulated, *swing.model, case_named(*swing.model, "free"))};

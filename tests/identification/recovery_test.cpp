@@ -58,8 +58,8 @@ Recovered recover(const std::string& name, std::uint64_t seed, const EstimateOpt
                       : observe_free_decays(simulated.campaign, read, *r.model, *r.resonance, {});
   const Estimate raw = estimate(r.measured, unit, {"m/s^2"}, options);
   const ObservationSet replayed = observe_replay(simulated.campaign, r.measured, raw.parameter_values, 2);
-  r.estimate =
-      truncation_corrected(raw, estimate(replayed, unit, {"m/s^2"}, options), raw.parameter_values, *r.model);
+  const auto corrected = with_truncation(std::span(&r.measured, 1), std::span(&replayed, 1), raw.parameter_values);
+  r.estimate = with_truncation_error(estimate(corrected, {unit, {"m/s^2"}}, options), raw);
   return r;
 }
 

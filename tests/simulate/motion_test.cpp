@@ -87,6 +87,36 @@ TEST(Motion, DryFrictionDecaysByEqualStepsAndComesToRest) {
   });
 }
 
+// The last swings of a decay with viscous damping, drag and dry friction, for many strengths of the friction: the
+// motion meets zero velocity under all angles, the flattest just before it sticks. It comes to rest inside the dead
+// band, where restoring force and friction balance, and loses energy all the way.
+TEST(Motion, DecaysUnderDryFrictionComeToRestWhateverTheTolerance) {
+  const CompiledModel model =
+      model_of([](const double* p, const ExcitationSample*, const double* x, const double* v, double* a) {
+        a[0] = -p[0] * p[0] * x[0] - 0.0036 * v[0] - 0.0105 * std::abs(v[0]) * v[0] -
+               p[1] * (static_cast<double>(v[0] > 0) - static_cast<double>(v[0] < 0));
+      });
+  for (const double tolerance : {1e-6, 1e-9, 1e-10})
+    for (int variant = 0; variant < 40; ++variant) {
+      const double parameters[] = {5.77, 0.03 + 1e-3 * variant};
+      MotionSettings settings;
+      settings.relative_tolerance = tolerance;
+      std::vector<double> q{0.02}, v{0};
+      double energy = INFINITY, last_velocity = 1;
+      ASSERT_NO_THROW(integrate_motion(model, parameters, silent, 100, q, v, 100, 0.01, 1500, settings,
+                                       [&](const MotionSample& s) {
+                                         const double now = s.velocity[0] * s.velocity[0] +
+                                                            5.77 * 5.77 * s.displacement[0] * s.displacement[0];
+                                         EXPECT_LE(now, energy + 1e-9);
+                                         energy = now;
+                                         last_velocity = s.velocity[0];
+                                       }))
+          << tolerance << " " << variant;
+      EXPECT_EQ(last_velocity, 0) << variant;
+      EXPECT_LE(std::abs(q[0]), parameters[1] / (5.77 * 5.77) + 1e-9) << variant;
+    }
+}
+
 TEST(Motion, GrowthBeyondBoundsIsReportedWithItsTime) {
   const CompiledModel model = model_of([](const double*, const ExcitationSample*, const double* x, const double*,
                                           double* a) { a[0] = x[0] * x[0] * x[0]; });
