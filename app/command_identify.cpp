@@ -26,7 +26,7 @@ struct Options {
   IdentificationRequest request;
   std::string folder;
   std::vector<std::string> fixed;
-  bool json = false;
+  bool json = false, timings = false;
 };
 
 void parse_fixed(Options& options) {
@@ -48,8 +48,9 @@ void print_summary(const Identification& id, const std::string& folder) {
     if (v.fixed)
       fmt::print("  {:<12} {:>20} {:<14} given\n", v.name, report::format_number(*v.value, 6), v.unit);
     else if (v.value)
-      fmt::print("  {:<12} {:>20} {:<14} sd {}{}\n", v.name, report::format_uncertain(*v.value, v.sd), v.unit,
-                 report::format_percent(v.sd / std::abs(*v.value)), v.significant ? "" : ", not significant");
+      fmt::print("  {:<12} {:>20} {:<14} sd {}{}{}\n", v.name, report::format_uncertain(*v.value, v.sd), v.unit,
+                 report::format_percent(v.sd / std::abs(*v.value)), v.significant ? "" : ", not significant",
+                 v.doubtful ? ", doubtful: the model does not fit" : "");
     else {
       std::string with;
       for (const std::string& other : v.entangled_with) with += (with.empty() ? "" : ", ") + other;
@@ -64,11 +65,20 @@ void print_summary(const Identification& id, const std::string& folder) {
     for (const EstimatedValue& v : id.estimate.lumps)
       if (v.value && v.resonance == set.resonance->name) print(v);
   }
+  for (const CaseLackOfFit& tests : id.estimate.lack_of_fit) {
+    const auto worst =
+        std::max_element(tests.equations.begin(), tests.equations.end(),
+                         [](const LackOfFit& a, const LackOfFit& b) { return a.p_value > b.p_value; });
+    fmt::print("fit of case {}: worst equation {} off by {:.2f} times what repeats explain (p = {:.2g}{})\n",
+               tests.resonance, worst->name, worst->misfit, worst->p_value,
+               worst->significant ? "" : ", nothing wrong");
+  }
   for (const DampingComparison& damping : id.estimate.damping) {
     std::string terms;
-    for (const std::string& term : damping.laws.front().terms) terms += (terms.empty() ? "" : " + ") + term;
-    fmt::print("damping of {} that predicts left-out conditions best: {}{}\n", damping.mode, terms,
-               damping.decided ? "" : " (not decided)");
+    for (const std::string& term : damping.laws[damping.chosen].terms) terms += (terms.empty() ? "" : " + ") + term;
+    fmt::print("damping of {}: {}{}\n", damping.mode, terms,
+               damping.decided ? " (decided: laws without these terms predict left-out conditions worse)"
+                               : " (not decided: others predict left-out conditions no worse)");
   }
   for (const NullDirection& direction : id.estimate.null_directions) {
     std::string tests;
@@ -110,6 +120,7 @@ void add_identify_command(CLI::App& root, Action& chosen) {
   command->add_flag("--interpret", options->request.interpret, "no compiled code: slower, same results");
   command->add_option("--threads", options->request.threads, "threads; the result does not depend on it")
       ->check(CLI::Range(1U, 1024U));
+  command->add_flag("--timings", options->timings, "wall time of every stage, on standard error");
   command->add_flag("--json", options->json, "print estimate.json instead of the summary");
   command->footer("Example: secular identify campaign --model two_mass_mode1 -o results");
   command->callback([options, command, &chosen] {
@@ -133,6 +144,9 @@ void add_identify_command(CLI::App& root, Action& chosen) {
       report::write_whole_file(
           std::filesystem::path(options->folder) / "response.svg",
           report::render_figure(response_figure(result), "response", report::FigureUse::standalone).svg);
+      if (options->timings)
+        for (const auto& [stage, seconds] : result.seconds)
+          fmt::print(stderr, "{:<30} {:7.3f} s\n", stage, seconds);
       for (const std::string& warning : result.estimate.warnings) fmt::print(stderr, "warning: {}\n", warning);
       if (options->json)
         fmt::print("{}", json);

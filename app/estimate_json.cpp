@@ -35,6 +35,8 @@ Json value_json(const EstimatedValue& value, bool lump) {
   entry["significant"] = value.significant;
   entry["from"] = value.from;
   if (value.fixed) entry["fixed"] = true;
+  if (value.misfit > 0) entry["misfit"] = value.misfit;
+  if (value.doubtful) entry["doubtful"] = true;
   if (value.truncation != 0) entry["truncation_correction"] = -value.truncation;
   if (!value.identifiable) entry["entangled_with"] = value.entangled_with;
   if (!value.nearly_entangled_with.empty()) entry["nearly_entangled_with"] = value.nearly_entangled_with;
@@ -47,6 +49,24 @@ Json value_json(const EstimatedValue& value, bool lump) {
                           {"tests", value.partial_f->tests}};
   if (value.bootstrap)
     entry["bootstrap"] = {{"sd", value.bootstrap->sd}, {"ci95", {value.bootstrap->low, value.bootstrap->high}}};
+  return entry;
+}
+
+Json lack_of_fit_json(const LackOfFit& test, const CaseLackOfFit& tests) {
+  Json entry;
+  entry["case"] = tests.resonance;
+  entry["equation"] = test.name;
+  entry["conditions"] = test.conditions;
+  entry["misfit"] = test.misfit;
+  entry["repeatability"] = test.repeatability;
+  entry["f"] = test.f;
+  entry["numerator_df"] = test.numerator_df;
+  if (std::isfinite(test.denominator_df))
+    entry["denominator_df"] = test.denominator_df;
+  else
+    entry["denominator_df"] = nullptr;  // the measured noise stands for repeats
+  entry["p_value"] = test.p_value;
+  entry["significant"] = test.significant;
   return entry;
 }
 
@@ -71,10 +91,15 @@ Json damping_json(const DampingComparison& comparison) {
   entry["case"] = comparison.resonance;
   entry["mode"] = comparison.mode;
   entry["decided"] = comparison.decided;
+  entry["chosen"] = comparison.laws[comparison.chosen].terms;
   entry["laws"] = Json::array();
   for (const DampingLaw& law : comparison.laws)
-    entry["laws"].push_back(
-        {{"terms", law.terms}, {"held_out_score", law.score}, {"worse_by", law.worse_by}, {"worse_by_sd", law.sd}});
+    entry["laws"].push_back({{"terms", law.terms},
+                             {"held_out_score", law.score},
+                             {"worse_by", law.worse_by},
+                             {"worse_by_sd", law.sd},
+                             {"p_value", law.p_value},
+                             {"excluded", law.excluded}});
   return entry;
 }
 
@@ -115,6 +140,14 @@ std::string estimate_json(const Identification& identification) {
     for (const auto& [name, inflation] : block.variance_inflation) entry["variance_inflation"][name] = inflation;
     quality["blocks"].push_back(std::move(entry));
   }
+  quality["lack_of_fit"] = Json::array();
+  for (const CaseLackOfFit& tests : identification.estimate.lack_of_fit)
+    for (const LackOfFit& test : tests.equations) quality["lack_of_fit"].push_back(lack_of_fit_json(test, tests));
+  const LumpConsistency& consistency = identification.estimate.consistency;
+  quality["lump_consistency"] = {{"chi_squared", consistency.chi_squared},
+                                 {"degrees_of_freedom", consistency.degrees_of_freedom},
+                                 {"p_value", consistency.p_value},
+                                 {"significant", consistency.significant}};
   quality["conditions"] = Json::array();
   for (const ConditionQuality& condition : identification.estimate.conditions)
     quality["conditions"].push_back(condition_json(condition, identification));

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "app/model_loading.hpp"
 #include "estimator/identification/modal_projection.hpp"
@@ -15,8 +17,26 @@
 namespace secular::app {
 namespace {
 
-/// The correction is evaluated at the estimate and once more at the corrected one.
-constexpr int truncation_passes = 2;
+/// The correction is evaluated at the estimate, once more at the corrected one, and again while that still moves
+/// numbers by more than a share of their error bars.
+constexpr int truncation_passes = 2, most_truncation_passes = 5;
+constexpr double settled_share = 0.1;
+
+// The largest change of a parameter or lump over its error bar, of which a misfit is no part: it may be the
+// correction that is missing.
+double largest_move(const Estimate& latest, const Estimate& before) {
+  double largest = 0;
+  const auto look = [&](const std::vector<EstimatedValue>& values, const std::vector<EstimatedValue>& earlier) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (values[i].value && earlier[i].value && values[i].sd > 0) {
+        const double sd = std::sqrt(values[i].sd * values[i].sd - 0.25 * values[i].misfit * values[i].misfit);
+        if (sd > 0) largest = std::max(largest, std::abs(*values[i].value - *earlier[i].value) / sd);
+      }
+  };
+  look(latest.parameters, before.parameters);
+  look(latest.lumps, before.lumps);
+  return largest;
+}
 
 /// A dwell belongs to a resonance within this relative distance.
 constexpr double resonance_width = 0.1;
@@ -149,15 +169,63 @@ Assignment assign_records(const ModelSource& model, const Campaign& campaign,
                           : "dwells with excitation_frequency_hz or free decays were expected");
 }
 
+// Wall time by stage.
+class StageClock {
+ public:
+  explicit StageClock(std::vector<std::pair<std::string, double>>& seconds) : seconds_(seconds) {}
+
+  /// Time since the last call belongs to this stage.
+  void done(const std::string& stage) {
+    const auto now = std::chrono::steady_clock::now();
+    const double passed = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    for (auto& [name, sum] : seconds_)
+      if (name == stage) {
+        sum += passed;
+        return;
+      }
+    seconds_.emplace_back(stage, passed);
+  }
+
+ private:
+  std::vector<std::pair<std::string, double>>& seconds_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
 const CompiledCase& named_case(const CompiledModel& model, const std::string& name) {
   return *std::find_if(model.cases.begin(), model.cases.end(),
                        [&](const CompiledCase& resonance) { return resonance.name == name; });
+}
+
+// Takes what the truncated equations leave at the motions of the full ones out of the equations, until that
+// settles.
+template <class Replay>
+void correct_truncation(Identification& result, const Estimate& raw, const MeasuredUnits& units,
+                    const EstimateOptions& options, const Replay& replay, StageClock& clock) {
+  EstimateOptions quick = options;
+  quick.bootstrap = 0;
+  Estimate before = raw;
+  std::vector<ObservationSet> corrected;
+  for (int pass = 0; pass < most_truncation_passes; ++pass) {
+    result.replayed = replay();
+    clock.done("replay of the full equations");
+    corrected = with_truncation(result.measured, result.replayed, result.estimate.parameter_values);
+    quick.damping_laws = options.damping_laws && pass + 1 >= truncation_passes;
+    before = std::exchange(result.estimate, estimate(corrected, units, quick));
+    clock.done("regression");
+    if (pass + 1 >= truncation_passes && largest_move(result.estimate, before) < settled_share) break;
+  }
+  if (options.bootstrap > 0) result.estimate = estimate(corrected, units, options);
+  result.estimate = with_truncation_error(std::move(result.estimate), raw);
+  result.estimate = with_unsettled_correction(std::move(result.estimate), before);
+  clock.done("regression");
 }
 
 }  // namespace
 
 Identification identify(const IdentificationRequest& request) {
   Identification result;
+  StageClock clock(result.seconds);
   const ModelSource source(request.model, request.interpret);
   for (const std::string& name : request.resonances) require_case(source, name);
   result.campaign = read_campaign(request.campaign);
@@ -165,6 +233,7 @@ Identification identify(const IdentificationRequest& request) {
   const Assignment assignment = assign_records(source, campaign, request);
   result.model = source.load(assignment.names);
   const CompiledModel& model = *result.model;
+  clock.done("model");
   result.coordinate_unit = modal_projection(campaign, model).unit;
   const RecordReader read = [&](std::size_t r) { return read_record(campaign, campaign.records[r]); };
   for (std::size_t c = 0; c < assignment.names.size(); ++c) {
@@ -178,6 +247,7 @@ Identification identify(const IdentificationRequest& request) {
     result.measured.push_back(resonance.excited ? observe_dwells(campaign, read, model, resonance, window)
                                                 : observe_free_decays(campaign, read, model, resonance, window));
   }
+  clock.done("observation");
   const MeasuredUnits units{result.coordinate_unit, result.excitation_units};
   EstimateOptions options;
   options.fixed = request.fixed;
@@ -185,6 +255,7 @@ Identification identify(const IdentificationRequest& request) {
   options.seed = request.seed;
   options.refine = request.refine;
   Estimate raw = estimate(result.measured, units, options);
+  clock.done("regression");
   raw.warnings.insert(raw.warnings.begin(), assignment.warnings.begin(), assignment.warnings.end());
   result.estimate = raw;
   const auto replay = [&] {
@@ -194,16 +265,7 @@ Identification identify(const IdentificationRequest& request) {
     return sets;
   };
   try {
-    for (int pass = 0; pass < truncation_passes; ++pass) {
-      result.replayed = replay();
-      const auto corrected = with_truncation(result.measured, result.replayed, result.estimate.parameter_values);
-      EstimateOptions quick = options;
-      if (pass + 1 < truncation_passes) {
-        quick.bootstrap = 0;
-        quick.damping_laws = false;
-      }
-      result.estimate = with_truncation_error(estimate(corrected, units, quick), raw);
-    }
+    correct_truncation(result, raw, units, options, replay, clock);
     result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
                                     assignment.warnings.end());
     for (ObservationSet& set : result.replayed)
@@ -227,6 +289,7 @@ Identification identify(const IdentificationRequest& request) {
     result.estimate.warnings.push_back(std::string("what was held out could not be predicted (") + error.what() +
                                        ")");
   }
+  clock.done("held out");
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "estimator/campaign/campaign.hpp"
@@ -37,6 +38,7 @@ struct Identification {
   std::vector<HeldOutPrediction> held_out;
   std::string coordinate_unit;
   std::vector<std::string> excitation_units;
+  std::vector<std::pair<std::string, double>> seconds;  ///< wall time by stage
 };
 
 /// Every record goes to the case whose resonance it excites (decays to cases of one free mode); then observations,

@@ -270,8 +270,8 @@ void add_values(report::HtmlReport& page, const std::vector<EstimatedValue>& val
       row.insert(row.end(), {report::format_number(*v.value, 6), report::pretty_unit(v.unit), "given", "", ""});
     } else if (v.value) {
       const Interval interval = confidence_interval(*v.value, v.sd, v.degrees_of_freedom);
-      row.insert(row.end(), {report::format_uncertain(*v.value, v.sd), report::pretty_unit(v.unit),
-                             report::format_interval(interval.low, interval.high),
+      row.insert(row.end(), {report::format_uncertain(*v.value, v.sd) + (v.doubtful ? " doubtful" : ""),
+                             report::pretty_unit(v.unit), report::format_interval(interval.low, interval.high),
                              report::format_percent(v.sd / std::abs(*v.value)),
                              report::format_percent(-v.truncation / std::abs(*v.value))});
     } else {
@@ -282,8 +282,8 @@ void add_values(report::HtmlReport& page, const std::vector<EstimatedValue>& val
     }
     row.push_back(lumps ? v.definition : v.from);
     table.rows.push_back(std::move(row));
-    table.row_tones.push_back(!v.value ? Tone::caution
-                                       : (v.fixed || v.significant ? Tone::neutral : Tone::caution));
+    table.row_tones.push_back(
+        !v.value ? Tone::caution : (!v.doubtful && (v.fixed || v.significant) ? Tone::neutral : Tone::caution));
   }
   page.table(table);
 }
@@ -325,23 +325,61 @@ void add_damping(report::HtmlReport& page, const Estimate& estimate) {
   page.paragraph(
       "Every selection of damping terms, judged by how well it predicts the equations of conditions that were left "
       "out, "
-      "one after the other. The score is the mean square over what noise explains; the last column compares with "
+      "one after the other. The score is the mean square over what noise explains; differences to the chosen law "
+      "are "
+      "taken condition by condition, p is that of a signed-rank test over the conditions. Chosen is the law with "
       "the "
-      "best law condition by condition.");
+      "fewest terms among those that predict no worse than the best.");
   for (const DampingComparison& comparison : estimate.damping) {
     Table table;
     table.columns = {{"Terms of " + comparison.mode, Column::Kind::text, ""},
                      {"Held-out score", Column::Kind::number, ""},
-                     {"Worse than the best by", Column::Kind::number, ""},
-                     {"Standard deviation", Column::Kind::number, ""}};
-    for (const DampingLaw& law : comparison.laws)
+                     {"Worse than the chosen by", Column::Kind::number, ""},
+                     {"Standard deviation", Column::Kind::number, ""},
+                     {"p", Column::Kind::number, ""},
+                     {"", Column::Kind::text, ""}};
+    for (std::size_t l = 0; l < comparison.laws.size(); ++l) {
+      const DampingLaw& law = comparison.laws[l];
+      const bool chosen = l == comparison.chosen;
       table.rows.push_back({joined(law.terms, " + "), report::format_number(law.score, 4),
-                            report::format_number(law.worse_by, 3), report::format_number(law.sd, 2)});
+                            report::format_number(law.worse_by, 3), report::format_number(law.sd, 2),
+                            chosen ? "" : report::format_number(law.p_value, 2),
+                            chosen ? "chosen" : (law.excluded ? "excluded" : "predicts no worse")});
+    }
     page.table(table);
-    page.paragraph(comparison.decided ? "Decided: no law without the best one's terms comes within two standard "
-                                        "deviations of it."
-                                      : "Not decided: another law predicts about as well.");
+    page.paragraph(comparison.decided
+                       ? "Decided: every law that lacks a term of the chosen one is excluded."
+                       : "Not decided: a law without all terms of the chosen one predicts no worse.");
   }
+}
+
+void add_lack_of_fit(report::HtmlReport& page, const Estimate& estimate) {
+  if (estimate.lack_of_fit.empty()) return;
+  Table table;
+  table.columns = {{"Equation", Column::Kind::text, ""},
+                   {"Case", Column::Kind::text, ""},
+                   {"Misfit over repeats", Column::Kind::number, ""},
+                   {"Repeats over noise", Column::Kind::number, ""},
+                   {"Degrees of freedom", Column::Kind::text, ""},
+                   {"p", Column::Kind::number, ""}};
+  for (const CaseLackOfFit& tests : estimate.lack_of_fit)
+    for (const LackOfFit& test : tests.equations) {
+      table.rows.push_back({test.name, tests.resonance, report::format_number(test.misfit, 3),
+                            report::format_number(test.repeatability, 3),
+                            std::isfinite(test.denominator_df)
+                                ? fmt::format("{:.1f}, {:.0f}", test.numerator_df, test.denominator_df)
+                                : fmt::format("{:.1f}", test.numerator_df),
+                            report::format_number(test.p_value, 2)});
+      table.row_tones.push_back(test.significant ? Tone::caution : Tone::neutral);
+    }
+  page.table(table);
+  page.paragraph(
+      "Does each equation hold at every condition as well as repeats of one condition agree? Misfit one is "
+      "perfect. "
+      "Where it is significant (marked), the model lacks something, its parameters have absorbed part of it, and "
+      "error "
+      "bars are widened by what as large a part again would do along them; where that dominates, a value is called "
+      "doubtful.");
 }
 
 void add_tests(report::HtmlReport& page, const Estimate& estimate) {
@@ -424,7 +462,7 @@ std::string identification_report(const Identification& id, const std::string& c
   for (const std::string& warning : id.estimate.warnings) page.warn(warning);
   int cards = 0;
   for (const EstimatedValue& v : id.estimate.parameters)
-    if (v.value && !v.fixed && v.significant && cards < 6) {
+    if (v.value && !v.fixed && v.significant && !v.doubtful && cards < 6) {
       page.card({v.name, report::format_quantity(*v.value, v.sd, v.unit),
                  "sd " + report::format_percent(v.sd / std::abs(*v.value)), Tone::neutral});
       ++cards;
@@ -492,6 +530,7 @@ std::string identification_report(const Identification& id, const std::string& c
       "truncated "
       "or the model lacks an effect. A condition index above about 30 warns of parameters that the data separate "
       "poorly.");
+  add_lack_of_fit(page, id.estimate);
   add_tests(page, id.estimate);
   add_conditions(page, id);
   page.details("Model and equations", [&] {

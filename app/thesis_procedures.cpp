@@ -817,7 +817,8 @@ class Runner {
         "F compares the growth of the residual without a term to the residual, every ensemble taken as independent "
         "(the source's reading; its tables print 306 where rows minus terms is 307). By condition: the term's "
         "coefficients against their covariance from leaving out one condition at a time, because ten ensembles of "
-        "one dwell are not ten conditions.";
+        "one dwell are not ten conditions. Equal weights, as in the regressions (6.49)-(6.51) that these tables "
+        "test.";
     std::vector<int> condition;
     for (const Observation& o : result_.measured.observations) condition.push_back(o.condition);
     const auto table = [&](const RealRegression& r, const std::vector<AnovaTerm>& terms) {
@@ -845,30 +846,41 @@ class Runner {
     section.method = "anova";
     section.title = "Analysis of variance of the generated modulation equations, terms added last";
     section.text =
-        "The engine's columns, divided by the mode's amplitude and turned by its phase: growth and frequency rows "
-        "in "
-        "1/s, equal weights. What the data cannot tell apart shows as a large p for each and a small one together.";
+        "The engine's columns, divided by the mode's amplitude and turned by its phase: growth and frequency rows. "
+        "Weighted by measured noise: as `secular identify` regresses them, residuals of equal variance, which is "
+        "what "
+        "an F test supposes; sums of squares are over noise. Equal weights: rows in 1/s as they are, the source's "
+        "way, "
+        "in which noisy small amplitudes have as much say as large ones. What the data cannot tell apart shows as "
+        "a "
+        "large p for each and a small one together.";
     for (std::size_t b = 0; b < result_.resonance->blocks.size(); ++b) {
       if (result_.resonance->blocks[b].kind != BlockKind::modulation) continue;
-      const BlockRows rows = block_rows(result_.measured, b, natural, request_.left_out);
-      std::vector<AnovaTerm> terms;
-      for (std::size_t c = 0; c < rows.names.size(); ++c) terms.push_back({rows.names[c], {static_cast<int>(c)}});
-      for (const std::vector<std::string>& together : request_.terms) {
-        AnovaTerm term;
-        for (const std::string& name : together) {
-          const auto found = std::find(rows.names.begin(), rows.names.end(), name);
-          if (found == rows.names.end()) continue;
-          term.name += (term.name.empty() ? "" : ", ") + name;
-          term.columns.push_back(static_cast<int>(found - rows.names.begin()));
-        }
-        if (!term.columns.empty()) terms.push_back(std::move(term));
-      }
-      section.anova.emplace_back(
-          std::string(result_.resonance->blocks[b].name),
-          added_last_anova(rows.regression.design, rows.regression.response, rows.condition, terms));
+      const std::string name(result_.resonance->blocks[b].name);
+      section.anova.emplace_back(name + ", weighted by measured noise",
+                                 anova_of(weighted_block_rows(result_.measured, b, natural, request_.left_out)));
+      section.anova.emplace_back(name + ", equal weights",
+                                 anova_of(block_rows(result_.measured, b, natural, request_.left_out)));
     }
     check_terms(section);
     result_.sections.push_back(std::move(section));
+  }
+
+  // Every column by itself, and those that the caller asks for together.
+  AnovaTable anova_of(const BlockRows& rows) const {
+    std::vector<AnovaTerm> terms;
+    for (std::size_t c = 0; c < rows.names.size(); ++c) terms.push_back({rows.names[c], {static_cast<int>(c)}});
+    for (const std::vector<std::string>& together : request_.terms) {
+      AnovaTerm term;
+      for (const std::string& name : together) {
+        const auto found = std::find(rows.names.begin(), rows.names.end(), name);
+        if (found == rows.names.end()) continue;
+        term.name += (term.name.empty() ? "" : ", ") + name;
+        term.columns.push_back(static_cast<int>(found - rows.names.begin()));
+      }
+      if (!term.columns.empty()) terms.push_back(std::move(term));
+    }
+    return added_last_anova(rows.regression.design, rows.regression.response, rows.condition, terms);
   }
 
   void check_terms(const ProcedureSection& section) const {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -10,6 +11,7 @@
 
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/regression/confidence.hpp"
+#include "estimator/regression/signed_rank.hpp"
 #include "estimator/signal/bispectral_phase.hpp"
 
 namespace secular {
@@ -27,8 +29,11 @@ constexpr double shared_variance = 0.5;
 /// More candidates would make too many selections.
 constexpr std::size_t damping_terms = 5;
 
-/// Differences of held-out scores beyond this many standard deviations decide.
-constexpr double decisive = 2;
+/// A damping law is excluded where this is the probability that it predicts no worse.
+constexpr double excluding_probability = 0.005;
+
+/// 2^-n is below that from eight conditions on.
+constexpr Index fewest_ranks = 8;
 
 std::map<int, std::vector<Index>> rows_by_condition(const CaseFit& fit) {
   std::map<int, std::vector<Index>> rows;
@@ -63,10 +68,8 @@ std::vector<Index> dissipative_columns(const CaseFit& fit, std::size_t block_ind
     for (std::size_t i = 0; i < fit.set->observations.size(); ++i) {
       const auto rows = data.rows(i, {fit.columns[c]}, zero, natural, natural);
       if (rows.design.rows() != 2) continue;
-      const Complex ratio = Complex(rows.design(0, 0), rows.design(1, 0)) *
-                            std::conj(fit.set->observations[i].amplitude[static_cast<std::size_t>(block.mode)]);
-      real = real && std::abs(ratio.imag()) <= 1e-9 * std::abs(ratio);
-      size = std::max(size, std::abs(ratio));
+      real = real && std::abs(rows.design(1, 0)) <= 1e-9 * std::abs(rows.design(0, 0));
+      size = std::max(size, std::abs(rows.design(0, 0)));
     }
     if (real && size > 0) found.push_back(static_cast<Index>(c));
   }
@@ -89,6 +92,17 @@ VectorXd held_out_scores(const MatrixXd& orthonormal, const MatrixXd& q, const V
     scores(g++) = predicted.squaredNorm() / static_cast<double>(rows.size());
   }
   return scores;
+}
+
+// Probability that differences of scores like these, or larger, come from a law that predicts as well.
+double probability_no_worse(const VectorXd& difference) {
+  if (difference.size() >= fewest_ranks)
+    return signed_rank_p_value({difference.data(), static_cast<std::size_t>(difference.size())});
+  const auto n = static_cast<double>(difference.size());
+  const double mean = difference.mean(), sd = std::sqrt((difference.array() - mean).square().sum() / (n - 1) / n);
+  if (!(sd > 0)) return mean > 0 ? 0 : 1;
+  const double two_sided = two_sided_p_value(mean / sd, n - 1);
+  return mean > 0 ? two_sided / 2 : 1 - two_sided / 2;
 }
 
 }  // namespace
@@ -281,7 +295,13 @@ std::vector<DampingComparison> compare_damping(const CaseFit& fit) {
       candidates.push_back({selection, held_out_scores(orthonormal, q, fit.system.response, conditions)});
     }
     std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& c) { return a.scores.mean() < c.scores.mean(); });
+                     [](const Candidate& x, const Candidate& y) { return x.scores.mean() < y.scores.mean(); });
+    const auto terms_of = [](const Candidate& c) { return std::popcount(c.selection); };
+    for (std::size_t i = 1; i < candidates.size(); ++i)
+      if (terms_of(candidates[i]) < terms_of(candidates[comparison.chosen]) &&
+          probability_no_worse(candidates[i].scores - candidates.front().scores) >= excluding_probability)
+        comparison.chosen = i;
+    const Candidate& chosen = candidates[comparison.chosen];
     comparison.decided = true;
     const auto n = static_cast<double>(conditions.size());
     for (const Candidate& candidate : candidates) {
@@ -290,11 +310,12 @@ std::vector<DampingComparison> compare_damping(const CaseFit& fit) {
         if (candidate.selection >> t & 1U)
           law.terms.push_back(column_name(fit, static_cast<std::size_t>(terms[t])));
       law.score = candidate.scores.mean();
-      const VectorXd difference = candidate.scores - candidates.front().scores;
+      const VectorXd difference = candidate.scores - chosen.scores;
       law.worse_by = difference.mean();
       law.sd = std::sqrt((difference.array() - law.worse_by).square().sum() / (n - 1) / n);
-      const unsigned best = candidates.front().selection;
-      if ((candidate.selection & best) != best && !(law.worse_by > decisive * law.sd)) comparison.decided = false;
+      if (&candidate != &chosen) law.p_value = probability_no_worse(difference);
+      law.excluded = law.p_value < excluding_probability;
+      if ((candidate.selection & chosen.selection) != chosen.selection && !law.excluded) comparison.decided = false;
       comparison.laws.push_back(std::move(law));
     }
     result.push_back(std::move(comparison));

@@ -20,7 +20,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int pass_limit = 14;
-constexpr double converged_change = 1e-9;
+
+/// Reweighting ends where fitted values move by less than this share of the residual: with n rows no coefficient then
+/// moves by more than sqrt(n) times that of its standard deviation.
+constexpr double converged_change = 1e-4;
 
 /// Each halves the digits that are missing; the adjustments are small.
 constexpr int adjustment_rounds = 3;
@@ -81,9 +84,14 @@ class CaseRegression {
         iterate();
       }
     assemble(false, true);
-    if (result_.system.design.rows() > 0)
+    if (result_.system.design.rows() > 0) {
       result_.fit = linear_fit(result_.system.design, result_.system.response, result_.system.condition, 1e-9,
                                result_.system.column_noise);
+      result_.residual.resize(result_.system.design.rows());
+      for (std::size_t r = 0; r < marginals_.size(); ++r)
+        result_.residual(static_cast<Index>(r)) =
+            marginals_[r].response - marginals_[r].row.dot(result_.fit.coefficients);
+    }
     if (result_.fit.coefficients.size() > 0) result_.fit.coefficients += result_.reference;
     return std::move(result_);
   }
@@ -95,30 +103,47 @@ class CaseRegression {
       if (result_.system.design.rows() == 0) return;
       const double change = solve();
       block_misfits();
-      if (pass > 2 && change < converged_change) break;
+      if (pass > 1 && change < converged_change) break;
     }
   }
 
-  // Least squares of the current rows; the largest relative change of a value.
+  // Least squares of the current rows; by how much fitted values moved, over the residual. A blocked QR of the many
+  // rows comes first; the rank is found on its triangle.
   double solve() {
     const MatrixXd& x = result_.system.design;
+    const Index columns = x.cols();
     VectorXd scale = x.colwise().norm().transpose();
     for (Index c = 0; c < scale.size(); ++c) scale(c) = scale(c) > 0 ? 1 / scale(c) : 1;
+    MatrixXd both(x.rows(), columns + 1);
+    both.leftCols(columns) = x * scale.asDiagonal();
+    both.col(columns) = result_.system.response;
+    MatrixXd triangle;
+    if (both.rows() > both.cols()) {
+      const Eigen::HouseholderQR<Eigen::Ref<MatrixXd>> qr(both);  // in place
+      triangle = qr.matrixQR().topRows(columns + 1).triangularView<Eigen::Upper>();
+    } else {
+      triangle = both;
+    }
+    const MatrixXd core = triangle.leftCols(columns);
     Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
     solver.setThreshold(1e-10);
-    solver.compute(x * scale.asDiagonal());
-    values_ = scale.asDiagonal() * solver.solve(result_.system.response);
-    double change = 0;
+    solver.compute(core);
+    const VectorXd scaled = solver.solve(triangle.col(columns));
+    VectorXd before(columns);
+    values_ = scale.asDiagonal() * scaled;
     for (std::size_t c = 0; c < result_.columns.size(); ++c) {
       const CaseColumn& column = result_.columns[c];
-      const double value = values_(static_cast<Index>(c)) + result_.reference(static_cast<Index>(c));
+      const auto at = static_cast<Index>(c);
       double* old = column.kind == CaseColumn::Kind::lump                ? &lump_[column.index]
                     : column.kind == CaseColumn::Kind::natural_frequency ? &natural_[column.index]
                                                                          : &offset_[column.index];
-      change = std::max(change, std::abs(value - *old) / (std::abs(value) + 1e-300));
-      *old = value;
+      before(at) = (*old - result_.reference(at)) / scale(at);
+      *old = values_(at) + result_.reference(at);
     }
-    return change;
+    const double left = (triangle.col(columns) - core * scaled).norm();
+    const double moved = (core * (scaled - before)).norm();
+    // Noise-free rows leave rounding alone.
+    return moved / (left + 1e-9 * triangle.col(columns).norm() + std::numeric_limits<double>::min());
   }
 
   // Residual of every block alone over its noise, to weigh blocks against each other.
@@ -143,7 +168,9 @@ class CaseRegression {
     WhitenedSystem& system = result_.system;
     const auto columns = static_cast<Index>(result_.columns.size());
     const Index most = 2 * static_cast<Index>(set_.observations.size() * result_.blocks.size());
-    system = {MatrixXd(most, columns), VectorXd(most), {}, {}, {}, {}};
+    system = {};
+    system.design.resize(most, columns);
+    system.response.resize(most);
     if (last_pass) system.column_noise = MatrixXd::Zero(columns, columns);
     marginals_.clear();
     Index used = 0;
@@ -188,11 +215,16 @@ class CaseRegression {
         MatrixXd right = response;
         whiten(right);
         response = right;
-        if (last_pass)
+        if (last_pass) {
+          MatrixXd unit = covariance.diagonal().cwiseSqrt().asDiagonal();
+          for (Index r = 0; r < count; ++r) unit(r, r) /= scale_.at(rows.block[static_cast<std::size_t>(r)]);
+          whiten(unit);
+          system.whitener.push_back(std::move(unit));
           for (MatrixXd error : data.column_errors(i, result_.columns)) {
             whiten(error);
             system.column_noise += error.transpose() * error;
           }
+        }
       }
       system.design.middleRows(used, count) = design;
       system.response.segment(used, count) = response;
@@ -201,6 +233,7 @@ class CaseRegression {
         system.condition.push_back(o.condition);
         system.observation.push_back(i);
         system.block.push_back(rows.block[static_cast<std::size_t>(r)]);
+        system.part.push_back(rows.part[static_cast<std::size_t>(r)]);
       }
     }
     system.design.conservativeResize(used, columns);

@@ -23,6 +23,10 @@ struct CaseColumn {
   std::size_t index = 0;
 };
 
+/// Of a complex equation in the frame of the motion (motion_frame). Of a modulation equation: the balance of
+/// energy, and that of frequency.
+enum class EquationPart { in_phase, in_quadrature };
+
 /// Whitened rows of one case: every observation's equations, real and imaginary parts, decorrelated by the joint
 /// covariance of everything measured in them.
 struct WhitenedSystem {
@@ -31,7 +35,10 @@ struct WhitenedSystem {
   std::vector<int> condition;            ///< by row
   std::vector<std::size_t> observation;  ///< by row
   std::vector<std::size_t> block;        ///< by row: index into CompiledCase::blocks
-  Eigen::MatrixXd column_noise;          ///< expected Gram matrix of the columns' errors
+  std::vector<EquationPart> part;        ///< by row
+  /// By observation with rows, in their order: what whitening makes of its equations in units of their own noise.
+  std::vector<Eigen::MatrixXd> whitener;
+  Eigen::MatrixXd column_noise;  ///< expected Gram matrix of the columns' errors
 };
 
 /// Linear regression of one case's equations on its lumps and natural frequencies.
@@ -42,6 +49,7 @@ struct CaseFit {
   WhitenedSystem system;      ///< of the last pass, robust weights applied
   Eigen::VectorXd reference;  ///< by column: what the system's unknown is counted from (natural frequencies)
   LinearFit fit;              ///< coefficients include `reference`
+  Eigen::VectorXd residual;   ///< by row: of each equation alone over its own noise, as measured noise explains it
   std::map<std::size_t, double> block_misfit;  ///< by block: residual over what noise explains, unscaled
   std::vector<double> weight;                  ///< by observation: 1, less where it is an outlier
   std::vector<double> distance;  ///< by observation: deviation from its condition over what is usual; 0 if unknown

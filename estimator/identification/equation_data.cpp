@@ -11,9 +11,29 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+// Error of `step` along a measured complex number or across it: steps in the frame of the motion are the same at
+// every instant, also where they are not small.
+Complex step_from(Complex value, double step, bool across) {
+  return (across ? Complex(0, step) : Complex(step, 0)) * std::polar(1.0, std::arg(value));
+}
+
+}  // namespace
+
 bool is_zero_frequency(const RegressorBlock& block) {
   return block.kind == BlockKind::harmonic &&
          std::all_of(block.phase.begin(), block.phase.end(), [](int p) { return p == 0; });
+}
+
+Complex motion_frame(const RegressorBlock& block, const Observation& o) {
+  if (block.kind == BlockKind::modulation)
+    return std::polar(1.0, -std::arg(o.amplitude[static_cast<std::size_t>(block.mode)]));
+  double angle = 0;
+  const std::size_t modes = o.amplitude.size();
+  for (std::size_t i = 0; i < block.phase.size(); ++i)
+    if (block.phase[i] != 0) angle += block.phase[i] * std::arg(i < modes ? o.amplitude[i] : o.forcing[i - modes]);
+  return std::polar(1.0, -angle);
 }
 
 EquationData::EquationData(const ObservationSet& set, const std::vector<std::size_t>& blocks)
@@ -90,11 +110,11 @@ void EquationData::evaluate(const std::vector<double>& natural_frequency) {
     const auto copy = static_cast<std::size_t>(column_variant_[q]);
     const Quantity& quantity = quantities_[q];
     for (std::size_t i = 0; i < count; ++i) {
-      const double step = sd(quantity, set_.observations[i]);
-      const Complex change = quantity.imaginary ? Complex(0, step) : Complex(step, 0);
-      const std::size_t at = copy * count + i;
-      if (quantity.kind == Kind::amplitude) amplitude[quantity.index][at] += change;
-      if (quantity.kind == Kind::forcing) forcing[quantity.index][at] += change;
+      const Observation& o = set_.observations[i];
+      const double step = sd(quantity, o);
+      const std::size_t at = copy * count + i, k = quantity.index;
+      if (quantity.kind == Kind::amplitude) amplitude[k][at] += step_from(o.amplitude[k], step, quantity.imaginary);
+      if (quantity.kind == Kind::forcing) forcing[k][at] += step_from(o.forcing[k], step, quantity.imaginary);
       if (quantity.kind == Kind::excitation_frequency) frequency[quantity.index][at] += step;
     }
   }
@@ -139,8 +159,9 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
     const RegressorBlock& block = case_.blocks[b];
     const auto mode = static_cast<std::size_t>(block.mode);
     const bool modulation = block.kind == BlockKind::modulation, zero = is_zero_frequency(block);
-    const Complex a = o.amplitude[mode], rate = o.rate[mode];
+    const Complex a = o.amplitude[mode], rate = o.rate[mode], frame = motion_frame(block, o);
     const auto put = [&](auto&& store, Complex value) {
+      value *= frame;
       store(r, value.real());
       if (!zero) store(r + 1, value.imag());
     };
@@ -160,7 +181,7 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
       put([&](Index row, double x) { result.design(row, c) = x; }, value);
     }
     if (modulation) target -= Complex(0, (frequency_open ? reference_frequency : natural_frequency)[mode]) * a;
-    if (set_.truncation.size() > 0) target -= set_.truncation(at, static_cast<Index>(b));
+    if (set_.truncation.size() > 0) target -= set_.truncation(at, static_cast<Index>(b)) * std::conj(frame);
     std::vector<bool> open(block.lumps.size(), false);
     for (Index c = 0; c < width; ++c) {
       const CaseColumn& column = columns[static_cast<std::size_t>(c)];
@@ -184,8 +205,7 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
         const Complex detuned = rate - Complex(0, natural_frequency[mode]);
         switch (quantity.kind) {
           case Kind::amplitude:
-            if (quantity.index == mode)
-              change = detuned * (quantity.imaginary ? Complex(0, step) : Complex(step, 0));
+            if (quantity.index == mode) change = detuned * step_from(a, step, quantity.imaginary);
             break;
           case Kind::growth:
             if (quantity.index == mode) change = step * a;
@@ -218,7 +238,10 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
     const double floor =
         std::norm(1e-12 * (modulation ? rate * a : o.harmonic[b])) + std::numeric_limits<double>::min();
     put([&](Index row, double) { result.own_variance(row) = own + floor; }, 0);
-    for (Index i = 0; i < (zero ? 1 : 2); ++i) result.block.push_back(b);
+    for (Index i = 0; i < (zero ? 1 : 2); ++i) {
+      result.block.push_back(b);
+      result.part.push_back(i == 0 ? EquationPart::in_phase : EquationPart::in_quadrature);
+    }
     r += zero ? 1 : 2;
   }
   return result;
@@ -228,14 +251,13 @@ void EquationData::move(Observation& o, const VectorXd& deviations) const {
   for (std::size_t q = 0; q < quantities_.size(); ++q) {
     const Quantity& quantity = quantities_[q];
     const double change = -deviations(static_cast<Index>(q)) * sd(quantity, o);
-    const Complex complex_change = quantity.imaginary ? Complex(0, change) : Complex(change, 0);
     const auto turn = [&](const MatrixXd& share) {
       for (std::size_t k = 0; k < o.rate.size(); ++k)
         o.rate[k] += Complex(0, change * share(static_cast<Index>(k), static_cast<Index>(quantity.index)));
     };
     switch (quantity.kind) {
       case Kind::amplitude:
-        o.amplitude[quantity.index] += complex_change;
+        o.amplitude[quantity.index] += step_from(o.amplitude[quantity.index], change, quantity.imaginary);
         break;
       case Kind::growth:
         o.rate[quantity.index] += change;
@@ -247,7 +269,7 @@ void EquationData::move(Observation& o, const VectorXd& deviations) const {
         turn(modes_.coupling);
         break;
       case Kind::forcing:
-        o.forcing[quantity.index] += complex_change;
+        o.forcing[quantity.index] += step_from(o.forcing[quantity.index], change, quantity.imaginary);
         break;
       case Kind::excitation_frequency:
         o.excitation_frequency[quantity.index] += change;
@@ -277,16 +299,18 @@ std::vector<MatrixXd> EquationData::column_errors(std::size_t observation,
       if (!present(blocks_[p], o)) continue;
       const RegressorBlock& block = case_.blocks[blocks_[p]];
       const bool zero = is_zero_frequency(block);
+      const Complex frame = motion_frame(block, o);
       for (std::size_t c = 0; c < columns.size(); ++c) {
         Complex value = 0;
         if (columns[c].kind == CaseColumn::Kind::natural_frequency && block.kind == BlockKind::modulation &&
             static_cast<int>(columns[c].index) == block.mode && quantity.kind == Kind::amplitude &&
             quantity.index == columns[c].index)
-          value = quantity.imaginary ? Complex(-step, 0) : Complex(0, step);
+          value = Complex(0, 1) * step_from(o.amplitude[quantity.index], step, quantity.imaginary);
         if (columns[c].kind == CaseColumn::Kind::lump)
           for (std::size_t j = 0; j < block.lumps.size(); ++j)
             if (static_cast<std::size_t>(block.lumps[j]) == columns[c].index)
               value = columns_[p][j](copy * count + at) - columns_[p][j](at);
+        value *= frame;
         error(r, static_cast<Index>(c)) = value.real();
         if (!zero) error(r + 1, static_cast<Index>(c)) = value.imag();
       }

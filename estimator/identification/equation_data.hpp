@@ -13,6 +13,13 @@ namespace secular {
 /// True for the component at zero frequency, which has no imaginary part and shares it with the sensor's offset.
 bool is_zero_frequency(const RegressorBlock& block);
 
+/// exp(-i*phase) that turns a block's equation into the frame of the observed motion: the modulation equation of
+/// mode k by arg A_k, a harmonic by what its phase makes of the arguments of the amplitudes and forces. There
+/// repeats of one condition are equal but for noise, whatever the instants at which they were taken, and of a
+/// modulation equation the real part is the balance of energy (dissipative), the imaginary part that of frequency
+/// (conservative).
+std::complex<double> motion_frame(const RegressorBlock& block, const Observation& observation);
+
 /// Columns of the generated equations at every observation, and how they change where a measured quantity is off by
 /// one standard deviation.
 class EquationData {
@@ -23,13 +30,14 @@ class EquationData {
   /// Columns at these natural frequencies (by mode); nothing is done while they move by less than 1e-12.
   void evaluate(const std::vector<double>& natural_frequency);
 
-  /// Equations of one observation as real rows: two a block, one at zero frequency.
+  /// Equations of one observation as real rows in the frame of its motion: two a block, one at zero frequency.
   struct Rows {
     Eigen::MatrixXd design;        ///< rows x columns
     Eigen::VectorXd response;      ///< known lumps subtracted
     Eigen::MatrixXd variants;      ///< rows x varied quantities: change of left minus right side by one sd
     Eigen::VectorXd own_variance;  ///< rows: noise of the row's own measured harmonic, and a floor
     std::vector<std::size_t> block;
+    std::vector<EquationPart> part;
   };
   /// `lump`, by CompiledCase::lumps, and `natural_frequency`: current values, also of what is given. Unknown
   /// natural frequencies are counted from `reference_frequency`: where something else acts like a change of

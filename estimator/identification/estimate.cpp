@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -35,6 +36,36 @@ constexpr double bootstrap_tail = 0.025;
 
 bool significant(const EstimatedValue& value) {
   return value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
+}
+
+/// Combinations of columns that are orthogonal to everything lost are as good as these.
+constexpr double lost_tolerance = 1e-8;
+
+/// Probability that lumps of a model that holds contradict one another.
+constexpr double contradiction_false_alarm = 0.001;
+
+/// A misfit counts as doubt where it may change a value by more than this share.
+constexpr double material_share = 0.1;
+
+// Combinations of the columns `lost`, one a row, that the fit knows although it knows none of them alone:
+// orthogonal, in scaled coefficients, to every direction that is lost.
+MatrixXd known_combinations(const LinearFit& fit, const std::vector<Index>& lost) {
+  if (lost.empty() || fit.lost.cols() == 0) return {};
+  const MatrixXd directions = fit.lost(lost, Eigen::all);
+  const Eigen::JacobiSVD<MatrixXd> svd(directions, Eigen::ComputeFullU);
+  Index rank = 0;
+  while (rank < svd.singularValues().size() && svd.singularValues()(rank) > lost_tolerance) ++rank;
+  const VectorXd scale = fit.scale(lost);
+  return svd.matrixU().rightCols(static_cast<Index>(lost.size()) - rank).transpose() *
+         scale.cwiseInverse().asDiagonal();
+}
+
+// The misfit joins the error bar.
+void add_misfit(EstimatedValue& value, double misfit) {
+  if (!(misfit > 0) || !value.value) return;
+  value.misfit = misfit;
+  value.doubtful = misfit > 2 * value.sd && misfit > material_share * std::abs(*value.value);
+  value.sd = std::hypot(value.sd, 0.5 * misfit);
 }
 
 BootstrapInterval interval_of(VectorXd draws) {
@@ -70,7 +101,10 @@ class Estimator {
     std::vector<std::vector<std::size_t>> blocks = modulation_blocks();
     fit_cases(blocks);
     const bool more = add_useful_harmonics(blocks);
-    for (int round = more ? 0 : 1; round < case_rounds; ++round) fit_cases(blocks);
+    // One case alone finds its own natural frequencies.
+    const int rounds = sets_.size() > 1 ? case_rounds : 1;
+    for (int round = more ? 0 : 1; round < rounds; ++round) fit_cases(blocks);
+    test_fit();
     shared();
     if (know_shifts()) {
       fit_cases(blocks);
@@ -249,30 +283,33 @@ class Estimator {
     for (const CaseFit& fit : fits_) {
       LumpEstimates part;
       part.resonance = fit.set->resonance;
-      std::vector<Index> kept;
-      for (std::size_t c = 0; c < fit.columns.size(); ++c) {
-        if (fit.fit.coefficients.size() == 0 || !fit.fit.identifiable[c]) continue;
-        if (fit.columns[c].kind == CaseColumn::Kind::sensor_offset) continue;
-        kept.push_back(static_cast<Index>(c));
-        part.index.push_back(fit.columns[c].kind == CaseColumn::Kind::lump
-                                 ? static_cast<int>(fit.columns[c].index)
-                                 : -1 - static_cast<int>(fit.columns[c].index));
+      std::vector<Index> used, lost;
+      for (std::size_t c = 0; c < fit.columns.size() && fit.fit.coefficients.size() > 0; ++c)
+        if (fit.columns[c].kind != CaseColumn::Kind::sensor_offset)
+          (fit.fit.identifiable[c] ? used : lost).push_back(static_cast<Index>(c));
+      const auto single = static_cast<Index>(used.size());
+      const MatrixXd together = known_combinations(fit.fit, lost);
+      used.insert(used.end(), lost.begin(), lost.end());
+      for (const Index c : used) {
+        const CaseColumn& column = fit.columns[static_cast<std::size_t>(c)];
+        part.index.push_back(column.kind == CaseColumn::Kind::lump ? static_cast<int>(column.index)
+                                                                   : -1 - static_cast<int>(column.index));
       }
-      const auto size = static_cast<Index>(kept.size());
-      part.values.resize(size);
-      part.plain.resize(size, size);
-      part.influence.resize(fit.fit.influence.rows(), size);
-      for (Index i = 0; i < size; ++i) {
-        const Index from = kept[static_cast<std::size_t>(i)];
-        part.values(i) = fit.fit.coefficients(from);
-        part.influence.col(i) = fit.fit.influence.col(from);
-        for (Index j = 0; j < size; ++j)
-          part.plain(i, j) = fit.fit.plain_covariance(from, kept[static_cast<std::size_t>(j)]);
+      const Index size = single + together.rows(), entries = static_cast<Index>(used.size());
+      part.combination = MatrixXd::Zero(size, entries);
+      part.combination.topLeftCorner(single, single).setIdentity();
+      if (together.size() > 0) part.combination.bottomRightCorner(together.rows(), together.cols()) = together;
+      if (size > 0) {
+        part.values = part.combination * fit.fit.coefficients(used);
+        part.plain =
+            part.combination * MatrixXd(fit.fit.plain_covariance(used, used)) * part.combination.transpose();
+        part.influence = MatrixXd(fit.fit.influence(Eigen::all, used)) * part.combination.transpose();
       }
       part.clustered = fit.fit.covariance_kind == CovarianceKind::clustered;
       part.degrees_of_freedom = fit.fit.degrees_of_freedom;
       lump_estimates_.push_back(std::move(part));
-      kept_.push_back(std::move(kept));
+      used_.push_back(std::move(used));
+      single_.push_back(static_cast<std::size_t>(single));
     }
     add_resonance_widths();
     VectorXd start = VectorXd::Zero(static_cast<Index>(model_.symbols.size()));
@@ -280,14 +317,16 @@ class Estimator {
       const std::string name(model_.symbols[static_cast<std::size_t>(p)].name);
       if (p < static_cast<Index>(model_.modes()))
         start(p) = knowledge_.natural_frequency[static_cast<std::size_t>(p)];
-      for (const LumpEstimates& part : lump_estimates_)
-        for (std::size_t i = 0; i < part.index.size(); ++i)
-          if (part.index[i] >= 0 && part.resonance->lumps[static_cast<std::size_t>(part.index[i])].name == name)
+      for (std::size_t s = 0; s < fits_.size(); ++s)
+        for (std::size_t i = 0; i < single_[s]; ++i)
+          if (const LumpEstimates& part = lump_estimates_[s];
+              part.index[i] >= 0 && part.resonance->lumps[static_cast<std::size_t>(part.index[i])].name == name)
             start(p) = part.values(static_cast<Index>(i));
       if (given_[static_cast<std::size_t>(p)]) start(p) = options_.fixed.at(name);
     }
     shared_ = shared_parameters(lump_estimates_, start, given_);
     result_.parameter_values = shared_.values;
+    test_consistency();
     if (options_.bootstrap > 0) draw_bootstrap();
   }
 
@@ -295,19 +334,71 @@ class Estimator {
   // one: that is what the resonance means. Without it, coefficients that hold it weakly would have to determine it.
   void add_resonance_widths() {
     for (std::size_t k = 0; k < model_.modes(); ++k) {
-      const bool estimated =
-          std::any_of(lump_estimates_.begin(), lump_estimates_.end(), [&](const LumpEstimates& part) {
-            return std::find(part.index.begin(), part.index.end(), -1 - static_cast<int>(k)) != part.index.end();
-          });
+      bool estimated = false;
+      for (std::size_t s = 0; s < fits_.size(); ++s) {
+        const std::vector<int>& index = lump_estimates_[s].index;
+        const auto end = index.begin() + static_cast<std::ptrdiff_t>(single_[s]);
+        estimated = estimated || std::find(index.begin(), end, -1 - static_cast<int>(k)) != end;
+      }
       if (estimated || given_[k]) continue;
       LumpEstimates near;
       near.resonance = sets_.front()->resonance;
       near.index = {-1 - static_cast<int>(k)};
+      near.combination = MatrixXd::Identity(1, 1);
       near.values = VectorXd::Constant(1, knowledge_.natural_frequency[k]);
       near.plain = MatrixXd::Constant(1, 1, std::pow(resonance_width * near.values(0), 2));
       near.degrees_of_freedom = std::numeric_limits<double>::infinity();
       lump_estimates_.push_back(std::move(near));
     }
+  }
+
+  void test_fit() {
+    for (const CaseFit& fit : fits_) {
+      CaseLackOfFit tests{std::string(fit.set->resonance->name), lack_of_fit(fit)};
+      hidden_.push_back(hidden_misfit(fit, tests.equations));
+      std::string worst;
+      double largest = 0;
+      for (const LackOfFit& test : tests.equations) {
+        if (!test.significant) continue;
+        largest = std::max(largest, test.misfit);
+        worst += fmt::format("{}{} ({:.1f} times)", worst.empty() ? "" : "; ", test.name, test.misfit);
+      }
+      if (!worst.empty())
+        result_.warnings.push_back(fmt::format(
+            "case {}: the model does not fit as well as repeats of one condition agree: {}. It lacks "
+            "something there, and its parameters have absorbed part of it: error bars are widened by as "
+            "much again as is seen to be wrong",
+            tests.resonance, worst));
+      if (!tests.equations.empty()) result_.lack_of_fit.push_back(std::move(tests));
+    }
+  }
+
+  // What parameters may be off by: through the lumps, and because no parameters give all lumps.
+  double misfit_of_parameter(Index p) const {
+    double square = 0;
+    for (std::size_t s = 0; s < fits_.size(); ++s)
+      if (hidden_[s].cols() > 0 && shared_.slope[s].rows() > p)
+        square += (shared_.slope[s].row(p) * lump_estimates_[s].combination * hidden_[s](used_[s], Eigen::all))
+                      .squaredNorm();
+    if (result_.consistency.significant)
+      square += shared_.plain_covariance(p, p) *
+                std::max(0.0, result_.consistency.chi_squared - result_.consistency.degrees_of_freedom);
+    return std::sqrt(square);
+  }
+
+  void test_consistency() {
+    LumpConsistency& c = result_.consistency;
+    c.chi_squared = shared_.misfit;
+    c.degrees_of_freedom = static_cast<double>(shared_.surplus);
+    if (shared_.surplus < 1 || !std::isfinite(c.chi_squared)) return;
+    c.p_value =
+        boost::math::cdf(boost::math::complement(boost::math::chi_squared(c.degrees_of_freedom), c.chi_squared));
+    c.significant = c.p_value < contradiction_false_alarm;
+    if (c.significant)
+      result_.warnings.push_back(fmt::format(
+          "the lumps contradict one another: no values of the parameters give all of them (chi-squared {:.0f} on "
+          "{:.0f} degrees of freedom); the parameters' error bars are widened by as much",
+          c.chi_squared, c.degrees_of_freedom));
   }
 
   void draw_bootstrap() {
@@ -319,11 +410,12 @@ class Estimator {
         continue;
       }
       bootstrap_lumps_.push_back(bootstrap_coefficients(fits_[s], options_.bootstrap, options_.seed + s));
-      MatrixXd change(static_cast<Index>(kept_[s].size()), options_.bootstrap);
-      for (std::size_t i = 0; i < kept_[s].size(); ++i)
+      MatrixXd change(static_cast<Index>(used_[s].size()), options_.bootstrap);
+      for (std::size_t i = 0; i < used_[s].size(); ++i)
         change.row(static_cast<Index>(i)) =
-            bootstrap_lumps_[s].row(kept_[s][i]).array() - fits_[s].fit.coefficients(kept_[s][i]);
-      if (shared_.slope[s].rows() == count) bootstrap_ += shared_.slope[s] * change;
+            bootstrap_lumps_[s].row(used_[s][i]).array() - fits_[s].fit.coefficients(used_[s][i]);
+      if (shared_.slope[s].rows() == count)
+        bootstrap_ += shared_.slope[s] * (lump_estimates_[s].combination * change);
     }
   }
 
@@ -344,6 +436,7 @@ class Estimator {
         value.identifiable = true;
         value.value = shared_.values(at);
         value.sd = std::sqrt(shared_.covariance(at, at));
+        add_misfit(value, misfit_of_parameter(at));
         value.degrees_of_freedom = shared_.degrees_of_freedom(at);
         value.from = source_of(at);
         value.significant = significant(value);
@@ -366,11 +459,15 @@ class Estimator {
       const MatrixXd& slope = shared_.slope[s];
       if (slope.rows() == 0) continue;
       std::set<std::size_t> blocks;
-      for (std::size_t i = 0; i < kept_[s].size(); ++i) {
-        const auto at = static_cast<Index>(i);
-        const double part = slope(p, at) * slope(p, at) * lump_estimates_[s].plain(at, at);
+      const MatrixXd& combination = lump_estimates_[s].combination;
+      for (Index row = 0; row < combination.rows(); ++row) {
+        const double part = slope(p, row) * slope(p, row) * lump_estimates_[s].plain(row, row);
         if (!(part > 1e-6 * shared_.covariance(p, p))) continue;
-        for (const std::size_t b : blocks_of(fits_[s], static_cast<std::size_t>(kept_[s][i]))) blocks.insert(b);
+        for (Index i = 0; i < combination.cols(); ++i)
+          if (combination(row, i) != 0)
+            for (const std::size_t b :
+                 blocks_of(fits_[s], static_cast<std::size_t>(used_[s][static_cast<std::size_t>(i)])))
+              blocks.insert(b);
       }
       if (blocks.empty()) continue;
       std::string names;
@@ -446,6 +543,7 @@ class Estimator {
       value.identifiable = true;
       value.value = fit.fit.coefficients(at);
       value.sd = std::sqrt(std::max(0.0, fit.fit.covariance(at, at)));
+      if (hidden_[s].cols() > 0) add_misfit(value, hidden_[s].row(at).norm());
       value.degrees_of_freedom = fit.fit.degrees_of_freedom;
       value.significant = significant(value);
       value.partial_f = partial_f(fit)[c];
@@ -490,6 +588,14 @@ class Estimator {
             "all); no numbers are given for them",
             name, lost, conditions, conditions == 1 ? "" : "s"));
     }
+    std::string doubtful;
+    for (const auto* list : {&result_.parameters, &result_.lumps})
+      for (const EstimatedValue& value : *list)
+        if (value.doubtful && doubtful.find(" " + value.name + ",") == std::string::npos)
+          doubtful += " " + value.name + ",";
+    if (!doubtful.empty())
+      result_.warnings.push_back("doubtful because the model does not fit:" +
+                                 doubtful.substr(0, doubtful.size() - 1));
     for (const OutlyingEnsemble& o : result_.outliers)
       result_.warnings.push_back(
           fmt::format("record {}, ensemble at {:.1f} s: {:.1f} times the usual distance from its condition, weight "
@@ -505,7 +611,9 @@ class Estimator {
   CaseKnowledge knowledge_;
   std::vector<CaseFit> fits_;
   std::vector<LumpEstimates> lump_estimates_;
-  std::vector<std::vector<Index>> kept_;  // by fit: columns that are in lump_estimates_
+  std::vector<std::vector<Index>> used_;  // by fit: columns that are in lump_estimates_, identifiable ones first
+  std::vector<std::size_t> single_;       // by fit: how many of them are identifiable
+  std::vector<MatrixXd> hidden_;          // by fit: hidden_misfit
   SharedParameters shared_;
   MatrixXd bootstrap_;
   std::vector<MatrixXd> bootstrap_lumps_;

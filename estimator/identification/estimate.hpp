@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "estimator/identification/estimate_quality.hpp"
+#include "estimator/identification/lack_of_fit.hpp"
 #include "estimator/identification/observation_set.hpp"
 
 namespace secular {
@@ -21,6 +22,10 @@ struct EstimatedValue {
   std::optional<double> value;
   double sd = 0, degrees_of_freedom = 0;
   double truncation = 0;  ///< what was subtracted for the expansion's truncation; half of it is in sd
+  /// By how much an effect that the model lacks may have moved it, judged by what no parameter explains; counts as
+  /// two standard deviations in sd. 0: the equations fit as well as repeats of a condition agree.
+  double misfit = 0;
+  bool doubtful = false;  ///< `misfit` dominates the error bar and is more than a tenth of the value
   std::string unit;
   bool identifiable = false;
   bool significant = false;  ///< differs from zero at 95 %
@@ -33,10 +38,24 @@ struct EstimatedValue {
   std::optional<BootstrapInterval> bootstrap;  ///< if asked for
 };
 
+/// Lack of fit of one case's equations (lack_of_fit).
+struct CaseLackOfFit {
+  std::string resonance;
+  std::vector<LackOfFit> equations;
+};
+
+/// Do the lumps of all cases go together with one set of parameters? Chi-squared of what is left of them.
+struct LumpConsistency {
+  double chi_squared = 0, degrees_of_freedom = 0, p_value = 1;
+  bool significant = false;
+};
+
 struct Estimate {
   std::vector<const CompiledCase*> cases;         ///< in the order of their lumps
   std::vector<EstimatedValue> parameters, lumps;  ///< lumps of all cases, one after the other
   std::vector<BlockQuality> blocks;
+  std::vector<CaseLackOfFit> lack_of_fit;
+  LumpConsistency consistency;
   std::vector<ConditionQuality> conditions;
   std::vector<OutlyingEnsemble> outliers;
   std::vector<DampingComparison> damping;
@@ -83,5 +102,10 @@ std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets
 /// `corrected`, the estimate from sets with_truncation, with its difference to the `raw` one as the correction:
 /// half of it joins the standard deviation, because it depends somewhat on how lumps split into parameters.
 Estimate with_truncation_error(Estimate corrected, const Estimate& raw);
+
+/// `latest` with what the last pass of the truncation's correction still changed since `before` in its error bars:
+/// the correction is evaluated at the estimate and moves it, and what has not come to rest is not known. Values
+/// that it moved by more than their error bar are doubtful, and a warning names them.
+Estimate with_unsettled_correction(Estimate latest, const Estimate& before);
 
 }  // namespace secular

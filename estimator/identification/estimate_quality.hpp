@@ -56,13 +56,20 @@ struct OutlyingEnsemble {
 struct DampingLaw {
   std::vector<std::string> terms;
   double score = 0;             ///< mean square of the equation error in conditions that were left out, over noise
-  double worse_by = 0, sd = 0;  ///< than the best law, paired over conditions
+  double worse_by = 0, sd = 0;  ///< than the chosen law, paired over conditions
+  double p_value = 1;           ///< that it predicts no worse than the chosen law: see DampingComparison
+  bool excluded = false;        ///< p_value below 0.5 %
 };
 
+/// Laws are compared condition by condition, each predicted by the others, with the signed-rank test of Wilcoxon
+/// (with Student's paired test below eight conditions, whose ranks alone could not decide). A wrong law fails by
+/// factors that differ from condition to condition: their mean has a large error, but next to every difference has
+/// the same sign.
 struct DampingComparison {
   std::string resonance, mode;
-  std::vector<DampingLaw> laws;  ///< best first
-  bool decided = false;  ///< every other law without the best one's terms predicts worse by more than two sd
+  std::vector<DampingLaw> laws;  ///< best score first
+  std::size_t chosen = 0;  ///< of the laws that predict no worse than the best one, that with the fewest terms
+  bool decided = false;    ///< every law that lacks a term of the chosen one is excluded
 };
 
 /// A way to change parameters that no equation of the campaign notices.

@@ -38,7 +38,7 @@ struct ObservationSet {
   const CompiledCase* resonance = nullptr;
   std::vector<Observation> observations;
   /// observations x blocks: what the truncated equations leave (left minus right side) where they should leave
-  /// nothing; taken out of them before they are fitted. Empty: not known.
+  /// nothing, by motion_frame; taken out of them before they are fitted. Empty: not known.
   Eigen::MatrixXcd truncation;
   std::vector<std::string> warnings;
 };

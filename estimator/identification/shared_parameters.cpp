@@ -38,7 +38,7 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
   const Index count = start.size();
   SharedParameters result;
   result.values = start;
-  result.covariance = MatrixXd::Zero(count, count);
+  result.covariance = result.plain_covariance = MatrixXd::Zero(count, count);
   result.degrees_of_freedom = VectorXd::Constant(count, std::numeric_limits<double>::infinity());
   Index rows = 0;
   std::vector<Whitening> whitening;
@@ -61,18 +61,21 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
       }
       const Index size = part.values.size();
       if (size == 0) continue;
-      VectorXd difference(size);
-      MatrixXd slope = MatrixXd::Zero(size, count);
-      for (Index i = 0; i < size; ++i) {
+      const auto entries = static_cast<Index>(part.index.size());
+      VectorXd single(entries);
+      MatrixXd single_slope = MatrixXd::Zero(entries, count);
+      for (Index i = 0; i < entries; ++i) {
         const int index = part.index[static_cast<std::size_t>(i)];
         if (index < 0) {
-          difference(i) = parameters(-1 - index) - part.values(i);
-          slope(i, -1 - index) = 1;
+          single(i) = parameters(-1 - index);
+          single_slope(i, -1 - index) = 1;
         } else {
-          difference(i) = lumps(index) - part.values(i);
-          slope.row(i) = lump_slope.row(index);
+          single(i) = lumps(index);
+          single_slope.row(i) = lump_slope.row(index);
         }
       }
+      const VectorXd difference = part.combination * single - part.values;
+      MatrixXd slope = part.combination * single_slope;
       for (Index p = 0; p < count; ++p)
         if (given[static_cast<std::size_t>(p)]) slope.col(p).setZero();
       residual.segment(r, size) = whitening[c](difference);
@@ -102,13 +105,13 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
     if (size == 0) continue;
     result.slope[c] = inverse.middleCols(r, size) * whitening[c](MatrixXd::Identity(size, size));
     r += size;
-    MatrixXd covariance;
+    const MatrixXd plain = result.slope[c] * part.plain * result.slope[c].transpose();
+    result.plain_covariance += plain;
+    MatrixXd covariance = plain;
     if (part.clustered) {
       const auto n = static_cast<double>(part.influence.rows());
       const MatrixXd moved = part.influence * result.slope[c].transpose();
       covariance = (n - 1) / n * moved.transpose() * moved;
-    } else {
-      covariance = result.slope[c] * part.plain * result.slope[c].transpose();
     }
     result.covariance += covariance;
     variance_by_case.col(static_cast<Index>(c)) = covariance.diagonal();

@@ -8,10 +8,14 @@
 
 namespace secular {
 
-/// Estimated lumps and natural frequencies of one case, as its regression gave them.
+/// Estimated lumps and natural frequencies of one case, as its regression gave them. Where it does not separate
+/// some of them it still knows combinations (the sum of a natural frequency and a small constant stiffness, for
+/// instance).
 struct LumpEstimates {
   const CompiledCase* resonance = nullptr;
   std::vector<int> index;  ///< lump, or -1 - mode for a natural frequency
+  /// values x index: what of them was estimated. Identity, and combinations of those that are not separated.
+  Eigen::MatrixXd combination;
   Eigen::VectorXd values;
   Eigen::MatrixXd plain;      ///< covariance from residuals: the weights
   Eigen::MatrixXd influence;  ///< [condition][value]: change where the condition is left out
@@ -21,10 +25,10 @@ struct LumpEstimates {
 
 /// Parameters that all cases share.
 struct SharedParameters {
-  Eigen::VectorXd values;              ///< by CompiledModel::symbols
-  std::vector<Eigen::MatrixXd> slope;  ///< by case: d values/d its lump estimates
-  Eigen::MatrixXd covariance;
-  Eigen::VectorXd degrees_of_freedom;  ///< by symbol (Satterthwaite over the cases)
+  Eigen::VectorXd values;                        ///< by CompiledModel::symbols
+  std::vector<Eigen::MatrixXd> slope;            ///< by case: d values/d its lump estimates
+  Eigen::MatrixXd covariance, plain_covariance;  ///< the second from the weights alone
+  Eigen::VectorXd degrees_of_freedom;            ///< by symbol (Satterthwaite over the cases)
   /// Weighted misfit of the lumps that tie cases together, and how many more lumps than parameters there are.
   double misfit = 0;
   Eigen::Index surplus = 0;

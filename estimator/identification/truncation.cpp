@@ -12,21 +12,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Both were seen at different instants: turns an equation of one into the frame of the other.
-std::complex<double> rotation(const RegressorBlock& block, const Observation& from, const Observation& to) {
-  const auto turn = [](std::complex<double> a, std::complex<double> b) { return std::arg(b) - std::arg(a); };
-  if (block.kind == BlockKind::modulation) {
-    const auto mode = static_cast<std::size_t>(block.mode);
-    return std::polar(1.0, turn(from.amplitude[mode], to.amplitude[mode]));
-  }
-  double angle = 0;
-  const std::size_t modes = from.amplitude.size();
-  for (std::size_t i = 0; i < block.phase.size(); ++i)
-    angle += block.phase[i] * (i < modes ? turn(from.amplitude[i], to.amplitude[i])
-                                         : turn(from.forcing[i - modes], to.forcing[i - modes]));
-  return std::polar(1.0, angle);
-}
-
 }  // namespace
 
 std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets,
@@ -57,13 +42,11 @@ std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets
           exact.observations[from].centre_s != o.centre_s)
         continue;
       const EquationData::Rows rows = data.rows(from, {}, lumps, natural, natural);
-      const Observation& same = exact.observations[from];
       for (Index r = 0; r < rows.response.size(); ++r) {
         const std::size_t b = rows.block[static_cast<std::size_t>(r)];
         const bool imaginary = r > 0 && rows.block[static_cast<std::size_t>(r - 1)] == b;
         const std::complex<double> part = imaginary ? std::complex<double>(0, rows.response(r)) : rows.response(r);
-        set.truncation(static_cast<Index>(kept.size()), static_cast<Index>(b)) +=
-            part * rotation(resonance.blocks[b], same, o);
+        set.truncation(static_cast<Index>(kept.size()), static_cast<Index>(b)) += part;
       }
       kept.push_back(o);
     }
@@ -88,6 +71,31 @@ Estimate with_truncation_error(Estimate corrected, const Estimate& raw) {
   add(corrected.parameters, raw.parameters);
   add(corrected.lumps, raw.lumps);
   return corrected;
+}
+
+Estimate with_unsettled_correction(Estimate latest, const Estimate& before) {
+  std::string moved;
+  const auto add = [&](std::vector<EstimatedValue>& values, const std::vector<EstimatedValue>& earlier) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      EstimatedValue& value = values[i];
+      if (!value.value || !earlier[i].value || value.fixed) continue;
+      const double change = std::abs(*value.value - *earlier[i].value);
+      if (change > value.sd) {
+        value.doubtful = true;
+        if ((moved + ",").find(" " + value.name + ",") == std::string::npos)
+          moved += (moved.empty() ? " " : ", ") + value.name;
+      }
+      value.sd = std::hypot(value.sd, change);
+      value.significant =
+          value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
+    }
+  };
+  add(latest.parameters, before.parameters);
+  add(latest.lumps, before.lumps);
+  if (!moved.empty())
+    latest.warnings.push_back("the correction for the expansion's truncation has not come to rest, doubtful:" +
+                              moved);
+  return latest;
 }
 
 }  // namespace secular

@@ -4,6 +4,10 @@
 #include <cmath>
 #include <complex>
 #include <stdexcept>
+#include <utility>
+
+#include "estimator/identification/case_quality.hpp"
+#include "estimator/identification/case_regression.hpp"
 
 namespace secular {
 
@@ -65,6 +69,22 @@ BlockRows block_rows(const ObservationSet& set, std::size_t b, const std::vector
     rows.regression.response(row + 1) = target.imag();
     rows.condition.insert(rows.condition.end(), 2, o.condition);
   }
+  rows.regression.fit = linear_fit(rows.regression.design, rows.regression.response, rows.condition);
+  return rows;
+}
+
+BlockRows weighted_block_rows(const ObservationSet& set, std::size_t b,
+                              const std::vector<double>& natural_frequency, const std::vector<std::string>& fixed) {
+  CaseKnowledge known;
+  known.natural_frequency = natural_frequency;
+  for (const std::string& name : fixed) known.fixed[name] = 0;
+  CaseFit fit = fit_case(set, {b}, known);
+  if (fit.fit.coefficients.size() == 0) throw std::invalid_argument("no observation has this equation");
+  BlockRows rows;
+  for (std::size_t c = 0; c < fit.columns.size(); ++c) rows.names.push_back(column_name(fit, c));
+  rows.regression.design = std::move(fit.system.design);
+  rows.regression.response = std::move(fit.system.response);
+  rows.condition = std::move(fit.system.condition);
   rows.regression.fit = linear_fit(rows.regression.design, rows.regression.response, rows.condition);
   return rows;
 }

@@ -21,6 +21,14 @@ struct BlockRows {
 BlockRows block_rows(const ObservationSet& set, std::size_t block, const std::vector<double>& natural_frequency,
                      const std::vector<std::string>& fixed = {});
 
+/// The same equation as `identify` regresses it: rows whitened by the joint noise of everything measured in them,
+/// outlying ensembles down-weighted, the natural frequency counted from `natural_frequency`. With these weights
+/// residuals have equal variances, as the analysis of variance supposes; equal weights give small amplitudes, whose
+/// rows are noisy after the division, as much say as large ones.
+BlockRows weighted_block_rows(const ObservationSet& set, std::size_t block,
+                              const std::vector<double>& natural_frequency,
+                              const std::vector<std::string>& fixed = {});
+
 /// Mean of the modes' observed frequencies, rad/s: close to the natural ones at a resonance.
 std::vector<double> mean_frequencies(const ObservationSet& set);
 

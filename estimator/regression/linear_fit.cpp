@@ -32,7 +32,15 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
   VectorXd scale = design.colwise().norm().transpose();
   for (Index c = 0; c < columns; ++c) scale(c) = scale(c) > 0 ? 1 / scale(c) : 1;
   const MatrixXd scaled = design * scale.asDiagonal();
-  const Eigen::BDCSVD<MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeFullV);
+  // Many rows: a blocked QR first, then the small triangle's singular values.
+  const bool tall = rows > 2 * columns;
+  Eigen::HouseholderQR<MatrixXd> qr;
+  MatrixXd core = scaled;
+  if (tall) {
+    qr.compute(scaled);
+    core = qr.matrixQR().topRows(columns).triangularView<Eigen::Upper>();
+  }
+  const Eigen::BDCSVD<MatrixXd> svd(core, Eigen::ComputeThinU | Eigen::ComputeFullV);
   const VectorXd singular = svd.singularValues();
   const double cut = tolerance * std::max(singular(0), std::numeric_limits<double>::min());
   std::vector<Index> seen, unseen;
@@ -40,15 +48,17 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
     (i < singular.size() && singular(i) > cut ? seen : unseen).push_back(i);
   }
   fit.rank = static_cast<Index>(seen.size());
+  fit.scale = scale;
   const Index rank = fit.rank;
-  MatrixXd u(rows, rank), v(columns, rank), null(columns, columns - rank);
+  MatrixXd u = MatrixXd::Zero(rows, rank), v(columns, rank), null(columns, columns - rank);
   VectorXd inverse(rank);
   for (Index i = 0; i < rank; ++i) {
     const Index from = seen[static_cast<std::size_t>(i)];
-    u.col(i) = svd.matrixU().col(from);
+    u.col(i).head(core.rows()) = svd.matrixU().col(from);
     v.col(i) = svd.matrixV().col(from);
     inverse(i) = 1 / singular(from);
   }
+  if (tall && rank > 0) u.applyOnTheLeft(qr.householderQ());
   for (Index i = 0; i < null.cols(); ++i) null.col(i) = svd.matrixV().col(unseen[static_cast<std::size_t>(i)]);
   const VectorXd solution = v * inverse.asDiagonal() * (u.transpose() * response);
   fit.coefficients = scale.asDiagonal() * solution;
@@ -84,12 +94,20 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
 
   // Directions in which the columns differ by their own errors: what mainly rests on them is not identifiable
   // either.
+  fit.lost = null;
   if (column_noise.size() > 0) {
     VectorXd share = VectorXd::Zero(columns);
+    std::vector<Index> noisy;
     for (Index i = 0; i < rank; ++i) {
       const VectorXd direction = scale.asDiagonal() * v.col(i);
       if (1 / (inverse(i) * inverse(i)) <= noise_ratio * direction.dot(column_noise * direction))
-        share += fit.variance_proportions.row(i).transpose();
+        noisy.push_back(i);
+    }
+    for (const Index i : noisy) share += fit.variance_proportions.row(i).transpose();
+    if ((share.array() > 0.5).any()) {
+      fit.lost.conservativeResize(columns, null.cols() + static_cast<Index>(noisy.size()));
+      for (std::size_t i = 0; i < noisy.size(); ++i)
+        fit.lost.col(null.cols() + static_cast<Index>(i)) = v.col(noisy[i]);
     }
     for (Index c = 0; c < columns; ++c)
       for (Index other = 0; other < columns && share(c) > 0.5; ++other) {

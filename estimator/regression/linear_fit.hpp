@@ -24,6 +24,10 @@ struct LinearFit {
   Eigen::VectorXd condition_indices;             ///< largest over each singular value of the scaled columns
   Eigen::VectorXd variance_inflation;            ///< by column, uncentred
   Eigen::MatrixXd variance_proportions;  ///< [singular value][column]: share of a variance (Belsley, Kuh, Welsch)
+  Eigen::VectorXd scale;                 ///< by column: scaled column = scale * column has unit norm
+  /// columns x lost directions, orthonormal, of scaled coefficients: those that the rows do not see, and those of
+  /// columns that are not identifiable because they differ by their own errors.
+  Eigen::MatrixXd lost;
   /// columns x rank: design*basis has orthonormal columns, coefficients = basis*((design*basis)' response).
   Eigen::MatrixXd basis;
   Eigen::VectorXd residual;

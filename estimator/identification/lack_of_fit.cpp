@@ -1,0 +1,144 @@
+#include "estimator/identification/lack_of_fit.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Probability that a case whose equations hold shows a significant lack of fit.
+constexpr double false_alarm = 0.001;
+
+/// Fewer degrees of freedom among repeats say too little of the noise.
+constexpr double fewest_repeats = 10;
+
+using Equation = std::pair<std::size_t, EquationPart>;
+
+Equation equation_of(const CaseFit& fit, Index row) {
+  const auto at = static_cast<std::size_t>(row);
+  return {fit.system.block[at], fit.system.part[at]};
+}
+
+std::string name_of(const CaseFit& fit, const Equation& equation) {
+  const RegressorBlock& block = fit.set->resonance->blocks[equation.first];
+  const bool in_phase = equation.second == EquationPart::in_phase;
+  return std::string(block.name) + (block.kind == BlockKind::modulation
+                                        ? (in_phase ? ", balance of energy" : ", balance of frequency")
+                                        : (in_phase ? ", in phase" : ", in quadrature"));
+}
+
+double upper_tail(double f, double numerator, double denominator) {
+  if (!std::isfinite(f)) return 0;
+  if (std::isfinite(denominator))
+    return boost::math::cdf(boost::math::complement(boost::math::fisher_f(numerator, denominator), f));
+  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(numerator), f * numerator));
+}
+
+}  // namespace
+
+std::vector<LackOfFit> lack_of_fit(const CaseFit& fit) {
+  std::vector<LackOfFit> result;
+  if (!fit.set->resonance->excited || fit.fit.coefficients.size() == 0) return result;
+  struct Group {
+    double weights = 0, sum = 0, squares = 0, count = 0;
+  };
+  std::map<Equation, std::map<int, Group>> groups;
+  std::map<Equation, double> unknowns;
+  for (Index r = 0; r < fit.residual.size(); ++r) {
+    const auto at = static_cast<std::size_t>(r);
+    const double weight = fit.weight[fit.system.observation[at]], z = fit.residual(r);
+    Group& group = groups[equation_of(fit, r)][fit.system.condition[at]];
+    group.weights += weight;
+    group.sum += weight * z;
+    group.squares += weight * z * z;
+    group.count += 1;
+  }
+  // What the fit takes of the variance of a condition's mean: n m'Cm for its mean design row m in units of the
+  // equation's own noise and the covariance C of the coefficients (the weights of a block that misfits are lower).
+  std::map<Equation, std::map<int, VectorXd>> rows;
+  Index begin = 0;
+  for (const MatrixXd& whitener : fit.system.whitener) {
+    const MatrixXd own = whitener.triangularView<Eigen::Lower>().solve(
+        MatrixXd(fit.system.design.middleRows(begin, whitener.rows()) * fit.fit.basis));
+    for (Index r = 0; r < own.rows(); ++r) {
+      const auto at = static_cast<std::size_t>(begin + r);
+      VectorXd& sum = rows[equation_of(fit, begin + r)][fit.system.condition[at]];
+      if (sum.size() == 0) sum = VectorXd::Zero(own.cols());
+      sum += fit.weight[fit.system.observation[at]] * own.row(r).transpose();
+    }
+    begin += whitener.rows();
+  }
+  for (const auto& [equation, conditions] : groups) {
+    const double scale = std::max(1.0, fit.block_misfit.at(equation.first));
+    for (const auto& [label, group] : conditions)
+      unknowns[equation] += rows[equation][label].squaredNorm() / group.weights / (scale * scale);
+  }
+  for (const auto& [equation, conditions] : groups) {
+    LackOfFit test;
+    test.block = equation.first;
+    test.part = equation.second;
+    test.name = name_of(fit, equation);
+    test.conditions = conditions.size();
+    double means = 0, repeats = 0, repeat_df = 0;
+    for (const auto& [label, group] : conditions) {
+      const double between = group.sum * group.sum / group.weights;
+      means += between;
+      repeats += std::max(0.0, group.squares - between);
+      repeat_df += group.count - 1;
+    }
+    test.numerator_df = static_cast<double>(conditions.size()) - unknowns[equation];
+    if (test.numerator_df < 1) continue;
+    const bool enough = repeat_df >= fewest_repeats;
+    test.denominator_df = enough ? repeat_df : std::numeric_limits<double>::infinity();
+    const double variance = enough ? repeats / repeat_df : 1;
+    test.repeatability = std::sqrt(variance);
+    test.f = means / test.numerator_df / variance;
+    test.misfit = std::sqrt(test.f);
+    test.p_value = upper_tail(test.f, test.numerator_df, test.denominator_df);
+    result.push_back(std::move(test));
+  }
+  for (LackOfFit& test : result) test.significant = test.p_value < false_alarm / static_cast<double>(result.size());
+  return result;
+}
+
+MatrixXd hidden_misfit(const CaseFit& fit, const std::vector<LackOfFit>& tests) {
+  std::map<Equation, double> seen;  // norm of the misfit beyond what repeatability gives
+  for (const LackOfFit& test : tests)
+    if (test.significant)
+      seen[{test.block, test.part}] =
+          test.repeatability * std::sqrt(std::max(0.0, (test.f - 1) * test.numerator_df));
+  const Index columns = fit.fit.coefficients.size();
+  if (seen.empty()) return MatrixXd::Zero(columns, 0);
+  // Coefficients by the equations' misfit in units of their own noise, summed over the repeats of a condition.
+  const MatrixXd by_row = fit.fit.basis * (fit.system.design * fit.fit.basis).transpose();
+  std::map<std::pair<Equation, int>, std::pair<VectorXd, double>> sums;
+  Index begin = 0;
+  for (const MatrixXd& whitener : fit.system.whitener) {
+    const MatrixXd part = by_row.middleCols(begin, whitener.rows()) * whitener;
+    for (Index r = 0; r < whitener.rows(); ++r) {
+      const Equation equation = equation_of(fit, begin + r);
+      if (seen.count(equation) == 0) continue;
+      const auto key = std::pair{equation, fit.system.condition[static_cast<std::size_t>(begin + r)]};
+      const auto sum = sums.try_emplace(key, VectorXd::Zero(columns), 0.0).first;
+      sum->second.first += part.col(r);
+      sum->second.second += fit.weight[fit.system.observation[static_cast<std::size_t>(begin + r)]];
+    }
+    begin += whitener.rows();
+  }
+  MatrixXd result(columns, static_cast<Index>(sums.size()));
+  Index at = 0;
+  for (const auto& [key, sum] : sums) result.col(at++) = sum.first * (seen.at(key.first) / std::sqrt(sum.second));
+  return result;
+}
+
+}  // namespace secular

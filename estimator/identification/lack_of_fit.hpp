@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "estimator/identification/case_regression.hpp"
+
+namespace secular {
+
+/// One real equation of a case against the repeatability of the data: does it hold at every condition as well as
+/// repeats of one condition agree with each other?
+struct LackOfFit {
+  std::size_t block = 0;  ///< index into CompiledCase::blocks
+  EquationPart part = EquationPart::in_phase;
+  std::string name;            ///< readable
+  std::size_t conditions = 0;  ///< with observations of it
+  double misfit = 0;  ///< root mean square of the conditions' means over what repeatability gives; 1 is perfect
+  double repeatability = 0;   ///< scatter of repeats over what the measured noise explains; 1 is perfect
+  double f = 0;               ///< misfit squared: F of lack of fit against pure error
+  double numerator_df = 0;    ///< conditions less the unknowns that this equation takes up
+  double denominator_df = 0;  ///< repeats; infinite where there are too few and the measured noise stands for them
+  double p_value = 1;         ///< of one equation
+  bool significant = false;   ///< with all equations of the case allowed for (Bonferroni, 0.1 %)
+};
+
+/// F test of lack of fit for every equation of a case of dwells (nothing for decays, whose windows are no repeats):
+/// residuals in the frame of the motion, over their measured noise, are split into the conditions' means and the
+/// scatter about them. An equation with fewer means than unknowns is left out.
+std::vector<LackOfFit> lack_of_fit(const CaseFit& fit);
+
+/// Columns x perturbations: what a misfit as large as the one that is seen, in each equation whose lack of fit is
+/// significant, does to the coefficients where it lies along them. The least-squares residual shows only what no
+/// column can imitate; an effect that the model lacks is as likely to have a part that the columns take up. For a
+/// combination w of coefficients that part moves w'b by |w'M| at most if it is no larger than what is seen. Zero
+/// columns: no misfit.
+Eigen::MatrixXd hidden_misfit(const CaseFit& fit, const std::vector<LackOfFit>& tests);
+
+}  // namespace secular

@@ -1,0 +1,120 @@
+// Lack of fit and damping laws on observations whose truth is known exactly.
+#include "estimator/identification/lack_of_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "modulation_observations.hpp"
+#include "virtual_campaign.hpp"
+
+namespace secular {
+namespace {
+
+using namespace testing_support;
+
+std::vector<LackOfFit> tests_of(const Estimate& estimate) {
+  return estimate.lack_of_fit.empty() ? std::vector<LackOfFit>{} : estimate.lack_of_fit.front().equations;
+}
+
+EstimateOptions options_with(std::map<std::string, double> fixed) {
+  EstimateOptions options;
+  options.fixed = std::move(fixed);
+  options.damping_laws = false;
+  return options;
+}
+
+TEST(LackOfFit, FollowsItsLawWhereTheModelHolds) {
+  const OneMode truth;
+  constexpr int draws = 25;
+  double f[2] = {0, 0};
+  int below_a_tenth = 0, count = 0;
+  double numerator = 0;
+  for (int draw = 0; draw < draws; ++draw) {
+    const Estimate result =
+        estimate(truth.set(static_cast<std::uint64_t>(draw) + 1), "kg^(1/2) m", {"m/s^2"}, options_with({}));
+    const auto tests = tests_of(result);
+    ASSERT_EQ(tests.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      f[i] += tests[i].f / draws;
+      numerator = tests[i].numerator_df;
+      below_a_tenth += tests[i].p_value < 0.1;
+      ++count;
+      EXPECT_FALSE(tests[i].significant);
+      EXPECT_NEAR(tests[i].repeatability, 1, 5 / std::sqrt(2.0 * tests[i].denominator_df));
+    }
+    EXPECT_FALSE(value_of(result, "mu3").doubtful);
+    EXPECT_EQ(value_of(result, "mu3").misfit, 0);
+  }
+  // Mean of draws of F: 1 with sd sqrt(2/(numerator draws)), a little more for the denominator's.
+  for (const double mean : f) EXPECT_NEAR(mean, 1, 4.5 * std::sqrt(2 / (numerator * draws)));
+  EXPECT_NEAR(below_a_tenth, 0.1 * count, 4 * std::sqrt(0.09 * count));
+}
+
+// Drag that the model is told not to have: the balance of energy misfits, and what rests on it is doubtful and
+// wide. Most of the drag is absorbed (three to one in amplitude parts it badly from linear and cubic damping): that
+// no error bar made from the data can be wide enough is why the number is called doubtful.
+TEST(LackOfFit, ADampingLawThatIsMissingIsToldAndCounts) {
+  OneMode truth;
+  truth.mu2 = 6;
+  const Estimate result = estimate(truth.set(3), "kg^(1/2) m", {"m/s^2"}, options_with({{"mu2", 0}}));
+  const Estimate whole = estimate(truth.set(3), "kg^(1/2) m", {"m/s^2"}, options_with({}));
+  bool told = false;
+  for (const LackOfFit& test : tests_of(result))
+    told = told || (test.significant && test.part == EquationPart::in_phase &&
+                    test.name.find("balance of energy") != std::string::npos);
+  EXPECT_TRUE(told);
+  EXPECT_TRUE(warns(result.warnings, "balance of energy"));
+  EXPECT_TRUE(warns(result.warnings, "doubtful because the model does not fit"));
+  const EstimatedValue &mu3 = value_of(result, "mu3"), &right = value_of(whole, "mu3");
+  // The jackknife alone calls the wrong number sure.
+  const double own_sd = std::sqrt(mu3.sd * mu3.sd - 0.25 * mu3.misfit * mu3.misfit);
+  EXPECT_GT(std::abs(*mu3.value - 36.87), 5 * own_sd);
+  EXPECT_TRUE(mu3.doubtful);
+  EXPECT_GT(mu3.sd, 2 * own_sd);
+  for (const LackOfFit& test : tests_of(whole)) EXPECT_FALSE(test.significant) << test.name;
+  EXPECT_FALSE(right.doubtful);
+  EXPECT_NEAR(*right.value, 36.87, 5 * right.sd);
+}
+
+// Repeats of one condition are taken at different instants: estimates, weights and tests must not notice, even
+// where the model does not fit.
+TEST(LackOfFit, InstantsOfTheEnsemblesDoNotMatter) {
+  OneMode truth;
+  truth.mu2 = 6;
+  const auto fixed = options_with({{"mu2", 0}});
+  const Estimate turned = estimate(truth.set(3, true), "kg^(1/2) m", {"m/s^2"}, fixed);
+  const Estimate still = estimate(truth.set(3, false), "kg^(1/2) m", {"m/s^2"}, fixed);
+  EXPECT_EQ(turned.outliers.size(), still.outliers.size());
+  for (const char* name : {"mu1", "mu3", "alpha_e", "eta_e"}) {
+    EXPECT_NEAR(*value_of(turned, name).value / *value_of(still, name).value, 1, 1e-7) << name;
+    EXPECT_NEAR(value_of(turned, name).sd / value_of(still, name).sd, 1, 1e-5) << name;
+  }
+  ASSERT_EQ(tests_of(turned).size(), tests_of(still).size());
+  for (std::size_t i = 0; i < tests_of(turned).size(); ++i)
+    EXPECT_NEAR(tests_of(turned)[i].f / tests_of(still)[i].f, 1, 1e-5);
+  // A misfit is no outlier: ensembles agree with the others of their condition.
+  EXPECT_LE(turned.outliers.size(), 1U);
+}
+
+// The signed-rank decision: laws by what they predict of left-out conditions.
+TEST(LackOfFit, TheSimplestDampingLawThatPredictsIsChosen) {
+  OneMode cubic, drag, both;
+  drag.mu2 = 9 * std::numbers::pi / 32 * w0 * 36.87 * 1.6e-3;
+  drag.mu3 = 0;
+  both.mu2 = 4;
+  const auto chosen = [](const OneMode& truth) {
+    const Estimate result = estimate(truth.set(11), "kg^(1/2) m", {"m/s^2"}, {});
+    EXPECT_EQ(result.damping.size(), 1U);
+    const DampingComparison& comparison = result.damping.front();
+    EXPECT_TRUE(comparison.decided);
+    return comparison.laws[comparison.chosen].terms;
+  };
+  EXPECT_EQ(chosen(cubic), (std::vector<std::string>{"mu1", "mu3"}));
+  EXPECT_EQ(chosen(drag), (std::vector<std::string>{"mu1", "mu2"}));
+  EXPECT_EQ(chosen(both), (std::vector<std::string>{"mu1", "mu2", "mu3"}));
+}
+
+}  // namespace
+}  // namespace secular
