@@ -71,7 +71,7 @@ std::string record_file(const std::filesystem::path& source, std::set<std::strin
 }
 
 Record read_file(const std::filesystem::path& path, const std::vector<DescribedChannel>& channels,
-                 const std::string& time, std::optional<double> sample_rate_hz) {
+                 const std::string& time, std::optional<double> sample_rate_hz, const char* rate_from) {
   std::vector<std::string> wanted;
   for (const DescribedChannel& described : channels)
     if (!contains(wanted, described.variable)) wanted.push_back(described.variable);
@@ -84,7 +84,7 @@ Record read_file(const std::filesystem::path& path, const std::vector<DescribedC
     const TimeAxis axis = even_time_axis(data.vector(time).values, data.file, data.place, sample_rate_hz);
     if (sample_rate_hz && !(std::abs(axis.sample_rate_hz / *sample_rate_hz - 1) <= 1e-3))
       throw InputError(data.file, "variable " + time, fmt::format("is sampled at {} Hz", axis.sample_rate_hz),
-                       fmt::format("--sample-rate says {}", *sample_rate_hz));
+                       fmt::format("{} {}", rate_from, *sample_rate_hz));
     record.start_s = axis.start_s;
     record.sample_rate_hz = axis.sample_rate_hz;
   }
@@ -152,7 +152,8 @@ ImportedCampaign import_files(const ImportOptions& options, const RecordSink& si
   for (std::size_t f = 0; f < options.files.size(); ++f) {
     // Files after the first are expected at the first one's rate.
     const std::optional<double> expected = f == 0 ? options.sample_rate_hz : std::optional(campaign.sample_rate_hz);
-    Record record = read_file(options.files[f], channels, time, expected);
+    Record record = read_file(options.files[f], channels, time, expected,
+                              options.sample_rate_hz ? "--sample-rate says" : "the first file's rate is");
     if (f == 0) campaign.sample_rate_hz = record.sample_rate_hz;
     RecordEntry entry;
     entry.file = record_file(options.files[f], taken);
