@@ -14,11 +14,13 @@
 namespace secular::app {
 namespace {
 
-double duration_s(const Record& record) {
-  return static_cast<double>(record.samples()) / record.sample_rate_hz;
-}
+struct RecordSummary {
+  std::size_t samples = 0;
+  double start_s = 0, duration_s = 0;
+};
 
-void print_json(const ImportedCampaign& imported, const ImportOptions& options, const std::string& folder) {
+void print_json(const ImportedCampaign& imported, const std::vector<RecordSummary>& records,
+                const ImportOptions& options, const std::string& folder) {
   const Campaign& campaign = imported.campaign;
   nlohmann::ordered_json summary = {
       {"campaign", folder}, {"name", campaign.name}, {"sample_rate_hz", campaign.sample_rate_hz}};
@@ -33,9 +35,9 @@ void print_json(const ImportedCampaign& imported, const ImportOptions& options, 
     summary["records"].push_back({{"file", campaign.records[r].file},
                                   {"kind", to_string(campaign.records[r].kind)},
                                   {"from", options.files[r].string()},
-                                  {"samples", imported.samples[r].samples()},
-                                  {"start_s", imported.samples[r].start_s},
-                                  {"duration_s", duration_s(imported.samples[r])}});
+                                  {"samples", records[r].samples},
+                                  {"start_s", records[r].start_s},
+                                  {"duration_s", records[r].duration_s}});
   summary["left_out"] = imported.left_out;
   summary["converted"] = nlohmann::ordered_json::array();
   for (const ConvertedChannel& channel : imported.converted)
@@ -43,14 +45,14 @@ void print_json(const ImportedCampaign& imported, const ImportOptions& options, 
   fmt::print("{}\n", summary.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
-void print_text(const ImportedCampaign& imported, const std::string& folder) {
+void print_text(const ImportedCampaign& imported, const std::vector<RecordSummary>& records,
+                const std::string& folder) {
   const Campaign& campaign = imported.campaign;
   fmt::print("{}: {} channel{}, {} record{} at {} Hz\n", folder, campaign.channels.size(),
              campaign.channels.size() == 1 ? "" : "s", campaign.records.size(),
              campaign.records.size() == 1 ? "" : "s", campaign.sample_rate_hz);
   for (std::size_t r = 0; r < campaign.records.size(); ++r)
-    fmt::print("  {}: {} samples, {:.6g} s\n", campaign.records[r].file, imported.samples[r].samples(),
-               duration_s(imported.samples[r]));
+    fmt::print("  {}: {} samples, {:.6g} s\n", campaign.records[r].file, records[r].samples, records[r].duration_s);
   for (const ConvertedChannel& channel : imported.converted)
     fmt::print("{}: '{}' in the file, {} in the campaign\n", channel.name, channel.from_unit, channel.to_unit);
   if (!imported.left_out.empty())
@@ -105,13 +107,19 @@ void add_import_command(CLI::App& root, Action& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       options->import.files.assign(options->files.begin(), options->files.end());
-      check_campaign_target(options->folder);
-      const ImportedCampaign imported = import_files(options->import);
-      write_campaign(imported.campaign, imported.samples, options->folder);
+      CampaignWriter writer(options->folder);
+      std::vector<RecordSummary> records;
+      const ImportedCampaign imported =
+          import_files(options->import, [&](const Campaign& campaign, const RecordEntry& entry, Record&& record) {
+            writer.write(campaign, entry, record);
+            records.push_back(
+                {record.samples(), record.start_s, static_cast<double>(record.samples()) / record.sample_rate_hz});
+          });
+      writer.finish(imported.campaign);
       if (options->json)
-        print_json(imported, options->import, options->folder);
+        print_json(imported, records, options->import, options->folder);
       else
-        print_text(imported, options->folder);
+        print_text(imported, records, options->folder);
       return 0;
     };
   });

@@ -43,14 +43,18 @@ void add_simulate_command(CLI::App& root, Action& chosen) {
       const std::filesystem::path path = resolve_model(options->experiment);
       const auto [model, experiment] = load_experiment(path, options->interpret);
       ProgressLine line("records");
-      const SimulatedCampaign simulated =
-          run_virtual_test(experiment, *model, options->seed, options->threads,
-                           [&line](std::size_t done, std::size_t total) { line(done, total); });
-      write_campaign(simulated.campaign, simulated.samples, options->folder);
+      CampaignWriter writer(options->folder);
+      const Campaign campaign = run_virtual_test(
+          experiment, *model, options->seed, options->threads,
+          [&writer](const Campaign& made, const RecordEntry& entry, Record&& record) {
+            writer.write(made, entry, record);
+          },
+          [&line](std::size_t done, std::size_t total) { line(done, total); });
+      writer.finish(campaign);
       if (options->json)
-        fmt::print("{{\"records\": {}, \"seed\": {}}}\n", simulated.samples.size(), options->seed);
+        fmt::print("{{\"records\": {}, \"seed\": {}}}\n", campaign.records.size(), options->seed);
       else
-        fmt::print("{} records of {} in {}\n", simulated.samples.size(), experiment.name, options->folder);
+        fmt::print("{} records of {} in {}\n", campaign.records.size(), experiment.name, options->folder);
       return 0;
     };
   });

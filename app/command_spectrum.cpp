@@ -255,22 +255,34 @@ void print_table(const RecordSpectrum& record) {
              record.survey.layout.count == 1 ? "" : "s",
              static_cast<double>(record.survey.layout.length) / record.sample_rate_hz);
   for (const std::string& text : record.conclusions) fmt::print("- {}\n", text);
+  const bool rates = record.has_rates();
+  const auto deviation = [](double sd) { return std::isfinite(sd) ? fmt::format("{:.2g}", sd) : std::string("-"); };
   for (std::size_t c = 0; c < record.names.size(); ++c) {
-    fmt::print("\n{} ({})\n  {:<20} {:>14} {:>11} {:>13} {:>11} {:>9} {:>6}\n", record.names[c],
+    fmt::print("\n{} ({})\n  {:<20} {:>14} {:>9} {:>13} {:>9}", record.names[c],
                record.units[c].empty() ? "unit not known" : record.units[c], "method", "frequency Hz", "sd",
-               "amplitude", "sd", "gamma^2", "dB");
-    for (const MethodStatistics& method : record.survey.tables[c])
+               "amplitude", "sd");
+    fmt::print("{}{:>9} {:>7}\n", rates ? fmt::format(" {:>10}", "rate 1/s") : "", "gamma^2", "dB");
+    for (const MethodStatistics& method : record.survey.tables[c]) {
+      if (method.terms.empty()) fmt::print("  {:<20} no finite decomposition of this order\n", method.name);
       for (std::size_t i = 0; i < method.terms.size(); ++i) {
         const TermStatistics& term = method.terms[i];
         const std::string name = i > 0 ? "" : method.name;
-        fmt::print("  {:<20} {:>13.8g}{} {:>11.2g} {:>13.6g} {:>11.2g}", name, term.frequency_hz,
-                   term.family == PoleFamily::circular ? " " : "*", term.frequency_sd, term.amplitude,
-                   term.amplitude_sd);
-        if (i == 0) fmt::print(" {:>9.6f} {:>6.1f}", method.correlation, method.signal_to_noise_db);
+        fmt::print("  {:<20} {:>13.8g}{} {:>9} {:>13.6g} {:>9}", name, term.frequency_hz,
+                   term.family == PoleFamily::circular ? " " : "*", deviation(term.frequency_sd), term.amplitude,
+                   deviation(term.amplitude_sd));
+        if (rates)
+          fmt::print(" {:>10}", term.family == PoleFamily::circular ? "" : fmt::format("{:.5g}", term.rate));
+        if (i == 0) fmt::print("{:>9.6f} {:>7.1f}", method.correlation, method.signal_to_noise_db);
         fmt::print("\n");
       }
+    }
   }
-  fmt::print("(* hyperbolic or growing: a rate over 2 pi, or the frequency of a product)\n");
+  fmt::print("sd: {}\n",
+             record.survey.layout.count > 1
+                 ? "scatter of one ensemble"
+                 : "maximum likelihood's own, from the noise it leaves; --ensemble gives scatter to all");
+  if (rates)
+    fmt::print("*: hyperbolic (a rate over 2 pi), or a product (frequency, and rate of growth or decay)\n");
 }
 
 std::string line_of(const Options& options, const CLI::App& command) {

@@ -222,17 +222,24 @@ Figure relation_figure(const RecordSpectrum& record, std::size_t channel) {
 void add_tables(report::HtmlReport& page, const RecordSpectrum& record, std::size_t channel) {
   const std::string& unit = record.units[channel];
   Table table;
-  table.caption =
-      fmt::format("{}: mean over {} ensemble{} of {} s, scatter of one in parentheses", record.names[channel],
-                  record.survey.layout.count, record.survey.layout.count == 1 ? "" : "s",
-                  report::format_number(static_cast<double>(record.survey.layout.length) / record.sample_rate_hz));
+  table.caption = fmt::format(
+      "{}: {} of {} s{}", record.names[channel],
+      record.survey.layout.count == 1 ? "one ensemble"
+                                      : fmt::format("mean over {} ensembles", record.survey.layout.count),
+      report::format_number(static_cast<double>(record.survey.layout.length) / record.sample_rate_hz),
+      record.survey.layout.count == 1
+          ? "; in parentheses the standard deviation that maximum likelihood gives itself"
+          : ", scatter of one in parentheses");
+  const bool rates = record.has_rates();
   table.columns = {{"Method", Column::Kind::text, ""},
                    {"Term", Column::Kind::text, ""},
                    {"Frequency or rate/2π", Column::Kind::number, "Hz"},
                    {"Amplitude", Column::Kind::number, unit},
+                   {"Rate", Column::Kind::number, "1/s"},
                    {"Ensembles", Column::Kind::number, ""},
                    {"γ²", Column::Kind::number, ""},
                    {"S/N", Column::Kind::number, "dB"}};
+  if (!rates) table.columns.erase(table.columns.begin() + 4);
   Table first;
   first.caption = record.names[channel] + ": first ensemble, t = 0 at its first sample";
   first.columns = {{"Method", Column::Kind::text, ""},
@@ -240,7 +247,11 @@ void add_tables(report::HtmlReport& page, const RecordSpectrum& record, std::siz
                    {"Frequency or rate/2π", Column::Kind::number, "Hz"},
                    {"p (cos) or a (cosh)", Column::Kind::number, unit},
                    {"q (sin) or b (sinh)", Column::Kind::number, unit}};
-  for (const MethodStatistics& method : record.survey.tables[channel])
+  for (const MethodStatistics& method : record.survey.tables[channel]) {
+    if (method.terms.empty()) {
+      table.rows.push_back({method.name, "no finite decomposition of this order"});
+      table.rows.back().resize(table.columns.size());
+    }
     for (std::size_t i = 0; i < method.terms.size(); ++i) {
       const TermStatistics& term = method.terms[i];
       const std::string name = i == 0 ? method.name : "";
@@ -251,9 +262,14 @@ void add_tables(report::HtmlReport& page, const RecordSpectrum& record, std::siz
                             uncertain(term.amplitude, term.amplitude_sd), std::to_string(term.ensembles),
                             i == 0 ? report::format_fixed(method.correlation, 6) : "",
                             i == 0 ? report::format_fixed(method.signal_to_noise_db, 1) : ""});
+      if (rates)
+        table.rows.back().insert(table.rows.back().begin() + 4, term.family == PoleFamily::circular
+                                                                    ? std::string()
+                                                                    : report::format_number(term.rate, 5));
       first.rows.push_back({name, family_name(term.family), report::format_number(term.frequency_hz, 7),
                             report::format_number(term.p, 6), report::format_number(term.q, 6)});
     }
+  }
   for (std::size_t i = 0; i < record.survey.peaks[channel].size(); ++i) {
     const SpectrumPeak& peak = record.survey.peaks[channel][i];
     first.rows.push_back({i == 0 ? "DFT peak" : "", "circular",
@@ -281,12 +297,13 @@ void conclude(RecordSpectrum& record) {
   const SpectralSurvey& survey = record.survey;
   const auto say = [&](std::string text) { record.conclusions.push_back(std::move(text)); };
   if (survey.step.clear)
-    say(fmt::format("{} function{} of time: singular value {} is {} times the next. {}", survey.step.functions,
-                    survey.step.functions == 1 ? "" : "s", survey.step.functions,
+    say(fmt::format("{} function{} of time dominate{}: singular value {} is {} times the next. {}",
+                    survey.step.functions, survey.step.functions == 1 ? "" : "s",
+                    survey.step.functions == 1 ? "s" : "", survey.step.functions,
                     report::format_number(survey.step.ratio, 2),
                     survey.step.functions % 2 == 0
-                        ? fmt::format("A linear system of that order could have made the signal: {} tone{} or "
-                                      "decaying oscillation{}.",
+                        ? fmt::format("A linear system of that order could have made most of the signal: {} tone{} "
+                                      "or decaying oscillation{}.",
                                       survey.step.functions / 2, survey.step.functions == 2 ? "" : "s",
                                       survey.step.functions == 2 ? "" : "s")
                         : "An odd number is half a pair: a constant, or a slowly growing function."));
@@ -298,8 +315,12 @@ void conclude(RecordSpectrum& record) {
   const std::vector<Pole>& poles = survey.decomposition.poles;
   const bool decays =
       std::any_of(poles.begin(), poles.end(), [](const Pole& pole) { return pole.family == PoleFamily::product; });
-  say(fmt::format("{}{} steady tone{} by the test against white noise{}.", survey.tones_limited ? "At least " : "",
-                  survey.tones, survey.tones == 1 ? "" : "s", decays ? " (a decay counts for several)" : ""));
+  say(fmt::format("{}{} steady tone{} stand{} above white noise by a test{}{}.",
+                  survey.tones_limited ? "At least " : "", survey.tones, survey.tones == 1 ? "" : "s",
+                  survey.tones == 1 ? "s" : "", decays ? " (a decay counts for several)" : "",
+                  survey.step.clear && !decays && 2 * survey.tones > survey.step.functions
+                      ? ", the weak ones among them"
+                      : ""));
   if (record.names.size() > 1)
     say(fmt::format(
         "{} function{} of space{}.", survey.spatial_count.functions, survey.spatial_count.functions == 1 ? "" : "s",
@@ -307,16 +328,28 @@ void conclude(RecordSpectrum& record) {
   if (!record.tables_empty()) {
     const std::vector<TermStatistics>& terms = survey.tables.front().back().terms;
     double largest = 0, others = 0;
-    for (const TermStatistics& term : terms)
-      if (term.family == PoleFamily::circular) {
-        largest = std::max(largest, term.amplitude);
-        others += term.amplitude * term.amplitude;
-      }
-    if (terms.size() > 1 && largest > 0)
+    for (const TermStatistics& term : terms) {
+      largest = std::max(largest, term.amplitude);
+      others += term.amplitude * term.amplitude;
+    }
+    if (terms.size() > 1 && largest > 0 && !decays)
       say(fmt::format("{}: the tones beside the largest have {} of its amplitude (root of the sum of squares).",
                       record.names.front(),
                       report::format_percent(std::sqrt(std::max(0.0, others - largest * largest)) / largest, 2)));
   }
+  // A closed form whose frequencies are a little off loses the phase over a long record.
+  std::string poor;
+  if (!record.tables_empty() && survey.tables.front().back().correlation > 0.9)
+    for (const MethodStatistics& method : survey.tables.front())
+      if (!method.terms.empty() && method.correlation < 0.9)
+        poor += (poor.empty() ? "" : ", ") +
+                fmt::format("{} ({})", method.name, report::format_fixed(method.correlation, 2));
+  if (!poor.empty())
+    say(fmt::format(
+        "{}: closed forms that do not follow the record (gamma^2): {}. Their errors of frequency add up "
+        "over {} s; shorter ensembles (--ensemble) or a higher --order help.",
+        record.names.front(), poor,
+        report::format_number(static_cast<double>(survey.layout.length) / record.sample_rate_hz, 4)));
   if (survey.settling)
     say(survey.settling->settled ? "Settled: no tone drifts over the record beyond its error and the tolerance."
                                  : "Not settled: " + survey.settling->reason + ".");
@@ -328,6 +361,14 @@ void conclude(RecordSpectrum& record) {
                         : ""));
 }
 
+bool RecordSpectrum::has_rates() const {
+  for (const std::vector<MethodStatistics>& methods : survey.tables)
+    for (const MethodStatistics& method : methods)
+      for (const TermStatistics& term : method.terms)
+        if (term.family != PoleFamily::circular) return true;
+  return false;
+}
+
 bool RecordSpectrum::tables_empty() const {
   return survey.tables.empty() || survey.tables.front().empty();
 }
@@ -335,7 +376,8 @@ bool RecordSpectrum::tables_empty() const {
 std::string spectrum_report(const RecordSpectrum& record, const std::string& command) {
   report::HtmlReport page("Spectrum", record.source);
   const SpectralSurvey& survey = record.survey;
-  page.card({"Functions of time", survey.step.clear ? std::to_string(survey.step.functions) : "no clear number",
+  page.card({"Dominant functions of time",
+             survey.step.clear ? std::to_string(survey.step.functions) : "no clear number",
              fmt::format("largest step of the singular values: {}", report::format_number(survey.step.ratio, 2)),
              survey.step.clear ? Tone::neutral : Tone::caution});
   page.card({"Steady tones", fmt::format("{}{}", survey.tones_limited ? "at least " : "", survey.tones),

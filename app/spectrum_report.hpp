@@ -27,7 +27,8 @@ struct RecordSpectrum {
 
   std::vector<std::string> conclusions;  ///< what the numbers say, in words
 
-  bool tables_empty() const;  ///< no decomposition of the first channel
+  bool tables_empty() const;
+  bool has_rates() const;  ///< some term of some table grows or decays  ///< no decomposition of the first channel
 };
 
 /// Fills `conclusions`.

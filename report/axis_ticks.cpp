@@ -53,7 +53,8 @@ AxisTicks linear_ticks(double low, double high, int count) {
     const double in_label = decimal(multiple * step.mantissa, step.exponent - axis.power_of_ten);
     axis.ticks.push_back({decimal(multiple * step.mantissa, step.exponent), format_fixed(in_label, decimals)});
   }
-  return axis;
+  // One tick alone shows no scale.
+  return axis.ticks.size() < 2 && count < 8 ? linear_ticks(low, high, std::max(count, 1) * 2) : axis;
 }
 
 AxisTicks logarithmic_ticks(double low, double high, int count) {

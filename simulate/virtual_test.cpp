@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <numbers>
 #include <thread>
@@ -39,8 +40,8 @@ class VirtualTest {
     plan();
   }
 
-  SimulatedCampaign run(unsigned threads, const Progress& progress) {
-    result_.samples.resize(result_.campaign.records.size());
+  Campaign run(unsigned threads, const RecordSink& sink, const Progress& progress) {
+    sink_ = sink;
     std::atomic<std::size_t> next{0}, done{0};
     std::mutex guard;
     std::exception_ptr failure;
@@ -49,7 +50,7 @@ class VirtualTest {
         try {
           run_chain(chains_[c], [&] {
             const std::size_t finished = ++done;
-            if (progress) progress(finished, result_.samples.size());
+            if (progress) progress(finished, campaign_.records.size());
           });
         } catch (...) {
           const std::lock_guard lock(guard);
@@ -64,27 +65,26 @@ class VirtualTest {
       work();
     }
     if (failure) std::rethrow_exception(failure);
-    return std::move(result_);
+    return std::move(campaign_);
   }
 
  private:
   void describe_channels() {
-    Campaign& campaign = result_.campaign;
-    campaign.name = experiment_.name;
-    campaign.sample_rate_hz = experiment_.sample_rate_hz;
-    if (experiment_.excitation) campaign.channels.push_back(experiment_.excitation->channel);
-    for (const SimulatedChannel& response : experiment_.responses) campaign.channels.push_back(response.channel);
-    campaign.modal_basis = experiment_.modal_basis;
+    campaign_.name = experiment_.name;
+    campaign_.sample_rate_hz = experiment_.sample_rate_hz;
+    if (experiment_.excitation) campaign_.channels.push_back(experiment_.excitation->channel);
+    for (const SimulatedChannel& response : experiment_.responses) campaign_.channels.push_back(response.channel);
+    campaign_.modal_basis = experiment_.modal_basis;
   }
 
   void plan() {
     double clock = 0;
     const auto add = [&](RecordEntry entry, Task task, bool carries) {
-      task.record = result_.campaign.records.size();
+      task.record = campaign_.records.size();
       task.started_s = clock;
       entry.file = fmt::format("records/{:04}.csv", task.record + 1);
       entry.started_s = clock;
-      result_.campaign.records.push_back(std::move(entry));
+      campaign_.records.push_back(std::move(entry));
       if (carries && !chains_.empty())
         chains_.back().push_back(task);
       else
@@ -289,7 +289,7 @@ class VirtualTest {
   // Faults of the sensors, noise and quantisation, then into the campaign.
   void store(const Task& task, Record record) {
     std::vector<std::string> names;
-    for (const Channel& channel : result_.campaign.channels) names.push_back(channel.name);
+    for (const Channel& channel : campaign_.channels) names.push_back(channel.name);
     apply_sensor_faults(experiment_.faults, names, experiment_.excitation.has_value(), record);
     for (std::size_t c = 0; c < record.channels.size(); ++c) {
       const bool excitation = experiment_.excitation && c == 0;
@@ -299,26 +299,44 @@ class VirtualTest {
       for (double& x : record.channels[c]) {
         if (sensor.noise_sd > 0) x += sensor.noise_sd * noise.gaussian();
       }
-      clip(experiment_.faults, result_.campaign.channels[c].name, record.channels[c]);
+      clip(experiment_.faults, campaign_.channels[c].name, record.channels[c]);
       for (double& x : record.channels[c]) {
         if (sensor.quantisation > 0) x = sensor.quantisation * std::round(x / sensor.quantisation);
       }
     }
-    result_.samples[task.record] = std::move(record);
+    sink_(campaign_, campaign_.records[task.record], std::move(record));
   }
 
   const Experiment& experiment_;
   const CompiledModel& model_;
   std::uint64_t seed_;
   std::vector<Chain> chains_;
-  SimulatedCampaign result_;
+  Campaign campaign_;
+  RecordSink sink_;
 };
 
 }  // namespace
 
+Campaign run_virtual_test(const Experiment& experiment, const CompiledModel& model, std::uint64_t seed,
+                          unsigned threads, const RecordSink& sink, const Progress& progress) {
+  return VirtualTest(experiment, model, seed).run(threads, sink, progress);
+}
+
 SimulatedCampaign run_virtual_test(const Experiment& experiment, const CompiledModel& model, std::uint64_t seed,
                                    unsigned threads, const Progress& progress) {
-  return VirtualTest(experiment, model, seed).run(threads, progress);
+  std::mutex guard;
+  std::map<std::string, Record> finished;
+  SimulatedCampaign result;
+  result.campaign = run_virtual_test(
+      experiment, model, seed, threads,
+      [&](const Campaign&, const RecordEntry& entry, Record&& record) {
+        const std::lock_guard lock(guard);
+        finished[entry.file] = std::move(record);
+      },
+      progress);
+  for (const RecordEntry& entry : result.campaign.records)
+    result.samples.push_back(std::move(finished.at(entry.file)));
+  return result;
 }
 
 }  // namespace secular

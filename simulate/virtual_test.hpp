@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "estimator/campaign/campaign.hpp"
+#include "estimator/campaign/campaign_writer.hpp"
 #include "estimator/compiled_model.hpp"
 #include "simulate/experiment.hpp"
 
@@ -25,5 +26,10 @@ using Progress = std::function<void(std::size_t done, std::size_t total)>;
 /// InputError as integrate_motion does.
 SimulatedCampaign run_virtual_test(const Experiment& experiment, const CompiledModel& model, std::uint64_t seed,
                                    unsigned threads, const Progress& progress = {});
+
+/// The same for a campaign that does not fit into memory: `sink` takes every record as soon as it is computed, from
+/// any thread and in any order.
+Campaign run_virtual_test(const Experiment& experiment, const CompiledModel& model, std::uint64_t seed,
+                          unsigned threads, const RecordSink& sink, const Progress& progress);
 
 }  // namespace secular

@@ -71,12 +71,12 @@ std::string record_file(const std::filesystem::path& source, std::set<std::strin
 }
 
 Record read_file(const std::filesystem::path& path, const std::vector<DescribedChannel>& channels,
-                 const std::string& time, std::optional<double> sample_rate_hz) {
+                 const std::string& time, std::optional<double> sample_rate_hz, const char* rate_from) {
   std::vector<std::string> wanted;
   for (const DescribedChannel& described : channels)
     if (!contains(wanted, described.variable)) wanted.push_back(described.variable);
   if (!time.empty() && !contains(wanted, time)) wanted.push_back(time);
-  const DataFile data = read_data_file(path, wanted);
+  DataFile data = read_data_file(path, wanted);
   Record record;
   if (time.empty()) {
     record.sample_rate_hz = *sample_rate_hz;
@@ -84,14 +84,15 @@ Record read_file(const std::filesystem::path& path, const std::vector<DescribedC
     const TimeAxis axis = even_time_axis(data.vector(time).values, data.file, data.place, sample_rate_hz);
     if (sample_rate_hz && !(std::abs(axis.sample_rate_hz / *sample_rate_hz - 1) <= 1e-3))
       throw InputError(data.file, "variable " + time, fmt::format("is sampled at {} Hz", axis.sample_rate_hz),
-                       fmt::format("--sample-rate says {}", *sample_rate_hz));
+                       fmt::format("{} {}", rate_from, *sample_rate_hz));
     record.start_s = axis.start_s;
     record.sample_rate_hz = axis.sample_rate_hz;
   }
   const std::string& first = time.empty() ? channels.front().variable : time;
   const std::size_t count = data.vector(first).values.size();
-  for (const DescribedChannel& described : channels) {
-    const DataVariable& variable = data.vector(described.variable);
+  for (auto described_at = channels.begin(); described_at != channels.end(); ++described_at) {
+    const DescribedChannel& described = *described_at;
+    DataVariable& variable = data.vector(described.variable);
     if (const std::string fault = quantity_fault(variable, described.channel.quantity); !fault.empty())
       throw InputError(
           data.file, "variable " + variable.name, fault,
@@ -100,7 +101,10 @@ Record read_file(const std::filesystem::path& path, const std::vector<DescribedC
       throw InputError(data.file, "variable " + variable.name,
                        "does not say quantity and unit, as the first file does",
                        std::string("give ") + channel_form);
-    record.channels.push_back(variable.values);
+    const bool last = std::none_of(described_at + 1, channels.end(), [&](const DescribedChannel& later) {
+      return later.variable == described.variable;
+    });
+    record.channels.push_back(last ? std::move(variable.values) : variable.values);
     if (record.channels.back().size() != count)
       throw InputError(data.file, "variable " + described.variable,
                        fmt::format("has {} samples, {} has {}", record.channels.back().size(), first, count),
@@ -113,6 +117,14 @@ Record read_file(const std::filesystem::path& path, const std::vector<DescribedC
 }  // namespace
 
 ImportedCampaign import_files(const ImportOptions& options) {
+  std::vector<Record> samples;
+  ImportedCampaign imported = import_files(
+      options, [&](const Campaign&, const RecordEntry&, Record&& record) { samples.push_back(std::move(record)); });
+  imported.samples = std::move(samples);
+  return imported;
+}
+
+ImportedCampaign import_files(const ImportOptions& options, const RecordSink& sink) {
   if (options.files.empty()) throw InputError("FILE", "", "no file is named", "name the files to import");
   if (options.sample_rate_hz && (!std::isfinite(*options.sample_rate_hz) || *options.sample_rate_hz <= 0))
     throw InputError("--sample-rate", "", "is not positive", "a rate in Hz was expected");
@@ -140,8 +152,9 @@ ImportedCampaign import_files(const ImportOptions& options) {
   for (std::size_t f = 0; f < options.files.size(); ++f) {
     // Files after the first are expected at the first one's rate.
     const std::optional<double> expected = f == 0 ? options.sample_rate_hz : std::optional(campaign.sample_rate_hz);
-    imported.samples.push_back(read_file(options.files[f], channels, time, expected));
-    if (f == 0) campaign.sample_rate_hz = imported.samples.front().sample_rate_hz;
+    Record record = read_file(options.files[f], channels, time, expected,
+                              options.sample_rate_hz ? "--sample-rate says" : "the first file's rate is");
+    if (f == 0) campaign.sample_rate_hz = record.sample_rate_hz;
     RecordEntry entry;
     entry.file = record_file(options.files[f], taken);
     entry.kind = kind;
@@ -153,6 +166,7 @@ ImportedCampaign import_files(const ImportOptions& options) {
     entry.excitation_amplitude = of_file(options.amplitudes, f, options.files.size(), "--amplitude");
     entry.ensemble_s = options.ensemble_s;
     entry.group = options.group;
+    sink(campaign, entry, std::move(record));
     campaign.records.push_back(std::move(entry));
   }
   return imported;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "estimator/campaign/campaign.hpp"
+#include "estimator/campaign/campaign_writer.hpp"
 
 namespace secular {
 
@@ -38,5 +39,9 @@ struct ImportedCampaign {
 /// states and that are not SI: those are converted. Throws InputError that names the option for
 /// everything the files cannot say, and the file's variables where it helps.
 ImportedCampaign import_files(const ImportOptions& options);
+
+/// The same for files that do not fit into memory together: `sink` takes the records one after another, and
+/// ImportedCampaign::samples stays empty.
+ImportedCampaign import_files(const ImportOptions& options, const RecordSink& sink);
 
 }  // namespace secular

@@ -9,6 +9,7 @@
 #include <limits>
 #include <string_view>
 
+#include "estimator/campaign/csv_rows.hpp"
 #include "estimator/campaign/mapped_file.hpp"
 #include "input/input_error.hpp"
 
@@ -269,19 +270,28 @@ std::string number_text(double value) {
   return std::string(buffer, result.ptr);
 }
 
-std::string csv_text(const NumberTable& table) {
+std::string csv_header(const std::vector<std::string>& names) {
   std::string text;
-  for (std::size_t c = 0; c < table.names.size(); ++c) text += (c ? "," : "") + table.names[c];
-  text += '\n';
-  text.reserve(text.size() + table.rows() * table.names.size() * 20);
+  for (std::size_t c = 0; c < names.size(); ++c) text += (c ? "," : "") + names[c];
+  return text + '\n';
+}
+
+std::string csv_rows(const std::vector<std::vector<double>>& columns) {
+  std::string text;
+  const std::size_t rows = columns.empty() ? 0 : columns.front().size();
+  text.reserve(rows * columns.size() * 20);
   char buffer[32];
-  for (std::size_t r = 0; r < table.rows(); ++r)
-    for (std::size_t c = 0; c < table.columns.size(); ++c) {
-      const auto result = std::to_chars(buffer, buffer + sizeof buffer, table.columns[c][r]);
+  for (std::size_t r = 0; r < rows; ++r)
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const auto result = std::to_chars(buffer, buffer + sizeof buffer, columns[c][r]);
       text.append(buffer, result.ptr);
-      text += c + 1 == table.columns.size() ? '\n' : ',';
+      text += c + 1 == columns.size() ? '\n' : ',';
     }
   return text;
+}
+
+std::string csv_text(const NumberTable& table) {
+  return csv_header(table.names) + csv_rows(table.columns);
 }
 
 }  // namespace secular

@@ -1,16 +1,20 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <mutex>
 #include <set>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "estimator/campaign/campaign.hpp"
 #include "estimator/campaign/campaign_text.hpp"
+#include "estimator/campaign/campaign_writer.hpp"
+#include "estimator/campaign/csv_rows.hpp"
 #include "estimator/campaign/names.hpp"
-#include "estimator/campaign/number_table.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
@@ -18,13 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The campaign as it stands in the new folder: every record a CSV with the channels' names in its header.
-Campaign with_csv_records(Campaign campaign) {
-  for (RecordEntry& entry : campaign.records) {
-    entry.file = fs::path(entry.file).replace_extension(".csv").generic_string();
-    entry.variables.clear();
-  }
-  return campaign;
+// A record as it stands in the new folder: a CSV with the channels' names in its header.
+RecordEntry as_csv(RecordEntry entry) {
+  entry.file = fs::path(entry.file).replace_extension(".csv").generic_string();
+  entry.variables.clear();
+  return entry;
 }
 
 void check_record(const Campaign& campaign, const RecordEntry& entry, const Record& record,
@@ -43,38 +45,6 @@ void check_record(const Campaign& campaign, const RecordEntry& entry, const Reco
                          fmt::format("sample {} is not a finite number", i + 1),
                          "only finite samples can be stored");
   }
-}
-
-void check(const Campaign& campaign, const std::vector<Record>& samples, const fs::path& folder) {
-  if (samples.size() != campaign.records.size())
-    throw std::invalid_argument("write_campaign: as many sample sets as records were expected");
-  for (const Channel& channel : campaign.channels)
-    if (const std::string fault = channel_name_fault(channel.name); !fault.empty())
-      throw InputError(folder.string(), "channel name", fault);
-  std::set<fs::path> files = {"campaign.toml"};
-  for (std::size_t r = 0; r < samples.size(); ++r) {
-    const fs::path file = fs::path(campaign.records[r].file).lexically_normal();
-    if (file.is_absolute() || file.empty() || *file.begin() == ".." || !file.has_filename())
-      throw InputError(folder.string(), "record " + campaign.records[r].file,
-                       "is no file inside the campaign folder", "give a path such as records/0001.csv");
-    if (!files.insert(file).second)
-      throw InputError(folder.string(), "record " + campaign.records[r].file, "is a file name used twice",
-                       "every record is a file of its own");
-    check_record(campaign, campaign.records[r], samples[r], folder);
-  }
-}
-
-std::string record_text(const Campaign& campaign, const Record& record) {
-  NumberTable table;
-  table.names.push_back("t");
-  table.columns.emplace_back(record.samples());
-  for (std::size_t i = 0; i < record.samples(); ++i)
-    table.columns[0][i] = record.start_s + static_cast<double>(i) / record.sample_rate_hz;
-  for (std::size_t c = 0; c < campaign.channels.size(); ++c) {
-    table.names.push_back(campaign.channels[c].name);
-    table.columns.push_back(record.channels[c]);
-  }
-  return csv_text(table);
 }
 
 /// A folder that is built beside its target and becomes it, or leaves nothing: neither itself nor parents made for
@@ -108,11 +78,13 @@ class UnfinishedFolder {
   const fs::path& path() const { return path_; }
   const fs::path& target() const { return target_; }
 
-  void write(const fs::path& file, const std::string& text) const {
+  /// Writes a file from pieces: `next` gives them in order, an empty one ends the file.
+  template <class Next>
+  void write(const fs::path& file, const Next& next) const {
     std::error_code error;
     fs::create_directories((path_ / file).parent_path(), error);
     std::ofstream stream(path_ / file, std::ios::binary);
-    stream << text;
+    for (std::string piece = next(); stream && !piece.empty(); piece = next()) stream << piece;
     stream.close();
     if (!stream)
       throw InputError((target_ / file).string(), "", "cannot be written",
@@ -160,16 +132,80 @@ void check_campaign_target(const fs::path& folder) {
                      "name a new folder or remove this one");
 }
 
-void write_campaign(const Campaign& campaign, const std::vector<Record>& samples, const fs::path& folder) {
-  const Campaign written = with_csv_records(campaign);
+struct CampaignWriter::Building {
+  explicit Building(const fs::path& target) : named(target), folder(target) {}
+
+  // A place inside the folder that no other record has.
+  void reserve(const std::string& name) {
+    const fs::path file = fs::path(name).lexically_normal();
+    if (file.is_absolute() || file.empty() || *file.begin() == ".." || !file.has_filename())
+      throw InputError(named.string(), "record " + name, "is no file inside the campaign folder",
+                       "give a path such as records/0001.csv");
+    const std::lock_guard lock(guard);
+    if (!files.insert(file).second)
+      throw InputError(named.string(), "record " + name, "is a file name used twice",
+                       "every record is a file of its own");
+  }
+
+  fs::path named;  // as the caller spells it
+  UnfinishedFolder folder;
+  std::mutex guard;
+  std::set<fs::path> files = {"campaign.toml"};
+};
+
+CampaignWriter::CampaignWriter(const fs::path& folder) {
   check_campaign_target(folder);
-  check(written, samples, folder);
-  UnfinishedFolder building(folder);
-  building.write("campaign.toml", campaign_text(written));
-  for (std::size_t r = 0; r < samples.size(); ++r)
-    building.write(written.records[r].file, record_text(written, samples[r]));
-  check_readable(building);
-  building.finish();
+  building_ = std::make_unique<Building>(folder);
+}
+
+CampaignWriter::~CampaignWriter() = default;
+
+void CampaignWriter::write(const Campaign& campaign, const RecordEntry& entry, const Record& record) {
+  const RecordEntry written = as_csv(entry);
+  for (const Channel& channel : campaign.channels)
+    if (const std::string fault = channel_name_fault(channel.name); !fault.empty())
+      throw InputError(building_->named.string(), "channel name", fault);
+  building_->reserve(written.file);
+  check_record(campaign, written, record, building_->named);
+  // Rows in blocks: the text of a long record would take several times the space of its samples.
+  constexpr std::size_t block = 4096;
+  std::size_t row = 0;
+  bool begun = false;
+  building_->folder.write(written.file, [&] {
+    if (!begun) {
+      begun = true;
+      std::vector<std::string> names = {"t"};
+      for (const Channel& channel : campaign.channels) names.push_back(channel.name);
+      return csv_header(names);
+    }
+    const std::size_t count = std::min(block, record.samples() - row);
+    std::vector<std::vector<double>> columns(1, std::vector<double>(count));
+    for (std::size_t i = 0; i < count; ++i)
+      columns[0][i] = record.start_s + static_cast<double>(row + i) / record.sample_rate_hz;
+    for (const std::vector<double>& samples : record.channels) {
+      const auto begin = samples.begin() + static_cast<std::ptrdiff_t>(row);
+      columns.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(count));
+    }
+    row += count;
+    return csv_rows(columns);
+  });
+}
+
+void CampaignWriter::finish(const Campaign& campaign) {
+  Campaign written = campaign;
+  for (RecordEntry& entry : written.records) entry = as_csv(entry);
+  std::string text = campaign_text(written);
+  building_->folder.write("campaign.toml", [&] { return std::exchange(text, {}); });
+  check_readable(building_->folder);
+  building_->folder.finish();
+}
+
+void write_campaign(const Campaign& campaign, const std::vector<Record>& samples, const fs::path& folder) {
+  if (samples.size() != campaign.records.size())
+    throw std::invalid_argument("write_campaign: as many sample sets as records were expected");
+  CampaignWriter writer(folder);
+  for (std::size_t r = 0; r < samples.size(); ++r) writer.write(campaign, campaign.records[r], samples[r]);
+  writer.finish(campaign);
 }
 
 }  // namespace secular

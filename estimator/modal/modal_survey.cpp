@@ -16,6 +16,7 @@
 #include "estimator/modal/pole.hpp"
 #include "estimator/modal/pole_fit.hpp"
 #include "estimator/modal/survey_records.hpp"
+#include "estimator/signal/transform_length.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
@@ -297,7 +298,7 @@ void survey_impacts(ModalSurvey& survey, SurveyRecords& records) {
 class DecaySpectrum {
  public:
   explicit DecaySpectrum(const std::vector<DecaySummary>& decays) : rate_(decays.front().sample_rate_hz) {
-    for (const DecaySummary& decay : decays) samples_ = std::min(samples_, decay.rows / 2 * 2);
+    for (const DecaySummary& decay : decays) samples_ = std::min(samples_, cut_transform_length(decay.rows));
     power_ = VectorXd::Zero(samples_ / 2 + 1);
     transform_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   }

@@ -18,10 +18,10 @@ using Eigen::VectorXd;
 
 constexpr Complex imaginary(0, 1);
 
-// Real columns that multiply (Re R, Im R) of one pole, and their derivatives by real and imaginary part of the
-// pole.
+// Real columns that multiply (Re R, Im R) of one pole, and their derivatives by the pole's real part. Those by its
+// imaginary part are the same two columns turned, (d2, -d1): the functions are analytic in the pole.
 struct PoleColumns {
-  MatrixXd columns, by_real, by_imaginary;  // rows x 2
+  MatrixXd columns, derivatives;  // rows x 2
 };
 
 // A separable problem: data = [pole columns, fixed columns] * real coefficients.
@@ -70,40 +70,63 @@ PoleFit residues_of(const Separable& problem, const VectorXcd& poles) {
   return fit;
 }
 
+// Variable projection with Kaufman's Jacobian J. Its rows (samples x signals) are never formed: all of them are
+// combinations of the projected derivatives, whose moments give J^T J = H and J^T r = g. The fit sees the shorter
+// problem of the same H, g and |r|: with H = V S^2 V^T the rows S V^T, the residual S^-1 V^T g, and one entry more
+// for the rest of |r|.
 FitReport refine_once(const Separable& problem, const VectorXd& weight, const VectorXcd& start) {
   const Index n = start.size(), rows = problem.data.rows(), signals = problem.data.cols();
   const MatrixXd data = problem.data * weight.asDiagonal();
   // In units of each pole's modulus, so that steps compare.
   const VectorXd unit = start.cwiseAbs();
-  const auto poles_at = [&](const VectorXd& x) {
-    VectorXcd poles(n);
-    for (Index r = 0; r < n; ++r) poles(r) = start(r) + unit(r) * Complex(x(2 * r), x(2 * r + 1));
-    return poles;
-  };
   const ResidualFunction function = [&](const VectorXd& x, VectorXd& residual, MatrixXd& jacobian) {
-    const VectorXcd poles = poles_at(x);
-    MatrixXd design = design_of(problem, poles);
+    MatrixXd design(rows, 2 * n + problem.fixed.cols()), derivatives(rows, 2 * n);
+    design.rightCols(problem.fixed.cols()) = problem.fixed;
+    for (Index r = 0; r < n; ++r) {
+      const Complex pole = start(r) + unit(r) * Complex(x(2 * r), x(2 * r + 1));
+      if (!(pole.imag() > 0) || std::abs(pole.real()) > pole.imag()) {
+        residual.setConstant(std::nan(""));  // a step too far, turned back
+        jacobian.setZero();
+        return;
+      }
+      const PoleColumns columns = problem.columns(pole);
+      design.middleCols(2 * r, 2) = columns.columns;
+      derivatives.middleCols(2 * r, 2) = columns.derivatives;
+    }
     const VectorXd scale = design.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
     design = design * scale.asDiagonal();
     const Eigen::HouseholderQR<MatrixXd> qr(design);
     const MatrixXd orthogonal = qr.householderQ() * MatrixXd::Identity(rows, design.cols());
-    const MatrixXd coefficients = scale.asDiagonal() * qr.solve(data);
-    const MatrixXd left = data - orthogonal * (orthogonal.transpose() * data);
-    residual = Eigen::Map<const VectorXd>(left.data(), left.size());
-    for (Index r = 0; r < n; ++r) {
-      const PoleColumns derived = problem.columns(poles(r));
-      const MatrixXd pair = coefficients.middleRows(2 * r, 2);
-      MatrixXd by_real = derived.by_real * pair, by_imaginary = derived.by_imaginary * pair;
-      by_real -= orthogonal * (orthogonal.transpose() * by_real);  // Kaufman's part of the Jacobian
-      by_imaginary -= orthogonal * (orthogonal.transpose() * by_imaginary);
-      jacobian.col(2 * r) = -unit(r) * Eigen::Map<const VectorXd>(by_real.data(), by_real.size());
-      jacobian.col(2 * r + 1) = -unit(r) * Eigen::Map<const VectorXd>(by_imaginary.data(), by_imaginary.size());
+    const MatrixXd shadow = orthogonal.transpose() * data;
+    const MatrixXd coefficients =
+        scale.asDiagonal() * qr.matrixQR().topRows(design.cols()).triangularView<Eigen::Upper>().solve(shadow);
+    const MatrixXd left = data - orthogonal * shadow;
+    derivatives -= orthogonal * (orthogonal.transpose() * derivatives);
+    const MatrixXd moments = derivatives.transpose() * derivatives, slopes = derivatives.transpose() * left;
+    MatrixXd hessian = MatrixXd::Zero(2 * n, 2 * n);
+    VectorXd gradient = VectorXd::Zero(2 * n);
+    for (Index s = 0; s < signals; ++s) {
+      MatrixXd turn = MatrixXd::Zero(2 * n, 2 * n);  // unknowns to amplitudes of the derivatives
+      for (Index r = 0; r < n; ++r) {
+        const double p = -unit(r) * coefficients(2 * r, s), q = -unit(r) * coefficients(2 * r + 1, s);
+        turn.block<2, 2>(2 * r, 2 * r) << p, -q, q, p;
+      }
+      hessian += turn.transpose() * (moments * turn);
+      gradient += turn.transpose() * slopes.col(s);
     }
-    for (const Complex pole : poles)
-      if (!(pole.imag() > 0) || std::abs(pole.real()) > pole.imag())
-        residual.setConstant(std::nan(""));  // a step too far, turned back
+    const VectorXd length = hessian.diagonal().cwiseMax(1e-300).cwiseSqrt(), shorten = length.cwiseInverse();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(
+        MatrixXd(shorten.asDiagonal() * hessian * shorten.asDiagonal()));
+    const VectorXd singular = spectrum.eigenvalues().cwiseMax(0).cwiseSqrt();
+    VectorXd along = spectrum.eigenvectors().transpose() * shorten.cwiseProduct(gradient);
+    for (Index i = 0; i < 2 * n; ++i)
+      along(i) = singular(i) > 1e-7 * singular(2 * n - 1) ? along(i) / singular(i) : 0;  // below: rounding
+    jacobian.topRows(2 * n) = singular.asDiagonal() * spectrum.eigenvectors().transpose() * length.asDiagonal();
+    jacobian.row(2 * n).setZero();
+    residual.head(2 * n) = along;
+    residual(2 * n) = std::sqrt(std::max(0.0, left.squaredNorm() - along.squaredNorm()));
   };
-  FitReport report = nonlinear_fit(function, rows * signals, VectorXd::Zero(2 * n), 60);
+  FitReport report = nonlinear_fit(function, 2 * n + 1, VectorXd::Zero(2 * n), 60);
   for (Index r = 0; r < n; ++r) {
     report.parameters.segment(2 * r, 2) *= unit(r);
     report.covariance.middleRows(2 * r, 2) *= unit(r);
@@ -136,15 +159,25 @@ PoleFit refined(const Separable& problem, const VectorXcd& start) {
 
 Separable in_time(const Eigen::Ref<const MatrixXd>& samples, double rate) {
   if (!(rate > 0)) throw std::invalid_argument("pole fit: the sample rate is not positive");
-  const VectorXd time = VectorXd::LinSpaced(samples.rows(), 0, static_cast<double>(samples.rows() - 1)) / rate;
-  // 2 Re(R e) = Re R * 2 Re e - Im R * 2 Im e
-  return {samples, MatrixXd::Ones(samples.rows(), 1), [time](Complex pole) {
-            const VectorXcd e = (time.cast<Complex>() * pole).array().exp();
-            const VectorXcd te = time.cast<Complex>().cwiseProduct(e);
-            PoleColumns c{MatrixXd(time.size(), 2), MatrixXd(time.size(), 2), MatrixXd(time.size(), 2)};
-            c.columns << 2 * e.real(), -2 * e.imag();
-            c.by_real << 2 * te.real(), -2 * te.imag();
-            c.by_imaginary << -2 * te.imag(), -2 * te.real();  // of i t e
+  // 2 Re(R e) = Re R * 2 Re e - Im R * 2 Im e with e = exp(pole t): exact at every 32nd sample and for the offsets
+  // in between, so that rounding does not grow along the record.
+  return {samples, MatrixXd::Ones(samples.rows(), 1), [rows = samples.rows(), rate](Complex pole) {
+            constexpr Index block = 32;
+            Complex offset[block];
+            for (Index j = 0; j < block; ++j) offset[j] = std::exp(pole * (static_cast<double>(j) / rate));
+            PoleColumns c{MatrixXd(rows, 2), MatrixXd(rows, 2)};
+            Complex start = 0;
+            for (Index i = 0; i < rows; ++i) {
+              const double t = static_cast<double>(i) / rate;
+              if (i % block == 0) start = 2.0 * std::exp(pole * t);
+              const Complex factor = offset[i % block];
+              const double real = start.real() * factor.real() - start.imag() * factor.imag();
+              const double imaginary_part = start.real() * factor.imag() + start.imag() * factor.real();
+              c.columns(i, 0) = real;
+              c.columns(i, 1) = -imaginary_part;
+              c.derivatives(i, 0) = t * real;
+              c.derivatives(i, 1) = -t * imaginary_part;
+            }
             return c;
           }};
 }
@@ -172,11 +205,10 @@ Separable in_frequency(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref
   return {stacked(responses), stacked(outside_terms(omega, form)), [s](Complex pole) {
             const VectorXcd up = (s.array() - pole).inverse(), down = (s.array() - std::conj(pole)).inverse();
             const VectorXcd du = up.cwiseProduct(up), dd = down.cwiseProduct(down);
-            MatrixXcd c(s.size(), 2), r(s.size(), 2), i(s.size(), 2);
+            MatrixXcd c(s.size(), 2), d(s.size(), 2);
             c << up + down, imaginary * (up - down);
-            r << du + dd, imaginary * (du - dd);
-            i << imaginary * (du - dd), -(du + dd);
-            return PoleColumns{stacked(c), stacked(r), stacked(i)};
+            d << du + dd, imaginary * (du - dd);
+            return PoleColumns{stacked(c), stacked(d)};
           }};
 }
 

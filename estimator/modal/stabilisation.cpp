@@ -82,10 +82,21 @@ StableMode mode_of(const StabilisationDiagram& diagram, const std::vector<std::s
   return mode;
 }
 
-// One physical mode that the orders show twice: same frequency within the tolerance and same shape.
+// One physical mode that the orders show twice: same shape, and same frequency within the tolerance or within the
+// half-power bandwidths. A decay whose damping changes with amplitude is a sum of several such poles. One channel
+// alone has no shape, and the bandwidths do not count.
 bool same_mode(const StableMode& a, const StableMode& b, const StabilisationOptions& options) {
-  return std::abs(natural_frequency(a.pole) / natural_frequency(b.pole) - 1) <= options.frequency_tolerance &&
-         modal_assurance(a.shape, b.shape) >= options.shape_tolerance;
+  const double apart = std::abs(natural_frequency(a.pole) - natural_frequency(b.pole));
+  const double tolerance = options.frequency_tolerance * natural_frequency(b.pole);
+  const double bandwidths = a.shape.size() > 1 ? -a.pole.real() - b.pole.real() : 0;
+  return apart <= std::max(tolerance, bandwidths) && modal_assurance(a.shape, b.shape) >= options.shape_tolerance;
+}
+
+// Of two chains of one mode the longer one, but where their damping differs the one that rings longer: the other
+// poles make up for the beginning of the decay.
+bool better(const StableMode& a, const StableMode& b, const StabilisationOptions& options) {
+  const double ratio = damping_ratio(a.pole) / damping_ratio(b.pole);
+  return std::abs(ratio - 1) > options.damping_tolerance ? ratio < 1 : a.orders > b.orders;
 }
 
 }  // namespace
@@ -118,7 +129,7 @@ StabilisationDiagram stabilisation_diagram(const EigensystemRealization& realiza
         std::find_if(modes.begin(), modes.end(), [&](const StableMode& m) { return same_mode(m, mode, options); });
     if (twin == modes.end())
       modes.push_back(std::move(mode));
-    else if (mode.orders > twin->orders)
+    else if (better(mode, *twin, options))
       *twin = std::move(mode);
   }
   std::sort(modes.begin(), modes.end(), [](const StableMode& a, const StableMode& b) {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "estimator/modal/decimation.hpp"
+#include "estimator/signal/transform_length.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
@@ -187,7 +188,7 @@ void SurveyRecords::find_places(const std::vector<std::size_t>& records) {
     }
     impact_rate_hz_ = whole.rate;
   }
-  impact_length_ = length / 2 * 2;
+  impact_length_ = cut_transform_length(length);
   if (impact_length_ < 128)
     throw InputError(toml_of(survey_), "", fmt::format("the shortest impact has {} samples", impact_length_),
                      "records of 128 samples or more after each impact");

@@ -33,13 +33,13 @@ std::vector<Pole> known_poles(const DecompositionOptions& options) {
   return poles;
 }
 
-// Moves the origin of time by `shift` seconds, the covariance with it.
+// Moves the origin of time by `shift` seconds, the covariance with it: J C J^T, where J turns the amplitudes of
+// each pole among themselves and adds what the pole's own unknowns do to them.
 void move_origin(Decomposition& d, double shift) {
   const Index functions = d.amplitudes.rows(), channels = d.amplitudes.cols();
   const Index unknowns = parameter_count(d.poles);
-  MatrixXd jacobian;
-  const bool with_covariance = d.covariance.size() > 0;
-  if (with_covariance) jacobian = MatrixXd::Identity(d.covariance.rows(), d.covariance.cols());
+  const bool with_covariance = d.covariance.size() > 0 && d.covariance.allFinite();
+  MatrixXd& covariance = d.covariance;
   Index function = 0, unknown = 0;
   for (const Pole& pole : d.poles) {
     const Index size = function_count(pole), own = parameter_count(pole);
@@ -49,14 +49,18 @@ void move_origin(Decomposition& d, double shift) {
       d.amplitudes.block(function, c, size, 1) = moved;
       if (!with_covariance) continue;
       const Index row = unknowns + c * functions + function;
-      jacobian.block(row, row, size, size) = s;
+      MatrixXd rows = s.lazyProduct(covariance.middleRows(row, size));
       for (Index i = 0; i < own; ++i)
-        jacobian.block(row, unknown + i, size, 1) = shift * (generator(pole, i) * moved);
+        rows.noalias() += (shift * (generator(pole, i) * moved)) * covariance.row(unknown + i);
+      covariance.middleRows(row, size) = rows;
+      MatrixXd columns = covariance.middleCols(row, size).lazyProduct(s.transpose());
+      for (Index i = 0; i < own; ++i)
+        columns.noalias() += covariance.col(unknown + i) * (shift * (generator(pole, i) * moved)).transpose();
+      covariance.middleCols(row, size) = columns;
     }
     function += size;
     unknown += own;
   }
-  if (with_covariance && d.covariance.allFinite()) d.covariance = jacobian * d.covariance * jacobian.transpose();
 }
 
 void set_quality(Decomposition& d, const Eigen::Ref<const MatrixXd>& channels, const MatrixXd& residual) {

@@ -59,10 +59,10 @@ MatrixXd FoldedWindow::unfold(const MatrixXd& even_part, const MatrixXd& odd_par
   return channels;
 }
 
-FoldedFunctions::FoldedFunctions(std::span<const Pole> poles, const FoldedWindow& window) {
-  const MatrixXd functions = pole_functions(poles, window.rows, window.rate, window.time(0) * window.half);
+FoldedFunctions::FoldedFunctions(std::span<const Pole> poles, const FoldedWindow& of_window) : window(&of_window) {
+  const MatrixXd functions = pole_functions(poles, window->rows, window->rate, window->time(0) * window->half);
   // The sign (-1)^l counts from the first sample of the whole window; over an even number of samples it is odd.
-  const double sign = window.first % 2 == 0 ? 1 : -1;
+  const double sign = window->first % 2 == 0 ? 1 : -1;
   std::vector<double> scale;
   Index at = 0;
   for (const Pole& pole : poles) {
@@ -70,20 +70,19 @@ FoldedFunctions::FoldedFunctions(std::span<const Pole> poles, const FoldedWindow
     const bool nyquist = pole.family == PoleFamily::nyquist_hyperbolic;
     for (Index i = 0; i < size; ++i, ++at) {
       const bool sine = i == 1 || i == 2;
-      const bool is_odd = nyquist && window.samples % 2 == 0 ? !sine : sine;
+      const bool is_odd = nyquist && window->samples % 2 == 0 ? !sine : sine;
       (is_odd ? odd_at : even_at).push_back(at);
       scale.push_back(nyquist ? sign : 1);
     }
   }
-  const auto gather = [&](const std::vector<Index>& places, MatrixXd& part, MatrixXd& timed) {
-    part.resize(window.rows, static_cast<Index>(places.size()));
+  const auto gather = [&](const std::vector<Index>& places, MatrixXd& part) {
+    part.resize(window->rows, static_cast<Index>(places.size()));
     for (std::size_t k = 0; k < places.size(); ++k)
       part.col(static_cast<Index>(k)) =
-          scale[static_cast<std::size_t>(places[k])] * window.weight.cwiseProduct(functions.col(places[k]));
-    timed = window.time.asDiagonal() * part;
+          scale[static_cast<std::size_t>(places[k])] * window->weight.cwiseProduct(functions.col(places[k]));
   };
-  gather(even_at, even, timed_even);
-  gather(odd_at, odd, timed_odd);
+  gather(even_at, even);
+  gather(odd_at, odd);
 }
 
 MatrixXd FoldedFunctions::gram() const {
@@ -93,18 +92,16 @@ MatrixXd FoldedFunctions::gram() const {
   return result;
 }
 
-MatrixXd FoldedFunctions::first() const {
-  MatrixXd result = MatrixXd::Zero(even.cols() + odd.cols(), even.cols() + odd.cols());
-  result(even_at, odd_at) = product_of(even, timed_odd);
-  result(odd_at, even_at) = product_of(odd, timed_even);
-  return result;
-}
-
-MatrixXd FoldedFunctions::second() const {
-  MatrixXd result = MatrixXd::Zero(even.cols() + odd.cols(), even.cols() + odd.cols());
-  result(even_at, even_at) = square_of(timed_even);
-  result(odd_at, odd_at) = square_of(timed_odd);
-  return result;
+std::pair<MatrixXd, MatrixXd> FoldedFunctions::timed_moments() const {
+  // Time times an even function is odd, and the other way round.
+  const MatrixXd timed_even = window->time.asDiagonal() * even, timed_odd = window->time.asDiagonal() * odd;
+  MatrixXd first = MatrixXd::Zero(even.cols() + odd.cols(), even.cols() + odd.cols()), second = first;
+  const MatrixXd across = product_of(even, timed_odd);  // and its transpose: time stands on either side
+  first(even_at, odd_at) = across;
+  first(odd_at, even_at) = across.transpose();
+  second(even_at, even_at) = square_of(timed_even);
+  second(odd_at, odd_at) = square_of(timed_odd);
+  return {std::move(first), std::move(second)};
 }
 
 MatrixXd FoldedFunctions::project(const MatrixXd& even_part, const MatrixXd& odd_part) const {
@@ -115,20 +112,13 @@ MatrixXd FoldedFunctions::project(const MatrixXd& even_part, const MatrixXd& odd
 }
 
 MatrixXd FoldedFunctions::project_timed(const MatrixXd& even_part, const MatrixXd& odd_part) const {
-  MatrixXd result(even.cols() + odd.cols(), even_part.cols());
-  result(even_at, Eigen::all) = product_of(timed_even, odd_part);
-  result(odd_at, Eigen::all) = product_of(timed_odd, even_part);
-  return result;
+  return project(window->time.asDiagonal() * odd_part, window->time.asDiagonal() * even_part);
 }
 
 void FoldedFunctions::subtract(const MatrixXd& amplitudes, MatrixXd& even_part, MatrixXd& odd_part) const {
   const MatrixXd even_amplitudes = amplitudes(even_at, Eigen::all), odd_amplitudes = amplitudes(odd_at, Eigen::all);
   subtract_product(even, even_amplitudes, even_part);
   subtract_product(odd, odd_amplitudes, odd_part);
-}
-
-bool FoldedFunctions::finite() const {
-  return even.allFinite() && odd.allFinite();
 }
 
 }  // namespace secular

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "estimator/signal/pole.hpp"
@@ -25,23 +26,23 @@ class FoldedWindow {
   Eigen::VectorXd time;                           ///< [row] in half windows
 };
 
-/// The functions of poles in a folded window, and time (half windows) times them.
+/// The functions of poles in a folded window. Time is counted in half windows.
 struct FoldedFunctions {
+  /// The window must outlive the functions.
   FoldedFunctions(std::span<const Pole> poles, const FoldedWindow& window);
 
   Eigen::MatrixXd even, odd;                  ///< rows x number of such functions
-  Eigen::MatrixXd timed_even, timed_odd;      ///< time * even (an odd function) and time * odd (even)
   std::vector<Eigen::Index> even_at, odd_at;  ///< place of each in the order of the poles
+  const FoldedWindow* window;
 
-  Eigen::MatrixXd gram() const;    ///< G^T G
-  Eigen::MatrixXd first() const;   ///< G^T (time G)
-  Eigen::MatrixXd second() const;  ///< (time G)^T (time G)
+  Eigen::MatrixXd gram() const;  ///< G^T G
+  /// G^T (time G) and (time G)^T (time G).
+  std::pair<Eigen::MatrixXd, Eigen::MatrixXd> timed_moments() const;
   /// G^T y and (time G)^T y for folded channels: functions x channels.
   Eigen::MatrixXd project(const Eigen::MatrixXd& even_part, const Eigen::MatrixXd& odd_part) const;
   Eigen::MatrixXd project_timed(const Eigen::MatrixXd& even_part, const Eigen::MatrixXd& odd_part) const;
   /// Subtracts G * amplitudes.
   void subtract(const Eigen::MatrixXd& amplitudes, Eigen::MatrixXd& even_part, Eigen::MatrixXd& odd_part) const;
-  bool finite() const;
 };
 
 }  // namespace secular

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "estimator/signal/folded_window.hpp"
@@ -39,8 +40,9 @@ struct Moments {
 
   Moments(Gram factored, const FoldedFunctions& functions) : gram(std::move(factored)) {
     if (!(gram.rcond > 1e-15)) return;
-    first = gram.scale.asDiagonal() * functions.first();
-    free = functions.second() - first.transpose() * gram.factor.solve(first);
+    std::tie(first, free) = functions.timed_moments();
+    first = gram.scale.asDiagonal() * first;
+    free -= first.transpose() * gram.factor.solve(first);
     usable = true;
   }
 };
@@ -150,18 +152,20 @@ class Refiner {
       const VectorXd step = -hessian.ldlt().solve(slope);
       if (!step.allFinite()) return undetermined(poles);
       const double promised = -0.5 * slope.dot(step);  // decrease of the quadratic model, in log-likelihood
+      // A step far below the standard deviation of the estimate changes nothing but rounding.
+      if (promised < 1e-7) {
+        result.status = ToneStatus::converged;
+        break;
+      }
       const std::vector<Pole> next = moved(poles, step);
       std::optional<State> candidate = evaluate(next);
-      // Rounding floor of the sum of logarithms: below it only the gradient tells, and the step is taken.
-      const bool flat = promised < 1e-9;
-      if (candidate && (candidate->cost <= now->cost || (flat && candidate->cost <= now->cost + 1e-9))) {
+      if (candidate && candidate->cost <= now->cost) {
         const double length = step.norm();
         poles = next;
         now = std::move(candidate);
         damping = damping < 1e-6 ? 0 : damping / 10;
         moved_by += length;
-        // A step far below the standard deviation of the estimate changes nothing but rounding.
-        if (promised < 1e-7 || length < 1e-14) {
+        if (length < 1e-14) {
           result.status = ToneStatus::converged;
           break;
         }
@@ -171,7 +175,7 @@ class Refiner {
           moved_by = 0;
         }
       } else {
-        if (flat || damping > 1e8) {
+        if (damping > 1e8) {
           result.status = ToneStatus::converged;
           break;
         }
@@ -180,7 +184,8 @@ class Refiner {
         damping = std::max(1e-3, damping * 10);
       }
     }
-    if (moved_by > 1e-4) m = Moments(now->gram, now->functions);
+    // The covariance is off by about as much as the functions have turned since.
+    if (moved_by > 1e-3) m = Moments(now->gram, now->functions);
     finish(poles, *now, m, result);
     return result;
   }
@@ -197,9 +202,8 @@ class Refiner {
 
   std::optional<State> evaluate(std::span<const Pole> poles) const {
     FoldedFunctions functions(poles, window_);
-    if (!functions.finite()) return std::nullopt;
     Gram gram(functions.gram());
-    if (!(gram.rcond > 0)) return std::nullopt;
+    if (!(gram.rcond > 0)) return std::nullopt;  // dependent functions, or rates beyond all numbers
     State s{std::move(functions), std::move(gram), MatrixXd::Zero(functions_, even_.cols()), even_, odd_, {}, 0};
     solve_residual(s);
     // Normal equations lose digits, and a second pass finds them again.

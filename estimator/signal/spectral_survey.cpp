@@ -11,6 +11,7 @@
 #include "estimator/signal/arma.hpp"
 #include "estimator/signal/model_order.hpp"
 #include "estimator/signal/tone_search.hpp"
+#include "estimator/signal/transform_length.hpp"
 
 namespace secular {
 namespace {
@@ -33,7 +34,8 @@ constexpr Way ways[] = {{"4.3.1 least squares", PolynomialMethod::least_squares,
 
 struct Term {
   PoleFamily family = PoleFamily::circular;
-  double frequency_hz = 0, p = 0, q = 0;
+  double frequency_hz = 0, p = 0, q = 0, rate = 0;
+  double frequency_sd = std::numeric_limits<double>::quiet_NaN(), amplitude_sd = frequency_sd;
 };
 
 // Unknown terms of one channel by frequency. A product of circular and hyperbolic functions is listed with the
@@ -45,8 +47,15 @@ std::vector<Term> terms_of(const Decomposition& d, Index channel) {
     if (pole.imposed || pole.family == PoleFamily::constant) continue;
     const bool oscillates = pole.family == PoleFamily::circular || pole.family == PoleFamily::product;
     const Index row = d.first_function(i);
-    terms.push_back({pole.family, (oscillates ? pole.frequency : pole.rate) * to_hz, d.amplitudes(row, channel),
-                     d.amplitudes(row + 1, channel)});
+    Term term{pole.family, (oscillates ? pole.frequency : pole.rate) * to_hz, d.amplitudes(row, channel),
+              d.amplitudes(row + 1, channel), pole.family == PoleFamily::circular ? 0 : pole.rate};
+    if (d.covariance.size() > 0) {
+      const Index unknown = d.first_parameter(i), at = d.amplitude_row(row, channel);
+      const Eigen::Vector2d along = Eigen::Vector2d(term.p, term.q).normalized();
+      term.frequency_sd = std::sqrt(d.covariance(unknown, unknown)) * to_hz;
+      term.amplitude_sd = std::sqrt(along.dot(d.covariance.block<2, 2>(at, at) * along));
+    }
+    terms.push_back(term);
   }
   std::stable_sort(terms.begin(), terms.end(),
                    [](const Term& a, const Term& b) { return a.frequency_hz < b.frequency_hz; });
@@ -109,18 +118,20 @@ std::vector<TermStatistics> statistics_of(const std::vector<std::vector<Term>>& 
         static_cast<PoleFamily>(std::max_element(std::begin(counts), std::end(counts)) - std::begin(counts));
     row.p = terms.front().p;
     row.q = terms.front().q;
-    std::vector<double> frequency, amplitude;
+    std::vector<double> frequency, amplitude, rate;
     for (const Term& term : terms) {
       if (term.family != row.family) continue;
+      rate.push_back(term.rate);
       frequency.push_back(term.frequency_hz);
       amplitude.push_back(std::hypot(term.p, term.q));
     }
     row.ensembles = static_cast<int>(frequency.size());
     const Spread f = spread_of(frequency), a = spread_of(amplitude);
     row.frequency_hz = f.mean;
-    row.frequency_sd = f.sd;
+    row.frequency_sd = terms.size() > 1 ? f.sd : terms.front().frequency_sd;
     row.amplitude = a.mean;
-    row.amplitude_sd = a.sd;
+    row.amplitude_sd = terms.size() > 1 ? a.sd : terms.front().amplitude_sd;
+    row.rate = spread_of(rate).mean;
     result.push_back(row);
   }
   return result;
@@ -266,7 +277,7 @@ SpectralSurvey spectral_survey(const Eigen::Ref<const MatrixXd>& channels, doubl
 
 AmplitudeSpectrum amplitude_spectrum(const Eigen::Ref<const MatrixXd>& channels, double sample_rate_hz,
                                      Index length) {
-  length = std::min(length, channels.rows()) / 2 * 2;
+  length = cut_transform_length(std::min(length, channels.rows()));
   if (length < 4) throw std::invalid_argument("a spectrum needs 4 samples or more");
   AmplitudeSpectrum spectrum;
   const Index lines = length / 2 + 1;

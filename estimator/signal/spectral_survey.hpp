@@ -23,12 +23,14 @@ struct SpectralOptions {
   bool offset = false;     ///< a constant per channel beside the functions
 };
 
-/// One term of a decomposition over the ensembles: those next in frequency to a term of the first ensemble.
+/// One term of a decomposition over the ensembles: those next in frequency to a term of the first ensemble. Of one
+/// ensemble there is no scatter: the deviations are maximum likelihood's own, and NaN for the other ways.
 struct TermStatistics {
   PoleFamily family = PoleFamily::circular;   ///< of most ensembles
   int ensembles = 0;                          ///< that have such a term of this family
   double frequency_hz = 0, frequency_sd = 0;  ///< mean and scatter; a rate over 2 pi for hyperbolic terms
   double amplitude = 0, amplitude_sd = 0;     ///< |p + i q| of the channel (|a + i b| for hyperbolic terms)
+  double rate = 0;                            ///< 1/s, mean: of growth or decay, zero for circular terms
   double p = 0, q = 0;                        ///< (or a and b) of the first ensemble, at its first sample
 };
 

@@ -48,14 +48,35 @@ MatrixXd folded(const Eigen::Ref<const VectorXd>& y, Index n) {
   return columns;
 }
 
-// Upper triangle R with R^T R = A^T A.
-MatrixXd triangle(const MatrixXd& a) {
-  // Cholesky where noise keeps A^T A well away from singular: a relative error below 1e-9 and a quarter of the
+// A^T A of the folded matrix: its entries are sums of y(l+a) y(l+b) over one range of l, and those of equal b - a
+// differ by the products at the ends of the range. One sum for every lag, instead of one for every entry.
+MatrixXd folded_gram(const Eigen::Ref<const VectorXd>& y, Index n) {
+  const Index rows = y.size() - 2 * n, size = 2 * n + 1;
+  MatrixXd sums(size, size);  // of y(l+a-n) y(l+b-n), l = n .. N-n-1
+  for (Index b = 0; b < size; ++b) {
+    sums(0, b) = y.head(rows).dot(y.segment(b, rows));
+    for (Index a = 1; a <= b; ++a)
+      sums(a, b) = sums(a - 1, b - 1) - y(a - 1) * y(b - 1) + y(rows + a - 1) * y(rows + b - 1);
+    for (Index a = 0; a < b; ++a) sums(b, a) = sums(a, b);
+  }
+  MatrixXd gram(n + 1, n + 1);
+  for (Index j = 0; j <= n; ++j)
+    for (Index k = 0; k <= n; ++k) {
+      const double across = sums(n - j, n - k) + sums(n + j, n - k),
+                   along = sums(n - j, n + k) + sums(n + j, n + k);
+      // Column 0 holds y(l) once, not twice.
+      gram(j, k) = (across + along) * (j == 0 ? 0.5 : 1) * (k == 0 ? 0.5 : 1);
+    }
+  return gram;
+}
+
+// Upper triangle R with R^T R = A^T A, A = folded(y) * map.
+MatrixXd triangle(const Eigen::Ref<const VectorXd>& y, Index n, const MatrixXd& map) {
+  // Cholesky where noise keeps A^T A well away from singular: a relative error below 1e-9 and a small part of the
   // cost.
-  MatrixXd gram = MatrixXd::Zero(a.cols(), a.cols());
-  gram.selfadjointView<Eigen::Lower>().rankUpdate(a.transpose());
-  const Eigen::LLT<MatrixXd, Eigen::Lower> cholesky(gram);
+  const Eigen::LLT<MatrixXd> cholesky(MatrixXd(map.transpose() * folded_gram(y, n) * map));
   if (cholesky.info() == Eigen::Success && cholesky.rcond() > 1e-7) return cholesky.matrixU();
+  const MatrixXd a = folded(y, n) * map;
   const Eigen::HouseholderQR<MatrixXd> qr(a);
   const Index k = std::min(a.rows(), a.cols());
   return qr.matrixQR().topRows(k).triangularView<Eigen::Upper>();
@@ -113,9 +134,7 @@ SymmetricPolynomial estimate_symmetric_polynomial(const Eigen::Ref<const MatrixX
   SymmetricPolynomial result;
   result.channel_weight = VectorXd::Ones(count);
   for (Index c = 0; c < count; ++c) {
-    const MatrixXd raw = folded(channels.col(c), n);
-    const MatrixXd reduced = imposed.empty() ? raw : MatrixXd(raw * map);
-    const MatrixXd r = triangle(reduced);
+    const MatrixXd r = triangle(channels.col(c), n, map);
     const double power = channels.col(c).squaredNorm() / static_cast<double>(samples);
     if (count > 1) {
       const double noise = noise_level(r, factor) / static_cast<double>(rows);
@@ -125,6 +144,7 @@ SymmetricPolynomial estimate_symmetric_polynomial(const Eigen::Ref<const MatrixX
     MatrixXd& mine = part[static_cast<std::size_t>(c)];
     if (method == PolynomialMethod::lagged_covariance) {
       const Index pairs = samples - 4 * n;
+      const MatrixXd raw = folded(channels.col(c), n), reduced = raw * map;
       mine = result.channel_weight(c) * result.channel_weight(c) *
              (raw.topLeftCorner(pairs, n).transpose() * reduced.bottomRows(pairs));
     } else {

@@ -8,6 +8,8 @@
 #include <unsupported/Eigen/FFT>
 #include <utility>
 
+#include "estimator/signal/transform_length.hpp"
+
 namespace secular {
 namespace {
 
@@ -28,8 +30,9 @@ double peak_probability(double ordinate, Index channels, Index samples) {
 
 SpectralPeak spectral_peak(const Eigen::Ref<const MatrixXd>& residual, double sample_rate_hz, int padding,
                            double unknowns) {
-  const Index samples = residual.rows(), length = samples * padding;
-  const Index low = padding, high = (length + 1) / 2 - padding;  // one bin from zero and from Nyquist
+  const Index samples = residual.rows(), length = padded_transform_length(samples * padding);
+  const Index bin_lines = (length + samples - 1) / samples;
+  const Index low = bin_lines, high = (length + 1) / 2 - bin_lines;  // one bin from zero and from Nyquist
   SpectralPeak peak;
   if (high <= low) return peak;
   // Plans of the transform cost more than the transform: they are kept, one set for each thread.

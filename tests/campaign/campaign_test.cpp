@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "estimator/campaign/campaign_writer.hpp"
 #include "estimator/campaign/data_file.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
@@ -335,6 +336,32 @@ TEST_F(CampaignFolder, AFailingWriteLeavesNothing) {
   EXPECT_TRUE(
       contains(refusal([&] { write_campaign(full_campaign(256), samples, file / "c"); }), "cannot be created"));
   EXPECT_EQ(entries(), 1u);
+}
+
+// Records longer than a block of the writer, in another order than the campaign's: the same bytes.
+TEST_F(CampaignFolder, RecordByRecordIsTheSameCampaign) {
+  const Campaign campaign = full_campaign(256);
+  std::mt19937_64 random(11);
+  std::vector<Record> samples(2);
+  for (Record& record : samples) {
+    record.sample_rate_hz = 256;
+    for (int c = 0; c < 3; ++c) record.channels.push_back(any_numbers(random, 9001));
+  }
+  write_campaign(campaign, samples, folder_ / "whole");
+  CampaignWriter writer(folder_ / "parts");
+  for (const std::size_t r : {1u, 0u}) writer.write(campaign, campaign.records[r], samples[r]);
+  EXPECT_FALSE(fs::exists(folder_ / "parts"));
+  EXPECT_TRUE(contains(refusal([&] { writer.write(campaign, campaign.records[0], samples[0]); }), "used twice"));
+  writer.finish(campaign);
+  for (const char* const file : {"campaign.toml", "records/a.csv", "second.csv"})
+    EXPECT_EQ(read(std::string("whole/") + file), read(std::string("parts/") + file)) << file;
+  EXPECT_TRUE(same_bits(read_record(read_campaign(folder_ / "parts"), campaign.records[1]).channels[2],
+                        samples[1].channels[2]));
+  {
+    CampaignWriter unfinished(folder_ / "never");
+    unfinished.write(campaign, campaign.records[0], samples[0]);
+  }
+  EXPECT_EQ(entries(), 2u);
 }
 
 TEST_F(CampaignFolder, SamplesThatDoNotFitTheCampaignAreMisuse) {
