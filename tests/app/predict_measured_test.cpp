@@ -131,16 +131,16 @@ TEST_F(SlowMeasuredDwells, OfSteppedSweepsJumpWithinAStepOfTheSaddleNodes) {
   std::string text = experiment_text;
   text = text.substr(0, text.find("[[dwell]]"));
   text.replace(text.find("FOLDER"), 6, folder_.string());
-  text.replace(text.find("c = 1.0"), 7, "c = 0.25");
+  text.replace(text.find("c = 1.0"), 7, "c = 0.15");
   for (const auto& [group, frequencies] : {std::pair("up", up), std::pair("down", down)})
     text += "[[dwell]]\nfrequencies_hz = [" + frequencies +
-            "]\namplitudes = [5.0]\nensembles = 2\nensemble_s = 2.0\nsettle_s = 32.0\ncarry_state = true\n"
+            "]\namplitudes = [3.0]\nensembles = 2\nensemble_s = 2.0\nsettle_s = 60.0\ncarry_state = true\n"
             "group = \"" +
             std::string(group) + "\"\n";
   std::ofstream(folder_ / "sweeps.toml") << text;
-  std::ofstream(folder_ / "light.json") << R"({"w": 40, "c": 0.25, "k3": 1000, "e": 1})";
+  std::ofstream(folder_ / "light.json") << R"({"w": 40, "c": 0.15, "k3": 1000, "e": 1})";
   ASSERT_EQ(run("simulate sweeps.toml -o sweeps"), 0) << errors();
-  ASSERT_EQ(run("predict model.toml --parameters light.json --hz --vary Omega 6.3 6.6 --at F=5 "
+  ASSERT_EQ(run("predict model.toml --parameters light.json --hz --vary Omega 6.3 6.6 --at F=3 "
                 "--measured sweeps -o out"),
             0)
       << errors();
@@ -149,10 +149,10 @@ TEST_F(SlowMeasuredDwells, OfSteppedSweepsJumpWithinAStepOfTheSaddleNodes) {
   std::vector<double> folds;
   for (const auto& branch : json.at("branches"))
     for (const auto& special : branch.at("special_points"))
-      if (special.at("kind") == "saddle_node") folds.push_back(special.at("Omega_hz").get<double>());
+      if (special.at("kind") == "saddle-node") folds.push_back(special.at("Omega_hz").get<double>());
   ASSERT_EQ(folds.size(), 2u);
   std::sort(folds.begin(), folds.end());
-  ASSERT_GT(folds[1] - folds[0], 3 * step_hz);
+  ASSERT_GT(folds[1] - folds[0], 2 * step_hz);
   // Between which two dwells of a group the amplitude changes most; points come sorted by frequency.
   const auto jump = [&](const std::string& group) {
     double before = 0, amplitude_before = 0, largest = 0;
