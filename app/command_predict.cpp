@@ -116,7 +116,10 @@ void print_summary(const Prediction& prediction, const std::string& folder) {
                  prediction.vary->name, located(at.first, prediction.axis, prediction.axis_unit),
                  prediction.against->name, located(at.second, prediction.against_axis, prediction.against_unit));
   }
-  fmt::print("written: {0}/prediction.json, {0}/prediction.csv, {0}/report.html\n", folder);
+  fmt::print("written: {0}/prediction.json, {0}/prediction.csv, {0}/report.html", folder);
+  for (const PredictionFigure& figure : prediction_figures(prediction))
+    fmt::print(", {}/{}.svg", folder, figure.name);
+  fmt::print("\n");
 }
 
 void write_files(const Prediction& prediction, const Options& options, const std::string& json) {
@@ -129,6 +132,9 @@ void write_files(const Prediction& prediction, const Options& options, const std
   report::write_whole_file(folder / "prediction.json", json);
   report::write_whole_file(folder / "prediction.csv", csv);
   report::write_whole_file(folder / "report.html", html);
+  for (const PredictionFigure& figure : prediction_figures(prediction))
+    report::write_whole_file(folder / (figure.name + ".svg"),
+                             report::render_figure(figure.figure, figure.name, report::FigureUse::standalone).svg);
 }
 
 }  // namespace
@@ -165,7 +171,9 @@ void add_predict_command(CLI::App& root, Action& chosen) {
       ->capture_default_str();
   command->add_option("--measured", request.measured,
                       "campaign whose dwells at this excitation are drawn on the response");
-  command->add_option("-o,--output", options->folder, "folder for prediction.json, prediction.csv and report.html")
+  command
+      ->add_option("-o,--output", options->folder,
+                   "folder for prediction.json, prediction.csv, report.html and the figures as SVG")
       ->required();
   command->add_option("--threads", request.threads, "threads; the result does not depend on it")
       ->check(CLI::Range(1U, 1024U));

@@ -120,6 +120,25 @@ std::vector<std::size_t> moving_modes(const Prediction& prediction) {
   return modes;
 }
 
+// Measured dwells, a series for every group of records: an up and a down sweep are told apart.
+void add_measured(Panel& panel, const Prediction& prediction, std::size_t mode) {
+  std::vector<Series> groups;
+  for (const MeasuredPoint& point : prediction.measured) {
+    const std::string name = "measured dwells" + (point.group.empty() ? "" : ": " + point.group);
+    auto series = std::find_if(groups.begin(), groups.end(), [&](const Series& s) { return s.name == name; });
+    if (series == groups.end()) {
+      Series fresh;
+      fresh.name = name;
+      fresh.style = SeriesStyle::points;
+      fresh.role = groups.size() % 2 == 0 ? SeriesRole::data : SeriesRole::held_out;
+      series = groups.insert(groups.end(), std::move(fresh));
+    }
+    series->x.push_back(point.parameter / prediction.axis);
+    series->y.push_back(point.amplitude[mode]);
+  }
+  for (Series& series : groups) panel.series.push_back(std::move(series));
+}
+
 Figure response_figure(const Prediction& prediction) {
   Figure figure;
   figure.title = "Steady responses";
@@ -133,24 +152,16 @@ Figure response_figure(const Prediction& prediction) {
       Series points;
       points.name = "full equations, sweep " + sweep.direction;
       points.style = SeriesStyle::points;
-      points.role = group++ == 0 ? SeriesRole::data : SeriesRole::held_out;
+      points.role = !prediction.measured.empty() ? SeriesRole::reference
+                    : group++ == 0               ? SeriesRole::data
+                                                 : SeriesRole::held_out;
       for (std::size_t i = 0; i < sweep.points.size(); ++i) {
         points.x.push_back(sweep.parameter[i] / prediction.axis);
         points.y.push_back(sweep.points[i].amplitude[mode]);
       }
       panel.series.push_back(std::move(points));
     }
-    if (!prediction.measured.empty()) {
-      Series points;
-      points.name = "measured dwells";
-      points.style = SeriesStyle::points;
-      points.role = SeriesRole::data;
-      for (const MeasuredPoint& point : prediction.measured) {
-        points.x.push_back(point.parameter / prediction.axis);
-        points.y.push_back(point.amplitude[mode]);
-      }
-      panel.series.push_back(std::move(points));
-    }
+    add_measured(panel, prediction, mode);
     figure.panels.push_back(std::move(panel));
   }
   return figure;
@@ -166,14 +177,18 @@ Figure phase_figure(const Prediction& prediction) {
         prediction, mode, {"Phase of " + name, "degrees", false, {}},
         [](const ModeAmplitudes& modes, std::size_t k) { return std::arg(modes.amplitude[k]) * to_degrees; },
         false);
-    // Where the phase passes 180 degrees.
+    // Where the phase passes 180 degrees, or the amplitude zero.
     for (Series& series : panel.series) {
       if (series.style != SeriesStyle::line) continue;
       for (std::size_t i = 1; i < series.y.size(); ++i)
-        if (std::abs(series.y[i] - series.y[i - 1]) > 180)
+        if (std::abs(series.y[i] - series.y[i - 1]) > 90)
           series.y[i - 1] = std::numeric_limits<double>::quiet_NaN();
     }
-    if (!panel.series.empty()) figure.panels.push_back(std::move(panel));
+    // A phase that a symmetry leaves free was set to zero: nothing to see.
+    const auto zero = [](const Series& s) {
+      return std::all_of(s.y.begin(), s.y.end(), [](double y) { return std::isnan(y) || std::abs(y) < 1e-6; });
+    };
+    if (!std::all_of(panel.series.begin(), panel.series.end(), zero)) figure.panels.push_back(std::move(panel));
   }
   return figure;
 }
@@ -213,9 +228,13 @@ Panel curve_panel(const Prediction& prediction, const report::Axis& axis, const 
   return panel;
 }
 
+bool of_peaks(const Prediction& prediction) {
+  return prediction.curves.front().kind == CurveKind::peak;
+}
+
 Figure parameter_plane(const Prediction& prediction) {
   Figure figure;
-  figure.title = "Where the response changes";
+  figure.title = of_peaks(prediction) ? "Where the response is largest" : "Where the response changes";
   figure.x = {axis_label(*prediction.vary, prediction.axis_unit), prediction.axis_unit, false, {}};
   figure.panels.push_back(curve_panel(
       prediction, {axis_label(*prediction.against, prediction.against_unit), prediction.against_unit, false, {}},
@@ -274,8 +293,11 @@ void add_special_points(report::HtmlReport& page, const Prediction& prediction) 
       std::string name = special_name(special);
       if (name == "saddle_node") name = "saddle-node";
       std::vector<std::string> row{name, report::format_number(special.at.parameter / prediction.axis, 7)};
-      for (const std::size_t mode : moving_modes(prediction))
-        row.push_back(report::format_number(peak_amplitude(special.at.modes, mode), 4));
+      for (const std::size_t mode : moving_modes(prediction)) {
+        // Below this the branch meets the state of rest: the rest is rounding.
+        const double amplitude = peak_amplitude(special.at.modes, mode);
+        row.push_back(report::format_number(amplitude > 1e-6 * prediction.diagram.scale ? amplitude : 0, 4));
+      }
       row.push_back(std::to_string(b + 1));
       // Solutions that differ in phase alone are said once.
       if (std::find(table.rows.begin(), table.rows.end(), row) == table.rows.end())
@@ -318,15 +340,40 @@ void add_jumps(report::HtmlReport& page, const Prediction& prediction) {
 
 }  // namespace
 
+std::vector<PredictionFigure> prediction_figures(const Prediction& prediction) {
+  std::vector<PredictionFigure> figures;
+  if (!prediction.backbones.empty()) {
+    for (std::size_t b = 0; b < prediction.backbones.size(); ++b)
+      figures.push_back({"backbone_" + prediction.backbones[b].first, backbone_figure(prediction, b),
+                         "Frequency and decay rate of a free decay of this mode alone against its amplitude."});
+  } else if (prediction.against) {
+    if (prediction.curves.empty()) return figures;
+    figures.push_back({"plane", parameter_plane(prediction),
+                       of_peaks(prediction) ? "Where the amplitude is largest over " + prediction.vary->name + "."
+                                            : "Where steady responses appear, vanish or change their stability."});
+    figures.push_back(
+        {"amplitude", amplitude_diagram(prediction), "The same curves: amplitude of the response on them."});
+  } else {
+    figures.push_back(
+        {"response", response_figure(prediction),
+         "Solid: stable; dashed: unstable. Marked: points where stability changes or branches meet."});
+    if (Figure phases = phase_figure(prediction); !phases.panels.empty())
+      figures.push_back({"phases", std::move(phases), "Phases at the time when the excitation is at its peak."});
+  }
+  return figures;
+}
+
 std::string prediction_report(const Prediction& prediction, const std::string& command) {
   report::HtmlReport page("Prediction of " + std::string(prediction.model->name),
                           "Case " + std::string(prediction.resonance->name));
   for (const std::string& warning : prediction.warnings) page.warn(warning);
+  const std::vector<PredictionFigure> figures = prediction_figures(prediction);
+  const auto draw = [&] {
+    for (const PredictionFigure& figure : figures) page.figure(figure.figure, figure.caption);
+  };
   if (!prediction.backbones.empty()) {
     page.section("Backbones");
-    for (std::size_t b = 0; b < prediction.backbones.size(); ++b)
-      page.figure(backbone_figure(prediction, b),
-                  "Frequency and decay rate of a free decay of this mode alone against its amplitude.");
+    draw();
   } else if (prediction.against) {
     for (const ResponseCurve& curve : prediction.curves)
       for (const auto& [kind, at] : curve.special)
@@ -336,22 +383,23 @@ std::string prediction_report(const Prediction& prediction, const std::string& c
                        with_unit(at.second / prediction.against_axis, prediction.against_unit),
                    report::Tone::neutral});
     page.section("Curves");
-    if (!prediction.curves.empty()) {
-      page.figure(parameter_plane(prediction), "Where steady responses appear, vanish or change their stability.");
-      page.figure(amplitude_diagram(prediction), "The same curves: amplitude of the response on them.");
-    }
+    draw();
   } else {
-    int cards = 0;
+    std::vector<std::string> said;  // solutions that differ in phase alone are one
     for (const ResponseBranch& branch : prediction.diagram.branches)
-      for (const ResponseSpecial& special : branch.special)
-        if (branch.at_rest && cards++ < 4)
-          page.card({"Threshold", with_unit(special.at.parameter / prediction.axis, prediction.axis_unit),
-                     "the state of rest changes its stability", report::Tone::neutral});
+      for (const ResponseSpecial& special : branch.special) {
+        const bool fold = special.kind == SpecialKind::saddle_node;
+        const std::string where = with_unit(special.at.parameter / prediction.axis, prediction.axis_unit);
+        if ((!branch.at_rest && !fold) || said.size() == 4 ||
+            std::find(said.begin(), said.end(), where) != said.end())
+          continue;
+        said.push_back(where);
+        page.card({fold ? "Saddle-node" : "Threshold", where,
+                   fold ? "two responses meet and vanish" : "the state of rest changes its stability",
+                   report::Tone::neutral});
+      }
     page.section("Response");
-    page.figure(response_figure(prediction),
-                "Solid: stable; dashed: unstable. Marked: points where stability changes or branches meet.");
-    const Figure phases = phase_figure(prediction);
-    if (!phases.panels.empty()) page.figure(phases, "Phases at the time when the excitation is at its peak.");
+    draw();
     page.section("Special points");
     add_special_points(page, prediction);
     if (!prediction.sweeps.empty()) {
@@ -362,8 +410,7 @@ std::string prediction_report(const Prediction& prediction, const std::string& c
   page.section("How it was computed");
   page.paragraph(
       "Steady states of the modulation equations, by pseudo-arclength continuation from searches at several places "
-      "of "
-      "the range. The search is heuristic: a branch that no start and no crossing leads to would be missed.");
+      "of the range. The search is heuristic: a branch that no start and no crossing leads to would be missed.");
   page.bullets(prediction.diagram.notes);
   page.details("Parameters", [&] {
     Table table;

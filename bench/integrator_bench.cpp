@@ -1,7 +1,8 @@
 // Work and precision of the integrators that simulate/ offers, on the full equations of motion of two_mass_mode1
 // with an exact solution: undamped cubic stiffness v'' + w^2 v + k v^3 = 0 from rest at A,
 //   v = A cn(W t, m), W^2 = w^2 + k A^2, m^2 = k A^2/(2 W^2).
-// A new integrator is one line in `integrators`. Table: --benchmark_filter=integrator_table
+// A new integrator is one line in `integrators`. Table: --benchmark_filter=integrator_table; with
+// SECULAR_FIGURES=FOLDER in the environment it is also drawn, as FOLDER/work_precision.svg.
 
 #include <benchmark/benchmark.h>
 
@@ -9,29 +10,48 @@
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "generated/registry.hpp"
+#include "report/figure.hpp"
+#include "report/whole_file.hpp"
 #include "simulate/motion.hpp"
 
 namespace secular {
 namespace {
 
-struct Integrator {
+struct Method {
   std::string name;
-  MotionSettings (*settings)(double tolerance);
+  Integrator method;
+  std::vector<double> settings;  ///< relative tolerances, or steps of a fixed length in a sample interval
 };
 
-const std::vector<Integrator> integrators = {
-    {"Dormand-Prince 5(4)",
-     [](double tolerance) {
-       return MotionSettings{tolerance, 1e-4 * tolerance, 0, "bench"};
-     }},
+const std::vector<Method> integrators = {
+    {"Dormand-Prince 5(4)", Integrator::dormand_prince, {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}},
+    {"Bulirsch-Stoer", Integrator::bulirsch_stoer, {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}},
+    {"Dormand-Prince 8(7)", Integrator::dormand_prince_87, {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}},
+    {"Runge-Kutta 4", Integrator::runge_kutta_4, {2, 4, 8, 16, 64}},
 };
 
 constexpr double frequency = 77.85, stiffness = 4e5, amplitude = 0.02, sample_rate = 256, duration_s = 10;
+
+MotionSettings settings_of(const Method& method, double setting) {
+  MotionSettings settings;
+  settings.label = "bench";
+  settings.method = method.method;
+  if (method.method == Integrator::runge_kutta_4) {
+    settings.fixed_step = 1 / (sample_rate * setting);
+  } else {
+    settings.relative_tolerance = setting;
+    settings.absolute_tolerance = 1e-4 * setting;
+  }
+  return settings;
+}
 
 double exact(double time) {
   const double rate = std::sqrt(frequency * frequency + stiffness * amplitude * amplitude);
@@ -81,34 +101,51 @@ Run integrate(const CompiledModel& model, const MotionSettings& settings) {
 }
 
 void integrator_speed(benchmark::State& state) {
-  const Integrator& integrator = integrators[static_cast<std::size_t>(state.range(0))];
+  const Method& method = integrators[static_cast<std::size_t>(state.range(0))];
   const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
+  const double setting = method.method == Integrator::runge_kutta_4 ? 16 : 1e-10;
   long samples = 0;
-  for (auto _ : state) samples += integrate(model, integrator.settings(1e-10)).samples;
-  state.SetLabel(integrator.name + ", samples of 256 Hz");
+  for (auto _ : state) samples += integrate(model, settings_of(method, setting)).samples;
+  state.SetLabel(method.name + ", samples of 256 Hz");
   state.SetItemsProcessed(samples);
 }
 BENCHMARK(integrator_speed)->DenseRange(0, static_cast<int>(integrators.size()) - 1)->Unit(benchmark::kMillisecond);
 
-/// Printed once: what each tolerance costs and what it gives.
+/// Printed once: what each setting costs and what it gives. Methods take turns, the shortest of five runs counts.
 void integrator_table(benchmark::State& state) {
   for (auto _ : state) {
     std::printf(
         "\nUndamped cubic stiffness, %g s of %g Hz: largest error over the amplitude, from the exact solution\n",
         duration_s, frequency / (2 * 3.14159265358979));
-    std::printf("%-22s %10s %10s %12s %12s %14s %14s %14s\n", "integrator", "tolerance", "error", "CPU ms",
+    std::printf("%-20s %9s %9s %9s %12s %12s %14s %13s\n", "integrator", "setting", "error", "CPU ms",
                 "evaluations", "evals/CPU s", "motion s/CPU s", "digits/CPU s");
-    for (const Integrator& integrator : integrators)
-      for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
+    report::Figure figure;
+    figure.x = {"Processor time for a second of motion", "ms", true, {}};
+    report::Panel panel;
+    panel.y = {"Largest error over the amplitude", "", true, {}};
+    for (const Method& method : integrators) {
+      report::Series line;
+      line.name = method.name;
+      line.style = report::SeriesStyle::line_and_points;
+      line.group = static_cast<int>(panel.series.size());
+      for (const double setting : method.settings) {
         const Counted counted;
-        Run best = integrate(counted.model, integrator.settings(tolerance));
+        Run best = integrate(counted.model, settings_of(method, setting));
         const long evaluations = counted.calls;
         for (int turn = 0; turn < 4; ++turn)
-          best.cpu_s = std::min(best.cpu_s, integrate(counted.model, integrator.settings(tolerance)).cpu_s);
-        std::printf("%-22s %10.0e %10.1e %12.3f %12ld %14.3g %14.3g %14.3g\n", integrator.name.c_str(), tolerance,
-                    best.error, 1e3 * best.cpu_s, evaluations, static_cast<double>(evaluations) / best.cpu_s,
+          best.cpu_s = std::min(best.cpu_s, integrate(counted.model, settings_of(method, setting)).cpu_s);
+        std::printf("%-20s %9g %9.1e %9.3f %12ld %12.3g %14.3g %13.3g\n", method.name.c_str(), setting, best.error,
+                    1e3 * best.cpu_s, evaluations, static_cast<double>(evaluations) / best.cpu_s,
                     duration_s / best.cpu_s, -std::log10(best.error) / best.cpu_s);
+        line.x.push_back(1e3 * best.cpu_s / duration_s);
+        line.y.push_back(best.error);
       }
+      panel.series.push_back(std::move(line));
+    }
+    figure.panels.push_back(std::move(panel));
+    if (const char* const folder = std::getenv("SECULAR_FIGURES"))
+      report::write_whole_file(std::filesystem::path(folder) / "work_precision.svg",
+                               render_figure(figure, "work-precision", report::FigureUse::standalone).svg);
   }
 }
 BENCHMARK(integrator_table)->Iterations(1)->Unit(benchmark::kSecond);

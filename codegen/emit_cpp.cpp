@@ -31,7 +31,19 @@ void banner(Emitter& emitter) {
   emitter.code.comment("Made by: secular generate " + model.name, "//");
 }
 
-GeneratedFile header(const CanonicalModel& model) {
+enum class Lumps { defined, declared };
+
+constexpr const char* lump_functions[] = {"evaluate_lumps", "evaluate_lumps_jacobian"};
+
+void declare_lumps(CodeText& code) {
+  for (const char* const name : lump_functions) {
+    code.line("template <class Scalar>")
+        .line(fmt::format("void {}(const Scalar* parameters, Scalar* result);", name));
+    code.line(fmt::format("extern template void {}<double>(const double*, double*);", name)).line();
+  }
+}
+
+GeneratedFile header(const CanonicalModel& model, Lumps lumps) {
   refuse_unsupported_motion(model);
   for (const CanonicalCase& c : model.cases) refuse_unsupported(model, c);
   Emitter emitter(model);
@@ -49,7 +61,10 @@ GeneratedFile header(const CanonicalModel& model) {
   emit_motion(emitter);
   for (const CanonicalCase& c : model.cases) {
     code.line(fmt::format("namespace {} {{", safe_namespace(c.name))).line();
-    emit_lumps(emitter, c);
+    if (lumps == Lumps::defined)
+      emit_lumps(emitter, c);
+    else
+      declare_lumps(code);
     for (std::size_t b = 0; b < c.blocks.size(); ++b) emit_block(emitter, c, b);
     emit_modulation(emitter, c);
     code.line(fmt::format("}}  // namespace {}", safe_namespace(c.name))).line();
@@ -73,13 +88,38 @@ GeneratedFile table(const CanonicalModel& model) {
   return {model.name + ".cpp", without_namespace_indentation(code.text())};
 }
 
+GeneratedFile lumps_unit(const CanonicalModel& model) {
+  Emitter emitter(model);
+  CodeText& code = emitter.code;
+  code.comment(fmt::format("Lumps of model {} and their derivatives.", model.name), "//");
+  for (const char* const name : {"<cmath>", "<cstddef>", "<numbers>"}) code.line(fmt::format("#include {}", name));
+  code.line().line("#include \"estimator/integer_power.hpp\"").line();
+  code.line(fmt::format("namespace secular::generated::{} {{", safe_namespace(model.name))).line();
+  for (const CanonicalCase& c : model.cases) {
+    code.line(fmt::format("namespace {} {{", safe_namespace(c.name))).line();
+    emit_lumps(emitter, c);
+    for (const char* const name : lump_functions)
+      code.line(fmt::format("template void {}<double>(const double*, double*);", name));
+    code.line(fmt::format("}}  // namespace {}", safe_namespace(c.name))).line();
+  }
+  code.line(fmt::format("}}  // namespace secular::generated::{}", safe_namespace(model.name)));
+  return {lumps_unit_name(model.name), without_namespace_indentation(code.text())};
+}
+
 }  // namespace
 
 std::vector<GeneratedFile> emit_cpp(const CanonicalModel& model) {
-  std::vector<GeneratedFile> files;
-  files.push_back(header(model));
-  files.push_back(table(model));
+  return {header(model, Lumps::defined), table(model)};
+}
+
+std::vector<GeneratedFile> emit_cpp_units(const CanonicalModel& model) {
+  std::vector<GeneratedFile> files{header(model, Lumps::declared), table(model)};
+  if (!model.cases.empty()) files.push_back(lumps_unit(model));
   return files;
+}
+
+std::string lumps_unit_name(const std::string& model_name) {
+  return model_name + "_lumps.cpp";
 }
 
 }  // namespace secular

@@ -17,6 +17,13 @@ struct GeneratedFile {
 /// computed from data: excitation clocks without an amplitude, cases without a steady frame.
 std::vector<GeneratedFile> emit_cpp(const CanonicalModel& model);
 
+/// The same functions as units that may be compiled at once: in NAME.hpp the lumps and their derivatives are only
+/// declared; NAME_lumps.cpp (where there are cases) holds them, for Scalar = double. They are most of a model's
+/// text and the least of its work.
+std::vector<GeneratedFile> emit_cpp_units(const CanonicalModel& model);
+/// The name of that file.
+std::string lumps_unit_name(const std::string& model_name);
+
 /// Throws an InputError for equations of motion that no measured signal can drive: cos(Omega*t) without an
 /// amplitude.
 void refuse_unsupported_motion(const CanonicalModel& model);

@@ -91,18 +91,24 @@ int operations(const CppWriter& writer, const std::vector<std::string>& expressi
   return count;
 }
 
-void mass_matrix(Emitter& emitter) {
-  const CanonicalModel& model = emitter.model;
+// Entries [equation][mode] as code, empty where nothing multiplies the acceleration.
+std::vector<std::string> mass_entries(const CanonicalModel& model, CppWriter& writer) {
   const std::size_t modes = model.coordinates.size();
-  CppWriter writer(model.order, "Scalar");
   std::vector<std::string> mass(modes * modes);
   for (std::size_t k = 0; k < modes; ++k)
     for (const CanonicalMotionTerm& term : model.motion[k])
       if (term.acceleration_of) add_to_sum(mass[k * modes + *term.acceleration_of], term_code(model, writer, term));
+  return mass;
+}
+
+void mass_matrix(Emitter& emitter) {
+  const CanonicalModel& model = emitter.model;
+  CppWriter writer(model.order, "Scalar");
+  const std::vector<std::string> mass = mass_entries(model, writer);
   emitter.code.comment(
       fmt::format("Mass matrix M of the equations of motion M*acceleration + force = 0 below, state-dependent: "
                   "mass[k * {} + j] multiplies the acceleration of mode j in equation k. {} operations.",
-                  modes, operations(writer, mass)));
+                  model.coordinates.size(), operations(writer, mass)));
   declare(emitter, "mass_matrix", "mass");
   emitter.unpack(writer.used_symbols());
   emitter.definitions(writer);
@@ -111,11 +117,35 @@ void mass_matrix(Emitter& emitter) {
   emitter.code.line("}").line();
 }
 
+// right_sides = M^-1 right_sides; equations that no other acceleration enters are divided.
 void solve(Emitter& emitter, const std::string& right_sides, std::size_t columns) {
   const std::size_t modes = emitter.model.coordinates.size();
+  CppWriter writer(emitter.model.order, "Scalar");
+  const std::vector<std::string> mass = mass_entries(emitter.model, writer);
+  bool diagonal = true, unity = true;
+  for (std::size_t i = 0; i < mass.size(); ++i) {
+    const bool on_diagonal = i % (modes + 1) == 0;
+    diagonal = diagonal && on_diagonal != mass[i].empty();
+    unity = unity && (!on_diagonal || mass[i] == "Scalar(1.0)");
+  }
+  if (diagonal && unity) return;
   emitter.code.line(fmt::format("Scalar mass[{}];", modes * modes));
   emitter.code.line("mass_matrix(parameters, excitation, displacement, velocity, mass);");
-  emitter.code.line(fmt::format("solve_in_place(mass, {}, {}, {});", modes, right_sides, columns));
+  if (!diagonal) {
+    emitter.code.line(fmt::format("solve_in_place(mass, {}, {}, {});", modes, right_sides, columns));
+    return;
+  }
+  for (std::size_t k = 0; k < modes; ++k) {
+    if (mass[k * (modes + 1)] == "Scalar(1.0)") continue;
+    const auto divide = [&](const std::string& i) {
+      return fmt::format("{0}[{1}] = {0}[{1}] / mass[{2}];", right_sides, i, k * (modes + 1));
+    };
+    if (columns == 1)
+      emitter.code.line(divide(std::to_string(k)));
+    else
+      emitter.code.line(
+          fmt::format("for (std::size_t i = {}; i < {}; ++i) {}", k * columns, (k + 1) * columns, divide("i")));
+  }
 }
 
 void accelerations(Emitter& emitter) {

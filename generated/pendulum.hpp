@@ -52,9 +52,6 @@ void accelerations([[maybe_unused]] const Scalar* parameters,
   acceleration[0] = -(omega0_2 * displacement[0] + alpha3 * displacement[0] * displacement[0] * displacement[0]
       + alpha5 * displacement[0] * displacement[0] * displacement[0] * displacement[0] * displacement[0]
       + Scalar(2.0) * mu1 * velocity[0] + mu2 * velocity[0] * absolute(velocity[0]) + fc * sign_of(velocity[0]));
-  Scalar mass[1];
-  mass_matrix(parameters, excitation, displacement, velocity, mass);
-  solve_in_place(mass, 1, acceleration, 1);
 }
 
 /// slope[k * 2 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = theta, D(theta).
@@ -77,9 +74,6 @@ void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
       + alpha5 * displacement[0] * displacement[0] * displacement[0] * displacement[0] * Scalar(5.0));
   // equation 1 by D(theta)
   slope[1] = -(Scalar(2.0) * mu1 + mu2 * absolute(velocity[0]) + mu2 * velocity[0] * sign_of(velocity[0]));
-  Scalar mass[1];
-  mass_matrix(parameters, excitation, displacement, velocity, mass);
-  solve_in_place(mass, 1, slope, 2);
 }
 
 /// slope[k * 6 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = omega0, alpha3,
@@ -99,9 +93,6 @@ void acceleration_by_parameters([[maybe_unused]] const Scalar* parameters,
   slope[3] = -(Scalar(2.0) * velocity[0]);  // equation 1 by mu1
   slope[4] = -(velocity[0] * absolute(velocity[0]));  // equation 1 by mu2
   slope[5] = -(sign_of(velocity[0]));  // equation 1 by fc
-  Scalar mass[1];
-  mass_matrix(parameters, excitation, displacement, velocity, mass);
-  solve_in_place(mass, 1, slope, 6);
 }
 
 namespace free {

@@ -73,9 +73,6 @@ void accelerations([[maybe_unused]] const Scalar* parameters,
       - q2 * velocity[0] * Scalar(excitation[0].value) + omega2_2 * displacement[1]
       + alpha2 * displacement[1] * displacement[1] * displacement[1] + Scalar(2.0) * mu22 * velocity[1]
       + mu23 * velocity[1] * velocity[1] * velocity[1]);
-  Scalar mass[4];
-  mass_matrix(parameters, excitation, displacement, velocity, mass);
-  solve_in_place(mass, 2, acceleration, 1);
 }
 
 /// slope[k * 4 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = v1, v2, D(v1),
@@ -112,9 +109,6 @@ void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
   slope[5] = -(omega2_2 + alpha2 * displacement[1] * displacement[1] * Scalar(3.0));  // equation 2 by v2
   slope[6] = -(-q2 * Scalar(excitation[0].value));  // equation 2 by D(v1)
   slope[7] = -(Scalar(2.0) * mu22 + mu23 * velocity[1] * velocity[1] * Scalar(3.0));  // equation 2 by D(v2)
-  Scalar mass[4];
-  mass_matrix(parameters, excitation, displacement, velocity, mass);
-  solve_in_place(mass, 2, slope, 4);
 }
 
 /// slope[k * 13 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = omega1, omega2,
@@ -143,9 +137,6 @@ void acceleration_by_parameters([[maybe_unused]] const Scalar* parameters,
   slope[23] = -(velocity[1] * velocity[1] * velocity[1]);  // equation 2 by mu23
   slope[24] = -(displacement[1] * displacement[1] * displacement[1]);  // equation 2 by alpha2
   slope[25] = -(-Scalar(1.0) * velocity[0] * Scalar(excitation[0].value));  // equation 2 by q2
-  Scalar mass[4];
-  mass_matrix(parameters, excitation, displacement, velocity, mass);
-  solve_in_place(mass, 2, slope, 13);
 }
 
 namespace additive_combination {

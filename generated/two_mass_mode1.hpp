@@ -67,7 +67,7 @@ void accelerations([[maybe_unused]] const Scalar* parameters,
       + mu3 * velocity[0] * velocity[0] * velocity[0] - eta1 * Scalar(excitation[0].value));
   Scalar mass[1];
   mass_matrix(parameters, excitation, displacement, velocity, mass);
-  solve_in_place(mass, 1, acceleration, 1);
+  acceleration[0] = acceleration[0] / mass[0];
 }
 
 /// slope[k * 2 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = v, D(v). Of
@@ -102,7 +102,7 @@ void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
       + mu3 * velocity[0] * velocity[0] * Scalar(3.0));
   Scalar mass[1];
   mass_matrix(parameters, excitation, displacement, velocity, mass);
-  solve_in_place(mass, 1, slope, 2);
+  for (std::size_t i = 0; i < 2; ++i) slope[i] = slope[i] / mass[0];
 }
 
 /// slope[k * 10 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = omega0, mu1, mu2,
@@ -131,7 +131,7 @@ void acceleration_by_parameters([[maybe_unused]] const Scalar* parameters,
   slope[9] = -(-Scalar(1.0) * displacement[0] * Scalar(excitation[0].value));  // equation 1 by eta2
   Scalar mass[1];
   mass_matrix(parameters, excitation, displacement, velocity, mass);
-  solve_in_place(mass, 1, slope, 10);
+  for (std::size_t i = 0; i < 10; ++i) slope[i] = slope[i] / mass[0];
 }
 
 namespace principal_parametric {

@@ -111,13 +111,14 @@ void read_integrator(const TomlTable& root, Experiment& experiment) {
   if (!root.has("integrator")) return;
   static const std::map<std::string, Integrator> methods = {{"dormand_prince", Integrator::dormand_prince},
                                                             {"bulirsch_stoer", Integrator::bulirsch_stoer},
-                                                            {"runge_kutta_4", Integrator::runge_kutta_4}};
+                                                            {"runge_kutta_4", Integrator::runge_kutta_4},
+                                                            {"dormand_prince_87", Integrator::dormand_prince_87}};
   const TomlTable table = root.table("integrator");
   table.refuse_unknown_keys({"method", "relative_tolerance", "absolute_tolerance", "steps_per_sample"});
   const auto method = methods.find(table.string_or("method", "dormand_prince"));
   if (method == methods.end())
     table.fail("method", "is '" + table.string("method") + "'",
-               "dormand_prince, bulirsch_stoer or runge_kutta_4 was expected");
+               "dormand_prince, bulirsch_stoer, dormand_prince_87 or runge_kutta_4 was expected");
   MotionSettings& motion = experiment.motion;
   motion.method = method->second;
   const bool fixed = motion.method == Integrator::runge_kutta_4;

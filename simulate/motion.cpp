@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "input/input_error.hpp"
 
@@ -153,7 +154,9 @@ class Motion {
   }
 
   void supply_excitation(const State& x, double time) const {
-    if (excitation_) excitation_(time, samples_.data());
+    // Methods ask more than once for a time: the last stage of a step, its end, the sample there.
+    if (excitation_ && (settings_.armature || time != supplied_at_)) excitation_(time, samples_.data());
+    supplied_at_ = time;
     for (std::size_t e = 0; e < phases_.size(); ++e)
       samples_[settings_.slip_elements[e].excitation] = {elastic(x, e), 0, 0};
     for (const std::size_t clock : settings_.clocks) samples_[clock] = {settings_.clock_origin + time, 1, 0};
@@ -203,6 +206,7 @@ class Motion {
   std::vector<SlipPhase> phases_;
   mutable std::vector<ExcitationSample> samples_;
   mutable std::vector<double> reaction_;
+  mutable double supplied_at_ = std::numeric_limits<double>::quiet_NaN();
   bool feeds_back_ = false;
 };
 

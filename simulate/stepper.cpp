@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
+
+#include "simulate/dormand_prince_87.hpp"
 
 namespace secular {
 namespace {
@@ -82,6 +85,56 @@ class FixedStepper final : public Stepper {
   odeint::runge_kutta4<OdeState> method_;
 };
 
+// Error-controlled steps that meet the target. States within a step come from a step of their own from its begin,
+// as accurate as the step itself: the search for events (dry friction, slip) asks for them, samples do not.
+class HighOrderStepper final : public Stepper {
+ public:
+  explicit HighOrderStepper(const StepperSettings& s)
+      : first_step_(s.first_step),
+        longest_(s.largest_step > 0 ? s.largest_step : std::numeric_limits<double>::infinity()),
+        method_({s.absolute_tolerance, s.relative_tolerance}, {}, DormandPrince87::stepper<OdeState>()) {}
+
+  void start(const OdeState& state, double time) override {
+    state_ = before_ = state;
+    time_ = previous_ = time;
+    wanted_ = first_step_;
+  }
+  void advance(const OdeRate& rate, double target) override {
+    constexpr int most_attempts = 500;
+    before_ = state_;
+    previous_ = time_;
+    rate_ = &rate;
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+      const double rest = target - previous_;
+      double step = std::min(wanted_, longest_);
+      const bool last = rest > 0 && rest <= step * (1 + 1e-9);
+      if (rest > 0) step = last ? rest : rest / std::ceil(rest / step);
+      time_ = previous_;
+      wanted_ = step;
+      if (method_.try_step(std::cref(rate), before_, time_, state_, wanted_) == odeint::fail) continue;
+      if (last) time_ = target;
+      return;
+    }
+    throw odeint::step_adjustment_error("no step within the tolerance");
+  }
+  double previous_time() const override { return previous_; }
+  double time() const override { return time_; }
+  const OdeState& state() const override { return state_; }
+  void state_at(double when, OdeState& result) const override {
+    result = before_;
+    if (when > previous_) inner_.do_step(std::cref(*rate_), result, previous_, when - previous_);
+  }
+
+ private:
+  using Method = DormandPrince87::Generic<OdeState>;
+
+  double first_step_, longest_, wanted_ = 0, time_ = 0, previous_ = 0;
+  OdeState state_, before_;
+  const OdeRate* rate_ = nullptr;
+  odeint::controlled_runge_kutta<Method> method_;
+  mutable Method inner_ = DormandPrince87::stepper<OdeState>();
+};
+
 }  // namespace
 
 std::unique_ptr<Stepper> make_stepper(const StepperSettings& s) {
@@ -95,6 +148,8 @@ std::unique_ptr<Stepper> make_stepper(const StepperSettings& s) {
       return std::make_unique<DenseStepper<BulirschStoer>>(s, [s] {
         return BulirschStoer(s.absolute_tolerance, s.relative_tolerance, 1.0, 1.0, s.largest_step, true);
       });
+    case Integrator::dormand_prince_87:
+      return std::make_unique<HighOrderStepper>(s);
     case Integrator::runge_kutta_4:
       break;
   }

@@ -8,10 +8,12 @@ namespace secular {
 
 /// How the equations of motion are integrated.
 enum class Integrator {
-  dormand_prince,  ///< Runge-Kutta 5(4), step control, dense output of order 4
-  bulirsch_stoer,  ///< extrapolation of variable order, step control, dense output: fewest evaluations where the
-                   ///< motion is smooth and the tolerance tight
-  runge_kutta_4,   ///< classical, fixed step: fastest where a moderate accuracy does
+  dormand_prince,     ///< Runge-Kutta 5(4), step control, dense output of order 4
+  bulirsch_stoer,     ///< extrapolation of variable order, step control, dense output: fewest evaluations where the
+                      ///< motion is smooth and the tolerance tight
+  runge_kutta_4,      ///< classical, fixed step: fastest where a moderate accuracy does
+  dormand_prince_87,  ///< Runge-Kutta 8(7), step control, steps end at the samples: fastest where the tolerance is
+                      ///< tight and samples are not much closer than a tenth of the shortest period
 };
 
 using OdeState = std::vector<double>;
@@ -22,7 +24,8 @@ class Stepper {
  public:
   virtual ~Stepper() = default;
   virtual void start(const OdeState& state, double time) = 0;
-  /// A step of free length; a fixed step is shortened so that it meets `target` after a whole number of steps.
+  /// A step of free length, or, of methods without dense output, one that meets `target` after a whole number of
+  /// such steps.
   virtual void advance(const OdeRate& rate, double target) = 0;
   virtual double previous_time() const = 0;
   virtual double time() const = 0;

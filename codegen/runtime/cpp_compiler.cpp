@@ -1,7 +1,10 @@
 #include "codegen/runtime/cpp_compiler.hpp"
 
 #include <cstdlib>
+#include <functional>
+#include <future>
 #include <sstream>
+#include <utility>
 
 #include "codegen/runtime/process.hpp"
 
@@ -47,30 +50,50 @@ std::optional<CppCompiler> find_cpp_compiler() {
   return std::nullopt;
 }
 
-const std::vector<std::string>& cpp_compiler_options() {
+std::vector<std::string> cpp_compiler_options(bool seldom_called) {
   // Contraction into fused operations is off: it is the one thing that compilers do on their own account.
-  static const std::vector<std::string> options = {
-      "-std=c++20",      "-O1", "-fPIC", "-shared", "-fvisibility=hidden", "-ffp-contract=off",
-      "-fno-math-errno", "-w",  "-pipe"};
-  return options;
+  return {"-std=c++20",
+          seldom_called ? "-O0" : "-O1",
+          "-fPIC",
+          "-fvisibility=hidden",
+          "-ffp-contract=off",
+          "-fno-math-errno",
+          "-w",
+          "-pipe"};
 }
 
-std::optional<std::string> compile_shared_object(const CppCompiler& compiler, const std::filesystem::path& source,
+std::optional<std::string> compile_shared_object(const CppCompiler& compiler,
+                                                 const std::vector<CompilationUnit>& units,
                                                  const std::vector<std::filesystem::path>& include_folders,
                                                  const std::filesystem::path& target) {
-  std::vector<std::string> command = compiler.command;
-  const std::vector<std::string>& options = cpp_compiler_options();
-  command.insert(command.end(), options.begin(), options.end());
-  for (const std::filesystem::path& folder : include_folders) {
-    command.emplace_back("-I");
-    command.push_back(folder.string());
+  const auto run = [](const std::vector<std::string>& command) -> std::optional<std::string> {
+    const ProcessResult result = run_process(command);
+    if (result.status != 0) return first_complaint(result.output);
+    return std::nullopt;
+  };
+  const auto compile = [&](const CompilationUnit& unit, const std::filesystem::path& object) {
+    std::vector<std::string> command = compiler.command;
+    for (std::string& option : cpp_compiler_options(unit.seldom_called)) command.push_back(std::move(option));
+    for (const std::filesystem::path& folder : include_folders) {
+      command.emplace_back("-I");
+      command.push_back(folder.string());
+    }
+    for (const std::string& word : {std::string("-c"), std::string("-o"), object.string(), unit.source.string()})
+      command.push_back(word);
+    return run(command);
+  };
+  std::vector<std::string> link = compiler.command;
+  for (const std::string& word : {std::string("-shared"), std::string("-o"), target.string()}) link.push_back(word);
+  std::vector<std::future<std::optional<std::string>>> complaints;
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const std::filesystem::path object = target.parent_path() / ("unit" + std::to_string(i) + ".o");
+    link.push_back(object.string());
+    complaints.push_back(std::async(std::launch::async, compile, std::cref(units[i]), object));
   }
-  command.emplace_back("-o");
-  command.push_back(target.string());
-  command.push_back(source.string());
-  const ProcessResult result = run_process(command);
-  if (result.status != 0) return first_complaint(result.output);
-  return std::nullopt;
+  std::optional<std::string> first;
+  for (auto& complaint : complaints)
+    if (auto text = complaint.get(); text && !first) first = std::move(text);
+  return first ? first : run(link);
 }
 
 }  // namespace secular

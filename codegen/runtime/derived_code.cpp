@@ -98,7 +98,7 @@ DerivedCode derived_code(const ModelRequest& request, const ModelCache& cache) {
   DerivedCode code;
   const CanonicalModel model = derive_for_code(request, code.notes);
   code.model_name = model.name;
-  code.files = emit_cpp(model);
+  code.files = emit_cpp_units(model);
   cache.store(key, suffix, serialised(code));
   return code;
 }

@@ -27,7 +27,7 @@ CanonicalModel derive_for_code(const ModelRequest& request, std::vector<std::str
 /// The same for interpretation: from the cache, or derived and put there; see canonical_json for what is kept.
 CanonicalModel cached_model(const ModelRequest& request, const ModelCache& cache, std::vector<std::string>& notes);
 
-/// Code of a model, as it is kept in the cache.
+/// Code of a model (emit_cpp_units), as it is kept in the cache.
 struct DerivedCode {
   std::string model_name;
   std::vector<GeneratedFile> files;

@@ -57,7 +57,8 @@ class Compilation {
     for (const GeneratedFile& file : code.files) source += file.name + "\n" + file.text;
     source += shared_model_source(code.model_name);
     std::string options;
-    for (const std::string& option : cpp_compiler_options()) options += option + " ";
+    for (const bool seldom_called : {false, true})
+      for (const std::string& option : cpp_compiler_options(seldom_called)) options += option + " ";
     const std::string key = content_hash({"shared object", source, headers->text, compiler->identity, options,
                                           std::to_string(compiled_model_abi())});
     RuntimeModel result;
@@ -96,13 +97,17 @@ class Compilation {
     const PrivateFolder work = cache_.work_folder();
     if (work.path().empty()) return fail("no folder for compiled code can be written");
     const fs::path entry = work.path() / "entry.cpp", object = work.path() / "model.so";
+    const fs::path folder = work.path() / "generated";
+    std::vector<CompilationUnit> units{{entry, false}};
     std::error_code error;
-    fs::create_directory(work.path() / "generated", error);
+    fs::create_directory(folder, error);
     bool written = write_file_bytes(entry, shared_model_source(code.model_name));
-    for (const GeneratedFile& file : code.files)
-      written = write_file_bytes(work.path() / "generated" / file.name, file.text) && written;
+    for (const GeneratedFile& file : code.files) {
+      written = write_file_bytes(folder / file.name, file.text) && written;
+      if (file.name == lumps_unit_name(code.model_name)) units.push_back({folder / file.name, true});
+    }
     if (!written) return fail("the generated code cannot be written into the cache");
-    if (const auto complaint = compile_shared_object(compiler, entry, {work.path(), headers.folder}, object))
+    if (const auto complaint = compile_shared_object(compiler, units, {work.path(), headers.folder}, object))
       return fail(compiler.command.front() + " failed: " + *complaint);
     const auto bytes = read_file_bytes(object);
     if (!bytes || !cache_.store(key, suffix, *bytes))

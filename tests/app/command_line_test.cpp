@@ -178,6 +178,7 @@ TEST_F(CommandLine, PredictWritesResponsesOrNothing) {
   EXPECT_GE(thresholds, 2u);
   const std::string html = text_of(fs::path(out) / "report.html");
   EXPECT_NE(html.find("<svg"), std::string::npos);
+  EXPECT_NE(text_of(fs::path(out) / "response.svg").find("<svg"), std::string::npos);
   EXPECT_NE(text_of(fs::path(out) / "prediction.csv").find("branch,kind,Omega,stable,amplitude_v"),
             std::string::npos);
   const Outcome curve = run(shipped + "--vary Omega 23 26 --against F 5 40 --curve saddle_node --hz --json");

@@ -3,12 +3,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace secular {
 namespace {
@@ -114,6 +117,69 @@ TEST_F(SlowMeasuredDwells, LieOnTheResponseOfTheirExcitation) {
   EXPECT_EQ(run(predict + "--vary Omega 6 6.7 --at F=7 --measured campaign -o none"), 2);
   EXPECT_NE(errors().find("none of its 5 responding dwells"), std::string::npos) << errors();
   EXPECT_FALSE(fs::exists(folder_ / "none"));
+}
+
+// Stepped sweeps over a stiffening resonance with two saddle-nodes: dwells of a simulated campaign, each going on
+// from the one before, leave the branches where the prediction says that they end.
+TEST_F(SlowMeasuredDwells, OfSteppedSweepsJumpWithinAStepOfTheSaddleNodes) {
+  constexpr double step_hz = 0.01;
+  std::string up, down;
+  for (int i = 0; i <= 14; ++i) {
+    up += (i ? ", " : "") + std::to_string(6.36 + step_hz * i);
+    down += (i ? ", " : "") + std::to_string(6.50 - step_hz * i);
+  }
+  std::string text = experiment_text;
+  text = text.substr(0, text.find("[[dwell]]"));
+  text.replace(text.find("FOLDER"), 6, folder_.string());
+  text.replace(text.find("c = 1.0"), 7, "c = 0.15");
+  for (const auto& [group, frequencies] : {std::pair("up", up), std::pair("down", down)})
+    text += "[[dwell]]\nfrequencies_hz = [" + frequencies +
+            "]\namplitudes = [3.0]\nensembles = 2\nensemble_s = 2.0\nsettle_s = 60.0\ncarry_state = true\n"
+            "group = \"" +
+            std::string(group) + "\"\n";
+  std::ofstream(folder_ / "sweeps.toml") << text;
+  std::ofstream(folder_ / "light.json") << R"({"w": 40, "c": 0.15, "k3": 1000, "e": 1})";
+  ASSERT_EQ(run("simulate sweeps.toml -o sweeps"), 0) << errors();
+  ASSERT_EQ(run("predict model.toml --parameters light.json --hz --vary Omega 6.3 6.6 --at F=3 "
+                "--measured sweeps -o out"),
+            0)
+      << errors();
+  std::ifstream stream(folder_ / "out" / "prediction.json");
+  const auto json = nlohmann::json::parse(stream);
+  std::vector<double> folds;
+  for (const auto& branch : json.at("branches"))
+    for (const auto& special : branch.at("special_points"))
+      if (special.at("kind") == "saddle-node") folds.push_back(special.at("Omega_hz").get<double>());
+  ASSERT_EQ(folds.size(), 2u);
+  std::sort(folds.begin(), folds.end());
+  ASSERT_GT(folds[1] - folds[0], 2 * step_hz);
+  // Between which two dwells of a group the amplitude changes most; points come sorted by frequency.
+  const auto jump = [&](const std::string& group) {
+    double before = 0, amplitude_before = 0, largest = 0;
+    std::pair<double, double> place;
+    for (const auto& point : json.at("measured")) {
+      if (point.at("group") != group) continue;
+      const double f = point.at("Omega_hz").get<double>(), a = point.at("amplitude")[0].get<double>();
+      if (before > 0 && std::abs(a - amplitude_before) > largest) {
+        largest = std::abs(a - amplitude_before);
+        place = {before, f};
+      }
+      before = f;
+      amplitude_before = a;
+    }
+    return place;
+  };
+  const auto [up_from, up_to] = jump("up");
+  EXPECT_NEAR(up_to - up_from, step_hz, 1e-4);
+  EXPECT_NEAR(0.5 * (up_from + up_to), folds[1], step_hz);
+  const auto [down_from, down_to] = jump("down");
+  EXPECT_NEAR(down_to - down_from, step_hz, 1e-4);
+  EXPECT_NEAR(0.5 * (down_from + down_to), folds[0], step_hz);
+  // Both groups have a name in the figure.
+  std::ifstream figure(folder_ / "out" / "response.svg");
+  const std::string svg{std::istreambuf_iterator<char>(figure), {}};
+  EXPECT_NE(svg.find("measured dwells: up"), std::string::npos);
+  EXPECT_NE(svg.find("measured dwells: down"), std::string::npos);
 }
 
 }  // namespace

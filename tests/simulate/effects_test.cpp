@@ -20,7 +20,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr Integrator every_method[] = {Integrator::dormand_prince, Integrator::bulirsch_stoer,
-                                       Integrator::runge_kutta_4};
+                                       Integrator::runge_kutta_4, Integrator::dormand_prince_87};
 constexpr std::string_view coordinates[] = {"x"};
 constexpr std::string_view excitations[] = {"F", "S"};
 
@@ -74,7 +74,8 @@ TEST(Hysteresis, LoopAreaIsThatOfTheJenkinsElement) {
 // From a turning point at X on, z = max(slip - (X - x), -slip); and the mirror image on the way up.
 TEST(Hysteresis, ElasticDisplacementIsExactAtEverySample) {
   const double period = 2 * pi / omega, slip = 0.1;
-  for (const Integrator method : {Integrator::dormand_prince, Integrator::bulirsch_stoer}) {
+  for (const Integrator method :
+       {Integrator::dormand_prince, Integrator::bulirsch_stoer, Integrator::dormand_prince_87}) {
     std::vector<double> q{amplitude}, v{0};
     integrate_motion(free_point(), nullptr, prescribed, 0, q, v, period, period / 97, 200,
                      with_element(method, slip), [&](const MotionSample& s) {
@@ -356,8 +357,8 @@ orientation = [0.0, 3.0, 4.0]
 
 TEST_F(Sensors, EveryIntegratorGivesTheSameRecord) {
   const Record reference = simulated(std::string(plain_response) + one_dwell).samples[0];
-  for (const char* const method :
-       {"method = \"bulirsch_stoer\"", "method = \"runge_kutta_4\"\nsteps_per_sample = 40"}) {
+  for (const char* const method : {"method = \"bulirsch_stoer\"", "method = \"dormand_prince_87\"",
+                                   "method = \"runge_kutta_4\"\nsteps_per_sample = 40"}) {
     const Record record =
         simulated(std::string(plain_response) + one_dwell + "[integrator]\n" + method + "\n").samples[0];
     const double size = std::abs(line(reference.channels[1], 60));

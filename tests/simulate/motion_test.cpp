@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "input/input_error.hpp"
+#include "simulate/dormand_prince_87.hpp"
 
 namespace secular {
 namespace {
@@ -36,16 +37,47 @@ TEST(Motion, ForcedLinearOscillatorReachesItsClosedForm) {
   const ExcitationSignal wave = [&](double t, ExcitationSample* s) {
     s[0] = {std::cos(omega * t), -omega * std::sin(omega * t), -omega * omega * std::cos(omega * t)};
   };
-  std::vector<double> q{0}, v{0};
-  double worst = 0;
-  integrate_motion(model, parameters, wave, 0, q, v, 80, 0.01, 500, {}, [&](const MotionSample& s) {
-    const std::complex<double> response =
-        std::polar(1.0, omega * s.time) / std::complex<double>(100 - omega * omega, omega);
-    worst = std::max(
-        {worst, std::abs(s.displacement[0] - response.real()) / std::abs(response),
-         std::abs(s.acceleration[0] + omega * omega * response.real()) / (omega * omega * std::abs(response))});
-  });
-  EXPECT_LT(worst, 1e-7);
+  for (const Integrator method :
+       {Integrator::dormand_prince, Integrator::bulirsch_stoer, Integrator::dormand_prince_87}) {
+    MotionSettings settings;
+    settings.method = method;
+    std::vector<double> q{0}, v{0};
+    double worst = 0;
+    integrate_motion(model, parameters, wave, 0, q, v, 80, 0.01, 500, settings, [&](const MotionSample& s) {
+      const std::complex<double> response =
+          std::polar(1.0, omega * s.time) / std::complex<double>(100 - omega * omega, omega);
+      worst = std::max(
+          {worst, std::abs(s.displacement[0] - response.real()) / std::abs(response),
+           std::abs(s.acceleration[0] + omega * omega * response.real()) / (omega * omega * std::abs(response))});
+    });
+    EXPECT_LT(worst, 1e-7) << static_cast<int>(method);
+  }
+}
+
+// Of order 8 with samples a tenth of a period apart: a fraction of the evaluations of order 5, and no larger error.
+TEST(Motion, HighOrderNeedsFewerEvaluationsForTheSameTolerance) {
+  const auto run = [](Integrator method, long& calls) {
+    CompiledModel model = model_of(nullptr);
+    model.acceleration = {
+        [](const void* count, const double*, const ExcitationSample*, const double* x, const double*, double* a) {
+          ++*static_cast<long*>(const_cast<void*>(count));
+          a[0] = -std::sin(x[0]);
+        },
+        &calls};
+    MotionSettings settings;
+    settings.method = method;
+    std::vector<double> q{2}, v{0};
+    double last = 0;
+    const double period = 4 * boost::math::ellint_1(std::sin(1.0));
+    integrate_motion(model, nullptr, silent, 0, q, v, 0, period / 10, 501, settings,
+                     [&](const MotionSample& s) { last = s.velocity[0]; });
+    return std::abs(last);  // at rest after whole periods
+  };
+  long fifth = 0, eighth = 0;
+  const double error_of_fifth = run(Integrator::dormand_prince, fifth),
+               error_of_eighth = run(Integrator::dormand_prince_87, eighth);
+  EXPECT_LT(2 * eighth, fifth);
+  EXPECT_LT(error_of_eighth, error_of_fifth);
 }
 
 TEST(Motion, PendulumPeriodIsTheEllipticIntegralAndEnergyStays) {
@@ -115,6 +147,24 @@ TEST(Motion, DecaysUnderDryFrictionComeToRestWhateverTheTolerance) {
       EXPECT_EQ(last_velocity, 0) << variant;
       EXPECT_LE(std::abs(q[0]), parameters[1] / (5.77 * 5.77) + 1e-9) << variant;
     }
+}
+
+// Conditions of order: stages lie where their rows say; quadrature is exact up to the order, and no further.
+TEST(DormandPrince87, CoefficientsFulfilTheConditionsOfOrder) {
+  using Pair = DormandPrince87;
+  for (std::size_t i = 0; i < Pair::stages; ++i) {
+    double sum = 0;
+    for (const double a : Pair::stage[i]) sum += a;
+    EXPECT_NEAR(sum, Pair::time[i], 1e-15 * 50) << i;
+  }
+  const auto moment = [](const Pair::Row& weights, int power) {
+    double sum = 0;
+    for (std::size_t i = 0; i < Pair::stages; ++i) sum += weights[i] * std::pow(Pair::time[i], power);
+    return sum * (power + 1) - 1;
+  };
+  for (int power = 0; power < 8; ++power) EXPECT_NEAR(moment(Pair::order_8, power), 0, 1e-14) << power;
+  for (int power = 0; power < 7; ++power) EXPECT_NEAR(moment(Pair::order_7, power), 0, 1e-14) << power;
+  EXPECT_GT(std::abs(moment(Pair::order_7, 7)), 1e-6);  // so that the error estimate sees an excitation
 }
 
 TEST(Motion, GrowthBeyondBoundsIsReportedWithItsTime) {
