@@ -31,7 +31,7 @@ MatrixXd samples_of(Index count, double frequency, const Envelope& envelope) {
   return y;
 }
 
-TEST(SlowTones, PolynomialAmplitudesAreExact) {
+TEST(TonesOfSlowAmplitude, PolynomialAmplitudesAreExact) {
   const Complex b0(1, 0.5), b1(-0.7, 0.2), b2(0.9, -2), c0(0.1, -0.2), c1(0.3, 0.1);
   const auto fundamental = [&](double t) { return b0 + b1 * t + 0.5 * b2 * t * t; };
   MatrixXd y = samples_of(400, first, fundamental) + samples_of(400, second, [&](double t) { return c0 + c1 * t; });
@@ -48,7 +48,7 @@ TEST(SlowTones, PolynomialAmplitudesAreExact) {
 
 // A decay exp(g tau): its third derivative g^3 makes the slope wrong by g^3 L^2/40 (least squares of a cubic on a
 // straight line; samples many a window).
-TEST(SlowTones, SlopeIsBiasedByTheSquareOfTheWindow) {
+TEST(TonesOfSlowAmplitude, SlopeIsBiasedByTheSquareOfTheWindow) {
   const double g = -0.8;
   const auto error = [&](Index count) {
     const MatrixXd y = samples_of(count, first, [&](double t) { return Complex(std::exp(g * t)); });
@@ -66,7 +66,7 @@ TEST(SlowTones, SlopeIsBiasedByTheSquareOfTheWindow) {
 }
 
 // Noise adds its own fit and nothing else: no bias, and standard deviations that its scatter confirms.
-TEST(SlowTones, NoiseAddsLinearlyAndAsItsStandardDeviationsSay) {
+TEST(StatisticalTonesOfSlowAmplitude, NoiseAddsLinearlyAndAsItsStandardDeviationsSay) {
   const Index count = 90;
   const MatrixXd y = samples_of(count, first, [](double t) { return Complex(std::exp(-0.5 * t), 0.2 * t); });
   const SlowToneFit clean = fit_slow_tones(y, rate, {first, second}, 2, 1);
@@ -90,8 +90,8 @@ TEST(SlowTones, NoiseAddsLinearlyAndAsItsStandardDeviationsSay) {
   for (int p = 0; p < 3; ++p) EXPECT_NEAR(square[p] / expected[p], 1, 4 * std::sqrt(1.0 / draws)) << p;
 }
 
-TEST(SlowTones, TooFewSamplesAreRefused) {
-  EXPECT_THROW(fit_slow_tones(MatrixXd::Zero(9, 1), rate, {first}, 2, 0), std::invalid_argument);
+TEST(TonesOfSlowAmplitude, TooFewSamplesAreRefused) {
+  EXPECT_THROW(fit_slow_tones(MatrixXd::Zero(7, 1), rate, {first}, 2, 0), std::invalid_argument);
 }
 
 }  // namespace

@@ -128,9 +128,9 @@ TEST(Motion, DecaysUnderDryFrictionComeToRestWhateverTheTolerance) {
         a[0] = -p[0] * p[0] * x[0] - 0.0036 * v[0] - 0.0105 * std::abs(v[0]) * v[0] -
                p[1] * (static_cast<double>(v[0] > 0) - static_cast<double>(v[0] < 0));
       });
-  for (const double tolerance : {1e-6, 1e-9, 1e-10})
-    for (int variant = 0; variant < 40; ++variant) {
-      const double parameters[] = {5.77, 0.03 + 1e-3 * variant};
+  for (const double tolerance : {1e-6, 1e-9})
+    for (int variant = 0; variant < 20; ++variant) {
+      const double parameters[] = {5.77, 0.03 + 2e-3 * variant};
       MotionSettings settings;
       settings.relative_tolerance = tolerance;
       std::vector<double> q{0.02}, v{0};
