@@ -134,7 +134,7 @@ void write_files(const Prediction& prediction, const Options& options, const std
   report::write_whole_file(folder / "report.html", html);
   for (const PredictionFigure& figure : prediction_figures(prediction))
     report::write_whole_file(folder / (figure.name + ".svg"),
-                             report::render_figure(figure.figure, figure.name, report::FigureUse::standalone).svg);
+                             report::render_figure(figure.figure, "figure", report::FigureUse::standalone).svg);
 }
 
 }  // namespace
