@@ -104,15 +104,17 @@ class Estimator {
     // One case alone finds its own natural frequencies.
     const int rounds = sets_.size() > 1 ? case_rounds : 1;
     for (int round = more ? 0 : 1; round < rounds; ++round) fit_cases(blocks);
-    test_fit();
     shared();
     if (know_shifts()) {
       fit_cases(blocks);
       lump_estimates_.clear();
       bootstrap_lumps_.clear();
-      kept_.clear();
+      used_.clear();
+      single_.clear();
       shared();
     }
+    test_fit();
+    test_consistency();
     report_parameters();
     report_lumps();
     report_quality();
@@ -326,7 +328,6 @@ class Estimator {
     }
     shared_ = shared_parameters(lump_estimates_, start, given_);
     result_.parameter_values = shared_.values;
-    test_consistency();
     if (options_.bootstrap > 0) draw_bootstrap();
   }
 
