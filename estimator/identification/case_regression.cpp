@@ -183,6 +183,7 @@ class CaseRegression {
       if (adjusted_data_) rows.response += rows.variants * moved_[i];
       MatrixXd design = rows.design;
       VectorXd response = rows.response;
+      const VectorXd noise_sd = (rows.variants.rowwise().squaredNorm() + rows.own_variance).cwiseSqrt();
       const double weight = std::sqrt(result_.weight[i]);
       if (first_pass) {
         for (Index r = 0; r < count; ++r) {
@@ -234,6 +235,7 @@ class CaseRegression {
         system.observation.push_back(i);
         system.block.push_back(rows.block[static_cast<std::size_t>(r)]);
         system.part.push_back(rows.part[static_cast<std::size_t>(r)]);
+        system.noise_sd.push_back(noise_sd(r));
       }
     }
     system.design.conservativeResize(used, columns);

@@ -36,6 +36,7 @@ struct WhitenedSystem {
   std::vector<std::size_t> observation;  ///< by row
   std::vector<std::size_t> block;        ///< by row: index into CompiledCase::blocks
   std::vector<EquationPart> part;        ///< by row
+  std::vector<double> noise_sd;          ///< by row: of the equation, as the noise of what was measured makes it
   /// By observation with rows, in their order: what whitening makes of its equations in units of their own noise.
   std::vector<Eigen::MatrixXd> whitener;
   Eigen::MatrixXd column_noise;  ///< expected Gram matrix of the columns' errors

@@ -5,6 +5,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <map>
 #include <utility>
@@ -37,6 +38,16 @@ std::string name_of(const CaseFit& fit, const Equation& equation) {
                                         : (in_phase ? ", in phase" : ", in quadrature"));
 }
 
+// Half of what was subtracted from an equation for the expansion's truncation, over the equation's noise: the share
+// that error bars count as unknown, because it depends on how lumps split into parameters.
+double unknown_truncation(const CaseFit& fit, Index row) {
+  const auto at = static_cast<std::size_t>(row);
+  if (fit.set->truncation.size() == 0 || !(fit.system.noise_sd[at] > 0)) return 0;
+  const std::complex<double> all = fit.set->truncation(static_cast<Index>(fit.system.observation[at]),
+                                                       static_cast<Index>(fit.system.block[at]));
+  return 0.5 * (fit.system.part[at] == EquationPart::in_phase ? all.real() : all.imag()) / fit.system.noise_sd[at];
+}
+
 double upper_tail(double f, double numerator, double denominator) {
   if (!std::isfinite(f)) return 0;
   if (std::isfinite(denominator))
@@ -50,7 +61,7 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit) {
   std::vector<LackOfFit> result;
   if (!fit.set->resonance->excited || fit.fit.coefficients.size() == 0) return result;
   struct Group {
-    double weights = 0, sum = 0, squares = 0, count = 0;
+    double weights = 0, sum = 0, squares = 0, count = 0, truncation = 0;
   };
   std::map<Equation, std::map<int, Group>> groups;
   std::map<Equation, double> unknowns;
@@ -62,6 +73,7 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit) {
     group.sum += weight * z;
     group.squares += weight * z * z;
     group.count += 1;
+    group.truncation += weight * unknown_truncation(fit, r);
   }
   // What the fit takes of the variance of a condition's mean: n m'Cm for its mean design row m in units of the
   // equation's own noise and the covariance C of the coefficients (the weights of a block that misfits are lower).
@@ -89,12 +101,13 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit) {
     test.part = equation.second;
     test.name = name_of(fit, equation);
     test.conditions = conditions.size();
-    double means = 0, repeats = 0, repeat_df = 0;
+    double means = 0, repeats = 0, repeat_df = 0, truncation = 0;
     for (const auto& [label, group] : conditions) {
       const double between = group.sum * group.sum / group.weights;
       means += between;
       repeats += std::max(0.0, group.squares - between);
       repeat_df += group.count - 1;
+      truncation += group.truncation * group.truncation / group.weights;
     }
     test.numerator_df = static_cast<double>(conditions.size()) - unknowns[equation];
     if (test.numerator_df < 1) continue;
@@ -102,7 +115,7 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit) {
     test.denominator_df = enough ? repeat_df : std::numeric_limits<double>::infinity();
     const double variance = enough ? repeats / repeat_df : 1;
     test.repeatability = std::sqrt(variance);
-    test.f = means / test.numerator_df / variance;
+    test.f = means / (test.numerator_df * variance + truncation);
     test.misfit = std::sqrt(test.f);
     test.p_value = upper_tail(test.f, test.numerator_df, test.denominator_df);
     result.push_back(std::move(test));
