@@ -201,7 +201,7 @@ const CompiledCase& named_case(const CompiledModel& model, const std::string& na
 // settles.
 template <class Replay>
 void correct_truncation(Identification& result, const Estimate& raw, const MeasuredUnits& units,
-                    const EstimateOptions& options, const Replay& replay, StageClock& clock) {
+                        const EstimateOptions& options, const Replay& replay, StageClock& clock) {
   EstimateOptions quick = options;
   quick.bootstrap = 0;
   Estimate before = raw;
@@ -254,7 +254,9 @@ Identification identify(const IdentificationRequest& request) {
   options.bootstrap = request.bootstrap;
   options.seed = request.seed;
   options.refine = request.refine;
-  Estimate raw = estimate(result.measured, units, options);
+  EstimateOptions first = options;
+  first.judge_fit = false;
+  Estimate raw = estimate(result.measured, units, first);
   clock.done("regression");
   raw.warnings.insert(raw.warnings.begin(), assignment.warnings.begin(), assignment.warnings.end());
   result.estimate = raw;

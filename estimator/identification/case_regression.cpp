@@ -21,8 +21,8 @@ using Eigen::VectorXd;
 
 constexpr int pass_limit = 14;
 
-/// Reweighting ends where fitted values move by less than this share of the residual: with n rows no coefficient then
-/// moves by more than sqrt(n) times that of its standard deviation.
+/// Reweighting ends where fitted values move by less than this share of the residual: with n rows no coefficient
+/// then moves by more than sqrt(n) times that of its standard deviation.
 constexpr double converged_change = 1e-4;
 
 /// Each halves the digits that are missing; the adjustments are small.

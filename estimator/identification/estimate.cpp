@@ -113,8 +113,11 @@ class Estimator {
       single_.clear();
       shared();
     }
-    test_fit();
-    test_consistency();
+    hidden_.resize(fits_.size());
+    if (options_.judge_fit) {
+      test_fit();
+      test_consistency();
+    }
     report_parameters();
     report_lumps();
     report_quality();
@@ -356,7 +359,7 @@ class Estimator {
   void test_fit() {
     for (const CaseFit& fit : fits_) {
       CaseLackOfFit tests{std::string(fit.set->resonance->name), lack_of_fit(fit)};
-      hidden_.push_back(hidden_misfit(fit, tests.equations));
+      hidden_[static_cast<std::size_t>(&fit - fits_.data())] = hidden_misfit(fit, tests.equations);
       std::string worst;
       double largest = 0;
       for (const LackOfFit& test : tests.equations) {

@@ -70,6 +70,9 @@ struct EstimateOptions {
   std::uint64_t seed = 1;               ///< of the bootstrap
   bool damping_laws = true;             ///< compare them
   bool refine = false;                  ///< maximum likelihood with errors in everything measured
+  /// Whether equations that do not hold as well as repeats agree widen the error bars: not before the expansion's
+  /// truncation is taken out, which would be the larger part of what is seen.
+  bool judge_fit = true;
 };
 
 /// Units of what was measured, for the units of what is estimated.

@@ -43,8 +43,8 @@ std::string name_of(const CaseFit& fit, const Equation& equation) {
 double unknown_truncation(const CaseFit& fit, Index row) {
   const auto at = static_cast<std::size_t>(row);
   if (fit.set->truncation.size() == 0 || !(fit.system.noise_sd[at] > 0)) return 0;
-  const std::complex<double> all = fit.set->truncation(static_cast<Index>(fit.system.observation[at]),
-                                                       static_cast<Index>(fit.system.block[at]));
+  const std::complex<double> all =
+      fit.set->truncation(static_cast<Index>(fit.system.observation[at]), static_cast<Index>(fit.system.block[at]));
   return 0.5 * (fit.system.part[at] == EquationPart::in_phase ? all.real() : all.imag()) / fit.system.noise_sd[at];
 }
 

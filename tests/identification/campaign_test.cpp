@@ -86,6 +86,13 @@ TEST(BadCampaign, WrongLevelIsSaid) {
   EXPECT_TRUE(warns(parametric(t).warnings, "times the nominal excitation amplitude"));
 }
 
+// Of equations whose truncation is not known: what they leave says nothing of the model.
+EstimateOptions unjudged() {
+  EstimateOptions options;
+  options.judge_fit = false;
+  return options;
+}
+
 class Campaign : public ::testing::Test {
  protected:
   static void SetUpTestSuite() { tested_ = new Tested(run(shipped_experiment("principal_parametric"))); }
@@ -100,11 +107,15 @@ class SlowCampaign : public Campaign {};
 
 TEST_F(SlowCampaign, AnOutlyingEnsembleIsListedAndDoesNoHarm) {
   const ObservationSet clean = parametric(*tested_);
-  const Estimate before = estimate(clean, "kg^(1/2) m", {"m/s^2"}, {});
-  EXPECT_TRUE(before.outliers.empty());
+  const Estimate before = estimate(clean, "kg^(1/2) m", {"m/s^2"}, unjudged());
+  // The first ensemble of a dwell may still settle; of the others none stands out far.
+  for (const OutlyingEnsemble& o : before.outliers)
+    if (o.centre_s > 4) {
+      EXPECT_GT(o.weight, 0.5) << o.record << ", distance " << o.distance;
+    }
   ObservationSet spoilt = clean;
   spoilt.observations[33].amplitude[0] *= 1.06;
-  const Estimate after = estimate(spoilt, "kg^(1/2) m", {"m/s^2"}, {});
+  const Estimate after = estimate(spoilt, "kg^(1/2) m", {"m/s^2"}, unjudged());
   ASSERT_FALSE(after.outliers.empty());
   const auto worst = std::min_element(after.outliers.begin(), after.outliers.end(),
                                       [](const auto& a, const auto& b) { return a.weight < b.weight; });
@@ -121,7 +132,7 @@ TEST_F(SlowCampaign, AnOutlyingEnsembleIsListedAndDoesNoHarm) {
 }
 
 TEST_F(SlowCampaign, DampingLawsAreDecidedByPrediction) {
-  const Estimate cubic = estimate(parametric(*tested_), "kg^(1/2) m", {"m/s^2"}, {});
+  const Estimate cubic = estimate(parametric(*tested_), "kg^(1/2) m", {"m/s^2"}, unjudged());
   ASSERT_EQ(cubic.damping.size(), 1U);
   const auto terms = [](const DampingLaw& law) {
     std::string text;
@@ -138,7 +149,7 @@ TEST_F(SlowCampaign, DampingLawsAreDecidedByPrediction) {
 }
 
 TEST_F(SlowCampaign, BootstrapAgreesWithTheJackknife) {
-  EstimateOptions options;
+  EstimateOptions options = unjudged();
   options.bootstrap = 300;
   const ObservationSet set = parametric(*tested_);
   const Estimate result = estimate(set, "kg^(1/2) m", {"m/s^2"}, options);
@@ -169,8 +180,8 @@ TEST_F(SlowCampaign, DwellsAndDecayTogetherAreSharper) {
       parametric(*tested_), observed(swing.simulated, *swing.model, case_named(*swing.model, "free"))};
   ASSERT_FALSE(sets[1].observations.empty()) << (sets[1].warnings.empty() ? "" : sets[1].warnings.front());
   const MeasuredUnits units{"kg^(1/2) m", {"m/s^2"}};
-  const Estimate dwells = estimate(std::span(&sets[0], 1), units, {});
-  const Estimate both = estimate(sets, units, {});
+  const Estimate dwells = estimate(std::span(&sets[0], 1), units, unjudged());
+  const Estimate both = estimate(sets, units, unjudged());
   ASSERT_EQ(both.cases.size(), 2U);
   for (const char* name : {"mu1", "mu3"}) {
     const EstimatedValue& v = value_of(both, name);
