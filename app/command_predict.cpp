@@ -80,7 +80,8 @@ std::string located(double value, double axis, const std::string& unit) {
   return report::format_number(value / axis, 6) + (unit.empty() ? "" : " " + unit);
 }
 
-void print_summary(const Prediction& prediction, const std::string& folder) {
+void print_summary(const Prediction& prediction, const std::vector<PredictionFigure>& figures,
+                   const std::string& folder) {
   fmt::print("model {}, case {}\n", prediction.model->name, prediction.resonance->name);
   for (const std::string& note : prediction.diagram.notes) fmt::print("  {}\n", note);
   for (std::size_t b = 0; b < prediction.diagram.branches.size(); ++b) {
@@ -117,22 +118,22 @@ void print_summary(const Prediction& prediction, const std::string& folder) {
                  prediction.against->name, located(at.second, prediction.against_axis, prediction.against_unit));
   }
   fmt::print("written: {0}/prediction.json, {0}/prediction.csv, {0}/report.html", folder);
-  for (const PredictionFigure& figure : prediction_figures(prediction))
-    fmt::print(", {}/{}.svg", folder, figure.name);
+  for (const PredictionFigure& figure : figures) fmt::print(", {}/{}.svg", folder, figure.name);
   fmt::print("\n");
 }
 
-void write_files(const Prediction& prediction, const Options& options, const std::string& json) {
+void write_files(const Prediction& prediction, const std::vector<PredictionFigure>& figures, const Options& options,
+                 const std::string& json) {
   const std::filesystem::path folder(options.folder);
   const std::string csv = prediction_csv(prediction);
-  const std::string html = prediction_report(prediction, command_line(options));
+  const std::string html = prediction_report(prediction, figures, command_line(options));
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw InputError(options.folder, "", "cannot be made a folder", "name a folder that can be written");
   report::write_whole_file(folder / "prediction.json", json);
   report::write_whole_file(folder / "prediction.csv", csv);
   report::write_whole_file(folder / "report.html", html);
-  for (const PredictionFigure& figure : prediction_figures(prediction))
+  for (const PredictionFigure& figure : figures)
     report::write_whole_file(folder / (figure.name + ".svg"),
                              report::render_figure(figure.figure, "figure", report::FigureUse::standalone).svg);
 }
@@ -188,12 +189,13 @@ void add_predict_command(CLI::App& root, Action& chosen) {
       const Prediction prediction =
           predict(options->request, [&line](std::size_t done, std::size_t total) { line(done, total); });
       const std::string json = prediction_json(prediction);
-      write_files(prediction, *options, json);
+      const std::vector<PredictionFigure> figures = prediction_figures(prediction);
+      write_files(prediction, figures, *options, json);
       for (const std::string& warning : prediction.warnings) fmt::print(stderr, "warning: {}\n", warning);
       if (options->json)
         fmt::print("{}", json);
       else
-        print_summary(prediction, options->folder);
+        print_summary(prediction, figures, options->folder);
       return 0;
     };
   });

@@ -363,11 +363,11 @@ std::vector<PredictionFigure> prediction_figures(const Prediction& prediction) {
   return figures;
 }
 
-std::string prediction_report(const Prediction& prediction, const std::string& command) {
+std::string prediction_report(const Prediction& prediction, const std::vector<PredictionFigure>& figures,
+                              const std::string& command) {
   report::HtmlReport page("Prediction of " + std::string(prediction.model->name),
                           "Case " + std::string(prediction.resonance->name));
   for (const std::string& warning : prediction.warnings) page.warn(warning);
-  const std::vector<PredictionFigure> figures = prediction_figures(prediction);
   const auto draw = [&] {
     for (const PredictionFigure& figure : figures) page.figure(figure.figure, figure.caption);
   };

@@ -18,7 +18,8 @@ struct PredictionFigure {
 /// backbone for every mode.
 std::vector<PredictionFigure> prediction_figures(const Prediction& prediction);
 
-/// The self-contained HTML report of a run of `predict`; `command` is how it was started.
-std::string prediction_report(const Prediction& prediction, const std::string& command);
+/// The self-contained HTML report of a run of `predict` with its figures; `command` is how it was started.
+std::string prediction_report(const Prediction& prediction, const std::vector<PredictionFigure>& figures,
+                              const std::string& command);
 
 }  // namespace secular::app

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "blind/case_files.hpp"
 #include "blind/follow_up.hpp"
@@ -13,20 +14,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// What the diagnosis below `folder` says; nothing where there is none.
+std::optional<Said> said_below(const fs::path& folder) {
+  const fs::path diagnosis = folder / "diagnosis" / "diagnosis.json";
+  if (!fs::exists(diagnosis)) return std::nullopt;
+  return what_was_said(nlohmann::json::parse(read_text(diagnosis), nullptr, false));
+}
+
 Said said_of(const fs::path& place) {
-  Said said;
-  const fs::path diagnosis = place / "diagnosis" / "diagnosis.json", run = place / "run.json";
-  if (fs::exists(diagnosis)) said = what_was_said(nlohmann::json::parse(read_text(diagnosis), nullptr, false));
+  Said said = said_below(place).value_or(Said{});
+  const fs::path run = place / "run.json";
   if (fs::exists(run)) {
     const nlohmann::json how = nlohmann::json::parse(read_text(run), nullptr, false);
     if (how.is_object()) said.seconds = how.value("seconds", 0.0);
   }
-  for (const char* const which : follow_ups) {
-    const fs::path after = follow_up_folder(place, which) / "diagnosis" / "diagnosis.json";
-    if (!fs::exists(after)) continue;
-    const Said then = what_was_said(nlohmann::json::parse(read_text(after), nullptr, false));
-    said.named_after[which] = then.verdict == "cause" ? then.cause : "";
-  }
+  for (const char* const which : follow_ups)
+    if (const std::optional<Said> then = said_below(follow_up_folder(place, which)))
+      said.named_after[which] = then->verdict == "cause" ? then->cause : "";
   return said;
 }
 

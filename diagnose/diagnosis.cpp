@@ -107,9 +107,10 @@ class Diagnoser {
       result_.next_experiment.reason = "there is no gap to explain";
       return std::move(result_);
     }
-    name_cause(given_rows);
+    const std::vector<Rival> all = rivals();
+    name_cause(all, given_rows);
     share_out();
-    propose_experiment();
+    propose_experiment(all);
     if (best_)
       result_.simulated =
           simulated_check(condition_model(), conditions_, segments_,
@@ -204,8 +205,7 @@ class Diagnoser {
     return all;
   }
 
-  void name_cause(const VectorXd& given_rows) {
-    const std::vector<Rival> all = rivals();
+  void name_cause(const std::vector<Rival>& all, const VectorXd& given_rows) {
     HeldOut before;
     if (given())
       before.rows = given_rows;
@@ -282,11 +282,11 @@ class Diagnoser {
   }
 
   // Rivals of the best explanation: the others of its set; where it stands alone, the one that comes nearest.
-  void propose_experiment() {
+  void propose_experiment(const std::vector<Rival>& all) {
     NextExperiment& next = result_.next_experiment;
     std::vector<Hypothesis> hypotheses;
     std::vector<std::vector<std::string>> taken;
-    for (const Rival& r : rivals()) {
+    for (const Rival& r : all) {
       const bool in_set = std::all_of(r.effects.begin(), r.effects.end(), [&](const std::string& effect) {
         return std::find(result_.set.begin(), result_.set.end(), effect) != result_.set.end() ||
                std::find(result_.together.begin(), result_.together.end(), effect) != result_.together.end();

@@ -98,10 +98,8 @@ struct Judgement {
 
 // How a dwell is judged by an explanation that is not its own.
 Judgement judged(const ConditionModel& model, const Condition& dwell, const Refit& fit, double dispersion) {
-  LineEvidence evidence(model, {dwell}, fit.unknowns);
-  const std::vector<RowLabel> labels = evidence.labels();
   Discrepancy discrepancy;
-  discrepancy.add(std::make_unique<LineEvidence>(std::move(evidence)));
+  discrepancy.add(std::make_unique<LineEvidence>(model, std::vector{dwell}, fit.unknowns));
   discrepancy.freeze(fit.unknowns);
   const VectorXd rows = discrepancy(fit.unknowns);
   const MatrixXd jacobian = jacobian_of(discrepancy, fit.unknowns, fit.free, fit.scale, 1);
@@ -120,7 +118,7 @@ Judgement judged(const ConditionModel& model, const Condition& dwell, const Refi
   result.separation = std::max(0.0, rows.dot(explained));
   Index strongest = 0;
   rows.cwiseProduct(explained).maxCoeff(&strongest);
-  const RowLabel& label = labels[static_cast<std::size_t>(strongest)];
+  const RowLabel label = discrepancy.labels()[static_cast<std::size_t>(strongest)];
   result.watch = (label.balance ? "balance of " : "channel ") + label.place + ", " + label.harmonic;
   return result;
 }

@@ -45,8 +45,8 @@ class Branch {
       : model_(model), measured_(measured), unknowns_(unknowns) {}
 
   std::optional<Condition> follow(double level, double frequency) const {
-    BranchPoint start;
-    start.amplitudes = model_.rows(measured_, unknowns_, nullptr).amplitudes;
+    ConditionRows rows = model_.rows(measured_, unknowns_, nullptr);
+    const BranchPoint start{std::move(rows.amplitudes), std::move(rows.motion), 0};
     if (!start.amplitudes.allFinite()) return std::nullopt;
     std::optional<BranchPoint> here = steady_at(driven(measured_, 1, 1), start);
     if (!here) return std::nullopt;

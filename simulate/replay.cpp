@@ -12,7 +12,6 @@
 
 #include "estimator/identification/decay_window.hpp"
 #include "estimator/identification/modal_projection.hpp"
-#include "estimator/identification/mode_frequencies.hpp"
 #include "input/input_error.hpp"
 #include "simulate/motion.hpp"
 
@@ -39,11 +38,7 @@ class Replay {
         measured_(measured),
         model_(*measured.model),
         parameters_(parameters),
-        projection_(modal_projection(campaign, model_)),
-        modes_(mode_frequencies(model_, *measured.resonance)),
         decay_windows_(campaign, model_, *measured.resonance) {
-    for (std::size_t k = 0; k < model_.modes(); ++k)
-      if (modes_.oscillates[k]) oscillating_.push_back(k);
     if (campaign.modal_basis)
       for (const std::vector<double>& row : campaign.modal_basis->mass_normalised_shapes) shapes_.push_back(row);
     if (measured.resonance->excited) excitations_ = excitation_channels(campaign, model_);
@@ -70,14 +65,15 @@ class Replay {
   }
 
   void store(const MotionSample& sample, std::size_t i, Record& record) const {
-    const std::vector<double>& modal = projection_.derivatives == 2   ? sample.acceleration
-                                       : projection_.derivatives == 1 ? sample.velocity
-                                                                      : sample.displacement;
-    for (std::size_t c = 0; c < projection_.channels.size(); ++c) {
+    const ModalProjection& projection = decay_windows_.projection();
+    const std::vector<double>& modal = projection.derivatives == 2   ? sample.acceleration
+                                       : projection.derivatives == 1 ? sample.velocity
+                                                                     : sample.displacement;
+    for (std::size_t c = 0; c < projection.channels.size(); ++c) {
       double value = 0;
       for (std::size_t k = 0; k < modal.size(); ++k)
         value += (campaign_.modal_basis ? shapes_[c][mode_column(k)] : (c == k ? 1.0 : 0.0)) * modal[k];
-      record.channels[projection_.channels[c]][i] = value;
+      record.channels[projection.channels[c]][i] = value;
     }
   }
 
@@ -113,7 +109,7 @@ class Replay {
 
   double slowest(const Observation& o) const {
     double frequency = INFINITY;
-    for (const std::size_t k : oscillating_) frequency = std::min(frequency, o.rate[k].imag());
+    for (const std::size_t k : decay_windows_.oscillating()) frequency = std::min(frequency, o.rate[k].imag());
     return frequency;
   }
 
@@ -168,7 +164,7 @@ class Replay {
     for (int step = 0; step < start_steps; ++step) {
       const Observation seen = decay_windows_.fit_again(motion(q, v, 2 * half(first)), first);
       double missed = 0;
-      for (const std::size_t k : oscillating_) {
+      for (const std::size_t k : decay_windows_.oscillating()) {
         if (first.growth_sd[k] < 0 || seen.growth_sd[k] < 0) continue;
         const Complex wanted = first.amplitude[k] - seen.amplitude[k];
         const Complex more = wanted * std::exp(-first.rate[k] * half(first));
@@ -185,10 +181,7 @@ class Replay {
   const ObservationSet& measured_;
   const CompiledModel& model_;
   const Eigen::VectorXd& parameters_;
-  ModalProjection projection_;
-  ModeFrequencies modes_;
   DecayWindows decay_windows_;
-  std::vector<std::size_t> oscillating_;
   std::vector<std::vector<double>> shapes_;
   std::vector<std::size_t> excitations_;
 };

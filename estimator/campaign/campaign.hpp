@@ -78,7 +78,4 @@ Record read_record(const Campaign& campaign, const RecordEntry& entry);
 void write_campaign(const Campaign& campaign, const std::vector<Record>& samples,
                     const std::filesystem::path& folder);
 
-/// Throws the InputError that write_campaign would throw for a folder that is taken: to ask before long work.
-void check_campaign_target(const std::filesystem::path& folder);
-
 }  // namespace secular

@@ -9,7 +9,6 @@
 #include <limits>
 #include <string_view>
 
-#include "estimator/campaign/csv_rows.hpp"
 #include "estimator/campaign/mapped_file.hpp"
 #include "input/input_error.hpp"
 
@@ -288,10 +287,6 @@ std::string csv_rows(const std::vector<std::vector<double>>& columns) {
       text += c + 1 == columns.size() ? '\n' : ',';
     }
   return text;
-}
-
-std::string csv_text(const NumberTable& table) {
-  return csv_header(table.names) + csv_rows(table.columns);
 }
 
 }  // namespace secular

@@ -36,8 +36,9 @@ NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::s
 /// The header of a CSV, by the same rules.
 std::vector<std::string> read_csv_names(const std::filesystem::path& path);
 
-/// Writes numbers so that reading restores them bit by bit.
-std::string csv_text(const NumberTable& table);
+/// The header line of a CSV, and rows of it: numbers so that reading restores them bit by bit.
+std::string csv_header(const std::vector<std::string>& names);
+std::string csv_rows(const std::vector<std::vector<double>>& columns);
 
 /// Shortest decimal text that restores the number.
 std::string number_text(double value);

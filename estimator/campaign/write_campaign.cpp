@@ -13,8 +13,8 @@
 #include "estimator/campaign/campaign.hpp"
 #include "estimator/campaign/campaign_text.hpp"
 #include "estimator/campaign/campaign_writer.hpp"
-#include "estimator/campaign/csv_rows.hpp"
 #include "estimator/campaign/names.hpp"
+#include "estimator/campaign/number_table.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
@@ -121,8 +121,7 @@ void check_readable(const UnfinishedFolder& building) {
   }
 }
 
-}  // namespace
-
+// Before long work.
 void check_campaign_target(const fs::path& folder) {
   std::error_code error;
   if (folder.empty()) throw InputError("", "", "the campaign folder has no name", "name a new folder");
@@ -131,6 +130,8 @@ void check_campaign_target(const fs::path& folder) {
     throw InputError(folder.string(), "", "exists and is not an empty folder",
                      "name a new folder or remove this one");
 }
+
+}  // namespace
 
 struct CampaignWriter::Building {
   explicit Building(const fs::path& target) : named(target), folder(target) {}

@@ -196,8 +196,8 @@ class CaseRegression {
         covariance.diagonal() += rows.own_variance;
         for (Index r = 0; r < count; ++r) {
           const std::size_t block = rows.block[static_cast<std::size_t>(r)];
-          const double sd = std::sqrt(covariance(r, r));
-          marginals_.push_back({block, rows.response(r) / sd, rows.design.row(r) / sd, result_.weight[i]});
+          marginals_.push_back(
+              {block, rows.response(r) / noise_sd(r), rows.design.row(r) / noise_sd(r), result_.weight[i]});
         }
         for (Index r = 0; r < count; ++r)
           for (Index c = 0; c < count; ++c)
@@ -217,8 +217,7 @@ class CaseRegression {
         whiten(right);
         response = right;
         if (last_pass) {
-          MatrixXd unit = covariance.diagonal().cwiseSqrt().asDiagonal();
-          for (Index r = 0; r < count; ++r) unit(r, r) /= scale_.at(rows.block[static_cast<std::size_t>(r)]);
+          MatrixXd unit = noise_sd.asDiagonal();
           whiten(unit);
           system.whitener.push_back(std::move(unit));
           for (MatrixXd error : data.column_errors(i, result_.columns)) {

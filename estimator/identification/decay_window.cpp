@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 
+#include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/record_window.hpp"
 #include "estimator/signal/slow_tones.hpp"
 
@@ -51,9 +52,7 @@ DecayWindows::DecayWindows(const Campaign& campaign, const CompiledModel& model,
   const ModeFrequencies modes = mode_frequencies(model, resonance);
   for (std::size_t k = 0; k < model.modes(); ++k)
     if (modes.oscillates[k]) oscillating_.push_back(k);
-  for (const RegressorBlock& block : resonance.blocks)
-    rectifies_ = rectifies_ || (block.kind == BlockKind::harmonic &&
-                                std::all_of(block.phase.begin(), block.phase.end(), [](int p) { return p == 0; }));
+  for (const RegressorBlock& block : resonance.blocks) rectifies_ = rectifies_ || is_zero_frequency(block);
 }
 
 MatrixXd DecayWindows::modal_samples(const Record& record, Index first, Index count) const {
@@ -145,8 +144,7 @@ DecayWindows::Tones DecayWindows::tones(const VectorXd& frequency, double second
       if (block.kind != BlockKind::harmonic || (block.order <= 1) != (order == 1)) continue;
       const std::vector<int> phase = block_phase(b);
       result.reversed[b] = frequency_of(phase, frequency) < 0;
-      if (std::any_of(phase.begin(), phase.end(), [](int p) { return p != 0; }))
-        result.of_block[b] = index_of(phase, false);
+      if (!is_zero_frequency(block)) result.of_block[b] = index_of(phase, false);
     }
   return result;
 }
@@ -207,8 +205,7 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
               to.curvature * seen.derivative[2](tone, at);
       if (list.reversed[b]) value = std::conj(value);
       sd = std::abs(to.value) * seen.sd[0](tone, at);
-    } else if (block.kind == BlockKind::harmonic && d == 0 &&
-               std::all_of(block.phase.begin(), block.phase.end(), [](int p) { return p == 0; })) {
+    } else if (is_zero_frequency(block) && d == 0) {
       value = seen.offset(at);
       sd = seen.offset_sd(at);
     }

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <thread>
 
+#include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/mode_frequencies.hpp"
 #include "estimator/identification/observation_set.hpp"
 #include "estimator/identification/record_window.hpp"
@@ -282,7 +283,7 @@ class DwellObserver {
       mode_index[k] = index_of(of_mode[k], 0);
     }
     const std::size_t main_tones = tones.size();
-    std::vector<bool> reversed, zero;
+    std::vector<bool> reversed;
     std::vector<Tone> block_tone;
     for (const RegressorBlock& block : resonance_.blocks) {
       Tone tone{Eigen::RowVectorXd::Zero(unknowns), 0};
@@ -299,7 +300,6 @@ class DwellObserver {
         tone.coupling = -tone.coupling;
         tone.fixed = -tone.fixed;
       }
-      zero.push_back(std::all_of(block.phase.begin(), block.phase.end(), [](int p) { return p == 0; }));
       block_tone.push_back(tone);
     }
     // Harmonics of first order are regressed; weaker ones are fitted where they cost the others nothing.
@@ -307,7 +307,7 @@ class DwellObserver {
     for (const int order : {1, 2})
       for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
         const RegressorBlock& block = resonance_.blocks[b];
-        if (block.kind == BlockKind::harmonic && !zero[b] && (block.order <= 1) == (order == 1))
+        if (block.kind == BlockKind::harmonic && !is_zero_frequency(block) && (block.order <= 1) == (order == 1))
           block_index[b] = index_of(block_tone[b], order == 1 ? 0 : separate_bins);
       }
     // Whatever else is likely to be there must not count as noise: combinations of up to three frequencies.
@@ -381,7 +381,7 @@ class DwellObserver {
         value = to_displacement(project(projection_, mode, fit.amplitude.row(at)), {0, f}, projection_.derivatives);
         if (reversed[b]) value = std::conj(value);
         sd = project_sd(projection_, mode, fit.amplitude_sd.row(at)) / std::pow(f, projection_.derivatives);
-      } else if (block.kind == BlockKind::harmonic && zero[b] && projection_.derivatives == 0) {
+      } else if (is_zero_frequency(block) && projection_.derivatives == 0) {
         value = project(projection_, mode, fit.offset.transpose().cast<Complex>());
         sd = project_sd(projection_, mode, fit.offset_sd.transpose());
       }

@@ -357,9 +357,10 @@ class Estimator {
   }
 
   void test_fit() {
-    for (const CaseFit& fit : fits_) {
+    for (std::size_t s = 0; s < fits_.size(); ++s) {
+      const CaseFit& fit = fits_[s];
       CaseLackOfFit tests{std::string(fit.set->resonance->name), lack_of_fit(fit)};
-      hidden_[static_cast<std::size_t>(&fit - fits_.data())] = hidden_misfit(fit, tests.equations);
+      hidden_[s] = hidden_misfit(fit, tests.equations);
       std::string worst;
       double largest = 0;
       for (const LackOfFit& test : tests.equations) {
