@@ -62,7 +62,9 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
   if (d.verdict == "cause") fmt::print("cause: {}\n", d.cause);
   if (d.verdict == "set") fmt::print("one of: {}\n", joined(d.set, ", "));
   if (d.verdict == "unknown") fmt::print("cause: unknown; nearest: {}\n", joined(d.set, ", "));
-  if (!d.together.empty()) fmt::print("  together: {}\n", joined(d.together, " and "));
+  if (!d.together.empty())
+    fmt::print("  together: {}{}\n", joined(d.together, " and "),
+               d.second_or.empty() ? "" : " (or " + joined(d.second_or, " or ") + ")");
   for (std::size_t i = 0; i < std::min<std::size_t>(6, d.causes.size()); ++i) {
     const CauseReport& c = d.causes[i];
     fmt::print("  {:>7} {}{}", report::format_percent(c.probability), c.effect,

@@ -67,6 +67,7 @@ std::string diagnosis_json(const DiagnosisRun& run) {
   root["cause"] = d.cause.empty() ? Json(nullptr) : Json(d.cause);
   root["set"] = d.set;
   if (!d.together.empty()) root["together"] = d.together;
+  if (!d.second_or.empty()) root["second_or"] = d.second_or;
   root["causes"] = Json::array();
   for (const CauseReport& cause : d.causes) {
     Json entry;

@@ -48,6 +48,9 @@ std::string sentence(const Diagnosis& d) {
            "measurement.";
   if (d.verdict == "cause")
     return "The gap is explained by " + joined(d.together.size() > 1 ? d.together : std::vector{d.cause}, " and ") +
+           (d.second_or.empty()
+                ? ""
+                : " (instead of the second, " + joined(d.second_or, " or ") + " would do as well)") +
            "; no other effect of the catalogue explains this campaign as well.";
   if (d.verdict == "set")
     return "The gap is explained by one of " + joined(d.set, " or ") +

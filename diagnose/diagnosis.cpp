@@ -57,7 +57,8 @@ class Diagnoser {
   Diagnoser(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
             const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
             const DiagnosisOptions& options)
-      : model_(model),
+      : campaign_(campaign),
+        model_(model),
         own_(own),
         options_(options),
         sensors_(sensor_model(campaign, model, model.excitations.size() - options.memory.size())),
@@ -96,6 +97,7 @@ class Diagnoser {
     inference_ = infer(discrepancy_, candidates_, start_, own_, inference_options);
     // Rows of the given numbers with the errors that hold at the fit.
     const VectorXd given_rows = given() ? discrepancy_(start_) : VectorXd();
+    warn_of_disturbed_records();
     detect(given_rows);
     result_.rows_before = given() ? given_rows : inference_.null.fit.rows;
     result_.rows_after = result_.rows_before;
@@ -160,6 +162,20 @@ class Diagnoser {
         if (model_.symbols[s].name == name && sd > 0)
           entries.push_back({s, start_(static_cast<Index>(s)), sd, name});
     return std::make_unique<PriorEvidence>(std::move(entries));
+  }
+
+  void warn_of_disturbed_records() {
+    if (!segments_) return;
+    for (const SegmentEvidence::Disturbed& d : segments_->disturbed()) {
+      std::vector<std::string> times;
+      for (const double t : d.worst_s) times.push_back(fmt::format("{:.1f} s", t));
+      result_.warnings.push_back(
+          fmt::format("{}: what the model leaves in its {} segments follows no law of the amplitude (slips of the "
+                      "clock, knocks?){}; it "
+                      "counts as disturbance of the record",
+                      campaign_.records[d.record].file, d.segments,
+                      times.empty() ? "" : fmt::format(", most of it about {}", fmt::join(times, ", "))));
+    }
   }
 
   void detect(const VectorXd& given_rows) {
@@ -254,7 +270,16 @@ class Diagnoser {
     for (const Rival& r : all)
       if (r.effects.size() < best.effects.size() && r.probability > credible_odds * best.probability)
         for (const std::string& effect : r.effects) add(effect);
-    if (best.effects.size() > 1) result_.together = best.effects;
+    if (best.effects.size() > 1) {
+      const std::string second = best.effects[best.effects.front() == leading ? 1 : 0];
+      result_.together = {leading, second};
+      for (const Rival& r : all) {
+        if (r.effects.size() != 2 || !(r.probability > credible_odds * best.probability)) continue;
+        const std::vector<std::string> instead = different(r.effects, result_.together);
+        if (instead.size() == 1 && different(result_.together, r.effects) == std::vector{second})
+          result_.second_or.push_back(instead.front());
+      }
+    }
     if (unknown) {
       result_.verdict = "unknown";
     } else {
@@ -453,6 +478,7 @@ class Diagnoser {
                      [](const GapShare& a, const GapShare& b) { return a.share > b.share; });
   }
 
+  const Campaign& campaign_;
   const CompiledModel& model_;
   std::vector<std::size_t> own_;
   DiagnosisOptions options_;

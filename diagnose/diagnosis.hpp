@@ -67,7 +67,8 @@ struct Diagnosis {
   std::vector<GapShare> where;
   std::string verdict, cause;
   std::vector<std::string> set;
-  std::vector<std::string> together;  ///< two effects that act at once, each by name
+  std::vector<std::string> together;   ///< two effects that act at once, each by name, the leading one first
+  std::vector<std::string> second_or;  ///< effects that the data cannot tell from the second of them
   std::vector<CauseReport> causes;
   std::vector<ParameterMove> parameters_moved;
   NextExperiment next_experiment;

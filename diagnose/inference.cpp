@@ -196,11 +196,23 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
   const auto dispersion_of = [&](const Explanation& e) {
     return e.fit.chi_squared / std::max(1.0, rows - static_cast<double>(e.fit.rank));
   };
-  // A second effect only where the best single one leaves more than noise.
-  const bool incomplete =
-      !found.empty() && found.front().fit.chi_squared >
-                            result.degrees_of_freedom + least_remainder * std::sqrt(2 * result.degrees_of_freedom);
+  const double price = 0.5 * std::log(std::max(2.0, rows));
+  // A second effect only where the best single one leaves more than noise, or where one stands out that would be
+  // worth its unknown and its prior odds: among many rows that fit, a few that do not are no excess of all.
+  std::vector<Screening> beside_best;
+  bool incomplete = false;
+  if (!found.empty()) {
+    screen_all(found.front().fit, beside_best);
+    beside_best[found.front().members.front()].gain = 0;
+    const auto most = std::max_element(beside_best.begin(), beside_best.end(),
+                                       [](const Screening& a, const Screening& b) { return a.gain < b.gain; });
+    incomplete =
+        found.front().fit.chi_squared >
+            result.degrees_of_freedom + least_remainder * std::sqrt(2 * result.degrees_of_freedom) ||
+        most->gain > 2 * (price - std::log(options.prior_second)) * std::max(1.0, dispersion_of(found.front()));
+  }
   if (incomplete) {
+    const std::size_t best_alone = found.front().members.front();
     const std::size_t singles_found = found.size();
     std::vector<Explanation> doubles;
     std::set<std::pair<std::size_t, std::size_t>> tried;
@@ -210,7 +222,10 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
       const std::size_t first = single.members.front();
       if (!expanded.insert(first).second) return;
       std::vector<Screening> seconds;
-      screen_all(single.fit, seconds);
+      if (first == best_alone)
+        seconds = beside_best;
+      else
+        screen_all(single.fit, seconds);
       seconds[first].gain = 0;
       std::vector<std::pair<std::size_t, std::size_t>> pairs;
       std::vector<VectorXd> starts;
@@ -274,7 +289,6 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
   for (const Explanation& e : found) dispersion = std::min(dispersion, dispersion_of(e));
   result.dispersion = std::max(1.0, dispersion);
 
-  const double price = 0.5 * std::log(std::max(2.0, rows));
   const auto weigh = [&](Explanation& e) {
     e.log_evidence = -0.5 * e.fit.chi_squared / result.dispersion - price * static_cast<double>(e.unknowns);
     if (e.members.size() > 1) e.log_evidence += std::log(options.prior_second);

@@ -12,6 +12,10 @@ namespace {
 /// Fewest segments of one decay that tell a repeatability.
 constexpr std::size_t fewest_segments = 8;
 
+/// What remains of a decay's segments changes by this factor's logarithm from one to the next, beyond any smooth
+/// law, where the record itself is disturbed (slips of its clock, knocks).
+constexpr double irregular = 0.3;
+
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -30,6 +34,17 @@ MatrixXd beyond(const MatrixXd& basis, MatrixXd columns) {
       columns.col(i).setZero();
   }
   return columns;
+}
+
+// Standard deviation of what is independent from one value to the next: third differences of that have 20 times its
+// variance, those of a smooth law next to none. By the median of |normal|, 0.6745.
+double roughness(const std::vector<double>& values) {
+  std::vector<double> third;
+  for (std::size_t i = 0; i + 3 < values.size(); ++i)
+    third.push_back(std::abs(values[i + 3] - 3 * values[i + 2] + 3 * values[i + 1] - values[i]));
+  const auto middle = third.begin() + static_cast<std::ptrdiff_t>(third.size() / 2);
+  std::nth_element(third.begin(), middle, third.end());
+  return *middle / (0.6745 * std::sqrt(20.0));
 }
 
 // Variance of what is white in a series, channel after channel: third differences of it have 20 times its variance,
@@ -282,19 +297,19 @@ void SegmentEvidence::measure_repeatability(const VectorXd& unknowns) {
       frozen_[i].change_sd = frozen_[i].change_sd.cwiseMax(level);
     }
     if (segments_[first].excitation.cols() == 0 && end - first >= fewest_segments) {
-      std::vector<double> quiet(rest.begin() + static_cast<std::ptrdiff_t>(first),
-                                rest.begin() + static_cast<std::ptrdiff_t>(end));
+      const auto begin = rest.begin() + static_cast<std::ptrdiff_t>(first);
+      std::vector<double> quiet(begin, begin + static_cast<std::ptrdiff_t>(end - first)), logarithm;
+      for (const double r : quiet) logarithm.push_back(std::log(std::max(r, level)));
+      const bool disturbed = roughness(logarithm) > irregular;
       std::nth_element(quiet.begin(), quiet.begin() + static_cast<std::ptrdiff_t>(quiet.size() / 4), quiet.end());
-      for (std::size_t i = first; i < end; ++i)
+      for (std::size_t i = first; i < end; ++i) {
         frozen_[i].rest_sd = std::max(frozen_[i].rest_sd, quiet[quiet.size() / 4]);
+        frozen_[i].disturbance = disturbed ? rest[i] : 0;
+      }
       for (Index row = 0; row < changes[first].size(); ++row) {
-        std::vector<double> rough;
-        for (std::size_t i = first; i + 3 < end; ++i)
-          rough.push_back(
-              std::abs(changes[i + 3](row) - 3 * changes[i + 2](row) + 3 * changes[i + 1](row) - changes[i](row)));
-        std::nth_element(rough.begin(), rough.begin() + static_cast<std::ptrdiff_t>(rough.size() / 2), rough.end());
-        // Third differences of independent errors have 20 times their variance; 0.6745 is the median of |normal|.
-        const double sd = rough[rough.size() / 2] / (0.6745 * std::sqrt(20.0));
+        std::vector<double> series;
+        for (std::size_t i = first; i < end; ++i) series.push_back(changes[i](row));
+        const double sd = roughness(series);
         for (std::size_t i = first; i < end; ++i)
           frozen_[i].change_sd(row) = std::max(frozen_[i].change_sd(row), sd);
       }
@@ -311,9 +326,22 @@ void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> ro
     error -= f.state_basis * (f.state_basis.transpose() * error);
     const VectorXd changes = f.change_basis.transpose() * error;
     rows.segment(first, changes.size()) = changes.cwiseQuotient(f.change_sd);
-    rows.segment(first + changes.size(), error.size()) = (error - f.change_basis * changes) / f.rest_sd;
+    rows.segment(first + changes.size(), error.size()) =
+        (error - f.change_basis * changes) / std::max(f.rest_sd, f.disturbance);
     first += changes.size() + error.size();
   }
+}
+
+std::vector<SegmentEvidence::Disturbed> SegmentEvidence::disturbed() const {
+  std::vector<Disturbed> records;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    if (frozen_[i].disturbance == 0) continue;
+    if (records.empty() || records.back().record != segments_[i].record) records.push_back({segments_[i].record, 0, {}});
+    Disturbed& record = records.back();
+    ++record.segments;
+    if (frozen_[i].disturbance > 2 * frozen_[i].rest_sd) record.worst_s.push_back(segments_[i].time_s);
+  }
+  return records;
 }
 
 VectorXd SegmentEvidence::mean_square_error(const VectorXd& unknowns) const {

@@ -12,7 +12,8 @@ namespace secular {
 /// first rows follow a smooth law of the amplitude, whatever the model lacks: how rough they are from segment to
 /// segment is their repeatability (a clock that is not even, a knock), where that is more than the noise explains.
 /// That of the other rows is what a quarter of the segments stays below: what a model lacks grows and falls with
-/// the amplitude.
+/// the amplitude. Where they come and go from segment to segment by no law of the amplitude, the record is
+/// disturbed, and no segment's other rows count for more than they hold.
 class SegmentEvidence : public Evidence {
  public:
   SegmentEvidence(const CompiledModel& model, std::vector<MemorySlot> memory, SensorModel sensors, FaultTable table,
@@ -23,6 +24,14 @@ class SegmentEvidence : public Evidence {
   const std::vector<RowLabel>& labels() const override { return labels_; }
   void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
+
+  /// A decay whose segments depart from any smooth law of the amplitude: how many it has, and the middles of those
+  /// that depart by more than twice the quiet ones, in seconds of the record.
+  struct Disturbed {
+    std::size_t record = 0, segments = 0;
+    std::vector<double> worst_s;
+  };
+  std::vector<Disturbed> disturbed() const;
 
   /// Mean square of the error over all samples, by response channel, in the square of its unit; every segment from
   /// its best state.
@@ -36,6 +45,7 @@ class SegmentEvidence : public Evidence {
     Eigen::MatrixXd state_basis, change_basis;  // samples*channels x 2 modes, orthonormal
     Eigen::VectorXd change_sd;                  // repeatability of the first rows
     double rest_sd = 1;                         // and of the others
+    double disturbance = 0;                     // what the others hold in a disturbed record; else 0
     double widening = 1;                        // errors times this
   };
   Eigen::VectorXd errors(const Segment& segment, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& state,

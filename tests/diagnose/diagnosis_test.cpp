@@ -98,6 +98,38 @@ TEST(Diagnosis, NamesTwoLawsThatActTogether) {
   EXPECT_GT(d.gap.closed, 0.95);
 }
 
+// A logger that loses samples, one to three at a time: from each place on all stamps are early.
+void lose_samples(Record& record, const std::vector<std::pair<double, std::size_t>>& losses) {
+  for (std::vector<double>& channel : record.channels)
+    for (auto loss = losses.rbegin(); loss != losses.rend(); ++loss) {
+      const auto at = channel.begin() + static_cast<std::ptrdiff_t>(loss->first * record.sample_rate_hz);
+      channel.erase(at, at + static_cast<std::ptrdiff_t>(loss->second));
+    }
+}
+
+TEST(Diagnosis, SlipsOfTheClockDisturbARecordAndHideNoCause) {
+  const CompiledModel& model = *generated::find_compiled_model("pendulum");
+  std::string swing = pendulum_swing(0.01, 0.03);
+  swing.replace(swing.find("100.0"), 5, "1000.0");
+  SimulatedCampaign data = simulated(model, swing, 17);
+  const Diagnosis even = diagnosed(model, data, damping_laws);
+  EXPECT_TRUE(even.warnings.empty()) << even.warnings.front();
+  lose_samples(data.samples.front(), {{4.1, 1}, {8.6, 2}, {21.5, 3}, {23.2, 1}, {35.3, 1}, {48.4, 2}, {54.0, 1}});
+  const Diagnosis d = diagnosed(model, data, damping_laws);
+  ASSERT_EQ(d.warnings.size(), 1U);
+  EXPECT_NE(d.warnings.front().find("slips of the clock"), std::string::npos) << d.warnings.front();
+  EXPECT_EQ(d.verdict, "cause");
+  std::vector<std::string> together = d.together;
+  std::sort(together.begin(), together.end());
+  EXPECT_EQ(together, (std::vector<std::string>{"coulomb_friction", "quadratic_damping"}));
+  for (const auto& [effect, strength] : {std::pair{"coulomb_friction", 0.03}, {"quadratic_damping", 0.01}}) {
+    const auto cause = std::find_if(d.causes.begin(), d.causes.end(),
+                                    [name = effect](const CauseReport& c) { return c.effect == name; });
+    ASSERT_NE(cause, d.causes.end());
+    EXPECT_NEAR(cause->coefficient, strength, 4 * cause->sd) << effect;
+  }
+}
+
 TEST(Diagnosis, OfGivenNumbersThatAreOffTheParametersAreTheCause) {
   const CompiledModel& model = *generated::find_compiled_model("pendulum");
   DiagnosisOptions options;

@@ -1,0 +1,119 @@
+// Diagnoses of public measurements, with models that leave out what is known to act.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SlowMeasuredDiagnosis : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_ / "cache"); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path measured(const std::string& file) const {
+    return fs::path(SECULAR_SOURCE_DIR).parent_path() / "shared/data" / file;
+  }
+
+  int run(const std::string& arguments) const {
+    return std::system(("XDG_CACHE_HOME=" + (folder_ / "cache").string() + " " + SECULAR_PROGRAM + " " + arguments +
+                        " > " + (folder_ / "out.txt").string() + " 2>&1")
+                           .c_str());
+  }
+
+  nlohmann::json diagnosed(const std::string& import, const std::string& model, const std::string& options) {
+    std::ofstream(folder_ / "model.toml") << model;
+    const std::string campaign = (folder_ / "campaign").string();
+    if (run("import " + import + " -o " + campaign) != 0) return {};
+    if (run("diagnose " + campaign + " --model " + (folder_ / "model.toml").string() + " " + options + " -o " +
+            (folder_ / "out").string()) != 0)
+      return {};
+    std::ifstream in(folder_ / "out/diagnosis.json");
+    return nlohmann::json::parse(in);
+  }
+
+  std::string printed() const {
+    std::ifstream in(folder_ / "out.txt");
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("secular-measured-diagnosis-" + std::to_string(getpid()));
+};
+
+double coefficient(const nlohmann::json& diagnosis, const std::string& effect, const std::string& place) {
+  for (const nlohmann::json& cause : diagnosis["causes"])
+    if (cause["effect"] == effect && cause["mode"] == place) return cause["coefficient"];
+  return std::nan("");
+}
+
+TEST_F(SlowMeasuredDiagnosis, ThePendulumHasDryFrictionAndDrag) {
+  const fs::path data = measured("pendulum/cdip_pend_data.mat");
+  if (!fs::exists(data)) GTEST_SKIP() << data << " is not here: the measured pendulum is not diagnosed";
+  const nlohmann::json d =
+      diagnosed(data.string() + " --kind free_decay --time t --channel theta:response:angle:rad", R"toml(schema = 1
+name = "pendulum_viscous"
+[[mode]]
+coordinate = "theta"
+frequency = "omega0"
+equation = "D2(theta) + omega0^2*theta = -2*mu1*D(theta) - alpha3*theta^3 - alpha5*theta^5"
+[[case]]
+name = "free"
+relations = []
+order = { mu1 = 2, alpha3 = 2, alpha5 = 4 }
+expand_to = 4
+excitation = false
+[nominal]
+omega0 = 5.77
+)toml",
+                "--to 80");
+  ASSERT_TRUE(d.is_object()) << printed();
+  EXPECT_EQ(d["cause"], "coulomb_friction");
+  ASSERT_EQ(d["together"].size(), 2U) << printed();
+  EXPECT_TRUE(d["together"][1] == "quadratic_damping" || d["together"][1] == "cubic_damping");
+  // 0.125 degrees: what dry friction and drag leave in a fit of the whole swing.
+  EXPECT_LT(d["simulated"]["segments"][0]["after_rms"].get<double>() * 180 / 3.14159265358979, 0.125);
+}
+
+TEST_F(SlowMeasuredDiagnosis, TheSilverboxHasACubicSpringAndAnOffsetAtItsInput) {
+  const fs::path data = measured("silverbox/SNLS80mV.csv");
+  if (!fs::exists(data)) GTEST_SKIP() << data << " is not here: the measured oscillator is not diagnosed";
+  // The usual training part of the multisines: samples 40650 to 105712.
+  const nlohmann::json d = diagnosed(
+      data.string() +
+          " --kind broadband --sample-rate 610.35 --channel V1:excitation:voltage:V --channel V2:response:voltage:V",
+      R"toml(schema = 1
+name = "silverbox_linear"
+[[mode]]
+coordinate = "v"
+frequency = "omega0"
+equation = "D2(v) + omega0^2*v = -2*mu1*D(v) + eta*F*cos(Omega*t)"
+[[case]]
+name = "primary"
+relations = ["Omega = omega0 + eps^2*sigma"]
+order = { mu1 = 2, eta = 2 }
+expand_to = 2
+[nominal]
+omega0 = 430.0
+)toml",
+      "--from 66.6011 --to 173.1990");
+  ASSERT_TRUE(d.is_object()) << printed();
+  EXPECT_EQ(d["cause"], "cubic_stiffness");
+  EXPECT_EQ(d["together"], (nlohmann::json{"cubic_stiffness", "sensor_offset"}));
+  EXPECT_NEAR(coefficient(d, "cubic_stiffness", "v"), 7.3e5, 0.02 * 7.3e5);
+  // The means of the two channels over this part are 6.142 and 0.786 mV, and the spring's static gain is 1.013:
+  // what the input's mean does not push the output's by is its offset. 0.1 mV: several times what cubic stiffness
+  // adds to a mean.
+  EXPECT_NEAR(coefficient(d, "sensor_offset", "V1"), 6.142e-3 - 0.786e-3 / 1.013, 1e-4);
+  EXPECT_LT(d["simulated"]["segments"][0]["after_rms"].get<double>(), 0.45e-3);
+}
+
+}  // namespace
+}  // namespace secular
