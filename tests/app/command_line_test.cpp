@@ -10,6 +10,8 @@
 #include <sstream>
 #include <string>
 
+#include "tests/process_folder.hpp"
+
 namespace secular {
 namespace {
 
@@ -31,7 +33,7 @@ std::string text_of(const fs::path& path) {
 class CommandLine : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::path(testing::TempDir()) /
+    folder = testing_support::process_folder() /
              ("secular_cli_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder);
     fs::create_directories(folder);

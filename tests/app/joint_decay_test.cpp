@@ -2,7 +2,6 @@
 // with and without an internal resonance between them.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -11,6 +10,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+
+#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -77,7 +78,7 @@ class SlowJointDecay : public testing::Test {
     EXPECT_EQ(found, truth.size());
   }
 
-  fs::path folder_ = fs::temp_directory_path() / ("secular-joint-" + std::to_string(::getpid()));
+  fs::path folder_ = testing_support::process_folder() / "joint";
 };
 
 TEST_F(SlowJointDecay, CouplingByACommonCubicPotential) {

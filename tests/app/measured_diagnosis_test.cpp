@@ -1,6 +1,5 @@
 // Diagnoses of public measurements, with models that leave out what is known to act.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -8,6 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+
+#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -45,7 +46,7 @@ class SlowMeasuredDiagnosis : public testing::Test {
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  fs::path folder_ = fs::temp_directory_path() / ("secular-measured-diagnosis-" + std::to_string(getpid()));
+  fs::path folder_ = testing_support::process_folder() / "measured-diagnosis";
 };
 
 double coefficient(const nlohmann::json& diagnosis, const std::string& effect, const std::string& place) {
@@ -86,10 +87,10 @@ TEST_F(SlowMeasuredDiagnosis, TheSilverboxHasACubicSpringAndAnOffsetAtItsInput) 
   const fs::path data = measured("silverbox/SNLS80mV.csv");
   if (!fs::exists(data)) GTEST_SKIP() << data << " is not here: the measured oscillator is not diagnosed";
   // The usual training part of the multisines: samples 40650 to 105712.
-  const nlohmann::json d = diagnosed(
-      data.string() +
-          " --kind broadband --sample-rate 610.35 --channel V1:excitation:voltage:V --channel V2:response:voltage:V",
-      R"toml(schema = 1
+  const nlohmann::json d = diagnosed(data.string() +
+                                         " --kind broadband --sample-rate 610.35 --channel V1:excitation:voltage:V "
+                                         "--channel V2:response:voltage:V",
+                                     R"toml(schema = 1
 name = "silverbox_linear"
 [[mode]]
 coordinate = "v"
@@ -103,7 +104,7 @@ expand_to = 2
 [nominal]
 omega0 = 430.0
 )toml",
-      "--from 66.6011 --to 173.1990");
+                                     "--from 66.6011 --to 173.1990");
   ASSERT_TRUE(d.is_object()) << printed();
   EXPECT_EQ(d["cause"], "cubic_stiffness");
   EXPECT_EQ(d["together"], (nlohmann::json{"cubic_stiffness", "sensor_offset"}));

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tests/modal/structure_campaign.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -26,7 +27,7 @@ std::string text_of(const fs::path& path) {
 class ModalCommand : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::path(testing::TempDir()) /
+    folder = testing_support::process_folder() /
              ("secular_modal_cli_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder);
     fs::create_directories(folder);

@@ -1,7 +1,6 @@
 // A resonance that no shipped model lists costs one [[case]] block.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <complex>
@@ -11,6 +10,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+
+#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -36,7 +37,7 @@ class SlowNewCase : public testing::Test {
   std::string output() const { return text_of(folder_ / "stdout.txt"); }
   std::string errors() const { return text_of(folder_ / "stderr.txt"); }
 
-  fs::path folder_ = fs::temp_directory_path() / ("secular-new-case-" + std::to_string(::getpid()));
+  fs::path folder_ = testing_support::process_folder() / "new-case";
 };
 
 // The difference resonance on the physics of the shipped two-mode model.

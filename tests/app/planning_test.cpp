@@ -13,6 +13,7 @@
 #include "estimator/identification/estimate.hpp"
 #include "input/input_error.hpp"
 #include "tests/procedures/noisy_campaign.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular::app {
 namespace {
@@ -93,7 +94,7 @@ TEST(PlanStatistical, ThePlannedCampaignIsAsSharpAsTheThesisCampaign) {
   const int seeds = text ? std::atoi(text) : 16;
   PlanRequest request = chapter_5();
   const PlanResult plan = plan_test(request);
-  const fs::path file = fs::path(testing::TempDir()) / "secular_planned_chapter5.toml";
+  const fs::path file = testing_support::process_folder() / "secular_planned_chapter5.toml";
   std::ofstream(file) << plan_experiment(request, plan);
   const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
   std::map<std::string, double> variance[2];

@@ -1,7 +1,6 @@
 // Measured dwells on the predicted response.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -85,7 +86,7 @@ class SlowMeasuredDwells : public testing::Test {
     return {std::istreambuf_iterator<char>(stream), {}};
   }
 
-  fs::path folder_ = fs::temp_directory_path() / ("secular-measured-" + std::to_string(::getpid()));
+  fs::path folder_ = testing_support::process_folder() / "measured";
 };
 
 TEST_F(SlowMeasuredDwells, LieOnTheResponseOfTheirExcitation) {

@@ -10,6 +10,7 @@
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
 #include "simulate/virtual_test.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular::app {
 namespace {
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 
 class SlowProcedure : public testing::Test {
  protected:
-  static fs::path folder() { return fs::path(testing::TempDir()) / "secular_procedure_chapter5"; }
+  static fs::path folder() { return testing_support::process_folder() / "secular_procedure_chapter5"; }
   static void SetUpTestSuite() {
     fs::remove_all(folder());
     const fs::path file = fs::path(SECULAR_SOURCE_DIR) / "models/experiments/thesis_chapter5.toml";

@@ -1,7 +1,6 @@
 #include "app/shipped_models.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "input/input_error.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular::app {
 namespace {
@@ -28,7 +28,7 @@ class ShippedModels : public testing::Test {
     ::unsetenv("SECULAR_MODELS");
     fs::remove_all(folder_);
   }
-  fs::path folder_ = fs::temp_directory_path() / ("secular-models-" + std::to_string(::getpid()));
+  fs::path folder_ = testing_support::process_folder() / "models";
 };
 
 TEST_F(ShippedModels, TheSourceTreesModelsAreFoundByName) {

@@ -2,7 +2,6 @@
 // interpreted.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -11,6 +10,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+
+#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -93,7 +94,7 @@ class SlowUnseenModel : public testing::Test {
     return count;
   }
 
-  fs::path folder_ = fs::temp_directory_path() / ("secular-unseen-" + std::to_string(::getpid()));
+  fs::path folder_ = testing_support::process_folder() / "unseen";
 };
 
 TEST_F(SlowUnseenModel, HasTheSameEstimatesCompiledCachedAndInterpreted) {

@@ -11,6 +11,7 @@
 #include "blind/run_set.hpp"
 #include "blind/score_set.hpp"
 #include "blind/sealed_set.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular::blind {
 namespace {
@@ -36,7 +37,7 @@ void expect_within_band(const Figure& f) {
 }
 
 TEST(SlowBlindCheck, AShortSetKeepsItsTargetsWithinChance) {
-  const fs::path folder = fs::path(testing::TempDir()) / "secular_blind_check";
+  const fs::path folder = testing_support::process_folder() / "secular_blind_check";
   fs::remove_all(folder);
   fs::create_directories(folder);
   if (!help_of_diagnose(SECULAR_PROGRAM, folder / "help.log")) GTEST_SKIP() << "there is no `secular diagnose`";

@@ -11,6 +11,7 @@
 #include "blind/score_set.hpp"
 #include "blind/sha256.hpp"
 #include "input/input_error.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular::blind {
 namespace {
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 class BlindRun : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::path(testing::TempDir()) /
+    folder = testing_support::process_folder() /
              (std::string("secular_blind_run_") + testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder);
     nlohmann::json labels = {

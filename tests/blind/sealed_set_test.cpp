@@ -19,6 +19,7 @@
 #include "blind/sha256.hpp"
 #include "blind/signature.hpp"
 #include "input/input_error.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular::blind {
 namespace {
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 class BlindFolder : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::path(testing::TempDir()) /
+    folder = testing_support::process_folder() /
              ("secular_blind_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder);
     fs::create_directories(folder);

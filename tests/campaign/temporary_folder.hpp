@@ -1,7 +1,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "input/input_error.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular {
 
@@ -18,9 +18,9 @@ class TemporaryFolder : public testing::Test {
  protected:
   void SetUp() override {
     const testing::TestInfo* const test = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string(test->test_suite_name()) + "-" + test->name() + "-" + std::to_string(::getpid());
+    std::string name = std::string(test->test_suite_name()) + "-" + test->name();
     std::replace(name.begin(), name.end(), '/', '-');  // of parameterised tests
-    folder_ = std::filesystem::temp_directory_path() / ("secular-" + name);
+    folder_ = testing_support::process_folder() / name;
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }

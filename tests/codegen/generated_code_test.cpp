@@ -15,6 +15,7 @@
 #include "generated/registry.hpp"
 #include "perturb/model.hpp"
 #include "perturb/observation.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -80,7 +81,7 @@ TEST(Generated, BytesDoNotDependOnGinacsOrderOfTerms) {
 }
 
 TEST(Generated, WritingLeavesUnchangedFilesAloneAndNothingHalfWritten) {
-  const fs::path folder = fs::path(testing::TempDir()) / "generated_write";
+  const fs::path folder = testing_support::process_folder() / "generated_write";
   fs::remove_all(folder);
   write_generated({{"a.hpp", "one\n"}}, folder.string());
   const auto stamp = fs::last_write_time(folder / "a.hpp");

@@ -21,6 +21,7 @@
 #include "codegen/print_text.hpp"
 #include "codegen/symbol_name.hpp"
 #include "perturb/model.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -274,7 +275,7 @@ TEST_P(TypesetDocument, TwoRunsGiveTheSameBytes) {
 TEST_P(TypesetDocument, PdflatexTakesItAndNothingLeavesThePage) {
   if (std::system("command -v pdflatex >/dev/null 2>&1") != 0)
     GTEST_SKIP() << "pdflatex is not on the PATH: LaTeX output is checked for balance only";
-  const fs::path folder = fs::path(testing::TempDir()) / ("secular_latex_" + GetParam());
+  const fs::path folder = testing_support::process_folder() / ("secular_latex_" + GetParam());
   fs::create_directories(folder);
   std::ofstream(folder / "derivation.tex", std::ios::binary) << derivation_latex(model());
   const std::string command = "cd '" + folder.string() +

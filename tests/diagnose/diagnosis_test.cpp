@@ -11,6 +11,7 @@
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
 #include "simulate/virtual_test.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 SimulatedCampaign simulated(const CompiledModel& model, const std::string& text, std::uint64_t seed) {
-  const fs::path path = fs::path(testing::TempDir()) / ("diagnosis_" + std::to_string(seed) + ".toml");
+  const fs::path path = testing_support::process_folder() / ("diagnosis_" + std::to_string(seed) + ".toml");
   std::ofstream(path) << text;
   return run_virtual_test(read_experiment(path, model), model, seed, 1);
 }

@@ -1,7 +1,6 @@
 #include "input/toml_table.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "input/input_error.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -133,10 +133,10 @@ TEST(TomlTable, DamagedTextIsReadOrRefused) {
 }
 
 TEST(TomlTable, FilesThatCannotBeReadAreNamed) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  const std::filesystem::path folder = testing_support::process_folder();
   EXPECT_TRUE(contains(refusal([&] { TomlTable::from_file(folder); }), "is a folder"));
   EXPECT_TRUE(contains(refusal([&] { TomlTable::from_file(folder / "secular-none.toml"); }), "cannot be opened"));
-  const std::filesystem::path file = folder / ("secular-toml-" + std::to_string(::getpid()) + ".toml");
+  const std::filesystem::path file = folder / "file.toml";
   std::ofstream(file) << "a = 7\n";
   EXPECT_EQ(TomlTable::from_file(file).integer("a"), 7);
   EXPECT_EQ(TomlTable::from_file(file).file(), file.string());

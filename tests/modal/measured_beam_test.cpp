@@ -14,6 +14,7 @@
 #include "estimator/campaign/mat_file.hpp"
 #include "estimator/modal/modal_survey.hpp"
 #include "estimator/modal/pole.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -39,7 +40,7 @@ class MeasuredBeam : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   const fs::path folder_ =
-      fs::path(testing::TempDir()) /
+      testing_support::process_folder() /
       (std::string("secular_beam_") + testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 

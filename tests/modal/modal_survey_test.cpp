@@ -13,6 +13,7 @@
 #include "estimator/modal/modal_mass.hpp"
 #include "input/input_error.hpp"
 #include "tests/modal/structure_campaign.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -24,7 +25,7 @@ using testing_support::three_mass_structure;
 class ModalSurveyOf : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::path(testing::TempDir()) /
+    folder = testing_support::process_folder() /
              ("secular_modal_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder);
   }

@@ -1,7 +1,6 @@
 #include "report/figure.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +15,7 @@
 
 #include "report/gnuplot.hpp"
 #include "report/series_look.hpp"
+#include "tests/process_folder.hpp"
 #include "well_formed.hpp"
 
 namespace secular::report {
@@ -132,8 +132,7 @@ TEST(Figure, OneMarkerForEveryDrawablePoint) {
 
 TEST(Figure, TextFromOutsideIsNeitherRunNorMarkup) {
   REQUIRE_GNUPLOT();
-  const std::filesystem::path trap =
-      std::filesystem::temp_directory_path() / ("secular-figure-trap-" + std::to_string(::getpid()));
+  const std::filesystem::path trap = testing_support::process_folder() / "figure-trap";
   std::filesystem::remove(trap);
   const std::string touch = "touch " + trap.string();
   const std::vector<std::string> attempts = {"\"; system(\"" + touch + "\"); \"",

@@ -1,7 +1,6 @@
 #include "report/whole_file.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,6 +8,7 @@
 #include <string>
 
 #include "input/input_error.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular::report {
 namespace {
@@ -24,7 +24,7 @@ class WholeFile : public testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
   std::size_t files() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {})); }
-  fs::path folder_ = fs::temp_directory_path() / ("secular-whole-file-" + std::to_string(::getpid()));
+  fs::path folder_ = testing_support::process_folder() / "whole-file";
 };
 
 TEST_F(WholeFile, ReplacesTheOldContent) {

@@ -11,6 +11,7 @@
 #include "simulate/experiment.hpp"
 #include "simulate/sensor_fault.hpp"
 #include "simulate/virtual_test.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -41,7 +42,7 @@ quantity = "displacement"
 }
 
 SimulatedCampaign simulated(const std::string& programme) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "programme.toml";
+  const std::filesystem::path path = testing_support::process_folder() / "programme.toml";
   std::ofstream(path) << experiment_text(programme);
   const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
   const Experiment experiment = read_experiment(path, model);

@@ -11,6 +11,7 @@
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
 #include "simulate/noise.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -57,7 +58,7 @@ duration_s = 2.0
 }
 
 fs::path written(const std::string& text) {
-  const fs::path path = fs::path(testing::TempDir()) / "experiment.toml";
+  const fs::path path = testing_support::process_folder() / "experiment.toml";
   std::ofstream(path) << text;
   return path;
 }

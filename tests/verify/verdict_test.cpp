@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "input/input_error.hpp"
+#include "tests/process_folder.hpp"
 #include "verify/verification.hpp"
 
 namespace secular::verify {
@@ -29,7 +30,7 @@ PrintedSource changed_source(const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
-  const std::filesystem::path path = std::filesystem::temp_directory_path() / "secular_changed_source.toml";
+  const std::filesystem::path path = testing_support::process_folder() / "secular_changed_source.toml";
   std::ofstream(path) << text;
   PrintedSource source = read_printed_source(path);
   std::filesystem::remove(path);
