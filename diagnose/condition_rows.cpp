@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/balance_sweep.hpp"
+
 namespace secular {
 namespace {
 
@@ -17,6 +19,9 @@ using Eigen::VectorXd;
 /// Nothing measured is trusted beyond this share of the largest line of its kind: truncated lines and leakage of
 /// what was not fitted are of this size.
 constexpr double line_floor = 1e-5;
+
+/// Slaved lines are moved by this share of the largest line to find what depends on them.
+constexpr double line_step = 1e-6;
 
 Complex power(Complex base, int exponent) {
   return exponent == 0 ? Complex(1) : exponent == 1 ? base : base * base;
@@ -47,15 +52,67 @@ class Evaluation {
     restore_excitation();
   }
 
-  ConditionForecast forecast(const VectorXcd& amplitudes, const Motion* start) const {
+  MotionSetting setting() const {
     MotionSetting setting{
         c_.torus, c_.rate,
         MatrixXcd::Zero(static_cast<Index>(balance_.model().excitations.size()), c_.torus->lines()), c_.masters};
     for (Index j = 0; j < true_excitation_.rows(); ++j)
       for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
         setting.excitation(j, c_.excitation_lines[l]) = true_excitation_(j, static_cast<Index>(l));
+    return setting;
+  }
+  const std::vector<double>& parameters() const { return parameters_; }
+
+  ConditionForecast forecast(const VectorXcd& amplitudes, const Motion* start) const {
+    return forecast_of(amplitudes, balance_.solve(setting(), amplitudes, parameters_, start));
+  }
+
+  ConditionRows run(const Motion* start) const {
+    ConditionRows rows;
+    rows.amplitudes = master_amplitudes();
+    ConditionForecast expected = forecast(rows.amplitudes, start);
+    rows.values = differences(rows.amplitudes, expected);
+    rows.motion = std::move(expected.motion);
+    return rows;
+  }
+
+  // Amplitudes of the masters; the rows of a motion with them.
+  VectorXcd master_amplitudes() const {
+    const auto channels = c_.response.rows();
+    VectorXcd amplitudes(static_cast<Index>(c_.masters.size()));
+    for (std::size_t m = 0; m < c_.masters.size(); ++m) {
+      const MasterLine& master = c_.masters[m];
+      const auto column =
+          static_cast<Index>(std::find(c_.lines.begin(), c_.lines.end(), master.line) - c_.lines.begin());
+      VectorXcd seen(channels);
+      for (Index c = 0; c < channels; ++c) {
+        const ChannelFault& fault = faults_.response[static_cast<std::size_t>(c)];
+        Complex value = c_.response(c, column);
+        if (fault.inverse_level > 0) {
+          // The strongest line of a channel carries the cut-off.
+          const Index strongest = strongest_line(c);
+          const double factor = unclipped_amplitude(std::abs(c_.response(c, strongest)), 1 / fault.inverse_level) /
+                                std::abs(c_.response(c, strongest));
+          value *= factor;
+        }
+        value = restored(value, fault, c_.line_rate(master.line)) - fault.cross * excitation_at(master.line) -
+                extra_response(static_cast<std::size_t>(c), master.line);
+        seen(c) = value;
+      }
+      amplitudes(static_cast<Index>(m)) = (filter_.row(static_cast<Index>(master.mode)).cast<Complex>() * seen)(0) /
+                                          power(c_.line_rate(master.line), sensors_.derivatives);
+    }
+    return amplitudes;
+  }
+
+  VectorXd rows_of(const VectorXcd& amplitudes, Motion motion) const {
+    return differences(amplitudes, forecast_of(amplitudes, std::move(motion)));
+  }
+
+ private:
+  ConditionForecast forecast_of(const VectorXcd& amplitudes, Motion motion) const {
     ConditionForecast forecast;
-    forecast.motion = balance_.solve(setting, amplitudes, parameters_, start);
+    forecast.motion = std::move(motion);
     forecast.balance = forecast.motion.balance.cwiseQuotient(amplitudes);
     const MatrixXcd lines = predicted_responses(forecast.motion);
     forecast.response.resize(lines.rows(), static_cast<Index>(c_.lines.size()));
@@ -65,16 +122,14 @@ class Evaluation {
     return forecast;
   }
 
-  ConditionRows run(const Motion* start) const {
-    ConditionRows rows;
-    rows.amplitudes = master_amplitudes();
-    ConditionForecast expected = forecast(rows.amplitudes, start);
+  // Measured minus expected.
+  VectorXd differences(const VectorXcd& amplitudes, const ConditionForecast& expected) const {
     std::vector<double> values;
     const auto push = [&](Complex value, bool real) {
       values.push_back(value.real());
       if (!real) values.push_back(value.imag());
     };
-    for (Index m = 0; m < rows.amplitudes.size(); ++m) {
+    for (Index m = 0; m < amplitudes.size(); ++m) {
       Complex balance = expected.balance(m);
       // An amplitude B(t) exp(i w t) has the inertia -(s^2 B + 2 s dB/dt).
       if (!c_.creep.empty())
@@ -90,12 +145,9 @@ class Evaluation {
         if (c_.excitation_lines[l] != c_.fundamental)
           push(c_.excitation(j, static_cast<Index>(l)) - expected.excitation(j, static_cast<Index>(l)),
                c_.excitation_lines[l] == 0);
-    rows.values = Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
-    rows.motion = std::move(expected.motion);
-    return rows;
+    return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
   }
 
- private:
   // The fundamental as measured, harmonics in the ratio to it that the faults say, a mean only where the quantity
   // can have one.
   void restore_excitation() {
@@ -146,34 +198,6 @@ class Evaluation {
     const double w = faults_.extra.frequency;
     return amplitude * power(s, sensors_.derivatives) * excitation_at(line) /
            (w * w + 2 * faults_.extra.damping * w * s + s * s);
-  }
-
-  VectorXcd master_amplitudes() const {
-    const auto channels = c_.response.rows();
-    VectorXcd amplitudes(static_cast<Index>(c_.masters.size()));
-    for (std::size_t m = 0; m < c_.masters.size(); ++m) {
-      const MasterLine& master = c_.masters[m];
-      const auto column =
-          static_cast<Index>(std::find(c_.lines.begin(), c_.lines.end(), master.line) - c_.lines.begin());
-      VectorXcd seen(channels);
-      for (Index c = 0; c < channels; ++c) {
-        const ChannelFault& fault = faults_.response[static_cast<std::size_t>(c)];
-        Complex value = c_.response(c, column);
-        if (fault.inverse_level > 0) {
-          // The strongest line of a channel carries the cut-off.
-          const Index strongest = strongest_line(c);
-          const double factor = unclipped_amplitude(std::abs(c_.response(c, strongest)), 1 / fault.inverse_level) /
-                                std::abs(c_.response(c, strongest));
-          value *= factor;
-        }
-        value = restored(value, fault, c_.line_rate(master.line)) - fault.cross * excitation_at(master.line) -
-                extra_response(static_cast<std::size_t>(c), master.line);
-        seen(c) = value;
-      }
-      amplitudes(static_cast<Index>(m)) = (filter_.row(static_cast<Index>(master.mode)).cast<Complex>() * seen)(0) /
-                                          power(c_.line_rate(master.line), sensors_.derivatives);
-    }
-    return amplitudes;
   }
 
   Index strongest_line(Index channel) const {
@@ -254,6 +278,64 @@ ConditionForecast ConditionModel::forecast(const Condition& condition, const Vec
   const std::size_t symbols = balance_.model().symbols.size();
   const Faults faults = table_.faults(unknowns.data() + symbols);
   return Evaluation(condition, balance_, sensors_, faults, {unknowns.data(), symbols}).forecast(amplitudes, start);
+}
+
+MatrixXd ConditionModel::slopes(const Condition& condition, const VectorXd& unknowns, const MatrixXcd& displacement,
+                                const std::vector<std::size_t>& which, const VectorXd& scale) const {
+  const std::size_t symbols = balance_.model().symbols.size();
+  std::vector<SlavedLine> slaves;
+  struct Held {
+    VectorXd rows, steps;
+  };
+  // Rows, and what the slaved lines lack to their balance, with these lines held.
+  const auto held = [&](const Evaluation& evaluation, const MotionSetting& setting, BalanceSweep& sweep,
+                        Motion motion) {
+    const VectorXcd amplitudes = evaluation.master_amplitudes();
+    place_masters(setting, amplitudes, motion.displacement);
+    const MatrixXcd residual = sweep.residual(motion.displacement);
+    motion.balance = balance_of_masters(setting, residual);
+    return Held{evaluation.rows_of(amplitudes, std::move(motion)), BalanceSweep::steps(slaves, residual)};
+  };
+  const auto held_at = [&](const VectorXd& at) {
+    const Faults faults = table_.faults(at.data() + symbols);
+    const Evaluation evaluation(condition, balance_, sensors_, faults, {at.data(), symbols});
+    const MotionSetting setting = evaluation.setting();
+    BalanceSweep sweep(balance_.model(), balance_.memory(), setting, evaluation.parameters());
+    return held(evaluation, setting, sweep, {displacement, {}, true});
+  };
+  const Faults faults = table_.faults(unknowns.data() + symbols);
+  const Evaluation evaluation(condition, balance_, sensors_, faults, {unknowns.data(), symbols});
+  const MotionSetting setting = evaluation.setting();
+  BalanceSweep sweep(balance_.model(), balance_.memory(), setting, evaluation.parameters());
+  slaves = slaved_lines(setting, balance_.model(), evaluation.parameters());
+  const Held base = held(evaluation, setting, sweep, {displacement, {}, true});
+
+  const Index count = base.steps.size();
+  MatrixXd rows_by_line(base.rows.size(), count), steps_by_line(count, count);
+  const VectorXd lines = gathered(slaves, displacement);
+  const double step = line_step * displacement.cwiseAbs().maxCoeff();
+  for (Index s = 0; s < count; ++s) {
+    VectorXd moved = lines;
+    moved(s) += step;
+    Motion motion{displacement, {}, true};
+    scattered(slaves, moved, motion.displacement);
+    const Held there = held(evaluation, setting, sweep, std::move(motion));
+    rows_by_line.col(s) = (there.rows - base.rows) / step;
+    steps_by_line.col(s) = (there.steps - base.steps) / step;
+  }
+  const Eigen::PartialPivLU<MatrixXd> to_balance(steps_by_line);
+  MatrixXd slopes(base.rows.size(), static_cast<Index>(which.size()));
+  for (std::size_t w = 0; w < which.size(); ++w) {
+    const auto column = static_cast<Index>(w), u = static_cast<Index>(which[w]);
+    VectorXd moved = unknowns;
+    moved(u) = unknowns(u) + 0.5 * scale(column);
+    const Held up = held_at(moved);
+    moved(u) = unknowns(u) - 0.5 * scale(column);
+    const Held down = held_at(moved);
+    slopes.col(column) = up.rows - down.rows;
+    if (count > 0) slopes.col(column) -= rows_by_line * to_balance.solve(up.steps - down.steps);
+  }
+  return slopes;
 }
 
 std::vector<RowMeaning> ConditionModel::meanings(const Condition& condition) const {

@@ -43,6 +43,12 @@ class ConditionModel {
       : balance_(balance), sensors_(sensors), table_(table) {}
 
   ConditionRows rows(const Condition& condition, const Eigen::VectorXd& unknowns, const Motion* start) const;
+  /// Change of the rows with some of the unknowns, per `scale` of each (central differences), near a motion in
+  /// balance whose lines are `displacement`. The slaved lines' balance is linearised there, so that a column costs
+  /// two evaluations of the equations and no iteration.
+  Eigen::MatrixXd slopes(const Condition& condition, const Eigen::VectorXd& unknowns,
+                         const Eigen::MatrixXcd& displacement, const std::vector<std::size_t>& which,
+                         const Eigen::VectorXd& scale) const;
   std::vector<RowMeaning> meanings(const Condition& condition) const;
   /// Of the condition only the excitation and the layout of lines count; `amplitudes` by master.
   ConditionForecast forecast(const Condition& condition, const Eigen::VectorXcd& amplitudes,

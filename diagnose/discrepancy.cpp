@@ -1,5 +1,7 @@
 #include "diagnose/discrepancy.hpp"
 
+#include "diagnose/in_parallel.hpp"
+
 namespace secular {
 
 using Eigen::Index;
@@ -20,6 +22,22 @@ std::string to_string(GapComponent component) {
       break;
   }
   return "measurement";
+}
+
+Eigen::MatrixXd Evidence::slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
+                                 const Eigen::VectorXd& scale, unsigned threads) const {
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(size(), static_cast<Index>(which.size()));
+  in_parallel(which.size(), threads, [&](std::size_t i) {
+    const auto column = static_cast<Index>(i), u = static_cast<Index>(which[i]);
+    Eigen::VectorXd moved = unknowns, up(size()), down(size());
+    moved(u) = unknowns(u) + 0.5 * scale(column);
+    evaluate(moved, up);
+    moved(u) = unknowns(u) - 0.5 * scale(column);
+    evaluate(moved, down);
+    up -= down;
+    if (up.allFinite()) columns.col(column) = up;
+  });
+  return columns;
 }
 
 void Discrepancy::add(std::unique_ptr<Evidence> evidence) {
@@ -56,6 +74,17 @@ Eigen::VectorXd Discrepancy::operator()(const Eigen::VectorXd& unknowns) const {
     first += part->size();
   }
   return rows;
+}
+
+Eigen::MatrixXd Discrepancy::slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
+                                    const Eigen::VectorXd& scale, unsigned threads) const {
+  Eigen::MatrixXd columns(size(), static_cast<Index>(which.size()));
+  Index first = 0;
+  for (const auto& part : parts_) {
+    columns.middleRows(first, part->size()) = part->slopes(unknowns, which, scale, threads);
+    first += part->size();
+  }
+  return columns;
 }
 
 Eigen::VectorXd Discrepancy::unmixed(const Eigen::VectorXd& rows) const {

@@ -43,6 +43,10 @@ class Evidence {
   /// share of the inertia only, for unknowns that are still far off.
   virtual void freeze(const Eigen::VectorXd& unknowns, double coarse) = 0;
   virtual void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const = 0;
+  /// Columns of d rows / d (unknown / scale) for some of the unknowns, by central differences of half a scale; zero
+  /// where the rows are not finite.
+  virtual Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
+                                 const Eigen::VectorXd& scale, unsigned threads) const;
   /// Rows before they were made independent of each other, where that mixed them.
   virtual Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const { return rows; }
 };
@@ -56,6 +60,8 @@ class Discrepancy {
   std::vector<RowLabel> labels() const;
   void freeze(const Eigen::VectorXd& unknowns, double coarse = 0);
   Eigen::VectorXd operator()(const Eigen::VectorXd& unknowns) const;
+  Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
+                         const Eigen::VectorXd& scale, unsigned threads) const;
   Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const;
 
  private:

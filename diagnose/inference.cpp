@@ -25,6 +25,9 @@ constexpr std::size_t most_fits = 16;
 constexpr double least_share = 0.02;
 constexpr double least_gain = 4;
 
+/// Of fits with numbers that may be far off, relative to the squared length of a column.
+constexpr double first_damping = 1e-2;
+
 /// Pairs: partners for so many of the best single explanations, and so many partners each.
 constexpr std::size_t most_firsts = 3, most_partners = 6;
 constexpr int most_exchanges = 3;
@@ -54,6 +57,27 @@ struct Screening {
   VectorXd start;
 };
 
+// By the slopes of its strengths: where these are all that it has.
+bool is_plain(const Candidate& candidate) {
+  return candidate.shapes.empty() && !(candidate.least_strength > 0);
+}
+
+// What strengths with these slopes (per scale) would explain from `unknowns` on.
+Screening screen_slopes(const Refit& base, const MatrixXd& basis, const Candidate& candidate, VectorXd unknowns,
+                        const MatrixXd& slopes, const VectorXd& scale) {
+  const MatrixXd columns = without(basis, slopes);
+  const MatrixXd seen = basis_of(columns);
+  if (seen.cols() == 0 || columns.norm() < unseen) return {};
+  const double gain = (seen.transpose() * base.rows).squaredNorm();
+  const VectorXd strength = -columns.completeOrthogonalDecomposition().solve(base.rows);
+  for (std::size_t s = 0; s < candidate.strengths.size(); ++s)
+    unknowns(static_cast<Index>(candidate.strengths[s])) +=
+        scale(static_cast<Index>(s)) * strength(static_cast<Index>(s));
+  if (candidate.passive && unknowns(static_cast<Index>(candidate.strengths[0])) < 0) return {};
+  return {gain, std::move(unknowns)};
+}
+
+// Shape by shape.
 Screening screen(const Discrepancy& discrepancy, const Refit& base, const MatrixXd& basis,
                  const Candidate& candidate) {
   Screening best;
@@ -69,24 +93,16 @@ Screening screen(const Discrepancy& discrepancy, const Refit& base, const Matrix
       if (gain > best.gain || best.start.size() == 0) best = {std::max(0.0, gain), unknowns};
       continue;
     }
-    const VectorXd scale = natural_scales(discrepancy, unknowns, candidate.strengths, 1);
-    const MatrixXd columns = without(basis, jacobian_of(discrepancy, unknowns, candidate.strengths, scale, 1));
-    const MatrixXd seen = basis_of(columns);
-    if (seen.cols() == 0 || columns.norm() < unseen) continue;
-    const double gain = (seen.transpose() * base.rows).squaredNorm();
-    if (!(gain > best.gain)) continue;
-    const VectorXd strength = -columns.completeOrthogonalDecomposition().solve(base.rows);
-    for (std::size_t s = 0; s < candidate.strengths.size(); ++s)
-      unknowns(static_cast<Index>(candidate.strengths[s])) +=
-          scale(static_cast<Index>(s)) * strength(static_cast<Index>(s));
-    if (candidate.passive && unknowns(static_cast<Index>(candidate.strengths[0])) < 0) continue;
-    best = {gain, unknowns};
+    const UnitSlopes slopes = unit_slopes(discrepancy, unknowns, candidate.strengths, {}, 1);
+    Screening found = screen_slopes(base, basis, candidate, unknowns, slopes.columns, slopes.scale);
+    if (found.gain > best.gain) best = std::move(found);
   }
   return best;
 }
 
 Explanation explain(const Discrepancy& discrepancy, const std::vector<Candidate>& candidates,
-                    std::vector<std::size_t> members, const VectorXd& start, const std::vector<std::size_t>& own) {
+                    std::vector<std::size_t> members, const VectorXd& start, const std::vector<std::size_t>& own,
+                    const VectorXd& scale_guess) {
   Explanation e;
   std::vector<std::size_t> free = own;
   for (const std::size_t m : members) {
@@ -99,7 +115,9 @@ Explanation explain(const Discrepancy& discrepancy, const std::vector<Candidate>
   std::sort(free.begin(), free.end());
   free.erase(std::unique(free.begin(), free.end()), free.end());
   e.members = std::move(members);
-  e.fit = refit(discrepancy, start, free);
+  RefitOptions options;
+  options.scale_guess = scale_guess;
+  e.fit = refit(discrepancy, start, free, options);
   return e;
 }
 
@@ -148,6 +166,12 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
   Inference result;
   RefitOptions all_threads;
   all_threads.threads = options.threads;
+  // Scales are much the same wherever a fit begins.
+  VectorXd scales = VectorXd::Zero(start.size());
+  const auto remember = [&](const std::vector<std::size_t>& which, const VectorXd& scale) {
+    for (std::size_t i = 0; i < which.size(); ++i)
+      if (scale(static_cast<Index>(i)) > 0) scales(static_cast<Index>(which[i])) = scale(static_cast<Index>(i));
+  };
   // Errors of the rows depend on the unknowns, and a start far off has none that mean anything: from coarse to
   // fine.
   VectorXd unknowns = start;
@@ -155,7 +179,10 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
     double before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < 6; ++round) {
       discrepancy.freeze(unknowns, coarse);
+      all_threads.scale_guess = scales;
+      all_threads.damping = coarse > 0 ? first_damping : 0;
       result.null.fit = refit(discrepancy, unknowns, own, all_threads);
+      remember(own, result.null.fit.scale);
       unknowns = result.null.fit.unknowns;
       const double now = result.null.fit.chi_squared;
       if (round > 0 && std::abs(now - before) < 0.02 * before + 1) break;
@@ -165,11 +192,28 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
   const double rows = static_cast<double>(discrepancy.freedom());
   result.degrees_of_freedom = rows - static_cast<double>(result.null.fit.rank);
 
+  std::vector<std::size_t> plain_strengths;
+  for (const Candidate& c : candidates)
+    if (is_plain(c)) plain_strengths.insert(plain_strengths.end(), c.strengths.begin(), c.strengths.end());
   const auto screen_all = [&](const Refit& base, std::vector<Screening>& found) {
     const MatrixXd basis = basis_of(base.jacobian);
+    const UnitSlopes slopes = unit_slopes(discrepancy, base.unknowns, plain_strengths, scales, options.threads);
+    remember(plain_strengths, slopes.scale);
+    std::vector<Index> first(candidates.size(), 0);
+    Index at = 0;
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      first[c] = at;
+      if (is_plain(candidates[c])) at += static_cast<Index>(candidates[c].strengths.size());
+    }
     found.assign(candidates.size(), {});
-    in_parallel(candidates.size(), options.threads,
-                [&](std::size_t c) { found[c] = screen(discrepancy, base, basis, candidates[c]); });
+    in_parallel(candidates.size(), options.threads, [&](std::size_t c) {
+      const Candidate& candidate = candidates[c];
+      const auto count = static_cast<Index>(candidate.strengths.size());
+      found[c] = is_plain(candidate) ? screen_slopes(base, basis, candidate, base.unknowns,
+                                                     slopes.columns.middleCols(first[c], count),
+                                                     slopes.scale.segment(first[c], count))
+                                     : screen(discrepancy, base, basis, candidate);
+    });
   };
   const auto promising = [&](const std::vector<Screening>& found, std::size_t most) {
     std::vector<std::size_t> order(candidates.size());
@@ -189,7 +233,7 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
   const std::vector<std::size_t> chosen = promising(singles, most_fits);
   std::vector<Explanation> found(chosen.size());
   in_parallel(chosen.size(), options.threads, [&](std::size_t i) {
-    found[i] = explain(discrepancy, candidates, {chosen[i]}, singles[chosen[i]].start, own);
+    found[i] = explain(discrepancy, candidates, {chosen[i]}, singles[chosen[i]].start, own, scales);
   });
   keep_best_of_each(found, candidates);
 
@@ -238,7 +282,7 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
       }
       std::vector<Explanation> fresh(pairs.size());
       in_parallel(pairs.size(), options.threads, [&](std::size_t i) {
-        fresh[i] = explain(discrepancy, candidates, {pairs[i].first, pairs[i].second}, starts[i], own);
+        fresh[i] = explain(discrepancy, candidates, {pairs[i].first, pairs[i].second}, starts[i], own, scales);
       });
       for (Explanation& e : fresh) doubles.push_back(std::move(e));
     };
@@ -253,7 +297,8 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
         if (expanded.count(member) > 0) continue;
         moved = true;
         expand(explain(discrepancy, candidates, {member},
-                       singles[member].start.size() > 0 ? singles[member].start : result.null.fit.unknowns, own));
+                       singles[member].start.size() > 0 ? singles[member].start : result.null.fit.unknowns, own,
+                       scales));
       }
       if (!moved) break;
     }
@@ -265,8 +310,8 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
       for (std::size_t m = 0; m < 2; ++m) {
         const std::size_t member = doubles[d].members[m], other = doubles[d].members[1 - m];
         if (!again.insert(member).second) continue;
-        found.push_back(
-            explain(discrepancy, candidates, {member}, without(doubles[d].fit.unknowns, {other}, candidates), own));
+        found.push_back(explain(discrepancy, candidates, {member},
+                                without(doubles[d].fit.unknowns, {other}, candidates), own, scales));
       }
     for (Explanation& e : doubles) found.push_back(std::move(e));
     keep_best_of_each(found, candidates);
@@ -279,10 +324,13 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
     discrepancy.freeze(best->fit.unknowns);
     const VectorXd switched_off = without(best->fit.unknowns, best->members, candidates);
     result.null.fit = refit(discrepancy, result.null.fit.unknowns, own, all_threads);
+    all_threads.scale_guess = scales;
     Refit from_best = refit(discrepancy, switched_off, own, all_threads);
     if (from_best.chi_squared < result.null.fit.chi_squared) result.null.fit = std::move(from_best);
     in_parallel(found.size(), options.threads, [&](std::size_t i) {
-      found[i].fit = refit(discrepancy, found[i].fit.unknowns, found[i].fit.free);
+      RefitOptions once_more;
+      once_more.scale_guess = scales;
+      found[i].fit = refit(discrepancy, found[i].fit.unknowns, found[i].fit.free, once_more);
     });
   }
   double dispersion = dispersion_of(result.null);

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <numeric>
+
+#include "diagnose/in_parallel.hpp"
 
 namespace secular {
 namespace {
@@ -19,7 +22,8 @@ constexpr double determined = 1e-9;
 /// Share of the inertia that a first look at unknown numbers allows.
 constexpr double first_look = 1e-2;
 
-/// Where a motion could not be found at all, rows count this many standard deviations.
+/// Where no motion was found when the errors were taken, rows count this many standard deviations. Where one was
+/// found then and is lost, no fit may go.
 constexpr double no_motion = 1e4;
 
 std::string line_name(const Condition& c, Index line, const CompiledModel& model) {
@@ -153,9 +157,30 @@ void LineEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows)
     if (kept.allFinite())
       rows.segment(first, count) = w.inverse_root * kept;
     else
-      rows.segment(first, count).setConstant(no_motion);
+      rows.segment(first, count)
+          .setConstant(w.motion.converged ? std::numeric_limits<double>::infinity() : no_motion);
     first += count;
   }
+}
+
+MatrixXd LineEvidence::slopes(const VectorXd& unknowns, const std::vector<std::size_t>& which,
+                              const VectorXd& scale, unsigned threads) const {
+  MatrixXd columns = MatrixXd::Zero(size(), static_cast<Index>(which.size()));
+  std::vector<Index> first(conditions_.size(), 0);
+  for (std::size_t i = 1; i < conditions_.size(); ++i)
+    first[i] = first[i - 1] + static_cast<Index>(whitening_[i - 1].kept.size());
+  in_parallel(conditions_.size(), threads, [&](std::size_t i) {
+    const Whitening& w = whitening_[i];
+    const Condition& c = conditions_[i];
+    const ConditionRows raw = model_.rows(c, unknowns, w.motion.converged ? &w.motion : nullptr);
+    if (!raw.values.allFinite()) return;
+    const MatrixXd slopes = model_.slopes(c, unknowns, raw.motion.displacement, which, scale);
+    if (!slopes.allFinite()) return;
+    MatrixXd kept(static_cast<Index>(w.kept.size()), slopes.cols());
+    for (Index r = 0; r < kept.rows(); ++r) kept.row(r) = slopes.row(w.kept[static_cast<std::size_t>(r)]);
+    columns.middleRows(first[i], kept.rows()) = w.inverse_root.triangularView<Eigen::Lower>() * kept;
+  });
+  return columns;
 }
 
 VectorXd LineEvidence::unmixed(const VectorXd& rows) const {

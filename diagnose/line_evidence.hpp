@@ -15,7 +15,8 @@ class LineEvidence : public Evidence {
   const std::vector<RowLabel>& labels() const override { return labels_; }
   void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
-
+  Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
+                         const Eigen::VectorXd& scale, unsigned threads) const override;
   Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const override;
 
  private:

@@ -44,17 +44,24 @@ struct Motion {
   bool converged = false;
 };
 
+/// Writes amplitudes, by master, into a modes x lines matrix.
+void place_masters(const MotionSetting& setting, const Eigen::VectorXcd& amplitudes,
+                   Eigen::MatrixXcd& displacement);
+/// The masters' entries of a modes x lines matrix of balances.
+Eigen::VectorXcd balance_of_masters(const MotionSetting& setting, const Eigen::MatrixXcd& residual);
+
 /// Harmonic balance on the full equations of motion with the master lines given. Every other line follows from its
-/// own balance (it is far from resonance, so that a fixed-point iteration converges); what is left on the master
-/// lines is the discrepancy between model and measurement. No expansion in small amplitudes is made: lines are
-/// truncated, and nothing else. Nonlinear forces are evaluated over one turn of the phases (alternating frequency
-/// and time, Cameron and Griffin 1989).
+/// own balance (it is far from resonance, so that an iteration by its compliance converges); what is left on the
+/// master lines is the discrepancy between model and measurement. No expansion in small amplitudes is made: lines
+/// are truncated, and nothing else. Nonlinear forces are evaluated over one turn of the phases (alternating
+/// frequency and time, Cameron and Griffin 1989).
 class MotionBalance {
  public:
   MotionBalance(const CompiledModel& model, std::vector<MemorySlot> memory)
       : model_(&model), memory_(std::move(memory)) {}
 
   const CompiledModel& model() const { return *model_; }
+  const std::vector<MemorySlot>& memory() const { return memory_; }
 
   /// `amplitudes`: of the masters, half of the peak. `parameters` by CompiledModel::symbols. `start`: a
   /// neighbouring motion to begin with, or nullptr.

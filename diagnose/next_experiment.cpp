@@ -102,7 +102,7 @@ Judgement judged(const ConditionModel& model, const Condition& dwell, const Refi
   discrepancy.add(std::make_unique<LineEvidence>(model, std::vector{dwell}, fit.unknowns));
   discrepancy.freeze(fit.unknowns);
   const VectorXd rows = discrepancy(fit.unknowns);
-  const MatrixXd jacobian = jacobian_of(discrepancy, fit.unknowns, fit.free, fit.scale, 1);
+  const MatrixXd jacobian = discrepancy.slopes(fit.unknowns, fit.free, fit.scale, 1);
   MatrixXd freedom = fit.covariance * dispersion;
   for (Index f = 0; f < freedom.rows(); ++f) {
     const double scale = fit.scale(f) > 0 ? fit.scale(f) : 1;

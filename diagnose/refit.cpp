@@ -1,10 +1,9 @@
 #include "diagnose/refit.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "diagnose/in_parallel.hpp"
 
 namespace secular {
 namespace {
@@ -15,6 +14,9 @@ using Eigen::VectorXd;
 
 /// Singular values of the scaled columns below this share of the largest count as zero: differences are not better.
 constexpr double rank_tolerance = 1e-6;
+
+/// Differences are taken over changes of the rows by this to one over this standard deviations.
+constexpr double least_change = 0.03;
 
 // Minimum-norm solution in columns of unit length, and what it leaves undetermined.
 struct Step {
@@ -43,52 +45,42 @@ Step damped_step(const MatrixXd& jacobian, const VectorXd& rows, double damping)
 
 }  // namespace
 
-VectorXd natural_scales(const Discrepancy& discrepancy, const VectorXd& unknowns,
-                        const std::vector<std::size_t>& which, unsigned threads) {
-  const VectorXd base = discrepancy(unknowns);
-  VectorXd scale = VectorXd::Zero(static_cast<Index>(which.size()));
-  in_parallel(which.size(), threads, [&](std::size_t i) {
+UnitSlopes unit_slopes(const Discrepancy& discrepancy, const VectorXd& unknowns,
+                       const std::vector<std::size_t>& which, const VectorXd& guess, unsigned threads) {
+  const auto count = static_cast<Index>(which.size());
+  UnitSlopes result{VectorXd::Zero(count), MatrixXd::Zero(discrepancy.size(), count)};
+  VectorXd step(count);
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < which.size(); ++i) {
     const auto u = static_cast<Index>(which[i]);
     const double value = std::abs(unknowns(u));
-    double step = value > 0 ? 1e-6 * value : 1e-9;
-    VectorXd moved = unknowns;
-    // Changes by factors until the rows move by something near one.
-    for (int attempt = 0; attempt < 40; ++attempt) {
-      moved(u) = unknowns(u) + step;
-      const double change = (discrepancy(moved) - base).norm();
-      if (change > 0.3 && change < 3) {
-        scale(static_cast<Index>(i)) = step;
-        return;
-      }
-      if (!std::isfinite(change) || change >= 3)
-        step *= std::isfinite(change) ? std::max(1e-6, 1 / change) : 1e-3;
-      else if (change < 1e-7)
-        step *= 1e3;
-      else
-        step *= std::min(1e6, 1 / change);
-      if (step > 1e25) return;
+    step(static_cast<Index>(i)) = guess.size() > 0 && guess(u) > 0 ? guess(u) : value > 0 ? 1e-6 * value : 1e-9;
+    open.push_back(i);
+  }
+  // Steps change by factors until the rows move by something near one.
+  for (int attempt = 0; attempt < 20 && !open.empty(); ++attempt) {
+    std::vector<std::size_t> tried;
+    VectorXd steps(static_cast<Index>(open.size()));
+    for (std::size_t o = 0; o < open.size(); ++o) {
+      tried.push_back(which[open[o]]);
+      steps(static_cast<Index>(o)) = step(static_cast<Index>(open[o]));
     }
-    // Something that jumps: what the last step gave has to do.
-    scale(static_cast<Index>(i)) = step;
-  });
-  return scale;
-}
-
-MatrixXd jacobian_of(const Discrepancy& discrepancy, const VectorXd& unknowns,
-                     const std::vector<std::size_t>& which, const VectorXd& scale, unsigned threads) {
-  MatrixXd jacobian = MatrixXd::Zero(discrepancy.size(), static_cast<Index>(which.size()));
-  in_parallel(which.size(), threads, [&](std::size_t i) {
-    const auto column = static_cast<Index>(i);
-    const auto u = static_cast<Index>(which[i]);
-    if (!(scale(column) > 0)) return;
-    VectorXd moved = unknowns;
-    moved(u) = unknowns(u) + 0.5 * scale(column);
-    const VectorXd up = discrepancy(moved);
-    moved(u) = unknowns(u) - 0.5 * scale(column);
-    jacobian.col(column) = up - discrepancy(moved);
-    if (!jacobian.col(column).allFinite()) jacobian.col(column).setZero();
-  });
-  return jacobian;
+    const MatrixXd columns = discrepancy.slopes(unknowns, tried, steps, threads);
+    std::vector<std::size_t> still;
+    for (std::size_t o = 0; o < open.size(); ++o) {
+      const auto i = static_cast<Index>(open[o]);
+      const double change = columns.col(static_cast<Index>(o)).norm();
+      if (change > least_change && change < 1 / least_change) {
+        result.scale(i) = step(i) / change;
+        result.columns.col(i) = columns.col(static_cast<Index>(o)) / change;
+        continue;
+      }
+      step(i) *= change < 1e-7 ? 1e3 : std::clamp(1 / change, 1e-6, 1e6);
+      if (step(i) < 1e25) still.push_back(open[o]);
+    }
+    open = std::move(still);
+  }
+  return result;
 }
 
 Refit refit(const Discrepancy& discrepancy, const VectorXd& start, const std::vector<std::size_t>& free,
@@ -98,12 +90,14 @@ Refit refit(const Discrepancy& discrepancy, const VectorXd& start, const std::ve
   fit.free = free;
   fit.rows = discrepancy(start);
   fit.chi_squared = fit.rows.squaredNorm();
-  fit.scale = natural_scales(discrepancy, start, free, options.threads);
-  double damping = 0;
-  bool fresh = false;
+  UnitSlopes slopes = unit_slopes(discrepancy, start, free, options.scale_guess, options.threads);
+  fit.scale = std::move(slopes.scale);
+  fit.jacobian = std::move(slopes.columns);
+  double damping = options.damping;
+  bool fresh = true;
   for (int i = 0; i < options.iterations && !free.empty(); ++i) {
     if (!fresh) {
-      fit.jacobian = jacobian_of(discrepancy, fit.unknowns, free, fit.scale, options.threads);
+      fit.jacobian = discrepancy.slopes(fit.unknowns, free, fit.scale, options.threads);
       fresh = true;
     }
     const Step step = damped_step(fit.jacobian, fit.rows, damping);
@@ -134,7 +128,7 @@ Refit refit(const Discrepancy& discrepancy, const VectorXd& start, const std::ve
     }
   }
   if (!free.empty()) {
-    fit.jacobian = jacobian_of(discrepancy, fit.unknowns, free, fit.scale, options.threads);
+    if (!fresh) fit.jacobian = discrepancy.slopes(fit.unknowns, free, fit.scale, options.threads);
     const VectorXd length = fit.jacobian.colwise().norm().transpose();
     const VectorXd unit = length.unaryExpr([](double x) { return x > 0 ? 1 / x : 0.0; });
     const Eigen::BDCSVD<MatrixXd> svd(fit.jacobian * unit.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);

@@ -24,15 +24,19 @@ struct Refit {
 struct RefitOptions {
   int iterations = 25;
   unsigned threads = 1;
+  double damping = 0;           ///< at first: holds back what the rows hardly see, far from the goal
+  Eigen::VectorXd scale_guess;  ///< of unit_slopes
 };
 
-/// Changes of each unknown that move the rows by about one standard deviation in all; 0 where nothing moves them.
-Eigen::VectorXd natural_scales(const Discrepancy& discrepancy, const Eigen::VectorXd& unknowns,
-                               const std::vector<std::size_t>& which, unsigned threads);
+/// Slopes of the rows, per change of each unknown that moves them by one standard deviation in all.
+struct UnitSlopes {
+  Eigen::VectorXd scale;    ///< that change; 0 where nothing moves the rows
+  Eigen::MatrixXd columns;  ///< rows x unknowns, of unit length
+};
 
-/// Columns of d rows / d (unknown / scale) by central differences of half a scale.
-Eigen::MatrixXd jacobian_of(const Discrepancy& discrepancy, const Eigen::VectorXd& unknowns,
-                            const std::vector<std::size_t>& which, const Eigen::VectorXd& scale, unsigned threads);
+/// `guess`: scales to begin with, by unknown of the discrepancy, 0 where none is known; or empty.
+UnitSlopes unit_slopes(const Discrepancy& discrepancy, const Eigen::VectorXd& unknowns,
+                       const std::vector<std::size_t>& which, const Eigen::VectorXd& guess, unsigned threads);
 
 /// Levenberg-Marquardt with differences. Directions that the rows do not see stay where they start.
 Refit refit(const Discrepancy& discrepancy, const Eigen::VectorXd& start, const std::vector<std::size_t>& free,

@@ -336,7 +336,8 @@ std::vector<SegmentEvidence::Disturbed> SegmentEvidence::disturbed() const {
   std::vector<Disturbed> records;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     if (frozen_[i].disturbance == 0) continue;
-    if (records.empty() || records.back().record != segments_[i].record) records.push_back({segments_[i].record, 0, {}});
+    if (records.empty() || records.back().record != segments_[i].record)
+      records.push_back({segments_[i].record, 0, {}});
     Disturbed& record = records.back();
     ++record.segments;
     if (frozen_[i].disturbance > 2 * frozen_[i].rest_sd) record.worst_s.push_back(segments_[i].time_s);

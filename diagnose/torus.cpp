@@ -12,8 +12,7 @@ Torus::Torus(int dimensions, int highest, Index points) : dimensions_(dimensions
   for (int m = 0; m <= (dimensions == 1 ? 0 : highest); ++m)
     for (int n = m == 0 ? 1 : m - highest; n <= highest - m; ++n) phases_.push_back({n, m});
   const Index total = dimensions == 1 ? points : points * points;
-  cosine_.resize(lines(), total);
-  sine_.resize(lines(), total);
+  basis_.resize(total, 2 * lines());
   // Half a step off zero: turning points of the leading line then fall between two samples, where a jump of dry
   // friction is represented best.
   for (Index p = 0; p < total; ++p) {
@@ -23,8 +22,8 @@ Torus::Torus(int dimensions, int highest, Index points) : dimensions_(dimensions
         2 * std::numbers::pi * (static_cast<double>(p / points) + 0.5) / static_cast<double>(points);
     for (Index l = 0; l < lines(); ++l) {
       const double angle = phase(l)[0] * first + phase(l)[1] * second;
-      cosine_(l, p) = std::cos(angle);
-      sine_(l, p) = std::sin(angle);
+      basis_(p, 2 * l) = std::cos(angle);
+      basis_(p, 2 * l + 1) = -std::sin(angle);
     }
   }
 }
@@ -35,18 +34,32 @@ std::optional<Index> Torus::find(const LinePhase& wanted) const {
   return std::nullopt;
 }
 
+// One product with a vector for every row: rows are few, and a product of matrices would copy the basis each time.
 Eigen::MatrixXd Torus::samples(const Eigen::MatrixXcd& coefficients) const {
-  Eigen::MatrixXd real = 2 * coefficients.real();
-  real.col(0) *= 0.5;
-  return real * cosine_ - 2 * coefficients.imag() * sine_;
+  Eigen::MatrixXd samples(coefficients.rows(), points());
+  Eigen::VectorXcd line(lines());
+  Eigen::VectorXd row(points());
+  for (Index r = 0; r < samples.rows(); ++r) {
+    line = 2 * coefficients.row(r).transpose();
+    line(0) = coefficients(r, 0).real();
+    row.noalias() =
+        basis_ * Eigen::Map<const Eigen::VectorXd>(reinterpret_cast<const double*>(line.data()), 2 * lines());
+    samples.row(r) = row.transpose();
+  }
+  return samples;
 }
 
 Eigen::MatrixXcd Torus::coefficients(const Eigen::MatrixXd& samples) const {
-  const double weight = 1 / static_cast<double>(points());
-  Eigen::MatrixXcd result(samples.rows(), lines());
-  result.real() = weight * samples * cosine_.transpose();
-  result.imag() = -weight * samples * sine_.transpose();
-  return result;
+  Eigen::MatrixXcd coefficients(samples.rows(), lines());
+  Eigen::VectorXcd line(lines());
+  Eigen::VectorXd row(points());
+  for (Index r = 0; r < samples.rows(); ++r) {
+    row = samples.row(r).transpose() / static_cast<double>(points());
+    Eigen::Map<Eigen::VectorXd>(reinterpret_cast<double*>(line.data()), 2 * lines()).noalias() =
+        basis_.transpose() * row;
+    coefficients.row(r) = line.transpose();
+  }
+  return coefficients;
 }
 
 }  // namespace secular

@@ -20,7 +20,7 @@ class Torus {
 
   int dimensions() const { return dimensions_; }
   Eigen::Index lines() const { return static_cast<Eigen::Index>(phases_.size()); }
-  Eigen::Index points() const { return cosine_.cols(); }
+  Eigen::Index points() const { return basis_.rows(); }
   const LinePhase& phase(Eigen::Index line) const { return phases_[static_cast<std::size_t>(line)]; }
   std::optional<Eigen::Index> find(const LinePhase& phase) const;
 
@@ -32,7 +32,7 @@ class Torus {
  private:
   int dimensions_;
   std::vector<LinePhase> phases_;
-  Eigen::MatrixXd cosine_, sine_;  // lines x points
+  Eigen::MatrixXd basis_;  // points x (cosine, -sine of every line)
 };
 
 }  // namespace secular
