@@ -77,7 +77,7 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
   for (const ParameterMove& m : d.parameters_moved)
     fmt::print("  {} moves from {:.6g} to {}\n", m.name, m.from, report::format_uncertain(m.to, m.sd));
   print_next_experiment(run);
-  fmt::print("written: {0}/diagnosis.json, {0}/report.html\n", folder);
+  fmt::print("written: {0}/diagnosis.json, {0}/report.html, {0}/gap.svg\n", folder);
 }
 
 int run(Options& options, const CLI::App& command) {
@@ -96,6 +96,9 @@ int run(Options& options, const CLI::App& command) {
   if (error) throw InputError(options.folder, "", "cannot be made a folder", "name a folder that can be written");
   report::write_whole_file(std::filesystem::path(options.folder) / "diagnosis.json", json);
   report::write_whole_file(std::filesystem::path(options.folder) / "report.html", html);
+  report::write_whole_file(
+      std::filesystem::path(options.folder) / "gap.svg",
+      report::render_figure(gap_figure(result.diagnosis), "gap", report::FigureUse::standalone).svg);
   for (const std::string& warning : result.diagnosis.warnings) fmt::print(stderr, "warning: {}\n", warning);
   if (options.json)
     fmt::print("{}", json);

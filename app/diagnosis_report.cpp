@@ -127,6 +127,14 @@ Figure record_figure(const Diagnosis& d) {
   return figure;
 }
 
+std::vector<std::string> balanced_modes(const Diagnosis& d) {
+  std::vector<std::string> modes;
+  for (const RowLabel& label : d.labels)
+    if (label.balance && std::find(modes.begin(), modes.end(), label.place) == modes.end())
+      modes.push_back(label.place);
+  return modes;
+}
+
 void where_section(HtmlReport& page, const DiagnosisRun& run) {
   const Diagnosis& d = run.diagnosis;
   page.section("Where");
@@ -148,11 +156,7 @@ void where_section(HtmlReport& page, const DiagnosisRun& run) {
     table.caption = "Shares of the gap";
     page.table(table);
   }
-  std::vector<std::string> modes;
-  for (const RowLabel& label : d.labels)
-    if (label.balance && std::find(modes.begin(), modes.end(), label.place) == modes.end())
-      modes.push_back(label.place);
-  for (const std::string& mode : modes) {
+  for (const std::string& mode : balanced_modes(d)) {
     const Figure figure = residual_figure(d, mode, "");
     if (!figure.panels.empty())
       page.figure(figure,
@@ -288,6 +292,11 @@ void next_section(HtmlReport& page, const DiagnosisRun& run) {
 }
 
 }  // namespace
+
+report::Figure gap_figure(const Diagnosis& d) {
+  const std::vector<std::string> modes = balanced_modes(d);
+  return modes.empty() ? record_figure(d) : residual_figure(d, modes.front(), "");
+}
 
 std::string diagnosis_report(const DiagnosisRun& run, const std::string& command) {
   const Diagnosis& d = run.diagnosis;

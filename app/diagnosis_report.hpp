@@ -3,10 +3,15 @@
 #include <string>
 
 #include "app/diagnosis_run.hpp"
+#include "report/figure.hpp"
 
 namespace secular::app {
 
 /// The diagnosis as one self-contained HTML page. `command`: the line that made it, printed at its foot.
 std::string diagnosis_report(const DiagnosisRun& run, const std::string& command);
+
+/// What the first mode's equation of motion leaves, in phase and in quadrature, against the amplitude: with the
+/// model as it is and with the best explanation added.
+report::Figure gap_figure(const Diagnosis& diagnosis);
 
 }  // namespace secular::app
