@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "estimator/identification/observation_set.hpp"
@@ -43,9 +44,18 @@ std::vector<MeasuredPoint> measured_points(const std::string& campaign_folder, c
   const ObservationSet set = observe_dwells(
       campaign, [&](std::size_t r) { return read_record(campaign, campaign.records[r]); }, model,
       *prediction.resonance, Window{});
-  warnings.insert(warnings.end(), set.warnings.begin(), set.warnings.end());
+  // Dwells at rest are points too, on the axis: they are not left out here.
+  const auto drawn = [&](const std::string& warning) {
+    return std::any_of(set.at_rest.begin(), set.at_rest.end(), [&](const Observation& o) {
+      return warning.starts_with(campaign.records[o.record].file + ":");
+    });
+  };
+  std::copy_if(set.warnings.begin(), set.warnings.end(), std::back_inserter(warnings),
+               [&](const std::string& warning) { return !drawn(warning); });
+  std::vector<Observation> seen = set.observations;
+  seen.insert(seen.end(), set.at_rest.begin(), set.at_rest.end());
   std::map<int, Dwell> dwells;
-  for (const Observation& o : set.observations) {
+  for (const Observation& o : seen) {
     Dwell& dwell = dwells[o.condition];
     ++dwell.ensembles;
     dwell.record = o.record;
@@ -86,14 +96,13 @@ std::vector<MeasuredPoint> measured_points(const std::string& campaign_folder, c
     points.push_back(std::move(point));
   }
   if (points.empty())
-    throw InputError("--measured " + campaign_folder, "",
-                     fmt::format("none of its {} responding dwells was made at the excitation of this prediction",
-                                 dwells.size()),
-                     "give their excitation with --at: amplitudes agree within 5 %, frequencies within 0.05 %");
+    throw InputError(
+        "--measured " + campaign_folder, "",
+        fmt::format("none of its {} dwells was made at the excitation of this prediction", dwells.size()),
+        "give their excitation with --at: amplitudes agree within 5 %, frequencies within 0.05 %");
   if (points.size() < dwells.size())
-    warnings.push_back(
-        fmt::format("{} of {} responding dwells of {} were made at another excitation and are not drawn",
-                    dwells.size() - points.size(), dwells.size(), campaign_folder));
+    warnings.push_back(fmt::format("{} of {} dwells of {} were made at another excitation and are not drawn",
+                                   dwells.size() - points.size(), dwells.size(), campaign_folder));
   std::stable_sort(points.begin(), points.end(),
                    [](const MeasuredPoint& a, const MeasuredPoint& b) { return a.parameter < b.parameter; });
   return points;

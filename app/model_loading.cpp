@@ -56,7 +56,7 @@ void ModelSource::outline(const CompiledModel& model) {
 void ModelSource::outline_file() {
   const Model model = read_model(file_);
   const CompiledModel* const namesake = interpret_ ? nullptr : generated::find_compiled_model(model.name);
-  if (namesake && namesake->fingerprint == canonical_model(model).fingerprint) {
+  if (namesake && namesake->fingerprint == canonical_model(model, {}, CanonicalContent::code).fingerprint) {
     compiled_in_ = namesake;
     outline(*namesake);
     return;

@@ -38,6 +38,9 @@ const std::vector<Method> integrators = {
     {"Runge-Kutta 4", Integrator::runge_kutta_4, {2, 4, 8, 16, 64}},
 };
 
+/// Enough for a few that nothing else on the machine disturbed.
+constexpr int turns = 25;
+
 constexpr double frequency = 77.85, stiffness = 4e5, amplitude = 0.02, sample_rate = 256, duration_s = 10;
 
 MotionSettings settings_of(const Method& method, double setting) {
@@ -111,7 +114,8 @@ void integrator_speed(benchmark::State& state) {
 }
 BENCHMARK(integrator_speed)->DenseRange(0, static_cast<int>(integrators.size()) - 1)->Unit(benchmark::kMillisecond);
 
-/// Printed once: what each setting costs and what it gives. Methods take turns, the shortest of five runs counts.
+/// Printed once: what each setting costs and what it gives. Methods take turns, the shortest of `turns` runs
+/// counts.
 void integrator_table(benchmark::State& state) {
   for (auto _ : state) {
     std::printf(
@@ -132,7 +136,7 @@ void integrator_table(benchmark::State& state) {
         const Counted counted;
         Run best = integrate(counted.model, settings_of(method, setting));
         const long evaluations = counted.calls;
-        for (int turn = 0; turn < 4; ++turn)
+        for (int turn = 1; turn < turns; ++turn)
           best.cpu_s = std::min(best.cpu_s, integrate(counted.model, settings_of(method, setting)).cpu_s);
         std::printf("%-20s %9g %9.1e %9.3f %12ld %12.3g %14.3g %13.3g\n", method.name.c_str(), setting, best.error,
                     1e3 * best.cpu_s, evaluations, static_cast<double>(evaluations) / best.cpu_s,

@@ -2,6 +2,11 @@
 
 #include <ginac/ginac.h>
 
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <vector>
+
 #include "codegen/rational_function.hpp"
 #include "perturb/symbol_table.hpp"
 
@@ -16,8 +21,14 @@ class CanonicalForm {
   RationalFunction of(const GiNaC::ex& expression) const;
 
  private:
-  std::vector<PolynomialTerm> polynomial(const GiNaC::ex& expanded, GiNaC::numeric& content) const;
-  std::vector<GiNaC::ex> symbols_;
+  using Terms = std::map<std::vector<int>, GiNaC::numeric, std::greater<>>;  ///< coefficients by exponents
+  template <class Taken>
+  GiNaC::ex split(const GiNaC::ex& product, std::vector<int>& exponents, const Taken& taken) const;
+  void add_terms(const GiNaC::ex& expanded, const std::vector<int>& common, Terms& terms) const;
+  void mark_denominators(const GiNaC::ex& expression, std::vector<bool>& marked) const;
+  void lowest_terms(const GiNaC::ex& expanded, Terms& above, Terms& below) const;
+
+  std::map<GiNaC::ex, std::size_t, GiNaC::ex_is_less> place_;  ///< of a symbol in the order
   GiNaC::symbol pi_{"pi"};
 };
 

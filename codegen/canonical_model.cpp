@@ -133,7 +133,8 @@ std::vector<CanonicalMotionTerm> motion_terms(const Model& model, const TermSum&
 }
 
 CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance, const CanonicalForm& form,
-                             const SymbolOrder& order, const std::map<std::string, Dimension>& dimensions) {
+                             const SymbolOrder& order, const std::map<std::string, Dimension>& dimensions,
+                             CanonicalContent content) {
   const Derivation nominal = derive(model, resonance, OmegaPolicy::nominal);
   const Derivation kept = derive(model, resonance, OmegaPolicy::kept);
   CanonicalCase result;
@@ -149,7 +150,8 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
   }
   for (std::size_t k = 0; k < model.modes.size(); ++k) {
     result.slow_derivative.push_back(canonical_modulation(nominal, k, order));
-    result.harmonics.push_back(canonical_harmonics(nominal, k, order));
+    result.harmonics.emplace_back();
+    if (content == CanonicalContent::all) result.harmonics.back() = canonical_harmonics(nominal, k, order);
   }
   for (const QuadratureTerm& quadrature : nominal.quadratures) {
     const GiNaC::ex scale = nominal.quadrature_rate(quadrature);
@@ -281,7 +283,7 @@ std::vector<CanonicalTerm> canonical_harmonics(const Derivation& derivation, std
   return list.terms();
 }
 
-CanonicalModel canonical_model(const Model& model, const std::string& only_case) {
+CanonicalModel canonical_model(const Model& model, const std::string& only_case, CanonicalContent content) {
   if (!only_case.empty()) model.find_case(only_case);
   CanonicalModel result;
   result.name = model.name;
@@ -311,7 +313,7 @@ CanonicalModel canonical_model(const Model& model, const std::string& only_case)
     result.motion.push_back(motion_terms(model, equations[k], form, k));
   for (const ResonanceCase& resonance : model.cases)
     if (only_case.empty() || resonance.name == only_case)
-      result.cases.push_back(canonical_case(model, resonance, form, result.order, dimensions));
+      result.cases.push_back(canonical_case(model, resonance, form, result.order, dimensions, content));
   result.fingerprint = fingerprint(result);
   return result;
 }

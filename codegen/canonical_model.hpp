@@ -138,9 +138,13 @@ struct CanonicalModel {
   }
 };
 
+/// What is wanted of a model: all, or what code is made of, without the list of harmonics that documents show.
+enum class CanonicalContent { all, code };
+
 /// Derives, certifies and flattens. `only_case` empty: all cases. Throws InputError from the derivation; a
 /// certificate that does not hold is recorded, not thrown.
-CanonicalModel canonical_model(const Model& model, const std::string& only_case = {});
+CanonicalModel canonical_model(const Model& model, const std::string& only_case = {},
+                               CanonicalContent content = CanonicalContent::all);
 
 /// Harmonic and modulation terms of one derivation in listing order.
 std::vector<CanonicalTerm> canonical_modulation(const Derivation& derivation, std::size_t mode,

@@ -103,18 +103,16 @@ class BlockCode {
                              columns_.size(), operations));
     code.line("template <class Factors>");
     code.line(
-        fmt::format("void rows_{}(const ObservationBatch& data, Factors factors, std::complex<double>* const* "
-                    "columns) {{",
-                    number_));
+        fmt::format("void rows_{}(const BatchArrays& data, Factors factors, double* const* columns) {{", number_));
     code.line("using Scalar = double;").line("using Complex = ComplexNumber<double>;");
     for (std::size_t k = 0; k < model_.coordinates.size(); ++k)
       if (monomials_.uses_amplitude(k))
-        code.line(fmt::format("const Scalar* __restrict amplitude_{0} = parts_of(data.amplitude[{0}]);", k));
+        code.line(fmt::format("const Scalar* __restrict amplitude_{0} = data.amplitude[{0}];", k));
     for (std::size_t j = 0; j < model_.excitations.size(); ++j)
       if (monomials_.uses_forcing(j))
-        code.line(fmt::format("const Scalar* __restrict forcing_{0} = parts_of(data.forcing[{0}]);", j));
+        code.line(fmt::format("const Scalar* __restrict forcing_{0} = data.forcing[{0}];", j));
     for (std::size_t j = 0; j < columns_.size(); ++j)
-      code.line(fmt::format("Scalar* __restrict column_{0} = parts_of(columns[{0}]);", j));
+      code.line(fmt::format("Scalar* __restrict column_{0} = columns[{0}];", j));
     code.line(fmt::format("Scalar factor[{}];", factors_.size()));
     std::string natural, excitation;
     for (std::size_t k = 0; k < model_.coordinates.size(); ++k)
@@ -140,10 +138,12 @@ class BlockCode {
     code.line("}").line("}").line();
   }
 
+  const char* linkage() const { return emitter_.units ? "" : "inline "; }
+
   void columns() {
     emitter_.code.comment("columns[j][i] of the rows.");
-    emitter_.code.line(fmt::format(
-        "inline void columns_{0}(const ObservationBatch& data, std::complex<double>* const* columns) {{", number_));
+    emitter_.code.line(
+        fmt::format("{}void columns_{}(const BatchArrays& data, double* const* columns) {{", linkage(), number_));
     emitter_.code.line(fmt::format("rows_{0}(data, FactorValues<factors_{0}<double>>{{}}, columns);", number_));
     emitter_.code.line("}").line();
   }
@@ -151,16 +151,16 @@ class BlockCode {
   void column_slopes() {
     CodeText& code = emitter_.code;
     code.comment("columns[j][i] = d(column j)/d(natural frequency of `mode`).");
-    code.line(fmt::format(
-        "inline void column_slopes_{0}(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,", number_));
-    code.line("    std::complex<double>* const* columns) {");
+    code.line(fmt::format("{}void column_slopes_{}(const BatchArrays& data, [[maybe_unused]] std::size_t mode,",
+                          linkage(), number_));
+    code.line("    double* const* columns) {");
     if (slopes_) {
       code.line(
           fmt::format("rows_{0}(data, FactorSlopes<factors_{0}<DualNumber>, {1}, {2}, {3}>{{mode}}, columns);",
                       number_, model_.coordinates.size(), model_.excitations.size(), factors_.size()));
     } else {
       code.line(fmt::format("for (std::size_t j = 0; j < {}; ++j)", columns_.size()));
-      code.line("  for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;");
+      code.line("  for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;");
     }
     code.line("}").line();
   }

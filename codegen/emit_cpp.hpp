@@ -17,12 +17,15 @@ struct GeneratedFile {
 /// computed from data: excitation clocks without an amplitude, cases without a steady frame.
 std::vector<GeneratedFile> emit_cpp(const CanonicalModel& model);
 
-/// The same functions as units that may be compiled at once: in NAME.hpp the lumps and their derivatives are only
-/// declared; NAME_lumps.cpp (where there are cases) holds them, for Scalar = double. They are most of a model's
-/// text and the least of its work.
-std::vector<GeneratedFile> emit_cpp_units(const CanonicalModel& model);
-/// The name of that file.
-std::string lumps_unit_name(const std::string& model_name);
+struct GeneratedUnit {
+  GeneratedFile file;
+  bool often_called = false;  ///< worth a compiler's optimisation
+};
+
+/// The same functions, for Scalar = double, as units that may be compiled at once: NAME_functions.cpp;
+/// NAME_lumps.cpp (where there are cases) with the lumps and their derivatives, which are most of a model's text
+/// and the least of its work; NAME.cpp with the tables, the only one to include headers that take compilers long.
+std::vector<GeneratedUnit> emit_cpp_units(const CanonicalModel& model);
 
 /// Throws an InputError for equations of motion that no measured signal can drive: cos(Omega*t) without an
 /// amplitude.

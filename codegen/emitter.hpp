@@ -7,12 +7,13 @@
 #include "codegen/code_text.hpp"
 #include "codegen/cpp_expression.hpp"
 
-/// The parts that emit_cpp puts together, each appending functions to the text of one header.
+/// The parts that emit_cpp puts together, each appending functions to one text.
 namespace secular {
 
 class Emitter {
  public:
-  explicit Emitter(const CanonicalModel& canonical) : model(canonical) {}
+  /// `in_units`: functions of one unit among several, not of a header.
+  explicit Emitter(const CanonicalModel& canonical, bool in_units = false) : model(canonical), units(in_units) {}
 
   /// Local variables for parameters (and pi) of these names.
   void unpack(const std::vector<std::string>& names, const std::string& attribute = "");
@@ -22,6 +23,7 @@ class Emitter {
   std::string parameter_list() const;
 
   const CanonicalModel& model;
+  bool units = false;
   CodeText code;
 };
 

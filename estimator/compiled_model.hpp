@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "estimator/excitation_sample.hpp"
 #include "estimator/model_function.hpp"
 
 /// What generated code offers to the estimator and the simulator: plain tables and functions, no symbols.
@@ -92,11 +93,6 @@ struct CompiledCase {
   ModelFunction<void(const double* parameters, const double* excitation_frequency,
                      const std::complex<double>* amplitude, const std::complex<double>* forcing, double* jacobian)>
       modulation_jacobian;
-};
-
-/// The excitation signal at one instant: value, first and second time derivative.
-struct ExcitationSample {
-  double value = 0, first_derivative = 0, second_derivative = 0;
 };
 
 /// A model: its equations of motion and its cases.

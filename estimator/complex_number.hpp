@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <complex>
 #include <cstddef>
 
 #include "estimator/scalar_functions.hpp"
@@ -53,17 +51,10 @@ constexpr Scalar norm_of(const ComplexNumber<Scalar>& a) {
 /// |a| as the root of |a|^2: zero for moduli below 1e-162, correct up to rounding above 1e-154.
 template <class Scalar>
 Scalar modulus_of(const ComplexNumber<Scalar>& a) {
-  using std::sqrt;
-  return sqrt(norm_of(a));
+  return root_of(norm_of(a));
 }
 
-/// Arrays of complex numbers as pairs of real and imaginary parts: what the standard allows for std::complex.
-inline const double* parts_of(const std::complex<double>* values) {
-  return reinterpret_cast<const double*>(values);
-}
-inline double* parts_of(std::complex<double>* values) {
-  return reinterpret_cast<double*>(values);
-}
+/// Arrays of complex numbers are pairs of real and imaginary parts.
 template <class Scalar>
 constexpr ComplexNumber<Scalar> load_complex(const Scalar* parts, std::size_t i) {
   return ComplexNumber<Scalar>(parts[2 * i], parts[2 * i + 1]);
@@ -72,20 +63,6 @@ template <class Scalar>
 constexpr void store_complex(Scalar* parts, std::size_t i, const ComplexNumber<Scalar>& value) {
   parts[2 * i] = value.real;
   parts[2 * i + 1] = value.imag;
-}
-
-/// Generated functions of Cartesian amplitudes as CompiledCase calls them.
-template <void (*function)(const double*, const double*, const double*, const double*, double*)>
-void modulation_function(const double* parameters, const double* excitation_frequency,
-                         const std::complex<double>* amplitude, const std::complex<double>* forcing,
-                         std::complex<double>* derivative) {
-  function(parameters, excitation_frequency, parts_of(amplitude), parts_of(forcing), parts_of(derivative));
-}
-template <void (*function)(const double*, const double*, const double*, const double*, double*)>
-void jacobian_function(const double* parameters, const double* excitation_frequency,
-                       const std::complex<double>* amplitude, const std::complex<double>* forcing,
-                       double* jacobian) {
-  function(parameters, excitation_frequency, parts_of(amplitude), parts_of(forcing), jacobian);
 }
 
 }  // namespace secular

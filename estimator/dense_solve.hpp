@@ -1,27 +1,32 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include "estimator/scalar_functions.hpp"
 
 namespace secular {
+
+template <class Value>
+constexpr void exchange_values(Value& a, Value& b) {
+  const Value old = a;
+  a = b;
+  b = old;
+}
 
 /// Solves matrix * x = right_side by elimination with partial pivoting for `columns` right sides at once: `matrix`
 /// is [size][size] and destroyed, `right_sides` [size][columns], replaced by the solutions; both row-major. For the
 /// few degrees of freedom of a mass matrix, templated on the scalar.
 template <class Scalar>
 void solve_in_place(Scalar* matrix, std::size_t size, Scalar* right_sides, std::size_t columns = 1) {
-  using std::abs;
   for (std::size_t column = 0; column < size; ++column) {
     std::size_t pivot = column;
     for (std::size_t row = column + 1; row < size; ++row)
-      if (abs(real_part(matrix[row * size + column])) > abs(real_part(matrix[pivot * size + column]))) pivot = row;
+      if (absolute(real_part(matrix[row * size + column])) > absolute(real_part(matrix[pivot * size + column])))
+        pivot = row;
     if (pivot != column) {
-      for (std::size_t c = 0; c < size; ++c) std::swap(matrix[pivot * size + c], matrix[column * size + c]);
+      for (std::size_t c = 0; c < size; ++c) exchange_values(matrix[pivot * size + c], matrix[column * size + c]);
       for (std::size_t c = 0; c < columns; ++c)
-        std::swap(right_sides[pivot * columns + c], right_sides[column * columns + c]);
+        exchange_values(right_sides[pivot * columns + c], right_sides[column * columns + c]);
     }
     for (std::size_t row = column + 1; row < size; ++row) {
       const Scalar scale = matrix[row * size + column] / matrix[column * size + column];

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
+
+#include "estimator/scalar_functions.hpp"
 
 namespace secular {
 
@@ -32,7 +33,7 @@ inline double real_part(const DualNumber& x) {
   return x.value;
 }
 inline DualNumber sqrt(const DualNumber& x) {
-  const double root = std::sqrt(x.value);
+  const double root = root_of(x.value);
   return DualNumber(root, x.slope / (2 * root));
 }
 

@@ -10,7 +10,10 @@
 
 #include <limits>
 
+#include "estimator/generated_table.hpp"
+
 namespace secular::generated::pendulum {
+
 namespace {
 
 constexpr std::string_view coordinates[] = {"theta"};
@@ -58,11 +61,11 @@ constexpr int case_0_block_3_phase[] = {7};
 constexpr int case_0_block_4_lumps[] = {0, 2};
 constexpr int case_0_block_4_phase[] = {9};
 constexpr RegressorBlock case_0_blocks[] = {
-  {BlockKind::modulation, "modulation of theta", 0, 0, {}, case_0_block_0_lumps, free::columns_0, free::column_slopes_0},
-  {BlockKind::harmonic, "harmonic 3*omega0 of theta", 0, 1, case_0_block_1_phase, case_0_block_1_lumps, free::columns_1, free::column_slopes_1},
-  {BlockKind::harmonic, "harmonic 5*omega0 of theta", 0, 2, case_0_block_2_phase, case_0_block_2_lumps, free::columns_2, free::column_slopes_2},
-  {BlockKind::harmonic, "harmonic 7*omega0 of theta", 0, 2, case_0_block_3_phase, case_0_block_3_lumps, free::columns_3, free::column_slopes_3},
-  {BlockKind::harmonic, "harmonic 9*omega0 of theta", 0, 2, case_0_block_4_phase, case_0_block_4_lumps, free::columns_4, free::column_slopes_4},
+  {BlockKind::modulation, "modulation of theta", 0, 0, {}, case_0_block_0_lumps, column_function<free::columns_0, 1, 0, 5>, column_slope_function<free::column_slopes_0, 1, 0, 5>},
+  {BlockKind::harmonic, "harmonic 3*omega0 of theta", 0, 1, case_0_block_1_phase, case_0_block_1_lumps, column_function<free::columns_1, 1, 0, 4>, column_slope_function<free::column_slopes_1, 1, 0, 4>},
+  {BlockKind::harmonic, "harmonic 5*omega0 of theta", 0, 2, case_0_block_2_phase, case_0_block_2_lumps, column_function<free::columns_2, 1, 0, 3>, column_slope_function<free::column_slopes_2, 1, 0, 3>},
+  {BlockKind::harmonic, "harmonic 7*omega0 of theta", 0, 2, case_0_block_3_phase, case_0_block_3_lumps, column_function<free::columns_3, 1, 0, 2>, column_slope_function<free::column_slopes_3, 1, 0, 2>},
+  {BlockKind::harmonic, "harmonic 9*omega0 of theta", 0, 2, case_0_block_4_phase, case_0_block_4_lumps, column_function<free::columns_4, 1, 0, 2>, column_slope_function<free::column_slopes_4, 1, 0, 2>},
 };
 
 constexpr CompiledCase cases[] = {

@@ -8,15 +8,14 @@
 // Made by: secular generate pendulum
 #pragma once
 
-#include <cmath>
-#include <complex>
 #include <cstddef>
 #include <numbers>
 
-#include "estimator/compiled_model.hpp"
+#include "estimator/batch_arrays.hpp"
 #include "estimator/complex_number.hpp"
 #include "estimator/dense_solve.hpp"
 #include "estimator/dual_number.hpp"
+#include "estimator/excitation_sample.hpp"
 #include "estimator/integer_power.hpp"
 #include "estimator/scalar_functions.hpp"
 
@@ -178,15 +177,15 @@ void factors_0([[maybe_unused]] const Scalar* natural_frequency,
 /// 5/omega0*i*beta5*A_theta^3*conj(A_theta)^2
 /// 5 columns; per observation at most 13 products and sums of complex numbers.
 template <class Factors>
-void rows_0(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_0(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
-  Scalar* __restrict column_2 = parts_of(columns[2]);
-  Scalar* __restrict column_3 = parts_of(columns[3]);
-  Scalar* __restrict column_4 = parts_of(columns[4]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
+  Scalar* __restrict column_3 = columns[3];
+  Scalar* __restrict column_4 = columns[4];
   Scalar factor[5];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -205,13 +204,13 @@ void rows_0(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_0(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_0(const BatchArrays& data, double* const* columns) {
   rows_0(data, FactorValues<factors_0<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_0(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_0(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 0, 5>{mode}, columns);
 }
 
@@ -235,14 +234,14 @@ void factors_1([[maybe_unused]] const Scalar* natural_frequency,
 /// harmonic_re_theta_A_theta4_conjA_theta*A_theta^4*conj(A_theta)
 /// 4 columns; per observation at most 22 products and sums of complex numbers.
 template <class Factors>
-void rows_1(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
-  Scalar* __restrict column_2 = parts_of(columns[2]);
-  Scalar* __restrict column_3 = parts_of(columns[3]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
+  Scalar* __restrict column_3 = columns[3];
   Scalar factor[4];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -261,13 +260,13 @@ void rows_1(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_1(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_1(const BatchArrays& data, double* const* columns) {
   rows_1(data, FactorValues<factors_1<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_1(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 0, 4>{mode}, columns);
 }
 
@@ -289,13 +288,13 @@ void factors_2([[maybe_unused]] const Scalar* natural_frequency,
 /// 2/(315*Pi)*i*mu2*A_theta^5*abs(A_theta)^-3 + harmonic_re_theta_A_theta5*A_theta^5
 /// 3 columns; per observation at most 11 products and sums of complex numbers.
 template <class Factors>
-void rows_2(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
-  Scalar* __restrict column_2 = parts_of(columns[2]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
   Scalar factor[3];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -313,13 +312,13 @@ void rows_2(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_2(const BatchArrays& data, double* const* columns) {
   rows_2(data, FactorValues<factors_2<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_2(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 0, 3>{mode}, columns);
 }
 
@@ -340,12 +339,12 @@ void factors_3([[maybe_unused]] const Scalar* natural_frequency,
 /// 1/(945*Pi)*i*mu2*A_theta^7*abs(A_theta)^-5
 /// 2 columns; per observation at most 6 products and sums of complex numbers.
 template <class Factors>
-void rows_3(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
   Scalar factor[2];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -360,13 +359,13 @@ void rows_3(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_3(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_3(const BatchArrays& data, double* const* columns) {
   rows_3(data, FactorValues<factors_3<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_3(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_3(data, FactorSlopes<factors_3<DualNumber>, 1, 0, 2>{mode}, columns);
 }
 
@@ -387,12 +386,12 @@ void factors_4([[maybe_unused]] const Scalar* natural_frequency,
 /// 1/(3465*Pi)*i*mu2*A_theta^9*abs(A_theta)^-7
 /// 2 columns; per observation at most 6 products and sums of complex numbers.
 template <class Factors>
-void rows_4(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
   Scalar factor[2];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -407,13 +406,13 @@ void rows_4(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_4(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_4(const BatchArrays& data, double* const* columns) {
   rows_4(data, FactorValues<factors_4<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_4(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_4(data, FactorSlopes<factors_4<DualNumber>, 1, 0, 2>{mode}, columns);
 }
 

@@ -12,7 +12,10 @@
 
 #include <limits>
 
+#include "estimator/generated_table.hpp"
+
 namespace secular::generated::two_mass_lumps {
+
 namespace {
 
 constexpr std::string_view coordinates[] = {"v1", "v2"};
@@ -88,13 +91,13 @@ constexpr int case_0_block_5_phase[] = {0, 3, 0};
 constexpr int case_0_block_6_lumps[] = {6, 10};
 constexpr int case_0_block_6_phase[] = {1, 0, 1};
 constexpr RegressorBlock case_0_blocks[] = {
-  {BlockKind::modulation, "modulation of v1", 0, 0, {}, case_0_block_0_lumps, additive_combination::columns_0, additive_combination::column_slopes_0},
-  {BlockKind::modulation, "modulation of v2", 1, 0, {}, case_0_block_1_lumps, additive_combination::columns_1, additive_combination::column_slopes_1},
-  {BlockKind::harmonic, "harmonic omega2+Omega of v1", 0, 1, case_0_block_2_phase, case_0_block_2_lumps, additive_combination::columns_2, additive_combination::column_slopes_2},
-  {BlockKind::harmonic, "harmonic omega1+2*Omega of v1", 0, 1, case_0_block_3_phase, case_0_block_3_lumps, additive_combination::columns_3, additive_combination::column_slopes_3},
-  {BlockKind::harmonic, "harmonic 3*omega1 of v1", 0, 1, case_0_block_4_phase, case_0_block_4_lumps, additive_combination::columns_4, additive_combination::column_slopes_4},
-  {BlockKind::harmonic, "harmonic 3*omega2 of v2", 1, 1, case_0_block_5_phase, case_0_block_5_lumps, additive_combination::columns_5, additive_combination::column_slopes_5},
-  {BlockKind::harmonic, "harmonic omega1+Omega of v2", 1, 1, case_0_block_6_phase, case_0_block_6_lumps, additive_combination::columns_6, additive_combination::column_slopes_6},
+  {BlockKind::modulation, "modulation of v1", 0, 0, {}, case_0_block_0_lumps, column_function<additive_combination::columns_0, 2, 1, 7>, column_slope_function<additive_combination::column_slopes_0, 2, 1, 7>},
+  {BlockKind::modulation, "modulation of v2", 1, 0, {}, case_0_block_1_lumps, column_function<additive_combination::columns_1, 2, 1, 5>, column_slope_function<additive_combination::column_slopes_1, 2, 1, 5>},
+  {BlockKind::harmonic, "harmonic omega2+Omega of v1", 0, 1, case_0_block_2_phase, case_0_block_2_lumps, column_function<additive_combination::columns_2, 2, 1, 3>, column_slope_function<additive_combination::column_slopes_2, 2, 1, 3>},
+  {BlockKind::harmonic, "harmonic omega1+2*Omega of v1", 0, 1, case_0_block_3_phase, case_0_block_3_lumps, column_function<additive_combination::columns_3, 2, 1, 1>, column_slope_function<additive_combination::column_slopes_3, 2, 1, 1>},
+  {BlockKind::harmonic, "harmonic 3*omega1 of v1", 0, 1, case_0_block_4_phase, case_0_block_4_lumps, column_function<additive_combination::columns_4, 2, 1, 2>, column_slope_function<additive_combination::column_slopes_4, 2, 1, 2>},
+  {BlockKind::harmonic, "harmonic 3*omega2 of v2", 1, 1, case_0_block_5_phase, case_0_block_5_lumps, column_function<additive_combination::columns_5, 2, 1, 2>, column_slope_function<additive_combination::column_slopes_5, 2, 1, 2>},
+  {BlockKind::harmonic, "harmonic omega1+Omega of v2", 1, 1, case_0_block_6_phase, case_0_block_6_lumps, column_function<additive_combination::columns_6, 2, 1, 2>, column_slope_function<additive_combination::column_slopes_6, 2, 1, 2>},
 };
 
 constexpr CompiledCase cases[] = {

@@ -10,15 +10,14 @@
 // Made by: secular generate two_mass_lumps
 #pragma once
 
-#include <cmath>
-#include <complex>
 #include <cstddef>
 #include <numbers>
 
-#include "estimator/compiled_model.hpp"
+#include "estimator/batch_arrays.hpp"
 #include "estimator/complex_number.hpp"
 #include "estimator/dense_solve.hpp"
 #include "estimator/dual_number.hpp"
+#include "estimator/excitation_sample.hpp"
 #include "estimator/integer_power.hpp"
 #include "estimator/scalar_functions.hpp"
 
@@ -219,19 +218,19 @@ void factors_0([[maybe_unused]] const Scalar* natural_frequency,
 /// omega2/(4*omega1)*q1*conj(A_v2)*F - 1/(4*omega1)*i*p*conj(A_v2)*F
 /// 7 columns; per observation at most 17 products and sums of complex numbers.
 template <class Factors>
-void rows_0(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_0(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  const Scalar* __restrict amplitude_1 = parts_of(data.amplitude[1]);
-  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
-  Scalar* __restrict column_2 = parts_of(columns[2]);
-  Scalar* __restrict column_3 = parts_of(columns[3]);
-  Scalar* __restrict column_4 = parts_of(columns[4]);
-  Scalar* __restrict column_5 = parts_of(columns[5]);
-  Scalar* __restrict column_6 = parts_of(columns[6]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict amplitude_1 = data.amplitude[1];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
+  Scalar* __restrict column_3 = columns[3];
+  Scalar* __restrict column_4 = columns[4];
+  Scalar* __restrict column_5 = columns[5];
+  Scalar* __restrict column_6 = columns[6];
   Scalar factor[7];
   const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
   factors(natural_frequency, nullptr, factor);
@@ -253,13 +252,13 @@ void rows_0(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_0(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_0(const BatchArrays& data, double* const* columns) {
   rows_0(data, FactorValues<factors_0<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_0(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_0(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_0(data, FactorSlopes<factors_0<DualNumber>, 2, 1, 7>{mode}, columns);
 }
 
@@ -282,17 +281,17 @@ void factors_1([[maybe_unused]] const Scalar* natural_frequency,
 /// 3/(2*omega2)*i*alpha2*A_v2^2*conj(A_v2) - omega1/(4*omega2)*q2*conj(A_v1)*F
 /// 5 columns; per observation at most 13 products and sums of complex numbers.
 template <class Factors>
-void rows_1(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  const Scalar* __restrict amplitude_1 = parts_of(data.amplitude[1]);
-  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
-  Scalar* __restrict column_2 = parts_of(columns[2]);
-  Scalar* __restrict column_3 = parts_of(columns[3]);
-  Scalar* __restrict column_4 = parts_of(columns[4]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict amplitude_1 = data.amplitude[1];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
+  Scalar* __restrict column_3 = columns[3];
+  Scalar* __restrict column_4 = columns[4];
   Scalar factor[5];
   const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
   factors(natural_frequency, nullptr, factor);
@@ -311,13 +310,13 @@ void rows_1(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_1(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_1(const BatchArrays& data, double* const* columns) {
   rows_1(data, FactorValues<factors_1<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_1(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 2, 1, 5>{mode}, columns);
 }
 
@@ -345,15 +344,15 @@ void factors_2([[maybe_unused]] const Scalar* natural_frequency,
 /// 4*omega2*Omega - 2*Omega^2)*p*A_v2*F
 /// 3 columns; per observation at most 11 products and sums of complex numbers.
 template <class Factors>
-void rows_2(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  const Scalar* __restrict amplitude_1 = parts_of(data.amplitude[1]);
-  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
-  Scalar* __restrict column_2 = parts_of(columns[2]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict amplitude_1 = data.amplitude[1];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
   Scalar factor[3];
   const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
   const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
@@ -371,13 +370,13 @@ void rows_2(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_2(const BatchArrays& data, double* const* columns) {
   rows_2(data, FactorValues<factors_2<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_2(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 2, 1, 3>{mode}, columns);
 }
 
@@ -396,12 +395,12 @@ void factors_3([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(omega1 + 2*Omega)*t) in v1 = 1/(16*omega1*Omega + 16*Omega^2)*kappa*A_v1*F^2
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_3(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
   Scalar factor[1];
   const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
   const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
@@ -415,13 +414,13 @@ void rows_3(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_3(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_3(const BatchArrays& data, double* const* columns) {
   rows_3(data, FactorValues<factors_3<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_3(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_3(data, FactorSlopes<factors_3<DualNumber>, 2, 1, 1>{mode}, columns);
 }
 
@@ -439,12 +438,12 @@ void factors_4([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(3*omega1)*t) in v1 = -omega1/8*i*mu13*A_v1^3 + 1/(8*omega1^2)*alpha1*A_v1^3
 /// 2 columns; per observation at most 10 products and sums of complex numbers.
 template <class Factors>
-void rows_4(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
   Scalar factor[2];
   const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
   factors(natural_frequency, nullptr, factor);
@@ -456,13 +455,13 @@ void rows_4(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_4(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_4(const BatchArrays& data, double* const* columns) {
   rows_4(data, FactorValues<factors_4<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_4(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_4(data, FactorSlopes<factors_4<DualNumber>, 2, 1, 2>{mode}, columns);
 }
 
@@ -480,12 +479,12 @@ void factors_5([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(3*omega2)*t) in v2 = -omega2/8*i*mu23*A_v2^3 + 1/(8*omega2^2)*alpha2*A_v2^3
 /// 2 columns; per observation at most 10 products and sums of complex numbers.
 template <class Factors>
-void rows_5(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_1 = parts_of(data.amplitude[1]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
+  const Scalar* __restrict amplitude_1 = data.amplitude[1];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
   Scalar factor[2];
   const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
   factors(natural_frequency, nullptr, factor);
@@ -497,13 +496,13 @@ void rows_5(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_5(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_5(const BatchArrays& data, double* const* columns) {
   rows_5(data, FactorValues<factors_5<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_5(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_5(data, FactorSlopes<factors_5<DualNumber>, 2, 1, 2>{mode}, columns);
 }
 
@@ -529,13 +528,13 @@ void factors_6([[maybe_unused]] const Scalar* natural_frequency,
 /// 2*Omega^2)*p*A_v1*F - omega1/(2*omega1^2 + 4*omega1*Omega - 2*omega2^2 + 2*Omega^2)*i*q2*A_v1*F
 /// 2 columns; per observation at most 6 products and sums of complex numbers.
 template <class Factors>
-void rows_6(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
   Scalar factor[2];
   const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
   const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
@@ -550,13 +549,13 @@ void rows_6(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_6(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_6(const BatchArrays& data, double* const* columns) {
   rows_6(data, FactorValues<factors_6<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_6(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_6(data, FactorSlopes<factors_6<DualNumber>, 2, 1, 2>{mode}, columns);
 }
 

@@ -15,7 +15,10 @@
 
 #include <limits>
 
+#include "estimator/generated_table.hpp"
+
 namespace secular::generated::two_mass_mode1 {
+
 namespace {
 
 constexpr std::string_view coordinates[] = {"v"};
@@ -84,13 +87,13 @@ constexpr int case_0_block_5_phase[] = {7, 0};
 constexpr int case_0_block_6_lumps[] = {1};
 constexpr int case_0_block_6_phase[] = {9, 0};
 constexpr RegressorBlock case_0_blocks[] = {
-  {BlockKind::modulation, "modulation of v", 0, 0, {}, case_0_block_0_lumps, principal_parametric::columns_0, principal_parametric::column_slopes_0},
-  {BlockKind::harmonic, "harmonic 0 of v", 0, 1, case_0_block_1_phase, case_0_block_1_lumps, principal_parametric::columns_1, principal_parametric::column_slopes_1},
-  {BlockKind::harmonic, "harmonic Omega of v", 0, 1, case_0_block_2_phase, case_0_block_2_lumps, principal_parametric::columns_2, principal_parametric::column_slopes_2},
-  {BlockKind::harmonic, "harmonic omega0+Omega of v", 0, 2, case_0_block_3_phase, case_0_block_3_lumps, principal_parametric::columns_3, principal_parametric::column_slopes_3},
-  {BlockKind::harmonic, "harmonic 5*omega0 of v", 0, 2, case_0_block_4_phase, case_0_block_4_lumps, principal_parametric::columns_4, principal_parametric::column_slopes_4},
-  {BlockKind::harmonic, "harmonic 7*omega0 of v", 0, 2, case_0_block_5_phase, case_0_block_5_lumps, principal_parametric::columns_5, principal_parametric::column_slopes_5},
-  {BlockKind::harmonic, "harmonic 9*omega0 of v", 0, 2, case_0_block_6_phase, case_0_block_6_lumps, principal_parametric::columns_6, principal_parametric::column_slopes_6},
+  {BlockKind::modulation, "modulation of v", 0, 0, {}, case_0_block_0_lumps, column_function<principal_parametric::columns_0, 1, 1, 5>, column_slope_function<principal_parametric::column_slopes_0, 1, 1, 5>},
+  {BlockKind::harmonic, "harmonic 0 of v", 0, 1, case_0_block_1_phase, case_0_block_1_lumps, column_function<principal_parametric::columns_1, 1, 1, 1>, column_slope_function<principal_parametric::column_slopes_1, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic Omega of v", 0, 1, case_0_block_2_phase, case_0_block_2_lumps, column_function<principal_parametric::columns_2, 1, 1, 2>, column_slope_function<principal_parametric::column_slopes_2, 1, 1, 2>},
+  {BlockKind::harmonic, "harmonic omega0+Omega of v", 0, 2, case_0_block_3_phase, case_0_block_3_lumps, column_function<principal_parametric::columns_3, 1, 1, 4>, column_slope_function<principal_parametric::column_slopes_3, 1, 1, 4>},
+  {BlockKind::harmonic, "harmonic 5*omega0 of v", 0, 2, case_0_block_4_phase, case_0_block_4_lumps, column_function<principal_parametric::columns_4, 1, 1, 1>, column_slope_function<principal_parametric::column_slopes_4, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 7*omega0 of v", 0, 2, case_0_block_5_phase, case_0_block_5_lumps, column_function<principal_parametric::columns_5, 1, 1, 1>, column_slope_function<principal_parametric::column_slopes_5, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 9*omega0 of v", 0, 2, case_0_block_6_phase, case_0_block_6_lumps, column_function<principal_parametric::columns_6, 1, 1, 1>, column_slope_function<principal_parametric::column_slopes_6, 1, 1, 1>},
 };
 
 constexpr Ratio case_1_observed_frequency[] = {{1, 1}, {0, 1}};
@@ -125,13 +128,13 @@ constexpr int case_1_block_5_phase[] = {7, 0};
 constexpr int case_1_block_6_lumps[] = {1};
 constexpr int case_1_block_6_phase[] = {9, 0};
 constexpr RegressorBlock case_1_blocks[] = {
-  {BlockKind::modulation, "modulation of v", 0, 0, {}, case_1_block_0_lumps, free::columns_0, free::column_slopes_0},
-  {BlockKind::harmonic, "harmonic 0 of v", 0, 1, case_1_block_1_phase, case_1_block_1_lumps, free::columns_1, free::column_slopes_1},
-  {BlockKind::harmonic, "harmonic 2*omega0 of v", 0, 1, case_1_block_2_phase, case_1_block_2_lumps, free::columns_2, free::column_slopes_2},
-  {BlockKind::harmonic, "harmonic 3*omega0 of v", 0, 2, case_1_block_3_phase, case_1_block_3_lumps, free::columns_3, free::column_slopes_3},
-  {BlockKind::harmonic, "harmonic 5*omega0 of v", 0, 2, case_1_block_4_phase, case_1_block_4_lumps, free::columns_4, free::column_slopes_4},
-  {BlockKind::harmonic, "harmonic 7*omega0 of v", 0, 2, case_1_block_5_phase, case_1_block_5_lumps, free::columns_5, free::column_slopes_5},
-  {BlockKind::harmonic, "harmonic 9*omega0 of v", 0, 2, case_1_block_6_phase, case_1_block_6_lumps, free::columns_6, free::column_slopes_6},
+  {BlockKind::modulation, "modulation of v", 0, 0, {}, case_1_block_0_lumps, column_function<free::columns_0, 1, 1, 4>, column_slope_function<free::column_slopes_0, 1, 1, 4>},
+  {BlockKind::harmonic, "harmonic 0 of v", 0, 1, case_1_block_1_phase, case_1_block_1_lumps, column_function<free::columns_1, 1, 1, 1>, column_slope_function<free::column_slopes_1, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 2*omega0 of v", 0, 1, case_1_block_2_phase, case_1_block_2_lumps, column_function<free::columns_2, 1, 1, 1>, column_slope_function<free::column_slopes_2, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 3*omega0 of v", 0, 2, case_1_block_3_phase, case_1_block_3_lumps, column_function<free::columns_3, 1, 1, 3>, column_slope_function<free::column_slopes_3, 1, 1, 3>},
+  {BlockKind::harmonic, "harmonic 5*omega0 of v", 0, 2, case_1_block_4_phase, case_1_block_4_lumps, column_function<free::columns_4, 1, 1, 1>, column_slope_function<free::column_slopes_4, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 7*omega0 of v", 0, 2, case_1_block_5_phase, case_1_block_5_lumps, column_function<free::columns_5, 1, 1, 1>, column_slope_function<free::column_slopes_5, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 9*omega0 of v", 0, 2, case_1_block_6_phase, case_1_block_6_lumps, column_function<free::columns_6, 1, 1, 1>, column_slope_function<free::column_slopes_6, 1, 1, 1>},
 };
 
 constexpr int case_2_relations[] = {-1, 1};
@@ -177,13 +180,13 @@ constexpr int case_2_block_5_phase[] = {7, 0};
 constexpr int case_2_block_6_lumps[] = {3};
 constexpr int case_2_block_6_phase[] = {9, 0};
 constexpr RegressorBlock case_2_blocks[] = {
-  {BlockKind::modulation, "modulation of v", 0, 0, {}, case_2_block_0_lumps, primary::columns_0, primary::column_slopes_0},
-  {BlockKind::harmonic, "harmonic 0 of v", 0, 1, case_2_block_1_phase, case_2_block_1_lumps, primary::columns_1, primary::column_slopes_1},
-  {BlockKind::harmonic, "harmonic omega0+Omega of v", 0, 1, case_2_block_2_phase, case_2_block_2_lumps, primary::columns_2, primary::column_slopes_2},
-  {BlockKind::harmonic, "harmonic omega0+2*Omega of v", 0, 2, case_2_block_3_phase, case_2_block_3_lumps, primary::columns_3, primary::column_slopes_3},
-  {BlockKind::harmonic, "harmonic 5*omega0 of v", 0, 2, case_2_block_4_phase, case_2_block_4_lumps, primary::columns_4, primary::column_slopes_4},
-  {BlockKind::harmonic, "harmonic 7*omega0 of v", 0, 2, case_2_block_5_phase, case_2_block_5_lumps, primary::columns_5, primary::column_slopes_5},
-  {BlockKind::harmonic, "harmonic 9*omega0 of v", 0, 2, case_2_block_6_phase, case_2_block_6_lumps, primary::columns_6, primary::column_slopes_6},
+  {BlockKind::modulation, "modulation of v", 0, 0, {}, case_2_block_0_lumps, column_function<primary::columns_0, 1, 1, 7>, column_slope_function<primary::column_slopes_0, 1, 1, 7>},
+  {BlockKind::harmonic, "harmonic 0 of v", 0, 1, case_2_block_1_phase, case_2_block_1_lumps, column_function<primary::columns_1, 1, 1, 2>, column_slope_function<primary::column_slopes_1, 1, 1, 2>},
+  {BlockKind::harmonic, "harmonic omega0+Omega of v", 0, 1, case_2_block_2_phase, case_2_block_2_lumps, column_function<primary::columns_2, 1, 1, 2>, column_slope_function<primary::column_slopes_2, 1, 1, 2>},
+  {BlockKind::harmonic, "harmonic omega0+2*Omega of v", 0, 2, case_2_block_3_phase, case_2_block_3_lumps, column_function<primary::columns_3, 1, 1, 5>, column_slope_function<primary::column_slopes_3, 1, 1, 5>},
+  {BlockKind::harmonic, "harmonic 5*omega0 of v", 0, 2, case_2_block_4_phase, case_2_block_4_lumps, column_function<primary::columns_4, 1, 1, 1>, column_slope_function<primary::column_slopes_4, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 7*omega0 of v", 0, 2, case_2_block_5_phase, case_2_block_5_lumps, column_function<primary::columns_5, 1, 1, 1>, column_slope_function<primary::column_slopes_5, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 9*omega0 of v", 0, 2, case_2_block_6_phase, case_2_block_6_lumps, column_function<primary::columns_6, 1, 1, 1>, column_slope_function<primary::column_slopes_6, 1, 1, 1>},
 };
 
 constexpr CompiledCase cases[] = {

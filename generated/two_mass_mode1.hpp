@@ -13,15 +13,14 @@
 // Made by: secular generate two_mass_mode1
 #pragma once
 
-#include <cmath>
-#include <complex>
 #include <cstddef>
 #include <numbers>
 
-#include "estimator/compiled_model.hpp"
+#include "estimator/batch_arrays.hpp"
 #include "estimator/complex_number.hpp"
 #include "estimator/dense_solve.hpp"
 #include "estimator/dual_number.hpp"
+#include "estimator/excitation_sample.hpp"
 #include "estimator/integer_power.hpp"
 #include "estimator/scalar_functions.hpp"
 
@@ -267,16 +266,16 @@ void factors_0([[maybe_unused]] const Scalar* natural_frequency,
 /// 4/omega0*i*alpha_e*A_v^2*conj(A_v) - 1/omega0*i*eta_e*conj(A_v)*F
 /// 5 columns; per observation at most 13 products and sums of complex numbers.
 template <class Factors>
-void rows_0(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_0(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
-  Scalar* __restrict column_2 = parts_of(columns[2]);
-  Scalar* __restrict column_3 = parts_of(columns[3]);
-  Scalar* __restrict column_4 = parts_of(columns[4]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
+  Scalar* __restrict column_3 = columns[3];
+  Scalar* __restrict column_4 = columns[4];
   Scalar factor[5];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -295,13 +294,13 @@ void rows_0(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_0(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_0(const BatchArrays& data, double* const* columns) {
   rows_0(data, FactorValues<factors_0<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_0(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_0(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 1, 5>{mode}, columns);
 }
 
@@ -318,11 +317,11 @@ void factors_1([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(0)*t) in v = -2/omega0^2*alpha_0*A_v*conj(A_v)
 /// 1 columns; per observation at most 1 products and sums of complex numbers.
 template <class Factors>
-void rows_1(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
   Scalar factor[1];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -334,13 +333,13 @@ void rows_1(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_1(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_1(const BatchArrays& data, double* const* columns) {
   rows_1(data, FactorValues<factors_1<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_1(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
@@ -360,13 +359,13 @@ void factors_2([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(Omega)*t) in v = 1/(2*omega0^2 - 2*Omega^2)*eta1*F + 1/(3*omega0^2)*alpha_q*A_v^2
 /// 2 columns; per observation at most 4 products and sums of complex numbers.
 template <class Factors>
-void rows_2(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
   Scalar factor[2];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
@@ -381,13 +380,13 @@ void rows_2(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_2(const BatchArrays& data, double* const* columns) {
   rows_2(data, FactorValues<factors_2<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_2(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 1, 2>{mode}, columns);
 }
 
@@ -409,15 +408,15 @@ void factors_3([[maybe_unused]] const Scalar* natural_frequency,
 /// harmonic_re_v_A_v_F*A_v*F + harmonic_re_v_A_v3*A_v^3
 /// 4 columns; per observation at most 18 products and sums of complex numbers.
 template <class Factors>
-void rows_3(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
-  Scalar* __restrict column_2 = parts_of(columns[2]);
-  Scalar* __restrict column_3 = parts_of(columns[3]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
+  Scalar* __restrict column_3 = columns[3];
   Scalar factor[4];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -435,13 +434,13 @@ void rows_3(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_3(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_3(const BatchArrays& data, double* const* columns) {
   rows_3(data, FactorValues<factors_3<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_3(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_3(data, FactorSlopes<factors_3<DualNumber>, 1, 1, 4>{mode}, columns);
 }
 
@@ -457,11 +456,11 @@ void factors_4([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(5*omega0)*t) in v = -2/(315*Pi)*i*mu2*A_v^5*abs(A_v)^-3
 /// 1 columns; per observation at most 9 products and sums of complex numbers.
 template <class Factors>
-void rows_4(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
   Scalar factor[1];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -475,15 +474,15 @@ void rows_4(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_4(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_4(const BatchArrays& data, double* const* columns) {
   rows_4(data, FactorValues<factors_4<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_4(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
 /// What multiplies the 1 terms of the harmonic 7*omega0 of v: functions of the frequencies alone. 2 operations.
@@ -498,11 +497,11 @@ void factors_5([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(7*omega0)*t) in v = -1/(945*Pi)*i*mu2*A_v^7*abs(A_v)^-5
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_5(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
   Scalar factor[1];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -516,15 +515,15 @@ void rows_5(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_5(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_5(const BatchArrays& data, double* const* columns) {
   rows_5(data, FactorValues<factors_5<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_5(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
 /// What multiplies the 1 terms of the harmonic 9*omega0 of v: functions of the frequencies alone. 2 operations.
@@ -539,11 +538,11 @@ void factors_6([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(9*omega0)*t) in v = -1/(3465*Pi)*i*mu2*A_v^9*abs(A_v)^-7
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_6(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
   Scalar factor[1];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -557,15 +556,15 @@ void rows_6(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_6(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_6(const BatchArrays& data, double* const* columns) {
   rows_6(data, FactorValues<factors_6<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_6(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
 /// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state. amplitude
@@ -740,14 +739,14 @@ void factors_0([[maybe_unused]] const Scalar* natural_frequency,
 /// 4/omega0*i*alpha_e*A_v^2*conj(A_v)
 /// 4 columns; per observation at most 10 products and sums of complex numbers.
 template <class Factors>
-void rows_0(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_0(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
-  Scalar* __restrict column_2 = parts_of(columns[2]);
-  Scalar* __restrict column_3 = parts_of(columns[3]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
+  Scalar* __restrict column_3 = columns[3];
   Scalar factor[4];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -763,13 +762,13 @@ void rows_0(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_0(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_0(const BatchArrays& data, double* const* columns) {
   rows_0(data, FactorValues<factors_0<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_0(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_0(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 1, 4>{mode}, columns);
 }
 
@@ -786,11 +785,11 @@ void factors_1([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(0)*t) in v = -2/omega0^2*alpha_0*A_v*conj(A_v)
 /// 1 columns; per observation at most 1 products and sums of complex numbers.
 template <class Factors>
-void rows_1(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
   Scalar factor[1];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -802,13 +801,13 @@ void rows_1(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_1(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_1(const BatchArrays& data, double* const* columns) {
   rows_1(data, FactorValues<factors_1<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_1(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
@@ -825,11 +824,11 @@ void factors_2([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(2*omega0)*t) in v = 1/(3*omega0^2)*alpha_q*A_v^2
 /// 1 columns; per observation at most 3 products and sums of complex numbers.
 template <class Factors>
-void rows_2(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
   Scalar factor[1];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -840,13 +839,13 @@ void rows_2(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_2(const BatchArrays& data, double* const* columns) {
   rows_2(data, FactorValues<factors_2<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_2(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
@@ -866,13 +865,13 @@ void factors_3([[maybe_unused]] const Scalar* natural_frequency,
 /// harmonic_re_v_A_v3*A_v^3
 /// 3 columns; per observation at most 15 products and sums of complex numbers.
 template <class Factors>
-void rows_3(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
-  Scalar* __restrict column_2 = parts_of(columns[2]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
   Scalar factor[3];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -888,13 +887,13 @@ void rows_3(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_3(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_3(const BatchArrays& data, double* const* columns) {
   rows_3(data, FactorValues<factors_3<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_3(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_3(data, FactorSlopes<factors_3<DualNumber>, 1, 1, 3>{mode}, columns);
 }
 
@@ -910,11 +909,11 @@ void factors_4([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(5*omega0)*t) in v = -2/(315*Pi)*i*mu2*A_v^5*abs(A_v)^-3
 /// 1 columns; per observation at most 9 products and sums of complex numbers.
 template <class Factors>
-void rows_4(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
   Scalar factor[1];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -928,15 +927,15 @@ void rows_4(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_4(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_4(const BatchArrays& data, double* const* columns) {
   rows_4(data, FactorValues<factors_4<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_4(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
 /// What multiplies the 1 terms of the harmonic 7*omega0 of v: functions of the frequencies alone. 2 operations.
@@ -951,11 +950,11 @@ void factors_5([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(7*omega0)*t) in v = -1/(945*Pi)*i*mu2*A_v^7*abs(A_v)^-5
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_5(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
   Scalar factor[1];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -969,15 +968,15 @@ void rows_5(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_5(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_5(const BatchArrays& data, double* const* columns) {
   rows_5(data, FactorValues<factors_5<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_5(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
 /// What multiplies the 1 terms of the harmonic 9*omega0 of v: functions of the frequencies alone. 2 operations.
@@ -992,11 +991,11 @@ void factors_6([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(9*omega0)*t) in v = -1/(3465*Pi)*i*mu2*A_v^9*abs(A_v)^-7
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_6(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
   Scalar factor[1];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -1010,15 +1009,15 @@ void rows_6(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_6(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_6(const BatchArrays& data, double* const* columns) {
   rows_6(data, FactorValues<factors_6<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_6(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
 /// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state. amplitude
@@ -1226,18 +1225,18 @@ void factors_0([[maybe_unused]] const Scalar* natural_frequency,
 /// 1/(4*omega0)*i*eta1*F
 /// 7 columns; per observation at most 29 products and sums of complex numbers.
 template <class Factors>
-void rows_0(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_0(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
-  Scalar* __restrict column_2 = parts_of(columns[2]);
-  Scalar* __restrict column_3 = parts_of(columns[3]);
-  Scalar* __restrict column_4 = parts_of(columns[4]);
-  Scalar* __restrict column_5 = parts_of(columns[5]);
-  Scalar* __restrict column_6 = parts_of(columns[6]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
+  Scalar* __restrict column_3 = columns[3];
+  Scalar* __restrict column_4 = columns[4];
+  Scalar* __restrict column_5 = columns[5];
+  Scalar* __restrict column_6 = columns[6];
   Scalar factor[9];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -1262,13 +1261,13 @@ void rows_0(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_0(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_0(const BatchArrays& data, double* const* columns) {
   rows_0(data, FactorValues<factors_0<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_0(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_0(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 1, 9>{mode}, columns);
 }
 
@@ -1290,13 +1289,13 @@ void factors_1([[maybe_unused]] const Scalar* natural_frequency,
 /// 2*Omega^2)*eta2*A_v*F - 2/omega0^2*alpha_0*A_v*conj(A_v)
 /// 2 columns; per observation at most 8 products and sums of complex numbers.
 template <class Factors>
-void rows_1(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
   Scalar factor[3];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
@@ -1314,13 +1313,13 @@ void rows_1(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_1(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_1(const BatchArrays& data, double* const* columns) {
   rows_1(data, FactorValues<factors_1<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_1(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 3>{mode}, columns);
 }
 
@@ -1342,13 +1341,13 @@ void factors_2([[maybe_unused]] const Scalar* natural_frequency,
 /// 1/(3*omega0^2)*alpha_q*A_v^2
 /// 2 columns; per observation at most 6 products and sums of complex numbers.
 template <class Factors>
-void rows_2(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
   Scalar factor[2];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
@@ -1363,13 +1362,13 @@ void rows_2(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_2(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_2(const BatchArrays& data, double* const* columns) {
   rows_2(data, FactorValues<factors_2<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_2(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 1, 2>{mode}, columns);
 }
 
@@ -1393,16 +1392,16 @@ void factors_3([[maybe_unused]] const Scalar* natural_frequency,
 /// harmonic_re_v_A_v3*A_v^3
 /// 5 columns; per observation at most 25 products and sums of complex numbers.
 template <class Factors>
-void rows_3(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  const Scalar* __restrict forcing_0 = parts_of(data.forcing[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
-  Scalar* __restrict column_1 = parts_of(columns[1]);
-  Scalar* __restrict column_2 = parts_of(columns[2]);
-  Scalar* __restrict column_3 = parts_of(columns[3]);
-  Scalar* __restrict column_4 = parts_of(columns[4]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
+  Scalar* __restrict column_3 = columns[3];
+  Scalar* __restrict column_4 = columns[4];
   Scalar factor[5];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -1421,13 +1420,13 @@ void rows_3(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_3(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_3(const BatchArrays& data, double* const* columns) {
   rows_3(data, FactorValues<factors_3<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_3(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   rows_3(data, FactorSlopes<factors_3<DualNumber>, 1, 1, 5>{mode}, columns);
 }
 
@@ -1443,11 +1442,11 @@ void factors_4([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(5*omega0)*t) in v = -2/(315*Pi)*i*mu2*A_v^5*abs(A_v)^-3
 /// 1 columns; per observation at most 9 products and sums of complex numbers.
 template <class Factors>
-void rows_4(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
   Scalar factor[1];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -1461,15 +1460,15 @@ void rows_4(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_4(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_4(const BatchArrays& data, double* const* columns) {
   rows_4(data, FactorValues<factors_4<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_4(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
 /// What multiplies the 1 terms of the harmonic 7*omega0 of v: functions of the frequencies alone. 2 operations.
@@ -1484,11 +1483,11 @@ void factors_5([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(7*omega0)*t) in v = -1/(945*Pi)*i*mu2*A_v^7*abs(A_v)^-5
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_5(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
   Scalar factor[1];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -1502,15 +1501,15 @@ void rows_5(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_5(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_5(const BatchArrays& data, double* const* columns) {
   rows_5(data, FactorValues<factors_5<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_5(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
 /// What multiplies the 1 terms of the harmonic 9*omega0 of v: functions of the frequencies alone. 2 operations.
@@ -1525,11 +1524,11 @@ void factors_6([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(9*omega0)*t) in v = -1/(3465*Pi)*i*mu2*A_v^9*abs(A_v)^-7
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_6(const ObservationBatch& data, Factors factors, std::complex<double>* const* columns) {
+void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = parts_of(data.amplitude[0]);
-  Scalar* __restrict column_0 = parts_of(columns[0]);
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  Scalar* __restrict column_0 = columns[0];
   Scalar factor[1];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   factors(natural_frequency, nullptr, factor);
@@ -1543,15 +1542,15 @@ void rows_6(const ObservationBatch& data, Factors factors, std::complex<double>*
 }
 
 /// columns[j][i] of the rows.
-inline void columns_6(const ObservationBatch& data, std::complex<double>* const* columns) {
+inline void columns_6(const BatchArrays& data, double* const* columns) {
   rows_6(data, FactorValues<factors_6<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_6(const ObservationBatch& data, [[maybe_unused]] std::size_t mode,
-    std::complex<double>* const* columns) {
+inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0;
+    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
 /// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state. amplitude

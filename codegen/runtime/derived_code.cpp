@@ -29,15 +29,17 @@ std::optional<DerivedCode> parsed(const std::string& text) {
   DerivedCode code;
   code.model_name = json.at("model").get<std::string>();
   code.notes = json.at("notes").get<std::vector<std::string>>();
-  for (const nlohmann::json& file : json.at("files"))
-    code.files.push_back({file.at("name").get<std::string>(), file.at("text").get<std::string>()});
+  for (const nlohmann::json& unit : json.at("units"))
+    code.units.push_back({{unit.at("name").get<std::string>(), unit.at("text").get<std::string>()},
+                          unit.at("often_called").get<bool>()});
   return code;
 }
 
 std::string serialised(const DerivedCode& code) {
-  nlohmann::json files = nlohmann::json::array();
-  for (const GeneratedFile& file : code.files) files.push_back({{"name", file.name}, {"text", file.text}});
-  return nlohmann::json{{"model", code.model_name}, {"notes", code.notes}, {"files", files}}.dump(
+  nlohmann::json units = nlohmann::json::array();
+  for (const GeneratedUnit& unit : code.units)
+    units.push_back({{"name", unit.file.name}, {"text", unit.file.text}, {"often_called", unit.often_called}});
+  return nlohmann::json{{"model", code.model_name}, {"notes", code.notes}, {"units", units}}.dump(
       -1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -52,7 +54,7 @@ CanonicalModel derive_for_code(const ModelRequest& request, std::vector<std::str
     });
   }
   if (!request.effects.empty()) model = with_effects(model, request.effects).model;
-  CanonicalModel canonical = canonical_model(model);
+  CanonicalModel canonical = canonical_model(model, {}, CanonicalContent::code);
   for (const CanonicalCase& resonance : canonical.cases)
     if (!resonance.certificate.holds)
       throw InputError(request.file, "case " + resonance.name, "its certificate does not hold",
@@ -98,7 +100,7 @@ DerivedCode derived_code(const ModelRequest& request, const ModelCache& cache) {
   DerivedCode code;
   const CanonicalModel model = derive_for_code(request, code.notes);
   code.model_name = model.name;
-  code.files = emit_cpp_units(model);
+  code.units = emit_cpp_units(model);
   cache.store(key, suffix, serialised(code));
   return code;
 }

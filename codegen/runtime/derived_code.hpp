@@ -30,7 +30,7 @@ CanonicalModel cached_model(const ModelRequest& request, const ModelCache& cache
 /// Code of a model (emit_cpp_units), as it is kept in the cache.
 struct DerivedCode {
   std::string model_name;
-  std::vector<GeneratedFile> files;
+  std::vector<GeneratedUnit> units;
   std::vector<std::string> notes;
 };
 

@@ -33,6 +33,7 @@ bool write_file_bytes(const fs::path& path, std::string_view bytes) {
 }
 
 PrivateFolder::PrivateFolder(const fs::path& parent) {
+  if (parent.empty()) return;
   std::string pattern = (parent / "build-XXXXXX").string();
   if (mkdtemp(pattern.data()) != nullptr) path_ = pattern;
 }

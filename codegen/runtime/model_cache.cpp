@@ -59,6 +59,7 @@ fs::path ModelCache::file(const std::string& key, const std::string& suffix) con
 }
 
 std::optional<std::string> ModelCache::read(const std::string& key, const std::string& suffix) const {
+  if (readable_.empty()) return std::nullopt;  // nothing is taken from the current folder
   std::optional<std::string> bytes = read_file_bytes(file(key, suffix));
   const std::size_t length = trailer(key, "").size();
   if (!bytes || bytes->size() < length) return std::nullopt;

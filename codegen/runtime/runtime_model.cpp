@@ -17,10 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* needed_headers[] = {"estimator/compiled_model.hpp",  "estimator/model_function.hpp",
-                                          "estimator/complex_number.hpp",  "estimator/dense_solve.hpp",
-                                          "estimator/dual_number.hpp",     "estimator/integer_power.hpp",
-                                          "estimator/scalar_functions.hpp"};
+constexpr const char* needed_headers[] = {"estimator/compiled_model.hpp",    "estimator/model_function.hpp",
+                                          "estimator/batch_arrays.hpp",      "estimator/complex_number.hpp",
+                                          "estimator/dense_solve.hpp",       "estimator/dual_number.hpp",
+                                          "estimator/excitation_sample.hpp", "estimator/generated_table.hpp",
+                                          "estimator/integer_power.hpp",     "estimator/scalar_functions.hpp"};
 
 struct Headers {
   fs::path folder;
@@ -54,7 +55,7 @@ class Compilation {
     if (!headers) return failed("the headers of generated code (estimator/compiled_model.hpp) were not found");
     const DerivedCode code = derived_code(request_, cache_);
     std::string source;
-    for (const GeneratedFile& file : code.files) source += file.name + "\n" + file.text;
+    for (const GeneratedUnit& unit : code.units) source += unit.file.name + "\n" + unit.file.text;
     source += shared_model_source(code.model_name);
     std::string options;
     for (const bool seldom_called : {false, true})
@@ -98,13 +99,15 @@ class Compilation {
     if (work.path().empty()) return fail("no folder for compiled code can be written");
     const fs::path entry = work.path() / "entry.cpp", object = work.path() / "model.so";
     const fs::path folder = work.path() / "generated";
-    std::vector<CompilationUnit> units{{entry, false}};
+    // The entry includes the tables.
+    std::vector<CompilationUnit> units;
     std::error_code error;
     fs::create_directory(folder, error);
     bool written = write_file_bytes(entry, shared_model_source(code.model_name));
-    for (const GeneratedFile& file : code.files) {
+    for (const auto& [file, often_called] : code.units) {
       written = write_file_bytes(folder / file.name, file.text) && written;
-      if (file.name == lumps_unit_name(code.model_name)) units.push_back({folder / file.name, true});
+      const bool tables = file.name == code.model_name + ".cpp";
+      units.push_back({tables ? entry : folder / file.name, !often_called});
     }
     if (!written) return fail("the generated code cannot be written into the cache");
     if (const auto complaint = compile_shared_object(compiler, units, {work.path(), headers.folder}, object))

@@ -104,6 +104,7 @@ class DwellObserver {
       if (failures[i]) std::rethrow_exception(failures[i]);
       std::move(results[i].observations.begin(), results[i].observations.end(),
                 std::back_inserter(all.observations));
+      std::move(results[i].at_rest.begin(), results[i].at_rest.end(), std::back_inserter(all.at_rest));
       std::move(results[i].warnings.begin(), results[i].warnings.end(), std::back_inserter(all.warnings));
     }
     return all;
@@ -126,8 +127,10 @@ class DwellObserver {
     for (Index begin = range.first; begin + ensemble <= range.first + range.count; begin += ensemble)
       found.push_back(observe_ensemble(record, r, condition, begin, ensemble, free));
     if (motion_ == DwellMotion::steady) {
-      if (at_rest(found))
+      if (at_rest(found)) {
+        result.at_rest = std::move(found);
         return leave_out("the motion is on the trivial branch (its amplitude is not above the noise)");
+      }
       if (const double drift = largest_drift(found); drift > 0)
         return leave_out(
             fmt::format("has not settled (the amplitude changes by {:.1f} % over the dwell)", 100 * drift));

@@ -37,6 +37,7 @@ struct ObservationSet {
   const CompiledModel* model = nullptr;
   const CompiledCase* resonance = nullptr;
   std::vector<Observation> observations;
+  std::vector<Observation> at_rest;  ///< ensembles of dwells left out because nothing moves
   /// observations x blocks: what the truncated equations leave (left minus right side) where they should leave
   /// nothing, by motion_frame; taken out of them before they are fitted. Empty: not known.
   Eigen::MatrixXcd truncation;

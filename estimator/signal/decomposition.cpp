@@ -33,6 +33,34 @@ std::vector<Pole> known_poles(const DecompositionOptions& options) {
   return poles;
 }
 
+// One pole's amplitudes in one channel as rows of J below.
+struct OriginBlock {
+  Index row, unknown, size, own;
+  double turn[4][4], slope[4][2];
+
+  void apply(double* column) const {
+    if (size == 2)
+      own == 1 ? apply<2, 1>(column) : apply<2, 0>(column);
+    else if (size == 4)
+      own == 2 ? apply<4, 2>(column) : apply<4, 0>(column);
+    else
+      apply<1, 0>(column);
+  }
+
+ private:
+  template <std::size_t amplitudes, Index unknowns>
+  void apply(double* column) const {
+    double value[amplitudes];
+    constexpr auto count = static_cast<Index>(amplitudes);
+    for (Index i = 0; i < count; ++i) {
+      value[i] = 0;
+      for (Index j = 0; j < count; ++j) value[i] += turn[i][j] * column[row + j];
+      for (Index j = 0; j < unknowns; ++j) value[i] += slope[i][j] * column[unknown + j];
+    }
+    for (Index i = 0; i < count; ++i) column[row + i] = value[i];
+  }
+};
+
 // Moves the origin of time by `shift` seconds, the covariance with it: J C J^T, where J turns the amplitudes of
 // each pole among themselves and adds what the pole's own unknowns do to them.
 void move_origin(Decomposition& d, double shift) {
@@ -40,6 +68,7 @@ void move_origin(Decomposition& d, double shift) {
   const Index unknowns = parameter_count(d.poles);
   const bool with_covariance = d.covariance.size() > 0 && d.covariance.allFinite();
   MatrixXd& covariance = d.covariance;
+  std::vector<OriginBlock> blocks;
   Index function = 0, unknown = 0;
   for (const Pole& pole : d.poles) {
     const Index size = function_count(pole), own = parameter_count(pole);
@@ -48,18 +77,23 @@ void move_origin(Decomposition& d, double shift) {
       const VectorXd moved = s * d.amplitudes.block(function, c, size, 1);
       d.amplitudes.block(function, c, size, 1) = moved;
       if (!with_covariance) continue;
-      const Index row = unknowns + c * functions + function;
-      MatrixXd rows = s.lazyProduct(covariance.middleRows(row, size));
-      for (Index i = 0; i < own; ++i)
-        rows.noalias() += (shift * (generator(pole, i) * moved)) * covariance.row(unknown + i);
-      covariance.middleRows(row, size) = rows;
-      MatrixXd columns = covariance.middleCols(row, size).lazyProduct(s.transpose());
-      for (Index i = 0; i < own; ++i)
-        columns.noalias() += covariance.col(unknown + i) * (shift * (generator(pole, i) * moved)).transpose();
-      covariance.middleCols(row, size) = columns;
+      OriginBlock block{unknowns + c * functions + function, unknown, size, own, {}, {}};
+      for (Index i = 0; i < size; ++i)
+        for (Index j = 0; j < size; ++j) block.turn[i][j] = s(i, j);
+      for (Index j = 0; j < own; ++j) {
+        const VectorXd slope = shift * (generator(pole, j) * moved);
+        for (Index i = 0; i < size; ++i) block.slope[i][j] = slope(i);
+      }
+      blocks.push_back(block);
     }
     function += size;
     unknown += own;
+  }
+  // J C, then J (J C)^T = J C J^T.
+  for (int side = 0; with_covariance && side < 2; ++side) {
+    for (Index column = 0; column < covariance.cols(); ++column)
+      for (const OriginBlock& block : blocks) block.apply(covariance.data() + column * covariance.rows());
+    covariance.transposeInPlace();
   }
 }
 

@@ -23,6 +23,18 @@ MatrixXd product_of(const MatrixXd& a, const MatrixXd& b) {
   return a.transpose() * b;
 }
 
+/// Share of the samples.
+constexpr double smallest_square = 1e-3;
+
+// Sum of cos(x t) over the samples, symmetric about t = 0: sin(N y)/sin(y), y = x/(2 rate). Away from y = 0 both
+// sines are taken from the nearest multiple k pi of pi, with the sign (-1)^(k (N - 1)).
+double cosine_sum(double x, const FoldedWindow& window) {
+  const double y = 0.5 * x / window.rate, k = std::nearbyint(y / std::numbers::pi), rest = y - k * std::numbers::pi;
+  const auto n = static_cast<double>(window.samples);
+  const double ratio = std::abs(rest) < 1e-300 ? n : std::sin(n * rest) / std::sin(rest);
+  return std::fmod(k, 2) != 0 && window.samples % 2 == 0 ? -ratio : ratio;
+}
+
 void subtract_product(const MatrixXd& a, const MatrixXd& b, MatrixXd& from) {
   if (a.cols() > 0) from.noalias() -= a * b;
 }
@@ -68,11 +80,13 @@ FoldedFunctions::FoldedFunctions(std::span<const Pole> poles, const FoldedWindow
   for (const Pole& pole : poles) {
     const Index size = function_count(pole);
     const bool nyquist = pole.family == PoleFamily::nyquist_hyperbolic;
+    if (pole.family != PoleFamily::circular && pole.family != PoleFamily::constant) only_circular = false;
     for (Index i = 0; i < size; ++i, ++at) {
       const bool sine = i == 1 || i == 2;
       const bool is_odd = nyquist && window->samples % 2 == 0 ? !sine : sine;
       (is_odd ? odd_at : even_at).push_back(at);
       scale.push_back(nyquist ? sign : 1);
+      frequency.push_back(pole.family == PoleFamily::constant ? 0 : pole.frequency);
     }
   }
   const auto gather = [&](const std::vector<Index>& places, MatrixXd& part) {
@@ -85,7 +99,28 @@ FoldedFunctions::FoldedFunctions(std::span<const Pole> poles, const FoldedWindow
   gather(odd_at, odd);
 }
 
+// Of cosines and sines: sums of cos(x t) over the window, at sums and differences of the frequencies.
+MatrixXd FoldedFunctions::circular_gram() const {
+  MatrixXd result = MatrixXd::Zero(even.cols() + odd.cols(), even.cols() + odd.cols());
+  const auto fill = [&](const std::vector<Index>& places, double sign) {
+    for (const Index i : places)
+      for (const Index j : places) {
+        if (j > i) break;
+        const double a = frequency[static_cast<std::size_t>(i)], b = frequency[static_cast<std::size_t>(j)];
+        result(i, j) = result(j, i) = 0.5 * (cosine_sum(a - b, *window) + sign * cosine_sum(a + b, *window));
+      }
+  };
+  fill(even_at, 1);
+  fill(odd_at, -1);
+  return result;
+}
+
 MatrixXd FoldedFunctions::gram() const {
+  if (only_circular && !frequency.empty()) {
+    MatrixXd closed = circular_gram();
+    // Where a sine or cosine nearly vanishes, its square is the difference of large sums.
+    if (closed.diagonal().minCoeff() > smallest_square * static_cast<double>(window->samples)) return closed;
+  }
   MatrixXd result = MatrixXd::Zero(even.cols() + odd.cols(), even.cols() + odd.cols());
   result(even_at, even_at) = square_of(even);
   result(odd_at, odd_at) = square_of(odd);

@@ -33,6 +33,8 @@ struct FoldedFunctions {
 
   Eigen::MatrixXd even, odd;                  ///< rows x number of such functions
   std::vector<Eigen::Index> even_at, odd_at;  ///< place of each in the order of the poles
+  std::vector<double> frequency;              ///< by function, rad/s
+  bool only_circular = true;                  ///< cosines, sines and constants alone
   const FoldedWindow* window;
 
   Eigen::MatrixXd gram() const;  ///< G^T G
@@ -43,6 +45,9 @@ struct FoldedFunctions {
   Eigen::MatrixXd project_timed(const Eigen::MatrixXd& even_part, const Eigen::MatrixXd& odd_part) const;
   /// Subtracts G * amplitudes.
   void subtract(const Eigen::MatrixXd& amplitudes, Eigen::MatrixXd& even_part, Eigen::MatrixXd& odd_part) const;
+
+ private:
+  Eigen::MatrixXd circular_gram() const;
 };
 
 }  // namespace secular

@@ -17,9 +17,15 @@ void fill_pair(double exponent, double first, double step, int sign, Eigen::Ref<
   const auto even = [&](double t) { return sign < 0 ? std::cos(exponent * t) : std::cosh(exponent * t); };
   const auto odd = [&](double t) { return sign < 0 ? std::sin(exponent * t) : std::sinh(exponent * t); };
   Eigen::Array<double, block, 1> even_offset, odd_offset;
-  for (Index j = 0; j < block; ++j) {
-    even_offset(j) = even(static_cast<double>(j) * step);
-    odd_offset(j) = odd(static_cast<double>(j) * step);
+  even_offset(0) = 1;
+  odd_offset(0) = 0;
+  // Offsets by doubling: five exact values, and no more than four sums of angles on the way to any other.
+  for (Index size = 1; size < block; size *= 2) {
+    const double c = even(static_cast<double>(size) * step), s = odd(static_cast<double>(size) * step);
+    for (Index j = 0; j < size; ++j) {
+      even_offset(size + j) = c * even_offset(j) + static_cast<double>(sign) * s * odd_offset(j);
+      odd_offset(size + j) = s * even_offset(j) + c * odd_offset(j);
+    }
   }
   const Index samples = pair.rows();
   for (Index begin = 0; begin < samples; begin += block) {

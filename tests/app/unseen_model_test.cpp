@@ -67,16 +67,32 @@ class SlowUnseenModel : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   // Standard error of a command that ends well.
-  std::string run(const std::string& arguments) const {
+  std::string run(const std::string& arguments, const std::string& program = SECULAR_PROGRAM) const {
+    return run_in("XDG_CACHE_HOME=" + (folder_ / "cache").string(), arguments, program);
+  }
+  std::string run_in(const std::string& environment, const std::string& arguments,
+                     const std::string& program = SECULAR_PROGRAM) const {
     const fs::path errors = folder_ / "stderr.txt";
-    const int raw =
-        std::system(("cd " + folder_.string() + " && XDG_CACHE_HOME=" + (folder_ / "cache").string() + " " +
-                     SECULAR_PROGRAM + " " + arguments + " > /dev/null 2> " + errors.string() + " < /dev/null")
-                        .c_str());
+    const int raw = std::system(("cd " + folder_.string() + " && env " + environment + " " + program + " " +
+                                 arguments + " > /dev/null 2> " + errors.string() + " < /dev/null")
+                                    .c_str());
     std::ifstream stream(errors);
     std::string text{std::istreambuf_iterator<char>(stream), {}};
     EXPECT_TRUE(WIFEXITED(raw) && WEXITSTATUS(raw) == 0) << arguments << ": " << text;
     return text;
+  }
+  // The program with its headers as it is installed.
+  fs::path installed() const {
+    const fs::path prefix = folder_ / "prefix", headers = prefix / "include" / "secular" / "estimator";
+    fs::create_directories(prefix / "bin");
+    fs::create_directories(headers);
+    fs::copy_file(SECULAR_PROGRAM, prefix / "bin" / "secular");
+    for (const auto& entry : fs::directory_iterator(fs::path(SECULAR_SOURCE_DIR) / "estimator"))
+      if (entry.path().extension() == ".hpp") fs::copy_file(entry.path(), headers / entry.path().filename());
+    return prefix;
+  }
+  static std::size_t entries(const fs::path& folder) {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
   }
   std::map<std::string, std::pair<double, double>> estimates(const std::string& output) const {
     std::ifstream stream(folder_ / output / "estimate.json");
@@ -119,6 +135,45 @@ TEST_F(SlowUnseenModel, HasTheSameEstimatesCompiledCachedAndInterpreted) {
     EXPECT_NEAR(estimate, other, 1e-3 * sd) << name;
     EXPECT_NEAR(estimate, value, 4 * sd) << name;
   }
+}
+
+// No home to keep anything in, as for a service account; /dev/null is no folder for root either.
+TEST_F(SlowUnseenModel, NeedsNoFolderThatLasts) {
+  run("simulate experiment.toml -o campaign");
+  run("identify campaign --model model.toml -o compiled");
+  const fs::path temporary = folder_ / "tmp";
+  fs::create_directory(temporary);
+  const std::string homeless = "-u XDG_CACHE_HOME HOME=/dev/null TMPDIR=";
+  EXPECT_EQ(run_in(homeless + temporary.string(), "identify campaign --model model.toml -o homeless"), "");
+  EXPECT_EQ(estimates("homeless"), estimates("compiled"));
+  EXPECT_EQ(entries(temporary), 0u) << "something was left behind";
+  const std::size_t before = entries(folder_);
+  const std::string note = run_in(homeless + "/dev/null", "identify campaign --model model.toml -o nowhere");
+  EXPECT_NE(note.find("is interpreted, which is slower: no folder for compiled code can be written"),
+            std::string::npos)
+      << note;
+  EXPECT_EQ(entries(folder_), before + 1);
+  for (const auto& [name, value] : estimates("compiled"))
+    EXPECT_NEAR(estimates("nowhere").at(name).first, value.first, 1e-3 * value.second) << name;
+}
+
+TEST_F(SlowUnseenModel, AnInstalledProgramUsesItsOwnHeaders) {
+  run("simulate experiment.toml -o campaign");
+  const fs::path prefix = installed();
+  const std::string program = (prefix / "bin" / "secular").string();
+  EXPECT_EQ(run("identify campaign --model model.toml -o first", program), "");
+  EXPECT_EQ(cached(".so"), 2u);  // of `simulate`, equations of motion alone, and of `identify`
+  // Two at once, of a model that neither has seen.
+  std::ofstream(folder_ / "model.toml", std::ios::app) << "c1 = 0.3\n";
+  const std::string again = program + " identify campaign --model model.toml -o ";
+  const std::string quiet = " > /dev/null 2>&1 < /dev/null";
+  EXPECT_EQ(run("-c '" + again + "one" + quiet + " & " + again + "two" + quiet + "; wait $!'", "sh"), "");
+  EXPECT_EQ(estimates("one"), estimates("two"));
+  EXPECT_EQ(cached(".so"), 3u);
+  // Headers are part of what an object is made from.
+  std::ofstream(prefix / "include/secular/estimator/compiled_model.hpp", std::ios::app) << "#error marked\n";
+  const std::string note = run("identify campaign --model model.toml -o marked", program);
+  EXPECT_NE(note.find("#error marked"), std::string::npos) << note;
 }
 
 }  // namespace
