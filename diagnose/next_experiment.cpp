@@ -8,7 +8,7 @@
 #include <optional>
 #include <tuple>
 
-#include "diagnose/in_parallel.hpp"
+#include "estimator/in_parallel.hpp"
 #include "diagnose/line_evidence.hpp"
 #include "diagnose/virtual_dwell.hpp"
 

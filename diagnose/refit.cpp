@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnose/in_parallel.hpp"
+#include "estimator/in_parallel.hpp"
 
 namespace secular {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "diagnose/in_parallel.hpp"
+#include "estimator/in_parallel.hpp"
 #include "diagnose/virtual_dwell.hpp"
 
 namespace secular {
