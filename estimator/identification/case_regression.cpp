@@ -114,6 +114,8 @@ class CaseRegression {
     assemble(same_errors ? Pass::whitened : Pass::last);
     WhitenedSystem& system = result_.system;
     if (same_errors) system.errors = reweighting_.start->errors;
+    // Columns at adjusted values have lost their errors already.
+    if (known_.errors_in_variables) system.errors.with_response.resize(0);
     if (system.design.rows() > 0) {
       result_.fit = linear_fit(system.design, system.response, system.condition, 1e-9, system.errors);
       take(result_.fit.coefficients);
