@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/model_loading.hpp"
+#include "estimator/identification/fixed_point.hpp"
 #include "estimator/identification/modal_projection.hpp"
 #include "estimator/identification/steady_amplitude.hpp"
 #include "input/input_error.hpp"
@@ -17,26 +18,11 @@
 namespace secular::app {
 namespace {
 
-/// The correction is evaluated at the estimate, once more at the corrected one, and again while that still moves
-/// numbers by more than a share of their error bars.
-constexpr int truncation_passes = 2, most_truncation_passes = 5;
+/// The correction is evaluated at the estimate, at the corrected one, and again while that still moves numbers by
+/// more than a share of their error bars.
+constexpr int most_truncation_passes = 12;
+constexpr std::size_t remembered_passes = 6;
 constexpr double settled_share = 0.1;
-
-// The largest change of a parameter or lump over its error bar, of which a misfit is no part: it may be the
-// correction that is missing.
-double largest_move(const Estimate& latest, const Estimate& before) {
-  double largest = 0;
-  const auto look = [&](const std::vector<EstimatedValue>& values, const std::vector<EstimatedValue>& earlier) {
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i].value && earlier[i].value && values[i].sd > 0) {
-        const double sd = std::sqrt(values[i].sd * values[i].sd - 0.25 * values[i].misfit * values[i].misfit);
-        if (sd > 0) largest = std::max(largest, std::abs(*values[i].value - *earlier[i].value) / sd);
-      }
-  };
-  look(latest.parameters, before.parameters);
-  look(latest.lumps, before.lumps);
-  return largest;
-}
 
 /// A dwell belongs to a resonance within this relative distance.
 constexpr double resonance_width = 0.1;
@@ -197,45 +183,70 @@ const CompiledCase& named_case(const CompiledModel& model, const std::string& na
                        [&](const CompiledCase& resonance) { return resonance.name == name; });
 }
 
+// By symbol: one over the standard deviation, 0 where there is no estimate.
+Eigen::VectorXd inverse_sd(const Estimate& estimate) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(estimate.parameter_values.size());
+  for (Eigen::Index p = 0; p < result.size(); ++p) {
+    const EstimatedValue& value = estimate.parameters[static_cast<std::size_t>(p)];
+    if (value.value && value.sd > 0) result(p) = 1 / value.sd;
+  }
+  return result;
+}
+
 // Takes what the truncated equations leave at the motions of the full ones out of the equations, until that
-// settles.
+// settles. Passes on the way keep the weights of the equations; the last one finds them again.
 template <class Replay>
 void correct_truncation(Identification& result, const Estimate& raw, const MeasuredUnits& units,
                         const EstimateOptions& options, const Replay& replay, StageClock& clock) {
   EstimateOptions quick = options;
   quick.bootstrap = 0;
-  Estimate before = raw;
-  std::vector<ObservationSet> corrected;
-  for (int pass = 0; pass < most_truncation_passes; ++pass) {
-    result.replayed = replay();
+  quick.damping_laws = quick.judge_fit = false;
+  quick.keep_weights = !options.refine;
+  EstimateOptions full = options;
+  AndersonAcceleration acceleration(remembered_passes);
+  Eigen::VectorXd parameters = raw.parameter_values, next = parameters;
+  bool settled = false;
+  for (int pass = 1; pass <= most_truncation_passes && !settled; ++pass) {
+    parameters = next;
+    result.replayed = replay(parameters);
     clock.done("replay of the full equations");
-    corrected = with_truncation(result.measured, result.replayed, result.estimate.parameter_values);
-    quick.damping_laws = options.damping_laws && pass + 1 >= truncation_passes;
-    before = std::exchange(result.estimate, estimate(corrected, units, quick));
+    const std::vector<ObservationSet> corrected = with_truncation(result.measured, result.replayed, parameters);
+    quick.start = result.estimate.state;
+    result.estimate = estimate(corrected, units, quick);
+    const Eigen::VectorXd weight = inverse_sd(result.estimate);
+    next = acceleration.next(parameters, result.estimate.parameter_values, weight);
+    const double move = weight.cwiseProduct(next - parameters).cwiseAbs().maxCoeff();
+    settled = move < settled_share;
+    if (settled || pass == most_truncation_passes) {
+      full.start = result.estimate.state;
+      result.estimate = estimate(corrected, units, full);
+    }
     clock.done("regression");
-    if (pass + 1 >= truncation_passes && largest_move(result.estimate, before) < settled_share) break;
   }
-  if (options.bootstrap > 0) result.estimate = estimate(corrected, units, options);
   result.estimate = with_truncation_error(std::move(result.estimate), raw);
-  result.estimate = with_unsettled_correction(std::move(result.estimate), before);
+  result.estimate = with_unsettled_correction(std::move(result.estimate), parameters, next);
   clock.done("regression");
 }
 
 }  // namespace
 
 Identification identify(const IdentificationRequest& request) {
+  const Campaign campaign = read_campaign(request.campaign);
+  return identify(request, campaign, [&](std::size_t r) { return read_record(campaign, campaign.records[r]); });
+}
+
+Identification identify(const IdentificationRequest& request, const Campaign& measured, const RecordReader& read) {
   Identification result;
   StageClock clock(result.seconds);
   const ModelSource source(request.model, request.interpret);
   for (const std::string& name : request.resonances) require_case(source, name);
-  result.campaign = read_campaign(request.campaign);
+  result.campaign = measured;
   const Campaign& campaign = result.campaign;
   const Assignment assignment = assign_records(source, campaign, request);
   result.model = source.load(assignment.names);
   const CompiledModel& model = *result.model;
   clock.done("model");
   result.coordinate_unit = modal_projection(campaign, model).unit;
-  const RecordReader read = [&](std::size_t r) { return read_record(campaign, campaign.records[r]); };
   for (std::size_t c = 0; c < assignment.names.size(); ++c) {
     const CompiledCase& resonance = named_case(model, assignment.names[c]);
     if (resonance.excited && result.excitation_units.empty())
@@ -254,16 +265,18 @@ Identification identify(const IdentificationRequest& request) {
   options.bootstrap = request.bootstrap;
   options.seed = request.seed;
   options.refine = request.refine;
+  options.threads = request.threads;
   EstimateOptions first = options;
-  first.judge_fit = false;
+  first.judge_fit = first.damping_laws = false;
+  first.bootstrap = 0;
   Estimate raw = estimate(result.measured, units, first);
   clock.done("regression");
   raw.warnings.insert(raw.warnings.begin(), assignment.warnings.begin(), assignment.warnings.end());
   result.estimate = raw;
-  const auto replay = [&] {
+  const auto replay = [&](const Eigen::VectorXd& parameters) {
     std::vector<ObservationSet> sets;
     for (const ObservationSet& set : result.measured)
-      sets.push_back(observe_replay(campaign, set, result.estimate.parameter_values, request.threads));
+      sets.push_back(observe_replay(campaign, set, parameters, request.threads));
     return sets;
   };
   try {
@@ -275,7 +288,12 @@ Identification identify(const IdentificationRequest& request) {
   } catch (const InputError& error) {
     result.replayed = result.measured;
     for (ObservationSet& set : result.replayed) set.observations.clear();
-    result.estimate = raw;
+    EstimateOptions uncorrected = options;
+    uncorrected.judge_fit = false;
+    uncorrected.start = raw.state;
+    result.estimate = estimate(result.measured, units, uncorrected);
+    result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
+                                    assignment.warnings.end());
     result.estimate.warnings.push_back(
         std::string("the expansion's truncation could not be corrected by the full equations (") + error.what() +
         "): standard deviations do not contain it");

@@ -45,4 +45,7 @@ struct Identification {
 /// one regression of all cases, correction for the expansion's truncation, prediction of what was held out.
 Identification identify(const IdentificationRequest& request);
 
+/// The same for records that are not in files: `request.campaign` is not read.
+Identification identify(const IdentificationRequest& request, const Campaign& measured, const RecordReader& read);
+
 }  // namespace secular::app

@@ -62,6 +62,16 @@ std::size_t first_mode(const CaseView& id) {
   return 0;
 }
 
+// Modes of a decay that ring in some of its windows.
+std::vector<std::size_t> modes_seen(const CaseView& id) {
+  std::vector<std::size_t> seen;
+  for (std::size_t k = 0; k < id.model->modes(); ++k)
+    if (id.modes.oscillates[k] && std::any_of(id.measured.observations.begin(), id.measured.observations.end(),
+                                              [&](const Observation& o) { return o.growth_sd[k] >= 0; }))
+      seen.push_back(k);
+  return seen;
+}
+
 // Phase of the response against the excitation, and the turn after which it repeats. Locked modes: the response's
 // phase minus its share of the excitation's (half in a 2:1 lock, ambiguous by half a turn of the excitation). Two
 // modes with a free frequency: gamma = arg(F conj(A1) conj(A2)).
@@ -170,12 +180,11 @@ Figure dwell_differences(const CaseView& id) {
   return figure;
 }
 
-Figure decay_response(const CaseView& id) {
+Figure decay_response(const CaseView& id, std::size_t own) {
   Figure figure;
-  figure.title = "Free decay: frequency and damping against amplitude";
-  figure.x = {
-      fmt::format("Peak amplitude of {}", id.model->coordinates[first_mode(id)]), id.coordinate_unit, false, {}};
-  const std::size_t own = first_mode(id);
+  figure.title =
+      fmt::format("Free decay of {}: frequency and damping against amplitude", id.model->coordinates[own]);
+  figure.x = {fmt::format("Peak amplitude of {}", id.model->coordinates[own]), id.coordinate_unit, false, {}};
   Series frequency, damping, model_frequency, model_damping;
   frequency.name = damping.name = "measured, windows";
   frequency.style = damping.style = SeriesStyle::error_bars;
@@ -230,11 +239,10 @@ Figure held_out_figure(const CaseView& id, const HeldOutPrediction& prediction) 
   return figure;
 }
 
-Figure decay_residuals(const CaseView& id) {
+Figure decay_residuals(const CaseView& id, std::size_t own) {
   Figure figure;
-  figure.title = "Measured minus computed";
+  figure.title = fmt::format("Measured minus computed, {}", id.model->coordinates[own]);
   figure.x = {"Time in the record", "s", false, {}};
-  const std::size_t own = first_mode(id);
   Series frequency, damping;
   frequency.style = damping.style = SeriesStyle::error_bars;
   frequency.role = damping.role = SeriesRole::data;
@@ -453,7 +461,9 @@ Figure response_figure(const Identification& id) {
   std::size_t shown = 0;
   while (shown + 1 < id.measured.size() && id.measured[shown].observations.empty()) ++shown;
   const CaseView view = view_of(id, shown);
-  return view.resonance->excited ? dwell_response(view) : decay_response(view);
+  if (view.resonance->excited) return dwell_response(view);
+  const std::vector<std::size_t> seen = modes_seen(view);
+  return decay_response(view, seen.empty() ? first_mode(view) : seen.front());
 }
 
 std::string identification_report(const Identification& id, const std::string& command) {
@@ -497,12 +507,14 @@ std::string identification_report(const Identification& id, const std::string& c
         page.figure(dwell_differences(view),
                     "What is left: amplitude and phase of every dwell against the full equations.");
     } else {
-      page.figure(
-          decay_response(view),
-          "Every window of the decay (bars: two standard deviations) and the same windows on the full equations "
-          "with the estimated parameters.");
-      if (id.held_out.empty() && view.replayed.observations.size() == view.measured.observations.size())
-        page.figure(decay_residuals(view), "What is left of frequency and growth rate in every window.");
+      for (const std::size_t mode : modes_seen(view)) {
+        page.figure(
+            decay_response(view, mode),
+            "Every window of the decay (bars: two standard deviations) and the same windows on the full equations "
+            "with the estimated parameters.");
+        if (id.held_out.empty() && view.replayed.observations.size() == view.measured.observations.size())
+          page.figure(decay_residuals(view, mode), "What is left of frequency and growth rate in every window.");
+      }
       for (const HeldOutPrediction& p : id.held_out)
         page.figure(
             held_out_figure(view, p),

@@ -1,6 +1,6 @@
 #include "diagnose/discrepancy.hpp"
 
-#include "diagnose/in_parallel.hpp"
+#include "estimator/in_parallel.hpp"
 
 namespace secular {
 

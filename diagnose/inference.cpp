@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-#include "diagnose/in_parallel.hpp"
+#include "estimator/in_parallel.hpp"
 
 namespace secular {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "diagnose/in_parallel.hpp"
+#include "estimator/in_parallel.hpp"
 
 namespace secular {
 namespace {

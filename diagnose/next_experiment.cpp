@@ -8,9 +8,9 @@
 #include <optional>
 #include <tuple>
 
-#include "diagnose/in_parallel.hpp"
 #include "diagnose/line_evidence.hpp"
 #include "diagnose/virtual_dwell.hpp"
+#include "estimator/in_parallel.hpp"
 
 namespace secular {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
-#include "diagnose/in_parallel.hpp"
 #include "diagnose/virtual_dwell.hpp"
+#include "estimator/in_parallel.hpp"
 
 namespace secular {
 namespace {

@@ -11,7 +11,9 @@
 #include <thread>
 
 #include "estimator/identification/decay_window.hpp"
+#include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/modal_projection.hpp"
+#include "estimator/identification/predicted_harmonics.hpp"
 #include "input/input_error.hpp"
 #include "simulate/motion.hpp"
 
@@ -20,9 +22,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A dwell starts at the measured motion, near the model's own steady one. What its state leaves out (harmonics
-/// beyond those measured) dies out or joins the modes within these cycles; the modes may go on changing slowly.
-constexpr double settle_cycles = 30;
+/// Radians of the fastest mode from sample to sample beyond which a method whose steps end at the samples is faster
+/// than one with dense output.
+constexpr double dense_samples = 0.157;
 
 /// For each thread; ensembles and stretches are short.
 constexpr std::size_t records_ahead = 16;
@@ -30,11 +32,6 @@ constexpr std::size_t records_ahead = 16;
 /// A stretch of a decay is started again until its first window is met to this, relative.
 constexpr int start_steps = 4;
 constexpr double start_tolerance = 1e-4;
-
-/// Up to so many samples a cycle of the fastest oscillation, Runge-Kutta 8(7), whose steps end at the samples, is
-/// cheaper than 5(4) with dense output, and twenty times as accurate at the same tolerance (two modes, 1e-9: a
-/// third of the processor time at 8 samples a cycle, two thirds at 31, as much at 62).
-constexpr double high_order_samples = 40;
 
 class Replay {
  public:
@@ -54,13 +51,11 @@ class Replay {
   }
 
  private:
-  MotionSettings settings(std::size_t index, const Observation& o) const {
+  MotionSettings settings(const Observation& o, std::size_t index) const {
     MotionSettings s;
     double fastest = 0;
     for (const std::size_t k : decay_windows_.oscillating()) fastest = std::max(fastest, o.rate[k].imag());
-    for (const double frequency : o.excitation_frequency) fastest = std::max(fastest, frequency);
-    if (campaign_.sample_rate_hz * 2 * std::numbers::pi < high_order_samples * fastest)
-      s.method = Integrator::dormand_prince_87;
+    if (fastest > dense_samples * campaign_.sample_rate_hz) s.method = Integrator::dormand_prince_87;
     s.label = fmt::format("{}, replayed with the estimated parameters", campaign_.records[index].file);
     s.relative_tolerance = 1e-9;
     return s;
@@ -102,25 +97,26 @@ class Replay {
       v[k] += 2 * (o.rate[k] * amplitude).real();
     }
     if (!measured_.resonance->excited) return;
+    // What the state leaves out joins the modes' free motion: the expansion gives the harmonics that were not
+    // measured, and the displacement at zero frequency, which accelerometers do not see.
+    const std::vector<Complex> predicted = predicted_harmonics(model_, *measured_.resonance, parameters_, o);
     for (std::size_t b = 0; b < measured_.resonance->blocks.size(); ++b) {
       const RegressorBlock& block = measured_.resonance->blocks[b];
-      if (block.kind != BlockKind::harmonic || !(o.harmonic_sd[b] >= 0)) continue;
+      if (block.kind != BlockKind::harmonic) continue;
+      const auto k = static_cast<std::size_t>(block.mode);
+      if (is_zero_frequency(block)) {
+        q[k] += predicted[b].real();
+        continue;
+      }
       double frequency = 0;
       for (std::size_t i = 0; i < block.phase.size(); ++i)
         frequency +=
             block.phase[i] * (i < model_.modes() ? o.rate[i].imag() : o.excitation_frequency[i - model_.modes()]);
-      if (frequency == 0) continue;  // with the sensor's offset in it
-      const auto k = static_cast<std::size_t>(block.mode);
-      const Complex amplitude = o.harmonic[b] * std::exp(Complex(0, -frequency * earlier));
+      const Complex harmonic = o.harmonic_sd[b] >= 0 ? o.harmonic[b] : predicted[b];
+      const Complex amplitude = harmonic * std::exp(Complex(0, -frequency * earlier));
       q[k] += 2 * amplitude.real();
       v[k] -= 2 * frequency * amplitude.imag();
     }
-  }
-
-  double slowest(const Observation& o) const {
-    double frequency = INFINITY;
-    for (const std::size_t k : decay_windows_.oscillating()) frequency = std::min(frequency, o.rate[k].imag());
-    return frequency;
   }
 
   Record dwell(const Observation& o, std::size_t index) const {
@@ -136,15 +132,15 @@ class Replay {
       }
     };
     std::vector<double> q, v;
-    initial_state(o, 0, q, v);
-    const double settle = settle_cycles * 2 * std::numbers::pi / slowest(o);
+    const double begin = -0.5 * static_cast<double>(count - 1) / rate;  // phases count from the centre
+    initial_state(o, -begin, q, v);
     Record record = empty(count, 0);
     std::size_t i = 0;
-    integrate_motion(model_, parameters_.data(), signal, 0, q, v, settle, 1 / rate, count, settings(index, o),
+    integrate_motion(model_, parameters_.data(), signal, begin, q, v, begin, 1 / rate, count, settings(o, index),
                      [&](const MotionSample& sample) { store(sample, i++, record); });
     ExcitationSample sample[8];
     for (std::size_t n = 0; n < count; ++n) {
-      signal(settle + static_cast<double>(n) / rate, sample);
+      signal(begin + static_cast<double>(n) / rate, sample);
       for (std::size_t j = 0; j < excitations_.size(); ++j) record.channels[excitations_[j]][n] = sample[j].value;
     }
     return record;
@@ -165,7 +161,7 @@ class Replay {
       const auto count = static_cast<std::size_t>(std::lround(seconds * rate)) + 1;
       Record record = empty(count, begin);
       std::size_t i = 0;
-      integrate_motion(model_, parameters_.data(), silent, 0, q, v, 0, 1 / rate, count, settings(index, first),
+      integrate_motion(model_, parameters_.data(), silent, 0, q, v, 0, 1 / rate, count, settings(first, index),
                        [&](const MotionSample& sample) { store(sample, i++, record); });
       return record;
     };

@@ -48,6 +48,12 @@ MatrixXd selected(const MatrixXd& m, const std::vector<Index>& rows) {
   return result;
 }
 
+// design = orthonormal * coordinates: basis = scale V/S, so that basis' scale^-2 basis = S^-2.
+MatrixXd coordinates_of_columns(const LinearFit& fit) {
+  const MatrixXd turned = (fit.scale.cwiseAbs2().cwiseInverse().asDiagonal() * fit.basis).transpose();
+  return (turned * fit.basis).diagonal().cwiseInverse().asDiagonal() * turned;
+}
+
 std::vector<Index> dissipative_columns(const CaseFit& fit, std::size_t block_index) {
   const CompiledCase& resonance = *fit.set->resonance;
   const RegressorBlock& block = resonance.blocks[block_index];
@@ -76,20 +82,45 @@ std::vector<Index> dissipative_columns(const CaseFit& fit, std::size_t block_ind
   return found;
 }
 
-// Mean square of what every condition shows of its own prediction by the others, for a basis Q of the columns in
-// coordinates of `orthonormal` (design = orthonormal * coordinates).
-VectorXd held_out_scores(const MatrixXd& orthonormal, const MatrixXd& q, const VectorXd& response,
-                         const std::map<int, std::vector<Index>>& conditions) {
-  const MatrixXd basis = orthonormal * q;
-  const VectorXd residual = response - basis * (basis.transpose() * response);
-  VectorXd scores(static_cast<Index>(conditions.size()));
-  Index g = 0;
+// One condition's part of a regression in orthonormal coordinates.
+struct ConditionPart {
+  MatrixXd gram;        // orthonormal' * orthonormal
+  VectorXd along;       // orthonormal' * residual of the whole fit
+  double residual = 0;  // squared
+  double rows = 0;
+};
+
+// `whole`: coordinates of the least-squares fit.
+std::vector<ConditionPart> condition_parts(const CaseFit& fit, const VectorXd& whole,
+                                           const std::map<int, std::vector<Index>>& conditions) {
+  const VectorXd left = fit.system.response - fit.fit.orthonormal * whole;
+  std::vector<ConditionPart> parts;
   for (const auto& [condition, rows] : conditions) {
-    const MatrixXd part = selected(basis, rows);
-    const VectorXd left = selected(residual, rows);
-    const MatrixXd kept = MatrixXd::Identity(q.cols(), q.cols()) - part.transpose() * part;
-    const VectorXd predicted = left + part * kept.ldlt().solve(part.transpose() * left);
-    scores(g++) = predicted.squaredNorm() / static_cast<double>(rows.size());
+    const MatrixXd basis = selected(fit.fit.orthonormal, rows);
+    const VectorXd residual = selected(left, rows);
+    ConditionPart part{MatrixXd::Zero(basis.cols(), basis.cols()), basis.transpose() * residual,
+                       residual.squaredNorm(), static_cast<double>(rows.size())};
+    part.gram.selfadjointView<Eigen::Lower>().rankUpdate(basis.transpose());
+    part.gram = MatrixXd(part.gram.selfadjointView<Eigen::Lower>());
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+// Mean square of what every condition shows of its own prediction by the others where the coefficients are held to
+// the columns of an orthonormal Q. `whole`: those of the whole fit. With P = Q'GQ and the residual e of the
+// smaller fit, s = Q'X'e, the prediction without the condition leaves e + XQ (I - P)^-1 s.
+VectorXd held_out_scores(const std::vector<ConditionPart>& parts, const VectorXd& whole, const MatrixXd& q) {
+  const VectorXd dropped = whole - q * (q.transpose() * whole);
+  VectorXd scores(static_cast<Index>(parts.size()));
+  for (std::size_t g = 0; g < parts.size(); ++g) {
+    const ConditionPart& part = parts[g];
+    const VectorXd seen = part.gram * dropped;
+    const double left = part.residual + 2 * dropped.dot(part.along) + dropped.dot(seen);
+    const VectorXd along = q.transpose() * (part.along + seen);
+    const MatrixXd own = q.transpose() * part.gram * q;
+    const VectorXd change = (MatrixXd::Identity(q.cols(), q.cols()) - own).ldlt().solve(along);
+    scores(static_cast<Index>(g)) = (left + 2 * change.dot(along) + change.dot(own * change)) / part.rows;
   }
   return scores;
 }
@@ -159,8 +190,7 @@ std::vector<ConditionQuality> condition_quality(const CaseFit& fit) {
   std::vector<std::size_t> pair;
   for (std::size_t k = 0; k < set.model->modes(); ++k)
     if (modes.oscillates[k]) pair.push_back(k);
-  const MatrixXd orthonormal = fit.system.design * fit.fit.basis;
-  const MatrixXd coordinates = orthonormal.transpose() * fit.system.design;
+  const MatrixXd coordinates = coordinates_of_columns(fit.fit);
   const auto rows = rows_by_condition(fit);
   std::vector<ConditionQuality> result;
   for (std::size_t g = 0; g < fit.fit.cluster_labels.size(); ++g) {
@@ -263,8 +293,9 @@ std::vector<DampingComparison> compare_damping(const CaseFit& fit) {
   if (fit.fit.rank == 0 || fit.set->observations.empty()) return result;
   const auto conditions = rows_by_condition(fit);
   if (conditions.size() < 4) return result;
-  const MatrixXd orthonormal = fit.system.design * fit.fit.basis;
-  const MatrixXd coordinates = orthonormal.transpose() * fit.system.design;
+  const MatrixXd coordinates = coordinates_of_columns(fit.fit);
+  const VectorXd whole = fit.fit.orthonormal.transpose() * fit.system.response;
+  const std::vector<ConditionPart> parts = condition_parts(fit, whole, conditions);
   for (const std::size_t b : fit.blocks) {
     const RegressorBlock& block = fit.set->resonance->blocks[b];
     if (block.kind != BlockKind::modulation) continue;
@@ -292,7 +323,7 @@ std::vector<DampingComparison> compare_damping(const CaseFit& fit) {
       Eigen::ColPivHouseholderQR<MatrixXd> qr(kept);
       qr.setThreshold(1e-10);
       const MatrixXd q = MatrixXd(qr.householderQ()).leftCols(qr.rank());
-      candidates.push_back({selection, held_out_scores(orthonormal, q, fit.system.response, conditions)});
+      candidates.push_back({selection, held_out_scores(parts, whole, q)});
     }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& x, const Candidate& y) { return x.scores.mean() < y.scores.mean(); });
@@ -324,11 +355,10 @@ std::vector<DampingComparison> compare_damping(const CaseFit& fit) {
 }
 
 MatrixXd bootstrap_coefficients(const CaseFit& fit, int resamples, std::uint64_t seed) {
-  const MatrixXd orthonormal = fit.system.design * fit.fit.basis;
   std::vector<MatrixXd> gram;
   std::vector<VectorXd> right;
   for (const auto& [condition, rows] : rows_by_condition(fit)) {
-    const MatrixXd part = selected(orthonormal, rows);
+    const MatrixXd part = selected(fit.fit.orthonormal, rows);
     gram.emplace_back(part.transpose() * part);
     right.emplace_back(part.transpose() * selected(fit.system.response, rows));
   }
@@ -349,7 +379,7 @@ MatrixXd bootstrap_coefficients(const CaseFit& fit, int resamples, std::uint64_t
       }
       const Eigen::LDLT<MatrixXd> solver(sum);
       if (solver.vectorD().minCoeff() < 1e-6) continue;
-      result.col(s) = fit.reference + fit.fit.basis * solver.solve(total);
+      result.col(s) = fit.reference + fit.fit.basis * solver.solve(total) - fit.fit.bias;
       break;
     }
   }

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "estimator/identification/equation_data.hpp"
+#include "estimator/in_parallel.hpp"
+#include "estimator/regression/condensed_rows.hpp"
 
 namespace secular {
 namespace {
@@ -21,9 +23,14 @@ using Eigen::VectorXd;
 
 constexpr int pass_limit = 14;
 
-/// Reweighting ends where fitted values move by less than this share of the residual: with n rows no coefficient
-/// then moves by more than sqrt(n) times that of its standard deviation.
-constexpr double converged_change = 1e-4;
+/// Reweighting ends where no coefficient moves by more than this share of its standard deviation.
+constexpr double converged_change = 0.03;
+
+/// Weights of ensembles that change by less are the same.
+constexpr double same_weight = 1e-3;
+
+/// Observations that one thread takes at a time.
+constexpr std::size_t chunk = 16;
 
 /// Each halves the digits that are missing; the adjustments are small.
 constexpr int adjustment_rounds = 3;
@@ -40,16 +47,29 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+// Rows times columns with many zeros: `factor` is lower triangular, and a row of `sparse` has few entries.
+template <class Matrix>
+void multiply_lower(const MatrixXd& factor, const MatrixXd& sparse, Matrix&& product) {
+  const Index size = factor.rows();
+  product.setZero();
+  for (Index c = 0; c < sparse.cols(); ++c)
+    for (Index r = 0; r < size; ++r)
+      if (const double value = sparse(r, c); value != 0)
+        product.col(c).tail(size - r) += value * factor.col(r).tail(size - r);
+}
+
 class CaseRegression {
  public:
-  CaseRegression(const ObservationSet& set, const std::vector<std::size_t>& blocks, const CaseKnowledge& known)
-      : set_(set), case_(*set.resonance), known_(known), data_(set, blocks) {
+  CaseRegression(const ObservationSet& set, const std::vector<std::size_t>& blocks, const CaseKnowledge& known,
+                 const Reweighting& reweighting)
+      : set_(set), case_(*set.resonance), known_(known), reweighting_(reweighting), data_(set, blocks) {
     result_.set = &set;
     result_.blocks = blocks;
     result_.weight.assign(set.observations.size(), 1.0);
     result_.distance.assign(set.observations.size(), 0.0);
     lump_.assign(case_.lumps.size(), 0.0);
     natural_ = reference_ = known.natural_frequency;
+    offset_.assign(set.model->modes(), 0.0);
     std::set<std::size_t> lumps, frequencies, offsets;
     for (const std::size_t b : blocks) {
       const RegressorBlock& block = case_.blocks[b];
@@ -72,88 +92,141 @@ class CaseRegression {
     for (std::size_t c = 0; c < result_.columns.size(); ++c)
       if (result_.columns[c].kind == CaseColumn::Kind::natural_frequency)
         result_.reference(static_cast<Index>(c)) = reference_[result_.columns[c].index];
+    values_ = VectorXd::Zero(result_.reference.size());
+    const RegressionState* start = reweighting.start;
+    warm_ = start && start->weight.size() == set.observations.size() && start->lump.size() == lump_.size();
+    if (warm_) take_up(*start);
   }
 
   CaseFit run() {
     if (result_.columns.empty() || set_.observations.empty()) return std::move(result_);
-    iterate();
-    if (set_.resonance->excited && weigh_ensembles()) iterate();
-    if (known_.errors_in_variables)
-      for (int round = 0; round < adjustment_rounds; ++round) {
-        adjust();
-        iterate();
-      }
-    assemble(false, true);
-    if (result_.system.design.rows() > 0) {
-      result_.fit = linear_fit(result_.system.design, result_.system.response, result_.system.condition, 1e-9,
-                               result_.system.column_noise);
-      result_.residual.resize(result_.system.design.rows());
-      for (std::size_t r = 0; r < marginals_.size(); ++r)
-        result_.residual(static_cast<Index>(r)) =
-            marginals_[r].response - marginals_[r].row.dot(result_.fit.coefficients);
+    const bool keep = warm_ && reweighting_.keep;
+    if (!keep) {
+      iterate();
+      if (set_.resonance->excited && weigh_ensembles()) iterate();
+      if (known_.errors_in_variables)
+        for (int round = 0; round < adjustment_rounds; ++round) {
+          adjust();
+          iterate();
+        }
+    }
+    const bool same_errors = keep && reweighting_.start->errors.gram.rows() == values_.size();
+    assemble(same_errors ? Pass::whitened : Pass::last);
+    WhitenedSystem& system = result_.system;
+    if (same_errors) system.errors = reweighting_.start->errors;
+    // Columns at adjusted values have lost their errors already.
+    if (known_.errors_in_variables) system.errors.with_response.resize(0);
+    if (system.design.rows() > 0) {
+      result_.fit = linear_fit(system.design, system.response, system.condition, 1e-9, system.errors);
+      take(result_.fit.coefficients);
+      block_misfits(result_.fit.residual);
     }
     if (result_.fit.coefficients.size() > 0) result_.fit.coefficients += result_.reference;
+    result_.state = {lump_, natural_, offset_, scale_, result_.weight, result_.distance, system.errors};
     return std::move(result_);
   }
 
  private:
-  void iterate() {
-    for (int pass = 0; pass < pass_limit; ++pass) {
-      assemble(pass == 0, false);
-      if (result_.system.design.rows() == 0) return;
-      const double change = solve();
-      block_misfits();
-      if (pass > 1 && change < converged_change) break;
+  enum class Pass {
+    first,     ///< nothing is known of the coefficients, and so of the noise of the equations
+    whitened,  ///< by the noise at the present coefficients
+    last,      ///< and the errors of the columns
+  };
+
+  // Known lumps and frequencies stay what they are given as.
+  void take_up(const RegressionState& start) {
+    for (std::size_t c = 0; c < result_.columns.size(); ++c) {
+      const CaseColumn& column = result_.columns[c];
+      const double value = column.kind == CaseColumn::Kind::lump ? start.lump[column.index]
+                           : column.kind == CaseColumn::Kind::natural_frequency
+                               ? start.natural_frequency[column.index]
+                               : start.offset[column.index];
+      values_(static_cast<Index>(c)) = value - result_.reference(static_cast<Index>(c));
     }
+    take(values_);
+    for (auto& [block, scale] : scale_)
+      if (const auto known = start.block_scale.find(block); known != start.block_scale.end()) scale = known->second;
+    result_.weight = start.weight;
+    result_.distance = start.distance;
   }
 
-  // Least squares of the current rows; by how much fitted values moved, over the residual. A blocked QR of the many
-  // rows comes first; the rank is found on its triangle.
+  // Coefficients counted from the reference become the current ones.
+  void take(const VectorXd& values) {
+    values_ = values;
+    for (std::size_t c = 0; c < result_.columns.size(); ++c)
+      current(c) = values(static_cast<Index>(c)) + result_.reference(static_cast<Index>(c));
+  }
+
+  double& current(std::size_t column) {
+    const CaseColumn& c = result_.columns[column];
+    return c.kind == CaseColumn::Kind::lump                ? lump_[c.index]
+           : c.kind == CaseColumn::Kind::natural_frequency ? natural_[c.index]
+                                                           : offset_[c.index];
+  }
+
+  void iterate() {
+    for (int pass = 0; pass < pass_limit; ++pass) {
+      const bool first = pass == 0 && !warm_;
+      assemble(first ? Pass::first : Pass::whitened);
+      if (result_.system.design.rows() == 0) return;
+      const double change = solve();
+      if (!first) block_misfits(result_.system.response - result_.system.design * values_);
+      if (pass > (warm_ ? 0 : 1) && change < converged_change) break;
+    }
+    warm_ = true;
+  }
+
+  // Least squares of the current rows; by how much fitted values moved, over the standard deviation of a residual:
+  // no coefficient moved by more than that times its own.
   double solve() {
     const MatrixXd& x = result_.system.design;
     const Index columns = x.cols();
     VectorXd scale = x.colwise().norm().transpose();
     for (Index c = 0; c < scale.size(); ++c) scale(c) = scale(c) > 0 ? 1 / scale(c) : 1;
-    MatrixXd both(x.rows(), columns + 1);
-    both.leftCols(columns) = x * scale.asDiagonal();
-    both.col(columns) = result_.system.response;
-    MatrixXd triangle;
-    if (both.rows() > both.cols()) {
-      const Eigen::HouseholderQR<Eigen::Ref<MatrixXd>> qr(both);  // in place
-      triangle = qr.matrixQR().topRows(columns + 1).triangularView<Eigen::Upper>();
+    MatrixXd core;
+    VectorXd target = result_.system.response;
+    if (x.rows() > columns + 1) {
+      const CondensedRows condensed = condensed_rows(x, target);
+      core = condensed.design * scale.asDiagonal();
+      target = condensed.response;
     } else {
-      triangle = both;
+      core = x * scale.asDiagonal();
     }
-    const MatrixXd core = triangle.leftCols(columns);
     Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
     solver.setThreshold(1e-10);
     solver.compute(core);
-    const VectorXd scaled = solver.solve(triangle.col(columns));
+    const VectorXd scaled = solver.solve(target);
     VectorXd before(columns);
-    values_ = scale.asDiagonal() * scaled;
     for (std::size_t c = 0; c < result_.columns.size(); ++c) {
-      const CaseColumn& column = result_.columns[c];
       const auto at = static_cast<Index>(c);
-      double* old = column.kind == CaseColumn::Kind::lump                ? &lump_[column.index]
-                    : column.kind == CaseColumn::Kind::natural_frequency ? &natural_[column.index]
-                                                                         : &offset_[column.index];
-      before(at) = (*old - result_.reference(at)) / scale(at);
-      *old = values_(at) + result_.reference(at);
+      before(at) = (current(c) - result_.reference(at)) / scale(at);
     }
-    const double left = (triangle.col(columns) - core * scaled).norm();
+    take(scale.asDiagonal() * scaled);
+    const double left = (target - core * scaled).norm();
     const double moved = (core * (scaled - before)).norm();
     // Noise-free rows leave rounding alone.
-    return moved / (left + 1e-9 * triangle.col(columns).norm() + std::numeric_limits<double>::min());
+    const auto spare = static_cast<double>(std::max<Index>(1, x.rows() - columns));
+    return moved * std::sqrt(spare) / (left + 1e-9 * target.norm() + std::numeric_limits<double>::min());
   }
 
-  // Residual of every block alone over its noise, to weigh blocks against each other.
-  void block_misfits() {
+  // Residual of every equation alone over its own noise, from that of the whitened rows, and of every block, to
+  // weigh blocks against each other.
+  void block_misfits(const VectorXd& whitened) {
+    const WhitenedSystem& system = result_.system;
+    result_.residual.resize(whitened.size());
+    Index begin = 0;
+    for (const MatrixXd& colouring : system.colouring) {
+      result_.residual.segment(begin, colouring.rows()) =
+          colouring.triangularView<Eigen::Lower>() * whitened.segment(begin, colouring.rows());
+      begin += colouring.rows();
+    }
     std::map<std::size_t, std::pair<double, double>> sums;
-    for (const Marginal& m : marginals_) {
-      double left = m.response - m.row.dot(values_);
-      auto& [sum, count] = sums[m.block];
-      sum += left * left * m.weight;
-      count += m.weight;
+    for (Index r = 0; r < whitened.size(); ++r) {
+      const auto at = static_cast<std::size_t>(r);
+      const double left = result_.residual(r), weight = result_.weight[system.observation[at]];
+      auto& [sum, count] = sums[system.block[at]];
+      sum += left * left * weight;
+      count += weight;
     }
     for (const auto& [block, sum] : sums) {
       const double misfit = std::sqrt(sum.first / std::max(1.0, sum.second));
@@ -162,83 +235,103 @@ class CaseRegression {
     }
   }
 
-  void assemble(bool first_pass, bool last_pass) {
+  void assemble(Pass pass) {
     EquationData& data = adjusted_data_ ? *adjusted_data_ : data_;
     data.evaluate(natural_);
     WhitenedSystem& system = result_.system;
     const auto columns = static_cast<Index>(result_.columns.size());
-    const Index most = 2 * static_cast<Index>(set_.observations.size() * result_.blocks.size());
-    system = {};
-    system.design.resize(most, columns);
-    system.response.resize(most);
-    if (last_pass) system.column_noise = MatrixXd::Zero(columns, columns);
-    marginals_.clear();
-    Index used = 0;
-    for (std::size_t i = 0; i < set_.observations.size(); ++i) {
-      const Observation& o = set_.observations[i];
-      EquationData::Rows rows = data.rows(i, result_.columns, lump_, natural_, reference_);
-      const Index count = rows.response.size();
-      if (count == 0) continue;
-      // From the adjusted values back to the measured ones, along the tangent.
-      if (adjusted_data_) rows.response += rows.variants * moved_[i];
-      MatrixXd design = rows.design;
-      VectorXd response = rows.response;
-      const VectorXd noise_sd = (rows.variants.rowwise().squaredNorm() + rows.own_variance).cwiseSqrt();
-      const double weight = std::sqrt(result_.weight[i]);
-      if (first_pass) {
-        for (Index r = 0; r < count; ++r) {
-          const double size = data.first_scale(i, rows.block[static_cast<std::size_t>(r)]);
-          design.row(r) /= size;
-          response(r) /= size;
-        }
-      } else {
-        MatrixXd covariance = rows.variants * rows.variants.transpose();
-        covariance.diagonal() += rows.own_variance;
-        for (Index r = 0; r < count; ++r) {
-          const std::size_t block = rows.block[static_cast<std::size_t>(r)];
-          marginals_.push_back(
-              {block, rows.response(r) / noise_sd(r), rows.design.row(r) / noise_sd(r), result_.weight[i]});
-        }
-        for (Index r = 0; r < count; ++r)
-          for (Index c = 0; c < count; ++c)
-            covariance(r, c) *= scale_.at(rows.block[static_cast<std::size_t>(r)]) *
-                                scale_.at(rows.block[static_cast<std::size_t>(c)]);
-        const VectorXd sd = covariance.diagonal().cwiseSqrt();
-        const MatrixXd correlation = sd.cwiseInverse().asDiagonal() * covariance * sd.cwiseInverse().asDiagonal();
-        // Equations that share all their noise (noise-free data, or a common error) stay a little apart.
-        const Eigen::LLT<MatrixXd> cholesky(correlation + 1e-9 * MatrixXd::Identity(count, count));
-        const auto whiten = [&](MatrixXd& m) {
-          m = sd.cwiseInverse().asDiagonal() * m;
-          cholesky.matrixL().solveInPlace(m);
-          m *= weight;
-        };
-        whiten(design);
-        MatrixXd right = response;
-        whiten(right);
-        response = right;
-        if (last_pass) {
-          MatrixXd unit = noise_sd.asDiagonal();
-          whiten(unit);
-          system.whitener.push_back(std::move(unit));
-          for (MatrixXd error : data.column_errors(i, result_.columns)) {
-            whiten(error);
-            system.column_noise += error.transpose() * error;
-          }
-        }
-      }
-      system.design.middleRows(used, count) = design;
-      system.response.segment(used, count) = response;
-      used += count;
-      for (Index r = 0; r < count; ++r) {
-        system.condition.push_back(o.condition);
-        system.observation.push_back(i);
-        system.block.push_back(rows.block[static_cast<std::size_t>(r)]);
-        system.part.push_back(rows.part[static_cast<std::size_t>(r)]);
-        system.noise_sd.push_back(noise_sd(r));
-      }
+    const std::size_t count = set_.observations.size();
+    std::vector<Index> first_row(count + 1, 0);
+    std::vector<std::size_t> with_rows;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Index rows = data.row_count(i);
+      first_row[i + 1] = first_row[i] + rows;
+      if (rows > 0) with_rows.push_back(i);
     }
-    system.design.conservativeResize(used, columns);
-    system.response.conservativeResize(used);
+    const auto rows = static_cast<std::size_t>(first_row.back());
+    system.design.resize(first_row.back(), columns);
+    system.response.resize(first_row.back());
+    system.condition.resize(rows);
+    system.observation.resize(rows);
+    system.block.resize(rows);
+    system.part.resize(rows);
+    system.noise_sd.resize(rows);
+    system.colouring.resize(pass == Pass::first ? 0 : with_rows.size());
+    const std::size_t chunks = (with_rows.size() + chunk - 1) / chunk;
+    std::vector<ColumnErrors> errors(pass == Pass::last ? chunks : 0,
+                                     {MatrixXd::Zero(columns, columns), VectorXd::Zero(columns)});
+    in_parallel(chunks, reweighting_.threads, [&](std::size_t c) {
+      for (std::size_t n = c * chunk; n < std::min(with_rows.size(), (c + 1) * chunk); ++n)
+        assemble_observation(data, pass, with_rows[n], first_row[with_rows[n]],
+                             pass == Pass::first ? nullptr : &system.colouring[n],
+                             pass == Pass::last ? &errors[c] : nullptr);
+    });
+    system.errors = {};
+    if (pass != Pass::last) return;
+    system.errors = {MatrixXd::Zero(columns, columns), VectorXd::Zero(columns)};
+    for (const ColumnErrors& part : errors) {
+      system.errors.gram += part.gram;
+      system.errors.with_response += part.with_response;
+    }
+    system.errors.gram = MatrixXd(system.errors.gram.selfadjointView<Eigen::Lower>());
+  }
+
+  // Of the Gram matrix of `errors` the lower half.
+  void assemble_observation(const EquationData& data, Pass pass, std::size_t i, Index begin, MatrixXd* colouring,
+                            ColumnErrors* errors) {
+    WhitenedSystem& system = result_.system;
+    EquationData::Rows rows = data.rows(i, result_.columns, lump_, natural_, reference_);
+    const Index count = rows.response.size();
+    // From the adjusted values back to the measured ones, along the tangent.
+    if (adjusted_data_) rows.response += rows.variants * moved_[i];
+    const VectorXd noise_sd = (rows.variants.rowwise().squaredNorm() + rows.own_variance).cwiseSqrt();
+    for (Index r = 0; r < count; ++r) {
+      const auto at = static_cast<std::size_t>(begin + r), from = static_cast<std::size_t>(r);
+      system.condition[at] = set_.observations[i].condition;
+      system.observation[at] = i;
+      system.block[at] = rows.block[from];
+      system.part[at] = rows.part[from];
+      system.noise_sd[at] = noise_sd(r);
+    }
+    if (pass == Pass::first) {
+      for (Index r = 0; r < count; ++r) {
+        const double size = data.first_scale(i, rows.block[static_cast<std::size_t>(r)]);
+        system.design.row(begin + r) = rows.design.row(r) / size;
+        system.response(begin + r) = rows.response(r) / size;
+      }
+      return;
+    }
+    MatrixXd covariance = rows.variants * rows.variants.transpose();
+    covariance.diagonal() += rows.own_variance;
+    VectorXd scale(count);
+    for (Index r = 0; r < count; ++r) scale(r) = scale_.at(rows.block[static_cast<std::size_t>(r)]);
+    const VectorXd inverse_sd = noise_sd.cwiseInverse();
+    MatrixXd correlation = inverse_sd.asDiagonal() * covariance * inverse_sd.asDiagonal();
+    // Equations that share all their noise (noise-free data, or a common error) stay a little apart.
+    correlation.diagonal().array() += 1e-9;
+    const Eigen::LLT<MatrixXd> cholesky(correlation);
+    const double weight = std::sqrt(result_.weight[i]);
+    MatrixXd factor = weight * MatrixXd::Identity(count, count);
+    cholesky.matrixL().solveInPlace(factor);
+    factor *= inverse_sd.cwiseQuotient(scale).asDiagonal();
+    *colouring = (scale / weight).asDiagonal() * MatrixXd(cholesky.matrixL());
+    multiply_lower(factor, rows.design, system.design.middleRows(begin, count));
+    system.response.segment(begin, count) = factor.triangularView<Eigen::Lower>() * rows.response;
+    if (!errors) return;
+    const std::vector<EquationData::ColumnError> changes = data.column_errors(i, result_.columns);
+    const auto size = count * static_cast<Index>(changes.size());
+    MatrixXd whitened(size, rows.design.cols());
+    VectorXd response(size);
+    Index at = 0;
+    for (const EquationData::ColumnError& change : changes) {
+      multiply_lower(factor, change.design, whitened.middleRows(at, count));
+      // Left minus right side changes by dy - dX b.
+      response.segment(at, count) = factor.triangularView<Eigen::Lower>() *
+                                    VectorXd(rows.variants.col(change.quantity) + change.design * values_);
+      at += count;
+    }
+    errors->gram.selfadjointView<Eigen::Lower>().rankUpdate(whitened.transpose());
+    errors->with_response += whitened.transpose() * response;
   }
 
   // Moves everything measured to where the equations hold, by the least that its noise allows.
@@ -270,7 +363,10 @@ class CaseRegression {
 
   // Deviation of each ensemble's whitened residual from the median of its condition; true if a weight changed.
   bool weigh_ensembles() {
-    assemble(false, false);
+    const std::vector<double> before =
+        std::exchange(result_.weight, std::vector<double>(result_.weight.size(), 1.0));
+    result_.distance.assign(result_.distance.size(), 0.0);
+    assemble(Pass::whitened);
     const VectorXd residual = result_.system.response - result_.system.design * values_;
     std::map<int, std::vector<std::size_t>> members;
     std::map<std::size_t, std::vector<double>> left;
@@ -297,49 +393,46 @@ class CaseRegression {
       }
       largest = std::max(largest, size);
     }
-    if (all.empty()) return false;
+    const auto changed = [&] {
+      for (std::size_t i = 0; i < before.size(); ++i)
+        if (std::abs(result_.weight[i] - before[i]) > same_weight) return true;
+      return false;
+    };
+    if (all.empty()) return changed();
     const boost::math::chi_squared law(static_cast<double>(largest));
     const double rows = static_cast<double>(largest);
     const double usual = median(all) / std::sqrt(boost::math::quantile(law, 0.5) / rows);
-    if (!(usual > 0)) return false;
+    if (!(usual > 0)) return changed();
     const double tail = outlier_false_alarm / static_cast<double>(all.size());
     const double cut = std::sqrt(boost::math::quantile(boost::math::complement(law, tail)) / rows);
-    bool changed = false;
     for (std::size_t i = 0; i < result_.distance.size(); ++i) {
       result_.distance[i] /= usual;
       if (result_.distance[i] <= cut) continue;
       result_.weight[i] = cut * cut / (result_.distance[i] * result_.distance[i]);
-      changed = true;
     }
-    return changed;
+    return changed();
   }
-
-  // One real equation over its own noise alone.
-  struct Marginal {
-    std::size_t block;
-    double response;
-    Eigen::RowVectorXd row;
-    double weight;
-  };
 
   const ObservationSet& set_;
   const CompiledCase& case_;
   const CaseKnowledge& known_;
+  const Reweighting& reweighting_;
   EquationData data_;
+  bool warm_ = false;  // coefficients and weights are near the final ones
   CaseFit result_;
-  std::vector<double> lump_, natural_, reference_;
+  std::vector<double> lump_, natural_, reference_, offset_;
   ObservationSet adjusted_;                    // measured values moved to where the equations hold
   std::optional<EquationData> adjusted_data_;  // of `adjusted_`; empty: not adjusted
   std::vector<VectorXd> moved_;                // by observation: how far, in standard deviations
-  std::map<std::size_t, double> offset_, scale_;
+  std::map<std::size_t, double> scale_;
   VectorXd values_;
-  std::vector<Marginal> marginals_;
 };
 
 }  // namespace
 
-CaseFit fit_case(const ObservationSet& set, const std::vector<std::size_t>& blocks, const CaseKnowledge& known) {
-  return CaseRegression(set, blocks, known).run();
+CaseFit fit_case(const ObservationSet& set, const std::vector<std::size_t>& blocks, const CaseKnowledge& known,
+                 const Reweighting& reweighting) {
+  return CaseRegression(set, blocks, known, reweighting).run();
 }
 
 }  // namespace secular

@@ -37,9 +37,18 @@ struct WhitenedSystem {
   std::vector<std::size_t> block;        ///< by row: index into CompiledCase::blocks
   std::vector<EquationPart> part;        ///< by row
   std::vector<double> noise_sd;          ///< by row: of the equation, as the noise of what was measured makes it
-  /// By observation with rows, in their order: what whitening makes of its equations in units of their own noise.
-  std::vector<Eigen::MatrixXd> whitener;
-  Eigen::MatrixXd column_noise;  ///< expected Gram matrix of the columns' errors
+  /// By observation with rows, in their order, lower triangular: whitened rows back to equations in units of their
+  /// own noise.
+  std::vector<Eigen::MatrixXd> colouring;
+  ColumnErrors errors;  ///< of whitened columns
+};
+
+/// Where a regression of the same equations at the same observations may start: what another one ended with.
+struct RegressionState {
+  std::vector<double> lump, natural_frequency, offset;  ///< by lump, by mode, by mode
+  std::map<std::size_t, double> block_scale;            ///< by block: residual over noise that it counts with
+  std::vector<double> weight, distance;                 ///< by observation
+  ColumnErrors errors;                                  ///< WhitenedSystem::errors
 };
 
 /// Linear regression of one case's equations on its lumps and natural frequencies.
@@ -54,6 +63,7 @@ struct CaseFit {
   std::map<std::size_t, double> block_misfit;  ///< by block: residual over what noise explains, unscaled
   std::vector<double> weight;                  ///< by observation: 1, less where it is an outlier
   std::vector<double> distance;  ///< by observation: deviation from its condition over what is usual; 0 if unknown
+  RegressionState state;
 };
 
 /// What a case's regression takes as given.
@@ -66,10 +76,20 @@ struct CaseKnowledge {
   bool errors_in_variables = false;
 };
 
+/// How weights are found.
+struct Reweighting {
+  const RegressionState* start = nullptr;  ///< null: from equal weights
+  /// With a start: take its weights as they are, one linear regression. Right where only what is subtracted for the
+  /// truncation has changed a little.
+  bool keep = false;
+  unsigned threads = 1;  ///< the result does not depend on it
+};
+
 /// Regression of `blocks` together: iteratively reweighted, every equation by the joint noise of amplitudes,
 /// forces, frequencies, rates and harmonics; an equation that fits worse than its noise explains counts accordingly
 /// less against the others; ensembles of a dwell that stand out from the others of their condition are
 /// down-weighted (weight (c/d)^2 beyond a distance c that one clean campaign in a hundred reaches).
-CaseFit fit_case(const ObservationSet& set, const std::vector<std::size_t>& blocks, const CaseKnowledge& known);
+CaseFit fit_case(const ObservationSet& set, const std::vector<std::size_t>& blocks, const CaseKnowledge& known,
+                 const Reweighting& reweighting = {});
 
 }  // namespace secular

@@ -13,6 +13,9 @@ using Eigen::VectorXd;
 
 namespace {
 
+// Change of natural frequencies, relative, that columns do not notice.
+constexpr double same_frequency = 1e-11;
+
 // Error of `step` along a measured complex number or across it: steps in the frame of the motion are the same at
 // every instant, also where they are not small.
 Complex step_from(Complex value, double step, bool across) {
@@ -56,6 +59,31 @@ EquationData::EquationData(const ObservationSet& set, const std::vector<std::siz
     add(Kind::forcing, j, true, true);
     add(Kind::excitation_frequency, j, false, true);
   }
+  frame_.reserve(set.observations.size() * blocks.size());
+  for (const Observation& o : set.observations) {
+    for (const std::size_t b : blocks) frame_.push_back(motion_frame(case_.blocks[b], o));
+    for (const Quantity& q : quantities_) {
+      deviation_.push_back(sd(q, o));
+      step_.push_back(step(q, o, deviation_.back()));
+    }
+  }
+}
+
+// An error of `size` as the change of the measured number; of a frequency, of the rate i*frequency.
+Complex EquationData::step(const Quantity& q, const Observation& o, double size) const {
+  switch (q.kind) {
+    case Kind::amplitude:
+      return step_from(o.amplitude[q.index], size, q.imaginary);
+    case Kind::forcing:
+      return step_from(o.forcing[q.index], size, q.imaginary);
+    case Kind::growth:
+      return size;
+    case Kind::frequency:
+    case Kind::free_frequency:
+    case Kind::excitation_frequency:
+      return {0, size};
+  }
+  return 0;
 }
 
 double EquationData::sd(const Quantity& q, const Observation& o) const {
@@ -88,7 +116,7 @@ void EquationData::evaluate(const std::vector<double>& natural_frequency) {
     double moved = 0;
     for (std::size_t k = 0; k < natural_frequency.size(); ++k)
       moved = std::max(moved, std::abs(natural_frequency[k] / evaluated_at_[k] - 1));
-    if (moved < 1e-12) return;
+    if (moved < same_frequency) return;
   }
   evaluated_at_ = natural_frequency;
   const std::size_t count = set_.observations.size(), all = copies_ * count;
@@ -110,12 +138,11 @@ void EquationData::evaluate(const std::vector<double>& natural_frequency) {
     const auto copy = static_cast<std::size_t>(column_variant_[q]);
     const Quantity& quantity = quantities_[q];
     for (std::size_t i = 0; i < count; ++i) {
-      const Observation& o = set_.observations[i];
-      const double step = sd(quantity, o);
+      const Complex step = step_[i * quantities_.size() + q];
       const std::size_t at = copy * count + i, k = quantity.index;
-      if (quantity.kind == Kind::amplitude) amplitude[k][at] += step_from(o.amplitude[k], step, quantity.imaginary);
-      if (quantity.kind == Kind::forcing) forcing[k][at] += step_from(o.forcing[k], step, quantity.imaginary);
-      if (quantity.kind == Kind::excitation_frequency) frequency[quantity.index][at] += step;
+      if (quantity.kind == Kind::amplitude) amplitude[k][at] += step;
+      if (quantity.kind == Kind::forcing) forcing[k][at] += step;
+      if (quantity.kind == Kind::excitation_frequency) frequency[k][at] += step.imag();
     }
   }
   std::vector<const Complex*> amplitude_rows, forcing_rows;
@@ -136,91 +163,86 @@ void EquationData::evaluate(const std::vector<double>& natural_frequency) {
   }
 }
 
+Index EquationData::row_count(std::size_t observation) const {
+  Index size = 0;
+  for (const std::size_t b : blocks_)
+    if (present(b, set_.observations[observation])) size += is_zero_frequency(case_.blocks[b]) ? 1 : 2;
+  return size;
+}
+
 EquationData::Rows EquationData::rows(std::size_t observation, const std::vector<CaseColumn>& columns,
                                       const std::vector<double>& lump, const std::vector<double>& natural_frequency,
                                       const std::vector<double>& reference_frequency) const {
   const Observation& o = set_.observations[observation];
   const auto count = static_cast<Index>(set_.observations.size());
   const auto at = static_cast<Index>(observation);
+  const std::size_t quantities = quantities_.size();
   Rows result;
-  std::vector<std::size_t> used;  // positions in blocks_
-  for (std::size_t p = 0; p < blocks_.size(); ++p)
-    if (present(blocks_[p], o)) used.push_back(p);
-  Index size = 0;
-  for (const std::size_t p : used) size += is_zero_frequency(case_.blocks[blocks_[p]]) ? 1 : 2;
+  const Index size = row_count(observation);
   const auto width = static_cast<Index>(columns.size());
+  std::vector<Index> lump_column(case_.lumps.size(), -1), frequency_column(o.rate.size(), -1),
+      offset_column(o.rate.size(), -1);
+  for (Index c = 0; c < width; ++c) {
+    const CaseColumn& column = columns[static_cast<std::size_t>(c)];
+    (column.kind == CaseColumn::Kind::lump                ? lump_column
+     : column.kind == CaseColumn::Kind::natural_frequency ? frequency_column
+                                                          : offset_column)[column.index] = c;
+  }
   result.design = MatrixXd::Zero(size, width);
   result.response.resize(size);
-  result.variants = MatrixXd::Zero(size, static_cast<Index>(quantities_.size()));
+  result.variants = MatrixXd::Zero(size, static_cast<Index>(quantities));
   result.own_variance.resize(size);
+  result.block.reserve(static_cast<std::size_t>(size));
+  result.part.reserve(static_cast<std::size_t>(size));
   Index r = 0;
-  for (const std::size_t p : used) {
+  for (std::size_t p = 0; p < blocks_.size(); ++p) {
     const std::size_t b = blocks_[p];
+    if (!present(b, o)) continue;
     const RegressorBlock& block = case_.blocks[b];
     const auto mode = static_cast<std::size_t>(block.mode);
     const bool modulation = block.kind == BlockKind::modulation, zero = is_zero_frequency(block);
-    const Complex a = o.amplitude[mode], rate = o.rate[mode], frame = motion_frame(block, o);
-    const auto put = [&](auto&& store, Complex value) {
+    const Complex a = o.amplitude[mode], rate = o.rate[mode], frame = frame_[observation * blocks_.size() + p];
+    const auto put = [&](auto& matrix, Index column, Complex value) {
       value *= frame;
-      store(r, value.real());
-      if (!zero) store(r + 1, value.imag());
+      matrix(r, column) = value.real();
+      if (!zero) matrix(r + 1, column) = value.imag();
     };
     Complex target = modulation ? rate * a : o.harmonic[b];
-    bool frequency_open = false;
-    for (Index c = 0; c < width; ++c) {
-      const CaseColumn& column = columns[static_cast<std::size_t>(c)];
-      Complex value = 0;
-      if (column.kind == CaseColumn::Kind::natural_frequency && modulation && column.index == mode) {
-        value = Complex(0, 1) * a;
-        frequency_open = true;
-      } else if (column.kind == CaseColumn::Kind::sensor_offset && zero && column.index == mode) {
-        value = 1;
-      } else {
-        continue;
-      }
-      put([&](Index row, double x) { result.design(row, c) = x; }, value);
-    }
+    const bool frequency_open = modulation && frequency_column[mode] >= 0;
+    if (frequency_open) put(result.design, frequency_column[mode], Complex(0, 1) * a);
+    if (zero && offset_column[mode] >= 0) put(result.design, offset_column[mode], 1);
     if (modulation) target -= Complex(0, (frequency_open ? reference_frequency : natural_frequency)[mode]) * a;
     if (set_.truncation.size() > 0) target -= set_.truncation(at, static_cast<Index>(b)) * std::conj(frame);
-    std::vector<bool> open(block.lumps.size(), false);
-    for (Index c = 0; c < width; ++c) {
-      const CaseColumn& column = columns[static_cast<std::size_t>(c)];
-      if (column.kind != CaseColumn::Kind::lump) continue;
-      for (std::size_t j = 0; j < block.lumps.size(); ++j)
-        if (static_cast<std::size_t>(block.lumps[j]) == column.index) {
-          open[j] = true;
-          put([&](Index row, double x) { result.design(row, c) = x; }, columns_[p][j](at));
-        }
+    for (std::size_t j = 0; j < block.lumps.size(); ++j) {
+      const auto l = static_cast<std::size_t>(block.lumps[j]);
+      if (lump_column[l] >= 0)
+        put(result.design, lump_column[l], columns_[p][j](at));
+      else
+        target -= lump[l] * columns_[p][j](at);
     }
-    for (std::size_t j = 0; j < block.lumps.size(); ++j)
-      if (!open[j]) target -= lump[static_cast<std::size_t>(block.lumps[j])] * columns_[p][j](at);
-    put([&](Index row, double x) { result.response(row) = x; }, target);
+    put(result.response, 0, target);
     // Left minus right side where one measured quantity is off.
-    for (std::size_t q = 0; q < quantities_.size(); ++q) {
+    for (std::size_t q = 0; q < quantities; ++q) {
       const Quantity& quantity = quantities_[q];
-      const double step = sd(quantity, o);
-      if (!(step > 0)) continue;
+      const double sd = deviation_[observation * quantities + q];
+      if (!(sd > 0)) continue;
+      const Complex step = step_[observation * quantities + q];
       Complex change = 0;
       if (modulation) {
-        const Complex detuned = rate - Complex(0, natural_frequency[mode]);
+        const auto share = static_cast<Index>(quantity.index);
         switch (quantity.kind) {
           case Kind::amplitude:
-            if (quantity.index == mode) change = detuned * step_from(a, step, quantity.imaginary);
+            if (quantity.index == mode) change = (rate - Complex(0, natural_frequency[mode])) * step;
             break;
           case Kind::growth:
+          case Kind::frequency:
             if (quantity.index == mode) change = step * a;
             break;
-          case Kind::frequency:
-            if (quantity.index == mode) change = Complex(0, step) * a;
-            break;
           case Kind::free_frequency:
-            change =
-                Complex(0, step * modes_.coupling(static_cast<Index>(mode), static_cast<Index>(quantity.index))) *
-                a;
+            change = step * modes_.coupling(static_cast<Index>(mode), share) * a;
             break;
           case Kind::excitation_frequency:
-            change =
-                Complex(0, step * modes_.forced(static_cast<Index>(mode), static_cast<Index>(quantity.index))) * a;
+            change = step * modes_.forced(static_cast<Index>(mode), share) * a;
             break;
           case Kind::forcing:
             break;
@@ -231,14 +253,14 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
         for (std::size_t j = 0; j < block.lumps.size(); ++j)
           change -= lump[static_cast<std::size_t>(block.lumps[j])] *
                     (columns_[p][j](copy * count + at) - columns_[p][j](at));
-      put([&](Index row, double x) { result.variants(row, static_cast<Index>(q)) = x; }, change);
+      put(result.variants, static_cast<Index>(q), change);
     }
     // Noise-free data: equal weights relative to the size of the equation.
     const double own = modulation ? 0 : o.harmonic_sd[b] * o.harmonic_sd[b];
     const double floor =
         std::norm(1e-12 * (modulation ? rate * a : o.harmonic[b])) + std::numeric_limits<double>::min();
-    put([&](Index row, double) { result.own_variance(row) = own + floor; }, 0);
     for (Index i = 0; i < (zero ? 1 : 2); ++i) {
+      result.own_variance(r + i) = own + floor;
       result.block.push_back(b);
       result.part.push_back(i == 0 ? EquationPart::in_phase : EquationPart::in_quadrature);
     }
@@ -250,73 +272,71 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
 void EquationData::move(Observation& o, const VectorXd& deviations) const {
   for (std::size_t q = 0; q < quantities_.size(); ++q) {
     const Quantity& quantity = quantities_[q];
-    const double change = -deviations(static_cast<Index>(q)) * sd(quantity, o);
+    const Complex change = step(quantity, o, -deviations(static_cast<Index>(q)) * sd(quantity, o));
     const auto turn = [&](const MatrixXd& share) {
       for (std::size_t k = 0; k < o.rate.size(); ++k)
-        o.rate[k] += Complex(0, change * share(static_cast<Index>(k), static_cast<Index>(quantity.index)));
+        o.rate[k] += change * share(static_cast<Index>(k), static_cast<Index>(quantity.index));
     };
     switch (quantity.kind) {
       case Kind::amplitude:
-        o.amplitude[quantity.index] += step_from(o.amplitude[quantity.index], change, quantity.imaginary);
+        o.amplitude[quantity.index] += change;
         break;
       case Kind::growth:
-        o.rate[quantity.index] += change;
-        break;
       case Kind::frequency:
-        o.rate[quantity.index] += Complex(0, change);
+        o.rate[quantity.index] += change;
         break;
       case Kind::free_frequency:
         turn(modes_.coupling);
         break;
       case Kind::forcing:
-        o.forcing[quantity.index] += step_from(o.forcing[quantity.index], change, quantity.imaginary);
+        o.forcing[quantity.index] += change;
         break;
       case Kind::excitation_frequency:
-        o.excitation_frequency[quantity.index] += change;
+        o.excitation_frequency[quantity.index] += change.imag();
         turn(modes_.forced);
         break;
     }
   }
 }
 
-std::vector<MatrixXd> EquationData::column_errors(std::size_t observation,
-                                                  const std::vector<CaseColumn>& columns) const {
+std::vector<EquationData::ColumnError> EquationData::column_errors(std::size_t observation,
+                                                                   const std::vector<CaseColumn>& columns) const {
   const Observation& o = set_.observations[observation];
   const auto count = static_cast<Index>(set_.observations.size());
   const auto at = static_cast<Index>(observation);
-  Index size = 0;
-  for (const std::size_t b : blocks_)
-    if (present(b, o)) size += is_zero_frequency(case_.blocks[b]) ? 1 : 2;
-  std::vector<MatrixXd> errors;
+  std::vector<Index> lump_column(case_.lumps.size(), -1), frequency_column(o.rate.size(), -1);
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    if (columns[c].kind == CaseColumn::Kind::lump) lump_column[columns[c].index] = static_cast<Index>(c);
+    if (columns[c].kind == CaseColumn::Kind::natural_frequency)
+      frequency_column[columns[c].index] = static_cast<Index>(c);
+  }
+  const Index size = row_count(observation);
+  std::vector<ColumnError> errors;
   for (std::size_t q = 0; q < quantities_.size(); ++q) {
     const Quantity& quantity = quantities_[q];
     const Index copy = column_variant_[q];
-    const double step = sd(quantity, o);
-    if (copy == 0 || !(step > 0)) continue;
+    if (copy == 0 || !(deviation_[observation * quantities_.size() + q] > 0)) continue;
     MatrixXd error = MatrixXd::Zero(size, static_cast<Index>(columns.size()));
     Index r = 0;
     for (std::size_t p = 0; p < blocks_.size(); ++p) {
       if (!present(blocks_[p], o)) continue;
       const RegressorBlock& block = case_.blocks[blocks_[p]];
+      const auto mode = static_cast<std::size_t>(block.mode);
       const bool zero = is_zero_frequency(block);
-      const Complex frame = motion_frame(block, o);
-      for (std::size_t c = 0; c < columns.size(); ++c) {
-        Complex value = 0;
-        if (columns[c].kind == CaseColumn::Kind::natural_frequency && block.kind == BlockKind::modulation &&
-            static_cast<int>(columns[c].index) == block.mode && quantity.kind == Kind::amplitude &&
-            quantity.index == columns[c].index)
-          value = Complex(0, 1) * step_from(o.amplitude[quantity.index], step, quantity.imaginary);
-        if (columns[c].kind == CaseColumn::Kind::lump)
-          for (std::size_t j = 0; j < block.lumps.size(); ++j)
-            if (static_cast<std::size_t>(block.lumps[j]) == columns[c].index)
-              value = columns_[p][j](copy * count + at) - columns_[p][j](at);
-        value *= frame;
-        error(r, static_cast<Index>(c)) = value.real();
-        if (!zero) error(r + 1, static_cast<Index>(c)) = value.imag();
-      }
+      const auto put = [&](Index column, Complex value) {
+        if (column < 0) return;
+        value *= frame_[observation * blocks_.size() + p];
+        error(r, column) = value.real();
+        if (!zero) error(r + 1, column) = value.imag();
+      };
+      if (block.kind == BlockKind::modulation && quantity.kind == Kind::amplitude && quantity.index == mode)
+        put(frequency_column[mode], Complex(0, 1) * step_[observation * quantities_.size() + q]);
+      for (std::size_t j = 0; j < block.lumps.size(); ++j)
+        put(lump_column[static_cast<std::size_t>(block.lumps[j])],
+            columns_[p][j](copy * count + at) - columns_[p][j](at));
       r += zero ? 1 : 2;
     }
-    errors.push_back(std::move(error));
+    errors.push_back({static_cast<Index>(q), std::move(error)});
   }
   return errors;
 }

@@ -27,8 +27,11 @@ class EquationData {
   /// `blocks`: indices into CompiledCase::blocks. `set` must outlive this.
   EquationData(const ObservationSet& set, const std::vector<std::size_t>& blocks);
 
-  /// Columns at these natural frequencies (by mode); nothing is done while they move by less than 1e-12.
+  /// Columns at these natural frequencies (by mode); nothing is done while they move by less than 1e-11.
   void evaluate(const std::vector<double>& natural_frequency);
+
+  /// Real rows that one observation has.
+  Eigen::Index row_count(std::size_t observation) const;
 
   /// Equations of one observation as real rows in the frame of its motion: two a block, one at zero frequency.
   struct Rows {
@@ -51,8 +54,13 @@ class EquationData {
   /// Takes `deviations` standard deviations (by varied quantity) off an observation.
   void move(Observation& observation, const Eigen::VectorXd& deviations) const;
 
-  /// Errors of the design of one observation, one for every varied quantity.
-  std::vector<Eigen::MatrixXd> column_errors(std::size_t observation, const std::vector<CaseColumn>& columns) const;
+  /// Change of the design of one observation where a quantity is off by one standard deviation, for those that
+  /// change it.
+  struct ColumnError {
+    Eigen::Index quantity;
+    Eigen::MatrixXd design;
+  };
+  std::vector<ColumnError> column_errors(std::size_t observation, const std::vector<CaseColumn>& columns) const;
 
   /// Size of a block's equation at an observation, before its noise is known.
   double first_scale(std::size_t observation, std::size_t block) const;
@@ -65,6 +73,7 @@ class EquationData {
     bool imaginary;
   };
   double sd(const Quantity& q, const Observation& o) const;
+  std::complex<double> step(const Quantity& q, const Observation& o, double size) const;
   bool present(std::size_t block, const Observation& o) const;
 
   const ObservationSet& set_;
@@ -74,6 +83,10 @@ class EquationData {
   std::vector<Quantity> quantities_;
   std::vector<int> column_variant_;  ///< by quantity: which copy of the columns, 0 where they do not depend on it
   std::size_t copies_ = 1;
+  std::vector<std::complex<double>> frame_;  ///< [observation][block in blocks_]: motion_frame
+  /// [observation][quantity]: its standard deviation, and that as the change of what is measured.
+  std::vector<double> deviation_;
+  std::vector<std::complex<double>> step_;
   std::vector<double> evaluated_at_;
   /// [block in blocks_][lump of the block]: values at copy*observations + observation.
   std::vector<std::vector<Eigen::VectorXcd>> columns_;

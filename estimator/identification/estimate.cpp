@@ -19,6 +19,14 @@
 #include "input/input_error.hpp"
 
 namespace secular {
+
+struct EstimationState {
+  std::vector<std::vector<std::size_t>> blocks;  ///< by case with observations
+  std::vector<RegressionState> regressions;
+  std::vector<double> natural_frequency;
+  std::map<std::string, double> shifts;  ///< lumps that were given what their symbols make of them
+};
+
 namespace {
 
 using Eigen::Index;
@@ -98,14 +106,27 @@ class Estimator {
   }
 
   Estimate run() {
-    std::vector<std::vector<std::size_t>> blocks = modulation_blocks();
-    fit_cases(blocks);
-    const bool more = add_useful_harmonics(blocks);
     // One case alone finds its own natural frequencies.
     const int rounds = sets_.size() > 1 ? case_rounds : 1;
-    for (int round = more ? 0 : 1; round < rounds; ++round) fit_cases(blocks);
+    std::vector<std::vector<std::size_t>> blocks;
+    if (options_.start && options_.start->blocks.size() == sets_.size()) {
+      blocks = options_.start->blocks;
+      states_ = options_.start->regressions;
+      shifts_ = options_.start->shifts;
+      for (const auto& [name, value] : shifts_) knowledge_.fixed[name] = value;
+      for (std::size_t k = 0; k < model_.modes(); ++k)
+        if (!given_[k]) knowledge_.natural_frequency[k] = options_.start->natural_frequency[k];
+      for (int round = 0; round < (options_.keep_weights ? 1 : rounds); ++round) fit_cases(blocks);
+    } else {
+      blocks = modulation_blocks();
+      fit_cases(blocks);
+      const bool more = add_useful_harmonics(blocks);
+      for (int round = more ? 0 : 1; round < rounds; ++round) fit_cases(blocks);
+    }
     shared();
-    if (know_shifts()) {
+    if (!shifts_.empty()) {
+      follow_shifts();
+    } else if (know_shifts()) {
       fit_cases(blocks);
       lump_estimates_.clear();
       bootstrap_lumps_.clear();
@@ -121,6 +142,8 @@ class Estimator {
     report_parameters();
     report_lumps();
     report_quality();
+    result_.state = std::make_shared<const EstimationState>(
+        EstimationState{std::move(blocks), std::move(states_), knowledge_.natural_frequency, std::move(shifts_)});
     return std::move(result_);
   }
 
@@ -186,7 +209,13 @@ class Estimator {
 
   void fit_cases(const std::vector<std::vector<std::size_t>>& blocks) {
     fits_.clear();
-    for (std::size_t s = 0; s < sets_.size(); ++s) fits_.push_back(fit_case(*sets_[s], blocks[s], knowledge_));
+    states_.resize(sets_.size());
+    for (std::size_t s = 0; s < sets_.size(); ++s) {
+      const bool start = !states_[s].weight.empty();
+      fits_.push_back(fit_case(*sets_[s], blocks[s], knowledge_,
+                               {start ? &states_[s] : nullptr, start && options_.keep_weights, options_.threads}));
+      states_[s] = fits_.back().state;
+    }
     // What all cases say of each natural frequency, each by its weight.
     for (std::size_t k = 0; k < model_.modes(); ++k) {
       if (given_[k]) continue;
@@ -231,11 +260,24 @@ class Estimator {
         for (std::size_t p = 0; p < symbols; ++p)
           if (slope[l * symbols + p] != 0 && !what.determined[p]) follows = false;
         if (!follows) continue;
-        knowledge_.fixed[std::string(resonance.lumps[l].name)] = lumps[l];
+        shifts_[std::string(resonance.lumps[l].name)] = knowledge_.fixed[std::string(resonance.lumps[l].name)] =
+            lumps[l];
         found = true;
       }
     }
     return found;
+  }
+
+  // What they are at the parameters that were found with them, for the next estimate.
+  void follow_shifts() {
+    for (const CaseFit& fit : fits_) {
+      const CompiledCase& resonance = *fit.set->resonance;
+      std::vector<double> lumps(resonance.lumps.size());
+      if (!lumps.empty()) resonance.evaluate_lumps(shared_.values.data(), lumps.data());
+      for (std::size_t l = 0; l < lumps.size(); ++l)
+        if (const auto shift = shifts_.find(std::string(resonance.lumps[l].name)); shift != shifts_.end())
+          shift->second = lumps[l];
+    }
   }
 
   CampaignKnowledge campaign_knowledge() const {
@@ -259,7 +301,7 @@ class Estimator {
 
   // First-order harmonics whose lumps say something about the parameters that the modulation equations do not. (A
   // harmonic that only repeats what they say would bring its own truncation error and nothing else.)
-  bool add_useful_harmonics(std::vector<std::vector<std::size_t>>& blocks) const {
+  bool add_useful_harmonics(std::vector<std::vector<std::size_t>>& blocks) {
     CampaignKnowledge known = campaign_knowledge();
     // Coefficients take natural frequencies as known: from this campaign or from the model's nominal values.
     for (std::size_t k = 0; k < model_.modes(); ++k) known.parameters[k] = true;
@@ -278,6 +320,7 @@ class Estimator {
         for (const int l : block.lumps) further.cases[s].lumps[static_cast<std::size_t>(l)] = true;
         if (scaled_rank(known_jacobian(further, point)) <= rank) continue;
         blocks[s].push_back(b);
+        states_[s] = {};
         added = true;
       }
     }
@@ -614,7 +657,9 @@ class Estimator {
   std::vector<const ObservationSet*> sets_, all_;  // those with observations, and all
   std::vector<bool> given_;
   CaseKnowledge knowledge_;
+  std::map<std::string, double> shifts_;  // know_shifts
   std::vector<CaseFit> fits_;
+  std::vector<RegressionState> states_;  // by fit; without weights: none yet
   std::vector<LumpEstimates> lump_estimates_;
   std::vector<std::vector<Index>> used_;  // by fit: columns that are in lump_estimates_, identifiable ones first
   std::vector<std::size_t> single_;       // by fit: how many of them are identifiable

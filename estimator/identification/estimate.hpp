@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -50,6 +51,9 @@ struct LumpConsistency {
   bool significant = false;
 };
 
+/// What an estimate ended with: where another one of nearly the same equations may start.
+struct EstimationState;
+
 struct Estimate {
   std::vector<const CompiledCase*> cases;         ///< in the order of their lumps
   std::vector<EstimatedValue> parameters, lumps;  ///< lumps of all cases, one after the other
@@ -62,6 +66,7 @@ struct Estimate {
   std::vector<NullDirection> null_directions;  ///< what the campaign leaves open
   Eigen::VectorXd parameter_values;  ///< by CompiledModel::symbols: a representative that reproduces the lumps
   std::vector<std::string> warnings;
+  std::shared_ptr<const EstimationState> state;
 };
 
 struct EstimateOptions {
@@ -73,6 +78,12 @@ struct EstimateOptions {
   /// Whether equations that do not hold as well as repeats agree widen the error bars: not before the expansion's
   /// truncation is taken out, which would be the larger part of what is seen.
   bool judge_fit = true;
+  /// Of the same observations: which equations are regressed, and coefficients and weights near the final ones.
+  std::shared_ptr<const EstimationState> start = nullptr;
+  /// With a start: the weights stay as they are. For passes between, where only the truncation's correction has
+  /// changed a little.
+  bool keep_weights = false;
+  unsigned threads = 1;  ///< the result does not depend on it
 };
 
 /// Units of what was measured, for the units of what is estimated.
@@ -106,9 +117,9 @@ std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets
 /// half of it joins the standard deviation, because it depends somewhat on how lumps split into parameters.
 Estimate with_truncation_error(Estimate corrected, const Estimate& raw);
 
-/// `latest` with what the last pass of the truncation's correction still changed since `before` in its error bars:
-/// the correction is evaluated at the estimate and moves it, and what has not come to rest is not known. Values
-/// that it moved by more than their error bar are doubtful, and a warning names them.
-Estimate with_unsettled_correction(Estimate latest, const Estimate& before);
+/// `latest`, corrected for the truncation at the parameters `before`, with the step to the parameters `next`, at
+/// which it would be corrected once more, in its error bars: what has not come to rest is not known. Values that it
+/// moves by more than their error bar are doubtful, and a warning names them.
+Estimate with_unsettled_correction(Estimate latest, const Eigen::VectorXd& before, const Eigen::VectorXd& next);
 
 }  // namespace secular

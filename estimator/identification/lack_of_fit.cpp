@@ -79,16 +79,16 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit) {
   // equation's own noise and the covariance C of the coefficients (the weights of a block that misfits are lower).
   std::map<Equation, std::map<int, VectorXd>> rows;
   Index begin = 0;
-  for (const MatrixXd& whitener : fit.system.whitener) {
-    const MatrixXd own = whitener.triangularView<Eigen::Lower>().solve(
-        MatrixXd(fit.system.design.middleRows(begin, whitener.rows()) * fit.fit.basis));
+  for (const MatrixXd& colouring : fit.system.colouring) {
+    const MatrixXd own =
+        colouring.triangularView<Eigen::Lower>() * fit.fit.orthonormal.middleRows(begin, colouring.rows());
     for (Index r = 0; r < own.rows(); ++r) {
       const auto at = static_cast<std::size_t>(begin + r);
       VectorXd& sum = rows[equation_of(fit, begin + r)][fit.system.condition[at]];
       if (sum.size() == 0) sum = VectorXd::Zero(own.cols());
       sum += fit.weight[fit.system.observation[at]] * own.row(r).transpose();
     }
-    begin += whitener.rows();
+    begin += colouring.rows();
   }
   for (const auto& [equation, conditions] : groups) {
     const double scale = std::max(1.0, fit.block_misfit.at(equation.first));
@@ -132,25 +132,27 @@ MatrixXd hidden_misfit(const CaseFit& fit, const std::vector<LackOfFit>& tests) 
           test.repeatability * std::sqrt(std::max(0.0, (test.f - 1) * test.numerator_df));
   const Index columns = fit.fit.coefficients.size();
   if (seen.empty()) return MatrixXd::Zero(columns, 0);
-  // Coefficients by the equations' misfit in units of their own noise, summed over the repeats of a condition.
-  const MatrixXd by_row = fit.fit.basis * (fit.system.design * fit.fit.basis).transpose();
+  // Coefficients, in the basis, by the equations' misfit in units of their own noise, summed over the repeats of a
+  // condition.
   std::map<std::pair<Equation, int>, std::pair<VectorXd, double>> sums;
   Index begin = 0;
-  for (const MatrixXd& whitener : fit.system.whitener) {
-    const MatrixXd part = by_row.middleCols(begin, whitener.rows()) * whitener;
-    for (Index r = 0; r < whitener.rows(); ++r) {
+  for (const MatrixXd& colouring : fit.system.colouring) {
+    const MatrixXd part = colouring.triangularView<Eigen::Lower>().transpose().solve(
+        MatrixXd(fit.fit.orthonormal.middleRows(begin, colouring.rows())));
+    for (Index r = 0; r < part.rows(); ++r) {
       const Equation equation = equation_of(fit, begin + r);
       if (seen.count(equation) == 0) continue;
       const auto key = std::pair{equation, fit.system.condition[static_cast<std::size_t>(begin + r)]};
-      const auto sum = sums.try_emplace(key, VectorXd::Zero(columns), 0.0).first;
-      sum->second.first += part.col(r);
+      const auto sum = sums.try_emplace(key, VectorXd::Zero(part.cols()), 0.0).first;
+      sum->second.first += part.row(r).transpose();
       sum->second.second += fit.weight[fit.system.observation[static_cast<std::size_t>(begin + r)]];
     }
-    begin += whitener.rows();
+    begin += part.rows();
   }
   MatrixXd result(columns, static_cast<Index>(sums.size()));
   Index at = 0;
-  for (const auto& [key, sum] : sums) result.col(at++) = sum.first * (seen.at(key.first) / std::sqrt(sum.second));
+  for (const auto& [key, sum] : sums)
+    result.col(at++) = fit.fit.basis * sum.first * (seen.at(key.first) / std::sqrt(sum.second));
   return result;
 }
 

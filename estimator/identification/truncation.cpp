@@ -73,25 +73,28 @@ Estimate with_truncation_error(Estimate corrected, const Estimate& raw) {
   return corrected;
 }
 
-Estimate with_unsettled_correction(Estimate latest, const Estimate& before) {
+Estimate with_unsettled_correction(Estimate latest, const VectorXd& before, const VectorXd& next) {
   std::string moved;
-  const auto add = [&](std::vector<EstimatedValue>& values, const std::vector<EstimatedValue>& earlier) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      EstimatedValue& value = values[i];
-      if (!value.value || !earlier[i].value || value.fixed) continue;
-      const double change = std::abs(*value.value - *earlier[i].value);
-      if (change > value.sd) {
-        value.doubtful = true;
-        if ((moved + ",").find(" " + value.name + ",") == std::string::npos)
-          moved += (moved.empty() ? " " : ", ") + value.name;
-      }
-      value.sd = std::hypot(value.sd, change);
-      value.significant =
-          value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
+  const auto widen = [&](EstimatedValue& value, double change) {
+    if (!value.value || value.fixed || !(change > 0)) return;
+    if (change > value.sd) {
+      value.doubtful = true;
+      if ((moved + ",").find(" " + value.name + ",") == std::string::npos)
+        moved += (moved.empty() ? " " : ", ") + value.name;
     }
+    value.sd = std::hypot(value.sd, change);
+    value.significant = value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
   };
-  add(latest.parameters, before.parameters);
-  add(latest.lumps, before.lumps);
+  for (std::size_t p = 0; p < latest.parameters.size(); ++p)
+    widen(latest.parameters[p], std::abs(next(static_cast<Index>(p)) - before(static_cast<Index>(p))));
+  std::size_t at = 0;
+  for (const CompiledCase* resonance : latest.cases) {
+    std::vector<double> earlier(resonance->lumps.size()), later(resonance->lumps.size());
+    if (earlier.empty()) continue;
+    resonance->evaluate_lumps(before.data(), earlier.data());
+    resonance->evaluate_lumps(next.data(), later.data());
+    for (std::size_t l = 0; l < earlier.size(); ++l) widen(latest.lumps[at++], std::abs(later[l] - earlier[l]));
+  }
   if (!moved.empty())
     latest.warnings.push_back("the correction for the expansion's truncation has not come to rest, doubtful:" +
                               moved);

@@ -6,6 +6,9 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
+#include <utility>
+
+#include "estimator/regression/condensed_rows.hpp"
 
 namespace secular {
 namespace {
@@ -17,13 +20,16 @@ using Eigen::VectorXd;
 /// Fewer clusters say too little of their scatter.
 constexpr Index fewest_clusters = 5;
 
+/// Of a direction, at least, next to the errors of the columns.
+constexpr double smallest_signal = 0.5;
+
 /// A cluster that alone determines a direction leaves nothing to compare it with.
 constexpr double largest_leverage = 0.999;
 
 }  // namespace
 
 LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<const VectorXd>& response,
-                     std::span<const int> cluster, double tolerance, const MatrixXd& column_noise) {
+                     std::span<const int> cluster, double tolerance, const ColumnErrors& errors) {
   const Index rows = design.rows(), columns = design.cols();
   if (response.size() != rows || static_cast<Index>(cluster.size()) != rows)
     throw std::invalid_argument("rows of design, response and clusters differ");
@@ -31,14 +37,16 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
   LinearFit fit;
   VectorXd scale = design.colwise().norm().transpose();
   for (Index c = 0; c < columns; ++c) scale(c) = scale(c) > 0 ? 1 / scale(c) : 1;
-  const MatrixXd scaled = design * scale.asDiagonal();
-  // Many rows: a blocked QR first, then the small triangle's singular values.
+  // Many rows are condensed first.
   const bool tall = rows > 2 * columns;
-  Eigen::HouseholderQR<MatrixXd> qr;
-  MatrixXd core = scaled;
+  MatrixXd core;
+  VectorXd target = response;
   if (tall) {
-    qr.compute(scaled);
-    core = qr.matrixQR().topRows(columns).triangularView<Eigen::Upper>();
+    const CondensedRows condensed = condensed_rows(design, response);
+    core = condensed.design.topRows(columns) * scale.asDiagonal();
+    target = condensed.response.head(columns);
+  } else {
+    core = design * scale.asDiagonal();
   }
   const Eigen::BDCSVD<MatrixXd> svd(core, Eigen::ComputeThinU | Eigen::ComputeFullV);
   const VectorXd singular = svd.singularValues();
@@ -50,21 +58,45 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
   fit.rank = static_cast<Index>(seen.size());
   fit.scale = scale;
   const Index rank = fit.rank;
-  MatrixXd u = MatrixXd::Zero(rows, rank), v(columns, rank), null(columns, columns - rank);
+  MatrixXd u(core.rows(), rank), v(columns, rank), null(columns, columns - rank);
   VectorXd inverse(rank);
   for (Index i = 0; i < rank; ++i) {
     const Index from = seen[static_cast<std::size_t>(i)];
-    u.col(i).head(core.rows()) = svd.matrixU().col(from);
+    u.col(i) = svd.matrixU().col(from);
     v.col(i) = svd.matrixV().col(from);
     inverse(i) = 1 / singular(from);
   }
-  if (tall && rank > 0) u.applyOnTheLeft(qr.householderQ());
   for (Index i = 0; i < null.cols(); ++i) null.col(i) = svd.matrixV().col(unseen[static_cast<std::size_t>(i)]);
-  const VectorXd solution = v * inverse.asDiagonal() * (u.transpose() * response);
-  fit.coefficients = scale.asDiagonal() * solution;
+  VectorXd coordinates = u.transpose() * target;
   fit.basis = scale.asDiagonal() * v * inverse.asDiagonal();
+  // Directions in which the columns differ by their own errors.
+  std::vector<Index> noisy, clear;
+  for (Index i = 0; i < rank; ++i) {
+    const bool made_of_noise =
+        errors.gram.size() > 0 && 1 <= noise_ratio * fit.basis.col(i).dot(errors.gram * fit.basis.col(i));
+    (made_of_noise ? noisy : clear).push_back(i);
+  }
+  MatrixXd spread = fit.basis;  // what one unit of each coordinate's error does to the coefficients
+  fit.bias = VectorXd::Zero(columns);
+  if (errors.with_response.size() > 0 && !clear.empty()) {
+    const MatrixXd basis = fit.basis(Eigen::all, clear);
+    const VectorXd left = errors.with_response - errors.gram * (fit.basis(Eigen::all, noisy) * coordinates(noisy));
+    const auto count = static_cast<Index>(clear.size());
+    const Eigen::LDLT<MatrixXd> kept(MatrixXd::Identity(count, count) - basis.transpose() * errors.gram * basis);
+    if (kept.isPositive() && kept.vectorD().minCoeff() > smallest_signal) {
+      const VectorXd corrected = kept.solve(coordinates(clear) - basis.transpose() * left);
+      fit.bias = basis * (coordinates(clear) - corrected);
+      coordinates(clear) = corrected;
+      spread(Eigen::all, clear) = kept.solve(basis.transpose()).transpose();
+    }
+  }
+  fit.coefficients = fit.basis * coordinates;
   fit.residual = response - design * fit.coefficients;
-  fit.leverage = u.rowwise().squaredNorm();
+  if (tall)
+    fit.orthonormal = design * fit.basis;
+  else
+    fit.orthonormal = std::move(u);
+  fit.leverage = fit.orthonormal.rowwise().squaredNorm();
   fit.residual_sd = rows > rank ? std::sqrt(fit.residual.squaredNorm() / static_cast<double>(rows - rank))
                                 : std::numeric_limits<double>::quiet_NaN();
   fit.condition_indices = VectorXd::Constant(columns, std::numeric_limits<double>::infinity());
@@ -84,25 +116,17 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
 
   const MatrixXd normal_inverse = v * inverse.cwiseAbs2().asDiagonal() * v.transpose();  // of scaled columns
   fit.variance_inflation = normal_inverse.diagonal();
-  fit.plain_covariance =
-      fit.residual_sd * fit.residual_sd * (scale.asDiagonal() * normal_inverse * scale.asDiagonal());
+  fit.plain_covariance = fit.residual_sd * fit.residual_sd * (spread * spread.transpose());
   fit.variance_proportions = MatrixXd::Zero(columns, columns);
   for (Index i = 0; i < rank; ++i)
     for (Index c = 0; c < columns; ++c)
       if (normal_inverse(c, c) > 0)
         fit.variance_proportions(i, c) = v(c, i) * v(c, i) * inverse(i) * inverse(i) / normal_inverse(c, c);
 
-  // Directions in which the columns differ by their own errors: what mainly rests on them is not identifiable
-  // either.
+  // What mainly rests on directions that are made of errors is not identifiable either.
   fit.lost = null;
-  if (column_noise.size() > 0) {
+  if (!noisy.empty()) {
     VectorXd share = VectorXd::Zero(columns);
-    std::vector<Index> noisy;
-    for (Index i = 0; i < rank; ++i) {
-      const VectorXd direction = scale.asDiagonal() * v.col(i);
-      if (1 / (inverse(i) * inverse(i)) <= noise_ratio * direction.dot(column_noise * direction))
-        noisy.push_back(i);
-    }
     for (const Index i : noisy) share += fit.variance_proportions.row(i).transpose();
     if ((share.array() > 0.5).any()) {
       fit.lost.conservativeResize(columns, null.cols() + static_cast<Index>(noisy.size()));
@@ -129,15 +153,14 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
     MatrixXd basis(size, rank);
     VectorXd residual(size);
     for (Index i = 0; i < size; ++i) {
-      basis.row(i) = u.row(group[static_cast<std::size_t>(i)]);
+      basis.row(i) = fit.orthonormal.row(group[static_cast<std::size_t>(i)]);
       residual(i) = fit.residual(group[static_cast<std::size_t>(i)]);
     }
     // Leaving rows out changes the coordinates in u by -(I - U_g' U_g)^-1 U_g' e_g.
     const MatrixXd kept = MatrixXd::Identity(rank, rank) - basis.transpose() * basis;
     const Eigen::LDLT<MatrixXd> solver(kept);
     if (solver.vectorD().minCoeff() < 1 - largest_leverage) clustered = false;
-    const VectorXd change = -(v * (inverse.asDiagonal() * solver.solve(basis.transpose() * residual)));
-    fit.influence.row(g++) = (scale.asDiagonal() * change).transpose();
+    fit.influence.row(g++) = -(spread * solver.solve(basis.transpose() * residual)).transpose();
   }
   if (clustered) {
     const auto n = static_cast<double>(groups);

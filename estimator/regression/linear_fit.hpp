@@ -11,6 +11,13 @@ enum class CovarianceKind {
   plain,      ///< residual variance times the inverse normal matrix: too few clusters for the other
 };
 
+/// Expected products of the errors in a regression's own columns: Gram matrix, and product with the errors of the
+/// response that come with them. Empty: not known.
+struct ColumnErrors {
+  Eigen::MatrixXd gram;
+  Eigen::VectorXd with_response;
+};
+
 /// Least squares with honest error bars. Rows are whitened by the caller (divided by their noise level).
 struct LinearFit {
   Eigen::VectorXd coefficients;      ///< minimum-norm in scaled columns where not identifiable
@@ -28,8 +35,10 @@ struct LinearFit {
   /// columns x lost directions, orthonormal, of scaled coefficients: those that the rows do not see, and those of
   /// columns that are not identifiable because they differ by their own errors.
   Eigen::MatrixXd lost;
-  /// columns x rank: design*basis has orthonormal columns, coefficients = basis*((design*basis)' response).
+  /// columns x rank: design*basis has orthonormal columns, coefficients + bias = basis*((design*basis)' response).
   Eigen::MatrixXd basis;
+  Eigen::MatrixXd orthonormal;  ///< design*basis
+  Eigen::VectorXd bias;         ///< what errors of the columns did to least squares, taken out of `coefficients`
   Eigen::VectorXd residual;
   Eigen::VectorXd leverage;  ///< by row
   double residual_sd = 0;
@@ -42,14 +51,14 @@ struct LinearFit {
 /// covariance is the delete-one-cluster jackknife, exact by solving without each cluster; its bias is upward for
 /// few clusters, which keeps intervals honest where the usual sandwich is too narrow. With fewer than five
 /// clusters, or where one cluster alone determines a direction, the plain covariance is used and said.
-/// `column_noise`, if not
-/// empty, is the expected Gram matrix of the errors in `design` itself: where a squared singular value is not above
-/// `noise_ratio` times what these errors alone give, the columns whose variance rests mainly on that direction are
-/// not identifiable (their least-squares coefficients would be made of noise). Throws std::invalid_argument for
-/// sizes that differ.
+/// `errors`: where a squared singular value is not above `noise_ratio` times what the errors of the columns alone
+/// give, the columns whose variance rests mainly on that direction are not identifiable (their least-squares
+/// coefficients would be made of noise). In all other directions the attenuation that these errors make is taken
+/// out: there (G - E[dX'dX]) b = X'y - E[dX'dy] replaces the normal equations (W. A. Fuller, Measurement Error
+/// Models, 1987, section 2.2). Throws std::invalid_argument for sizes that differ.
 LinearFit linear_fit(const Eigen::Ref<const Eigen::MatrixXd>& design,
                      const Eigen::Ref<const Eigen::VectorXd>& response, std::span<const int> cluster,
-                     double tolerance = 1e-9, const Eigen::MatrixXd& column_noise = {});
+                     double tolerance = 1e-9, const ColumnErrors& errors = {});
 
 /// See linear_fit: three parts signal to one part noise.
 inline constexpr double noise_ratio = 4;

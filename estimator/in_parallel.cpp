@@ -1,4 +1,4 @@
-#include "diagnose/in_parallel.hpp"
+#include "estimator/in_parallel.hpp"
 
 #include <algorithm>
 #include <atomic>
