@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -24,6 +25,12 @@ constexpr double unseen = 1e-3;
 constexpr std::size_t most_fits = 16;
 constexpr double least_share = 0.02;
 constexpr double least_gain = 4;
+
+/// Shares of the inertia to which the equations of motion count as known, one after the other.
+constexpr double levels[] = {1e-2, 1e-3, 1e-4, 0};
+
+/// Rows that a model misses by more than this, mean square in variances, are no place to look for what it lacks.
+constexpr double most_misfit = 1000;
 
 /// Of fits with numbers that may be far off, relative to the squared length of a column.
 constexpr double first_damping = 1e-2;
@@ -172,24 +179,37 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
     for (std::size_t i = 0; i < which.size(); ++i)
       if (scale(static_cast<Index>(i)) > 0) scales(static_cast<Index>(which[i])) = scale(static_cast<Index>(i));
   };
+  const double rows = static_cast<double>(discrepancy.freedom());
   // Errors of the rows depend on the unknowns, and a start far off has none that mean anything: from coarse to
-  // fine.
+  // fine. Of a model that is far from the data a fine fit would be bent beyond all sense; what it lacks is looked
+  // for first, among errors that it can live with.
   VectorXd unknowns = start;
-  for (const double coarse : {1e-2, 1e-3, 1e-4, 0.0}) {
+  std::vector<Refit> nulls;
+  for (const double coarse : levels) {
+    Refit fit;
     double before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < 6; ++round) {
       discrepancy.freeze(unknowns, coarse);
       all_threads.scale_guess = scales;
       all_threads.damping = coarse > 0 ? first_damping : 0;
-      result.null.fit = refit(discrepancy, unknowns, own, all_threads);
-      remember(own, result.null.fit.scale);
-      unknowns = result.null.fit.unknowns;
-      const double now = result.null.fit.chi_squared;
+      fit = refit(discrepancy, unknowns, own, all_threads);
+      remember(own, fit.scale);
+      unknowns = fit.unknowns;
+      const double now = fit.chi_squared;
       if (round > 0 && std::abs(now - before) < 0.02 * before + 1) break;
       before = now;
     }
+    nulls.push_back(std::move(fit));
   }
-  const double rows = static_cast<double>(discrepancy.freedom());
+  std::size_t level = nulls.size() - 1;
+  const auto misses = [&](const Refit& fit) { return fit.chi_squared > most_misfit * rows; };
+  if (misses(nulls[level])) {
+    while (level > 0 && misses(nulls[level])) --level;
+    discrepancy.freeze(nulls[level].unknowns, levels[level]);
+    nulls[level] = refit(discrepancy, nulls[level].unknowns, own, all_threads);
+    remember(own, nulls[level].scale);
+  }
+  result.null.fit = std::move(nulls[level]);
   result.degrees_of_freedom = rows - static_cast<double>(result.null.fit.rank);
 
   std::vector<std::size_t> plain_strengths;
@@ -241,23 +261,25 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
     return e.fit.chi_squared / std::max(1.0, rows - static_cast<double>(e.fit.rank));
   };
   const double price = 0.5 * std::log(std::max(2.0, rows));
+  const auto leaves_more_than_noise = [&](const Explanation& e) {
+    return e.fit.chi_squared >
+           result.degrees_of_freedom + least_remainder * std::sqrt(2 * result.degrees_of_freedom);
+  };
   // A second effect only where the best single one leaves more than noise, or where one stands out that would be
   // worth its unknown and its prior odds: among many rows that fit, a few that do not are no excess of all.
-  std::vector<Screening> beside_best;
-  bool incomplete = false;
-  if (!found.empty()) {
-    screen_all(found.front().fit, beside_best);
-    beside_best[found.front().members.front()].gain = 0;
+  const auto add_pairs = [&] {
+    std::vector<Explanation> alone;
+    for (const Explanation& e : found)
+      if (e.members.size() == 1) alone.push_back(e);
+    if (alone.empty()) return;
+    const std::size_t best_alone = alone.front().members.front();
+    std::vector<Screening> beside_best;
+    screen_all(alone.front().fit, beside_best);
+    beside_best[best_alone].gain = 0;
     const auto most = std::max_element(beside_best.begin(), beside_best.end(),
                                        [](const Screening& a, const Screening& b) { return a.gain < b.gain; });
-    incomplete =
-        found.front().fit.chi_squared >
-            result.degrees_of_freedom + least_remainder * std::sqrt(2 * result.degrees_of_freedom) ||
-        most->gain > 2 * (price - std::log(options.prior_second)) * std::max(1.0, dispersion_of(found.front()));
-  }
-  if (incomplete) {
-    const std::size_t best_alone = found.front().members.front();
-    const std::size_t singles_found = found.size();
+    const double worth = 2 * (price - std::log(options.prior_second)) * std::max(1.0, dispersion_of(alone.front()));
+    if (!leaves_more_than_noise(alone.front()) && !(most->gain > worth)) return;
     std::vector<Explanation> doubles;
     std::set<std::pair<std::size_t, std::size_t>> tried;
     std::set<std::size_t> expanded;
@@ -286,7 +308,7 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
       });
       for (Explanation& e : fresh) doubles.push_back(std::move(e));
     };
-    for (std::size_t f = 0; f < std::min(most_firsts, singles_found); ++f) expand(found[f]);
+    for (std::size_t f = 0; f < std::min(most_firsts, alone.size()); ++f) expand(alone[f]);
     // The two that act together need not be the best alone: partners of both members of the best pair, until it
     // stays.
     for (int round = 0; round < most_exchanges && !doubles.empty(); ++round) {
@@ -315,23 +337,41 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
       }
     for (Explanation& e : doubles) found.push_back(std::move(e));
     keep_best_of_each(found, candidates);
-  }
-  // Once more with the errors and starting points that hold at the best explanation.
-  if (!found.empty()) {
-    const auto best = std::min_element(found.begin(), found.end(), [](const Explanation& a, const Explanation& b) {
-      return a.fit.chi_squared < b.fit.chi_squared;
-    });
-    discrepancy.freeze(best->fit.unknowns);
-    const VectorXd switched_off = without(best->fit.unknowns, best->members, candidates);
-    result.null.fit = refit(discrepancy, result.null.fit.unknowns, own, all_threads);
-    all_threads.scale_guess = scales;
-    Refit from_best = refit(discrepancy, switched_off, own, all_threads);
-    if (from_best.chi_squared < result.null.fit.chi_squared) result.null.fit = std::move(from_best);
+  };
+  const auto refit_all = [&] {
     in_parallel(found.size(), options.threads, [&](std::size_t i) {
       RefitOptions once_more;
       once_more.scale_guess = scales;
       found[i].fit = refit(discrepancy, found[i].fit.unknowns, found[i].fit.free, once_more);
     });
+    keep_best_of_each(found, candidates);
+  };
+  // Down to the errors of the measurement with the explanations; with two effects as soon as one is not enough.
+  bool paired = false;
+  while (level + 1 < std::size(levels) && !found.empty()) {
+    discrepancy.freeze(found.front().fit.unknowns, levels[level + 1]);
+    all_threads.scale_guess = scales;
+    const Refit finer = refit(discrepancy, found.front().fit.unknowns, found.front().fit.free, all_threads);
+    if (misses(finer) && !paired) {
+      discrepancy.freeze(found.front().fit.unknowns, levels[level]);
+      add_pairs();
+      paired = true;
+      discrepancy.freeze(found.front().fit.unknowns, levels[level + 1]);
+    }
+    refit_all();
+    ++level;
+  }
+  add_pairs();
+  // Once more with the errors and starting points that hold at the best explanation.
+  if (!found.empty()) {
+    const Explanation best = found.front();
+    discrepancy.freeze(best.fit.unknowns);
+    const VectorXd switched_off = without(best.fit.unknowns, best.members, candidates);
+    all_threads.scale_guess = scales;
+    result.null.fit = refit(discrepancy, result.null.fit.unknowns, own, all_threads);
+    Refit from_best = refit(discrepancy, switched_off, own, all_threads);
+    if (from_best.chi_squared < result.null.fit.chi_squared) result.null.fit = std::move(from_best);
+    refit_all();
   }
   double dispersion = dispersion_of(result.null);
   for (const Explanation& e : found) dispersion = std::min(dispersion, dispersion_of(e));
