@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/model_loading.hpp"
-#include "estimator/identification/fixed_point.hpp"
+#include "estimator/anderson_acceleration.hpp"
 #include "estimator/identification/modal_projection.hpp"
 #include "estimator/identification/steady_amplitude.hpp"
 #include "input/input_error.hpp"
@@ -22,6 +22,8 @@ namespace {
 /// more than a share of their error bars.
 constexpr int most_truncation_passes = 12;
 constexpr std::size_t remembered_passes = 6;
+/// Values of a pass have errors of this share: differences that depend on one another so far say nothing.
+constexpr double dependent_passes = 1e-3;
 constexpr double settled_share = 0.1;
 
 /// A dwell belongs to a resonance within this relative distance.
@@ -203,7 +205,7 @@ void correct_truncation(Identification& result, const Estimate& raw, const Measu
   quick.damping_laws = quick.judge_fit = false;
   quick.keep_weights = !options.refine;
   EstimateOptions full = options;
-  AndersonAcceleration acceleration(remembered_passes);
+  AndersonAcceleration acceleration(remembered_passes, dependent_passes);
   Eigen::VectorXd parameters = raw.parameter_values, next = parameters;
   bool settled = false;
   for (int pass = 1; pass <= most_truncation_passes && !settled; ++pass) {

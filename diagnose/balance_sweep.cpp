@@ -26,14 +26,10 @@ std::vector<SlavedLine> slaved_lines(const MotionSetting& setting, const Compile
   return slaves;
 }
 
-Index gathered_size(const std::vector<SlavedLine>& slaves) {
+VectorXd gathered(const std::vector<SlavedLine>& slaves, const MatrixXcd& all) {
   Index size = 0;
   for (const SlavedLine& s : slaves) size += s.line == 0 ? 1 : 2;
-  return size;
-}
-
-VectorXd gathered(const std::vector<SlavedLine>& slaves, const MatrixXcd& all) {
-  VectorXd values(gathered_size(slaves));
+  VectorXd values(size);
   Index at = 0;
   for (const SlavedLine& s : slaves) {
     const Complex value = all(s.mode, s.line);

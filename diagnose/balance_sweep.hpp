@@ -21,7 +21,6 @@ std::vector<SlavedLine> slaved_lines(const MotionSetting& setting, const Compile
 /// real part only.
 Eigen::VectorXd gathered(const std::vector<SlavedLine>& slaves, const Eigen::MatrixXcd& all);
 void scattered(const std::vector<SlavedLine>& slaves, const Eigen::VectorXd& values, Eigen::MatrixXcd& all);
-Eigen::Index gathered_size(const std::vector<SlavedLine>& slaves);
 
 /// One evaluation of the equations of motion over one turn of the phases, with everything that does not depend on
 /// the motion prepared. Keeps references to the setting and the parameters.

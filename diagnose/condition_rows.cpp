@@ -264,6 +264,45 @@ class Evaluation {
   MatrixXcd true_excitation_;
 };
 
+/// Rows of a condition, and what its slaved lines lack to their balance, where these lines are held instead of
+/// solved for.
+class HeldLines {
+ public:
+  struct Values {
+    VectorXd rows, steps;
+  };
+
+  HeldLines(const Condition& condition, const MotionBalance& balance, const SensorModel& sensors,
+            const Faults& faults, std::span<const double> parameters)
+      : balance_(balance),
+        faults_(faults),
+        evaluation_(condition, balance, sensors, faults_, parameters),
+        setting_(evaluation_.setting()),
+        sweep_(balance.model(), balance.memory(), setting_, evaluation_.parameters()),
+        amplitudes_(evaluation_.master_amplitudes()) {}
+  HeldLines(const HeldLines&) = delete;
+  HeldLines& operator=(const HeldLines&) = delete;
+
+  std::vector<SlavedLine> slaves() const {
+    return slaved_lines(setting_, balance_.model(), evaluation_.parameters());
+  }
+
+  Values at(MatrixXcd displacement, const std::vector<SlavedLine>& slaves) {
+    place_masters(setting_, amplitudes_, displacement);
+    const MatrixXcd residual = sweep_.residual(displacement);
+    Motion motion{std::move(displacement), balance_of_masters(setting_, residual), true};
+    return {evaluation_.rows_of(amplitudes_, std::move(motion)), BalanceSweep::steps(slaves, residual)};
+  }
+
+ private:
+  const MotionBalance& balance_;
+  Faults faults_;
+  Evaluation evaluation_;
+  MotionSetting setting_;
+  BalanceSweep sweep_;
+  VectorXcd amplitudes_;
+};
+
 }  // namespace
 
 ConditionRows ConditionModel::rows(const Condition& condition, const VectorXd& unknowns,
@@ -283,33 +322,12 @@ ConditionForecast ConditionModel::forecast(const Condition& condition, const Vec
 MatrixXd ConditionModel::slopes(const Condition& condition, const VectorXd& unknowns, const MatrixXcd& displacement,
                                 const std::vector<std::size_t>& which, const VectorXd& scale) const {
   const std::size_t symbols = balance_.model().symbols.size();
-  std::vector<SlavedLine> slaves;
-  struct Held {
-    VectorXd rows, steps;
+  const auto held = [&](const VectorXd& at) {
+    return HeldLines(condition, balance_, sensors_, table_.faults(at.data() + symbols), {at.data(), symbols});
   };
-  // Rows, and what the slaved lines lack to their balance, with these lines held.
-  const auto held = [&](const Evaluation& evaluation, const MotionSetting& setting, BalanceSweep& sweep,
-                        Motion motion) {
-    const VectorXcd amplitudes = evaluation.master_amplitudes();
-    place_masters(setting, amplitudes, motion.displacement);
-    const MatrixXcd residual = sweep.residual(motion.displacement);
-    motion.balance = balance_of_masters(setting, residual);
-    return Held{evaluation.rows_of(amplitudes, std::move(motion)), BalanceSweep::steps(slaves, residual)};
-  };
-  const auto held_at = [&](const VectorXd& at) {
-    const Faults faults = table_.faults(at.data() + symbols);
-    const Evaluation evaluation(condition, balance_, sensors_, faults, {at.data(), symbols});
-    const MotionSetting setting = evaluation.setting();
-    BalanceSweep sweep(balance_.model(), balance_.memory(), setting, evaluation.parameters());
-    return held(evaluation, setting, sweep, {displacement, {}, true});
-  };
-  const Faults faults = table_.faults(unknowns.data() + symbols);
-  const Evaluation evaluation(condition, balance_, sensors_, faults, {unknowns.data(), symbols});
-  const MotionSetting setting = evaluation.setting();
-  BalanceSweep sweep(balance_.model(), balance_.memory(), setting, evaluation.parameters());
-  slaves = slaved_lines(setting, balance_.model(), evaluation.parameters());
-  const Held base = held(evaluation, setting, sweep, {displacement, {}, true});
-
+  HeldLines here = held(unknowns);
+  const std::vector<SlavedLine> slaves = here.slaves();
+  const HeldLines::Values base = here.at(displacement, slaves);
   const Index count = base.steps.size();
   MatrixXd rows_by_line(base.rows.size(), count), steps_by_line(count, count);
   const VectorXd lines = gathered(slaves, displacement);
@@ -317,9 +335,9 @@ MatrixXd ConditionModel::slopes(const Condition& condition, const VectorXd& unkn
   for (Index s = 0; s < count; ++s) {
     VectorXd moved = lines;
     moved(s) += step;
-    Motion motion{displacement, {}, true};
-    scattered(slaves, moved, motion.displacement);
-    const Held there = held(evaluation, setting, sweep, std::move(motion));
+    MatrixXcd moved_displacement = displacement;
+    scattered(slaves, moved, moved_displacement);
+    const HeldLines::Values there = here.at(std::move(moved_displacement), slaves);
     rows_by_line.col(s) = (there.rows - base.rows) / step;
     steps_by_line.col(s) = (there.steps - base.steps) / step;
   }
@@ -329,9 +347,9 @@ MatrixXd ConditionModel::slopes(const Condition& condition, const VectorXd& unkn
     const auto column = static_cast<Index>(w), u = static_cast<Index>(which[w]);
     VectorXd moved = unknowns;
     moved(u) = unknowns(u) + 0.5 * scale(column);
-    const Held up = held_at(moved);
+    const HeldLines::Values up = held(moved).at(displacement, slaves);
     moved(u) = unknowns(u) - 0.5 * scale(column);
-    const Held down = held_at(moved);
+    const HeldLines::Values down = held(moved).at(displacement, slaves);
     slopes.col(column) = up.rows - down.rows;
     if (count > 0) slopes.col(column) -= rows_by_line * to_balance.solve(up.steps - down.steps);
   }

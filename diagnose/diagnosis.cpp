@@ -171,8 +171,7 @@ class Diagnoser {
       for (const double t : d.worst_s) times.push_back(fmt::format("{:.1f} s", t));
       result_.warnings.push_back(
           fmt::format("{}: what the model leaves in its {} segments follows no law of the amplitude (slips of the "
-                      "clock, knocks?){}; it "
-                      "counts as disturbance of the record",
+                      "clock, knocks?){}; it counts as disturbance of the record",
                       campaign_.records[d.record].file, d.segments,
                       times.empty() ? "" : fmt::format(", most of it about {}", fmt::join(times, ", "))));
     }

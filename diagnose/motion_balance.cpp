@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/anderson_mixing.hpp"
 #include "diagnose/balance_sweep.hpp"
+#include "estimator/anderson_acceleration.hpp"
 
 namespace secular {
 namespace {
@@ -17,7 +17,15 @@ using Eigen::VectorXd;
 
 constexpr int iteration_limit = 200;
 constexpr double tolerance = 1e-10;
-constexpr std::size_t mixing_memory = 8;
+
+/// Steps remembered, and how far they depend on one another before they are not told apart.
+constexpr std::size_t remembered_steps = 8;
+constexpr double dependent_steps = 1e-8;
+
+/// A step this many times longer than the last one says that the linear picture was wrong: what was learnt is
+/// forgotten, and plain steps are shortened, to no less than `least_share`.
+constexpr double step_growth = 2;
+constexpr double least_share = 0.05;
 
 }  // namespace
 
@@ -62,7 +70,8 @@ Motion MotionBalance::solve(const MotionSetting& setting, const VectorXcd& ampli
   const double scale = amplitudes.size() > 0 ? amplitudes.cwiseAbs().maxCoeff() : 0;
   const std::vector<SlavedLine> slaves = slaved_lines(setting, *model_, parameters);
   BalanceSweep sweep(*model_, memory_, setting, parameters);
-  AndersonMixing mixing(mixing_memory);
+  AndersonAcceleration acceleration(remembered_steps, dependent_steps);
+  double share = 1, last_step = 0;
   MatrixXcd residual;
   VectorXd lines = gathered(slaves, motion.displacement);
   for (int i = 0; i < iteration_limit; ++i) {
@@ -71,7 +80,12 @@ Motion MotionBalance::solve(const MotionSetting& setting, const VectorXcd& ampli
     if (!step.allFinite()) break;
     const double size = std::max(scale, motion.displacement.cwiseAbs().maxCoeff());
     motion.converged = step.size() == 0 || step.cwiseAbs().maxCoeff() <= tolerance * size;
-    lines = motion.converged ? VectorXd(lines + step) : mixing.next(lines, step);
+    if (i > 0 && step.norm() > step_growth * last_step) {
+      acceleration = AndersonAcceleration(remembered_steps, dependent_steps);
+      share = std::max(least_share, 0.5 * share);
+    }
+    last_step = step.norm();
+    lines = motion.converged ? VectorXd(lines + step) : acceleration.next(lines, lines + share * step);
     scattered(slaves, lines, motion.displacement);
     if (motion.converged) break;
   }

@@ -1,11 +1,9 @@
-// Slopes of a condition's rows, and the iteration that brings slaved lines into balance.
+// Slopes of a condition's rows.
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <numeric>
 
-#include "diagnose/anderson_mixing.hpp"
 #include "tests/diagnose/laboratory.hpp"
 
 namespace secular {
@@ -50,21 +48,6 @@ TEST(ConditionSlopes, AreThoseOfTheSolvedRows) {
     // Balances are found to 1e-10 of forces of some 1e4; that divided by a change of this size is what may differ.
     EXPECT_LT((slopes.col(column) - solved).norm(), 1e-4 * solved.norm() + 1e-6) << "unknown " << which[w];
   }
-}
-
-// A map that expands in two directions of five: repeating it runs away, and after as many steps as there are
-// directions the mixed steps know all of it.
-TEST(AndersonMixing, FindsTheFixedPointOfALinearMapThatExpands) {
-  VectorXd rates(5);
-  rates << -2.5, 1.4, 0.9, 0.3, -0.1;
-  const MatrixXd turn = Eigen::HouseholderQR<MatrixXd>(MatrixXd::Random(5, 5)).householderQ();
-  const MatrixXd map = turn * rates.asDiagonal() * turn.transpose();
-  const VectorXd goal = VectorXd::LinSpaced(5, -1, 2);
-  const auto step = [&](const VectorXd& x) -> VectorXd { return goal + map * (x - goal) - x; };
-  AndersonMixing mixing(8);
-  VectorXd x = VectorXd::Zero(5);
-  for (int i = 0; i < 12; ++i) x = mixing.next(x, step(x));
-  EXPECT_LT((x - goal).norm(), 1e-8);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "estimator/identification/fixed_point.hpp"
+#include "estimator/anderson_acceleration.hpp"
 
 #include <Eigen/Dense>
 
@@ -7,13 +7,6 @@ namespace secular {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-namespace {
-
-/// Differences of remainders that are this dependent say nothing new.
-constexpr double dependent = 1e-3;
-
-}  // namespace
 
 VectorXd AndersonAcceleration::next(const VectorXd& x, const VectorXd& value, const VectorXd& weight) {
   values_.push_back(value);
@@ -35,9 +28,13 @@ VectorXd AndersonAcceleration::next(const VectorXd& x, const VectorXd& value, co
     remainders.col(i) /= size;
   }
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
-  solver.setThreshold(dependent);
+  solver.setThreshold(dependent_);
   solver.compute(remainders);
   return value - values * solver.solve(weight.cwiseProduct(remainders_.back()));
+}
+
+VectorXd AndersonAcceleration::next(const VectorXd& x, const VectorXd& value) {
+  return next(x, value, VectorXd::Ones(x.size()));
 }
 
 }  // namespace secular

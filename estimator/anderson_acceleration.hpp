@@ -12,14 +12,18 @@ namespace secular {
 /// before.
 class AndersonAcceleration {
  public:
-  /// `memory`: differences of arguments that are used.
-  explicit AndersonAcceleration(std::size_t memory) : memory_(memory) {}
+  /// `memory`: differences of arguments that are used. `dependent`: differences of remainders that depend on one
+  /// another to this share say nothing new; the level of errors in the values of g.
+  AndersonAcceleration(std::size_t memory, double dependent) : memory_(memory), dependent_(dependent) {}
 
   /// The argument after `x`, where g is `value`. `weight`, by component: remainders count times this.
   Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& value, const Eigen::VectorXd& weight);
+  /// The same with all components of equal weight.
+  Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& value);
 
  private:
   std::size_t memory_;
+  double dependent_;
   std::deque<Eigen::VectorXd> values_, remainders_;
 };
 
