@@ -76,6 +76,11 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
   }
   for (const ParameterMove& m : d.parameters_moved)
     fmt::print("  {} moves from {:.6g} to {}\n", m.name, m.from, report::format_uncertain(m.to, m.sd));
+  if (d.simulated)
+    for (const SimulatedError& e : d.simulated->apart)
+      fmt::print(
+          "simulated in the window to check on: {} off by {:.4g} before, {:.4g} after (rms; measured {:.4g})\n",
+          e.channel, e.before, e.after, e.signal);
   print_next_experiment(run);
   fmt::print("written: {0}/diagnosis.json, {0}/report.html, {0}/gap.svg\n", folder);
 }
@@ -83,6 +88,10 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
 int run(Options& options, const CLI::App& command) {
   if (!(options.request.window.from_s < options.request.window.to_s))
     throw InputError("--from, --to", "", "the window is empty", "--from must be before --to");
+  if (options.request.check_from_s && options.request.check_to_s &&
+      !(*options.request.check_from_s < *options.request.check_to_s))
+    throw InputError("--check-from, --check-to", "", "the window is empty",
+                     "--check-from must be before --check-to");
   const DiagnosisRun result = run_diagnosis(options.request);
   const std::string json = diagnosis_json(result);
   std::string line = "secular diagnose " + options.request.campaign + " -o " + options.folder;
@@ -122,6 +131,9 @@ void add_diagnose_command(CLI::App& root, Action& chosen) {
                       "numbers whose gap is diagnosed: an estimate.json or an object of symbol to number");
   command->add_option("--from", request.window.from_s, "use every record from this time on, s");
   command->add_option("--to", request.window.to_s, "use every record up to this time, s");
+  command->add_option("--check-from", request.check_from_s,
+                      "simulate every decay, sweep and broadband record from this time on, s, in one piece");
+  command->add_option("--check-to", request.check_to_s, "and up to this time, s");
   command->add_option("--records", request.window.records, "use the records whose file matches this pattern");
   command->add_flag("--interpret", request.interpret, "no compiled code: slower, same results");
   command->add_option("--threads", request.threads, "threads; the result does not depend on it")

@@ -88,11 +88,13 @@ std::string diagnosis_json(const DiagnosisRun& run) {
       root["parameters_moved"].push_back(
           {{"name", move.name}, {"from", move.from}, {"to", move.to}, {"sd", move.sd}});
   }
-  if (d.simulated)
+  if (d.simulated) {
     root["simulated"] = {{"dwells", simulated_errors(d.simulated->dwells)},
                          {"steady", d.simulated->steady},
                          {"lost", d.simulated->lost},
                          {"segments", simulated_errors(d.simulated->segments)}};
+    if (!d.simulated->apart.empty()) root["simulated"]["check"] = simulated_errors(d.simulated->apart);
+  }
   root["next_experiment"] = next_experiment(run);
   root["conditions"] = d.conditions;
   root["warnings"] = d.warnings;

@@ -245,14 +245,14 @@ void simulated_section(HtmlReport& page, const Diagnosis& d) {
                    {"Difference before", Column::Kind::number, ""},
                    {"Difference after", Column::Kind::number, ""}};
   simulated_rows(table, "dwells", d.simulated->dwells);
-  simulated_rows(table, "decays, sweeps, broadband", d.simulated->segments);
+  simulated_rows(table, "decays, sweeps, broadband: segments", d.simulated->segments);
+  simulated_rows(table, "window to check on: records in one piece", d.simulated->apart);
   table.caption =
       "Root mean squares in the channel's unit: the full equations of motion solved by themselves, with the "
       "measured "
       "excitation, against what was measured" +
       (d.simulated->lost > 0 ? "; " + std::to_string(d.simulated->lost) +
-                                   " dwells without a steady motion near the "
-                                   "measured one are left out"
+                                   " dwells without a steady motion near the measured one are left out"
                              : std::string());
   page.table(table);
 }

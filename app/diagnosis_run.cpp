@@ -36,6 +36,11 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   DiagnosisOptions options;
   options.window = request.window;
   options.threads = request.threads;
+  if (request.check_from_s || request.check_to_s) {
+    options.check = request.window;
+    options.check->from_s = request.check_from_s.value_or(Window{}.from_s);
+    options.check->to_s = request.check_to_s.value_or(Window{}.to_s);
+  }
   if (!request.parameters.empty()) {
     options.parameters = read_parameter_file(request.parameters);
     options.parameter_sd = read_parameter_errors(request.parameters);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "diagnose/diagnosis.hpp"
@@ -13,6 +14,8 @@ struct DiagnosisRequest {
   std::string campaign, model;
   std::string parameters;  ///< file or name of shipped numbers; empty: none
   Window window;
+  /// Window in which the explanation is tried on records in one piece; none: no such trial.
+  std::optional<double> check_from_s, check_to_s;
   bool interpret = false;
   unsigned threads = 1;
 };

@@ -68,8 +68,8 @@ class Diagnoser {
     for (std::size_t k = 0; k < model.modes(); ++k) natural.push_back(start_(static_cast<Index>(k)));
     ObservedConditions observed = observe_conditions(campaign, read, model, sensors_, natural, options.window);
     result_.warnings = std::move(observed.warnings);
-    std::vector<Segment> segments =
-        cut_segments(campaign, read, sensors_, natural, options.window, most_samples, result_.warnings);
+    std::vector<Segment> segments = cut_segments(campaign, read, sensors_, natural, options.window,
+                                                 SegmentLength::turns, most_samples, result_.warnings);
     if (observed.conditions.empty() && segments.empty())
       throw InputError(
           campaign.folder.string(), "",
@@ -86,6 +86,15 @@ class Diagnoser {
           std::make_unique<SegmentEvidence>(model, options.memory, sensors_, faults_, std::move(segments));
       segments_ = evidence.get();
       discrepancy_.add(std::move(evidence));
+    }
+    if (options.check) {
+      std::vector<Segment> apart = cut_segments(campaign, read, sensors_, natural, *options.check,
+                                                SegmentLength::whole, most_samples, result_.warnings);
+      if (apart.empty())
+        throw InputError("--check-from, --check-to", "",
+                         "hold no part of a free decay, sweep or broadband record of " + campaign.folder.string(),
+                         "a window in seconds of the records' own time is expected");
+      apart_.emplace(model, options.memory, sensors_, faults_, std::move(apart));
     }
     if (!options.parameter_sd.empty()) discrepancy_.add(prior());
   }
@@ -115,7 +124,7 @@ class Diagnoser {
     propose_experiment(all);
     if (best_)
       result_.simulated =
-          simulated_check(condition_model(), conditions_, segments_,
+          simulated_check(condition_model(), conditions_, segments_, apart_ ? &*apart_ : nullptr,
                           given() ? start_ : inference_.null.fit.unknowns, best_->fit.unknowns, options_.threads);
     return std::move(result_);
   }
@@ -488,6 +497,7 @@ class Diagnoser {
   std::vector<Condition> conditions_;
   Discrepancy discrepancy_;
   const SegmentEvidence* segments_ = nullptr;  // of discrepancy_
+  std::optional<SegmentEvidence> apart_;       // of the window to check on
   Inference inference_;
   const Explanation* best_ = nullptr;
   Diagnosis result_;

@@ -21,6 +21,7 @@ struct DiagnosisOptions {
   std::map<std::string, double> parameters;
   std::map<std::string, double> parameter_sd;  ///< where the numbers came with error bars
   std::vector<MemorySlot> memory;
+  std::optional<Window> check;  ///< part of the records on which the explanation is tried, whatever was fitted
   unsigned threads = 1;
 };
 

@@ -33,7 +33,8 @@ constexpr double floor_share = 1e-5;
 
 std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& read, const SensorModel& sensors,
                                   const std::vector<double>& natural_frequency, const Window& window,
-                                  Index most_samples, std::vector<std::string>& warnings) {
+                                  SegmentLength length_of_each, Index most_samples,
+                                  std::vector<std::string>& warnings) {
   const double lowest = *std::min_element(natural_frequency.begin(), natural_frequency.end());
   const double highest = *std::max_element(natural_frequency.begin(), natural_frequency.end());
   std::vector<std::size_t> channels = sensors.responses;
@@ -76,9 +77,11 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
                : std::max<Index>(1, static_cast<Index>(std::floor(turn * rate / highest / wanted_samples)));
     const double thinned_rate = rate / static_cast<double>(thinning);
     const Index available = (part.samples.rows() - first - 1) / thinning;
-    const auto length = std::min<Index>(
-        available, std::max<Index>(48, static_cast<Index>(std::ceil((driven ? driven_turns : decay_turns) * turn /
-                                                                    lowest * thinned_rate))));
+    const double turns = driven ? driven_turns : decay_turns;
+    const Index wanted = length_of_each == SegmentLength::whole
+                             ? available
+                             : static_cast<Index>(std::ceil(turns * turn / lowest * thinned_rate));
+    const auto length = std::min<Index>(available, std::max<Index>(48, wanted));
     if (length < 48) {
       warnings.push_back(entry.file + ": shorter than a few turns of the lowest mode, left out");
       continue;

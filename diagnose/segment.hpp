@@ -23,11 +23,17 @@ struct Segment {
   int substeps = 1;
 };
 
-/// Free decays, impacts, sweeps and broadband records as segments of some turns of the lowest mode, evenly spread
-/// over the record where it holds more samples than are needed (`most_samples` in all). Decays begin where the
+enum class SegmentLength {
+  turns,  ///< some turns of the lowest mode
+  whole   ///< all that the window holds of a record
+};
+
+/// Free decays, impacts, sweeps and broadband records as segments, evenly spread over the record where it holds
+/// more samples than are needed (`most_samples` in all; of no effect on whole ones). Decays begin where the
 /// structure swings freely. Samples are thinned where the record is much faster than the highest mode.
 std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& read, const SensorModel& sensors,
                                   const std::vector<double>& natural_frequency, const Window& window,
-                                  Eigen::Index most_samples, std::vector<std::string>& warnings);
+                                  SegmentLength length_of_each, Eigen::Index most_samples,
+                                  std::vector<std::string>& warnings);
 
 }  // namespace secular

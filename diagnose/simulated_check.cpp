@@ -33,8 +33,8 @@ std::vector<SimulatedError> errors_of(const SensorModel& sensors, const VectorXd
 }  // namespace
 
 SimulatedCheck simulated_check(const ConditionModel& model, const std::vector<Condition>& conditions,
-                               const SegmentEvidence* segments, const VectorXd& before, const VectorXd& after,
-                               unsigned threads) {
+                               const SegmentEvidence* segments, const SegmentEvidence* apart,
+                               const VectorXd& before, const VectorXd& after, unsigned threads) {
   SimulatedCheck check;
   const SensorModel& sensors = model.sensors();
   const auto channels = static_cast<Index>(sensors.response_names.size());
@@ -63,9 +63,12 @@ SimulatedCheck simulated_check(const ConditionModel& model, const std::vector<Co
     const auto n = static_cast<double>(check.steady);
     check.dwells = errors_of(sensors, signal / n, off_before / n, off_after / n);
   }
-  if (segments)
-    check.segments = errors_of(sensors, segments->mean_square_signal(), segments->mean_square_error(before),
-                               segments->mean_square_error(after));
+  const auto compared = [&](const SegmentEvidence& part) {
+    return errors_of(sensors, part.mean_square_signal(), part.mean_square_error(before),
+                     part.mean_square_error(after));
+  };
+  if (segments) check.segments = compared(*segments);
+  if (apart) check.apart = compared(*apart);
   return check;
 }
 

@@ -23,11 +23,12 @@ struct SimulatedCheck {
   std::size_t steady = 0;                ///< dwells compared
   std::size_t lost = 0;                  ///< dwells for which one of the two has no steady motion near the measured
   std::vector<SimulatedError> segments;  ///< decays, sweeps, broadband records, from a state of each segment's own
+  std::vector<SimulatedError> apart;     ///< those of the window to check on, every record in one piece
 };
 
-/// `segments` may be null.
+/// `segments` and `apart` may be null.
 SimulatedCheck simulated_check(const ConditionModel& model, const std::vector<Condition>& conditions,
-                               const SegmentEvidence* segments, const Eigen::VectorXd& before,
-                               const Eigen::VectorXd& after, unsigned threads);
+                               const SegmentEvidence* segments, const SegmentEvidence* apart,
+                               const Eigen::VectorXd& before, const Eigen::VectorXd& after, unsigned threads);
 
 }  // namespace secular

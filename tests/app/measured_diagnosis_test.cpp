@@ -86,7 +86,7 @@ omega0 = 5.77
 TEST_F(SlowMeasuredDiagnosis, TheSilverboxHasACubicSpringAndAnOffsetAtItsInput) {
   const fs::path data = measured("silverbox/SNLS80mV.csv");
   if (!fs::exists(data)) GTEST_SKIP() << data << " is not here: the measured oscillator is not diagnosed";
-  // The usual training part of the multisines: samples 40650 to 105712.
+  // The usual training part of the multisines, samples 40650 to 105712, and the usual test part up to 127400.
   const nlohmann::json d = diagnosed(data.string() +
                                          " --kind broadband --sample-rate 610.35 --channel V1:excitation:voltage:V "
                                          "--channel V2:response:voltage:V",
@@ -104,7 +104,7 @@ expand_to = 2
 [nominal]
 omega0 = 430.0
 )toml",
-                                     "--from 66.6011 --to 173.1990");
+                                     "--from 66.6011 --to 173.1990 --check-from 173.1990 --check-to 208.7310");
   ASSERT_TRUE(d.is_object()) << printed();
   EXPECT_EQ(d["cause"], "cubic_stiffness");
   EXPECT_EQ(d["together"], (nlohmann::json{"cubic_stiffness", "sensor_offset"}));
@@ -114,6 +114,8 @@ omega0 = 430.0
   // adds to a mean.
   EXPECT_NEAR(coefficient(d, "sensor_offset", "V1"), 6.142e-3 - 0.786e-3 / 1.013, 1e-4);
   EXPECT_LT(d["simulated"]["segments"][0]["after_rms"].get<double>(), 0.45e-3);
+  EXPECT_NEAR(d["simulated"]["check"][0]["before_rms"].get<double>(), 8.7e-3, 0.2e-3);
+  EXPECT_LT(d["simulated"]["check"][0]["after_rms"].get<double>(), 0.45e-3);
 }
 
 }  // namespace
