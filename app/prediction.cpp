@@ -6,15 +6,14 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <numbers>
-#include <thread>
 #include <utility>
 
 #include "app/measured_points.hpp"
 #include "app/model_loading.hpp"
 #include "app/parameter_file.hpp"
+#include "estimator/in_parallel.hpp"
 #include "input/input_error.hpp"
 
 namespace secular::app {
@@ -194,27 +193,12 @@ class Predictor {
     const std::size_t total = directions.size() * static_cast<std::size_t>(request_.sweep_steps);
     result_.sweeps.resize(directions.size());
     std::atomic<std::size_t> done{0};
-    std::vector<std::exception_ptr> failures(directions.size());
-    const auto work = [&](std::size_t s) {
-      try {
-        result_.sweeps[s] = sweep(response, directions[s], [&] {
-          const std::size_t finished = ++done;
-          if (progress_) progress_(finished, total);
-        });
-      } catch (...) {
-        failures[s] = std::current_exception();
-      }
-    };
-    {
-      std::vector<std::jthread> workers;
-      for (std::size_t s = 0; s < directions.size(); ++s)
-        if (request_.threads > 1 && s + 1 < directions.size())
-          workers.emplace_back(work, s);
-        else
-          work(s);
-    }
-    for (const std::exception_ptr& failure : failures)
-      if (failure) std::rethrow_exception(failure);
+    in_parallel(directions.size(), request_.threads, [&](std::size_t s) {
+      result_.sweeps[s] = sweep(response, directions[s], [&] {
+        const std::size_t finished = ++done;
+        if (progress_) progress_(finished, total);
+      });
+    });
     for (const PredictedSweep& swept : result_.sweeps)
       if (!std::all_of(swept.points.begin(), swept.points.end(), [](const SweepPoint& p) { return p.settled; }))
         result_.warnings.push_back("the simulated sweep " + swept.direction +

@@ -3,17 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
 #include <numbers>
-#include <thread>
 
 #include "estimator/identification/decay_window.hpp"
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/modal_projection.hpp"
 #include "estimator/identification/predicted_harmonics.hpp"
+#include "estimator/in_parallel.hpp"
 #include "input/input_error.hpp"
 #include "simulate/motion.hpp"
 
@@ -229,24 +226,10 @@ class ReplayedRecords {
     begin_ = begin;
     ahead_.clear();
     ahead_.resize(std::min(records_ahead * threads_, spans_.size() - begin));
-    std::atomic<std::size_t> next{0};
-    std::mutex guard;
-    std::exception_ptr failure;
-    const auto work = [&] {
-      for (std::size_t i = next++; i < ahead_.size(); i = next++) try {
-          const Span& span = spans_[begin_ + i];
-          ahead_[i] = replay_.record(*span.first, *span.last, span.first->record);
-        } catch (...) {
-          const std::lock_guard lock(guard);
-          if (!failure) failure = std::current_exception();
-        }
-    };
-    {
-      std::vector<std::jthread> workers;
-      for (unsigned t = 1; t < threads_; ++t) workers.emplace_back(work);
-      work();
-    }
-    if (failure) std::rethrow_exception(failure);
+    in_parallel(ahead_.size(), threads_, [&](std::size_t i) {
+      const Span& span = spans_[begin_ + i];
+      ahead_[i] = replay_.record(*span.first, *span.last, span.first->record);
+    });
   }
 
   const ObservationSet& measured_;

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <exception>
 #include <map>
 #include <mutex>
 #include <numbers>
-#include <thread>
 #include <utility>
 
+#include "estimator/in_parallel.hpp"
 #include "simulate/anti_alias_filter.hpp"
 #include "simulate/excitation_signal.hpp"
 #include "simulate/motion.hpp"
@@ -42,29 +41,13 @@ class VirtualTest {
 
   Campaign run(unsigned threads, const RecordSink& sink, const Progress& progress) {
     sink_ = sink;
-    std::atomic<std::size_t> next{0}, done{0};
-    std::mutex guard;
-    std::exception_ptr failure;
-    const auto work = [&] {
-      for (std::size_t c = next++; c < chains_.size(); c = next++) {
-        try {
-          run_chain(chains_[c], [&] {
-            const std::size_t finished = ++done;
-            if (progress) progress(finished, campaign_.records.size());
-          });
-        } catch (...) {
-          const std::lock_guard lock(guard);
-          if (!failure) failure = std::current_exception();
-          next = chains_.size();
-        }
-      }
-    };
-    {
-      std::vector<std::jthread> workers;
-      for (unsigned i = 1; i < std::max(1U, threads); ++i) workers.emplace_back(work);
-      work();
-    }
-    if (failure) std::rethrow_exception(failure);
+    std::atomic<std::size_t> done{0};
+    in_parallel(chains_.size(), threads, [&](std::size_t c) {
+      run_chain(chains_[c], [&] {
+        const std::size_t finished = ++done;
+        if (progress) progress(finished, campaign_.records.size());
+      });
+    });
     return std::move(campaign_);
   }
 

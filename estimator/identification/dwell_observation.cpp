@@ -2,18 +2,15 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
 #include <numbers>
-#include <thread>
 
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/mode_frequencies.hpp"
 #include "estimator/identification/observation_set.hpp"
 #include "estimator/identification/record_window.hpp"
 #include "estimator/identification/related_tones.hpp"
+#include "estimator/in_parallel.hpp"
 #include "estimator/signal/bispectral_phase.hpp"
 #include "estimator/signal/free_decay.hpp"
 #include "estimator/signal/tone_fit.hpp"
@@ -81,27 +78,12 @@ class DwellObserver {
       if (campaign_.records[r].kind == RecordKind::dwell && window_.takes(r, campaign_.records[r].file))
         dwells.push_back(r);
     std::vector<ObservationSet> results(dwells.size());
-    std::vector<std::exception_ptr> failures(dwells.size());
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-      for (std::size_t i = next++; i < dwells.size(); i = next++) {
-        try {
-          observe(dwells[i], static_cast<int>(i), results[i]);
-        } catch (...) {
-          failures[i] = std::current_exception();
-        }
-      }
-    };
-    {
-      std::vector<std::jthread> workers;
-      for (unsigned i = 1; i < std::max(1U, window_.threads); ++i) workers.emplace_back(work);
-      work();
-    }
+    in_parallel(dwells.size(), window_.threads,
+                [&](std::size_t i) { observe(dwells[i], static_cast<int>(i), results[i]); });
     ObservationSet all;
     all.model = &model_;
     all.resonance = &resonance_;
     for (std::size_t i = 0; i < dwells.size(); ++i) {
-      if (failures[i]) std::rethrow_exception(failures[i]);
       std::move(results[i].observations.begin(), results[i].observations.end(),
                 std::back_inserter(all.observations));
       std::move(results[i].at_rest.begin(), results[i].at_rest.end(), std::back_inserter(all.at_rest));
