@@ -62,6 +62,7 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
   if (d.verdict == "cause") fmt::print("cause: {}\n", d.cause);
   if (d.verdict == "set") fmt::print("one of: {}\n", joined(d.set, ", "));
   if (d.verdict == "unknown") fmt::print("cause: unknown; nearest: {}\n", joined(d.set, ", "));
+  if (d.open_law) fmt::print("  {}\n", open_law_sentence(*d.open_law));
   if (!d.together.empty())
     fmt::print("  together: {}{}\n", joined(d.together, " and "),
                d.second_or.empty() ? "" : " (or " + joined(d.second_or, " or ") + ")");

@@ -68,6 +68,12 @@ std::string diagnosis_json(const DiagnosisRun& run) {
   root["set"] = d.set;
   if (!d.together.empty()) root["together"] = d.together;
   if (!d.second_or.empty()) root["second_or"] = d.second_or;
+  if (d.open_law)
+    root["open_law"] = {{"mode", d.open_law->mode},
+                        {"law", d.open_law->law},
+                        {"exponent", d.open_law->exponent},
+                        {"sd", d.open_law->sd},
+                        {"probability", d.open_law->probability}};
   root["causes"] = Json::array();
   for (const CauseReport& cause : d.causes) {
     Json entry;

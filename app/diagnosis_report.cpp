@@ -55,6 +55,9 @@ std::string sentence(const Diagnosis& d) {
   if (d.verdict == "set")
     return "The gap is explained by one of " + joined(d.set, " or ") +
            ". This campaign cannot say which: they change what was measured in the same way.";
+  if (d.open_law)
+    return "There is a gap, and no effect of the catalogue explains it: it " + open_law_sentence(*d.open_law) +
+           ", which does so better than any effect of the catalogue or two of them.";
   return "There is a gap, and no effect of the catalogue explains it: the best one" +
          (d.set.empty() ? std::string() : " (" + joined(d.set, ", ") + ")") + " leaves a structured remainder.";
 }
@@ -296,6 +299,13 @@ void next_section(HtmlReport& page, const DiagnosisRun& run) {
 report::Figure gap_figure(const Diagnosis& d) {
   const std::vector<std::string> modes = balanced_modes(d);
   return modes.empty() ? record_figure(d) : residual_figure(d, modes.front(), "");
+}
+
+std::string open_law_sentence(const OpenLaw& law) {
+  const std::string grows = " of " + law.mode + " that grows as |" +
+                            (law.law == "open_damping" ? "velocity" : "displacement") + "|^" +
+                            report::format_uncertain(law.exponent, law.sd);
+  return "acts like a " + std::string(law.law == "open_loss" ? "viscous damping" : "force") + grows;
 }
 
 std::string diagnosis_report(const DiagnosisRun& run, const std::string& command) {

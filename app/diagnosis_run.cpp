@@ -21,6 +21,19 @@ std::string subject_of(const EffectTerm& term, const CompiledModel& model) {
   return subject;
 }
 
+StateForce::Law law_of(const EffectTerm& term) {
+  switch (find_catalogue_entry(term.effect, term.form)->memory) {
+    case CatalogueEntry::Memory::displacement_power:
+      return StateForce::Law::displacement_power;
+    case CatalogueEntry::Memory::velocity_power:
+      return StateForce::Law::velocity_power;
+    case CatalogueEntry::Memory::loss_power:
+      return StateForce::Law::loss_power;
+    default:
+      return StateForce::Law::slider;
+  }
+}
+
 std::size_t symbol_index(const CompiledModel& model, const std::string& name) {
   const auto found = std::find_if(model.symbols.begin(), model.symbols.end(),
                                   [&](const CompiledSymbol& symbol) { return symbol.name == name; });
@@ -48,6 +61,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   std::vector<EffectTerm> terms;
   for (const EffectTerm& term : source.applicable_effects())
     if (!described_by_lines(term)) terms.push_back(term);
+  for (const EffectTerm& term : source.open_law_terms()) terms.push_back(term);
   const AugmentedCompiledModel augmented = source.load_with_effects(terms, {});
   run.model = augmented.model;
   std::vector<bool> added(run.model->symbols.size(), false);
@@ -68,7 +82,8 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
     }
     if (effect.memory != EffectTerm::none) {
       if (equation.shapes.empty()) continue;
-      options.memory.push_back({effect.memory, effect.term.mode, equation.shapes.front()});
+      options.forces.push_back(
+          {law_of(effect.term), effect.memory, effect.term.mode, equation.strength, equation.shapes.front()});
     }
     effects.push_back(std::move(equation));
   }

@@ -97,6 +97,10 @@ std::vector<EffectTerm> ModelSource::applicable_effects() const {
   return secular::applicable_effects(read_model(model_file()));
 }
 
+std::vector<EffectTerm> ModelSource::open_law_terms() const {
+  return secular::open_law_terms(read_model(model_file()));
+}
+
 EffectTerm ModelSource::effect_term(const std::string& text) const {
   return parse_effect_term(text, read_model(model_file()));
 }

@@ -47,8 +47,9 @@ class ModelSource {
   /// alone, which compile fast. Always derived at run time from the model's file.
   AugmentedCompiledModel load_with_effects(std::span<const EffectTerm> effects,
                                            const std::vector<std::string>& cases) const;
-  /// See secular::applicable_effects; reads the model's file.
+  /// See secular::applicable_effects and secular::open_law_terms; they read the model's file.
   std::vector<EffectTerm> applicable_effects() const;
+  std::vector<EffectTerm> open_law_terms() const;
   /// NAME[:MODE[:OTHER[:FORM]]], see parse_effect_term.
   EffectTerm effect_term(const std::string& text) const;
 

@@ -47,10 +47,10 @@ void scattered(const std::vector<SlavedLine>& slaves, const VectorXd& values, Ma
   }
 }
 
-BalanceSweep::BalanceSweep(const CompiledModel& model, const std::vector<MemorySlot>& memory,
+BalanceSweep::BalanceSweep(const CompiledModel& model, const std::vector<StateForce>& forces,
                            const MotionSetting& setting, std::span<const double> parameters)
     : model_(model),
-      memory_(memory),
+      forces_(forces),
       torus_(*setting.torus),
       parameters_(parameters),
       rates_(torus_.lines()),
@@ -65,9 +65,11 @@ BalanceSweep::BalanceSweep(const CompiledModel& model, const std::vector<MemoryS
 MatrixXcd BalanceSweep::residual(const MatrixXcd& displacement) {
   const MatrixXd position = torus_.samples(displacement);
   const MatrixXd velocity = torus_.samples(displacement * rates_.asDiagonal());
-  std::vector<Eigen::RowVectorXd> stretch;
-  for (const MemorySlot& slot : memory_)
-    stretch.push_back(slider_stretch(position.row(static_cast<Index>(slot.mode)), parameters_[slot.slip_symbol]));
+  std::vector<Eigen::RowVectorXd> signals;
+  for (const StateForce& force : forces_)
+    signals.push_back(parameters_[force.strength_symbol] == 0
+                          ? Eigen::RowVectorXd::Zero(position.cols())
+                          : signal_over_turn(force, position, velocity, parameters_[force.shape_symbol]));
   for (Index p = 0; p < position.cols(); ++p) {
     for (std::size_t j = 0; j < excitation_.size(); ++j) {
       const auto row = static_cast<Index>(j);
@@ -75,7 +77,7 @@ MatrixXcd BalanceSweep::residual(const MatrixXcd& displacement) {
                            ? ExcitationSample{force_(row, p), force_rate_(row, p), force_acceleration_(row, p)}
                            : ExcitationSample{};
     }
-    for (std::size_t s = 0; s < memory_.size(); ++s) excitation_[memory_[s].excitation] = {stretch[s](p), 0, 0};
+    for (std::size_t f = 0; f < forces_.size(); ++f) excitation_[forces_[f].excitation] = {signals[f](p), 0, 0};
     model_.acceleration(parameters_.data(), excitation_.data(), position.col(p).data(), velocity.col(p).data(),
                         acceleration_.col(p).data());
   }

@@ -26,7 +26,7 @@ void scattered(const std::vector<SlavedLine>& slaves, const Eigen::VectorXd& val
 /// the motion prepared. Keeps references to the setting and the parameters.
 class BalanceSweep {
  public:
-  BalanceSweep(const CompiledModel& model, const std::vector<MemorySlot>& memory, const MotionSetting& setting,
+  BalanceSweep(const CompiledModel& model, const std::vector<StateForce>& forces, const MotionSetting& setting,
                std::span<const double> parameters);
 
   /// Force minus inertia on every line, per unit of modal mass: modes x lines, zero for a motion in balance.
@@ -37,7 +37,7 @@ class BalanceSweep {
 
  private:
   const CompiledModel& model_;
-  const std::vector<MemorySlot>& memory_;
+  const std::vector<StateForce>& forces_;
   const Torus& torus_;
   std::span<const double> parameters_;
   Eigen::RowVectorXcd rates_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <map>
 
 namespace secular {
@@ -14,22 +15,6 @@ VectorXd one(double value) {
   return VectorXd::Constant(1, value);
 }
 
-// Largest modal displacement (peak) of a mode over the conditions.
-double largest_displacement(const std::vector<Condition>& conditions, const SensorModel& sensors,
-                            std::size_t mode) {
-  const Eigen::VectorXd shape = sensors.shapes.col(static_cast<Index>(mode));
-  double largest = 0;
-  for (const Condition& c : conditions)
-    for (const MasterLine& m : c.masters) {
-      if (m.mode != mode) continue;
-      const auto column = static_cast<Index>(std::find(c.lines.begin(), c.lines.end(), m.line) - c.lines.begin());
-      const double modal = std::abs((shape.transpose().cast<std::complex<double>>() * c.response.col(column))(0)) /
-                           shape.squaredNorm() / std::pow(std::abs(c.line_rate(m.line)), sensors.derivatives);
-      largest = std::max(largest, 2 * modal);
-    }
-  return largest;
-}
-
 // Largest sum of a channel's lines: what its peak cannot exceed.
 double largest_peak(const std::vector<Condition>& conditions, std::size_t channel, std::size_t responses) {
   double largest = 0;
@@ -40,6 +25,25 @@ double largest_peak(const std::vector<Condition>& conditions, std::size_t channe
     if (row < lines.rows()) largest = std::max(largest, 2 * lines.row(row).cwiseAbs().maxCoeff());
   }
   return largest;
+}
+
+// What a dwell holds on the excitation's own line.
+struct DrivenLine {
+  std::complex<double> rate, excitation;
+  Eigen::VectorXcd response;
+};
+
+std::vector<DrivenLine> driven_lines(const std::vector<Condition>& conditions) {
+  std::vector<DrivenLine> lines;
+  for (const Condition& c : conditions) {
+    if (c.fundamental == 0 || c.excitation.rows() == 0) continue;
+    const auto response = std::find(c.lines.begin(), c.lines.end(), c.fundamental);
+    const auto excitation = std::find(c.excitation_lines.begin(), c.excitation_lines.end(), c.fundamental);
+    if (response == c.lines.end() || excitation == c.excitation_lines.end()) continue;
+    lines.push_back({c.line_rate(c.fundamental), c.excitation(0, excitation - c.excitation_lines.begin()),
+                     c.response.col(response - c.lines.begin())});
+  }
+  return lines;
 }
 
 std::vector<VectorXd> extra_mode_starts(const std::vector<Condition>& conditions) {
@@ -62,8 +66,32 @@ std::vector<VectorXd> extra_mode_starts(const std::vector<Condition>& conditions
 
 }  // namespace
 
+VectorXd largest_displacements(const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
+                               const SensorModel& sensors, const std::vector<double>& natural_frequency) {
+  VectorXd largest = VectorXd::Zero(sensors.shapes.cols());
+  for (const Condition& c : conditions)
+    for (const MasterLine& m : c.masters) {
+      const auto mode = static_cast<Index>(m.mode);
+      const Eigen::VectorXd shape = sensors.shapes.col(mode);
+      const auto column = static_cast<Index>(std::find(c.lines.begin(), c.lines.end(), m.line) - c.lines.begin());
+      const double modal = std::abs((shape.transpose().cast<std::complex<double>>() * c.response.col(column))(0)) /
+                           shape.squaredNorm() / std::pow(std::abs(c.line_rate(m.line)), sensors.derivatives);
+      largest(mode) = std::max(largest(mode), 2 * modal);
+    }
+  for (const Segment& s : segments)
+    for (Index k = 0; k < largest.size(); ++k) {
+      const double frequency = natural_frequency[static_cast<std::size_t>(k)];
+      const double peak = (sensors.filter.row(k) * s.response).cwiseAbs().maxCoeff();
+      largest(k) = std::max(largest(k), peak / std::pow(frequency, sensors.derivatives));
+    }
+  return largest;
+}
+
 GapComponent component_of(const std::string& effect) {
   static const std::map<std::string, GapComponent> components = {
+      {"open_damping", GapComponent::dissipative},
+      {"open_loss", GapComponent::dissipative},
+      {"open_stiffness", GapComponent::conservative},
       {"viscous_damping", GapComponent::dissipative},
       {"quadratic_damping", GapComponent::dissipative},
       {"cubic_damping", GapComponent::dissipative},
@@ -93,7 +121,7 @@ GapComponent component_of(const std::string& effect) {
 
 std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects, const CompiledModel& model,
                                      const SensorModel& sensors, const FaultTable& faults,
-                                     const std::vector<Condition>& conditions) {
+                                     const std::vector<Condition>& conditions, const VectorXd& largest) {
   std::vector<Candidate> all;
   const std::size_t first_fault = model.symbols.size();
   for (const EquationEffect& e : effects) {
@@ -107,13 +135,14 @@ std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects,
                 e.effect == "quadratic_damping";
     c.strengths = {e.strength};
     c.shapes = e.shapes;
-    if (e.shapes.empty()) {
+    c.open_law = e.effect == "open_stiffness" || e.effect == "open_damping" || e.effect == "open_loss";
+    if (e.shapes.empty())
       c.shape_starts = {VectorXd()};
-    } else {
-      const double largest = largest_displacement(conditions, sensors, e.mode);
+    else if (c.open_law)
+      for (const double exponent : {0.5, 2.0, 3.0, 4.5, 7.0, 10.0}) c.shape_starts.push_back(one(exponent));
+    else
       for (const double share : {0.02, 0.06, 0.15, 0.3, 0.5, 0.75, 0.95})
-        c.shape_starts.push_back(one(share * largest));
-    }
+        c.shape_starts.push_back(one(share * largest(static_cast<Index>(e.mode))));
     all.push_back(std::move(c));
   }
   const std::size_t responses = sensors.responses.size(), channels = responses + sensors.excitations.size();
@@ -169,6 +198,22 @@ std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects,
         extra.strengths.push_back(first_fault + faults.extra_amplitude(c));
       extra.shapes = {first_fault + faults.extra_frequency(), first_fault + faults.extra_damping()};
       extra.shape_starts = starts;
+      // Beside a huge one the model's own modes would only have to cancel it: that explains anything.
+      extra.plausible = [lines = driven_lines(conditions), first_fault, faults, responses,
+                         derivatives = sensors.derivatives](const VectorXd& unknowns) {
+        const Faults set = faults.faults(unknowns.data() + first_fault);
+        double measured = 0, beyond = 0;
+        for (const DrivenLine& line : lines) {
+          const std::complex<double> s = line.rate, w = set.extra.frequency;
+          const std::complex<double> gain =
+              std::pow(s, derivatives) * line.excitation / (w * w + 2.0 * set.extra.damping * w * s + s * s);
+          for (std::size_t c = 0; c < responses; ++c) {
+            measured += std::norm(line.response(static_cast<Index>(c)));
+            beyond += std::norm(set.extra.amplitude[c] * gain);
+          }
+        }
+        return beyond <= measured;
+      };
       all.push_back(std::move(extra));
     }
   }

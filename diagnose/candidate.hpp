@@ -1,11 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "diagnose/condition.hpp"
 #include "diagnose/discrepancy.hpp"
+#include "diagnose/segment.hpp"
 #include "diagnose/sensor_model.hpp"
 
 namespace secular {
@@ -30,14 +32,22 @@ struct Candidate {
   std::vector<Eigen::VectorXd> shape_starts;  ///< values to begin with; one empty entry where there is no shape
   bool passive = false;                       ///< a force that can only oppose or give way: no negative strength
   double least_strength = 0;                  ///< a strength that must begin away from zero (saturation)
+  /// Whether unknowns make sense as this explanation; empty: always.
+  std::function<bool(const Eigen::VectorXd& unknowns)> plausible;
+  bool open_law = false;  ///< stands for a law outside of the catalogue: no cause by itself
 };
 
 /// Component of the equation of motion that an effect of the catalogue changes.
 GapComponent component_of(const std::string& effect);
 
-/// Every explanation that the campaign can speak of at all.
+/// Largest displacement (peak) of every mode over conditions and segments.
+Eigen::VectorXd largest_displacements(const std::vector<Condition>& conditions,
+                                      const std::vector<Segment>& segments, const SensorModel& sensors,
+                                      const std::vector<double>& natural_frequency);
+
+/// Every explanation that the campaign can speak of at all. `largest`: see largest_displacements.
 std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects, const CompiledModel& model,
                                      const SensorModel& sensors, const FaultTable& faults,
-                                     const std::vector<Condition>& conditions);
+                                     const std::vector<Condition>& conditions, const Eigen::VectorXd& largest);
 
 }  // namespace secular

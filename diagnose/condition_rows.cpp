@@ -278,7 +278,7 @@ class HeldLines {
         faults_(faults),
         evaluation_(condition, balance, sensors, faults_, parameters),
         setting_(evaluation_.setting()),
-        sweep_(balance.model(), balance.memory(), setting_, evaluation_.parameters()),
+        sweep_(balance.model(), balance.forces(), setting_, evaluation_.parameters()),
         amplitudes_(evaluation_.master_amplitudes()) {}
   HeldLines(const HeldLines&) = delete;
   HeldLines& operator=(const HeldLines&) = delete;

@@ -61,7 +61,7 @@ class Diagnoser {
         model_(model),
         own_(own),
         options_(options),
-        sensors_(sensor_model(campaign, model, model.excitations.size() - options.memory.size())),
+        sensors_(sensor_model(campaign, model, model.excitations.size() - options.forces.size())),
         faults_(model, sensors_) {
     set_start();
     std::vector<double> natural;
@@ -78,12 +78,14 @@ class Diagnoser {
           "settled dwells, free decays, sweeps or broadband records near the model's resonances are expected");
     result_.conditions = observed.conditions.size() + segments.size();
     conditions_ = std::move(observed.conditions);
-    candidates_ = candidates_of(effects, model, sensors_, faults_, conditions_);
+    const VectorXd largest = largest_displacements(conditions_, segments, sensors_, natural);
+    set_scales(largest, natural);
+    candidates_ = candidates_of(effects, model, sensors_, faults_, conditions_, largest);
     if (!conditions_.empty())
       discrepancy_.add(std::make_unique<LineEvidence>(condition_model(), conditions_, start_));
     if (!segments.empty()) {
       auto evidence =
-          std::make_unique<SegmentEvidence>(model, options.memory, sensors_, faults_, std::move(segments));
+          std::make_unique<SegmentEvidence>(model, options_.forces, sensors_, faults_, std::move(segments));
       segments_ = evidence.get();
       discrepancy_.add(std::move(evidence));
     }
@@ -94,7 +96,7 @@ class Diagnoser {
         throw InputError("--check-from, --check-to", "",
                          "hold no part of a free decay, sweep or broadband record of " + campaign.folder.string(),
                          "a window in seconds of the records' own time is expected");
-      apart_.emplace(model, options.memory, sensors_, faults_, std::move(apart));
+      apart_.emplace(model, options_.forces, sensors_, faults_, std::move(apart));
     }
     if (!options.parameter_sd.empty()) discrepancy_.add(prior());
   }
@@ -133,7 +135,7 @@ class Diagnoser {
   bool given() const { return !options_.parameters.empty(); }
 
   ConditionModel condition_model() const {
-    return ConditionModel(MotionBalance(model_, options_.memory), sensors_, faults_);
+    return ConditionModel(MotionBalance(model_, options_.forces), sensors_, faults_);
   }
 
   static std::string metric() {
@@ -162,6 +164,15 @@ class Diagnoser {
                          "a rough one tells which resonance a record excites; or give --parameters");
     start_(static_cast<Index>(model_.symbols.size() + faults_.extra_frequency())) = start_(0);
     start_(static_cast<Index>(model_.symbols.size() + faults_.extra_damping())) = 0.01;
+  }
+
+  // Laws with an exponent: a strength then has much the same size whatever the exponent.
+  void set_scales(const VectorXd& largest, const std::vector<double>& natural) {
+    for (StateForce& force : options_.forces) {
+      const double displacement = std::max(0.5 * largest(static_cast<Index>(force.mode)), 1e-300);
+      force.scale =
+          force.law == StateForce::Law::velocity_power ? displacement * natural[force.mode] : displacement;
+    }
   }
 
   std::unique_ptr<Evidence> prior() const {
@@ -211,14 +222,18 @@ class Diagnoser {
     const Explanation* explanation = nullptr;
     double log_evidence = 0, probability = 0;
     std::vector<std::string> effects;
+    bool open_law = false;
   };
 
   std::vector<Rival> rivals() const {
     std::vector<Rival> all;
-    if (given()) all.push_back({&inference_.null, inference_.null.log_evidence, 0, {"parameters"}});
+    if (given()) all.push_back({&inference_.null, inference_.null.log_evidence, 0, {"parameters"}, false});
     for (const Explanation& e : inference_.explanations) {
-      Rival rival{&e, e.log_evidence, 0, {}};
-      for (const std::size_t m : e.members) rival.effects.push_back(candidates_[m].effect);
+      Rival rival{&e, e.log_evidence, 0, {}, false};
+      for (const std::size_t m : e.members) {
+        rival.effects.push_back(candidates_[m].effect);
+        rival.open_law = rival.open_law || candidates_[m].open_law;
+      }
       all.push_back(std::move(rival));
     }
     std::stable_sort(all.begin(), all.end(),
@@ -255,7 +270,35 @@ class Diagnoser {
     const bool unknown =
         structured && beyond_floor(result_.gap.after) > small_remainder * beyond_floor(result_.gap.before);
 
-    collect_causes(all, before.rows);
+    if (best.open_law) describe_open_law(best);
+    std::vector<Rival> named;
+    for (const Rival& r : all)
+      if (!r.open_law) named.push_back(r);
+    result_.verdict = "unknown";
+    if (!named.empty()) {
+      collect_causes(named, before.rows);
+      name_set(named, before.rows);
+      if (!unknown && !best.open_law) {
+        result_.verdict = result_.set.size() == 1 ? "cause" : "set";
+        result_.cause = result_.set.size() == 1 ? result_.set.front() : "";
+      }
+    }
+    if (given()) list_moved_parameters();
+  }
+
+  void describe_open_law(const Rival& rival) {
+    const Candidate& law = candidates_[rival.explanation->members.front()];
+    const Refit& fit = rival.explanation->fit;
+    const std::size_t exponent = law.shapes.front();
+    const auto at = static_cast<Index>(std::find(fit.free.begin(), fit.free.end(), exponent) - fit.free.begin());
+    result_.open_law =
+        OpenLaw{law.subject, law.effect, fit.unknowns(static_cast<Index>(exponent)),
+                std::sqrt(std::max(0.0, fit.covariance(at, at) * inference_.dispersion)), rival.probability};
+  }
+
+  // What the best explanation by the catalogue names, and what cannot be told from it.
+  void name_set(const std::vector<Rival>& all, const VectorXd& rows_before) {
+    const Rival& best = all.front();
     std::vector<std::string> set;
     const auto add = [&](const std::string& effect) {
       if (std::find(set.begin(), set.end(), effect) == set.end()) set.push_back(effect);
@@ -288,30 +331,26 @@ class Diagnoser {
           result_.second_or.push_back(instead.front());
       }
     }
-    if (unknown) {
-      result_.verdict = "unknown";
-    } else {
-      result_.verdict = set.size() == 1 ? "cause" : "set";
-      result_.cause = set.size() == 1 ? set.front() : "";
-    }
     result_.set = set;
     for (const Rival& r : all) {
       if (r.effects.size() != 1 || std::find(set.begin(), set.end(), r.effects.front()) != set.end()) continue;
       const HeldOut wrong = predict_held_out(discrepancy_, r.explanation->fit, result_.labels);
       result_.gap.wrong_cause = r.effects.front();
-      result_.gap.wrong_cause_closed = closed_share(before.rows, wrong.rows, result_.labels, 1).closed;
+      result_.gap.wrong_cause_closed = closed_share(rows_before, wrong.rows, result_.labels, 1).closed;
       break;
     }
-    if (given())
-      for (std::size_t f = 0; f < own_.size(); ++f) {
-        const auto u = static_cast<Index>(own_[f]);
-        const Refit& fit = inference_.null.fit;
-        const double sd = std::sqrt(std::max(0.0, fit.covariance(static_cast<Index>(f), static_cast<Index>(f))));
-        const double change = fit.unknowns(u) - start_(u);
-        if (fit.identifiable[f] && std::abs(change) > 3 * sd)
-          result_.parameters_moved.push_back(
-              {std::string(model_.symbols[own_[f]].name), start_(u), fit.unknowns(u), sd});
-      }
+  }
+
+  void list_moved_parameters() {
+    for (std::size_t f = 0; f < own_.size(); ++f) {
+      const auto u = static_cast<Index>(own_[f]);
+      const Refit& fit = inference_.null.fit;
+      const double sd = std::sqrt(std::max(0.0, fit.covariance(static_cast<Index>(f), static_cast<Index>(f))));
+      const double change = fit.unknowns(u) - start_(u);
+      if (fit.identifiable[f] && std::abs(change) > 3 * sd)
+        result_.parameters_moved.push_back(
+            {std::string(model_.symbols[own_[f]].name), start_(u), fit.unknowns(u), sd});
+    }
   }
 
   // Rivals of the best explanation: the others of its set; where it stands alone, the one that comes nearest.
@@ -320,6 +359,7 @@ class Diagnoser {
     std::vector<Hypothesis> hypotheses;
     std::vector<std::vector<std::string>> taken;
     for (const Rival& r : all) {
+      if (r.open_law) continue;
       const bool in_set = std::all_of(r.effects.begin(), r.effects.end(), [&](const std::string& effect) {
         return std::find(result_.set.begin(), result_.set.end(), effect) != result_.set.end() ||
                std::find(result_.together.begin(), result_.together.end(), effect) != result_.together.end();

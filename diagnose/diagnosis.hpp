@@ -20,7 +20,7 @@ struct DiagnosisOptions {
   /// choose.
   std::map<std::string, double> parameters;
   std::map<std::string, double> parameter_sd;  ///< where the numbers came with error bars
-  std::vector<MemorySlot> memory;
+  std::vector<StateForce> forces;              ///< scales are set from the data
   std::optional<Window> check;  ///< part of the records on which the explanation is tried, whatever was fitted
   unsigned threads = 1;
 };
@@ -58,6 +58,14 @@ struct NextExperiment {
   std::string reason;                  ///< why none is proposed
 };
 
+/// A force outside of the catalogue that explains the gap.
+struct OpenLaw {
+  std::string mode;
+  std::string law;  ///< see secular::open_laws
+  double exponent = 0, sd = 0;
+  double probability = 0;
+};
+
 struct ParameterMove {
   std::string name;
   double from = 0, to = 0, sd = 0;
@@ -70,6 +78,7 @@ struct Diagnosis {
   std::vector<std::string> set;
   std::vector<std::string> together;   ///< two effects that act at once, each by name, the leading one first
   std::vector<std::string> second_or;  ///< effects that the data cannot tell from the second of them
+  std::optional<OpenLaw> open_law;  ///< where it is a better explanation than any effect or pair of the catalogue
   std::vector<CauseReport> causes;
   std::vector<ParameterMove> parameters_moved;
   NextExperiment next_experiment;

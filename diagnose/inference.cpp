@@ -26,8 +26,13 @@ constexpr double least_gain = 4;
 /// Shares of the inertia to which the equations of motion count as known, one after the other.
 constexpr double levels[] = {1e-2, 1e-3, 1e-4, 0};
 
-/// Rows that a model misses by more than this, mean square in variances, are no place to look for what it lacks.
-constexpr double most_misfit = 1000;
+/// Rows that a model misses by more than this, mean square in variances, are no place to look for what it lacks:
+/// its numbers are bent by then.
+constexpr double most_misfit = 10;
+
+/// Errors taken anew at a fit that was made among others change what it leaves beyond noise by no more than this
+/// factor, or that fit has run away with its own errors.
+constexpr double reweighting = 1.3;
 
 /// Of fits with numbers that may be far off, relative to the squared length of a column.
 constexpr double first_damping = 1e-2;
@@ -55,7 +60,9 @@ VectorXd switched_off(VectorXd unknowns, const std::vector<std::size_t>& members
 
 bool is_possible(const Explanation& e, const std::vector<Candidate>& candidates) {
   return std::none_of(e.members.begin(), e.members.end(), [&](std::size_t m) {
-    return candidates[m].passive && e.fit.unknowns(static_cast<Index>(candidates[m].strengths[0])) < 0;
+    const Candidate& c = candidates[m];
+    return (c.passive && e.fit.unknowns(static_cast<Index>(c.strengths[0])) < 0) ||
+           (c.plausible && !c.plausible(e.fit.unknowns));
   });
 }
 
@@ -122,6 +129,10 @@ class Search {
     return e.fit.chi_squared / std::max(1.0, rows_ - static_cast<double>(e.fit.rank));
   }
 
+  bool is_open(const Explanation& e) const {
+    return std::any_of(e.members.begin(), e.members.end(), [&](std::size_t m) { return candidates_[m].open_law; });
+  }
+
   bool leaves_more_than_noise(const Explanation& e) const {
     const double freedom = result_.degrees_of_freedom;
     return e.fit.chi_squared > freedom + least_remainder * std::sqrt(2 * freedom);
@@ -138,11 +149,12 @@ class Search {
       double before = std::numeric_limits<double>::infinity();
       for (int round = 0; round < 6; ++round) {
         discrepancy_.freeze(unknowns, coarse);
-        fit = refit_own(unknowns, coarse > 0 ? first_damping : 0);
+        Refit next = refit_own(unknowns, coarse > 0 ? first_damping : 0);
+        if (next.chi_squared > reweighting * std::max(before, rows_)) break;
+        fit = std::move(next);
         unknowns = fit.unknowns;
-        const double now = fit.chi_squared;
-        if (round > 0 && std::abs(now - before) < 0.02 * before + 1) break;
-        before = now;
+        if (round > 0 && std::abs(fit.chi_squared - before) < 0.02 * before + 1) break;
+        before = fit.chi_squared;
       }
       nulls.push_back(std::move(fit));
     }
@@ -170,6 +182,14 @@ class Search {
 
   std::vector<Screening> screen_from(const Refit& base) {
     return screen_all(discrepancy_, base, candidates_, scales_, options_.threads);
+  }
+
+  // Beside another effect.
+  std::vector<Screening> screen_partners(const Refit& base) {
+    std::vector<Screening> found = screen_from(base);
+    for (std::size_t c = 0; c < candidates_.size(); ++c)
+      if (candidates_[c].open_law) found[c].gain = 0;
+    return found;
   }
 
   void fit_singles() {
@@ -254,10 +274,10 @@ class Search {
   void add_pairs() {
     std::vector<Explanation> alone;
     for (const Explanation& e : found_)
-      if (e.members.size() == 1) alone.push_back(e);
+      if (e.members.size() == 1 && !is_open(e)) alone.push_back(e);
     if (alone.empty()) return;
     const std::size_t best_alone = alone.front().members.front();
-    std::vector<Screening> beside_best = screen_from(alone.front().fit);
+    std::vector<Screening> beside_best = screen_partners(alone.front().fit);
     beside_best[best_alone].gain = 0;
     const auto most = std::max_element(beside_best.begin(), beside_best.end(),
                                        [](const Screening& a, const Screening& b) { return a.gain < b.gain; });
@@ -267,7 +287,8 @@ class Search {
     Pairs pairs;
     expand(alone.front(), std::move(beside_best), pairs);
     for (std::size_t f = 1; f < std::min(most_firsts, alone.size()); ++f)
-      if (pairs.expanded.count(alone[f].members.front()) == 0) expand(alone[f], screen_from(alone[f].fit), pairs);
+      if (pairs.expanded.count(alone[f].members.front()) == 0)
+        expand(alone[f], screen_partners(alone[f].fit), pairs);
     exchange_members(pairs);
     keep_best_of_each(pairs.found, candidates_);
     try_members_alone(pairs.found);
@@ -287,7 +308,7 @@ class Search {
         moved = true;
         const VectorXd& start = singles_[member].start;
         const Explanation single = explain({member}, start.size() > 0 ? start : result_.null.fit.unknowns);
-        expand(single, screen_from(single.fit), pairs);
+        expand(single, screen_partners(single.fit), pairs);
       }
       if (!moved) break;
     }
@@ -323,6 +344,7 @@ class Search {
     const auto weigh_one = [&](Explanation& e) {
       e.log_evidence = -0.5 * e.fit.chi_squared / result_.dispersion - price_ * static_cast<double>(e.unknowns);
       if (e.members.size() > 1) e.log_evidence += std::log(options_.prior_second);
+      if (is_open(e)) e.log_evidence += std::log(options_.prior_open_law);
     };
     weigh_one(result_.null);
     for (Explanation& e : found_) weigh_one(e);

@@ -27,12 +27,14 @@ struct Inference {
 
 struct InferenceOptions {
   unsigned threads = 1;
-  double prior_second = 1e-3;  ///< prior odds of a second effect beside a first
+  double prior_second = 1e-3;    ///< prior odds of a second effect beside a first
+  double prior_open_law = 1e-3;  ///< of a single law outside of the catalogue instead of one in it
 };
 
 /// Fits every candidate that shows at first order, with all `own` unknowns free beside it, and pairs of the best
 /// with the rest. Evidence: Schwarz's approximation with rows of the dispersion that the best explanation leaves,
-/// and equal prior odds for every candidate.
+/// and equal prior odds for every candidate of the catalogue. Open laws compete alone only: a single law that the
+/// catalogue lacks looks like two that it holds.
 Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidates, const Eigen::VectorXd& start,
                 const std::vector<std::size_t>& own, const InferenceOptions& options);
 

@@ -36,18 +36,6 @@ Complex line_rate(const Torus& torus, const std::array<Complex, 2>& rate, Index 
   return sum;
 }
 
-Eigen::RowVectorXd slider_stretch(const Eigen::RowVectorXd& path, double slip) {
-  Eigen::RowVectorXd stretch(path.size());
-  double z = 0, before = path(path.size() - 1);
-  for (int turn = 0; turn < 2; ++turn)
-    for (Index i = 0; i < path.size(); ++i) {
-      z = std::clamp(z + path(i) - before, -slip, slip);
-      before = path(i);
-      stretch(i) = z;
-    }
-  return stretch;
-}
-
 void place_masters(const MotionSetting& setting, const VectorXcd& amplitudes, MatrixXcd& displacement) {
   for (std::size_t m = 0; m < setting.masters.size(); ++m)
     displacement(static_cast<Index>(setting.masters[m].mode), setting.masters[m].line) =
@@ -69,7 +57,7 @@ Motion MotionBalance::solve(const MotionSetting& setting, const VectorXcd& ampli
   place_masters(setting, amplitudes, motion.displacement);
   const double scale = amplitudes.size() > 0 ? amplitudes.cwiseAbs().maxCoeff() : 0;
   const std::vector<SlavedLine> slaves = slaved_lines(setting, *model_, parameters);
-  BalanceSweep sweep(*model_, memory_, setting, parameters);
+  BalanceSweep sweep(*model_, forces_, setting, parameters);
   AndersonAcceleration acceleration(remembered_steps, dependent_steps);
   double share = 1, last_step = 0;
   MatrixXcd residual;

@@ -7,16 +7,11 @@
 #include <span>
 #include <vector>
 
+#include "diagnose/state_force.hpp"
 #include "diagnose/torus.hpp"
 #include "estimator/compiled_model.hpp"
 
 namespace secular {
-
-/// A force with memory (a slider in series with a spring): the model's excitation slot `excitation` carries the
-/// spring's stretch z(t), dz/dt = dx/dt while |z| < slip, where x is coordinate `mode` and `slip` a symbol.
-struct MemorySlot {
-  std::size_t excitation = 0, mode = 0, slip_symbol = 0;
-};
 
 /// A line of a mode whose amplitude is measured, not solved for: its own balance is what a model is judged by.
 struct MasterLine {
@@ -57,11 +52,11 @@ Eigen::VectorXcd balance_of_masters(const MotionSetting& setting, const Eigen::M
 /// frequency and time, Cameron and Griffin 1989).
 class MotionBalance {
  public:
-  MotionBalance(const CompiledModel& model, std::vector<MemorySlot> memory)
-      : model_(&model), memory_(std::move(memory)) {}
+  MotionBalance(const CompiledModel& model, std::vector<StateForce> forces)
+      : model_(&model), forces_(std::move(forces)) {}
 
   const CompiledModel& model() const { return *model_; }
-  const std::vector<MemorySlot>& memory() const { return memory_; }
+  const std::vector<StateForce>& forces() const { return forces_; }
 
   /// `amplitudes`: of the masters, half of the peak. `parameters` by CompiledModel::symbols. `start`: a
   /// neighbouring motion to begin with, or nullptr.
@@ -70,14 +65,11 @@ class MotionBalance {
 
  private:
   const CompiledModel* model_;
-  std::vector<MemorySlot> memory_;
+  std::vector<StateForce> forces_;
 };
 
 /// A line closer to resonance than this (relative to the natural frequency squared) is no slave: it is a master, or
 /// the mode is at rest on it.
 constexpr double resonant_band = 0.25;
-
-/// Stretch of the spring of a slider with slip displacement `slip` along a closed path, after a first turn.
-Eigen::RowVectorXd slider_stretch(const Eigen::RowVectorXd& path, double slip);
 
 }  // namespace secular

@@ -62,10 +62,10 @@ double third_difference_variance(const VectorXd& error, Index samples) {
 
 }  // namespace
 
-SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<MemorySlot> memory, SensorModel sensors,
+SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateForce> forces, SensorModel sensors,
                                  FaultTable table, std::vector<Segment> segments)
     : model_(&model),
-      memory_(std::move(memory)),
+      forces_(std::move(forces)),
       sensors_(std::move(sensors)),
       table_(std::move(table)),
       segments_(std::move(segments)),
@@ -127,7 +127,7 @@ VectorXd SegmentEvidence::errors(const Segment& s, const VectorXd& unknowns, con
       signal.half_steps.rows() > 0 &&
       std::any_of(faults.extra.amplitude.begin(), faults.extra.amplitude.end(), [](double a) { return a != 0; });
   const SideOscillator side{faults.extra.frequency, faults.extra.damping};
-  const StretchOfMotion motion = integrate_stretch(*model_, memory_, parameters, signal, state, samples, s.substeps,
+  const StretchOfMotion motion = integrate_stretch(*model_, forces_, parameters, signal, state, samples, s.substeps,
                                                    change, extra ? &side : nullptr);
   MatrixXd shapes = sensors_.shapes;
   if (!faults.mixing.isZero(0)) shapes += sensors_.shapes * faults.mixing;
@@ -263,9 +263,12 @@ void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
       changes.col(2 * k + 1) = (errors(s, unknowns, f.state, samples, change) - error) * 1e6;
     }
     f.change_basis = beyond(f.state_basis, changes);
-    if (coarse > 0 || f.change_sd.size() == 0) {
-      f.change_sd = VectorXd::Constant(2 * modes, 1e-3);
-      f.rest_sd = 1e-3;
+    // Far from the data there is no repeatability to measure: the channels' noise, widened, is the error.
+    if (coarse > 0 || !f.measured) {
+      const double start = coarse > 0 ? 1 : 1e-3;
+      f.change_sd = VectorXd::Constant(2 * modes, start);
+      f.rest_sd = start;
+      f.measured = coarse == 0;
     }
   }
   if (coarse == 0) measure_repeatability(unknowns);

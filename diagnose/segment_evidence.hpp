@@ -16,7 +16,7 @@ namespace secular {
 /// disturbed, and no segment's other rows count for more than they hold.
 class SegmentEvidence : public Evidence {
  public:
-  SegmentEvidence(const CompiledModel& model, std::vector<MemorySlot> memory, SensorModel sensors, FaultTable table,
+  SegmentEvidence(const CompiledModel& model, std::vector<StateForce> forces, SensorModel sensors, FaultTable table,
                   std::vector<Segment> segments);
 
   Eigen::Index size() const override { return static_cast<Eigen::Index>(labels_.size()); }
@@ -45,6 +45,7 @@ class SegmentEvidence : public Evidence {
     Eigen::MatrixXd state_basis, change_basis;  // samples*channels x 2 modes, orthonormal
     Eigen::VectorXd change_sd;                  // repeatability of the first rows
     double rest_sd = 1;                         // and of the others
+    bool measured = false;                      // whether these two come from the segments
     double disturbance = 0;                     // what the others hold in a disturbed record; else 0
     double widening = 1;                        // errors times this
   };
@@ -58,7 +59,7 @@ class SegmentEvidence : public Evidence {
   void find_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state) const;
 
   const CompiledModel* model_;
-  std::vector<MemorySlot> memory_;
+  std::vector<StateForce> forces_;
   SensorModel sensors_;
   FaultTable table_;
   std::vector<Segment> segments_;

@@ -24,17 +24,17 @@ ExcitationSample interpolated(const Eigen::MatrixXd& half_steps, Index row, doub
 
 class Stretch {
  public:
-  Stretch(const CompiledModel& model, const std::vector<MemorySlot>& memory, std::span<const double> parameters,
+  Stretch(const CompiledModel& model, const std::vector<StateForce>& forces, std::span<const double> parameters,
           const DrivingSignal& signal, const std::vector<LinearChange>& change, const SideOscillator* side)
       : model_(model),
-        memory_(memory),
+        forces_(forces),
         parameters_(parameters),
         signal_(signal),
         change_(change),
         side_(side),
         modes_(static_cast<Index>(model.modes())),
         excitation_(model.excitations.size()),
-        stretch_(memory.size(), 0.0) {}
+        stretch_(forces.size(), 0.0) {}
 
   // Derivative of (displacements, velocities, side displacement, side velocity); time in half steps of the samples.
   void derivative(double at, const VectorXd& state, const VectorXd& origin, VectorXd& rate) {
@@ -42,11 +42,15 @@ class Stretch {
       excitation_[j] = static_cast<Index>(j) < signal_.half_steps.rows()
                            ? interpolated(signal_.half_steps, static_cast<Index>(j), at, 0.5 * signal_.sample_s)
                            : ExcitationSample{};
-    for (std::size_t s = 0; s < memory_.size(); ++s) {
-      const auto mode = static_cast<Index>(memory_[s].mode);
-      const double slip = parameters_[memory_[s].slip_symbol];
-      excitation_[memory_[s].excitation] = {std::clamp(stretch_[s] + state(mode) - origin(mode), -slip, slip), 0,
-                                            0};
+    for (std::size_t f = 0; f < forces_.size(); ++f) {
+      const StateForce& force = forces_[f];
+      excitation_[force.excitation] = {};
+      if (parameters_[force.strength_symbol] == 0) continue;
+      const auto mode = static_cast<Index>(force.mode);
+      const double shape = parameters_[force.shape_symbol];
+      excitation_[force.excitation].value =
+          force.law == StateForce::Law::slider ? std::clamp(stretch_[f] + state(mode) - origin(mode), -shape, shape)
+                                               : power_law(force, state(mode), state(modes_ + mode), shape);
     }
     model_.acceleration(parameters_.data(), excitation_.data(), state.data(), state.data() + modes_,
                         rate.data() + modes_);
@@ -93,10 +97,11 @@ class Stretch {
         moved = state + step * k3;
         derivative(at + half_steps, moved, state, k4);
         moved = state + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-        for (std::size_t m = 0; m < memory_.size(); ++m) {
-          const auto mode = static_cast<Index>(memory_[m].mode);
-          const double slip = parameters_[memory_[m].slip_symbol];
-          stretch_[m] = std::clamp(stretch_[m] + moved(mode) - state(mode), -slip, slip);
+        for (std::size_t f = 0; f < forces_.size(); ++f) {
+          if (forces_[f].law != StateForce::Law::slider) continue;
+          const auto mode = static_cast<Index>(forces_[f].mode);
+          const double slip = parameters_[forces_[f].shape_symbol];
+          stretch_[f] = std::clamp(stretch_[f] + moved(mode) - state(mode), -slip, slip);
         }
         state.swap(moved);
       }
@@ -107,7 +112,7 @@ class Stretch {
 
  private:
   const CompiledModel& model_;
-  const std::vector<MemorySlot>& memory_;
+  const std::vector<StateForce>& forces_;
   std::span<const double> parameters_;
   const DrivingSignal& signal_;
   const std::vector<LinearChange>& change_;
@@ -119,11 +124,11 @@ class Stretch {
 
 }  // namespace
 
-StretchOfMotion integrate_stretch(const CompiledModel& model, const std::vector<MemorySlot>& memory,
+StretchOfMotion integrate_stretch(const CompiledModel& model, const std::vector<StateForce>& forces,
                                   std::span<const double> parameters, const DrivingSignal& signal,
                                   const VectorXd& state, Index samples, int substeps,
                                   const std::vector<LinearChange>& change, const SideOscillator* side) {
-  return Stretch(model, memory, parameters, signal, change, side).run(state, samples, substeps);
+  return Stretch(model, forces, parameters, signal, change, side).run(state, samples, substeps);
 }
 
 }  // namespace secular

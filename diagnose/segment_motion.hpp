@@ -33,8 +33,9 @@ struct StretchOfMotion {
 
 /// Integrates the full equations of motion over evenly spaced samples: fourth-order Runge-Kutta with `substeps`
 /// equal steps from sample to sample, the driving signal interpolated by parabolas. `state`: displacements, then
-/// velocities. Sliders of `memory` start unstretched. Samples after a state beyond 1e6 times its start stay zero.
-StretchOfMotion integrate_stretch(const CompiledModel& model, const std::vector<MemorySlot>& memory,
+/// velocities. Sliders among `forces` start unstretched. Samples after a state beyond 1e6 times its start stay
+/// zero.
+StretchOfMotion integrate_stretch(const CompiledModel& model, const std::vector<StateForce>& forces,
                                   std::span<const double> parameters, const DrivingSignal& signal,
                                   const Eigen::VectorXd& state, Eigen::Index samples, int substeps,
                                   const std::vector<LinearChange>& change, const SideOscillator* side);

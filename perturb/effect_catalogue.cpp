@@ -91,6 +91,24 @@ constexpr std::array catalogue = std::to_array<CatalogueEntry>({
      .memory = Memory::time},
 });
 
+constexpr std::array laws = std::to_array<CatalogueEntry>({
+    {.effect = "open_stiffness",
+     .parameters = "ku pu",
+     .term = "-{0}*{s}",
+     .order = Order::outside,
+     .memory = Memory::displacement_power},
+    {.effect = "open_damping",
+     .parameters = "cu qu",
+     .term = "-{0}*{s}",
+     .order = Order::outside,
+     .memory = Memory::velocity_power},
+    {.effect = "open_loss",
+     .parameters = "lu ru",
+     .term = "-{0}*{s}",
+     .order = Order::outside,
+     .memory = Memory::loss_power},
+});
+
 constexpr const char* extra_mode = "extra_mode";
 
 std::string known_effects() {
@@ -108,6 +126,14 @@ bool needs_excitation(const CatalogueEntry& entry) {
   throw InputError("effect " + text, "", wrong, right);
 }
 
+const CatalogueEntry* find_among(std::span<const CatalogueEntry> entries, const std::string& effect,
+                                 std::size_t form) {
+  const auto found = std::find_if(entries.begin(), entries.end(), [&](const CatalogueEntry& entry) {
+    return entry.effect == effect && entry.form == form;
+  });
+  return found == entries.end() ? nullptr : &*found;
+}
+
 std::size_t mode_index(const std::string& coordinate, const std::string& text, const Model& model) {
   std::string coordinates;
   for (std::size_t k = 0; k < model.modes.size(); ++k) {
@@ -123,11 +149,13 @@ std::span<const CatalogueEntry> effect_catalogue() {
   return catalogue;
 }
 
+std::span<const CatalogueEntry> open_laws() {
+  return laws;
+}
+
 const CatalogueEntry* find_catalogue_entry(const std::string& effect, std::size_t form) {
-  const auto found = std::find_if(catalogue.begin(), catalogue.end(), [&](const CatalogueEntry& entry) {
-    return entry.effect == effect && entry.form == form;
-  });
-  return found == catalogue.end() ? nullptr : &*found;
+  const CatalogueEntry* entry = find_among(catalogue, effect, form);
+  return entry != nullptr ? entry : find_among(laws, effect, form);
 }
 
 std::vector<EffectTerm> applicable_effects(const Model& model) {
@@ -147,6 +175,14 @@ std::vector<EffectTerm> applicable_effects(const Model& model) {
   return terms;
 }
 
+std::vector<EffectTerm> open_law_terms(const Model& model) {
+  std::vector<EffectTerm> terms;
+  for (const CatalogueEntry& entry : laws)
+    for (std::size_t k = 0; k < model.modes.size(); ++k)
+      terms.push_back({std::string(entry.effect), k, EffectTerm::none, entry.form});
+  return terms;
+}
+
 EffectTerm parse_effect_term(const std::string& text, const Model& model) {
   std::vector<std::string> pieces;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -162,7 +198,7 @@ EffectTerm parse_effect_term(const std::string& text, const Model& model) {
     spare(1);
     return term;
   }
-  const CatalogueEntry* entry = find_catalogue_entry(term.effect);
+  const CatalogueEntry* entry = find_among(catalogue, term.effect, 0);
   if (entry == nullptr) refuse(text, "is not known", "known are " + known_effects());
   spare(entry->couples ? 4 : 2);
   if (pieces.size() > 1)
@@ -178,7 +214,7 @@ EffectTerm parse_effect_term(const std::string& text, const Model& model) {
   if (pieces.size() > 3) {
     const bool digit = pieces[3].size() == 1 && pieces[3][0] >= '0' && pieces[3][0] <= '9';
     term.form = digit ? static_cast<std::size_t>(pieces[3][0] - '0') : EffectTerm::none;
-    if (find_catalogue_entry(term.effect, term.form) == nullptr)
+    if (find_among(catalogue, term.effect, term.form) == nullptr)
       refuse(text, "has no form '" + pieces[3] + "'", "the catalogue counts an effect's forms from 0");
   }
   return term;

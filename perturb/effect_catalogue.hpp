@@ -28,8 +28,9 @@ struct AddedEffect {
   /// ones are shape parameters. freeplay: gap; hysteresis: slip displacement, which enters no equation and is there
   /// for whoever integrates z(t); extra_mode: natural frequency (rad/s) and viscous damping mu1 (1/s).
   std::vector<std::string> parameters;
-  /// hysteresis, natural_frequency_drift: index of the excitation whose signal the caller supplies: the value (not
-  /// an amplitude) of the elastic displacement z(t) or of the time. EffectTerm::none for all others.
+  /// hysteresis, natural_frequency_drift, open laws: index of the excitation whose signal the caller supplies: the
+  /// value (not an amplitude) of the elastic displacement z(t), of the time or of the law. EffectTerm::none for all
+  /// others.
   std::size_t memory = EffectTerm::none;
   /// extra_mode: index of the mode that was added.
   std::size_t added_mode = EffectTerm::none;
@@ -47,6 +48,9 @@ struct CatalogueEntry {
     none,
     time,                  ///< the time in s since the strength's reference instant
     elastic_displacement,  ///< z(t) of a slider and spring in series: dz/dt = D(v), |z| <= slip
+    displacement_power,    ///< sgn(v)*|v|^exponent, in whatever scale
+    velocity_power,        ///< sgn(D(v))*|D(v)|^exponent, in whatever scale
+    loss_power,            ///< |v|^exponent*D(v), in whatever scale
   };
   /// Order of eps in a case, cut at the case's expand_to.
   enum class Order {
@@ -72,12 +76,19 @@ struct CatalogueEntry {
 /// one entry.
 std::span<const CatalogueEntry> effect_catalogue();
 
-/// The entry of an effect and form; nullptr if there is none (extra_mode has none).
+/// Forces of one mode with an exponent of their own, open_stiffness, open_damping and open_loss: what stands for
+/// single laws that the catalogue does not hold. They enter no experiment and are never a cause.
+std::span<const CatalogueEntry> open_laws();
+
+/// The entry of an effect and form, open laws among them; nullptr if there is none (extra_mode has none).
 const CatalogueEntry* find_catalogue_entry(const std::string& effect, std::size_t form = 0);
 
 /// Every effect of the catalogue for every mode, and pair of modes, that it fits: those that need an excitation
 /// only for a model that has one. Effects whose term the model already holds are listed too.
 std::vector<EffectTerm> applicable_effects(const Model& model);
+
+/// Every open law for every mode.
+std::vector<EffectTerm> open_law_terms(const Model& model);
 
 /// NAME[:MODE[:OTHER[:FORM]]] with coordinates for MODE and OTHER; MODE may be left out where there is one mode,
 /// OTHER where there are two. Throws InputError.

@@ -55,7 +55,8 @@ class Augmentation {
     if (entry->term.find("{F}") != std::string_view::npos) values["F"] = first_excitation(term);
     if (entry->memory != CatalogueEntry::Memory::none) {
       const bool time = entry->memory == CatalogueEntry::Memory::time;
-      added.memory = add_excitation((time ? "time" : "z") + suffix);
+      const bool slider = entry->memory == CatalogueEntry::Memory::elastic_displacement;
+      added.memory = add_excitation((time ? "time" : slider ? "z" : "law_" + std::string(entry->effect)) + suffix);
       values["s"] = excitation_text(added.memory);
     }
     std::istringstream stems{std::string(entry->parameters)};

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+namespace secular {
+
+/// A force that no term of an equation of motion can say, supplied as the signal of one of the model's excitations:
+/// a function of the motion x of coordinate `mode`, which the model multiplies by a strength.
+struct StateForce {
+  enum class Law {
+    slider,              ///< stretch z of a spring in series with a slider: dz/dt = dx/dt while |z| < shape
+    displacement_power,  ///< scale*sgn(x)*|x/scale|^shape
+    velocity_power,      ///< scale*sgn(dx/dt)*|(dx/dt)/scale|^shape
+    loss_power           ///< |x/scale|^shape*dx/dt
+  };
+  Law law = Law::slider;
+  std::size_t excitation = 0, mode = 0;
+  std::size_t strength_symbol = 0;  ///< the signal is not computed where it is zero
+  std::size_t shape_symbol = 0;     ///< slip displacement, or exponent
+  double scale = 1;                 ///< displacement or velocity: usual in the data, so that a strength has a size
+};
+
+/// Signal of a law with an exponent, which is kept between 0 and 15.
+double power_law(const StateForce& force, double displacement, double velocity, double exponent);
+
+/// Stretch of the spring of a slider with slip displacement `slip` along a closed path, after a first turn.
+Eigen::RowVectorXd slider_stretch(const Eigen::RowVectorXd& path, double slip);
+
+/// The signal over a closed turn of the motion: modes x points each.
+Eigen::RowVectorXd signal_over_turn(const StateForce& force, const Eigen::MatrixXd& displacement,
+                                    const Eigen::MatrixXd& velocity, double shape);
+
+}  // namespace secular
