@@ -9,6 +9,7 @@
 #include <system_error>
 #include <thread>
 
+#include "app/band_option.hpp"
 #include "app/commands.hpp"
 #include "app/diagnosis_json.hpp"
 #include "app/diagnosis_report.hpp"
@@ -22,7 +23,7 @@ namespace {
 
 struct Options {
   DiagnosisRequest request;
-  std::string folder;
+  std::string folder, band;
   bool json = false;
 };
 
@@ -93,6 +94,7 @@ int run(Options& options, const CLI::App& command) {
       !(*options.request.check_from_s < *options.request.check_to_s))
     throw InputError("--check-from, --check-to", "", "the window is empty",
                      "--check-from must be before --check-to");
+  if (!options.band.empty()) options.request.band = parse_band(options.band);
   const DiagnosisRun result = run_diagnosis(options.request);
   const std::string json = diagnosis_json(result);
   std::string line = "secular diagnose " + options.request.campaign + " -o " + options.folder;
@@ -135,6 +137,9 @@ void add_diagnose_command(CLI::App& root, Action& chosen) {
   command->add_option("--check-from", request.check_from_s,
                       "simulate every decay, sweep and broadband record from this time on, s, in one piece");
   command->add_option("--check-to", request.check_to_s, "and up to this time, s");
+  command->add_option(
+      "--band", options->band,
+      "LOW:HIGH in Hz: free decays are filtered to it, so that modes beyond the model do not count");
   command->add_option("--records", request.window.records, "use the records whose file matches this pattern");
   command->add_flag("--interpret", request.interpret, "no compiled code: slower, same results");
   command->add_option("--threads", request.threads, "threads; the result does not depend on it")

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <vector>
 
+#include "app/band_option.hpp"
 #include "app/commands.hpp"
 #include "app/modal_json.hpp"
 #include "app/modal_report.hpp"
@@ -27,24 +28,6 @@ struct Options {
   double response_decay = 0;
   bool json = false;
 };
-
-void parse_band(Options& options) {
-  if (options.band.empty()) return;
-  const std::size_t colon = options.band.find(':');
-  const auto number = [&](const std::string& text) {
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(value) || value < 0)
-      throw InputError("--band " + options.band, "", "is not LOW:HIGH", "for example --band 20:300");
-    return value;
-  };
-  if (colon == std::string::npos)
-    throw InputError("--band " + options.band, "", "is not LOW:HIGH", "for example --band 20:300");
-  options.survey.lowest_hz = number(options.band.substr(0, colon));
-  options.survey.highest_hz = number(options.band.substr(colon + 1));
-  if (!(options.survey.lowest_hz < options.survey.highest_hz))
-    throw InputError("--band " + options.band, "", "the band is empty", "LOW must be below HIGH, both in Hz");
-}
 
 void parse_driving_points(Options& options) {
   for (const std::string& text : options.driving_points) {
@@ -105,7 +88,11 @@ std::string line_of(const Options& options, const CLI::App& command) {
 }
 
 int run(Options& options, const CLI::App& command) {
-  parse_band(options);
+  if (!options.band.empty()) {
+    const Band band = parse_band(options.band);
+    options.survey.lowest_hz = band.low_hz;
+    options.survey.highest_hz = band.high_hz;
+  }
   parse_driving_points(options);
   check(options);
   if (command.count("--exponential-window")) options.survey.response_decay = options.response_decay;

@@ -23,6 +23,8 @@ std::string subject_of(const EffectTerm& term, const CompiledModel& model) {
 
 StateForce::Law law_of(const EffectTerm& term) {
   switch (find_catalogue_entry(term.effect, term.form)->memory) {
+    case CatalogueEntry::Memory::spread_displacement:
+      return StateForce::Law::spread_slider;
     case CatalogueEntry::Memory::displacement_power:
       return StateForce::Law::displacement_power;
     case CatalogueEntry::Memory::velocity_power:
@@ -49,6 +51,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   DiagnosisOptions options;
   options.window = request.window;
   options.threads = request.threads;
+  options.band = request.band;
   if (request.check_from_s || request.check_to_s) {
     options.check = request.window;
     options.check->from_s = request.check_from_s.value_or(Window{}.from_s);

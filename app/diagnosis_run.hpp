@@ -16,6 +16,7 @@ struct DiagnosisRequest {
   Window window;
   /// Window in which the explanation is tried on records in one piece; none: no such trial.
   std::optional<double> check_from_s, check_to_s;
+  std::optional<Band> band;  ///< free decays pass through it first
   bool interpret = false;
   unsigned threads = 1;
 };

@@ -157,7 +157,8 @@ std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects,
   };
   for (std::size_t i = 0; i < channels; ++i) {
     const std::string& name = i < responses ? sensors.response_names[i] : sensors.excitation_names[i - responses];
-    all.push_back(fault("sensor_gain", name, faults.gain(i)));
+    // Free motion seen by one channel: its gain is the unit of the motion.
+    if (channels > 1) all.push_back(fault("sensor_gain", name, faults.gain(i)));
     all.push_back(fault("sensor_offset", name, faults.offset(i)));
     all.push_back(fault("channel_skew", name, faults.delay(i)));
     if (i < responses && !sensors.excitations.empty())

@@ -68,8 +68,9 @@ class Diagnoser {
     for (std::size_t k = 0; k < model.modes(); ++k) natural.push_back(start_(static_cast<Index>(k)));
     ObservedConditions observed = observe_conditions(campaign, read, model, sensors_, natural, options.window);
     result_.warnings = std::move(observed.warnings);
-    std::vector<Segment> segments = cut_segments(campaign, read, sensors_, natural, options.window,
-                                                 SegmentLength::turns, most_samples, result_.warnings);
+    std::vector<Segment> segments =
+        cut_segments(campaign, read, sensors_, natural,
+                     {options.window, SegmentLength::turns, most_samples, options.band}, result_.warnings);
     if (observed.conditions.empty() && segments.empty())
       throw InputError(
           campaign.folder.string(), "",
@@ -90,8 +91,9 @@ class Diagnoser {
       discrepancy_.add(std::move(evidence));
     }
     if (options.check) {
-      std::vector<Segment> apart = cut_segments(campaign, read, sensors_, natural, *options.check,
-                                                SegmentLength::whole, most_samples, result_.warnings);
+      std::vector<Segment> apart =
+          cut_segments(campaign, read, sensors_, natural,
+                       {*options.check, SegmentLength::whole, most_samples, options.band}, result_.warnings);
       if (apart.empty())
         throw InputError("--check-from, --check-to", "",
                          "hold no part of a free decay, sweep or broadband record of " + campaign.folder.string(),

@@ -21,6 +21,7 @@ struct DiagnosisOptions {
   std::map<std::string, double> parameters;
   std::map<std::string, double> parameter_sd;  ///< where the numbers came with error bars
   std::vector<StateForce> forces;              ///< scales are set from the data
+  std::optional<Band> band;     ///< free decays pass through it, so that other modes do not count as a gap
   std::optional<Window> check;  ///< part of the records on which the explanation is tried, whatever was fitted
   unsigned threads = 1;
 };

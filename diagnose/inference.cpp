@@ -256,7 +256,11 @@ class Search {
   void expand(const Explanation& single, std::vector<Screening> seconds, Pairs& pairs) {
     const std::size_t first = single.members.front();
     pairs.expanded.insert(first);
-    seconds[first].gain = 0;
+    // One effect at one place in two shapes is still that effect.
+    for (std::size_t c = 0; c < candidates_.size(); ++c)
+      if (candidates_[c].effect == candidates_[first].effect &&
+          candidates_[c].subject == candidates_[first].subject)
+        seconds[c].gain = 0;
     std::vector<std::size_t> partners;
     for (const std::size_t second : promising(seconds, most_partners))
       if (pairs.tried.insert(std::minmax(first, second)).second) partners.push_back(second);

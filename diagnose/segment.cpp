@@ -1,5 +1,7 @@
 #include "diagnose/segment.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +10,7 @@
 #include "diagnose/record_window.hpp"
 #include "estimator/campaign/noise_floor.hpp"
 #include "estimator/signal/free_decay.hpp"
+#include "input/input_error.hpp"
 
 namespace secular {
 namespace {
@@ -32,8 +35,7 @@ constexpr double floor_share = 1e-5;
 }  // namespace
 
 std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& read, const SensorModel& sensors,
-                                  const std::vector<double>& natural_frequency, const Window& window,
-                                  SegmentLength length_of_each, Index most_samples,
+                                  const std::vector<double>& natural_frequency, const SegmentCut& cut,
                                   std::vector<std::string>& warnings) {
   const double lowest = *std::min_element(natural_frequency.begin(), natural_frequency.end());
   const double highest = *std::max_element(natural_frequency.begin(), natural_frequency.end());
@@ -42,13 +44,14 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
   const auto responses = static_cast<Index>(sensors.responses.size());
   std::vector<std::size_t> records;
   for (std::size_t r = 0; r < campaign.records.size(); ++r)
-    if (campaign.records[r].kind != RecordKind::dwell && matches_pattern(window.records, campaign.records[r].file))
+    if (campaign.records[r].kind != RecordKind::dwell &&
+        matches_pattern(cut.window.records, campaign.records[r].file))
       records.push_back(r);
   std::vector<Segment> segments;
   for (const std::size_t r : records) {
     const RecordEntry& entry = campaign.records[r];
     const Record record = read(r);
-    const RecordPart part = part_of(record, channels, window);
+    RecordPart part = part_of(record, channels, cut.window);
     if (part.samples.rows() < 64) {
       warnings.push_back(entry.file + ": too short, left out");
       continue;
@@ -61,6 +64,9 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
       warnings.push_back(entry.file + ": nothing excites it, left out");
       continue;
     }
+    if (driven && cut.band)
+      throw InputError("--band", "", "cannot be applied to " + entry.file + ", which is driven",
+                       "only free decays are filtered; choose them with --records");
     const double rate = record.sample_rate_hz;
     const Eigen::VectorXd modal = part.samples.leftCols(responses) * sensors.filter.row(0).transpose();
     Index first = 0;
@@ -71,6 +77,19 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
         continue;
       }
       first = start->sample;
+      if (cut.band) {
+        // Sample i of what has passed is sample i + reach of the record: free of what was before the decay's start
+        // from the sample with the start's own number on.
+        if (!(cut.band->high_hz < rate / 2))
+          throw InputError("--band", "", "ends above half the sample rate of " + entry.file,
+                           fmt::format("below {:.6g} Hz there", rate / 2));
+        part.samples = band_pass(part.samples, rate, *cut.band);
+        part.start_s += static_cast<double>(band_pass_reach(*cut.band, rate)) / rate;
+        if (part.samples.rows() <= first + 48) {
+          warnings.push_back(entry.file + ": shorter than the response of the band's filter, left out");
+          continue;
+        }
+      }
     }
     const auto thinning =
         driven ? Index{1}
@@ -78,7 +97,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
     const double thinned_rate = rate / static_cast<double>(thinning);
     const Index available = (part.samples.rows() - first - 1) / thinning;
     const double turns = driven ? driven_turns : decay_turns;
-    const Index wanted = length_of_each == SegmentLength::whole
+    const Index wanted = cut.length == SegmentLength::whole
                              ? available
                              : static_cast<Index>(std::ceil(turns * turn / lowest * thinned_rate));
     const auto length = std::min<Index>(available, std::max<Index>(48, wanted));
@@ -94,7 +113,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
       noise(c) = std::hypot(floor.value_or(1e-3 * largest), floor_share * largest);
     }
     Index pieces = available / length;
-    const Index share = std::max<Index>(1, most_samples / static_cast<Index>(records.size()) / length);
+    const Index share = std::max<Index>(1, cut.most_samples / static_cast<Index>(records.size()) / length);
     std::vector<Index> starts;
     if (driven && pieces > share)
       for (Index s = 0; s < share; ++s) starts.push_back(s * pieces / share * length);

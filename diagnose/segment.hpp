@@ -1,12 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnose/segment_motion.hpp"
 #include "diagnose/sensor_model.hpp"
 #include "estimator/identification/observation_set.hpp"
+#include "estimator/signal/band_pass.hpp"
 
 namespace secular {
 
@@ -28,12 +30,21 @@ enum class SegmentLength {
   whole   ///< all that the window holds of a record
 };
 
+/// How segments are cut.
+struct SegmentCut {
+  Window window;
+  SegmentLength length = SegmentLength::turns;
+  Eigen::Index most_samples = 0;  ///< in all; of no effect on whole ones
+  std::optional<Band> band;       ///< free decays pass through it first
+};
+
 /// Free decays, impacts, sweeps and broadband records as segments, evenly spread over the record where it holds
-/// more samples than are needed (`most_samples` in all; of no effect on whole ones). Decays begin where the
-/// structure swings freely. Samples are thinned where the record is much faster than the highest mode.
+/// more samples than are needed. Decays begin where the structure swings freely (with a band: as much later as its
+/// filter reaches). Samples are thinned where the record is much faster than the highest mode. Throws InputError
+/// for driven records with a band: their excitation would have to pass too, and what is nonlinear answers to all of
+/// it.
 std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& read, const SensorModel& sensors,
-                                  const std::vector<double>& natural_frequency, const Window& window,
-                                  SegmentLength length_of_each, Eigen::Index most_samples,
+                                  const std::vector<double>& natural_frequency, const SegmentCut& cut,
                                   std::vector<std::string>& warnings);
 
 }  // namespace secular

@@ -22,19 +22,31 @@ ExcitationSample interpolated(const Eigen::MatrixXd& half_steps, Index row, doub
           bend / (half_step_s * half_step_s)};
 }
 
+// A force that is not switched off, with the state of its sliders.
+struct ActiveForce {
+  const StateForce* force;
+  double shape;
+  std::vector<double> slips, stretch;
+};
+
 class Stretch {
  public:
   Stretch(const CompiledModel& model, const std::vector<StateForce>& forces, std::span<const double> parameters,
           const DrivingSignal& signal, const std::vector<LinearChange>& change, const SideOscillator* side)
       : model_(model),
-        forces_(forces),
         parameters_(parameters),
         signal_(signal),
         change_(change),
         side_(side),
         modes_(static_cast<Index>(model.modes())),
-        excitation_(model.excitations.size()),
-        stretch_(forces.size(), 0.0) {}
+        excitation_(model.excitations.size()) {
+    for (const StateForce& force : forces) {
+      if (parameters[force.strength_symbol] == 0) continue;
+      const double shape = parameters[force.shape_symbol];
+      std::vector<double> slips = slips_of(force, shape), stretch(slips.size(), 0.0);
+      active_.push_back({&force, shape, std::move(slips), std::move(stretch)});
+    }
+  }
 
   // Derivative of (displacements, velocities, side displacement, side velocity); time in half steps of the samples.
   void derivative(double at, const VectorXd& state, const VectorXd& origin, VectorXd& rate) {
@@ -42,15 +54,14 @@ class Stretch {
       excitation_[j] = static_cast<Index>(j) < signal_.half_steps.rows()
                            ? interpolated(signal_.half_steps, static_cast<Index>(j), at, 0.5 * signal_.sample_s)
                            : ExcitationSample{};
-    for (std::size_t f = 0; f < forces_.size(); ++f) {
-      const StateForce& force = forces_[f];
-      excitation_[force.excitation] = {};
-      if (parameters_[force.strength_symbol] == 0) continue;
+    for (const ActiveForce& active : active_) {
+      const StateForce& force = *active.force;
       const auto mode = static_cast<Index>(force.mode);
-      const double shape = parameters_[force.shape_symbol];
-      excitation_[force.excitation].value =
-          force.law == StateForce::Law::slider ? std::clamp(stretch_[f] + state(mode) - origin(mode), -shape, shape)
-                                               : power_law(force, state(mode), state(modes_ + mode), shape);
+      double value = active.slips.empty() ? power_law(force, state(mode), state(modes_ + mode), active.shape) : 0;
+      for (std::size_t i = 0; i < active.slips.size(); ++i)
+        value += std::clamp(active.stretch[i] + state(mode) - origin(mode), -active.slips[i], active.slips[i]) /
+                 static_cast<double>(active.slips.size());
+      excitation_[force.excitation] = {value, 0, 0};
     }
     model_.acceleration(parameters_.data(), excitation_.data(), state.data(), state.data() + modes_,
                         rate.data() + modes_);
@@ -97,11 +108,11 @@ class Stretch {
         moved = state + step * k3;
         derivative(at + half_steps, moved, state, k4);
         moved = state + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-        for (std::size_t f = 0; f < forces_.size(); ++f) {
-          if (forces_[f].law != StateForce::Law::slider) continue;
-          const auto mode = static_cast<Index>(forces_[f].mode);
-          const double slip = parameters_[forces_[f].shape_symbol];
-          stretch_[f] = std::clamp(stretch_[f] + moved(mode) - state(mode), -slip, slip);
+        for (ActiveForce& active : active_) {
+          const auto mode = static_cast<Index>(active.force->mode);
+          for (std::size_t e = 0; e < active.slips.size(); ++e)
+            active.stretch[e] =
+                std::clamp(active.stretch[e] + moved(mode) - state(mode), -active.slips[e], active.slips[e]);
         }
         state.swap(moved);
       }
@@ -112,14 +123,13 @@ class Stretch {
 
  private:
   const CompiledModel& model_;
-  const std::vector<StateForce>& forces_;
   std::span<const double> parameters_;
   const DrivingSignal& signal_;
   const std::vector<LinearChange>& change_;
   const SideOscillator* side_;
   Index modes_;
   std::vector<ExcitationSample> excitation_;
-  std::vector<double> stretch_;
+  std::vector<ActiveForce> active_;
 };
 
 }  // namespace

@@ -24,6 +24,15 @@ double power_law(const StateForce& force, double displacement, double velocity, 
   return x == 0 ? 0 : std::copysign(force.scale * size, x);
 }
 
+std::vector<double> slips_of(const StateForce& force, double shape) {
+  if (force.law == StateForce::Law::slider) return {shape};
+  std::vector<double> slips;
+  if (force.law == StateForce::Law::spread_slider)
+    for (std::size_t i = 0; i < spread_sliders; ++i)
+      slips.push_back(shape * (static_cast<double>(i) + 0.5) / static_cast<double>(spread_sliders));
+  return slips;
+}
+
 RowVectorXd slider_stretch(const RowVectorXd& path, double slip) {
   RowVectorXd stretch(path.size());
   double z = 0, before = path(path.size() - 1);
@@ -39,8 +48,12 @@ RowVectorXd slider_stretch(const RowVectorXd& path, double slip) {
 RowVectorXd signal_over_turn(const StateForce& force, const MatrixXd& displacement, const MatrixXd& velocity,
                              double shape) {
   const auto mode = static_cast<Index>(force.mode);
-  if (force.law == StateForce::Law::slider) return slider_stretch(displacement.row(mode), shape);
-  RowVectorXd signal(displacement.cols());
+  RowVectorXd signal = RowVectorXd::Zero(displacement.cols());
+  if (const std::vector<double> slips = slips_of(force, shape); !slips.empty()) {
+    for (const double slip : slips)
+      signal += slider_stretch(displacement.row(mode), slip) / static_cast<double>(slips.size());
+    return signal;
+  }
   for (Index p = 0; p < signal.size(); ++p)
     signal(p) = power_law(force, displacement(mode, p), velocity(mode, p), shape);
   return signal;

@@ -10,7 +10,8 @@ namespace secular {
 /// a function of the motion x of coordinate `mode`, which the model multiplies by a strength.
 struct StateForce {
   enum class Law {
-    slider,              ///< stretch z of a spring in series with a slider: dz/dt = dx/dt while |z| < shape
+    slider,         ///< stretch z of a spring in series with a slider: dz/dt = dx/dt while |z| < shape
+    spread_slider,  ///< mean stretch of spread_sliders such, slips evenly spread between 0 and shape (micro-slip)
     displacement_power,  ///< scale*sgn(x)*|x/scale|^shape
     velocity_power,      ///< scale*sgn(dx/dt)*|(dx/dt)/scale|^shape
     loss_power           ///< |x/scale|^shape*dx/dt
@@ -24,6 +25,12 @@ struct StateForce {
 
 /// Signal of a law with an exponent, which is kept between 0 and 15.
 double power_law(const StateForce& force, double displacement, double velocity, double exponent);
+
+/// Sliders that stand for an even spread of slips.
+inline constexpr std::size_t spread_sliders = 8;
+
+/// Slip displacements of the sliders of a force: one, spread_sliders, or none where the law has no memory.
+std::vector<double> slips_of(const StateForce& force, double shape);
 
 /// Stretch of the spring of a slider with slip displacement `slip` along a closed path, after a first turn.
 Eigen::RowVectorXd slider_stretch(const Eigen::RowVectorXd& path, double slip);

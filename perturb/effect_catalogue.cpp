@@ -47,6 +47,13 @@ constexpr std::array catalogue = std::to_array<CatalogueEntry>({
      .term = "-{0}*{s}",
      .order = Order::outside,
      .memory = Memory::elastic_displacement},
+    // Micro-slip: a joint gives way little by little (Iwan 1966).
+    {.effect = "hysteresis",
+     .form = 1,
+     .parameters = "ki spread",
+     .term = "-{0}*{s}",
+     .order = Order::outside,
+     .memory = Memory::spread_displacement},
     {.effect = "direct_excitation", .parameters = "eta1", .term = "+{0}*{F}", .order = Order::unless_resonant},
     {.effect = "parametric_excitation",
      .parameters = "eta2",

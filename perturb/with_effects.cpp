@@ -55,7 +55,8 @@ class Augmentation {
     if (entry->term.find("{F}") != std::string_view::npos) values["F"] = first_excitation(term);
     if (entry->memory != CatalogueEntry::Memory::none) {
       const bool time = entry->memory == CatalogueEntry::Memory::time;
-      const bool slider = entry->memory == CatalogueEntry::Memory::elastic_displacement;
+      const bool slider = entry->memory == CatalogueEntry::Memory::elastic_displacement ||
+                          entry->memory == CatalogueEntry::Memory::spread_displacement;
       added.memory = add_excitation((time ? "time" : slider ? "z" : "law_" + std::string(entry->effect)) + suffix);
       values["s"] = excitation_text(added.memory);
     }
