@@ -15,6 +15,8 @@ constexpr double largest_relative_change = 0.3;
 // Norm, over the whole campaign, below which a difference is nothing that data could show: its chi-square would
 // exceed the degrees of freedom of a comparison by 16 only.
 constexpr double visible = 4;
+// A case whose motion grows beyond all bounds is drawn again, from a stream of its own.
+constexpr std::uint64_t most_redraws = 8, redrawn = 10'000'000;
 
 bool changes_with_time(const std::string& effect) {
   return effect == "modulated_force";
@@ -174,6 +176,51 @@ void move_parameters(SealedCase& c, const Signatures& signatures, double target,
   c.truths.push_back(truth);
 }
 
+SealedCase draw_once(const CasePlan& plan, Random random) {
+  SealedCase c;
+  c.plan = plan;
+  const std::set<std::string> withheld(plan.effects.begin(), plan.effects.end());
+  do {
+    c.specimen = draw_specimen(plan.family, withheld, plan.dwells, random);
+  } while (c.specimen.dwells.size() < plan.dwells / 2);
+  c.reality = reality_of(c.specimen);
+  const Levels levels = levels_of(c.specimen, c.reality);
+  for (const double rms : levels.median_rms) c.noise_sd.push_back(rms * std::pow(10, -plan.snr_db / 20));
+  // A converter of twelve bits whose range is three times the largest signal.
+  const bool coarse = random.chance(0.2);
+  for (const double peak : levels.peak) c.quantum.push_back(coarse ? 6 * peak / 4096 : 0);
+  const Signatures signatures(c.specimen, c.noise_sd);
+  for (const std::string& effect : plan.effects) {
+    Truth truth;
+    truth.withheld = draw_withheld(effect, c.specimen, random);
+    // The unit of a fault is what its channel reads.
+    if (effect == "sensor_offset") truth.withheld.coefficient *= levels.median_rms[truth.withheld.channel];
+    if (effect == "sensor_cross_axis")
+      truth.withheld.coefficient *= levels.median_rms[truth.withheld.channel] / levels.median_rms[0];
+    set_strength(truth, c.specimen, signatures, levels.peak, random.log_uniform(weakest_sigma, strongest_sigma));
+    find_look_alikes(truth, c, signatures, levels.peak, random);
+    switch_on(truth.withheld, c.specimen, levels.peak, c.reality);
+    c.truths.push_back(truth);
+  }
+  if (plan.kind == "parameters")
+    move_parameters(c, signatures, random.log_uniform(weakest_sigma, strongest_sigma), random);
+  if (plan.kind == "none" && random.chance(0.3)) c.parameters = numbers_of(c.specimen);
+  return c;
+}
+
+// Whether every dwell lasts: a softening force may let go only after the first seconds.
+bool stays_bounded(const SealedCase& c) {
+  return std::all_of(c.specimen.dwells.begin(), c.specimen.dwells.end(), [&](const Dwell& dwell) {
+    const Drive drive = drive_of(dwell, c.reality);
+    const Settling& settling = c.specimen.settling;
+    const State state = settled_state(c.reality.structure, drive, dwell.state, settling);
+    const Motion motion = recorded_motion(c.reality.structure, drive, state, ensembles_per_dwell * ensemble_samples,
+                                          settling.substeps);
+    return std::all_of(motion.displacement.begin(), motion.displacement.end(),
+                       [](const std::vector<double>& x) { return std::isfinite(x.back()); });
+  });
+}
+
 }  // namespace
 
 std::vector<CasePlan> draw_plans(std::size_t cases, std::uint64_t seed, SetSize size) {
@@ -218,36 +265,10 @@ std::vector<CasePlan> draw_plans(std::size_t cases, std::uint64_t seed, SetSize 
 }
 
 SealedCase draw_case(const CasePlan& plan, std::uint64_t seed) {
-  Random random(seed, plan.number);
-  SealedCase c;
-  c.plan = plan;
-  const std::set<std::string> withheld(plan.effects.begin(), plan.effects.end());
-  do {
-    c.specimen = draw_specimen(plan.family, withheld, plan.dwells, random);
-  } while (c.specimen.dwells.size() < plan.dwells / 2);
-  c.reality = reality_of(c.specimen);
-  const Levels levels = levels_of(c.specimen, c.reality);
-  for (const double rms : levels.median_rms) c.noise_sd.push_back(rms * std::pow(10, -plan.snr_db / 20));
-  // A converter of twelve bits whose range is three times the largest signal.
-  const bool coarse = random.chance(0.2);
-  for (const double peak : levels.peak) c.quantum.push_back(coarse ? 6 * peak / 4096 : 0);
-  const Signatures signatures(c.specimen, c.noise_sd);
-  for (const std::string& effect : plan.effects) {
-    Truth truth;
-    truth.withheld = draw_withheld(effect, c.specimen, random);
-    // The unit of a fault is what its channel reads.
-    if (effect == "sensor_offset") truth.withheld.coefficient *= levels.median_rms[truth.withheld.channel];
-    if (effect == "sensor_cross_axis")
-      truth.withheld.coefficient *= levels.median_rms[truth.withheld.channel] / levels.median_rms[0];
-    set_strength(truth, c.specimen, signatures, levels.peak, random.log_uniform(weakest_sigma, strongest_sigma));
-    find_look_alikes(truth, c, signatures, levels.peak, random);
-    switch_on(truth.withheld, c.specimen, levels.peak, c.reality);
-    c.truths.push_back(truth);
+  for (std::uint64_t attempt = 0;; ++attempt) {
+    SealedCase c = draw_once(plan, Random(seed, plan.number + redrawn * attempt));
+    if (attempt == most_redraws || stays_bounded(c)) return c;
   }
-  if (plan.kind == "parameters")
-    move_parameters(c, signatures, random.log_uniform(weakest_sigma, strongest_sigma), random);
-  if (plan.kind == "none" && random.chance(0.3)) c.parameters = numbers_of(c.specimen);
-  return c;
 }
 
 }  // namespace secular::blind

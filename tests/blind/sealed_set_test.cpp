@@ -142,6 +142,15 @@ TEST_F(BlindFolder, CaseHasTheNoiseThatItsLabelSays) {
   EXPECT_GT(sealed.noise_sd[0], 0.02 * dwell.drive.amplitude / std::sqrt(2));
 }
 
+// The first draw of this case has a softening coupling under which the motion runs away in the middle of a record.
+using SlowBlindFolder = BlindFolder;
+TEST_F(SlowBlindFolder, ACaseThatRunsAwayIsDrawnAgain) {
+  const SealedCase sealed = draw_case(draw_plans(100, 7, SetSize::full_set)[2], 7);
+  write_case(sealed, 7, folder / "case");
+  for (const auto& record : std::filesystem::directory_iterator(folder / "case" / "campaign" / "records"))
+    EXPECT_EQ(read_text(record.path()).find("nan"), std::string::npos) << record.path();
+}
+
 TEST_F(BlindFolder, SameSeedGivesTheSameBytes) {
   CasePlan plan{.number = 3, .kind = "none", .effects = {}, .family = "primary", .dwells = 4};
   for (const char* name : {"one", "two"}) {
