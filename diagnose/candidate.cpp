@@ -11,6 +11,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+/// An extra mode has no more than this times the energy of what was measured: beside a larger one the model's own
+/// modes would only have to cancel it, which explains anything.
+constexpr double largest_extra = 4;
+
 VectorXd one(double value) {
   return VectorXd::Constant(1, value);
 }
@@ -27,21 +31,22 @@ double largest_peak(const std::vector<Condition>& conditions, std::size_t channe
   return largest;
 }
 
-// What a dwell holds on the excitation's own line.
+// The excitation's own line of a dwell, and the energy of all that its channels show.
 struct DrivenLine {
   std::complex<double> rate, excitation;
-  Eigen::VectorXcd response;
+  double response = 0;
 };
 
 std::vector<DrivenLine> driven_lines(const std::vector<Condition>& conditions) {
   std::vector<DrivenLine> lines;
   for (const Condition& c : conditions) {
     if (c.fundamental == 0 || c.excitation.rows() == 0) continue;
-    const auto response = std::find(c.lines.begin(), c.lines.end(), c.fundamental);
     const auto excitation = std::find(c.excitation_lines.begin(), c.excitation_lines.end(), c.fundamental);
-    if (response == c.lines.end() || excitation == c.excitation_lines.end()) continue;
-    lines.push_back({c.line_rate(c.fundamental), c.excitation(0, excitation - c.excitation_lines.begin()),
-                     c.response.col(response - c.lines.begin())});
+    if (excitation == c.excitation_lines.end()) continue;
+    DrivenLine line{c.line_rate(c.fundamental), c.excitation(0, excitation - c.excitation_lines.begin()), 0};
+    for (std::size_t l = 0; l < c.lines.size(); ++l)
+      if (c.lines[l] != 0) line.response += c.response.col(static_cast<Index>(l)).squaredNorm();
+    lines.push_back(line);
   }
   return lines;
 }
@@ -199,7 +204,6 @@ std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects,
         extra.strengths.push_back(first_fault + faults.extra_amplitude(c));
       extra.shapes = {first_fault + faults.extra_frequency(), first_fault + faults.extra_damping()};
       extra.shape_starts = starts;
-      // Beside a huge one the model's own modes would only have to cancel it: that explains anything.
       extra.plausible = [lines = driven_lines(conditions), first_fault, faults, responses,
                          derivatives = sensors.derivatives](const VectorXd& unknowns) {
         const Faults set = faults.faults(unknowns.data() + first_fault);
@@ -208,12 +212,10 @@ std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects,
           const std::complex<double> s = line.rate, w = set.extra.frequency;
           const std::complex<double> gain =
               std::pow(s, derivatives) * line.excitation / (w * w + 2.0 * set.extra.damping * w * s + s * s);
-          for (std::size_t c = 0; c < responses; ++c) {
-            measured += std::norm(line.response(static_cast<Index>(c)));
-            beyond += std::norm(set.extra.amplitude[c] * gain);
-          }
+          measured += line.response;
+          for (std::size_t c = 0; c < responses; ++c) beyond += std::norm(set.extra.amplitude[c] * gain);
         }
-        return beyond <= measured;
+        return beyond <= largest_extra * measured;
       };
       all.push_back(std::move(extra));
     }
