@@ -86,7 +86,7 @@ Figure residual_figure(const Diagnosis& d, const std::string& mode, const std::s
     if (before.x.empty()) continue;
     const bool stiff = component == GapComponent::conservative;
     std::vector<Series> series = {before};
-    if (d.gap.detected && (d.verdict != "unknown" || d.open_law)) series.push_back(after);
+    if (d.gap.detected) series.push_back(after);
     figure.panels.push_back({stiff ? "in phase: stiffness and inertia" : "in quadrature: damping",
                              {"Discrepancy", "sd", false, {}},
                              series});
@@ -125,7 +125,7 @@ Figure record_figure(const Diagnosis& d) {
     floor.y.push_back(1);
   }
   std::vector<Series> series = {floor, before};
-  if (d.gap.detected && (d.verdict != "unknown" || d.open_law)) series.push_back(after);
+  if (d.gap.detected) series.push_back(after);
   figure.panels.push_back({"", {"Root mean square", "sd", true, {}}, series});
   return figure;
 }
@@ -216,9 +216,9 @@ void closing_section(HtmlReport& page, const Diagnosis& d) {
                    {"After", Column::Kind::number, ""},
                    {"Floor", Column::Kind::number, ""},
                    {"Closed", Column::Kind::number, ""}};
-  table.rows.push_back({"named explanation", report::format_number(d.gap.before, 3),
-                        report::format_number(d.gap.after, 3), report::format_number(d.gap.floor, 3),
-                        report::format_percent(d.gap.closed)});
+  table.rows.push_back({d.verdict == "unknown" ? "best explanation" : "named explanation",
+                        report::format_number(d.gap.before, 3), report::format_number(d.gap.after, 3),
+                        report::format_number(d.gap.floor, 3), report::format_percent(d.gap.closed)});
   if (!d.gap.wrong_cause.empty())
     table.rows.push_back({"best other cause: " + spaced(d.gap.wrong_cause), report::format_number(d.gap.before, 3),
                           "", report::format_number(d.gap.floor, 3),

@@ -86,6 +86,9 @@ std::map<std::pair<std::string, std::size_t>, Term> hand_written() {
   terms[{"quadratic_inertia", 0}] = own([](const Moment& m) { return -2 * m.v * m.a - m.dv * m.dv; });
   terms[{"cubic_inertia", 0}] = own([](const Moment& m) { return -m.v * m.v * m.a - m.v * m.dv * m.dv; });
   terms[{"hysteresis", 0}] = own([](const Moment& m) { return -m.signal; });
+  for (const auto& name : std::vector<std::pair<std::string, std::size_t>>{
+           {"hysteresis", 1}, {"open_stiffness", 0}, {"open_damping", 0}, {"open_loss", 0}})
+    terms[name] = terms[{"hysteresis", 0}];
   terms[{"direct_excitation", 0}] = own([](const Moment& m) { return m.force; });
   terms[{"parametric_excitation", 0}] = own([](const Moment& m) { return m.v * m.force; });
   terms[{"damping_coupling", 0}] = own([](const Moment& m) { return -m.du; });
@@ -144,7 +147,9 @@ TEST_F(ModelEffects, AccelerationsAreThoseOfTheTermsByHand) {
   for (const char* const kind : {"one", "two", "lagrangian"}) {
     const Model model = model_text(kind);
     const auto base = interpreted(model);
-    for (const EffectTerm& term : applicable_effects(model)) {
+    std::vector<EffectTerm> terms_of_model = applicable_effects(model);
+    for (const EffectTerm& law : open_law_terms(model)) terms_of_model.push_back(law);
+    for (const EffectTerm& term : terms_of_model) {
       if (term.effect == "extra_mode") continue;
       const AugmentedModel augmented = with_effects(model, std::vector<EffectTerm>{term});
       const AddedEffect& added = augmented.effects[0];
