@@ -62,7 +62,8 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
                to_string(d.where[i].component), d.where[i].mode, d.where[i].harmonic, d.where[i].region);
   if (d.verdict == "cause") fmt::print("cause: {}\n", d.cause);
   if (d.verdict == "set") fmt::print("one of: {}\n", joined(d.set, ", "));
-  if (d.verdict == "unknown") fmt::print("cause: unknown; nearest: {}\n", joined(d.set, ", "));
+  if (d.verdict == "unknown")
+    fmt::print("cause: unknown{}\n", d.set.empty() ? "" : "; nearest: " + joined(d.set, ", "));
   if (d.open_law) fmt::print("  {}\n", open_law_sentence(*d.open_law));
   if (!d.together.empty())
     fmt::print("  together: {}{}\n", joined(d.together, " and "),

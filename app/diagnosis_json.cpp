@@ -56,6 +56,9 @@ std::string diagnosis_json(const DiagnosisRun& run) {
   if (!d.gap.wrong_cause.empty())
     gap["best_other_cause"] = {{"effect", d.gap.wrong_cause}, {"closed", d.gap.wrong_cause_closed}};
   root["gap"] = std::move(gap);
+  root["unsteady"] = {
+      {"detected", d.unsteady.detected}, {"p_value", d.unsteady.p_value}, {"ratio", d.unsteady.ratio}};
+  if (d.unsteady.detected) root["unsteady"]["record"] = d.unsteady.record;
   root["where"] = Json::array();
   for (const GapShare& share : d.where)
     root["where"].push_back({{"mode", share.mode},

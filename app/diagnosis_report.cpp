@@ -55,6 +55,10 @@ std::string sentence(const Diagnosis& d) {
   if (d.verdict == "set")
     return "The gap is explained by one of " + joined(d.set, " or ") +
            ". This campaign cannot say which: they change what was measured in the same way.";
+  if (d.unsteady.detected && d.causes.empty())
+    return "The mean motion of every dwell is what the model does, but within dwells it varies by " +
+           report::format_number(d.unsteady.ratio, 2) +
+           " times what noise explains, though the excitation is steady: something acts that no channel records.";
   if (d.open_law)
     return "There is a gap, and no effect of the catalogue explains it: it " + open_law_sentence(*d.open_law) +
            ", which does so better than any effect of the catalogue or two of them.";

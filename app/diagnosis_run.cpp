@@ -72,6 +72,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   for (const AddedEffect& effect : augmented.effects) {
     EquationEffect equation;
     equation.effect = effect.term.effect;
+    equation.open_law = is_open_law(effect.term.effect);
     equation.mode = effect.term.mode;
     equation.subject = subject_of(effect.term, *run.model);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {

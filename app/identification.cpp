@@ -9,22 +9,14 @@
 #include <utility>
 
 #include "app/model_loading.hpp"
-#include "estimator/anderson_acceleration.hpp"
 #include "estimator/identification/modal_projection.hpp"
 #include "estimator/identification/steady_amplitude.hpp"
 #include "input/input_error.hpp"
 #include "simulate/replay.hpp"
+#include "simulate/truncation_correction.hpp"
 
 namespace secular::app {
 namespace {
-
-/// The correction is evaluated at the estimate, at the corrected one, and again while that still moves numbers by
-/// more than a share of their error bars.
-constexpr int most_truncation_passes = 12;
-constexpr std::size_t remembered_passes = 6;
-/// Values of a pass have errors of this share: differences that depend on one another so far say nothing.
-constexpr double dependent_passes = 1e-3;
-constexpr double settled_share = 0.1;
 
 /// A dwell belongs to a resonance within this relative distance.
 constexpr double resonance_width = 0.1;
@@ -185,51 +177,6 @@ const CompiledCase& named_case(const CompiledModel& model, const std::string& na
                        [&](const CompiledCase& resonance) { return resonance.name == name; });
 }
 
-// By symbol: one over the standard deviation, 0 where there is no estimate.
-Eigen::VectorXd inverse_sd(const Estimate& estimate) {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(estimate.parameter_values.size());
-  for (Eigen::Index p = 0; p < result.size(); ++p) {
-    const EstimatedValue& value = estimate.parameters[static_cast<std::size_t>(p)];
-    if (value.value && value.sd > 0) result(p) = 1 / value.sd;
-  }
-  return result;
-}
-
-// Takes what the truncated equations leave at the motions of the full ones out of the equations, until that
-// settles. Passes on the way keep the weights of the equations; the last one finds them again.
-template <class Replay>
-void correct_truncation(Identification& result, const Estimate& raw, const MeasuredUnits& units,
-                        const EstimateOptions& options, const Replay& replay, StageClock& clock) {
-  EstimateOptions quick = options;
-  quick.bootstrap = 0;
-  quick.damping_laws = quick.judge_fit = false;
-  quick.keep_weights = !options.refine;
-  EstimateOptions full = options;
-  AndersonAcceleration acceleration(remembered_passes, dependent_passes);
-  Eigen::VectorXd parameters = raw.parameter_values, next = parameters;
-  bool settled = false;
-  for (int pass = 1; pass <= most_truncation_passes && !settled; ++pass) {
-    parameters = next;
-    result.replayed = replay(parameters);
-    clock.done("replay of the full equations");
-    const std::vector<ObservationSet> corrected = with_truncation(result.measured, result.replayed, parameters);
-    quick.start = result.estimate.state;
-    result.estimate = estimate(corrected, units, quick);
-    const Eigen::VectorXd weight = inverse_sd(result.estimate);
-    next = acceleration.next(parameters, result.estimate.parameter_values, weight);
-    const double move = weight.cwiseProduct(next - parameters).cwiseAbs().maxCoeff();
-    settled = move < settled_share;
-    if (settled || pass == most_truncation_passes) {
-      full.start = result.estimate.state;
-      result.estimate = estimate(corrected, units, full);
-    }
-    clock.done("regression");
-  }
-  result.estimate = with_truncation_error(std::move(result.estimate), raw);
-  result.estimate = with_unsettled_correction(std::move(result.estimate), parameters, next);
-  clock.done("regression");
-}
-
 }  // namespace
 
 Identification identify(const IdentificationRequest& request) {
@@ -282,7 +229,10 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
     return sets;
   };
   try {
-    correct_truncation(result, raw, units, options, replay, clock);
+    TruncationCorrection correction = correct_truncation(result.measured, raw, units, options, replay,
+                                                         [&](const char* stage) { clock.done(stage); });
+    result.estimate = std::move(correction.estimate);
+    result.replayed = std::move(correction.replayed);
     result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
                                     assignment.warnings.end());
     for (ObservationSet& set : result.replayed)
@@ -296,9 +246,7 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
     result.estimate = estimate(result.measured, units, uncorrected);
     result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
                                     assignment.warnings.end());
-    result.estimate.warnings.push_back(
-        std::string("the expansion's truncation could not be corrected by the full equations (") + error.what() +
-        "): standard deviations do not contain it");
+    result.estimate = with_failed_correction(std::move(result.estimate), error.what());
   }
   try {
     for (const ObservationSet& set : result.measured)

@@ -455,6 +455,33 @@ void add_conditions(report::HtmlReport& page, const Identification& id) {
       "move by more than their joint error bar when that condition is left out.");
 }
 
+void add_outliers(report::HtmlReport& page, const Identification& id) {
+  if (id.estimate.outliers.empty()) return;
+  page.paragraph("Ensembles that stand out from the others of their condition:");
+  Table table;
+  table.columns = {{"Record", Column::Kind::text, ""},
+                   {"Case", Column::Kind::text, ""},
+                   {"Ensemble at", Column::Kind::number, "s"},
+                   {"Distance over usual", Column::Kind::number, ""},
+                   {"Weight", Column::Kind::number, ""}};
+  for (const OutlyingEnsemble& o : id.estimate.outliers)
+    table.rows.push_back({id.campaign.records[o.record].file, o.resonance, fmt::format("{:.1f}", o.centre_s),
+                          report::format_number(o.distance, 3), report::format_number(o.weight, 2)});
+  page.table(table);
+}
+
+void add_nearly_alike(report::HtmlReport& page, const Estimate& estimate) {
+  std::string text;
+  for (const EstimatedValue& v : estimate.lumps) {
+    if (v.nearly_entangled_with.empty()) continue;
+    text += v.name + ":";
+    for (const std::string& other : v.nearly_entangled_with) text += " " + other;
+    text += "\n";
+  }
+  if (!text.empty())
+    page.details("Lumps that act nearly alike on these conditions", [&] { page.preformatted(text); });
+}
+
 }  // namespace
 
 Figure response_figure(const Identification& id) {
@@ -490,9 +517,9 @@ std::string identification_report(const Identification& id, const std::string& c
       "words "
       "\"not identifiable\" cannot be told apart from those it is entangled with: no number is given for it. "
       "Standard "
-      "deviations come from the scatter between test conditions and include half of the correction for the "
+      "deviations come from the scatter between test conditions and include what the correction for the "
       "expansion's "
-      "truncation.");
+      "truncation leaves open.");
   add_values(page, id.estimate.parameters, false);
   for (std::size_t c = 0; c < id.measured.size(); ++c) {
     const CaseView view = view_of(id, c);
@@ -544,7 +571,9 @@ std::string identification_report(const Identification& id, const std::string& c
       "poorly.");
   add_lack_of_fit(page, id.estimate);
   add_tests(page, id.estimate);
+  add_nearly_alike(page, id.estimate);
   add_conditions(page, id);
+  add_outliers(page, id);
   page.details("Model and equations", [&] {
     std::string text = "Source: " + std::string(id.model->source) + "\n";
     for (const ObservationSet& set : id.measured) {

@@ -48,11 +48,10 @@ void scattered(const std::vector<SlavedLine>& slaves, const VectorXd& values, Ma
 }
 
 BalanceSweep::BalanceSweep(const CompiledModel& model, const std::vector<StateForce>& forces,
-                           const MotionSetting& setting, std::span<const double> parameters)
+                           const MotionSetting& setting)
     : model_(model),
       forces_(forces),
       torus_(*setting.torus),
-      parameters_(parameters),
       rates_(torus_.lines()),
       acceleration_(static_cast<Index>(model.modes()), torus_.points()),
       excitation_(model.excitations.size()) {
@@ -62,26 +61,112 @@ BalanceSweep::BalanceSweep(const CompiledModel& model, const std::vector<StateFo
   force_acceleration_ = torus_.samples(setting.excitation * rates_.cwiseAbs2().asDiagonal() * Complex(-1));
 }
 
-MatrixXcd BalanceSweep::residual(const MatrixXcd& displacement) {
-  const MatrixXd position = torus_.samples(displacement);
-  const MatrixXd velocity = torus_.samples(displacement * rates_.asDiagonal());
-  std::vector<Eigen::RowVectorXd> signals;
+BalanceSweep::Path BalanceSweep::path(MatrixXcd displacement) const {
+  MatrixXd position = torus_.samples(displacement);
+  MatrixXd velocity = torus_.samples(displacement * rates_.asDiagonal());
+  return {std::move(displacement), std::move(position), std::move(velocity)};
+}
+
+const MatrixXd& BalanceSweep::accelerations(const MatrixXd& position, const MatrixXd& velocity,
+                                            std::span<const double> parameters) {
+  std::vector<Signal> signals;
   for (const StateForce& force : forces_)
-    signals.push_back(parameters_[force.strength_symbol] == 0
-                          ? Eigen::RowVectorXd::Zero(position.cols())
-                          : signal_over_turn(force, position, velocity, parameters_[force.shape_symbol]));
+    if (parameters[force.strength_symbol] != 0)
+      signals.push_back(
+          {force.excitation, signal_over_turn(force, position, velocity, parameters[force.shape_symbol])});
+  std::fill(excitation_.begin(), excitation_.end(), ExcitationSample{});
   for (Index p = 0; p < position.cols(); ++p) {
-    for (std::size_t j = 0; j < excitation_.size(); ++j) {
-      const auto row = static_cast<Index>(j);
-      excitation_[j] = row < force_.rows()
-                           ? ExcitationSample{force_(row, p), force_rate_(row, p), force_acceleration_(row, p)}
-                           : ExcitationSample{};
-    }
-    for (std::size_t f = 0; f < forces_.size(); ++f) excitation_[forces_[f].excitation] = {signals[f](p), 0, 0};
-    model_.acceleration(parameters_.data(), excitation_.data(), position.col(p).data(), velocity.col(p).data(),
+    for (Index j = 0; j < force_.rows(); ++j)
+      excitation_[static_cast<std::size_t>(j)] = {force_(j, p), force_rate_(j, p), force_acceleration_(j, p)};
+    for (const Signal& signal : signals) excitation_[signal.excitation] = {signal.values(p), 0, 0};
+    model_.acceleration(parameters.data(), excitation_.data(), position.col(p).data(), velocity.col(p).data(),
                         acceleration_.col(p).data());
   }
-  return torus_.coefficients(acceleration_) - displacement * rates_.cwiseProduct(rates_).asDiagonal();
+  return acceleration_;
+}
+
+MatrixXcd BalanceSweep::residual(const Path& path, std::span<const double> parameters) {
+  return torus_.coefficients(accelerations(path.position, path.velocity, parameters)) -
+         path.lines * rates_.cwiseProduct(rates_).asDiagonal();
+}
+
+bool BalanceSweep::remembers(std::span<const double> parameters) const {
+  return std::any_of(forces_.begin(), forces_.end(), [&](const StateForce& force) {
+    return parameters[force.strength_symbol] != 0 && has_memory(force.law);
+  });
+}
+
+MatrixXcd BalanceSweep::residual_slopes(const Path& path, std::span<const double> parameters,
+                                        const std::vector<SlavedLine>& slaves, double length) {
+  return remembers(parameters) ? slopes_by_line(path, parameters, slaves, length)
+                               : slopes_by_point(path, parameters, slaves, length);
+}
+
+// What a line moves, every point feels through its own displacement and velocity alone: a pair of evaluations for
+// each of these instead of one for each line.
+MatrixXcd BalanceSweep::slopes_by_point(const Path& path, std::span<const double> parameters,
+                                        const std::vector<SlavedLine>& slaves, double length) {
+  const auto modes = path.position.rows(), points = path.position.cols();
+  double fastest = 0;
+  for (Index l = 0; l < rates_.size(); ++l) fastest = std::max(fastest, std::abs(rates_(l)));
+  std::vector<MatrixXd> by_position, by_velocity;  // [coordinate]: accelerations x points
+  for (Index k = 0; k < modes; ++k) {
+    const auto slope = [&](bool of_velocity, double step) {
+      MatrixXd position = path.position, velocity = path.velocity;
+      (of_velocity ? velocity : position).row(k).array() += step;
+      MatrixXd change = accelerations(position, velocity, parameters);
+      (of_velocity ? velocity : position).row(k).array() -= 2 * step;
+      change -= accelerations(position, velocity, parameters);
+      return MatrixXd(change / (2 * step));
+    };
+    by_position.push_back(slope(false, length));
+    by_velocity.push_back(slope(true, length * fastest));
+  }
+  const Index lines = torus_.lines();
+  std::vector<MatrixXcd> units;
+  for (const SlavedLine& s : slaves)
+    for (const Complex unit : {Complex(1, 0), Complex(0, 1)}) {
+      if (s.line == 0 && unit.imag() != 0) continue;
+      units.push_back(MatrixXcd::Zero(1, lines));
+      units.back()(0, s.line) = unit;
+    }
+  const auto count = static_cast<Index>(units.size());
+  MatrixXd felt(count * modes, points);
+  Index at = 0;
+  for (const SlavedLine& s : slaves)
+    for (int part = 0; part < (s.line == 0 ? 1 : 2); ++part, ++at) {
+      const MatrixXcd& unit = units[static_cast<std::size_t>(at)];
+      const MatrixXd position = torus_.samples(unit), velocity = torus_.samples(unit * rates_.asDiagonal());
+      const auto k = static_cast<std::size_t>(s.mode);
+      felt.middleRows(at * modes, modes) =
+          by_position[k] * position.row(0).asDiagonal() + by_velocity[k] * velocity.row(0).asDiagonal();
+    }
+  const MatrixXcd changes = torus_.coefficients(felt);
+  MatrixXcd slopes(modes * lines, count);
+  at = 0;
+  for (const SlavedLine& s : slaves)
+    for (int part = 0; part < (s.line == 0 ? 1 : 2); ++part, ++at) {
+      MatrixXcd change = changes.middleRows(at * modes, modes);
+      change(s.mode, s.line) -= units[static_cast<std::size_t>(at)](0, s.line) * rates_(s.line) * rates_(s.line);
+      slopes.col(at) = change.reshaped();
+    }
+  return slopes;
+}
+
+// Forces with memory: the whole path counts.
+MatrixXcd BalanceSweep::slopes_by_line(const Path& path, std::span<const double> parameters,
+                                       const std::vector<SlavedLine>& slaves, double length) {
+  const MatrixXcd base = residual(path, parameters);
+  const VectorXd lines = gathered(slaves, path.lines);
+  MatrixXcd slopes(base.size(), lines.size());
+  for (Index s = 0; s < lines.size(); ++s) {
+    VectorXd moved = lines;
+    moved(s) += length;
+    MatrixXcd displacement = path.lines;
+    scattered(slaves, moved, displacement);
+    slopes.col(s) = ((residual(this->path(std::move(displacement)), parameters) - base) / length).reshaped();
+  }
+  return slopes;
 }
 
 VectorXd BalanceSweep::steps(const std::vector<SlavedLine>& slaves, const MatrixXcd& residual) {

@@ -22,24 +22,50 @@ std::vector<SlavedLine> slaved_lines(const MotionSetting& setting, const Compile
 Eigen::VectorXd gathered(const std::vector<SlavedLine>& slaves, const Eigen::MatrixXcd& all);
 void scattered(const std::vector<SlavedLine>& slaves, const Eigen::VectorXd& values, Eigen::MatrixXcd& all);
 
-/// One evaluation of the equations of motion over one turn of the phases, with everything that does not depend on
-/// the motion prepared. Keeps references to the setting and the parameters.
+/// Evaluations of the equations of motion over one turn of the phases, with everything prepared that depends on the
+/// setting alone. Keeps a reference to the setting.
 class BalanceSweep {
  public:
-  BalanceSweep(const CompiledModel& model, const std::vector<StateForce>& forces, const MotionSetting& setting,
-               std::span<const double> parameters);
+  /// A motion with its displacements and velocities over one turn: modes x points.
+  struct Path {
+    Eigen::MatrixXcd lines;
+    Eigen::MatrixXd position, velocity;
+  };
+
+  BalanceSweep(const CompiledModel& model, const std::vector<StateForce>& forces, const MotionSetting& setting);
+
+  Path path(Eigen::MatrixXcd displacement) const;
 
   /// Force minus inertia on every line, per unit of modal mass: modes x lines, zero for a motion in balance.
-  Eigen::MatrixXcd residual(const Eigen::MatrixXcd& displacement);
+  Eigen::MatrixXcd residual(const Path& path, std::span<const double> parameters);
+
+  /// Change of the residual with every entry of gathered(slaves): (modes*lines) x entries, each column a matrix by
+  /// columns. `length`: a small displacement on the scale of the motion.
+  Eigen::MatrixXcd residual_slopes(const Path& path, std::span<const double> parameters,
+                                   const std::vector<SlavedLine>& slaves, double length);
 
   /// The steps that would bring the slaved lines into balance if nothing else depended on them.
   static Eigen::VectorXd steps(const std::vector<SlavedLine>& slaves, const Eigen::MatrixXcd& residual);
 
  private:
+  /// Values of a force that is switched on, over one turn.
+  struct Signal {
+    std::size_t excitation;
+    Eigen::RowVectorXd values;
+  };
+
+  bool remembers(std::span<const double> parameters) const;
+  /// Accelerations over one turn: modes x points.
+  const Eigen::MatrixXd& accelerations(const Eigen::MatrixXd& position, const Eigen::MatrixXd& velocity,
+                                       std::span<const double> parameters);
+  Eigen::MatrixXcd slopes_by_point(const Path& path, std::span<const double> parameters,
+                                   const std::vector<SlavedLine>& slaves, double length);
+  Eigen::MatrixXcd slopes_by_line(const Path& path, std::span<const double> parameters,
+                                  const std::vector<SlavedLine>& slaves, double length);
+
   const CompiledModel& model_;
   const std::vector<StateForce>& forces_;
   const Torus& torus_;
-  std::span<const double> parameters_;
   Eigen::RowVectorXcd rates_;
   Eigen::MatrixXd force_, force_rate_, force_acceleration_, acceleration_;
   std::vector<ExcitationSample> excitation_;

@@ -140,7 +140,7 @@ std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects,
                 e.effect == "quadratic_damping";
     c.strengths = {e.strength};
     c.shapes = e.shapes;
-    c.open_law = e.effect == "open_stiffness" || e.effect == "open_damping" || e.effect == "open_loss";
+    c.open_law = e.open_law;
     if (e.shapes.empty())
       c.shape_starts = {VectorXd()};
     else if (c.open_law)
@@ -209,11 +209,9 @@ std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects,
         const Faults set = faults.faults(unknowns.data() + first_fault);
         double measured = 0, beyond = 0;
         for (const DrivenLine& line : lines) {
-          const std::complex<double> s = line.rate, w = set.extra.frequency;
-          const std::complex<double> gain =
-              std::pow(s, derivatives) * line.excitation / (w * w + 2.0 * set.extra.damping * w * s + s * s);
           measured += line.response;
-          for (std::size_t c = 0; c < responses; ++c) beyond += std::norm(set.extra.amplitude[c] * gain);
+          for (std::size_t c = 0; c < responses; ++c)
+            beyond += std::norm(set.extra.response(c, line.rate, derivatives, line.excitation));
         }
         return beyond <= largest_extra * measured;
       };

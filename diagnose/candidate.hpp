@@ -18,7 +18,8 @@ struct EquationEffect {
   std::size_t mode = 0;
   std::string subject;              ///< coordinate, or coordinates of a coupling, for people
   std::size_t strength = 0;         ///< symbol; zero without the effect
-  std::vector<std::size_t> shapes;  ///< symbols of displacements (gap, slip) that shape it
+  std::vector<std::size_t> shapes;  ///< symbols of displacements (gap, slip) or of an exponent that shape it
+  bool open_law = false;            ///< stands for a law outside of the catalogue
 };
 
 /// One explanation of a gap: unknowns that are zero without it.

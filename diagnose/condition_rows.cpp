@@ -23,10 +23,6 @@ constexpr double line_floor = 1e-5;
 /// Slaved lines are moved by this share of the largest line to find what depends on them.
 constexpr double line_step = 1e-6;
 
-Complex power(Complex base, int exponent) {
-  return exponent == 0 ? Complex(1) : exponent == 1 ? base : base * base;
-}
-
 // Without the channel's gain and delay (cut-off and cross-axis sensitivity are taken care of by the caller).
 Complex restored(Complex measured, const ChannelFault& fault, Complex rate) {
   return measured * std::exp(rate * fault.delay) / (1 + fault.gain);
@@ -36,13 +32,7 @@ class Evaluation {
  public:
   Evaluation(const Condition& c, const MotionBalance& balance, const SensorModel& sensors, const Faults& faults,
              std::span<const double> parameters)
-      : c_(c),
-        balance_(balance),
-        sensors_(sensors),
-        faults_(faults),
-        parameters_(parameters.begin(), parameters.end()) {
-    for (std::size_t k = 0; k < faults.frequency_drift.size(); ++k)
-      parameters_[k] *= 1 + faults.frequency_drift[k] * c.time_s;
+      : c_(c), balance_(balance), sensors_(sensors), faults_(faults), parameters_(drifted(parameters)) {
     shapes_ = sensors.shapes;
     filter_ = sensors.filter;
     if (!faults.mixing.isZero(0)) {
@@ -62,6 +52,13 @@ class Evaluation {
     return setting;
   }
   const std::vector<double>& parameters() const { return parameters_; }
+  // Parameters at the condition's time.
+  std::vector<double> drifted(std::span<const double> parameters) const {
+    std::vector<double> values(parameters.begin(), parameters.end());
+    for (std::size_t k = 0; k < faults_.frequency_drift.size(); ++k)
+      values[k] *= 1 + faults_.frequency_drift[k] * c_.time_s;
+    return values;
+  }
 
   ConditionForecast forecast(const VectorXcd& amplitudes, const Motion* start) const {
     return forecast_of(amplitudes, balance_.solve(setting(), amplitudes, parameters_, start));
@@ -100,7 +97,7 @@ class Evaluation {
         seen(c) = value;
       }
       amplitudes(static_cast<Index>(m)) = (filter_.row(static_cast<Index>(master.mode)).cast<Complex>() * seen)(0) /
-                                          power(c_.line_rate(master.line), sensors_.derivatives);
+                                          derivative_power(c_.line_rate(master.line), sensors_.derivatives);
     }
     return amplitudes;
   }
@@ -192,12 +189,8 @@ class Evaluation {
   }
 
   Complex extra_response(std::size_t channel, Index line) const {
-    const double amplitude = faults_.extra.amplitude[channel];
-    if (amplitude == 0 || line == 0) return 0;
-    const Complex s = c_.line_rate(line);
-    const double w = faults_.extra.frequency;
-    return amplitude * power(s, sensors_.derivatives) * excitation_at(line) /
-           (w * w + 2 * faults_.extra.damping * w * s + s * s);
+    if (faults_.extra.amplitude[channel] == 0 || line == 0) return 0;
+    return faults_.extra.response(channel, c_.line_rate(line), sensors_.derivatives, excitation_at(line));
   }
 
   Index strongest_line(Index channel) const {
@@ -213,7 +206,7 @@ class Evaluation {
     MatrixXcd lines = shapes_ * motion.displacement;
     for (Index l = 0; l < lines.cols(); ++l) {
       const Complex s = c_.line_rate(l);
-      lines.col(l) *= power(s, sensors_.derivatives);
+      lines.col(l) *= derivative_power(s, sensors_.derivatives);
       for (Index c = 0; c < lines.rows(); ++c) {
         const ChannelFault& fault = faults_.response[static_cast<std::size_t>(c)];
         Complex& value = lines(c, l);
@@ -278,7 +271,7 @@ class HeldLines {
         faults_(faults),
         evaluation_(condition, balance, sensors, faults_, parameters),
         setting_(evaluation_.setting()),
-        sweep_(balance.model(), balance.forces(), setting_, evaluation_.parameters()),
+        sweep_(balance.model(), balance.forces(), setting_),
         amplitudes_(evaluation_.master_amplitudes()) {}
   HeldLines(const HeldLines&) = delete;
   HeldLines& operator=(const HeldLines&) = delete;
@@ -287,14 +280,52 @@ class HeldLines {
     return slaved_lines(setting_, balance_.model(), evaluation_.parameters());
   }
 
-  Values at(MatrixXcd displacement, const std::vector<SlavedLine>& slaves) {
+  BalanceSweep::Path path(MatrixXcd displacement) const {
     place_masters(setting_, amplitudes_, displacement);
-    const MatrixXcd residual = sweep_.residual(displacement);
-    Motion motion{std::move(displacement), balance_of_masters(setting_, residual), true};
-    return {evaluation_.rows_of(amplitudes_, std::move(motion)), BalanceSweep::steps(slaves, residual)};
+    return sweep_.path(std::move(displacement));
+  }
+
+  Values at(const BalanceSweep::Path& path, const std::vector<SlavedLine>& slaves) {
+    return values(path, evaluation_.parameters(), slaves);
+  }
+  // With other parameters of the model.
+  Values at(const BalanceSweep::Path& path, std::span<const double> parameters,
+            const std::vector<SlavedLine>& slaves) {
+    return values(path, evaluation_.drifted(parameters), slaves);
+  }
+
+  // What moves with the slaved lines: rows x entries, steps x entries.
+  struct LineSlopes {
+    MatrixXd rows, steps;
+  };
+  LineSlopes line_slopes(const BalanceSweep::Path& path, const std::vector<SlavedLine>& slaves) {
+    const double step = line_step * path.lines.cwiseAbs().maxCoeff();
+    const MatrixXcd residual = sweep_.residual(path, evaluation_.parameters());
+    const MatrixXcd slopes = sweep_.residual_slopes(path, evaluation_.parameters(), slaves, step);
+    const VectorXd base = rows(path.lines, residual), lines = gathered(slaves, path.lines);
+    LineSlopes result{MatrixXd(base.size(), lines.size()), MatrixXd(lines.size(), lines.size())};
+    for (Index s = 0; s < lines.size(); ++s) {
+      const MatrixXcd slope = slopes.col(s).reshaped(residual.rows(), residual.cols());
+      VectorXd moved = lines;
+      moved(s) += step;
+      MatrixXcd displacement = path.lines;
+      scattered(slaves, moved, displacement);
+      result.rows.col(s) = (rows(displacement, residual + step * slope) - base) / step;
+      result.steps.col(s) = BalanceSweep::steps(slaves, slope);
+    }
+    return result;
   }
 
  private:
+  VectorXd rows(const MatrixXcd& displacement, const MatrixXcd& residual) const {
+    return evaluation_.rows_of(amplitudes_, {displacement, balance_of_masters(setting_, residual), true});
+  }
+  Values values(const BalanceSweep::Path& path, std::span<const double> parameters,
+                const std::vector<SlavedLine>& slaves) {
+    const MatrixXcd residual = sweep_.residual(path, parameters);
+    return {rows(path.lines, residual), BalanceSweep::steps(slaves, residual)};
+  }
+
   const MotionBalance& balance_;
   Faults faults_;
   Evaluation evaluation_;
@@ -327,31 +358,23 @@ MatrixXd ConditionModel::slopes(const Condition& condition, const VectorXd& unkn
   };
   HeldLines here = held(unknowns);
   const std::vector<SlavedLine> slaves = here.slaves();
-  const HeldLines::Values base = here.at(displacement, slaves);
-  const Index count = base.steps.size();
-  MatrixXd rows_by_line(base.rows.size(), count), steps_by_line(count, count);
-  const VectorXd lines = gathered(slaves, displacement);
-  const double step = line_step * displacement.cwiseAbs().maxCoeff();
-  for (Index s = 0; s < count; ++s) {
-    VectorXd moved = lines;
-    moved(s) += step;
-    MatrixXcd moved_displacement = displacement;
-    scattered(slaves, moved, moved_displacement);
-    const HeldLines::Values there = here.at(std::move(moved_displacement), slaves);
-    rows_by_line.col(s) = (there.rows - base.rows) / step;
-    steps_by_line.col(s) = (there.steps - base.steps) / step;
-  }
-  const Eigen::PartialPivLU<MatrixXd> to_balance(steps_by_line);
-  MatrixXd slopes(base.rows.size(), static_cast<Index>(which.size()));
+  const BalanceSweep::Path path = here.path(displacement);
+  const HeldLines::LineSlopes by_line = here.line_slopes(path, slaves);
+  const Eigen::PartialPivLU<MatrixXd> to_balance(by_line.steps);
+  MatrixXd slopes(by_line.rows.rows(), static_cast<Index>(which.size()));
   for (std::size_t w = 0; w < which.size(); ++w) {
     const auto column = static_cast<Index>(w), u = static_cast<Index>(which[w]);
-    VectorXd moved = unknowns;
-    moved(u) = unknowns(u) + 0.5 * scale(column);
-    const HeldLines::Values up = held(moved).at(displacement, slaves);
-    moved(u) = unknowns(u) - 0.5 * scale(column);
-    const HeldLines::Values down = held(moved).at(displacement, slaves);
+    const auto at = [&](double value) {
+      VectorXd moved = unknowns;
+      moved(u) = value;
+      if (which[w] < symbols) return here.at(path, {moved.data(), symbols}, slaves);
+      HeldLines there = held(moved);
+      return there.at(there.path(displacement), slaves);
+    };
+    const HeldLines::Values up = at(unknowns(u) + 0.5 * scale(column)),
+                            down = at(unknowns(u) - 0.5 * scale(column));
     slopes.col(column) = up.rows - down.rows;
-    if (count > 0) slopes.col(column) -= rows_by_line * to_balance.solve(up.steps - down.steps);
+    if (!slaves.empty()) slopes.col(column) -= by_line.rows * to_balance.solve(up.steps - down.steps);
   }
   return slopes;
 }

@@ -25,6 +25,9 @@ using Eigen::VectorXd;
 /// A gap is there where noise alone would look like it less often than this.
 constexpr double false_alarm = 0.003;
 
+/// Dwells are unsteady where noise alone would vary as much less often than this.
+constexpr double unsteady_alarm = 1e-4;
+
 /// The best explanation leaves structure where noise alone would leave as much less often than this.
 constexpr double remainder_alarm = 1e-4;
 
@@ -79,6 +82,7 @@ class Diagnoser {
           "settled dwells, free decays, sweeps or broadband records near the model's resonances are expected");
     result_.conditions = observed.conditions.size() + segments.size();
     conditions_ = std::move(observed.conditions);
+    judge_steadiness(observed.wander);
     const VectorXd largest = largest_displacements(conditions_, segments, sensors_, natural);
     set_scales(largest, natural);
     candidates_ = candidates_of(effects, model, sensors_, faults_, conditions_, largest);
@@ -107,6 +111,8 @@ class Diagnoser {
     result_.labels = discrepancy_.labels();
     InferenceOptions inference_options;
     inference_options.threads = options_.threads;
+    for (const std::size_t s : own_)
+      if (s < model_.modes()) inference_options.anchors.push_back(s);  // natural frequencies
     inference_ = infer(discrepancy_, candidates_, start_, own_, inference_options);
     // Rows of the given numbers with the errors that hold at the fit.
     const VectorXd given_rows = given() ? discrepancy_(start_) : VectorXd();
@@ -115,17 +121,24 @@ class Diagnoser {
     result_.rows_before = given() ? given_rows : inference_.null.fit.rows;
     result_.rows_after = result_.rows_before;
     if (!result_.gap.detected) {
-      result_.verdict = "no_gap";
+      result_.verdict = result_.unsteady.detected ? "unknown" : "no_gap";
+      result_.gap.detected = result_.unsteady.detected;
+      if (result_.unsteady.detected) result_.gap.p_value = result_.unsteady.p_value;
       const double rms = std::sqrt(result_.rows_before.squaredNorm() / static_cast<double>(discrepancy_.freedom()));
       result_.gap.before = result_.gap.after = rms;
       result_.gap.metric = metric();
-      result_.next_experiment.reason = "there is no gap to explain";
+      result_.next_experiment.reason =
+          result_.unsteady.detected ? "the mean motions agree with the model; what varies is not the excitation"
+                                    : "there is no gap to explain";
       return std::move(result_);
     }
     const std::vector<Rival> all = rivals();
-    name_cause(all, given_rows);
+    std::vector<Rival> named;
+    for (const Rival& r : all)
+      if (!r.open_law) named.push_back(r);
+    name_cause(all, named, given_rows);
     share_out();
-    propose_experiment(all);
+    propose_experiment(named);
     if (best_)
       result_.simulated =
           simulated_check(condition_model(), conditions_, segments_, apart_ ? &*apart_ : nullptr,
@@ -199,6 +212,21 @@ class Diagnoser {
     }
   }
 
+  void judge_steadiness(const std::vector<Wander>& wander) {
+    const WanderTest test = test_wander(wander);
+    Unsteadiness& unsteady = result_.unsteady;
+    unsteady.p_value = test.p_value;
+    unsteady.ratio = test.ratio;
+    unsteady.detected = test.p_value < unsteady_alarm;
+    if (!unsteady.detected) return;
+    unsteady.record = campaign_.records[test.record].file;
+    result_.warnings.push_back(fmt::format(
+        "resonant motion varies within dwells by {:.2g} times what the noise beside it explains (p = {:.1g}, "
+        "most in {}) though the excitation is steady: a force that no channel records, or a structure "
+        "that changes from minute to minute, which no effect of the catalogue does",
+        unsteady.ratio, unsteady.p_value, unsteady.record));
+  }
+
   void detect(const VectorXd& given_rows) {
     GapReport& gap = result_.gap;
     const double chi_squared = given() ? given_rows.squaredNorm() : inference_.null.fit.chi_squared;
@@ -246,7 +274,8 @@ class Diagnoser {
     return all;
   }
 
-  void name_cause(const std::vector<Rival>& all, const VectorXd& given_rows) {
+  // `named`: those of `all` that the catalogue holds.
+  void name_cause(const std::vector<Rival>& all, const std::vector<Rival>& named, const VectorXd& given_rows) {
     HeldOut before;
     if (given())
       before.rows = given_rows;
@@ -257,7 +286,10 @@ class Diagnoser {
       fill_gap(before.rows, before.rows);
       return;
     }
-    const Rival& best = all.front();
+    // An exponent of its own that is credibly no better than a law of the catalogue stands for that law.
+    const bool catalogue_will_do = all.front().open_law && !named.empty() &&
+                                   named.front().probability > credible_odds * all.front().probability;
+    const Rival& best = catalogue_will_do ? named.front() : all.front();
     best_ = best.explanation;
     const HeldOut after = predict_held_out(discrepancy_, best.explanation->fit, result_.labels);
     fill_gap(before.rows, after.rows);
@@ -273,9 +305,6 @@ class Diagnoser {
         structured && beyond_floor(result_.gap.after) > small_remainder * beyond_floor(result_.gap.before);
 
     if (best.open_law) describe_open_law(best);
-    std::vector<Rival> named;
-    for (const Rival& r : all)
-      if (!r.open_law) named.push_back(r);
     result_.verdict = "unknown";
     if (!named.empty()) {
       collect_causes(named, before.rows);
@@ -361,7 +390,6 @@ class Diagnoser {
     std::vector<Hypothesis> hypotheses;
     std::vector<std::vector<std::string>> taken;
     for (const Rival& r : all) {
-      if (r.open_law) continue;
       const bool in_set = std::all_of(r.effects.begin(), r.effects.end(), [&](const std::string& effect) {
         return std::find(result_.set.begin(), result_.set.end(), effect) != result_.set.end() ||
                std::find(result_.together.begin(), result_.together.end(), effect) != result_.together.end();

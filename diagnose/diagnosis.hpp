@@ -52,6 +52,15 @@ struct GapReport {
   std::string wrong_cause;
 };
 
+/// Settled motions that vary within dwells by more than noise though the excitation is steady: a force that no
+/// channel records, or a structure that changes from minute to minute. No effect of the catalogue does that.
+struct Unsteadiness {
+  bool detected = false;
+  double p_value = 1;
+  double ratio = 1;    ///< variation of resonant lines over that of the noise beside them
+  std::string record;  ///< where it is largest
+};
+
 /// The test that should come next.
 struct NextExperiment {
   std::optional<ProposedDwell> dwell;
@@ -74,6 +83,7 @@ struct ParameterMove {
 
 struct Diagnosis {
   GapReport gap;
+  Unsteadiness unsteady;
   std::vector<GapShare> where;
   std::string verdict, cause;
   std::vector<std::string> set;

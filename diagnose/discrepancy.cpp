@@ -62,6 +62,10 @@ std::vector<RowLabel> Discrepancy::labels() const {
   return all;
 }
 
+void Discrepancy::approach(const Eigen::VectorXd& unknowns) {
+  for (const auto& part : parts_) part->approach(unknowns);
+}
+
 void Discrepancy::freeze(const Eigen::VectorXd& unknowns, double coarse) {
   for (const auto& part : parts_) part->freeze(unknowns, coarse);
 }

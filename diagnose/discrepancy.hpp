@@ -42,6 +42,8 @@ class Evidence {
   /// Takes errors and starting points at these unknowns. `coarse`: the equations of motion count as known to this
   /// share of the inertia only, for unknowns that are still far off.
   virtual void freeze(const Eigen::VectorXd& unknowns, double coarse) = 0;
+  /// Motions are looked for from those at these unknowns on; errors stay.
+  virtual void approach(const Eigen::VectorXd& unknowns) = 0;
   virtual void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const = 0;
   /// Columns of d rows / d (unknown / scale) for some of the unknowns, by central differences of half a scale; zero
   /// where the rows are not finite.
@@ -59,6 +61,7 @@ class Discrepancy {
   Eigen::Index freedom() const;
   std::vector<RowLabel> labels() const;
   void freeze(const Eigen::VectorXd& unknowns, double coarse = 0);
+  void approach(const Eigen::VectorXd& unknowns);
   Eigen::VectorXd operator()(const Eigen::VectorXd& unknowns) const;
   Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale, unsigned threads) const;

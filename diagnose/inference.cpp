@@ -91,6 +91,7 @@ class Search {
          const InferenceOptions& options, Index unknowns)
       : discrepancy_(discrepancy),
         candidates_(candidates),
+        all_own_(own),
         own_(own),
         options_(options),
         rows_(static_cast<double>(discrepancy.freedom())),
@@ -161,11 +162,35 @@ class Search {
     level_ = nulls.size() - 1;
     if (misses(nulls[level_])) {
       while (level_ > 0 && misses(nulls[level_])) --level_;
-      discrepancy_.freeze(nulls[level_].unknowns, levels[level_]);
-      nulls[level_] = refit_own(nulls[level_].unknowns);
+      if (misses(nulls[level_]))
+        nulls[level_] = anchored_null(start);
+      else {
+        discrepancy_.freeze(nulls[level_].unknowns, levels[level_]);
+        nulls[level_] = refit_own(nulls[level_].unknowns);
+      }
     }
     result_.null.fit = std::move(nulls[level_]);
     result_.degrees_of_freedom = rows_ - static_cast<double>(result_.null.fit.rank);
+  }
+
+  // A model that misses even coarse equations fits best with natural frequencies that nobody would believe, and
+  // nothing that is added there leads back: it stays near its start, and the rest of its numbers, which enter the
+  // equations linearly, are all that moves.
+  Refit anchored_null(const VectorXd& start) {
+    std::erase_if(own_, [&](std::size_t u) {
+      return std::find(options_.anchors.begin(), options_.anchors.end(), u) != options_.anchors.end();
+    });
+    discrepancy_.freeze(start, levels[level_]);
+    const Refit first = refit_own(start, first_damping);
+    discrepancy_.freeze(first.unknowns, levels[level_]);
+    return refit_own(first.unknowns, first_damping);
+  }
+
+  void release_anchors() {
+    own_ = all_own_;
+    for (Explanation& e : found_) e.fit.free = free_of(e.members);
+    discrepancy_.freeze(found_.front().fit.unknowns, levels[level_]);
+    refit_found();
   }
 
   std::vector<std::size_t> promising(const std::vector<Screening>& screened, std::size_t most) const {
@@ -204,24 +229,31 @@ class Search {
 
   Explanation explain(std::vector<std::size_t> members, const VectorXd& start) const {
     Explanation e;
-    std::vector<std::size_t> free = own_;
-    for (const std::size_t m : members) {
-      const Candidate& c = candidates_[m];
-      free.insert(free.end(), c.strengths.begin(), c.strengths.end());
-      free.insert(free.end(), c.shapes.begin(), c.shapes.end());
-      e.unknowns += c.strengths.size() + c.shapes.size();
-    }
-    // A strength that another member or the model frees already counts once.
-    std::sort(free.begin(), free.end());
-    free.erase(std::unique(free.begin(), free.end()), free.end());
+    for (const std::size_t m : members)
+      e.unknowns += candidates_[m].strengths.size() + candidates_[m].shapes.size();
+    e.fit = refit(discrepancy_, start, free_of(members), refit_options());
     e.members = std::move(members);
-    e.fit = refit(discrepancy_, start, free, refit_options());
     return e;
+  }
+
+  // A strength that another member or the model frees already counts once.
+  std::vector<std::size_t> free_of(const std::vector<std::size_t>& members) const {
+    std::set<std::size_t> free(own_.begin(), own_.end());
+    for (const std::size_t m : members) {
+      free.insert(candidates_[m].strengths.begin(), candidates_[m].strengths.end());
+      free.insert(candidates_[m].shapes.begin(), candidates_[m].shapes.end());
+    }
+    return {free.begin(), free.end()};
   }
 
   // Down to the errors of the measurement with the explanations; with two effects as soon as one is not enough.
   void descend() {
     bool paired = false;
+    if (own_.size() < all_own_.size()) {
+      paired = !found_.empty() && misses(found_.front().fit);
+      if (paired) add_pairs();
+      if (!found_.empty()) release_anchors();
+    }
     for (; level_ + 1 < std::size(levels) && !found_.empty(); ++level_) {
       Explanation& best = found_.front();
       discrepancy_.freeze(best.fit.unknowns, levels[level_ + 1]);
@@ -332,6 +364,7 @@ class Search {
 
   // Once more with the errors and starting points that hold at the best explanation.
   void settle() {
+    own_ = all_own_;
     if (found_.empty()) return;
     const Explanation best = found_.front();
     discrepancy_.freeze(best.fit.unknowns);
@@ -359,7 +392,8 @@ class Search {
 
   Discrepancy& discrepancy_;
   const std::vector<Candidate>& candidates_;
-  const std::vector<std::size_t>& own_;
+  const std::vector<std::size_t>& all_own_;
+  std::vector<std::size_t> own_;  // that are fitted at present
   const InferenceOptions& options_;
   double rows_;   // that are independent
   double price_;  // of one unknown more, in log evidence

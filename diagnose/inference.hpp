@@ -27,6 +27,9 @@ struct Inference {
 
 struct InferenceOptions {
   unsigned threads = 1;
+  /// Unknowns whose start is trusted more than a model that is far from the data: held until one explanation is
+  /// near.
+  std::vector<std::size_t> anchors;
   double prior_second = 1e-3;    ///< prior odds of a second effect beside a first
   double prior_open_law = 1e-3;  ///< of a single law outside of the catalogue instead of one in it
 };

@@ -146,6 +146,14 @@ void LineEvidence::freeze(const VectorXd& unknowns, double coarse) {
   for (std::size_t i = 0; i < conditions_.size(); ++i) whiten(i, unknowns, coarse, whitening_[i]);
 }
 
+void LineEvidence::approach(const VectorXd& unknowns) {
+  for (std::size_t i = 0; i < conditions_.size(); ++i) {
+    Motion& known = whitening_[i].motion;
+    Motion motion = model_.rows(conditions_[i], unknowns, known.converged ? &known : nullptr).motion;
+    if (motion.converged) known = std::move(motion);
+  }
+}
+
 void LineEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const {
   Index first = 0;
   for (std::size_t i = 0; i < conditions_.size(); ++i) {

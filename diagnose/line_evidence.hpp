@@ -14,6 +14,7 @@ class LineEvidence : public Evidence {
   Eigen::Index size() const override { return static_cast<Eigen::Index>(labels_.size()); }
   const std::vector<RowLabel>& labels() const override { return labels_; }
   void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
+  void approach(const Eigen::VectorXd& unknowns) override;
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
   Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale, unsigned threads) const override;

@@ -15,7 +15,7 @@ using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr int iteration_limit = 200;
+constexpr int iteration_limit = 60;
 constexpr double tolerance = 1e-10;
 
 /// Steps remembered, and how far they depend on one another before they are not told apart.
@@ -57,22 +57,23 @@ Motion MotionBalance::solve(const MotionSetting& setting, const VectorXcd& ampli
   place_masters(setting, amplitudes, motion.displacement);
   const double scale = amplitudes.size() > 0 ? amplitudes.cwiseAbs().maxCoeff() : 0;
   const std::vector<SlavedLine> slaves = slaved_lines(setting, *model_, parameters);
-  BalanceSweep sweep(*model_, forces_, setting, parameters);
+  BalanceSweep sweep(*model_, forces_, setting);
   AndersonAcceleration acceleration(remembered_steps, dependent_steps);
   double share = 1, last_step = 0;
   MatrixXcd residual;
   VectorXd lines = gathered(slaves, motion.displacement);
   for (int i = 0; i < iteration_limit; ++i) {
-    residual = sweep.residual(motion.displacement);
+    residual = sweep.residual(sweep.path(motion.displacement), parameters);
     const VectorXd step = BalanceSweep::steps(slaves, residual);
     if (!step.allFinite()) break;
     const double size = std::max(scale, motion.displacement.cwiseAbs().maxCoeff());
     motion.converged = step.size() == 0 || step.cwiseAbs().maxCoeff() <= tolerance * size;
-    if (i > 0 && step.norm() > step_growth * last_step) {
+    const double length = step.norm();
+    if (i > 0 && length > step_growth * last_step) {
       acceleration = AndersonAcceleration(remembered_steps, dependent_steps);
       share = std::max(least_share, 0.5 * share);
     }
-    last_step = step.norm();
+    last_step = length;
     lines = motion.converged ? VectorXd(lines + step) : acceleration.next(lines, lines + share * step);
     scattered(slaves, lines, motion.displacement);
     if (motion.converged) break;

@@ -101,6 +101,7 @@ ObservedConditions observe_conditions(const Campaign& campaign, const RecordRead
   for (Dwell& dwell : dwells) {
     dwell.condition.response_sd = responses.of(dwell);
     dwell.condition.excitation_sd = excitations.of(dwell);
+    observed.wander.insert(observed.wander.end(), dwell.wander.begin(), dwell.wander.end());
     observed.conditions.push_back(std::move(dwell.condition));
   }
   for (Condition& condition : observed.conditions) condition.time_s += starts[condition.record];

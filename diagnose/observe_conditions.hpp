@@ -6,6 +6,7 @@
 
 #include "diagnose/condition.hpp"
 #include "diagnose/sensor_model.hpp"
+#include "diagnose/wander.hpp"
 #include "estimator/identification/observation_set.hpp"
 
 namespace secular {
@@ -13,6 +14,7 @@ namespace secular {
 struct ObservedConditions {
   std::vector<Condition> conditions;
   std::vector<std::string> warnings;
+  std::vector<Wander> wander;  ///< of resonant lines within dwells
 };
 
 /// Dwells of a campaign as measured lines. `natural_frequency` (rad/s, by mode) tells which line of

@@ -26,6 +26,12 @@ constexpr double present = 6;
 /// itself.
 constexpr Index fewest_ensembles = 4, usual_ensembles = 8;
 
+/// Noise beside a line is read at these distances from it, in frequency resolutions of an ensemble, on both sides.
+constexpr double beside[] = {3.5, 4.5, 5.5, 6.5};
+
+/// An excitation that wanders with less than this probability by its noise alone makes its response wander.
+constexpr double unsteady_excitation = 1e-3;
+
 /// Fewest samples and turns of the slowest line in an ensemble.
 constexpr Index fewest_samples = 64;
 
@@ -74,6 +80,35 @@ class DwellReader {
 
   static double frequency_of(const Torus& torus, Index line, const std::array<double, 2>& base) {
     return torus.phase(line)[0] * base[0] + torus.phase(line)[1] * base[1];
+  }
+
+  // For every ensemble the channels' amplitudes on a line, by the clock, and at frequencies beside it that no line
+  // is near. `lines`: frequencies of all.
+  std::vector<MatrixXcd> read_about(double line, const std::vector<double>& lines, double resolution) const {
+    std::vector<double> frequencies = {line};
+    for (const double other : lines)
+      if (other != line) frequencies.push_back(other);
+    const std::size_t known = frequencies.size();
+    for (const double distance : beside)
+      for (const int side : {-1, 1}) {
+        const double w = line + side * distance * resolution;
+        const bool free = std::all_of(lines.begin(), lines.end(),
+                                      [&](double other) { return std::abs(w - other) > 2.5 * resolution; });
+        if (free && w > 2.5 * resolution && w < std::numbers::pi * rate_ - 2.5 * resolution)
+          frequencies.push_back(w);
+      }
+    const auto count = static_cast<Index>(frequencies.size() - known);
+    std::vector<MatrixXcd> all;
+    for (Index e = 0; e < ensembles(); ++e) {
+      const KnownFrequencyFit fit =
+          known_frequency_components(part_.samples.middleRows(e * length_, length_), rate_, frequencies, true);
+      MatrixXcd about(part_.samples.cols(), 1 + count);
+      about.col(0) =
+          fit.amplitude.row(0).transpose() * std::polar(1.0, -line * static_cast<double>(e * length_) / rate_);
+      about.rightCols(count) = fit.amplitude.bottomRows(count).transpose();
+      all.push_back(std::move(about));
+    }
+    return all;
   }
 
   // Every ensemble's lines, phases at the dwell's first sample.
@@ -273,6 +308,38 @@ std::optional<double> excitation_frequency(const RecordPart& part, double rate, 
   return fit.frequency;
 }
 
+// How the masters wander; nothing where the excitation does.
+std::vector<Wander> wander_of_masters(const DwellReader& reader, const Condition& c,
+                                      const std::vector<Index>& lines, const std::array<double, 2>& base,
+                                      double resolution, const Torus& torus, const SensorModel& sensors) {
+  std::vector<double> frequencies;
+  for (const Index l : lines)
+    if (l != 0) frequencies.push_back(DwellReader::frequency_of(torus, l, base));
+  const auto channels = static_cast<Index>(sensors.responses.size() + sensors.excitations.size());
+  const auto through = [&](Index line, const Eigen::RowVectorXd& weights) {
+    const std::vector<MatrixXcd> about =
+        reader.read_about(DwellReader::frequency_of(torus, line, base), frequencies, resolution);
+    MatrixXcd seen(static_cast<Index>(about.size()), about.front().cols());
+    for (std::size_t e = 0; e < about.size(); ++e)
+      seen.row(static_cast<Index>(e)) = weights.cast<Complex>() * about[e];
+    return wander_of(seen.col(0), seen.rightCols(seen.cols() - 1));
+  };
+  for (std::size_t j = 0; j < sensors.excitations.size(); ++j) {
+    const auto channel = static_cast<Index>(sensors.responses.size() + j);
+    const Wander excitation = through(c.fundamental, Eigen::RowVectorXd::Unit(channels, channel));
+    if (test_wander({excitation}).p_value < unsteady_excitation) return {};
+  }
+  std::vector<Wander> all;
+  for (const MasterLine& master : c.masters) {
+    Eigen::RowVectorXd weights = Eigen::RowVectorXd::Zero(channels);
+    weights.head(static_cast<Index>(sensors.responses.size())) =
+        sensors.filter.row(static_cast<Index>(master.mode));
+    all.push_back(through(master.line, weights));
+    all.back().record = c.record;
+  }
+  return all;
+}
+
 }  // namespace
 
 std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, const Record& record,
@@ -375,6 +442,8 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
     c.fundamental = fundamental;
     c.lines = lines;
     c.excitation_lines = excitation_lines;
+    if (layout.dimensions == 1)
+      dwell.wander = wander_of_masters(reader, c, lines, base, resolution, *torus, sensors);
     return dwell;
   }
   return leave_out("its motion fits no resonance of model " + std::string(model.name));

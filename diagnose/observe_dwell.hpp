@@ -7,6 +7,7 @@
 
 #include "diagnose/condition.hpp"
 #include "diagnose/sensor_model.hpp"
+#include "diagnose/wander.hpp"
 #include "estimator/identification/observation_set.hpp"
 
 namespace secular {
@@ -17,6 +18,8 @@ struct Dwell {
   std::size_t ensembles = 0;
   double degrees_of_freedom = 0;                         ///< of a scatter
   Eigen::MatrixXd response_scatter, excitation_scatter;  ///< one ensemble's sd of a real part: channel x line
+  /// By master, where the excitation is steady and all lines are multiples of one frequency.
+  std::vector<Wander> wander;
 };
 
 /// Nothing (and a warning) for a dwell that is too short, has no steady excitation or has not settled. Phases are

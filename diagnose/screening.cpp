@@ -34,12 +34,12 @@ Screening screen_slopes(const Refit& base, const MatrixXd& basis, const Candidat
     unknowns(static_cast<Index>(candidate.strengths[s])) +=
         scale(static_cast<Index>(s)) * strength(static_cast<Index>(s));
   if (candidate.passive && unknowns(static_cast<Index>(candidate.strengths[0])) < 0) return {};
-  return {gain, std::move(unknowns)};
+  return {gain, std::move(unknowns), scale};
 }
 
-// Shape by shape.
+// Shape by shape; a strength has much the same scale at the next one.
 Screening screen(const Discrepancy& discrepancy, const Refit& base, const MatrixXd& basis,
-                 const Candidate& candidate) {
+                 const Candidate& candidate, VectorXd scales) {
   Screening best;
   for (const VectorXd& shape : candidate.shape_starts) {
     VectorXd unknowns = base.unknowns;
@@ -50,10 +50,13 @@ Screening screen(const Discrepancy& discrepancy, const Refit& base, const Matrix
       const VectorXd rows = discrepancy(unknowns);
       if ((rows - base.rows).norm() < unseen) continue;
       const double gain = base.chi_squared - without_span(basis, rows).squaredNorm();
-      if (gain > best.gain || best.start.size() == 0) best = {std::max(0.0, gain), unknowns};
+      if (gain > best.gain || best.start.size() == 0) best = {std::max(0.0, gain), unknowns, {}};
       continue;
     }
-    const UnitSlopes slopes = unit_slopes(discrepancy, unknowns, candidate.strengths, {}, 1);
+    const UnitSlopes slopes = unit_slopes(discrepancy, unknowns, candidate.strengths, scales, 1);
+    for (std::size_t s = 0; s < candidate.strengths.size(); ++s)
+      if (const double scale = slopes.scale(static_cast<Index>(s)); scale > 0)
+        scales(static_cast<Index>(candidate.strengths[s])) = scale;
     Screening found = screen_slopes(base, basis, candidate, unknowns, slopes.columns, slopes.scale);
     if (found.gain > best.gain) best = std::move(found);
   }
@@ -82,7 +85,7 @@ void KnownScales::remember(const std::vector<std::size_t>& which, const VectorXd
     if (scale(static_cast<Index>(i)) > 0) scales_(static_cast<Index>(which[i])) = scale(static_cast<Index>(i));
 }
 
-std::vector<Screening> screen_all(const Discrepancy& discrepancy, const Refit& base,
+std::vector<Screening> screen_all(Discrepancy& discrepancy, const Refit& base,
                                   const std::vector<Candidate>& candidates, KnownScales& scales, unsigned threads) {
   std::vector<std::size_t> strengths;
   std::vector<Index> first(candidates.size(), 0);
@@ -92,6 +95,7 @@ std::vector<Screening> screen_all(const Discrepancy& discrepancy, const Refit& b
       strengths.insert(strengths.end(), candidates[c].strengths.begin(), candidates[c].strengths.end());
   }
   const MatrixXd basis = basis_of(base.jacobian);
+  discrepancy.approach(base.unknowns);
   const UnitSlopes slopes = unit_slopes(discrepancy, base.unknowns, strengths, scales.all(), threads);
   scales.remember(strengths, slopes.scale);
   std::vector<Screening> found(candidates.size());
@@ -101,8 +105,10 @@ std::vector<Screening> screen_all(const Discrepancy& discrepancy, const Refit& b
     found[c] = is_plain(candidate) ? screen_slopes(base, basis, candidate, base.unknowns,
                                                    slopes.columns.middleCols(first[c], count),
                                                    slopes.scale.segment(first[c], count))
-                                   : screen(discrepancy, base, basis, candidate);
+                                   : screen(discrepancy, base, basis, candidate, scales.all());
   });
+  for (std::size_t c = 0; c < candidates.size(); ++c)
+    if (found[c].scale.size() > 0) scales.remember(candidates[c].strengths, found[c].scale);
   return found;
 }
 

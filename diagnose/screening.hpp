@@ -13,6 +13,7 @@ namespace secular {
 struct Screening {
   double gain = 0;        ///< fall of chi-squared
   Eigen::VectorXd start;  ///< unknowns; empty where the data do not see the candidate
+  Eigen::VectorXd scale;  ///< of its strengths, where they were found shape by shape
 };
 
 /// Scales of unknowns (see unit_slopes) are much the same wherever a fit begins: the latest of each.
@@ -28,7 +29,7 @@ class KnownScales {
 
 /// Screens every candidate from the fit `base` on, by slopes in all strengths at once where strengths are all that
 /// a candidate has, and shape by shape elsewhere.
-std::vector<Screening> screen_all(const Discrepancy& discrepancy, const Refit& base,
+std::vector<Screening> screen_all(Discrepancy& discrepancy, const Refit& base,
                                   const std::vector<Candidate>& candidates, KnownScales& scales, unsigned threads);
 
 /// Columns without what an orthonormal basis spans.

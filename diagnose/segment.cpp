@@ -26,6 +26,9 @@ constexpr double wanted_samples = 24, wanted_steps = 60;
 /// Turns of the lowest mode in a segment: of decays, and of records that are driven.
 constexpr double decay_turns = 6, driven_turns = 40;
 
+/// Of a segment.
+constexpr Index fewest_samples = 48;
+
 /// A decay ends where its amplitude is below this many noise levels.
 constexpr double end_at_noise = 8;
 
@@ -85,7 +88,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
                            fmt::format("below {:.6g} Hz there", rate / 2));
         part.samples = band_pass(part.samples, rate, *cut.band);
         part.start_s += static_cast<double>(band_pass_reach(*cut.band, rate)) / rate;
-        if (part.samples.rows() <= first + 48) {
+        if (part.samples.rows() <= first + fewest_samples) {
           warnings.push_back(entry.file + ": shorter than the response of the band's filter, left out");
           continue;
         }
@@ -100,8 +103,8 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
     const Index wanted = cut.length == SegmentLength::whole
                              ? available
                              : static_cast<Index>(std::ceil(turns * turn / lowest * thinned_rate));
-    const auto length = std::min<Index>(available, std::max<Index>(48, wanted));
-    if (length < 48) {
+    const auto length = std::min<Index>(available, std::max(fewest_samples, wanted));
+    if (length < fewest_samples) {
       warnings.push_back(entry.file + ": shorter than a few turns of the lowest mode, left out");
       continue;
     }

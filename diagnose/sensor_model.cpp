@@ -20,6 +20,16 @@ int derivatives_of(Quantity quantity) {
 
 }  // namespace
 
+std::complex<double> derivative_power(std::complex<double> base, int exponent) {
+  return exponent == 0 ? std::complex<double>(1) : exponent == 1 ? base : base * base;
+}
+
+std::complex<double> ExtraMode::response(std::size_t channel, std::complex<double> rate, int derivatives,
+                                         std::complex<double> excitation) const {
+  return amplitude[channel] * derivative_power(rate, derivatives) * excitation /
+         (frequency * frequency + 2 * damping * frequency * rate + rate * rate);
+}
+
 SensorModel sensor_model(const Campaign& campaign, const CompiledModel& model, std::size_t excitations) {
   const ModalProjection projection = modal_projection(campaign, model);
   SensorModel sensors;

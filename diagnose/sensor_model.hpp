@@ -36,7 +36,14 @@ struct ChannelFault {
 struct ExtraMode {
   double frequency = 1, damping = 0.01;
   std::vector<double> amplitude;
+
+  /// On a line that turns at `rate` (1/s), for channels that measure this derivative of the displacement.
+  std::complex<double> response(std::size_t channel, std::complex<double> rate, int derivatives,
+                                std::complex<double> excitation) const;
 };
+
+/// base to the power 0, 1 or 2: what a derivative does to a line.
+std::complex<double> derivative_power(std::complex<double> base, int exponent);
 
 /// Everything that can be wrong with excitation and measurement, and drift of the structure; all zero: nothing.
 struct Faults {

@@ -23,6 +23,11 @@ struct StateForce {
   double scale = 1;                 ///< displacement or velocity: usual in the data, so that a strength has a size
 };
 
+/// Whether the force depends on the path and not on displacement and velocity alone.
+constexpr bool has_memory(StateForce::Law law) {
+  return law == StateForce::Law::slider || law == StateForce::Law::spread_slider;
+}
+
 /// Signal of a law with an exponent, which is kept between 0 and 15.
 double power_law(const StateForce& force, double displacement, double velocity, double exponent);
 

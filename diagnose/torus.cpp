@@ -7,6 +7,16 @@ namespace secular {
 
 using Eigen::Index;
 
+namespace {
+
+/// So many lines are added up one by one.
+constexpr Index few_lines = 4;
+
+/// So many rows are transformed one by one.
+constexpr Index few_rows = 8;
+
+}  // namespace
+
 Torus::Torus(int dimensions, int highest, Index points) : dimensions_(dimensions) {
   phases_.push_back({0, 0});
   for (int m = 0; m <= (dimensions == 1 ? 0 : highest); ++m)
@@ -35,11 +45,20 @@ std::optional<Index> Torus::find(const LinePhase& wanted) const {
 }
 
 // One product with a vector for every row: rows are few, and a product of matrices would copy the basis each time.
+// Of an excitation only a line or two are not zero.
 Eigen::MatrixXd Torus::samples(const Eigen::MatrixXcd& coefficients) const {
   Eigen::MatrixXd samples(coefficients.rows(), points());
   Eigen::VectorXcd line(lines());
   Eigen::VectorXd row(points());
   for (Index r = 0; r < samples.rows(); ++r) {
+    if ((coefficients.row(r).array() != std::complex<double>(0)).count() <= few_lines) {
+      row.setConstant(coefficients(r, 0).real());
+      for (Index l = 1; l < lines(); ++l)
+        if (const std::complex<double> c = 2.0 * coefficients(r, l); c != std::complex<double>(0))
+          row += c.real() * basis_.col(2 * l) + c.imag() * basis_.col(2 * l + 1);
+      samples.row(r) = row.transpose();
+      continue;
+    }
     line = 2 * coefficients.row(r).transpose();
     line(0) = coefficients(r, 0).real();
     row.noalias() =
@@ -51,6 +70,14 @@ Eigen::MatrixXd Torus::samples(const Eigen::MatrixXcd& coefficients) const {
 
 Eigen::MatrixXcd Torus::coefficients(const Eigen::MatrixXd& samples) const {
   Eigen::MatrixXcd coefficients(samples.rows(), lines());
+  if (samples.rows() > few_rows) {
+    const Eigen::MatrixXd all = samples * basis_ / static_cast<double>(points());
+    for (Index l = 0; l < lines(); ++l) {
+      coefficients.col(l).real() = all.col(2 * l);
+      coefficients.col(l).imag() = all.col(2 * l + 1);
+    }
+    return coefficients;
+  }
   Eigen::VectorXcd line(lines());
   Eigen::VectorXd row(points());
   for (Index r = 0; r < samples.rows(); ++r) {

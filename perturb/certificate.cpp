@@ -220,10 +220,10 @@ class Substitution {
 
   // A coefficient of the expansion, whose natural and excitation frequencies move with the detunings.
   Series coefficient(const GiNaC::ex& e) const {
-    if (GiNaC::is_a<GiNaC::numeric>(e)) return series(kind_.number(GiNaC::ex_to<GiNaC::numeric>(e)));
+    if (GiNaC::is_exactly_a<GiNaC::numeric>(e)) return series(kind_.number(GiNaC::ex_to<GiNaC::numeric>(e)));
     if (GiNaC::is_a<GiNaC::symbol>(e)) return symbol(GiNaC::ex_to<GiNaC::symbol>(e).get_name());
-    if (GiNaC::is_a<GiNaC::constant>(e)) return series(kind_.pi());
-    if (GiNaC::is_a<GiNaC::add>(e)) {
+    if (GiNaC::is_exactly_a<GiNaC::constant>(e)) return series(kind_.pi());
+    if (GiNaC::is_exactly_a<GiNaC::add>(e)) {
       Series sum(size_);
       for (std::size_t i = 0; i < e.nops(); ++i) {
         const Series term = coefficient(e.op(i));
@@ -231,7 +231,7 @@ class Substitution {
       }
       return sum;
     }
-    if (GiNaC::is_a<GiNaC::mul>(e)) {
+    if (GiNaC::is_exactly_a<GiNaC::mul>(e)) {
       Series whole = series(1);
       for (std::size_t i = 0; i < e.nops(); ++i) whole = product(whole, coefficient(e.op(i)));
       return whole;

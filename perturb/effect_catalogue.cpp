@@ -90,6 +90,15 @@ constexpr std::array catalogue = std::to_array<CatalogueEntry>({
      .term = "+{0}*{u}*{F}",
      .order = Order::unless_resonant,
      .couples = true},
+    // Through an energy -F*eta*v*u, as every parametric excitation of elastic or gravitational origin.
+    {.effect = "parametric_coupling",
+     .form = 1,
+     .parameters = "eta12_sym",
+     .term = "+{0}*{u}*{F}",
+     .other_term = "+{0}*{v}*{F}",
+     .order = Order::unless_resonant,
+     .couples = true,
+     .symmetric = true},
     // omega = omega0*(1 + drift*t): omega^2 grows by 2*omega0^2*drift*t.
     {.effect = "natural_frequency_drift",
      .parameters = "drift",
@@ -158,6 +167,10 @@ std::span<const CatalogueEntry> effect_catalogue() {
 
 std::span<const CatalogueEntry> open_laws() {
   return laws;
+}
+
+bool is_open_law(const std::string& effect) {
+  return find_among(laws, effect, 0) != nullptr;
 }
 
 const CatalogueEntry* find_catalogue_entry(const std::string& effect, std::size_t form) {

@@ -80,6 +80,7 @@ std::span<const CatalogueEntry> effect_catalogue();
 /// Forces of one mode with an exponent of their own, open_stiffness, open_damping and open_loss: what stands for
 /// single laws that the catalogue does not hold. They enter no experiment and are never a cause.
 std::span<const CatalogueEntry> open_laws();
+bool is_open_law(const std::string& effect);
 
 /// The entry of an effect and form, open laws among them; nullptr if there is none (extra_mode has none).
 const CatalogueEntry* find_catalogue_entry(const std::string& effect, std::size_t form = 0);

@@ -72,6 +72,13 @@ Field Field::with_moduli_joined(const FieldLayout& layout) const {
   return result;
 }
 
+Field Field::with_symbols(const GiNaC::exmap& values) const {
+  Field result;
+  for (const auto& [key, coefficient] : terms_)
+    result.add(key, coefficient.subs(values, GiNaC::subs_options::no_pattern));
+  return result;
+}
+
 namespace {
 
 void accumulate(const std::vector<const FieldSeries*>& factors, std::size_t first, int order, const Field* partial,

@@ -42,6 +42,8 @@ class Field {
   Field conjugated(const FieldLayout& layout) const;
   /// The same with |A|^2 = A conj(A) used one way: pairs A conj(A) beside an odd power of |A| go into |A|.
   Field with_moduli_joined(const FieldLayout& layout) const;
+  /// The same with values put in for symbols of the coefficients.
+  Field with_symbols(const GiNaC::exmap& values) const;
 
  private:
   std::map<FieldKey, GiNaC::ex> terms_;

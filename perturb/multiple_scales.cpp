@@ -34,32 +34,47 @@ class MultipleScales {
     for (std::size_t k = 0; k < layout_.modes; ++k) leading_order(k);
     for (std::size_t k = 0; k < layout_.modes; ++k) set_quadratures_apart(k);
     limit_nonsmooth_harmonics();
+    SeriesCache cache(*this);
     for (int order = 1; order <= highest_; ++order) {
-      const SeriesCache cache(*this);
+      if (order > 1) cache.update(*this, order - 1);  // now that it is solved
+      cache.update(*this, order);
       std::vector<Field> forcing(layout_.modes);
       for (std::size_t k = 0; k < layout_.modes; ++k)
         forcing[k] = right_hand_side(k, order, cache).with_moduli_joined(layout_);
       for (std::size_t k = 0; k < layout_.modes; ++k) solve(k, order, forcing[k]);
     }
+    write_out_divisors();
   }
 
  private:
   bool nominal() const { return d_.policy == OmegaPolicy::nominal; }
 
-  // Time derivatives of every mode and excitation with what is known before an order is solved.
+  // Every mode and excitation with its first two time derivatives, as far as they are known.
   struct SeriesCache {
     explicit SeriesCache(const MultipleScales& m) {
-      for (std::size_t k = 0; k < m.layout_.modes; ++k) {
-        const FieldSeries first = m.time_derivative(m.d_.response[k]);
-        coordinate.push_back({m.d_.response[k], first, m.time_derivative(first)});
-      }
+      const FieldSeries nothing(static_cast<std::size_t>(m.highest_) + 1);
+      coordinate.assign(m.layout_.modes, std::vector<FieldSeries>(3, nothing));
+      update(m, 0);
       for (std::size_t j = 0; j < m.layout_.excitations; ++j) {
-        FieldSeries value(static_cast<std::size_t>(m.highest_) + 1);
-        value[0] = m.harmonic_wave(j, 1, GiNaC::numeric(1, 2), true);
-        const FieldSeries first = m.time_derivative(value);
-        excitation.push_back({value, first, m.time_derivative(first)});
+        excitation.emplace_back(3, nothing);
+        std::vector<FieldSeries>& wave = excitation.back();
+        wave[0][0] = m.harmonic_wave(j, 1, GiNaC::numeric(1, 2), true);
+        for (std::size_t derivative = 1; derivative < wave.size(); ++derivative)
+          for (int order = 0; order <= m.highest_; ++order)
+            wave[derivative][static_cast<std::size_t>(order)] = m.time_derivative(wave[derivative - 1], order);
       }
     }
+
+    // What the response is by now at eps^order. Lower orders, once solved, stay as they are.
+    void update(const MultipleScales& m, int order) {
+      const auto n = static_cast<std::size_t>(order);
+      for (std::size_t k = 0; k < coordinate.size(); ++k) {
+        coordinate[k][0][n] = m.d_.response[k][n];
+        for (std::size_t derivative = 1; derivative < coordinate[k].size(); ++derivative)
+          coordinate[k][derivative][n] = m.time_derivative(coordinate[k][derivative - 1], order);
+      }
+    }
+
     std::vector<std::vector<FieldSeries>> coordinate, excitation;  // [index][derivative]
   };
 
@@ -144,12 +159,12 @@ class MultipleScales {
     return result.with_moduli_joined(layout_);
   }
 
-  FieldSeries time_derivative(const FieldSeries& series) const {
-    FieldSeries result(series.size());
-    for (std::size_t order = 0; order < series.size(); ++order) {
-      result[order] += fast_derivative(series[order]);
-      for (std::size_t n = 1; n <= order; ++n)
-        if (!series[order - n].empty()) result[order] += slow_derivative(series[order - n], static_cast<int>(n));
+  // The time derivative's part at eps^order: sum of D_n of the parts at eps^(order - n).
+  Field time_derivative(const FieldSeries& series, int order) const {
+    Field result = fast_derivative(series[static_cast<std::size_t>(order)]);
+    for (int n = 1; n <= order; ++n) {
+      const Field& lower = series[static_cast<std::size_t>(order - n)];
+      if (!lower.empty()) result += slow_derivative(lower, n);
     }
     return result;
   }
@@ -171,7 +186,7 @@ class MultipleScales {
         throw InputError(d_.model->file, place(),
                          "forcing of order eps^0 excites mode '" + d_.model->modes[k].coordinate + "' at resonance",
                          "give the coefficient of the direct excitation a positive order");
-      field.add(key, coefficient / divisor(key, k));
+      field.add(key, coefficient * inverse_divisor(key, k));
     }
   }
 
@@ -181,14 +196,38 @@ class MultipleScales {
     return phase;
   }
 
-  // omega_k^2 - (phase.f)^2, factored so that it stays small.
-  GiNaC::ex divisor(const FieldKey& key, std::size_t k) const {
+  // 1/(omega_k^2 - (phase.f)^2), factored so that it stays small.
+  GiNaC::ex inverse_divisor(const FieldKey& key, std::size_t k) {
     const GiNaC::ex frequency = fast_frequency(key);
     const GiNaC::ex low = (frequencies_[k] - frequency).expand(), high = (frequencies_[k] + frequency).expand();
     if (low.is_zero() || high.is_zero())
       throw InputError(d_.model->file, place(), "division by zero for mode '" + d_.model->modes[k].coordinate + "'",
                        "the relations hide a resonance: list it");
-    return low * high;
+    return inverse(low) * inverse(high);
+  }
+
+  // 1/frequency. While the expansion runs a symbol stands for the inverse of a sum: GiNaC goes through the sum at
+  // every evaluation of a product with it, a third of all time.
+  GiNaC::ex inverse(const GiNaC::ex& frequency) {
+    const GiNaC::ex reciprocal = 1 / frequency;  // number * (sum with coefficients in lowest terms)^-1
+    if (!GiNaC::is_a<GiNaC::add>(frequency)) return reciprocal;
+    const bool scaled = GiNaC::is_a<GiNaC::mul>(reciprocal);
+    const GiNaC::ex power = scaled ? reciprocal.op(0) : reciprocal;
+    const auto [position, added] = inverse_of_sum_.try_emplace(power);
+    if (added) {
+      const GiNaC::realsymbol symbol;
+      position->second = symbol;
+      sum_behind_[symbol] = power;
+      point_.define(symbol, power);
+    }
+    return (scaled ? reciprocal.op(1) : GiNaC::ex(1)) * position->second;
+  }
+
+  void write_out_divisors() {
+    if (sum_behind_.empty()) return;
+    for (auto* fields : {&d_.response, &d_.slow_derivative})
+      for (FieldSeries& series : *fields)
+        for (Field& field : series) field = field.with_symbols(sum_behind_);
   }
 
   // What the equation of mode k has at eps^order besides its own oscillator and D_order A, all moved to the right.
@@ -390,7 +429,7 @@ class MultipleScales {
       if (d_.lattice.slow_multipliers(opposite)) continue;  // conjugate of a secular term
       if (beyond_nonsmooth_harmonics(key, n)) continue;
       warn_if_nearly_resonant(key, k, order);
-      d_.response[k][n].add(key, cleaned(coefficient / divisor(key, k)));
+      d_.response[k][n].add(key, cleaned(coefficient * inverse_divisor(key, k)));
     }
   }
 
@@ -472,6 +511,8 @@ class MultipleScales {
   int highest_;
   std::vector<GiNaC::ex> frequencies_;
   RandomPoint point_;
+  std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less> inverse_of_sum_;  // power -1 of a sum to its symbol
+  GiNaC::exmap sum_behind_;                                           // and back
 };
 
 }  // namespace

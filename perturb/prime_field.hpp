@@ -81,6 +81,8 @@ class RandomPoint {
 
   /// Value of a rational expression. Throws std::domain_error for other functions and for a division by zero.
   PrimeFieldComplex value(const GiNaC::ex& expression);
+  /// The symbol stands for a rational expression: it has that one's value.
+  void define(const GiNaC::symbol& symbol, const GiNaC::ex& expression) { known_[symbol] = value(expression); }
   /// Whether a rational expression is identically zero: never wrong about a zero, and wrong about another
   /// expression with probability below its degree/2^61.
   bool vanishes(const GiNaC::ex& expression);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "estimator/identification/decay_window.hpp"
 #include "estimator/identification/equation_data.hpp"
@@ -12,6 +13,7 @@
 #include "estimator/identification/predicted_harmonics.hpp"
 #include "estimator/in_parallel.hpp"
 #include "input/input_error.hpp"
+#include "simulate/mean_motion.hpp"
 #include "simulate/motion.hpp"
 
 namespace secular {
@@ -43,8 +45,9 @@ class Replay {
     if (measured.resonance->excited) excitations_ = excitation_channels(campaign, model_);
   }
 
-  Record record(const Observation& first, const Observation& last, std::size_t index) const {
-    return measured_.resonance->excited ? dwell(first, index) : decay(first, last, index);
+  Record record(std::span<const Observation> observations, std::size_t index) const {
+    return measured_.resonance->excited ? dwell(mean_motion(observations, model_, *measured_.resonance), index)
+                                        : decay(observations.front(), observations.back(), index);
   }
 
  private:
@@ -109,11 +112,21 @@ class Replay {
       for (std::size_t i = 0; i < block.phase.size(); ++i)
         frequency +=
             block.phase[i] * (i < model_.modes() ? o.rate[i].imag() : o.excitation_frequency[i - model_.modes()]);
-      const Complex harmonic = o.harmonic_sd[b] >= 0 ? o.harmonic[b] : predicted[b];
+      const Complex harmonic = predicted[b] + measured_excess(o, b, predicted[b]);
       const Complex amplitude = harmonic * std::exp(Complex(0, -frequency * earlier));
       q[k] += 2 * amplitude.real();
       v[k] -= 2 * frequency * amplitude.imag();
     }
+  }
+
+  // What a measured harmonic has beyond the predicted one, as far as noise cannot have put it there (James and
+  // Stein's estimate): noise in a harmonic is that of the modes' motion, larger by the square of the frequencies'
+  // ratio, and would start a replay away from the motion that was.
+  static Complex measured_excess(const Observation& o, std::size_t b, Complex predicted) {
+    if (o.harmonic_sd[b] < 0) return 0;
+    const Complex excess = o.harmonic[b] - predicted;
+    const double noise = 2 * o.harmonic_sd[b] * o.harmonic_sd[b];
+    return noise < std::norm(excess) ? (1 - noise / std::norm(excess)) * excess : 0;
   }
 
   Record dwell(const Observation& o, std::size_t index) const {
@@ -198,20 +211,27 @@ class ReplayedRecords {
     for (std::size_t i = 0; i < measured.observations.size(); ++i) {
       const Observation& o = measured.observations[i];
       // A decay starts anew in every stretch: it stays with what was measured, across knocks too.
-      const bool same = !spans_.empty() && spans_.back().first->record == o.record &&
-                        (measured.resonance->excited || spans_.back().first->condition == o.condition);
-      if (!same) spans_.push_back({&o, &o});
-      spans_.back().last = &o;
+      const Observation* before = i > 0 ? &measured.observations[i - 1] : nullptr;
+      const bool same =
+          before && before->record == o.record && (measured.resonance->excited || before->condition == o.condition);
+      if (!same) spans_.push_back({i, i});
+      spans_.back().end = i + 1;
     }
   }
 
   std::size_t count() const { return spans_.size(); }
-  std::size_t original(std::size_t i) const { return spans_[i].first->record; }
+  std::size_t original(std::size_t i) const { return measured_.observations[spans_[i].begin].record; }
   /// Index after the last observation of span i.
-  std::size_t end(std::size_t i) const {
-    return static_cast<std::size_t>(spans_[i].last - measured_.observations.data()) + 1;
+  std::size_t end(std::size_t i) const { return spans_[i].end; }
+
+  /// From any thread.
+  Record replay(std::size_t i) const {
+    const Span& span = spans_[i];
+    return replay_.record(std::span(measured_.observations).subspan(span.begin, span.end - span.begin),
+                          original(i));
   }
 
+  /// The same, with those that follow: for one thread that reads in order.
   Record read(std::size_t i) {
     if (i < begin_ || i >= begin_ + ahead_.size()) fill(i);
     return ahead_[i - begin_];
@@ -219,17 +239,14 @@ class ReplayedRecords {
 
  private:
   struct Span {
-    const Observation *first, *last;
+    std::size_t begin, end;
   };
 
   void fill(std::size_t begin) {
     begin_ = begin;
     ahead_.clear();
     ahead_.resize(std::min(records_ahead * threads_, spans_.size() - begin));
-    in_parallel(ahead_.size(), threads_, [&](std::size_t i) {
-      const Span& span = spans_[begin_ + i];
-      ahead_[i] = replay_.record(*span.first, *span.last, span.first->record);
-    });
+    in_parallel(ahead_.size(), threads_, [&](std::size_t i) { ahead_[i] = replay(begin_ + i); });
   }
 
   const ObservationSet& measured_;
@@ -275,10 +292,11 @@ ObservationSet observe_replay(const Campaign& campaign, const ObservationSet& me
     original.push_back(replayed.original(i));
     reduced.records.push_back(campaign.records[original.back()]);
   }
-  const RecordReader read = [&](std::size_t i) { return replayed.read(i); };
-  // Records come in their order, a few ahead: the threads are those that replay them.
+  const RecordReader read = [&](std::size_t i) { return replayed.replay(i); };
+  Window window;
+  window.threads = threads;
   const ObservationSet exact =
-      observe_dwells(reduced, read, *measured.model, *measured.resonance, {}, DwellMotion::transient);
+      observe_dwells(reduced, read, *measured.model, *measured.resonance, window, DwellMotion::transient);
   for (const Observation& seen : measured.observations)
     for (const Observation& o : exact.observations)
       if (original[o.record] == seen.record) {

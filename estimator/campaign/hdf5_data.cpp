@@ -6,80 +6,14 @@
 #include <limits>
 #include <memory>
 
+#include "estimator/campaign/hdf5_chunks.hpp"
+
 namespace secular {
 namespace {
 
 constexpr std::uint64_t most_elements = std::uint64_t{1} << 40;
 constexpr std::uint64_t check_sum_size = 4;
-constexpr int deepest_tree = 16;
 enum FilterId : std::uint64_t { deflate_filter = 1, shuffle_filter = 2, fletcher_filter = 3 };
-
-struct Chunk {
-  std::uint64_t begin = 0;  // along the long dimension
-  std::string_view stored;
-  std::uint64_t filter_mask = 0;
-  std::uint64_t address = 0;
-};
-
-std::size_t long_dimension(const std::vector<std::uint64_t>& shape) {
-  const auto found = std::find_if(shape.begin(), shape.end(), [](std::uint64_t n) { return n > 1; });
-  return found == shape.end() ? 0 : static_cast<std::size_t>(found - shape.begin());
-}
-
-class ChunkTree {
- public:
-  ChunkTree(const Hdf5Bytes& file, const Hdf5Object& data_set)
-      : file_(file),
-        rank_(data_set.shape->size()),
-        dimension_(long_dimension(*data_set.shape)),
-        nodes_left_(file.size() / 24) {
-    if (data_set.layout.address != hdf5_nowhere) read_node(data_set.layout.address, deepest_tree);
-  }
-
-  std::vector<Chunk> chunks;
-
- private:
-  // Chunks that share their bytes would make much out of a small file.
-  void add(Chunk chunk, std::uint64_t size) {
-    chunk.stored = file_.at(chunk.address, size);
-    stored_ += size;
-    if (stored_ > file_.size()) throw Hdf5Damage{"chunks lie upon each other", chunk.address};
-    chunks.push_back(chunk);
-  }
-
-  void read_node(std::uint64_t address, int levels) {
-    Hdf5Cursor node(file_.at(address, 24), address);
-    if (nodes_left_-- == 0 || levels == 0) node.fail("the list of chunks goes round in circles");
-    if (node.take(4) != "TREE" || node.number(1) != 1) node.fail("the list of chunks is damaged");
-    const std::uint64_t level = node.number(1), children = node.number(2);
-    const std::uint64_t entry_size = 8 + 8 * (rank_ + 1) + 8;
-    Hdf5Cursor entries(file_.at(address + 24, entry_size * children), address + 24);
-    for (std::uint64_t i = 0; i < children; ++i) {
-      Chunk chunk;
-      const std::uint64_t size = entries.number(4);
-      chunk.filter_mask = entries.number(4);
-      bool in_the_first_row = true;
-      for (std::uint64_t d = 0; d <= rank_; ++d) {
-        const std::uint64_t begin = entries.number(8);
-        if (d == dimension_)
-          chunk.begin = begin;
-        else
-          in_the_first_row = in_the_first_row && begin == 0;
-      }
-      chunk.address = entries.number(8);
-      if (level > 0) {
-        read_node(chunk.address, levels - 1);
-      } else if (in_the_first_row) {
-        add(chunk, size);
-      }
-    }
-  }
-
-  const Hdf5Bytes& file_;
-  std::uint64_t rank_;
-  std::size_t dimension_;
-  std::uint64_t nodes_left_, stored_ = 0;
-};
 
 std::string inflated(std::string_view stored, std::uint64_t limit, std::uint64_t address) {
   std::string output(limit, '\0');
@@ -105,7 +39,7 @@ std::string unshuffled(const std::string& bytes, std::uint64_t size) {
   return output;
 }
 
-std::string decoded(const Chunk& chunk, const Hdf5Object& data_set, std::uint64_t size) {
+std::string decoded(const Hdf5Chunk& chunk, const Hdf5Object& data_set, std::uint64_t size) {
   std::string bytes(chunk.stored);
   for (std::size_t f = data_set.filters.size(); f-- > 0;) {
     if (f < 32 && (chunk.filter_mask >> f & 1) != 0) continue;
@@ -137,7 +71,7 @@ bool visit_chunks(const Hdf5Bytes& file, const Hdf5Object& data_set, std::string
       fault = "is compressed in a way that is not read (filter " + std::to_string(filter) + ")";
       return false;
     }
-  const std::size_t dimension = long_dimension(shape);
+  const std::size_t dimension = hdf5_long_dimension(shape);
   const std::uint64_t count = std::min(shape[dimension], limit), length = chunk_shape[dimension],
                       size = data_set.type->size;
   const std::uint64_t elements = hdf5_count(chunk_shape);
@@ -145,11 +79,11 @@ bool visit_chunks(const Hdf5Bytes& file, const Hdf5Object& data_set, std::string
     throw Hdf5Damage{"a chunk has an impossible shape", data_set.layout.address};
   std::uint64_t stride = 1;
   for (std::size_t d = dimension + 1; d < chunk_shape.size(); ++d) stride *= chunk_shape[d];
-  ChunkTree tree(file, data_set);
-  std::sort(tree.chunks.begin(), tree.chunks.end(),
-            [](const Chunk& a, const Chunk& b) { return a.begin < b.begin; });
+  std::vector<Hdf5Chunk> chunks = hdf5_chunks(file, data_set, fault);
+  if (!fault.empty()) return false;
+  std::sort(chunks.begin(), chunks.end(), [](const Hdf5Chunk& a, const Hdf5Chunk& b) { return a.begin < b.begin; });
   std::uint64_t next = 0;
-  for (const Chunk& chunk : tree.chunks) {
+  for (const Hdf5Chunk& chunk : chunks) {
     if (next >= count) break;
     if (chunk.begin != next) break;
     const std::string bytes = decoded(chunk, data_set, elements * size);

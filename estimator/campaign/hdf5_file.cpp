@@ -80,8 +80,7 @@ class Walk {
   }
 
   std::vector<MatVariable> variables;
-  bool left_out_groups = false;
-  std::vector<MatVariable> dense_groups;
+  std::vector<MatVariable> unread_groups;
 
  private:
   static std::string class_of(const Hdf5Object& object) {
@@ -90,21 +89,12 @@ class Walk {
   }
 
   void visit_group(const std::string& path, const Hdf5Object& group, int depth) {
-    if (group.has_dense_links) {
-      left_out_groups = true;
-      // Nothing is left out in silence: the group stands among the variables and says what to do.
-      if (!path.empty())
-        dense_groups.push_back(
-            {path,
-             {},
-             "group",
-             {},
-             "is a group in a form that is not read: h5repack --low=0 --high=0 writes it so that "
-             "it is"});
-    }
     const std::string type = class_of(group);
     if (!type.empty() && type != "struct") return;  // sparse matrices and objects
-    const std::vector<Hdf5Link> members = hdf5_members(file_, group);
+    std::string fault;
+    const std::vector<Hdf5Link> members = hdf5_members(file_, group, fault);
+    // Nothing is left out in silence: the group stands among the variables and says what to do.
+    if (!fault.empty()) unread_groups.push_back({path, {}, "group", {}, fault});
     if (!type.empty() && visit_struct_array(path, members, depth)) return;
     for (const Hdf5Link& member : members) {
       if (matlab_ && path.empty() && member.name.starts_with('#')) continue;  // MATLAB's own: what cells refer to
@@ -176,9 +166,11 @@ class Walk {
 
   // Every byte of the file is read once: references that repeat a data set would make much out of a small file.
   void spend(const Hdf5Object& object) {
-    const bool chunked = object.layout.storage == Hdf5Storage::chunked;
+    const Hdf5Storage storage = object.layout.storage;
+    if (storage == Hdf5Storage::other) return;
     const std::uint64_t bytes =
-        hdf5_count(*object.shape) * object.type->size / (chunked ? hdf5_deflate_limit : 1) + 1;
+        hdf5_count(*object.shape) * object.type->size / (storage == Hdf5Storage::chunked ? hdf5_deflate_limit : 1) +
+        1;
     if (bytes > bytes_left_)
       throw Hdf5Damage{"data sets announce more numbers than the file can hold", object.layout.address};
     bytes_left_ -= bytes;
@@ -214,10 +206,10 @@ std::vector<MatVariable> read_hdf5(const std::filesystem::path& path, const std:
     const Hdf5Bytes content(bytes, superblock.base);
     Walk walk(content, wanted, limit, bytes.starts_with("MATLAB"));
     walk.visit("", superblock.root, 0);
-    if (walk.variables.empty() && walk.left_out_groups)
-      throw InputError(file, "", "has groups in a form that is not read",
-                       "save it for an earlier version of HDF5 (h5repack --low=0 --high=0), or as MAT v7 or CSV");
-    for (MatVariable& group : walk.dense_groups) walk.variables.push_back(std::move(group));
+    if (walk.variables.empty() && !walk.unread_groups.empty())
+      throw InputError(file, walk.unread_groups.front().path, walk.unread_groups.front().fault,
+                       "save it for an earlier version of HDF5, or as MAT v7 or CSV");
+    for (MatVariable& group : walk.unread_groups) walk.variables.push_back(std::move(group));
     return std::move(walk.variables);
   } catch (const Hdf5Damage& damage) {
     throw InputError(file, fmt::format("byte {}", damage.at + 1), damage.what,

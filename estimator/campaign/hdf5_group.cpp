@@ -1,4 +1,9 @@
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
 #include "estimator/campaign/file_bytes.hpp"
+#include "estimator/campaign/hdf5_heap.hpp"
 #include "estimator/campaign/hdf5_object.hpp"
 
 namespace secular {
@@ -58,11 +63,35 @@ class SymbolTable {
   std::string_view names_;
 };
 
+// Every link is in the index by name; the order of that index (hashes) says nothing to anyone.
+std::vector<Hdf5Link> dense_links(const Hdf5Bytes& file, const Hdf5DenseLinks& dense, std::string& fault) {
+  Hdf5Heap heap(file, dense.heap);
+  if (heap.filtered()) {
+    fault = "is a group whose list of members is compressed, which is not read: h5repack --low=0 --high=0 helps";
+    return {};
+  }
+  std::vector<Hdf5Link> links;
+  for (const Hdf5Record& record : hdf5_tree_records(file, dense.index, Hdf5TreeKind::links_by_name)) {
+    Hdf5Cursor cursor(record.bytes, record.address);
+    cursor.skip(4);  // hash
+    const std::uint64_t at = cursor.address();
+    const Hdf5Record object = heap.object({cursor.take(cursor.left()), at});
+    if (std::optional<Hdf5Link> link = read_hdf5_link({object.bytes, object.address}))
+      links.push_back(std::move(*link));
+  }
+  return links;
+}
+
 }  // namespace
 
-std::vector<Hdf5Link> hdf5_members(const Hdf5Bytes& file, const Hdf5Object& group) {
+std::vector<Hdf5Link> hdf5_members(const Hdf5Bytes& file, const Hdf5Object& group, std::string& fault) {
   if (group.symbol_table) return SymbolTable(file, *group.symbol_table).links;
-  return group.links;
+  if (!group.dense_links) return group.links;
+  std::vector<Hdf5Link> links = dense_links(file, *group.dense_links, fault);
+  std::sort(links.begin(), links.end(), [](const Hdf5Link& a, const Hdf5Link& b) {
+    return std::tie(a.created, a.name, a.address) < std::tie(b.created, b.name, b.address);
+  });
+  return links;
 }
 
 }  // namespace secular

@@ -23,17 +23,18 @@ enum MessageType : std::uint64_t {
   symbol_table_message = 0x11
 };
 
-std::vector<std::uint64_t> read_dataspace(Hdf5Cursor cursor) {
-  const std::uint64_t version = cursor.number(1), rank = cursor.number(1);
-  cursor.skip(1);
+void read_dataspace(Hdf5Cursor cursor, Hdf5Object& object) {
+  const std::uint64_t version = cursor.number(1), rank = cursor.number(1), flags = cursor.number(1);
   if (version != 1 && version != 2) cursor.fail("the version of a shape is not known");
   if (rank > highest_rank) cursor.fail("a shape has too many dimensions");
   const std::uint64_t kind = version == 2 ? cursor.number(1) : 1;
   if (version == 1) cursor.skip(5);
-  if (kind == 2) return {0};  // null
   std::vector<std::uint64_t> shape;
   for (std::uint64_t i = 0; i < rank; ++i) shape.push_back(cursor.number(8));
-  return shape;
+  object.limits.clear();
+  for (std::uint64_t i = 0; (flags & 1) != 0 && i < rank; ++i) object.limits.push_back(cursor.number(8));
+  if (kind == 2) shape = {0};  // null
+  object.shape = std::move(shape);
 }
 
 bool is_ieee(std::uint64_t size, Hdf5Cursor& properties) {
@@ -79,6 +80,26 @@ Hdf5Type read_datatype(Hdf5Cursor cursor) {
   return type;
 }
 
+// Version 4. A version 2 B-tree (of data sets that may grow in several dimensions) is not read.
+void read_later_chunks(Hdf5Cursor& cursor, Hdf5Layout& layout) {
+  const std::uint64_t flags = cursor.number(1), rank = cursor.number(1), width = cursor.number(1);
+  if (rank < 1 || rank > highest_rank + 1 || width < 1 || width > 8) cursor.fail("a chunk has no shape");
+  for (std::uint64_t i = 1; i < rank; ++i) layout.chunk.push_back(cursor.number(width));
+  cursor.skip(width);  // size of an element
+  const std::uint64_t index = cursor.number(1);
+  const bool partial_plain = (flags & 1) != 0;  // chunks at the edge do not go through the filters
+  if (index < 1 || index > 4 || partial_plain) return;
+  layout.index = static_cast<Hdf5ChunkIndex>(index);
+  if (layout.index == Hdf5ChunkIndex::single && (flags & 2) != 0) {
+    layout.size = cursor.number(8);
+    layout.filter_mask = cursor.number(4);
+  }
+  if (layout.index == Hdf5ChunkIndex::fixed_array) cursor.skip(1);
+  if (layout.index == Hdf5ChunkIndex::extensible_array) cursor.skip(5);
+  layout.address = cursor.number(8);
+  layout.storage = Hdf5Storage::chunked;
+}
+
 Hdf5Layout read_layout(Hdf5Cursor cursor) {
   Hdf5Layout layout;
   const std::uint64_t version = cursor.number(1);
@@ -97,6 +118,8 @@ Hdf5Layout read_layout(Hdf5Cursor cursor) {
     layout.address = cursor.number(8);
     if (rank < 1 || rank > highest_rank + 1) cursor.fail("a chunk has no shape");
     for (std::uint64_t i = 1; i < rank; ++i) layout.chunk.push_back(cursor.number(4));
+  } else if (kind == 2) {
+    read_later_chunks(cursor, layout);
   }
   return layout;
 }
@@ -135,21 +158,11 @@ void read_attribute(Hdf5Cursor cursor, Hdf5Object& object) {
       type.kind == Hdf5Class::text ? text_until_zero(cursor.take(std::min(type.size, cursor.left()))) : "";
 }
 
-void read_link(Hdf5Cursor cursor, Hdf5Object& object) {
-  cursor.skip(1);
-  const std::uint64_t flags = cursor.number(1);
-  const std::uint64_t kind = (flags & 8) != 0 ? cursor.number(1) : 0;
-  if ((flags & 4) != 0) cursor.skip(8);
-  if ((flags & 16) != 0) cursor.skip(1);
-  const std::uint64_t name_size = cursor.number(std::uint64_t{1} << (flags & 3));
-  const std::string name = as_utf8(cursor.take(name_size));
-  if (kind == 0) object.links.push_back({name, cursor.number(8)});  // soft and external links lead elsewhere
-}
-
 void read_link_info(Hdf5Cursor cursor, Hdf5Object& object) {
   cursor.skip(1);
   if ((cursor.number(1) & 1) != 0) cursor.skip(8);
-  object.has_dense_links = cursor.number(8) != hdf5_nowhere;
+  const std::uint64_t heap = cursor.number(8);
+  if (heap != hdf5_nowhere) object.dense_links = Hdf5DenseLinks{heap, cursor.number(8)};
 }
 
 struct Block {
@@ -162,7 +175,7 @@ void read_message(std::uint64_t type, bool shared, Hdf5Cursor cursor, Hdf5Object
   if (shared && type != continuation_message) return;
   switch (type) {
     case dataspace_message:
-      object.shape = read_dataspace(cursor);
+      read_dataspace(cursor, object);
       break;
     case datatype_message:
       object.type = read_datatype(cursor);
@@ -177,7 +190,7 @@ void read_message(std::uint64_t type, bool shared, Hdf5Cursor cursor, Hdf5Object
       read_attribute(cursor, object);
       break;
     case link_message:
-      read_link(cursor, object);
+      if (std::optional<Hdf5Link> link = read_hdf5_link(cursor)) object.links.push_back(std::move(*link));
       break;
     case link_info_message:
       read_link_info(cursor, object);
@@ -246,6 +259,20 @@ void read_second_version(const Hdf5Bytes& file, std::uint64_t address, Hdf5Objec
 }
 
 }  // namespace
+
+std::optional<Hdf5Link> read_hdf5_link(Hdf5Cursor cursor) {
+  Hdf5Link link;
+  cursor.skip(1);
+  const std::uint64_t flags = cursor.number(1);
+  const std::uint64_t kind = (flags & 8) != 0 ? cursor.number(1) : 0;
+  if ((flags & 4) != 0) link.created = cursor.number(8);
+  if ((flags & 16) != 0) cursor.skip(1);
+  const std::uint64_t name_size = cursor.number(std::uint64_t{1} << (flags & 3));
+  link.name = as_utf8(cursor.take(name_size));
+  if (kind != 0) return std::nullopt;
+  link.address = cursor.number(8);
+  return link;
+}
 
 Hdf5Object read_hdf5_object(const Hdf5Bytes& file, std::uint64_t address) {
   Hdf5Object object;

@@ -121,6 +121,7 @@ class CaseRegression {
       take(result_.fit.coefficients);
       block_misfits(result_.fit.residual);
     }
+    truncation_effect();
     if (result_.fit.coefficients.size() > 0) result_.fit.coefficients += result_.reference;
     result_.state = {lump_, natural_, offset_, scale_, result_.weight, result_.distance, system.errors};
     return std::move(result_);
@@ -233,6 +234,29 @@ class CaseRegression {
       result_.block_misfit[block] = misfit;
       if (std::isfinite(misfit)) scale_[block] = std::max(1.0, misfit);
     }
+  }
+
+  // What is subtracted from the equations moves the response; errors of columns do so next to not at all.
+  void truncation_effect() {
+    const auto directions = static_cast<Index>(set_.truncation_change.size());
+    result_.truncation_effect = MatrixXd::Zero(result_.fit.coefficients.size(), directions);
+    if (directions == 0 || result_.fit.coefficients.size() == 0) return;
+    const WhitenedSystem& system = result_.system;
+    MatrixXd change(system.response.size(), directions);
+    for (Index r = 0; r < change.rows(); ++r) {
+      const auto at = static_cast<std::size_t>(r);
+      for (Index d = 0; d < directions; ++d) {
+        const Complex all = set_.truncation_change[static_cast<std::size_t>(d)](
+            static_cast<Index>(system.observation[at]), static_cast<Index>(system.block[at]));
+        change(r, d) = -(system.part[at] == EquationPart::in_phase ? all.real() : all.imag()) / system.noise_sd[at];
+      }
+    }
+    Index begin = 0;
+    for (const MatrixXd& colouring : system.colouring) {
+      colouring.triangularView<Eigen::Lower>().solveInPlace(change.middleRows(begin, colouring.rows()));
+      begin += colouring.rows();
+    }
+    result_.truncation_effect = result_.fit.basis * (result_.fit.orthonormal.transpose() * change);
   }
 
   void assemble(Pass pass) {

@@ -60,6 +60,8 @@ struct CaseFit {
   Eigen::VectorXd reference;  ///< by column: what the system's unknown is counted from (natural frequencies)
   LinearFit fit;              ///< coefficients include `reference`
   Eigen::VectorXd residual;   ///< by row: of each equation alone over its own noise, as measured noise explains it
+  /// Columns x directions: how coefficients change with ObservationSet::truncation_change.
+  Eigen::MatrixXd truncation_effect;
   std::map<std::size_t, double> block_misfit;  ///< by block: residual over what noise explains, unscaled
   std::vector<double> weight;                  ///< by observation: 1, less where it is an outlier
   std::vector<double> distance;  ///< by observation: deviation from its condition over what is usual; 0 if unknown

@@ -41,6 +41,10 @@ constexpr double search_range = 0.1;
 /// Fewer ensembles cannot tell phases that stand still from independent ones at the one percent that is asked for.
 constexpr std::size_t lock_ensembles = 6;
 
+/// Amplitudes of a motion that has not settled, over one ensemble: they settle within a few ensembles, so that the
+/// rates that a quadratic finds would be wrong by several percent.
+constexpr int transient_degree = 4;
+
 /// Bins between a weak harmonic and every other tone, for it to be fitted.
 constexpr double separate_bins = 2;
 
@@ -328,11 +332,25 @@ class DwellObserver {
       }
       return list;
     };
-    if (unknowns > 0) free = fit_related_tones(samples, rate, related(main_tones), free).free;
+    VectorXd free_sd;
+    if (unknowns > 0) {
+      const RelatedToneFit main = fit_related_tones(samples, rate, related(main_tones), free);
+      free = main.free;
+      free_sd = main.free_sd;
+    }
     RelatedTones list = related(tones.size());
-    if (motion_ == DwellMotion::transient) list.varying = static_cast<int>(main_tones);
+    if (motion_ == DwellMotion::transient) {
+      // A slope of an amplitude is what turns it, too: frequencies near the tones' are as good as any.
+      if (unknowns > 0) list.fixed += list.coupling * free;
+      list.coupling.resize(list.fixed.size(), 0);
+      list.varying = static_cast<int>(main_tones);
+      list.degree = transient_degree;
+    }
     const RelatedToneFit fit = fit_related_tones(samples, rate, list, free);
-    if (unknowns > 0) free = fit.free;
+    if (list.coupling.cols() > 0) {
+      free = fit.free;
+      free_sd = fit.free_sd;
+    }
 
     const auto seen_frequency = [&](std::ptrdiff_t at) { return frequency(tones[static_cast<std::size_t>(at)]); };
     for (std::size_t k = 0; k < modes; ++k) {
@@ -340,12 +358,17 @@ class DwellObserver {
       Complex rate_of_mode(0, at >= 0 ? seen_frequency(at) : 0.0), value = 0;
       double sd = 0, frequency_sd = 0;
       if (at >= 0) {
-        value = project(projection_, k, fit.amplitude.row(at));
-        if (motion_ == DwellMotion::transient) rate_of_mode += project(projection_, k, fit.slope.row(at)) / value;
-        value = to_displacement(value, rate_of_mode, projection_.derivatives);
+        SlowAmplitude slow{project(projection_, k, fit.amplitude.row(at)), 0, 0};
+        if (motion_ == DwellMotion::transient) {
+          slow.slope = project(projection_, k, fit.slope.row(at));
+          slow.curvature = project(projection_, k, fit.curvature.row(at));
+        }
+        slow = to_displacement(slow, seen_frequency(at), projection_.derivatives);
+        value = slow.value;
+        rate_of_mode += slow.slope / value;
         sd = project_sd(projection_, k, fit.amplitude_sd.row(at)) /
              std::pow(seen_frequency(at), projection_.derivatives);
-        if (unknowns > 0) frequency_sd = of_mode[k].coupling.transpose().cwiseProduct(fit.free_sd).norm();
+        if (unknowns > 0) frequency_sd = of_mode[k].coupling.transpose().cwiseProduct(free_sd).norm();
       }
       o.amplitude.push_back(value);
       o.amplitude_sd.push_back(sd);
@@ -354,7 +377,7 @@ class DwellObserver {
       o.growth_sd.push_back(0);
       o.frequency_sd.push_back(frequency_sd);
     }
-    for (Index i = 0; i < unknowns; ++i) o.free_frequency_sd.push_back(fit.free_sd(i));
+    for (Index i = 0; i < unknowns; ++i) o.free_frequency_sd.push_back(free_sd(i));
     for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
       const RegressorBlock& block = resonance_.blocks[b];
       const auto mode = static_cast<std::size_t>(block.mode);
@@ -363,7 +386,8 @@ class DwellObserver {
       double sd = -1;
       if (at >= 0) {
         const double f = seen_frequency(at);
-        value = to_displacement(project(projection_, mode, fit.amplitude.row(at)), {0, f}, projection_.derivatives);
+        value =
+            to_displacement({project(projection_, mode, fit.amplitude.row(at))}, f, projection_.derivatives).value;
         if (reversed[b]) value = std::conj(value);
         sd = project_sd(projection_, mode, fit.amplitude_sd.row(at)) / std::pow(f, projection_.derivatives);
       } else if (is_zero_frequency(block) && projection_.derivatives == 0) {

@@ -14,6 +14,7 @@
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/identifiability.hpp"
 #include "estimator/identification/shared_parameters.hpp"
+#include "estimator/identification/short_list.hpp"
 #include "estimator/identification/unit_text.hpp"
 #include "estimator/regression/confidence.hpp"
 #include "input/input_error.hpp"
@@ -134,6 +135,7 @@ class Estimator {
       single_.clear();
       shared();
     }
+    place_along_unseen();
     hidden_.resize(fits_.size());
     if (options_.judge_fit) {
       test_fit();
@@ -352,6 +354,7 @@ class Estimator {
         part.plain =
             part.combination * MatrixXd(fit.fit.plain_covariance(used, used)) * part.combination.transpose();
         part.influence = MatrixXd(fit.fit.influence(Eigen::all, used)) * part.combination.transpose();
+        part.truncation_effect = part.combination * MatrixXd(fit.truncation_effect(used, Eigen::all));
       }
       part.clustered = fit.fit.covariance_kind == CovarianceKind::clustered;
       part.degrees_of_freedom = fit.fit.degrees_of_freedom;
@@ -375,6 +378,30 @@ class Estimator {
     shared_ = shared_parameters(lump_estimates_, start, given_);
     result_.parameter_values = shared_.values;
     if (options_.bootstrap > 0) draw_bootstrap();
+  }
+
+  // Lumps are corrected for the truncation with parameters that no lump can tell. Where these are, as far as all
+  // lumps together tell it, moves each lump; what they leave open is part of its error bar.
+  void place_along_unseen() {
+    result_.unseen = shared_.unseen;
+    for (std::size_t s = 0; s < fits_.size(); ++s) {
+      const MatrixXd& effect = fits_[s].truncation_effect;
+      if (effect.cols() == 0 || effect.rows() == 0 || shared_.shift_slope[s].size() == 0) continue;
+      LinearFit& fit = fits_[s].fit;
+      const VectorXd change = effect * shared_.shift;
+      fit.coefficients += change;
+      if (s < bootstrap_lumps_.size() && bootstrap_lumps_[s].rows() == change.size())
+        bootstrap_lumps_[s].colwise() += change;
+      const Index columns = fit.coefficients.size();
+      MatrixXd from_values = MatrixXd::Zero(effect.cols(), columns);
+      from_values(Eigen::all, used_[s]) = shared_.shift_slope[s] * lump_estimates_[s].combination;
+      const MatrixXd map = MatrixXd::Identity(columns, columns) + effect * from_values;
+      const MatrixXd open = effect * shared_.shift_prior;
+      const MatrixXd left = open * open.transpose();
+      fit.influence = fit.influence * map.transpose();
+      fit.covariance = map * fit.covariance * map.transpose() + left;
+      fit.plain_covariance = map * fit.plain_covariance * map.transpose() + left;
+    }
   }
 
   // A natural frequency that no regression separates from other changes of stiffness is still near the observed
@@ -438,7 +465,7 @@ class Estimator {
     LumpConsistency& c = result_.consistency;
     c.chi_squared = shared_.misfit;
     c.degrees_of_freedom = static_cast<double>(shared_.surplus);
-    if (shared_.surplus < 1 || !std::isfinite(c.chi_squared)) return;
+    if (c.degrees_of_freedom < 1 || !std::isfinite(c.chi_squared)) return;
     c.p_value =
         boost::math::cdf(boost::math::complement(boost::math::chi_squared(c.degrees_of_freedom), c.chi_squared));
     c.significant = c.p_value < contradiction_false_alarm;
@@ -618,37 +645,47 @@ class Estimator {
             fmt::format("case {}: too few conditions ({} for {} unknowns) for error bars from their scatter; they "
                         "come from the residuals and may be too small",
                         name, conditions, fit.fit.rank));
-      std::string near;
+      std::vector<std::string> near;
       const auto entangled = nearly_entangled(fit);
       for (std::size_t c = 0; c < entangled.size(); ++c)
-        if (!entangled[c].empty()) near += (near.empty() ? "" : ", ") + column_name(fit, c);
+        if (!entangled[c].empty()) near.push_back(column_name(fit, c));
       if (!near.empty())
         result_.warnings.push_back(fmt::format(
             "case {}: {} act nearly alike on these conditions, their error bars say how little is known of "
             "each; conditions with other levels and other ratios of the amplitudes would part them",
-            name, near));
-      std::string lost;
+            name, short_list(near)));
+      std::vector<std::string> lost;
       for (std::size_t c = 0; c < fit.columns.size(); ++c)
-        if (!fit.fit.identifiable[c]) lost += (lost.empty() ? "" : ", ") + column_name(fit, c);
+        if (!fit.fit.identifiable[c]) lost.push_back(column_name(fit, c));
       if (!lost.empty())
         result_.warnings.push_back(fmt::format(
             "case {}: {} cannot be told apart on {} condition{} (their columns differ by noise or not at "
             "all); no numbers are given for them",
-            name, lost, conditions, conditions == 1 ? "" : "s"));
+            name, short_list(lost), conditions, conditions == 1 ? "" : "s"));
     }
-    std::string doubtful;
+    std::vector<std::string> doubtful;
     for (const auto* list : {&result_.parameters, &result_.lumps})
       for (const EstimatedValue& value : *list)
-        if (value.doubtful && doubtful.find(" " + value.name + ",") == std::string::npos)
-          doubtful += " " + value.name + ",";
+        if (value.doubtful && std::find(doubtful.begin(), doubtful.end(), value.name) == doubtful.end())
+          doubtful.push_back(value.name);
     if (!doubtful.empty())
-      result_.warnings.push_back("doubtful because the model does not fit:" +
-                                 doubtful.substr(0, doubtful.size() - 1));
-    for (const OutlyingEnsemble& o : result_.outliers)
-      result_.warnings.push_back(
-          fmt::format("record {}, ensemble at {:.1f} s: {:.1f} times the usual distance from its condition, weight "
-                      "{:.2g}",
-                      o.record + 1, o.centre_s, o.distance, o.weight));
+      result_.warnings.push_back("doubtful because the model does not fit: " + short_list(doubtful));
+    warn_of_outliers();
+  }
+
+  void warn_of_outliers() {
+    if (result_.outliers.empty()) return;
+    const OutlyingEnsemble& worst =
+        *std::max_element(result_.outliers.begin(), result_.outliers.end(),
+                          [](const auto& a, const auto& b) { return a.distance < b.distance; });
+    std::size_t all = 0;
+    for (const CaseFit& fit : fits_) all += fit.set->observations.size();
+    const bool one = result_.outliers.size() == 1;
+    result_.warnings.push_back(fmt::format(
+        "{} of {} ensembles stand{} out from the others of {} condition and count{} less; {}record {}, ensemble at "
+        "{:.1f} s: {:.1f} times the usual distance from its condition, weight {:.2g}",
+        result_.outliers.size(), all, one ? "s" : "", one ? "its" : "their", one ? "s" : "", one ? "" : "worst ",
+        worst.record + 1, worst.centre_s, worst.distance, worst.weight));
   }
 
   const CompiledModel& model_;

@@ -22,11 +22,13 @@ struct EstimatedValue {
   std::string resonance;   ///< lumps: the case
   std::optional<double> value;
   double sd = 0, degrees_of_freedom = 0;
-  double truncation = 0;  ///< what was subtracted for the expansion's truncation; half of it is in sd
+  double truncation = 0;  ///< what was subtracted for the expansion's truncation
   /// By how much an effect that the model lacks may have moved it, judged by what no parameter explains; counts as
   /// two standard deviations in sd. 0: the equations fit as well as repeats of a condition agree.
   double misfit = 0;
-  bool doubtful = false;  ///< `misfit` dominates the error bar and is more than a tenth of the value
+  /// `misfit` dominates the error bar and is more than a tenth of the value, or the correction for the truncation
+  /// failed or has not come to rest.
+  bool doubtful = false;
   std::string unit;
   bool identifiable = false;
   bool significant = false;  ///< differs from zero at 95 %
@@ -65,6 +67,8 @@ struct Estimate {
   std::vector<DampingComparison> damping;
   std::vector<NullDirection> null_directions;  ///< what the campaign leaves open
   Eigen::VectorXd parameter_values;  ///< by CompiledModel::symbols: a representative that reproduces the lumps
+  /// Symbols x directions: SharedParameters::unseen.
+  Eigen::MatrixXd unseen;
   std::vector<std::string> warnings;
   std::shared_ptr<const EstimationState> state;
 };
@@ -113,13 +117,24 @@ std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets
                                             std::span<const ObservationSet> replayed,
                                             const Eigen::VectorXd& parameters);
 
-/// `corrected`, the estimate from sets with_truncation, with its difference to the `raw` one as the correction:
-/// half of it joins the standard deviation, because it depends somewhat on how lumps split into parameters.
-Estimate with_truncation_error(Estimate corrected, const Estimate& raw);
+/// The `corrected` sets with how their truncation changes from the parameters they were corrected at to others: one
+/// more direction for every call (ObservationSet::truncation_change). `displaced`: with_truncation at the others.
+/// Observations that it lacks do not change.
+void add_truncation_change(std::span<ObservationSet> corrected, std::span<const ObservationSet> displaced);
+
+/// The changes of `from` along with the observations of `to`.
+void keep_truncation_change(std::span<ObservationSet> to, std::span<const ObservationSet> from);
+
+/// `corrected`, the estimate from sets with_truncation, with its difference to the `raw` one as the correction.
+Estimate with_correction_shown(Estimate corrected, const Estimate& raw);
 
 /// `latest`, corrected for the truncation at the parameters `before`, with the step to the parameters `next`, at
 /// which it would be corrected once more, in its error bars: what has not come to rest is not known. Values that it
 /// moves by more than their error bar are doubtful, and a warning names them.
 Estimate with_unsettled_correction(Estimate latest, const Eigen::VectorXd& before, const Eigen::VectorXd& next);
+
+/// An estimate whose parameters do not make the measured motion when put into the full equations, for the reason
+/// `why`: nothing that was estimated can be relied upon, and a warning says so.
+Estimate with_failed_correction(Estimate raw, const std::string& why);
 
 }  // namespace secular

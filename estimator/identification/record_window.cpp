@@ -25,9 +25,17 @@ SampleRange range_of(const Record& record, const Window& window) {
   return {first, std::max<Index>(0, static_cast<Index>(std::floor(end + 1e-6)) - first)};
 }
 
-Complex to_displacement(Complex amplitude, Complex s, int derivatives) {
-  for (int d = 0; d < derivatives; ++d) amplitude /= s;
-  return amplitude;
+SlowAmplitude to_displacement(const SlowAmplitude& measured, double frequency, int derivatives) {
+  SlowAmplitude tone = measured;
+  const Complex s(0, frequency);
+  // (s + L)^-1 = 1/s - L/s^2 + L^2/s^3.
+  for (int d = 0; d < derivatives; ++d) {
+    const Complex third = tone.curvature / s;
+    tone.value = (tone.value - tone.slope / s + third / s) / s;
+    tone.slope = (tone.slope - third) / s;
+    tone.curvature = third;
+  }
+  return tone;
 }
 
 Complex project(const ModalProjection& projection, std::size_t mode, const Eigen::RowVectorXcd& amplitudes) {

@@ -21,8 +21,14 @@ struct SampleRange {
 };
 SampleRange range_of(const Record& record, const Window& window);
 
-/// A tone exp(s t) of the measured quantity as displacement.
-std::complex<double> to_displacement(std::complex<double> amplitude, std::complex<double> s, int derivatives);
+/// Complex amplitude of a tone that changes slowly, and what changes it, at one instant.
+struct SlowAmplitude {
+  std::complex<double> value, slope = 0, curvature = 0;
+};
+
+/// A tone of the measured quantity, the displacement's derivative, as displacement: (i*frequency +
+/// d/dt)^-derivatives by its series to second order.
+SlowAmplitude to_displacement(const SlowAmplitude& measured, double frequency, int derivatives);
 
 /// Modal value of channel amplitudes, and the standard deviation of its real (or imaginary) part.
 std::complex<double> project(const ModalProjection& projection, std::size_t mode,

@@ -35,11 +35,17 @@ struct Projection {
 class Fitter {
  public:
   Fitter(const Eigen::Ref<const MatrixXd>& y, double rate, const RelatedTones& tones)
-      : y_(y), rate_(rate), tones_(tones), count_(tones.fixed.size()), varying_(tones.varying) {
-    linear_ = 2 * count_ + 1 + 4 * varying_;
+      : y_(y),
+        rate_(rate),
+        tones_(tones),
+        count_(tones.fixed.size()),
+        varying_(tones.varying),
+        degree_(tones.degree) {
+    linear_ = 2 * count_ + 1 + 2 * degree_ * varying_;
     if (y.rows() <= linear_ + tones.coupling.cols())
       throw std::invalid_argument("fewer samples than unknown tones");
-    time_ = VectorXd::LinSpaced(y.rows(), -0.5, 0.5) * (static_cast<double>(y.rows() - 1) / rate);
+    half_ = 0.5 * static_cast<double>(y.rows() - 1) / rate;
+    time_ = VectorXd::LinSpaced(y.rows(), -half_, half_);
   }
 
   Projection project(const VectorXd& u) const {
@@ -50,9 +56,10 @@ class Fitter {
     for (Index j = 0; j < count_; ++j) wave(frequency(j), rate_, p.basis, 2 * j);
     p.basis.col(2 * count_).setOnes();
     for (Index j = 0; j < varying_; ++j) {
-      const Index at = 2 * count_ + 1 + 4 * j;
-      p.basis.middleCols(at, 2) = time_.asDiagonal() * p.basis.middleCols(2 * j, 2);
-      p.basis.middleCols(at + 2, 2) = time_.asDiagonal() * p.basis.middleCols(at, 2);
+      // Powers of time over half of the window.
+      for (Index power = 1; power <= degree_; ++power)
+        p.basis.middleCols(power_column(j, power), 2) =
+            time_.asDiagonal() * (p.basis.middleCols(power == 1 ? 2 * j : power_column(j, power - 1), 2) / half_);
     }
     MatrixXd gram = MatrixXd::Zero(linear_, linear_);
     gram.selfadjointView<Eigen::Lower>().rankUpdate(p.basis.transpose());
@@ -120,6 +127,7 @@ class Fitter {
     result.amplitude.resize(count_, y_.cols());
     result.amplitude_sd.resize(count_, y_.cols());
     result.slope.resize(varying_, y_.cols());
+    result.curvature.resize(varying_, y_.cols());
     for (Index c = 0; c < y_.cols(); ++c) {
       for (Index j = 0; j < count_; ++j) {
         result.amplitude(j, c) = {p.coefficients(2 * j, c), p.coefficients(2 * j + 1, c)};
@@ -127,8 +135,10 @@ class Fitter {
             result.noise_sd(c) * std::sqrt(0.5 * (inverse(2 * j, 2 * j) + inverse(2 * j + 1, 2 * j + 1)));
       }
       for (Index j = 0; j < varying_; ++j) {
-        const Index at = 2 * count_ + 1 + 4 * j;
-        result.slope(j, c) = {p.coefficients(at, c), p.coefficients(at + 1, c)};
+        const Index first = power_column(j, 1), second = power_column(j, 2);
+        result.slope(j, c) = Complex(p.coefficients(first, c), p.coefficients(first + 1, c)) / half_;
+        result.curvature(j, c) =
+            2.0 * Complex(p.coefficients(second, c), p.coefficients(second + 1, c)) / (half_ * half_);
       }
     }
     result.offset = p.coefficients.row(2 * count_).transpose();
@@ -137,10 +147,14 @@ class Fitter {
   }
 
  private:
+  // Of a varying tone times a power of time.
+  Index power_column(Index tone, Index power) const { return 2 * count_ + 1 + 2 * (degree_ * tone + power - 1); }
+
   const Eigen::Ref<const MatrixXd>& y_;
   double rate_;
   const RelatedTones& tones_;
-  Index count_, varying_, linear_ = 0;
+  Index count_, varying_, degree_, linear_ = 0;
+  double half_ = 0;
   VectorXd time_;
 };
 

@@ -8,14 +8,15 @@ namespace secular {
 struct RelatedTones {
   Eigen::VectorXd fixed;
   Eigen::MatrixXd coupling;  ///< tones x free frequencies; no columns: all frequencies are known
-  int varying = 0;           ///< the first so many tones may grow and turn slowly: amplitudes quadratic in time
+  int varying = 0;           ///< the first so many tones may grow and turn slowly
+  int degree = 2;            ///< of their amplitudes as polynomials of time, at least 2
 };
 
 struct RelatedToneFit {
   bool converged = false;
   Eigen::VectorXd free, free_sd;                ///< u
   Eigen::MatrixXcd amplitude;                   ///< [tone][channel], half of the peak, phase at the window's centre
-  Eigen::MatrixXcd slope;                       ///< [varying tone][channel]: d amplitude/dt at the centre
+  Eigen::MatrixXcd slope, curvature;            ///< [varying tone][channel]: d/dt and d2/dt2 of it at the centre
   Eigen::MatrixXd amplitude_sd;                 ///< of real and imaginary part alike
   Eigen::VectorXd offset, offset_sd, noise_sd;  ///< [channel]
 };

@@ -1,9 +1,11 @@
 #include "estimator/identification/shared_parameters.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "estimator/regression/clustered_chi_squared.hpp"
 #include "estimator/regression/nonlinear_fit.hpp"
 
 namespace secular {
@@ -12,6 +14,10 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+/// Singular values of scaled columns below this share of the largest are none; parts of directions, squared, below
+/// the other belong to nothing.
+constexpr double lost_direction = 1e-9, part_of_group = 1e-8;
 
 // Whitening of one case's lumps through scaled variables: they differ by many powers of ten.
 struct Whitening {
@@ -31,11 +37,63 @@ struct Whitening {
   }
 };
 
+// See SharedParameters::unseen, of the whitened Jacobian. In columns of unit norm entangled parameters do the same
+// for the same size.
+MatrixXd unseen_directions(const MatrixXd& jacobian, const VectorXd& scale, const VectorXd& values) {
+  std::vector<Index> seen;
+  for (Index p = 0; p < jacobian.cols(); ++p)
+    if (jacobian.col(p).squaredNorm() > 0) seen.push_back(p);
+  const MatrixXd columns = jacobian(Eigen::all, seen) * scale(seen).asDiagonal();
+  const VectorXd sizes = values(seen).cwiseQuotient(scale(seen));
+  const auto width = static_cast<Index>(seen.size());
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
+  const MatrixXd triangle = qr.matrixQR().topRows(std::min(columns.rows(), width)).triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<MatrixXd> svd(triangle * qr.colsPermutation().transpose(), Eigen::ComputeFullV);
+  Index rank = 0;
+  while (rank < svd.singularValues().size() &&
+         svd.singularValues()(rank) > lost_direction * svd.singularValues()(0))
+    ++rank;
+  const MatrixXd null = svd.matrixV().rightCols(width - rank);
+  const MatrixXd projection = null * null.transpose();
+  MatrixXd result(jacobian.cols(), width - rank);
+  Index found = 0;
+  std::vector<bool> done(seen.size(), false);
+  for (Index first = 0; first < width; ++first) {
+    if (done[static_cast<std::size_t>(first)] || projection(first, first) < part_of_group) continue;
+    // Everything that is entangled with it.
+    std::vector<Index> group{first};
+    done[static_cast<std::size_t>(first)] = true;
+    for (std::size_t at = 0; at < group.size(); ++at)
+      for (Index other = 0; other < width; ++other)
+        if (!done[static_cast<std::size_t>(other)] && std::abs(projection(group[at], other)) > part_of_group) {
+          done[static_cast<std::size_t>(other)] = true;
+          group.push_back(other);
+        }
+    // If each of n alone were as likely to be the whole effect e, shares e/n would have the covariance e^2/n
+    // orthogonal to their sum.
+    const double effect = (columns(Eigen::all, group) * sizes(group)).norm();
+    const double plausible = effect / std::sqrt(static_cast<double>(group.size()));
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> own(MatrixXd(projection(group, group)));
+    for (Index i = 0; i < own.eigenvalues().size() && found < result.cols(); ++i) {
+      if (own.eigenvalues()(i) < 0.5) continue;
+      result.col(found).setZero();
+      for (std::size_t g = 0; g < group.size(); ++g)
+        result(seen[static_cast<std::size_t>(group[g])], found) = plausible *
+                                                                  own.eigenvectors()(static_cast<Index>(g), i) *
+                                                                  scale(seen[static_cast<std::size_t>(group[g])]);
+      ++found;
+    }
+  }
+  return result.leftCols(found);
+}
+
 }  // namespace
 
 SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const VectorXd& start,
                                    const std::vector<bool>& given) {
   const Index count = start.size();
+  Index directions = 0;
+  for (const LumpEstimates& part : cases) directions = std::max(directions, part.truncation_effect.cols());
   SharedParameters result;
   result.values = start;
   result.covariance = result.plain_covariance = MatrixXd::Zero(count, count);
@@ -47,8 +105,14 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
     whitening.emplace_back(part.plain);
   }
   result.slope.assign(cases.size(), MatrixXd());
+  result.shift_slope.assign(cases.size(), MatrixXd());
+  result.shift = VectorXd::Zero(directions);
+  result.shift_prior = MatrixXd::Identity(directions, directions);
+  result.unseen = MatrixXd::Zero(count, 0);
   if (rows == 0) return result;
-  const ResidualFunction function = [&](const VectorXd& parameters, VectorXd& residual, MatrixXd& jacobian) {
+  // Unknowns: parameters, then shifts; after the lumps' rows those of the shifts' own size.
+  const ResidualFunction function = [&](const VectorXd& unknowns, VectorXd& residual, MatrixXd& jacobian) {
+    const VectorXd parameters = unknowns.head(count), shift = unknowns.tail(directions);
     Index r = 0;
     for (std::size_t c = 0; c < cases.size(); ++c) {
       const LumpEstimates& part = cases[c];
@@ -74,41 +138,63 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
           single_slope.row(i) = lump_slope.row(index);
         }
       }
-      const VectorXd difference = part.combination * single - part.values;
-      MatrixXd slope = part.combination * single_slope;
+      VectorXd difference = part.combination * single - part.values;
+      MatrixXd slope = MatrixXd::Zero(size, count + directions);
+      slope.leftCols(count) = part.combination * single_slope;
       for (Index p = 0; p < count; ++p)
         if (given[static_cast<std::size_t>(p)]) slope.col(p).setZero();
+      if (part.truncation_effect.cols() > 0) {
+        difference -= part.truncation_effect * shift;
+        slope.rightCols(directions) = -part.truncation_effect;
+      }
       residual.segment(r, size) = whitening[c](difference);
       jacobian.middleRows(r, size) = whitening[c](slope);
       r += size;
     }
+    residual.tail(directions) = shift;
+    jacobian.bottomRows(directions).setZero();
+    jacobian.bottomRightCorner(directions, directions).setIdentity();
   };
-  const FitReport report = nonlinear_fit(function, rows, start);
-  result.values = report.parameters;
-  result.misfit = 2 * report.cost;
-  VectorXd residual(rows);
-  MatrixXd jacobian(rows, count);
-  function(result.values, residual, jacobian);
+  const Index all_rows = rows + directions, unknowns = count + directions;
+  VectorXd from(unknowns);
+  from << start, VectorXd::Zero(directions);
+  const FitReport report = nonlinear_fit(function, all_rows, from);
+  result.values = report.parameters.head(count);
+  result.shift = report.parameters.tail(directions);
+  VectorXd residual(all_rows);
+  MatrixXd jacobian(all_rows, unknowns);
+  function(report.parameters, residual, jacobian);
   // d values / d lumps = pinv(W J) W, by cases, in columns of unit norm.
   VectorXd scale = jacobian.colwise().norm().transpose();
-  for (Index p = 0; p < count; ++p) scale(p) = scale(p) > 0 ? 1 / scale(p) : 1;
+  for (Index p = 0; p < unknowns; ++p) scale(p) = scale(p) > 0 ? 1 / scale(p) : 1;
+  result.unseen = unseen_directions(jacobian.topLeftCorner(rows, count), scale.head(count), result.values);
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
   solver.setThreshold(1e-9);
   solver.compute(jacobian * scale.asDiagonal());
-  result.surplus = rows - solver.rank();
   const MatrixXd inverse = scale.asDiagonal() * solver.pseudoInverse();
+  // What the fit leaves of a change of the lumps.
+  const MatrixXd left = MatrixXd::Identity(all_rows, all_rows) - jacobian * inverse;
+  ResidualScatter scatter;
+  scatter.known = left.rightCols(directions);
   Index r = 0;
   MatrixXd variance_by_case = MatrixXd::Zero(count, static_cast<Index>(cases.size()));
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const LumpEstimates& part = cases[c];
     const Index size = part.values.size();
     if (size == 0) continue;
-    result.slope[c] = inverse.middleCols(r, size) * whitening[c](MatrixXd::Identity(size, size));
+    const MatrixXd slope = inverse.middleCols(r, size) * whitening[c](MatrixXd::Identity(size, size));
+    result.slope[c] = slope.topRows(count);
+    result.shift_slope[c] = slope.bottomRows(directions);
     r += size;
     const MatrixXd plain = result.slope[c] * part.plain * result.slope[c].transpose();
     result.plain_covariance += plain;
     MatrixXd covariance = plain;
-    if (part.clustered) {
+    if (!part.clustered) {
+      scatter.known.conservativeResize(Eigen::NoChange, scatter.known.cols() + size);
+      scatter.known.rightCols(size) = left.middleCols(r - size, size);
+    } else {
+      scatter.influence.push_back(whitening[c](part.influence.transpose()).transpose() *
+                                  left.middleCols(r - size, size).transpose());
       const auto n = static_cast<double>(part.influence.rows());
       const MatrixXd moved = part.influence * result.slope[c].transpose();
       covariance = (n - 1) / n * moved.transpose() * moved;
@@ -116,6 +202,13 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
     result.covariance += covariance;
     variance_by_case.col(static_cast<Index>(c)) = covariance.diagonal();
   }
+  result.surplus = all_rows - solver.rank();
+  result.misfit = clustered_chi_squared(residual, result.surplus, scatter);
+  const MatrixXd of_shift =
+      inverse.block(0, r, count, directions) * inverse.block(0, r, count, directions).transpose();
+  result.covariance += of_shift;
+  result.plain_covariance += of_shift;
+  result.shift_prior = inverse.block(count, r, directions, directions);
   for (Index p = 0; p < count; ++p) {
     double denominator = 0;
     for (std::size_t c = 0; c < cases.size(); ++c) {

@@ -17,7 +17,10 @@ struct LumpEstimates {
   /// values x index: what of them was estimated. Identity, and combinations of those that are not separated.
   Eigen::MatrixXd combination;
   Eigen::VectorXd values;
-  Eigen::MatrixXd plain;      ///< covariance from residuals: the weights
+  Eigen::MatrixXd plain;  ///< covariance from residuals: the weights
+  /// Values x directions: how they change where parameters move along SharedParameters::unseen, by way of what was
+  /// subtracted for the expansion's truncation. No columns: not known.
+  Eigen::MatrixXd truncation_effect;
   Eigen::MatrixXd influence;  ///< [condition][value]: change where the condition is left out
   bool clustered = false;     ///< error bars from `influence`, else from `plain`
   double degrees_of_freedom = 0;
@@ -29,14 +32,25 @@ struct SharedParameters {
   std::vector<Eigen::MatrixXd> slope;            ///< by case: d values/d its lump estimates
   Eigen::MatrixXd covariance, plain_covariance;  ///< the second from the weights alone
   Eigen::VectorXd degrees_of_freedom;            ///< by symbol (Satterthwaite over the cases)
-  /// Weighted misfit of the lumps that tie cases together, and how many more lumps than parameters there are.
+  /// Directions in which parameters may move without any lump noticing, each as far as is plausible (one standard
+  /// deviation): if each parameter of an entangled group is as likely to be alone what the group does.
+  Eigen::MatrixXd unseen;  ///< symbols x directions
+  /// How far along each they are, by directions whose truncation_effect is known. What tells it is that the lumps
+  /// have to go together after the truncation is taken out.
+  Eigen::VectorXd shift;
+  std::vector<Eigen::MatrixXd> shift_slope;  ///< by case: d shift/d its lump estimates
+  Eigen::MatrixXd shift_prior;  ///< directions x directions: what is left of their own uncertainty, as a factor
+  /// What no parameters can give of the lumps (clustered_chi_squared), and how many more lumps than parameters
+  /// there are.
   double misfit = 0;
   Eigen::Index surplus = 0;
 };
 
 /// Weighted nonlinear least squares of all lumps on the parameters, from `start`; weights are the full inverse
-/// covariances from residuals. The error bars carry each condition's influence through the map, so that they do not
-/// rest on the weights. `given` parameters stay.
+/// covariances from residuals. Where the truncation's correction depends on what no lump sees, that is an unknown
+/// of its own, zero with standard deviation one: values + truncation_effect*shift are the lumps of the parameters.
+/// The error bars carry each condition's influence through the map, so that they do not rest on the weights.
+/// `given` parameters stay.
 SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const Eigen::VectorXd& start,
                                    const std::vector<bool>& given);
 

@@ -1,9 +1,11 @@
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/estimate.hpp"
+#include "estimator/identification/short_list.hpp"
 #include "estimator/regression/confidence.hpp"
 
 namespace secular {
@@ -11,6 +13,23 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+
+// Rows of the same observation in two sets, both in the order of records and instants.
+template <class Visit>
+void for_common(const ObservationSet& first, const ObservationSet& second, const Visit& visit) {
+  std::size_t from = 0;
+  for (std::size_t i = 0; i < first.observations.size(); ++i) {
+    const Observation& o = first.observations[i];
+    const auto before = [&](const Observation& other) {
+      return other.record < o.record || (other.record == o.record && other.centre_s < o.centre_s);
+    };
+    while (from < second.observations.size() && before(second.observations[from])) ++from;
+    if (from == second.observations.size()) return;
+    const Observation& other = second.observations[from];
+    if (other.record == o.record && other.centre_s == o.centre_s)
+      visit(static_cast<Index>(i), static_cast<Index>(from));
+  }
+}
 
 }  // namespace
 
@@ -57,15 +76,34 @@ std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets
   return result;
 }
 
-Estimate with_truncation_error(Estimate corrected, const Estimate& raw) {
+void add_truncation_change(std::span<ObservationSet> corrected, std::span<const ObservationSet> displaced) {
+  for (std::size_t s = 0; s < corrected.size(); ++s) {
+    ObservationSet& set = corrected[s];
+    Eigen::MatrixXcd change = Eigen::MatrixXcd::Zero(set.truncation.rows(), set.truncation.cols());
+    for_common(set, displaced[s], [&](Index i, Index other) {
+      change.row(i) = displaced[s].truncation.row(other) - set.truncation.row(i);
+    });
+    set.truncation_change.push_back(std::move(change));
+  }
+}
+
+void keep_truncation_change(std::span<ObservationSet> to, std::span<const ObservationSet> from) {
+  for (std::size_t s = 0; s < to.size(); ++s) {
+    to[s].truncation_change.clear();
+    for (const Eigen::MatrixXcd& known : from[s].truncation_change) {
+      Eigen::MatrixXcd change = Eigen::MatrixXcd::Zero(to[s].truncation.rows(), to[s].truncation.cols());
+      for_common(to[s], from[s], [&](Index i, Index other) { change.row(i) = known.row(other); });
+      to[s].truncation_change.push_back(std::move(change));
+    }
+  }
+}
+
+Estimate with_correction_shown(Estimate corrected, const Estimate& raw) {
   const auto add = [](std::vector<EstimatedValue>& values, const std::vector<EstimatedValue>& before) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       EstimatedValue& value = values[i];
       if (!value.value || !before[i].value || value.fixed) continue;
       value.truncation = *before[i].value - *value.value;
-      value.sd = std::hypot(value.sd, 0.5 * value.truncation);
-      value.significant =
-          value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
     }
   };
   add(corrected.parameters, raw.parameters);
@@ -74,13 +112,12 @@ Estimate with_truncation_error(Estimate corrected, const Estimate& raw) {
 }
 
 Estimate with_unsettled_correction(Estimate latest, const VectorXd& before, const VectorXd& next) {
-  std::string moved;
+  std::vector<std::string> moved;
   const auto widen = [&](EstimatedValue& value, double change) {
     if (!value.value || value.fixed || !(change > 0)) return;
     if (change > value.sd) {
       value.doubtful = true;
-      if ((moved + ",").find(" " + value.name + ",") == std::string::npos)
-        moved += (moved.empty() ? " " : ", ") + value.name;
+      if (std::find(moved.begin(), moved.end(), value.name) == moved.end()) moved.push_back(value.name);
     }
     value.sd = std::hypot(value.sd, change);
     value.significant = value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
@@ -96,9 +133,19 @@ Estimate with_unsettled_correction(Estimate latest, const VectorXd& before, cons
     for (std::size_t l = 0; l < earlier.size(); ++l) widen(latest.lumps[at++], std::abs(later[l] - earlier[l]));
   }
   if (!moved.empty())
-    latest.warnings.push_back("the correction for the expansion's truncation has not come to rest, doubtful:" +
-                              moved);
+    latest.warnings.push_back("the correction for the expansion's truncation has not come to rest, doubtful: " +
+                              short_list(moved));
   return latest;
+}
+
+Estimate with_failed_correction(Estimate raw, const std::string& why) {
+  for (std::vector<EstimatedValue>* values : {&raw.parameters, &raw.lumps})
+    for (EstimatedValue& value : *values)
+      if (value.value && !value.fixed) value.doubtful = true;
+  raw.warnings.push_back(
+      "the full equations with these numbers do not make the motion that was measured (" + why +
+      "): every value is doubtful, and standard deviations do not contain the expansion's truncation");
+  return raw;
 }
 
 }  // namespace secular

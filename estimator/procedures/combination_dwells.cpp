@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "estimator/identification/modal_projection.hpp"
+#include "estimator/identification/record_window.hpp"
 #include "estimator/procedures/engine_lumps.hpp"
 #include "estimator/signal/decomposition.hpp"
 #include "estimator/signal/displacement.hpp"
@@ -35,11 +36,6 @@ struct Reader {
   ModalProjection projection;
   std::size_t excitation = 0;
   double nominal[2] = {0, 0};
-
-  Complex to_displacement(Complex value, double frequency) const {
-    for (int d = 0; d < projection.derivatives; ++d) value /= Complex(0, frequency);
-    return value;
-  }
 
   // Frequencies of both modes, whose sum is the excitation's; nothing where a mode does not respond.
   bool mode_frequencies(const MatrixXd& modal, double rate, double excitation_frequency, double* frequency,
@@ -88,11 +84,7 @@ struct Reader {
     o.excitation_frequency_sd = {tone.frequency_sd};
     o.forcing = {2.0 * tone.amplitude(0, 0)};
     o.forcing_sd = {2 * tone.amplitude_sd(0, 0)};
-    MatrixXd channels(count, static_cast<Index>(projection.channels.size()));
-    for (std::size_t c = 0; c < projection.channels.size(); ++c)
-      channels.col(static_cast<Index>(c)) =
-          Eigen::Map<const Eigen::VectorXd>(record.channels[projection.channels[c]].data() + begin, count);
-    const MatrixXd modal = channels * projection.matrix.transpose();
+    const MatrixXd modal = samples_of(record, projection.channels, begin, count) * projection.matrix.transpose();
     double frequency[2], frequency_sd = 0;
     if (!mode_frequencies(modal, rate, tone.frequency, frequency, frequency_sd)) return false;
     std::vector<double> tones;
@@ -119,7 +111,8 @@ struct Reader {
     const KnownFrequencyFit fit = known_frequency_components(modal, rate, tones, true);
     for (std::size_t k = 0; k < 2; ++k) {
       const auto mode = static_cast<Index>(k);
-      o.amplitude.push_back(to_displacement(fit.amplitude(at_mode[k], mode), frequency[k]));
+      o.amplitude.push_back(
+          to_displacement({fit.amplitude(at_mode[k], mode)}, frequency[k], projection.derivatives).value);
       o.amplitude_sd.push_back(fit.amplitude_sd(at_mode[k], mode) / std::pow(frequency[k], projection.derivatives));
       o.rate.emplace_back(0, frequency[k]);
       o.growth_sd.push_back(0);
@@ -128,8 +121,10 @@ struct Reader {
     for (std::size_t b = 0; b < at_block.size(); ++b) {
       const auto mode = static_cast<Index>(resonance.blocks[b].mode);
       const bool seen = at_block[b] >= 0;
-      o.harmonic.push_back(seen ? to_displacement(fit.amplitude(at_block[b], mode), block_frequency[b])
-                                : Complex());
+      o.harmonic.push_back(
+          seen ? to_displacement({fit.amplitude(at_block[b], mode)}, block_frequency[b], projection.derivatives)
+                     .value
+               : Complex());
       o.harmonic_sd.push_back(
           seen ? fit.amplitude_sd(at_block[b], mode) / std::pow(block_frequency[b], projection.derivatives) : -1.0);
     }
@@ -165,24 +160,19 @@ ObservationSet observe_combination_dwells(const Campaign& campaign, const Record
   int condition = 0;
   for (std::size_t r = 0; r < campaign.records.size(); ++r) {
     const RecordEntry& entry = campaign.records[r];
-    if (entry.kind != RecordKind::dwell || !matches_pattern(window.records, entry.file)) continue;
+    if (entry.kind != RecordKind::dwell || !window.takes(r, entry.file)) continue;
     const Record record = read(r);
-    const auto samples = static_cast<double>(record.samples());
-    const double rate = record.sample_rate_hz;
-    const auto first =
-        static_cast<Index>(std::ceil(std::clamp((window.from_s - record.start_s) * rate, 0.0, samples) - 1e-6));
-    const auto last =
-        static_cast<Index>(std::floor(std::clamp((window.to_s - record.start_s) * rate + 1, 0.0, samples) + 1e-6));
+    const SampleRange range = range_of(record, window);
     const Index length =
-        entry.ensemble_s ? static_cast<Index>(std::lround(*entry.ensemble_s * rate)) : last - first;
+        entry.ensemble_s ? static_cast<Index>(std::lround(*entry.ensemble_s * record.sample_rate_hz)) : range.count;
     const int label = condition++;
-    if (length < 64 || last - first < length) {
+    if (length < 64 || range.count < length) {
       set.warnings.push_back(fmt::format("{}: shorter than one ensemble, left out", entry.file));
       continue;
     }
     std::vector<Observation> found;
     bool responds = true;
-    for (Index begin = first; responds && begin + length <= last; begin += length) {
+    for (Index begin = range.first; responds && begin + length <= range.first + range.count; begin += length) {
       Observation o;
       responds = reader.ensemble(record, r, label, begin, length, o);
       if (responds) found.push_back(std::move(o));

@@ -33,68 +33,16 @@ std::vector<Pole> known_poles(const DecompositionOptions& options) {
   return poles;
 }
 
-// One pole's amplitudes in one channel as rows of J below.
-struct OriginBlock {
-  Index row, unknown, size, own;
-  double turn[4][4], slope[4][2];
-
-  void apply(double* column) const {
-    if (size == 2)
-      own == 1 ? apply<2, 1>(column) : apply<2, 0>(column);
-    else if (size == 4)
-      own == 2 ? apply<4, 2>(column) : apply<4, 0>(column);
-    else
-      apply<1, 0>(column);
-  }
-
- private:
-  template <std::size_t amplitudes, Index unknowns>
-  void apply(double* column) const {
-    double value[amplitudes];
-    constexpr auto count = static_cast<Index>(amplitudes);
-    for (Index i = 0; i < count; ++i) {
-      value[i] = 0;
-      for (Index j = 0; j < count; ++j) value[i] += turn[i][j] * column[row + j];
-      for (Index j = 0; j < unknowns; ++j) value[i] += slope[i][j] * column[unknown + j];
-    }
-    for (Index i = 0; i < count; ++i) column[row + i] = value[i];
-  }
-};
-
-// Moves the origin of time by `shift` seconds, the covariance with it: J C J^T, where J turns the amplitudes of
-// each pole among themselves and adds what the pole's own unknowns do to them.
-void move_origin(Decomposition& d, double shift) {
-  const Index functions = d.amplitudes.rows(), channels = d.amplitudes.cols();
-  const Index unknowns = parameter_count(d.poles);
-  const bool with_covariance = d.covariance.size() > 0 && d.covariance.allFinite();
-  MatrixXd& covariance = d.covariance;
-  std::vector<OriginBlock> blocks;
-  Index function = 0, unknown = 0;
+// Moves the origin of time by `shift` seconds, the covariance with it.
+void move_origin(Decomposition& d, PoleCovariance& covariance, double shift) {
+  Index function = 0;
   for (const Pole& pole : d.poles) {
-    const Index size = function_count(pole), own = parameter_count(pole);
-    const PoleMatrix s = shift_matrix(pole, shift);
-    for (Index c = 0; c < channels; ++c) {
-      const VectorXd moved = s * d.amplitudes.block(function, c, size, 1);
-      d.amplitudes.block(function, c, size, 1) = moved;
-      if (!with_covariance) continue;
-      OriginBlock block{unknowns + c * functions + function, unknown, size, own, {}, {}};
-      for (Index i = 0; i < size; ++i)
-        for (Index j = 0; j < size; ++j) block.turn[i][j] = s(i, j);
-      for (Index j = 0; j < own; ++j) {
-        const VectorXd slope = shift * (generator(pole, j) * moved);
-        for (Index i = 0; i < size; ++i) block.slope[i][j] = slope(i);
-      }
-      blocks.push_back(block);
-    }
+    const Index size = function_count(pole);
+    d.amplitudes.middleRows(function, size) =
+        (shift_matrix(pole, shift) * d.amplitudes.middleRows(function, size)).eval();
     function += size;
-    unknown += own;
   }
-  // J C, then J (J C)^T = J C J^T.
-  for (int side = 0; with_covariance && side < 2; ++side) {
-    for (Index column = 0; column < covariance.cols(); ++column)
-      for (const OriginBlock& block : blocks) block.apply(covariance.data() + column * covariance.rows());
-    covariance.transposeInPlace();
-  }
+  covariance.move_origin(d.poles, d.amplitudes, shift);
 }
 
 void set_quality(Decomposition& d, const Eigen::Ref<const MatrixXd>& channels, const MatrixXd& residual) {
@@ -119,7 +67,7 @@ RefinedPoles refined(const Eigen::Ref<const MatrixXd>& channels, double rate, co
   RefinedPoles best = refine_poles(channels, rate, poles);
   const double unknowns = static_cast<double>(function_count(poles)) +
                           static_cast<double>(parameter_count(poles)) / static_cast<double>(channels.cols());
-  const bool spurious = !best.covariance.allFinite();
+  const bool spurious = !best.covariance.determined;
   if (!spurious && spectral_peak(best.residual, rate, 1, unknowns).probability > 1e-3) return best;
   ToneSearchOptions search;
   search.max_tones = options.order;
@@ -215,6 +163,7 @@ Decomposition decompose(const Eigen::Ref<const MatrixXd>& channels, double sampl
   d.sample_rate_hz = sample_rate_hz;
   d.samples = channels.rows();
   const double centre = 0.5 * static_cast<double>(channels.rows() - 1) / sample_rate_hz;
+  PoleCovariance covariance;
   bool done = false;
   if (options.refine) {
     RefinedPoles fit = refined(channels, sample_rate_hz, poles, options);
@@ -230,7 +179,7 @@ Decomposition decompose(const Eigen::Ref<const MatrixXd>& channels, double sampl
       if (!same) fit = refine_poles(channels, sample_rate_hz, sorted);
       d.poles = std::move(fit.poles);
       d.amplitudes = std::move(fit.amplitudes);
-      d.covariance = std::move(fit.covariance);
+      covariance = std::move(fit.covariance);
       set_quality(d, channels, fit.residual);
       done = true;
     }
@@ -241,7 +190,8 @@ Decomposition decompose(const Eigen::Ref<const MatrixXd>& channels, double sampl
     d.amplitudes = linear_amplitudes(functions, channels);
     set_quality(d, channels, channels - functions * d.amplitudes);
   }
-  move_origin(d, options.origin_s - centre);
+  move_origin(d, covariance, options.origin_s - centre);
+  if (done) d.covariance = covariance.matrix();
   d.origin_s = options.origin_s;
   return d;
 }

@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+#include "estimator/signal/narrow_products.hpp"
 
 namespace secular {
 namespace {
@@ -15,28 +18,6 @@ MatrixXd square_of(const MatrixXd& a) {
   if (a.cols() == 0) return result;
   result.selfadjointView<Eigen::Lower>().rankUpdate(a.transpose());
   return result.selfadjointView<Eigen::Lower>();
-}
-
-// Functions of one parity alone leave the other part without columns, which Eigen's products do not take.
-MatrixXd product_of(const MatrixXd& a, const MatrixXd& b) {
-  if (a.cols() == 0 || b.cols() == 0) return MatrixXd(a.cols(), b.cols());
-  return a.transpose() * b;
-}
-
-/// Share of the samples.
-constexpr double smallest_square = 1e-3;
-
-// Sum of cos(x t) over the samples, symmetric about t = 0: sin(N y)/sin(y), y = x/(2 rate). Away from y = 0 both
-// sines are taken from the nearest multiple k pi of pi, with the sign (-1)^(k (N - 1)).
-double cosine_sum(double x, const FoldedWindow& window) {
-  const double y = 0.5 * x / window.rate, k = std::nearbyint(y / std::numbers::pi), rest = y - k * std::numbers::pi;
-  const auto n = static_cast<double>(window.samples);
-  const double ratio = std::abs(rest) < 1e-300 ? n : std::sin(n * rest) / std::sin(rest);
-  return std::fmod(k, 2) != 0 && window.samples % 2 == 0 ? -ratio : ratio;
-}
-
-void subtract_product(const MatrixXd& a, const MatrixXd& b, MatrixXd& from) {
-  if (a.cols() > 0) from.noalias() -= a * b;
 }
 
 }  // namespace
@@ -71,7 +52,8 @@ MatrixXd FoldedWindow::unfold(const MatrixXd& even_part, const MatrixXd& odd_par
   return channels;
 }
 
-FoldedFunctions::FoldedFunctions(std::span<const Pole> poles, const FoldedWindow& of_window) : window(&of_window) {
+FoldedFunctions::FoldedFunctions(std::span<const Pole> poles, const FoldedWindow& of_window)
+    : closed(circular_moments(poles, of_window)), window(&of_window) {
   const MatrixXd functions = pole_functions(poles, window->rows, window->rate, window->time(0) * window->half);
   // The sign (-1)^l counts from the first sample of the whole window; over an even number of samples it is odd.
   const double sign = window->first % 2 == 0 ? 1 : -1;
@@ -80,13 +62,11 @@ FoldedFunctions::FoldedFunctions(std::span<const Pole> poles, const FoldedWindow
   for (const Pole& pole : poles) {
     const Index size = function_count(pole);
     const bool nyquist = pole.family == PoleFamily::nyquist_hyperbolic;
-    if (pole.family != PoleFamily::circular && pole.family != PoleFamily::constant) only_circular = false;
     for (Index i = 0; i < size; ++i, ++at) {
       const bool sine = i == 1 || i == 2;
       const bool is_odd = nyquist && window->samples % 2 == 0 ? !sine : sine;
       (is_odd ? odd_at : even_at).push_back(at);
       scale.push_back(nyquist ? sign : 1);
-      frequency.push_back(pole.family == PoleFamily::constant ? 0 : pole.frequency);
     }
   }
   const auto gather = [&](const std::vector<Index>& places, MatrixXd& part) {
@@ -99,50 +79,31 @@ FoldedFunctions::FoldedFunctions(std::span<const Pole> poles, const FoldedWindow
   gather(odd_at, odd);
 }
 
-// Of cosines and sines: sums of cos(x t) over the window, at sums and differences of the frequencies.
-MatrixXd FoldedFunctions::circular_gram() const {
-  MatrixXd result = MatrixXd::Zero(even.cols() + odd.cols(), even.cols() + odd.cols());
-  const auto fill = [&](const std::vector<Index>& places, double sign) {
-    for (const Index i : places)
-      for (const Index j : places) {
-        if (j > i) break;
-        const double a = frequency[static_cast<std::size_t>(i)], b = frequency[static_cast<std::size_t>(j)];
-        result(i, j) = result(j, i) = 0.5 * (cosine_sum(a - b, *window) + sign * cosine_sum(a + b, *window));
-      }
-  };
-  fill(even_at, 1);
-  fill(odd_at, -1);
-  return result;
-}
-
 MatrixXd FoldedFunctions::gram() const {
-  if (only_circular && !frequency.empty()) {
-    MatrixXd closed = circular_gram();
-    // Where a sine or cosine nearly vanishes, its square is the difference of large sums.
-    if (closed.diagonal().minCoeff() > smallest_square * static_cast<double>(window->samples)) return closed;
-  }
+  if (closed) return closed->zeroth;
   MatrixXd result = MatrixXd::Zero(even.cols() + odd.cols(), even.cols() + odd.cols());
   result(even_at, even_at) = square_of(even);
   result(odd_at, odd_at) = square_of(odd);
   return result;
 }
 
-std::pair<MatrixXd, MatrixXd> FoldedFunctions::timed_moments() const {
+TimedMoments FoldedFunctions::timed_moments() const {
+  if (closed) return {MatrixXd(), closed->first, closed->second};
   // Time times an even function is odd, and the other way round.
   const MatrixXd timed_even = window->time.asDiagonal() * even, timed_odd = window->time.asDiagonal() * odd;
   MatrixXd first = MatrixXd::Zero(even.cols() + odd.cols(), even.cols() + odd.cols()), second = first;
-  const MatrixXd across = product_of(even, timed_odd);  // and its transpose: time stands on either side
+  const MatrixXd across = transposed_product(even, timed_odd);  // and its transpose: time stands on either side
   first(even_at, odd_at) = across;
   first(odd_at, even_at) = across.transpose();
   second(even_at, even_at) = square_of(timed_even);
   second(odd_at, odd_at) = square_of(timed_odd);
-  return {std::move(first), std::move(second)};
+  return {MatrixXd(), std::move(first), std::move(second)};
 }
 
 MatrixXd FoldedFunctions::project(const MatrixXd& even_part, const MatrixXd& odd_part) const {
   MatrixXd result(even.cols() + odd.cols(), even_part.cols());
-  result(even_at, Eigen::all) = product_of(even, even_part);
-  result(odd_at, Eigen::all) = product_of(odd, odd_part);
+  result(even_at, Eigen::all) = transposed_product(even, even_part);
+  result(odd_at, Eigen::all) = transposed_product(odd, odd_part);
   return result;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "estimator/signal/circular_moments.hpp"
 #include "estimator/signal/pole.hpp"
 
 namespace secular {
@@ -12,8 +13,7 @@ namespace secular {
 /// A window folded about its centre: every function of Eq. (4.3) is even or odd there, so that sums over the window
 /// split into two over half of it, and products of an even and an odd function vanish. The map (y(t) +
 /// y(-t))/sqrt2, (y(t) - y(-t))/sqrt2 is orthogonal: least squares do not change.
-class FoldedWindow {
- public:
+struct FoldedWindow {
   FoldedWindow(Eigen::Index samples, double sample_rate_hz);
 
   Eigen::MatrixXd even(const Eigen::Ref<const Eigen::MatrixXd>& channels) const;  ///< rows x channels
@@ -33,21 +33,17 @@ struct FoldedFunctions {
 
   Eigen::MatrixXd even, odd;                  ///< rows x number of such functions
   std::vector<Eigen::Index> even_at, odd_at;  ///< place of each in the order of the poles
-  std::vector<double> frequency;              ///< by function, rad/s
-  bool only_circular = true;                  ///< cosines, sines and constants alone
+  std::optional<TimedMoments> closed;         ///< of cosines, sines and constants alone
   const FoldedWindow* window;
 
   Eigen::MatrixXd gram() const;  ///< G^T G
-  /// G^T (time G) and (time G)^T (time G).
-  std::pair<Eigen::MatrixXd, Eigen::MatrixXd> timed_moments() const;
+  /// With `zeroth` left empty: that is gram().
+  TimedMoments timed_moments() const;
   /// G^T y and (time G)^T y for folded channels: functions x channels.
   Eigen::MatrixXd project(const Eigen::MatrixXd& even_part, const Eigen::MatrixXd& odd_part) const;
   Eigen::MatrixXd project_timed(const Eigen::MatrixXd& even_part, const Eigen::MatrixXd& odd_part) const;
   /// Subtracts G * amplitudes.
   void subtract(const Eigen::MatrixXd& amplitudes, Eigen::MatrixXd& even_part, Eigen::MatrixXd& odd_part) const;
-
- private:
-  Eigen::MatrixXd circular_gram() const;
 };
 
 }  // namespace secular

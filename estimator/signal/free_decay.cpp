@@ -42,6 +42,10 @@ std::vector<double> crossings(const Eigen::Ref<const VectorXd>& y, double level,
   return times;
 }
 
+/// Samples in two turns: what a tone with three harmonics, a growing amplitude and a sweeping frequency needs, and
+/// one in three to spare.
+constexpr Index shortest_window = 16;
+
 }  // namespace
 
 double decomposed_frequency(const Eigen::Ref<const VectorXd>& samples, double rate, double expected) {
@@ -86,6 +90,7 @@ std::optional<DecayStart> find_decay_start(const Eigen::Ref<const VectorXd>& sam
   const double half_period = median(halves);
   const double frequency = std::numbers::pi * rate / half_period;
   const auto window = static_cast<Index>(4 * half_period);
+  if (window < shortest_window) return std::nullopt;  // noise crosses the level every other sample
   const auto residual = [&](double start) {
     const auto from = static_cast<Index>(start);
     if (from + window > samples.size()) return 0.0;

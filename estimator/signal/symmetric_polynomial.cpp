@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -87,20 +88,51 @@ struct NoiseDirection {
   VectorXd direction;
   double eigenvalue = 0;
 };
+
+// That of an upper triangle T in the metric one by inverse iteration, (T^T T)^-1 x again and again until x changes
+// by less than `tolerance`: a small part of the cost of all directions. None where the next one is so close that
+// this takes long, or where T is singular.
+std::optional<NoiseDirection> smallest_direction(const MatrixXd& triangle, double tolerance) {
+  constexpr int most_iterations = 20;
+  const Index n = triangle.cols();
+  if (triangle.rows() < n) return std::nullopt;
+  const auto upper = triangle.topRows(n).triangularView<Eigen::Upper>();
+  VectorXd x = VectorXd::Constant(n, 1 / std::sqrt(static_cast<double>(n)));
+  for (int i = 0; i < most_iterations; ++i) {
+    VectorXd next = x;
+    upper.transpose().solveInPlace(next);
+    upper.solveInPlace(next);
+    const double length = next.norm();
+    if (!std::isfinite(length)) return std::nullopt;
+    next /= length;
+    const double change = (next - x).norm();
+    x = next;
+    if (change < tolerance) return NoiseDirection{x, (upper * x).squaredNorm()};
+  }
+  return std::nullopt;
+}
+
 NoiseDirection noise_direction(const MatrixXd& a, const Eigen::LLT<MatrixXd>& metric) {
   const MatrixXd whitened = metric.matrixL().solve(a.transpose()).transpose();
-  const Eigen::JacobiSVD<MatrixXd> svd(whitened, Eigen::ComputeFullV);
-  const Index last = whitened.cols() - 1;
+  const Eigen::HouseholderQR<MatrixXd> qr(whitened);
   NoiseDirection found;
-  found.direction = metric.matrixU().solve(svd.matrixV().col(last));
-  const double value = last < svd.singularValues().size() ? svd.singularValues()(last) : 0;
-  found.eigenvalue = value * value;
+  if (const auto smallest = smallest_direction(qr.matrixQR(), 1e-14)) {
+    found = *smallest;
+  } else {
+    const Eigen::JacobiSVD<MatrixXd> svd(whitened, Eigen::ComputeFullV);
+    const Index last = whitened.cols() - 1;
+    found.direction = svd.matrixV().col(last);
+    const double value = last < svd.singularValues().size() ? svd.singularValues()(last) : 0;
+    found.eigenvalue = value * value;
+  }
+  found.direction = metric.matrixU().solve(found.direction);
   return found;
 }
 
-// Smallest eigenvalue of R^T R in the metric, to the digits that a weight needs.
+// Smallest eigenvalue of R^T R in the metric, to the digits that a weight needs. R L^-T is a triangle, as R is.
 double noise_level(const MatrixXd& r, const Eigen::LLT<MatrixXd>& metric) {
   const MatrixXd whitened = metric.matrixL().solve(r.transpose());
+  if (const auto smallest = smallest_direction(whitened.transpose(), 1e-7)) return smallest->eigenvalue;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(whitened * whitened.transpose(), Eigen::EigenvaluesOnly);
   return std::max(0.0, spectrum.eigenvalues()(0));
 }

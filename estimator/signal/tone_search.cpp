@@ -37,20 +37,25 @@ SpectralPeak spectral_peak(const Eigen::Ref<const MatrixXd>& residual, double sa
   if (high <= low) return peak;
   // Plans of the transform cost more than the transform: they are kept, one set for each thread.
   thread_local Eigen::FFT<double> transform;
-  transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  VectorXd padded = VectorXd::Zero(length);
-  Eigen::VectorXcd spectrum;
+  Eigen::VectorXcd padded = Eigen::VectorXcd::Zero(length), spectrum;
   const double freedom = std::max(4.0, static_cast<double>(samples) - unknowns);
   // Share of the energy in one frequency: a beta law, hence the logarithm of the rest is exponential. The logarithm
-  // of the product over channels is their sum.
+  // of the product over channels is their sum. Two channels, each in units of its noise, share a transform as real
+  // and imaginary part: X and Y are (Z_k + conj Z_-k)/2 and (Z_k - conj Z_-k)/2i.
   Eigen::ArrayXd rest = Eigen::ArrayXd::Ones(high - low);
-  for (Index c = 0; c < residual.cols(); ++c) {
-    const double energy = residual.col(c).squaredNorm();
-    if (!(energy > 0)) continue;
-    padded.head(samples) = residual.col(c);
+  const auto scaled = [&](Index c) -> VectorXd {
+    const double energy = c < residual.cols() ? residual.col(c).squaredNorm() : 0;
+    if (!(energy > 0)) return VectorXd::Zero(samples);
+    return std::sqrt(0.5 / (static_cast<double>(samples) * energy)) * residual.col(c);
+  };
+  for (Index c = 0; c < residual.cols(); c += 2) {
+    padded.head(samples).real() = scaled(c);
+    padded.head(samples).imag() = scaled(c + 1);
     transform.fwd(spectrum, padded);
-    const double scale = 2 / (static_cast<double>(samples) * energy);
-    rest *= (1 - scale * spectrum.segment(low, high - low).array().abs2()).max(1e-15);
+    for (Index k = low; k < high; ++k) {
+      const std::complex<double> z = spectrum(k), mirrored = std::conj(spectrum(length - k));
+      rest(k - low) *= std::max(1 - std::norm(z + mirrored), 1e-15) * std::max(1 - std::norm(z - mirrored), 1e-15);
+    }
   }
   const auto ordinate = [&](Index k) { return -(0.5 * freedom - 1) * std::log(rest(k)); };
   Index at = 0;

@@ -2,51 +2,29 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/process_folder.hpp"
+#include "tests/app/diagnosed_folder.hpp"
 
 namespace secular {
 namespace {
 
 namespace fs = std::filesystem;
 
-class SlowMeasuredDiagnosis : public testing::Test {
+class SlowMeasuredDiagnosis : public testing_support::DiagnosedFolder {
  protected:
-  void SetUp() override { fs::create_directories(folder_ / "cache"); }
-  void TearDown() override { fs::remove_all(folder_); }
-
   fs::path measured(const std::string& file) const {
     return fs::path(SECULAR_SOURCE_DIR).parent_path() / "shared/data" / file;
   }
 
-  int run(const std::string& arguments) const {
-    return std::system(("XDG_CACHE_HOME=" + (folder_ / "cache").string() + " " + SECULAR_PROGRAM + " " + arguments +
-                        " > " + (folder_ / "out.txt").string() + " 2>&1")
-                           .c_str());
-  }
-
   nlohmann::json diagnosed(const std::string& import, const std::string& model, const std::string& options) {
     std::ofstream(folder_ / "model.toml") << model;
-    const std::string campaign = (folder_ / "campaign").string();
-    if (run("import " + import + " -o " + campaign) != 0) return {};
-    if (run("diagnose " + campaign + " --model " + (folder_ / "model.toml").string() + " " + options + " -o " +
-            (folder_ / "out").string()) != 0)
-      return {};
-    std::ifstream in(folder_ / "out/diagnosis.json");
-    return nlohmann::json::parse(in);
+    if (run("import " + import + " -o " + path("campaign")) != 0) return {};
+    return diagnosis(options);
   }
-
-  std::string printed() const {
-    std::ifstream in(folder_ / "out.txt");
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-
-  fs::path folder_ = testing_support::process_folder() / "measured-diagnosis";
 };
 
 double coefficient(const nlohmann::json& diagnosis, const std::string& effect, const std::string& place) {

@@ -1,24 +1,17 @@
 // Single laws that the catalogue of effects does not hold: said to be unknown, with the exponent that they show.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/process_folder.hpp"
+#include "tests/app/diagnosed_folder.hpp"
 
 namespace secular {
 namespace {
 
-namespace fs = std::filesystem;
-
-class SlowOpenLaw : public testing::Test {
+class SlowOpenLaw : public testing_support::DiagnosedFolder {
  protected:
-  void SetUp() override { fs::create_directories(folder_ / "cache"); }
-  void TearDown() override { fs::remove_all(folder_); }
-
   // Free swings of x'' + w^2 x = -2 c1 x' - k3 x^3 and one term more, diagnosed without that term.
   nlohmann::json diagnosed_without(const std::string& term, const std::string& symbol, double value) {
     write_model("full.toml", term, symbol + " = 1, ");
@@ -41,15 +34,13 @@ duration_s = 12.0
 initial_displacement = [0.05]
 duration_s = 12.0
 )toml";
-    run("simulate " + path("experiment.toml") + " --seed 5 -o " + path("campaign"));
-    run("diagnose " + path("campaign") + " --model " + path("model.toml") + " -o " + path("out"));
-    std::ifstream in(folder_ / "out/diagnosis.json");
-    return in ? nlohmann::json::parse(in) : nlohmann::json();
+    EXPECT_EQ(run("simulate " + path("experiment.toml") + " --seed 5 -o " + path("campaign")), 0) << printed();
+    const nlohmann::json found = diagnosis();
+    EXPECT_TRUE(found.is_object()) << printed();
+    return found;
   }
 
  private:
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
   void write_model(const std::string& file, const std::string& term, const std::string& order) const {
     std::ofstream(folder_ / file) << R"toml(schema = 1
 name = "swing"
@@ -67,15 +58,6 @@ excitation = false
 w = 40
 )toml";
   }
-
-  void run(const std::string& arguments) const {
-    const std::string command = "XDG_CACHE_HOME=" + path("cache") + " " + SECULAR_PROGRAM + " " + arguments +
-                                " > " + path("out.txt") + " 2>&1";
-    std::ifstream printed(folder_ / "out.txt");
-    EXPECT_EQ(std::system(command.c_str()), 0) << std::string(std::istreambuf_iterator<char>(printed), {});
-  }
-
-  fs::path folder_ = testing_support::process_folder() / "open-law";
 };
 
 TEST_F(SlowOpenLaw, AForceAsTheSquareOfTheDisplacementEitherWayIsUnknownToTheCatalogue) {

@@ -144,6 +144,36 @@ TEST_F(Hdf5, EveryStorageIsRead) {
   }
 }
 
+// A single chunk, chunks behind each other, fixed and extensible arrays, in pages and not; the library chooses.
+TEST_F(Hdf5, EveryLaterIndexOfChunksIsRead) {
+  const hid_t number = H5T_IEEE_F64LE, whole = H5T_STD_I16LE;
+  const Numbers values = sine(5000);
+  {
+    Hdf5Writer writer(path(), H5F_LIBVER_LATEST);
+    for (const bool filtered : {false, true}) {
+      const std::string group = filtered ? "filtered/" : "plain/";
+      const auto form = [&](hid_t type, std::vector<hsize_t> chunk, bool bounded, bool early = false) {
+        return Hdf5Writer::Form{type, std::move(chunk), filtered, filtered, filtered, false, false, bounded, early};
+      };
+      writer.add(group + "single", {5000}, values, form(number, {5000}, true));
+      writer.add(group + "behind", {5000}, values, form(number, {512}, true, true));
+      writer.add(group + "fixed", {5000}, values, form(number, {512}, true));
+      writer.add(group + "fixed_row", {1, 5000}, values, form(number, {1, 100}, true));
+      writer.add(group + "fixed_pages", {5000}, values, form(whole, {2}, true));
+      for (const hsize_t chunk : {5000u, 1000u, 100u, 9u, 2u})
+        writer.add(group + "extensible" + std::to_string(chunk), {5000}, values, form(number, {chunk}, false));
+    }
+    writer.add("empty", {100}, {}, {number, {10}, false, false, false, false, true});
+  }
+  const DataFile data = read_data_file(path());
+  ASSERT_EQ(data.variables.size(), 21u);
+  for (const DataVariable& variable : data.variables)
+    if (variable.name != "empty") {
+      EXPECT_EQ(data.vector(variable.name).values, values) << variable.name;
+    }
+  EXPECT_TRUE(contains(refusal([&] { data.vector("empty"); }), "never written"));
+}
+
 TEST_F(Hdf5, ManyMembersNeedSeveralNodes) {
   {
     Hdf5Writer writer(path());
@@ -157,16 +187,12 @@ TEST_F(Hdf5, ManyMembersNeedSeveralNodes) {
 TEST_F(Hdf5, WhatIsNotReadSaysSo) {
   {
     Hdf5Writer writer(path(), H5F_LIBVER_LATEST);
-    writer.add("new", {100}, sine(100), {H5T_IEEE_F64LE, {10}});
+    writer.add("new", {100, 1}, sine(100), {H5T_IEEE_F64LE, {10, 1}});
+    writer.add("long", {100000, 1}, Numbers(100000), {H5T_IEEE_F64LE, {10000, 1}, true});  // longer than the file
     writer.add("old", {100}, sine(100));
   }
   EXPECT_EQ(read_data_file(path()).vector("old").values, sine(100));
   EXPECT_TRUE(contains(refusal([&] { read_data_file(path()).vector("new"); }), "in a form that is not read"));
-  {
-    Hdf5Writer writer(path(), H5F_LIBVER_V18);
-    for (int i = 0; i < 30; ++i) writer.add("channel " + std::to_string(i), {2}, {1, 2});
-  }
-  EXPECT_TRUE(contains(refusal([&] { read_data_file(path()); }), "groups in a form that is not read"));
   { Hdf5Writer(path()).add("a", {100}, sine(100), {H5T_IEEE_F64LE, {10}, false, false, false, false, true}); }
   EXPECT_TRUE(contains(refusal([&] { read_data_file(path()).vector("a"); }), "never written"));
   EXPECT_TRUE(contains(refusal([&] { read_hdf5(write("b.h5", "")); }), "is not an HDF5 file"));
@@ -195,6 +221,13 @@ class DamagedHdf5 : public Mutation {
     }
   }
 };
+
+void write_arrays(const fs::path& path) {
+  Hdf5Writer writer(path, H5F_LIBVER_LATEST);
+  writer.add("single", {50}, sine(50), {H5T_STD_I16LE, {50}, true, true, true, false, false, true});
+  writer.add("fixed", {50}, sine(50), {H5T_STD_I16LE, {16}, true, true, true, false, false, true});
+  writer.add("extensible", {60}, sine(60), {H5T_STD_I16LE, {1}});
+}
 
 void write_plain(const fs::path& path, H5F_libver_t version) {
   Hdf5Writer writer(path, version);
@@ -230,6 +263,13 @@ TEST_F(DamagedHdf5, Plain) {
 TEST_F(DamagedHdf5, PlainOfVersion18) {
   write_plain(folder_ / "a.h5", H5F_LIBVER_V18);
   damage("a.h5", 4000);
+}
+
+TEST_F(DamagedHdf5, ArraysOfChunks) {
+  write_arrays(folder_ / "a.h5");
+  refuse_every_shorter("a.h5");
+  write_arrays(folder_ / "a.h5");
+  damage("a.h5", 1000);
 }
 
 // The structure is a small part of a file: every byte of it is set to what may mislead.

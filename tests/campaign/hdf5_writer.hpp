@@ -25,6 +25,7 @@ class Hdf5Writer {
     hid_t type = H5T_IEEE_F64LE;
     std::vector<hsize_t> chunk{};  ///< empty: not in chunks
     bool deflate = false, shuffle = false, check_sum = false, compact = false, unwritten = false;
+    bool bounded = false, early = false;  // the shape is the limit; space for all chunks at once
   };
 
   void add(const std::string& path, const std::vector<hsize_t>& shape, const std::vector<double>& values) {
@@ -40,12 +41,14 @@ class Hdf5Writer {
     if (form.shuffle) H5Pset_shuffle(creation);
     if (form.deflate) H5Pset_deflate(creation, 6);
     if (form.check_sum) H5Pset_fletcher32(creation);
+    if (form.early) H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY);
     if (form.compact) H5Pset_layout(creation, H5D_COMPACT);
     // Only data sets that may grow can have chunks that are larger than they are.
-    const std::vector<hsize_t> limits(shape.size(), form.chunk.empty() ? 0 : H5S_UNLIMITED);
+    const bool grows = !form.chunk.empty() && !form.bounded;
+    const std::vector<hsize_t> limits(shape.size(), H5S_UNLIMITED);
     const hid_t space = shape.empty() ? H5Screate(H5S_SCALAR)
                                       : H5Screate_simple(static_cast<int>(shape.size()), shape.data(),
-                                                         form.chunk.empty() ? nullptr : limits.data());
+                                                         grows ? limits.data() : nullptr);
     const hid_t set = H5Dcreate2(file_, path.c_str(), form.type, space, links, creation, H5P_DEFAULT);
     if (!form.unwritten) H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
     H5Dclose(set);
@@ -53,6 +56,30 @@ class Hdf5Writer {
     H5Pclose(links);
     H5Pclose(creation);
   }
+
+  /// How a group keeps its members.
+  struct Group {
+    bool creation_order = false, compressed = false;
+  };
+
+  void add_group(const std::string& path, const Group& form) {
+    const hid_t creation = H5Pcreate(H5P_GROUP_CREATE);
+    if (form.creation_order) H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
+    if (form.compressed) H5Pset_deflate(creation, 6);
+    H5Gclose(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT));
+    H5Pclose(creation);
+  }
+
+  /// A further name of an object.
+  void add_link(const std::string& object, const std::string& name) {
+    H5Lcreate_hard(file_, object.c_str(), file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+  }
+
+  void add_soft_link(const std::string& object, const std::string& name) {
+    H5Lcreate_soft(object.c_str(), file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+  }
+
+  void remove(const std::string& name) { H5Ldelete(file_, name.c_str(), H5P_DEFAULT); }
 
   void add_text(const std::string& name, const std::string& text) {
     const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);

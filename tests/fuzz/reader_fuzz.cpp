@@ -2,7 +2,7 @@
 // first byte says so. Build with clang:
 //   cmake -S . -B build/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DSECULAR_FUZZ=ON -DSECULAR_BUILD_TESTS=OFF
 //   ninja -C build/fuzz reader_fuzz
-//   build/fuzz/tests/fuzz/reader_fuzz -max_len=4096 -max_total_time=600 NEW_FOLDER tests/campaign/corpus/*/valid
+//   build/fuzz/tests/fuzz/reader_fuzz -max_len=16384 -max_total_time=600 NEW_FOLDER tests/campaign/corpus/*/valid
 //   tests/campaign/corpus/*/damaged
 
 #include <unistd.h>

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "estimator/identification/related_tones.hpp"
@@ -14,6 +15,34 @@ namespace {
 
 using namespace testing_support;
 using Eigen::Index;
+
+// A dwell that settles within its ensemble: value, slope and curvature at the centre of a sum of exponentials, with
+// time constants as the two-mass structure has them.
+TEST(RelatedTones, AmplitudesThatSettle) {
+  constexpr double rate = 256, w = 77.8;
+  constexpr Index samples = 1024;
+  using Complex = std::complex<double>;
+  const Complex decay(-0.28, 0.35), steady = std::polar(1.0, 0.4), off = std::polar(0.02, 1.1);
+  Eigen::MatrixXd y(samples, 1);
+  for (Index i = 0; i < samples; ++i) {
+    const double t = (static_cast<double>(i) - 0.5 * (samples - 1)) / rate;
+    y(i, 0) = 2 * ((steady + off * std::exp(decay * t)) * std::exp(Complex(0, w * t))).real();
+  }
+  const auto fit_of = [&](int degree) {
+    const RelatedTones tones{Eigen::VectorXd::Constant(1, w), Eigen::MatrixXd(1, 0), 1, degree};
+    return fit_related_tones(y, rate, tones, Eigen::VectorXd());
+  };
+  const RelatedToneFit quadratic = fit_of(2), quartic = fit_of(4);
+  const Complex slope = decay * off, curvature = decay * slope;
+  // A cubic term s t^3 adds 3/5 s T^2 to the slope of a fit over (-T, T); one of fifth order 5/21 s T^4 to that of
+  // a fit with a cubic.
+  const double half = 2, cubic = std::abs(decay * curvature) / 6,
+               fifth = std::abs(decay * decay * decay * curvature) / 120;
+  EXPECT_NEAR(std::abs(quadratic.slope(0, 0) - slope), 0.6 * half * half * cubic, 0.2 * half * half * cubic);
+  EXPECT_LT(std::abs(quartic.slope(0, 0) - slope), 2 * 5.0 / 21 * std::pow(half, 4) * fifth);
+  EXPECT_LT(std::abs(quartic.slope(0, 0) - slope), 0.02 * std::abs(quadratic.slope(0, 0) - slope));
+  EXPECT_LT(std::abs(quartic.curvature(0, 0) - curvature), 0.02 * std::abs(curvature));
+}
 
 // Two tones that add up to a known frequency; least-squares statistics over draws.
 TEST(StatisticalRelatedTones, FrequencyAndItsErrorBar) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "simulate/replay.hpp"
+#include "simulate/truncation_correction.hpp"
 #include "virtual_campaign.hpp"
 
 namespace secular {
@@ -41,11 +42,12 @@ Corrected identified(const Experiment& e, const std::string& case_name) {
   const ObservationSet set = observed(simulated, model, case_named(model, case_name));
   Corrected result;
   result.raw = estimate(set, "kg^(1/2) m", {"m/s^2"}, {});
-  const ObservationSet replayed = observe_replay(simulated.campaign, set, result.raw.parameter_values, 2);
-  result.corrected = with_truncation_error(
-      estimate(with_truncation(std::span(&set, 1), std::span(&replayed, 1), result.raw.parameter_values),
-               {"kg^(1/2) m", {"m/s^2"}}, {}),
-      result.raw);
+  const auto replay = [&](const Eigen::VectorXd& parameters) {
+    return std::vector{observe_replay(simulated.campaign, set, parameters, 2)};
+  };
+  result.corrected =
+      correct_truncation(std::span(&set, 1), result.raw, {"kg^(1/2) m", {"m/s^2"}}, {}, replay, [](const char*) {
+      }).estimate;
   return result;
 }
 

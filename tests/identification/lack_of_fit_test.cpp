@@ -116,5 +116,19 @@ TEST(LackOfFit, TheSimplestDampingLawThatPredictsIsChosen) {
   EXPECT_EQ(chosen(both), (std::vector<std::string>{"mu1", "mu2", "mu3"}));
 }
 
+TEST(FailedCorrection, LeavesNoValueWithoutDoubt) {
+  const OneMode truth;
+  const Estimate raw = estimate(truth.set(1), "kg^(1/2) m", {"m/s^2"}, options_with({{"mu2", 0.0}}));
+  const Estimate failed = with_failed_correction(raw, "the simulated motion grows beyond bounds");
+  std::size_t doubtful = 0;
+  for (const EstimatedValue& v : failed.parameters) {
+    EXPECT_EQ(v.doubtful, v.value.has_value() && !v.fixed) << v.name;
+    doubtful += v.doubtful;
+  }
+  EXPECT_GT(doubtful, 0U);
+  ASSERT_EQ(failed.warnings.size(), raw.warnings.size() + 1);
+  EXPECT_NE(failed.warnings.back().find("grows beyond bounds"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace secular

@@ -11,6 +11,7 @@
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
 #include "simulate/replay.hpp"
+#include "simulate/truncation_correction.hpp"
 #include "simulate/virtual_test.hpp"
 
 namespace secular {
@@ -57,9 +58,12 @@ Recovered recover(const std::string& name, std::uint64_t seed, const EstimateOpt
   r.measured = dwells ? observe_dwells(simulated.campaign, read, *r.model, *r.resonance, {})
                       : observe_free_decays(simulated.campaign, read, *r.model, *r.resonance, {});
   const Estimate raw = estimate(r.measured, unit, {"m/s^2"}, options);
-  const ObservationSet replayed = observe_replay(simulated.campaign, r.measured, raw.parameter_values, 2);
-  const auto corrected = with_truncation(std::span(&r.measured, 1), std::span(&replayed, 1), raw.parameter_values);
-  r.estimate = with_truncation_error(estimate(corrected, {unit, {"m/s^2"}}, options), raw);
+  const auto replay = [&](const Eigen::VectorXd& parameters) {
+    return std::vector{observe_replay(simulated.campaign, r.measured, parameters, 2)};
+  };
+  r.estimate =
+      correct_truncation(std::span(&r.measured, 1), raw, {unit, {"m/s^2"}}, options, replay, [](const char*) {
+      }).estimate;
   return r;
 }
 

@@ -93,6 +93,9 @@ std::map<std::pair<std::string, std::size_t>, Term> hand_written() {
   terms[{"parametric_excitation", 0}] = own([](const Moment& m) { return m.v * m.force; });
   terms[{"damping_coupling", 0}] = own([](const Moment& m) { return -m.du; });
   terms[{"parametric_coupling", 0}] = own([](const Moment& m) { return m.u * m.force; });
+  terms[{"parametric_coupling", 1}] = [](const Moment& m) {
+    return std::pair(m.strength * m.u * m.force, m.strength * m.v * m.force);
+  };
   terms[{"natural_frequency_drift", 0}] = own([](const Moment& m) { return -2 * m.w * m.w * m.v * m.signal; });
   terms[{"quadratic_coupling", 0}] = [](const Moment& m) {
     return std::pair(-2 * m.strength * m.v * m.u, -m.strength * m.v * m.v);

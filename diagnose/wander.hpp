@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+namespace secular {
+
+/// How a line's amplitude varies from ensemble to ensemble of one dwell, a straight line in time aside, against the
+/// noise at frequencies beside it. A steady motion under a steady excitation varies by the noise alone.
+struct Wander {
+  std::size_t record = 0;  ///< index into Campaign::records
+  double squares = 0;      ///< squared deviations over the noise's variance, summed
+  double freedom = 0, noise_freedom = 0;
+};
+
+/// `amplitude`: by ensemble. `noise`: amplitudes beside the line, ensembles x frequencies.
+Wander wander_of(const Eigen::VectorXcd& amplitude, const Eigen::MatrixXcd& noise);
+
+/// A test of all dwells together and of the worst alone.
+struct WanderTest {
+  double p_value = 1;      ///< of both tests, corrected for their number
+  double ratio = 1;        ///< root mean square deviation over that of the noise
+  std::size_t record = 0;  ///< where it is largest
+};
+
+WanderTest test_wander(const std::vector<Wander>& dwells);
+
+}  // namespace secular

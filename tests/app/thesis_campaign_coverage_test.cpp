@@ -1,0 +1,116 @@
+// The chapter 6 campaign with the model that it was made with, from samples to error bars, in several noise draws:
+// the full equations are integrated once, everything after the noise is done again. SECULAR_COVERAGE_DRAWS asks for
+// more draws than the few of a test run and for the table of how often each interval holds the truth.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/identification.hpp"
+#include "app/model_loading.hpp"
+#include "estimator/regression/confidence.hpp"
+#include "simulate/experiment.hpp"
+#include "simulate/noise.hpp"
+#include "simulate/virtual_test.hpp"
+
+namespace secular::app {
+namespace {
+
+class SlowChapterSix : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    model_ = ModelSource("two_mass", false).load({"additive_combination"});
+    experiment_ = read_experiment(
+        std::filesystem::path(SECULAR_SOURCE_DIR) / "models/experiments/thesis_chapter6.toml", *model_);
+    Experiment quiet = experiment_;
+    quiet.excitation->noise_sd = 0;
+    for (SimulatedChannel& channel : quiet.responses) channel.noise_sd = 0;
+    exact_ = run_virtual_test(quiet, *model_, 1, 2);
+  }
+
+  static Identification identified(int draw, const std::map<std::string, double>& fixed = {}) {
+    const RecordReader read = [&](std::size_t r) {
+      Record record = exact_.samples[r];
+      for (std::size_t c = 0; c < record.channels.size(); ++c) {
+        const double sd = c == 0 ? experiment_.excitation->noise_sd : experiment_.responses[c - 1].noise_sd;
+        NoiseStream noise(static_cast<std::uint64_t>(draw) + 1, r, c);
+        for (double& x : record.channels[c]) x += sd * noise.gaussian();
+      }
+      return record;
+    };
+    IdentificationRequest request;
+    request.campaign = "thesis_chapter6";
+    request.model = "two_mass";
+    request.threads = 2;
+    request.fixed = fixed;
+    return identify(request, exact_.campaign, read);
+  }
+
+  static std::shared_ptr<const CompiledModel> model_;
+  static Experiment experiment_;
+  static SimulatedCampaign exact_;
+};
+
+std::shared_ptr<const CompiledModel> SlowChapterSix::model_;
+Experiment SlowChapterSix::experiment_;
+SimulatedCampaign SlowChapterSix::exact_;
+
+TEST_F(SlowChapterSix, LumpsOfTheRightModelGoTogetherAndIntervalsHold) {
+  const char* text = std::getenv("SECULAR_COVERAGE_DRAWS");
+  const int draws = text ? std::atoi(text) : 2;
+  struct Coverage {
+    int inside = 0, count = 0;
+    double error = 0, square = 0, sd = 0;
+  };
+  std::map<std::string, Coverage> table;
+  int contradictions = 0;
+  double chi_squared = 0, freedom = 0;
+  for (int draw = 0; draw < draws; ++draw) {
+    const Estimate estimate = identified(draw).estimate;
+    contradictions += estimate.consistency.significant;
+    chi_squared += estimate.consistency.chi_squared / draws;
+    freedom += estimate.consistency.degrees_of_freedom / draws;
+    for (std::size_t p = 0; p < estimate.parameters.size(); ++p) {
+      const EstimatedValue& v = estimate.parameters[p];
+      if (!v.value) continue;
+      EXPECT_FALSE(v.doubtful) << v.name;
+      const double truth = experiment_.parameters(static_cast<Eigen::Index>(p)), error = *v.value - truth;
+      const Interval interval = confidence_interval(*v.value, v.sd, v.degrees_of_freedom);
+      Coverage& c = table[v.name];
+      c.inside += interval.low <= truth && truth <= interval.high;
+      c.error += error;
+      c.square += error * error;
+      c.sd += v.sd;
+      ++c.count;
+      // Student's t with thirty degrees of freedom exceeds 5 once in 40000.
+      EXPECT_LT(std::abs(error), 5 * v.sd) << v.name;
+    }
+  }
+  // One in a thousand is the stated rate; more than this would have a probability below 1e-4 for any number of
+  // draws up to a thousand.
+  EXPECT_LE(contradictions, draws <= 10 ? 1 : 6);
+  EXPECT_GE(freedom, 20);
+  std::printf("chi-squared of the lumps against one another: mean %.1f on %.1f, contradictions %d of %d\n",
+              chi_squared, freedom, contradictions, draws);
+  for (const auto& [name, c] : table)
+    std::printf("%-8s bias %10.3e  scatter %9.3e  mean sd %9.3e  covered %5.1f %% of %d\n", name.c_str(),
+                c.error / c.count, std::sqrt(std::max(0.0, c.square / c.count - std::pow(c.error / c.count, 2))),
+                c.sd / c.count, 100.0 * c.inside / c.count, c.count);
+}
+
+// Without coupled damping, lumps that it is part of cannot go together.
+TEST_F(SlowChapterSix, AMissingTermIsAContradiction) {
+  const Estimate estimate = identified(0, {{"mu12", 0.0}}).estimate;
+  bool told = estimate.consistency.significant;
+  for (const CaseLackOfFit& tests : estimate.lack_of_fit)
+    for (const LackOfFit& test : tests.equations) told = told || test.significant;
+  EXPECT_TRUE(told);
+}
+
+}  // namespace
+}  // namespace secular::app

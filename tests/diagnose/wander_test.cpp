@@ -1,0 +1,96 @@
+// Steadiness of dwells: false alarms of the test, and what it sees.
+#include "diagnose/wander.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+class Dwells {
+ public:
+  explicit Dwells(unsigned seed) : random_(seed) {}
+
+  // One dwell whose amplitude creeps along a straight line, under noise of standard deviation 1, and swells by
+  // `wave`.
+  Wander one(double wave) {
+    Eigen::VectorXcd amplitude(ensembles);
+    Eigen::MatrixXcd noise(ensembles, 8);
+    for (Index e = 0; e < ensembles; ++e) {
+      const auto t = static_cast<double>(e);
+      amplitude(e) =
+          Complex(300, -200) + Complex(3, 5) * t + wave * std::sin(2 * std::numbers::pi * t / 2.25) + draw();
+      for (Index f = 0; f < noise.cols(); ++f) noise(e, f) = draw();
+    }
+    return wander_of(amplitude, noise);
+  }
+
+  std::vector<Wander> several(std::size_t count, double wave) {
+    std::vector<Wander> all;
+    for (std::size_t d = 0; d < count; ++d) {
+      all.push_back(one(wave));
+      all.back().record = d;
+    }
+    return all;
+  }
+
+ private:
+  static constexpr Index ensembles = 6;
+  Complex draw() {
+    const double real = normal_(random_);
+    return {real, normal_(random_)};
+  }
+  std::mt19937_64 random_;
+  std::normal_distribution<double> normal_;
+};
+
+TEST(Wander, ProbabilityOfOneDwellIsUniformUnderNoise) {
+  Dwells dwells(3);
+  constexpr int draws = 4000;
+  int below_a_tenth = 0, below_a_half = 0;
+  for (int i = 0; i < draws; ++i) {
+    // Of one dwell alone both tests are the same one, and their number is paid for.
+    const double p = 0.5 * test_wander({dwells.one(0)}).p_value;
+    below_a_tenth += p < 0.1;
+    below_a_half += p < 0.49;  // half of what is cut off at one
+  }
+  const auto sd = [&](double share) { return std::sqrt(draws * share * (1 - share)); };
+  EXPECT_NEAR(below_a_tenth, 0.1 * draws, 3.5 * sd(0.1));
+  EXPECT_NEAR(below_a_half, 0.49 * draws, 3.5 * sd(0.49));
+}
+
+TEST(Wander, ManyDwellsAlarmNoMoreOftenThanStated) {
+  Dwells dwells(4);
+  constexpr int draws = 1000;
+  int alarms = 0;
+  for (int i = 0; i < draws; ++i) alarms += test_wander(dwells.several(40, 0)).p_value < 0.05;
+  EXPECT_LT(alarms, 0.05 * draws + 3.5 * std::sqrt(draws * 0.05 * 0.95));
+  EXPECT_GT(alarms, 0.015 * draws);  // 0.025 to 0.05 for two tests that depend on one another
+}
+
+TEST(Wander, AWaveOfTheNoisesSizeIsSeenInManyDwellsAndALargeOneInASingleOne) {
+  Dwells dwells(5);
+  EXPECT_LT(test_wander(dwells.several(40, 1.5)).p_value, 1e-6);
+  std::vector<Wander> all = dwells.several(40, 0);
+  const std::size_t disturbed = 17;
+  all[disturbed] = dwells.one(8);
+  all[disturbed].record = disturbed;
+  const WanderTest test = test_wander(all);
+  EXPECT_LT(test.p_value, 1e-6);
+  EXPECT_EQ(test.record, disturbed);
+}
+
+TEST(Wander, TooFewEnsemblesSayNothing) {
+  EXPECT_EQ(test_wander({}).p_value, 1);
+  EXPECT_EQ(test_wander({wander_of(Eigen::VectorXcd::Ones(2), Eigen::MatrixXcd::Ones(2, 8))}).p_value, 1);
+  EXPECT_EQ(test_wander({wander_of(Eigen::VectorXcd::Ones(6), Eigen::MatrixXcd(6, 0))}).p_value, 1);
+}
+
+}  // namespace
+}  // namespace secular

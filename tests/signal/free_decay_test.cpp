@@ -1,0 +1,38 @@
+// Where a free decay begins.
+#include "estimator/signal/free_decay.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace secular {
+namespace {
+
+Eigen::VectorXd decay(double noise, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  Eigen::VectorXd x(4096);
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const double t = static_cast<double>(i) / 256;
+    x(i) = std::exp(-0.4 * t) * std::cos(2 * std::numbers::pi * 12 * t) + noise * normal(random);
+  }
+  return x;
+}
+
+TEST(DecayStart, IsFoundWithItsFrequency) {
+  const auto start = find_decay_start(decay(1e-3, 1), 256);
+  ASSERT_TRUE(start);
+  EXPECT_LT(start->sample, 64);
+  EXPECT_NEAR(start->frequency, 2 * std::numbers::pi * 12, 0.02 * 2 * std::numbers::pi * 12);
+}
+
+// Noise crosses any level at every other sample: no start, and no failure, whatever the draw.
+TEST(DecayStart, OfNoiseIsNoneOrAnywhere) {
+  for (unsigned seed = 1; seed <= 40; ++seed)
+    EXPECT_NO_THROW(find_decay_start(decay(0.5 * seed, seed), 256)) << seed;
+}
+
+}  // namespace
+}  // namespace secular
