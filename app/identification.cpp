@@ -220,8 +220,6 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
   first.bootstrap = 0;
   Estimate raw = estimate(result.measured, units, first);
   clock.done("regression");
-  raw.warnings.insert(raw.warnings.begin(), assignment.warnings.begin(), assignment.warnings.end());
-  result.estimate = raw;
   const auto replay = [&](const Eigen::VectorXd& parameters) {
     std::vector<ObservationSet> sets;
     for (const ObservationSet& set : result.measured)
@@ -233,8 +231,6 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
                                                          [&](const char* stage) { clock.done(stage); });
     result.estimate = std::move(correction.estimate);
     result.replayed = std::move(correction.replayed);
-    result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
-                                    assignment.warnings.end());
     for (ObservationSet& set : result.replayed)
       if (set.resonance->excited) to_steady_amplitudes(set, result.estimate.parameter_values);
   } catch (const InputError& error) {
@@ -244,10 +240,10 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
     uncorrected.judge_fit = false;
     uncorrected.start = raw.state;
     result.estimate = estimate(result.measured, units, uncorrected);
-    result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
-                                    assignment.warnings.end());
     result.estimate = with_failed_correction(std::move(result.estimate), error.what());
   }
+  result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
+                                  assignment.warnings.end());
   try {
     for (const ObservationSet& set : result.measured)
       if (!set.resonance->excited && model.modes() == 1)

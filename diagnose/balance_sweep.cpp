@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace secular {
 
@@ -47,10 +48,17 @@ void scattered(const std::vector<SlavedLine>& slaves, const VectorXd& values, Ma
   }
 }
 
-BalanceSweep::BalanceSweep(const CompiledModel& model, const std::vector<StateForce>& forces,
-                           const MotionSetting& setting)
+MatrixXcd with_step(const std::vector<SlavedLine>& slaves, const MatrixXcd& all, Index entry, double step) {
+  VectorXd values = gathered(slaves, all);
+  values(entry) += step;
+  MatrixXcd moved = all;
+  scattered(slaves, values, moved);
+  return moved;
+}
+
+BalanceSweep::BalanceSweep(const CompiledModel& model, std::vector<StateForce> forces, const MotionSetting& setting)
     : model_(model),
-      forces_(forces),
+      forces_(std::move(forces)),
       torus_(*setting.torus),
       rates_(torus_.lines()),
       acceleration_(static_cast<Index>(model.modes()), torus_.points()),
@@ -122,34 +130,34 @@ MatrixXcd BalanceSweep::slopes_by_point(const Path& path, std::span<const double
     by_position.push_back(slope(false, length));
     by_velocity.push_back(slope(true, length * fastest));
   }
-  const Index lines = torus_.lines();
-  std::vector<MatrixXcd> units;
-  for (const SlavedLine& s : slaves)
-    for (const Complex unit : {Complex(1, 0), Complex(0, 1)}) {
-      if (s.line == 0 && unit.imag() != 0) continue;
-      units.push_back(MatrixXcd::Zero(1, lines));
-      units.back()(0, s.line) = unit;
-    }
-  const auto count = static_cast<Index>(units.size());
+  struct Entry {
+    Index mode, line;
+    Complex unit;
+  };
+  std::vector<Entry> entries;
+  for (const SlavedLine& s : slaves) {
+    entries.push_back({s.mode, s.line, Complex(1, 0)});
+    if (s.line != 0) entries.push_back({s.mode, s.line, Complex(0, 1)});
+  }
+  const Index lines = torus_.lines(), count = static_cast<Index>(entries.size());
   MatrixXd felt(count * modes, points);
-  Index at = 0;
-  for (const SlavedLine& s : slaves)
-    for (int part = 0; part < (s.line == 0 ? 1 : 2); ++part, ++at) {
-      const MatrixXcd& unit = units[static_cast<std::size_t>(at)];
-      const MatrixXd position = torus_.samples(unit), velocity = torus_.samples(unit * rates_.asDiagonal());
-      const auto k = static_cast<std::size_t>(s.mode);
-      felt.middleRows(at * modes, modes) =
-          by_position[k] * position.row(0).asDiagonal() + by_velocity[k] * velocity.row(0).asDiagonal();
-    }
+  for (Index e = 0; e < count; ++e) {
+    const Entry& entry = entries[static_cast<std::size_t>(e)];
+    MatrixXcd alone = MatrixXcd::Zero(1, lines);
+    alone(0, entry.line) = entry.unit;
+    const Path moved = this->path(std::move(alone));
+    const auto k = static_cast<std::size_t>(entry.mode);
+    felt.middleRows(e * modes, modes) =
+        by_position[k] * moved.position.row(0).asDiagonal() + by_velocity[k] * moved.velocity.row(0).asDiagonal();
+  }
   const MatrixXcd changes = torus_.coefficients(felt);
   MatrixXcd slopes(modes * lines, count);
-  at = 0;
-  for (const SlavedLine& s : slaves)
-    for (int part = 0; part < (s.line == 0 ? 1 : 2); ++part, ++at) {
-      MatrixXcd change = changes.middleRows(at * modes, modes);
-      change(s.mode, s.line) -= units[static_cast<std::size_t>(at)](0, s.line) * rates_(s.line) * rates_(s.line);
-      slopes.col(at) = change.reshaped();
-    }
+  for (Index e = 0; e < count; ++e) {
+    const Entry& entry = entries[static_cast<std::size_t>(e)];
+    MatrixXcd change = changes.middleRows(e * modes, modes);
+    change(entry.mode, entry.line) -= entry.unit * rates_(entry.line) * rates_(entry.line);
+    slopes.col(e) = change.reshaped();
+  }
   return slopes;
 }
 
@@ -157,15 +165,10 @@ MatrixXcd BalanceSweep::slopes_by_point(const Path& path, std::span<const double
 MatrixXcd BalanceSweep::slopes_by_line(const Path& path, std::span<const double> parameters,
                                        const std::vector<SlavedLine>& slaves, double length) {
   const MatrixXcd base = residual(path, parameters);
-  const VectorXd lines = gathered(slaves, path.lines);
-  MatrixXcd slopes(base.size(), lines.size());
-  for (Index s = 0; s < lines.size(); ++s) {
-    VectorXd moved = lines;
-    moved(s) += length;
-    MatrixXcd displacement = path.lines;
-    scattered(slaves, moved, displacement);
-    slopes.col(s) = ((residual(this->path(std::move(displacement)), parameters) - base) / length).reshaped();
-  }
+  MatrixXcd slopes(base.size(), gathered(slaves, path.lines).size());
+  for (Index s = 0; s < slopes.cols(); ++s)
+    slopes.col(s) =
+        ((residual(this->path(with_step(slaves, path.lines, s, length)), parameters) - base) / length).reshaped();
   return slopes;
 }
 

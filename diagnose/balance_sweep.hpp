@@ -22,6 +22,10 @@ std::vector<SlavedLine> slaved_lines(const MotionSetting& setting, const Compile
 Eigen::VectorXd gathered(const std::vector<SlavedLine>& slaves, const Eigen::MatrixXcd& all);
 void scattered(const std::vector<SlavedLine>& slaves, const Eigen::VectorXd& values, Eigen::MatrixXcd& all);
 
+/// `all` with one entry of what `gathered` would make of it changed by a step.
+Eigen::MatrixXcd with_step(const std::vector<SlavedLine>& slaves, const Eigen::MatrixXcd& all, Eigen::Index entry,
+                           double step);
+
 /// Evaluations of the equations of motion over one turn of the phases, with everything prepared that depends on the
 /// setting alone. Keeps a reference to the setting.
 class BalanceSweep {
@@ -32,7 +36,7 @@ class BalanceSweep {
     Eigen::MatrixXd position, velocity;
   };
 
-  BalanceSweep(const CompiledModel& model, const std::vector<StateForce>& forces, const MotionSetting& setting);
+  BalanceSweep(const CompiledModel& model, std::vector<StateForce> forces, const MotionSetting& setting);
 
   Path path(Eigen::MatrixXcd displacement) const;
 
@@ -64,7 +68,7 @@ class BalanceSweep {
                                   const std::vector<SlavedLine>& slaves, double length);
 
   const CompiledModel& model_;
-  const std::vector<StateForce>& forces_;
+  std::vector<StateForce> forces_;
   const Torus& torus_;
   Eigen::RowVectorXcd rates_;
   Eigen::MatrixXd force_, force_rate_, force_acceleration_, acceleration_;

@@ -302,15 +302,11 @@ class HeldLines {
     const double step = line_step * path.lines.cwiseAbs().maxCoeff();
     const MatrixXcd residual = sweep_.residual(path, evaluation_.parameters());
     const MatrixXcd slopes = sweep_.residual_slopes(path, evaluation_.parameters(), slaves, step);
-    const VectorXd base = rows(path.lines, residual), lines = gathered(slaves, path.lines);
-    LineSlopes result{MatrixXd(base.size(), lines.size()), MatrixXd(lines.size(), lines.size())};
-    for (Index s = 0; s < lines.size(); ++s) {
+    const VectorXd base = rows(path.lines, residual);
+    LineSlopes result{MatrixXd(base.size(), slopes.cols()), MatrixXd(slopes.cols(), slopes.cols())};
+    for (Index s = 0; s < slopes.cols(); ++s) {
       const MatrixXcd slope = slopes.col(s).reshaped(residual.rows(), residual.cols());
-      VectorXd moved = lines;
-      moved(s) += step;
-      MatrixXcd displacement = path.lines;
-      scattered(slaves, moved, displacement);
-      result.rows.col(s) = (rows(displacement, residual + step * slope) - base) / step;
+      result.rows.col(s) = (rows(with_step(slaves, path.lines, s, step), residual + step * slope) - base) / step;
       result.steps.col(s) = BalanceSweep::steps(slaves, slope);
     }
     return result;

@@ -4,7 +4,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -14,6 +13,7 @@
 #include "diagnose/observe_conditions.hpp"
 #include "diagnose/prior_evidence.hpp"
 #include "diagnose/segment_evidence.hpp"
+#include "estimator/regression/distribution.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
@@ -47,13 +47,6 @@ constexpr double credible_odds = 0.05;
 /// Explanations that a next experiment is planned for, and the least probability that each counts with there.
 constexpr std::size_t most_hypotheses = 4;
 constexpr double least_rival = 0.05;
-
-double upper_tail(double chi_squared, double degrees_of_freedom) {
-  if (!(degrees_of_freedom > 0)) return 1;
-  if (!std::isfinite(chi_squared)) return 0;
-  return boost::math::cdf(
-      boost::math::complement(boost::math::chi_squared(degrees_of_freedom), std::max(0.0, chi_squared)));
-}
 
 class Diagnoser {
  public:
@@ -121,15 +114,7 @@ class Diagnoser {
     result_.rows_before = given() ? given_rows : inference_.null.fit.rows;
     result_.rows_after = result_.rows_before;
     if (!result_.gap.detected) {
-      result_.verdict = result_.unsteady.detected ? "unknown" : "no_gap";
-      result_.gap.detected = result_.unsteady.detected;
-      if (result_.unsteady.detected) result_.gap.p_value = result_.unsteady.p_value;
-      const double rms = std::sqrt(result_.rows_before.squaredNorm() / static_cast<double>(discrepancy_.freedom()));
-      result_.gap.before = result_.gap.after = rms;
-      result_.gap.metric = metric();
-      result_.next_experiment.reason =
-          result_.unsteady.detected ? "the mean motions agree with the model; what varies is not the excitation"
-                                    : "there is no gap to explain";
+      close_without_gap();
       return std::move(result_);
     }
     const std::vector<Rival> all = rivals();
@@ -227,22 +212,39 @@ class Diagnoser {
         unsteady.ratio, unsteady.p_value, unsteady.record));
   }
 
+  // Mean motions agree with the model; what varies within dwells may not.
+  void close_without_gap() {
+    GapReport& gap = result_.gap;
+    gap.before = gap.after =
+        std::sqrt(result_.rows_before.squaredNorm() / static_cast<double>(discrepancy_.freedom()));
+    gap.metric = metric();
+    if (result_.unsteady.detected) {
+      result_.verdict = "unknown";
+      gap.detected = true;
+      gap.p_value = result_.unsteady.p_value;
+      result_.next_experiment.reason = "the mean motions agree with the model; what varies is not the excitation";
+    } else {
+      result_.verdict = "no_gap";
+      result_.next_experiment.reason = "there is no gap to explain";
+    }
+  }
+
   void detect(const VectorXd& given_rows) {
     GapReport& gap = result_.gap;
     const double chi_squared = given() ? given_rows.squaredNorm() : inference_.null.fit.chi_squared;
     const double freedom = given() ? static_cast<double>(discrepancy_.freedom()) : inference_.degrees_of_freedom;
-    const double omnibus = upper_tail(chi_squared, freedom);
+    const double omnibus = chi_squared_upper_tail(chi_squared, freedom);
     // The best single candidate on its own, corrected for having been looked for.
     double targeted = 1;
     for (std::size_t c = 0; c < candidates_.size(); ++c)
-      targeted = std::min(
-          targeted, upper_tail(inference_.linear_gain[c], static_cast<double>(candidates_[c].strengths.size() +
-                                                                              candidates_[c].shapes.size())));
+      targeted = std::min(targeted, chi_squared_upper_tail(inference_.linear_gain[c],
+                                                           static_cast<double>(candidates_[c].strengths.size() +
+                                                                               candidates_[c].shapes.size())));
     targeted = std::min(1.0, targeted * static_cast<double>(std::max<std::size_t>(1, candidates_.size())));
     double moved = 1;
     if (given())
-      moved =
-          upper_tail(chi_squared - inference_.null.fit.chi_squared, static_cast<double>(inference_.null.fit.rank));
+      moved = chi_squared_upper_tail(chi_squared - inference_.null.fit.chi_squared,
+                                     static_cast<double>(inference_.null.fit.rank));
     gap.p_value = std::min(1.0, (given() ? 3 : 2) * std::min({omnibus, targeted, moved}));
     gap.detected = gap.p_value < false_alarm;
   }
@@ -295,8 +297,9 @@ class Diagnoser {
     fill_gap(before.rows, after.rows);
     result_.rows_after = best.explanation->fit.rows;
 
-    const double left = upper_tail(best.explanation->fit.chi_squared,
-                                   static_cast<double>(discrepancy_.freedom() - best.explanation->fit.rank));
+    const double left =
+        chi_squared_upper_tail(best.explanation->fit.chi_squared,
+                               static_cast<double>(discrepancy_.freedom() - best.explanation->fit.rank));
     const bool structured = left < remainder_alarm;
     const auto beyond_floor = [&](double rms) {
       return std::sqrt(std::max(0.0, rms * rms - result_.gap.floor * result_.gap.floor));

@@ -43,7 +43,7 @@ class Evidence {
   /// share of the inertia only, for unknowns that are still far off.
   virtual void freeze(const Eigen::VectorXd& unknowns, double coarse) = 0;
   /// Motions are looked for from those at these unknowns on; errors stay.
-  virtual void approach(const Eigen::VectorXd& unknowns) = 0;
+  virtual void approach(const Eigen::VectorXd& /*unknowns*/) {}
   virtual void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const = 0;
   /// Columns of d rows / d (unknown / scale) for some of the unknowns, by central differences of half a scale; zero
   /// where the rows are not finite.

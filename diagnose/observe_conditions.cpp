@@ -4,18 +4,13 @@
 #include <cmath>
 
 #include "diagnose/observe_dwell.hpp"
+#include "estimator/median.hpp"
 
 namespace secular {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
 
 // Error of one ensemble by channel and class of line (mean, resonant, other), pooled over all dwells by the median,
 // so that one disturbed dwell does not speak for all; the error of a dwell's own mean follows from it.
@@ -32,7 +27,7 @@ class PooledScatter {
         for (const Dwell& dwell : dwells)
           for (Index l = 0; l < scatter(dwell).cols(); ++l)
             if (kind_of(dwell, l) == kind) typical.push_back(scatter(dwell)(c, l));
-        const double middle = median(typical);
+        const double middle = typical.empty() ? 0 : upper_median(typical);
         for (const Dwell& dwell : dwells)
           for (Index l = 0; l < scatter(dwell).cols(); ++l)
             if (kind_of(dwell, l) == kind && scatter(dwell)(c, l) <= 4 * middle) {

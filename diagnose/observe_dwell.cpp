@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "diagnose/record_window.hpp"
@@ -316,9 +317,11 @@ std::vector<Wander> wander_of_masters(const DwellReader& reader, const Condition
   for (const Index l : lines)
     if (l != 0) frequencies.push_back(DwellReader::frequency_of(torus, l, base));
   const auto channels = static_cast<Index>(sensors.responses.size() + sensors.excitations.size());
+  std::map<Index, std::vector<MatrixXcd>> read;  // by line
   const auto through = [&](Index line, const Eigen::RowVectorXd& weights) {
-    const std::vector<MatrixXcd> about =
-        reader.read_about(DwellReader::frequency_of(torus, line, base), frequencies, resolution);
+    std::vector<MatrixXcd>& about = read[line];
+    if (about.empty())
+      about = reader.read_about(DwellReader::frequency_of(torus, line, base), frequencies, resolution);
     MatrixXcd seen(static_cast<Index>(about.size()), about.front().cols());
     for (std::size_t e = 0; e < about.size(); ++e)
       seen.row(static_cast<Index>(e)) = weights.cast<Complex>() * about[e];

@@ -17,7 +17,6 @@ class PriorEvidence : public Evidence {
   Eigen::Index size() const override { return static_cast<Eigen::Index>(entries_.size()); }
   const std::vector<RowLabel>& labels() const override { return labels_; }
   void freeze(const Eigen::VectorXd&, double) override {}
-  void approach(const Eigen::VectorXd&) override {}
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
 
  private:

@@ -13,7 +13,7 @@ namespace secular {
 struct Screening {
   double gain = 0;        ///< fall of chi-squared
   Eigen::VectorXd start;  ///< unknowns; empty where the data do not see the candidate
-  Eigen::VectorXd scale;  ///< of its strengths, where they were found shape by shape
+  Eigen::VectorXd scale;  ///< of its strengths
 };
 
 /// Scales of unknowns (see unit_slopes) are much the same wherever a fit begins: the latest of each.

@@ -23,7 +23,6 @@ class SegmentEvidence : public Evidence {
   Eigen::Index freedom() const override;
   const std::vector<RowLabel>& labels() const override { return labels_; }
   void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
-  void approach(const Eigen::VectorXd&) override {}
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
 
   /// A decay whose segments depart from any smooth law of the amplitude: how many it has, and the middles of those

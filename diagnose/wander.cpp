@@ -1,18 +1,14 @@
 #include "diagnose/wander.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
+
+#include "estimator/regression/distribution.hpp"
 
 namespace secular {
 namespace {
 
 using Eigen::Index;
-
-double upper_tail(double ratio, double freedom, double noise_freedom) {
-  if (!std::isfinite(ratio)) return 0;
-  return boost::math::cdf(boost::math::complement(boost::math::fisher_f(freedom, noise_freedom), ratio));
-}
 
 }  // namespace
 
@@ -43,7 +39,7 @@ WanderTest test_wander(const std::vector<Wander>& dwells) {
     squares += w.squares * (w.noise_freedom - 2) / w.noise_freedom;
     freedom += w.freedom;
     noise_freedom += w.noise_freedom;
-    const double p = upper_tail(w.squares / w.freedom, w.freedom, w.noise_freedom);
+    const double p = f_upper_tail(w.squares / w.freedom, w.freedom, w.noise_freedom);
     if (p < least) {
       least = p;
       test.record = w.record;
@@ -51,7 +47,8 @@ WanderTest test_wander(const std::vector<Wander>& dwells) {
   }
   if (count == 0) return test;
   test.ratio = std::sqrt(squares / freedom);
-  test.p_value = std::min(1.0, 2 * std::min(upper_tail(squares / freedom, freedom, noise_freedom), count * least));
+  test.p_value =
+      std::min(1.0, 2 * std::min(f_upper_tail(squares / freedom, freedom, noise_freedom), count * least));
   return test;
 }
 

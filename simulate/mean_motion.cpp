@@ -79,11 +79,13 @@ Observation mean_motion(std::span<const Observation> ensembles, const CompiledMo
     mean.forcing[j] =
         std::polar(over([&](const Observation& o) { return std::abs(o.forcing[j]); }), std::arg(first.forcing[j]));
   }
+  std::vector<std::vector<double>> phases;  // [ensemble][mode]
+  for (const Observation& o : ensembles) phases.push_back(own_phases(o, first, model, resonance, modes));
   for (std::size_t k = 0; k < first.amplitude.size(); ++k) {
-    mean.amplitude[k] =
-        std::polar(1.0, std::arg(first.amplitude[k])) * over([&](const Observation& o) {
-          return std::polar(std::abs(o.amplitude[k]), own_phases(o, first, model, resonance, modes)[k]);
-        });
+    std::vector<Complex> turned;
+    for (std::size_t e = 0; e < ensembles.size(); ++e)
+      turned.push_back(std::polar(std::abs(ensembles[e].amplitude[k]), phases[e][k]));
+    mean.amplitude[k] = std::polar(1.0, std::arg(first.amplitude[k])) * median(turned);
     mean.rate[k] = over([&](const Observation& o) { return o.rate[k]; });
   }
   for (std::size_t b = 0; b < first.harmonic.size(); ++b) {

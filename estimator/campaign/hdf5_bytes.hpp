@@ -15,6 +15,9 @@ struct Hdf5Damage {
   std::uint64_t at = 0;  ///< address in the file
 };
 
+/// Bytes of the sum that ends every structure of the newer kind.
+inline constexpr std::uint64_t hdf5_check_sum_size = 4;
+
 /// The address that says "nowhere".
 inline constexpr std::uint64_t hdf5_nowhere = std::numeric_limits<std::uint64_t>::max();
 

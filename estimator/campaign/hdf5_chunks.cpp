@@ -10,7 +10,6 @@ namespace secular {
 namespace {
 
 constexpr int deepest_tree = 16;
-constexpr std::uint64_t check_sum = 4;
 
 /// Takes chunks as they are found.
 class ChunkList {
@@ -132,7 +131,7 @@ class ChunkArray {
 
   // Entry of a block whose entries come in pages with a check sum each.
   std::uint64_t in_page(std::uint64_t first_page, std::uint64_t index, std::uint64_t page) const {
-    return first_page + index / page * (page * entry_size_ + check_sum) + index % page * entry_size_;
+    return first_page + index / page * (page * entry_size_ + hdf5_check_sum_size) + index % page * entry_size_;
   }
 
   const Hdf5Bytes& file_;
@@ -162,7 +161,7 @@ class FixedArray : public ChunkArray {
     if (count_ <= page_) return entries_ + index * entry_size_;
     if (!bit(entries_, index / page_)) return std::nullopt;
     const std::uint64_t pages = (count_ + page_ - 1) / page_;
-    return in_page(entries_ + (pages + 7) / 8 + check_sum, index, page_);
+    return in_page(entries_ + (pages + 7) / 8 + hdf5_check_sum_size, index, page_);
   }
 
  private:
@@ -222,7 +221,7 @@ class ExtensibleArray : public ChunkArray {
     }
     if (data == hdf5_nowhere) return std::nullopt;
     const std::uint64_t entries = behind_offset(begin_of(data, "EADB"), begin);
-    return pages > 0 ? in_page(entries + check_sum, element, page_) : entries + element * entry_size_;
+    return pages > 0 ? in_page(entries + hdf5_check_sum_size, element, page_) : entries + element * entry_size_;
   }
 
  private:

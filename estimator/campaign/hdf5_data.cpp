@@ -12,7 +12,6 @@ namespace secular {
 namespace {
 
 constexpr std::uint64_t most_elements = std::uint64_t{1} << 40;
-constexpr std::uint64_t check_sum_size = 4;
 enum FilterId : std::uint64_t { deflate_filter = 1, shuffle_filter = 2, fletcher_filter = 3 };
 
 std::string inflated(std::string_view stored, std::uint64_t limit, std::uint64_t address) {
@@ -44,12 +43,12 @@ std::string decoded(const Hdf5Chunk& chunk, const Hdf5Object& data_set, std::uin
   for (std::size_t f = data_set.filters.size(); f-- > 0;) {
     if (f < 32 && (chunk.filter_mask >> f & 1) != 0) continue;
     if (data_set.filters[f] == fletcher_filter) {
-      if (bytes.size() < check_sum_size) throw Hdf5Damage{"a chunk has no check sum", chunk.address};
-      bytes.resize(bytes.size() - check_sum_size);
+      if (bytes.size() < hdf5_check_sum_size) throw Hdf5Damage{"a chunk has no check sum", chunk.address};
+      bytes.resize(bytes.size() - hdf5_check_sum_size);
     } else if (data_set.filters[f] == deflate_filter) {
       if (size / hdf5_deflate_limit > bytes.size())
         throw Hdf5Damage{"a compressed chunk is too short for its shape", chunk.address};
-      bytes = inflated(bytes, size + check_sum_size, chunk.address);
+      bytes = inflated(bytes, size + hdf5_check_sum_size, chunk.address);
     } else {
       bytes = unshuffled(bytes, data_set.type->size);
     }

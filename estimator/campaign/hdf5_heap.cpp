@@ -7,7 +7,6 @@ namespace secular {
 namespace {
 
 constexpr std::uint64_t header_size = 142;  // without filters and check sum
-constexpr std::uint64_t check_sum_size = 4;
 constexpr int deepest_heap = 64;
 enum ObjectKind : std::uint64_t { managed_object = 0, huge_object = 1 };
 
@@ -89,7 +88,7 @@ Hdf5Record Hdf5Heap::managed(std::uint64_t offset, std::uint64_t size) const {
 
 Hdf5Record Hdf5Heap::inside(std::uint64_t block, std::uint64_t begin, std::uint64_t block_size,
                             std::uint64_t offset, std::uint64_t size) const {
-  const std::uint64_t content = check_block("FHDB", block, begin) + (check_sums_ ? check_sum_size : 0);
+  const std::uint64_t content = check_block("FHDB", block, begin) + (check_sums_ ? hdf5_check_sum_size : 0);
   const std::uint64_t head = content - block, within = offset - begin;
   if (within < head || within > block_size || size > block_size - within)
     throw Hdf5Damage{"an object stands outside of its block", block};

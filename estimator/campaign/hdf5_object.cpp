@@ -231,7 +231,7 @@ void read_first_version(const Hdf5Bytes& file, std::uint64_t address, Hdf5Object
 }
 
 void read_second_version(const Hdf5Bytes& file, std::uint64_t address, Hdf5Object& object) {
-  constexpr std::uint64_t longest_prefix = 34, check_sum = 4, signature = 4;
+  constexpr std::uint64_t longest_prefix = 34, signature = 4;
   Hdf5Cursor prefix(file.at(address, std::min(longest_prefix, file.size() - address)), address);
   prefix.skip(5);
   const std::uint64_t flags = prefix.number(1);
@@ -243,9 +243,9 @@ void read_second_version(const Hdf5Bytes& file, std::uint64_t address, Hdf5Objec
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     Block block = blocks[b];
     if (b > 0) {
-      if (block.size < signature + check_sum || file.at(block.address, signature) != "OCHK")
+      if (block.size < signature + hdf5_check_sum_size || file.at(block.address, signature) != "OCHK")
         throw Hdf5Damage{"an object's header does not go on where it should", block.address};
-      block = {block.address + signature, block.size - signature - check_sum};
+      block = {block.address + signature, block.size - signature - hdf5_check_sum_size};
     }
     Hdf5Cursor cursor(file.at(block.address, block.size), block.address);
     while (cursor.left() >= message_head) {

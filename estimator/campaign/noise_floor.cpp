@@ -8,17 +8,13 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
+#include "estimator/median.hpp"
+
 namespace secular {
 namespace {
 
 constexpr std::size_t segment = 256;
 constexpr std::size_t bands = 8;  // of 8 bins each, in the upper half of the spectrum
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Median of the mean of n unit exponential variables (Wilson and Hilferty): what the median of a band's power over
 // segments has to be divided by.
@@ -57,7 +53,7 @@ std::optional<double> noise_floor(std::span<const double> samples) {
   // The Hann window correlates neighbouring bins: half as many are independent.
   double quietest = 0;
   for (std::size_t b = 0; b < bands; ++b) {
-    const double level = median(power[b]) / median_of_mean(0.5 * static_cast<double>(width));
+    const double level = upper_median(power[b]) / median_of_mean(0.5 * static_cast<double>(width));
     quietest = b == 0 ? level : std::min(quietest, level);
   }
   return std::sqrt(quietest);

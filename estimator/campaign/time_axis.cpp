@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "estimator/median.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
@@ -13,17 +14,11 @@ namespace {
 
 constexpr double largest_jitter = 0.25;  // of the step
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // Complains about the first pair of stamps that cannot be neighbours; the median step survives a few gaps.
 void check_steps(const std::vector<double>& stamps, const std::string& file, const RowPlace& place) {
   std::vector<double> steps(stamps.size() - 1);
   for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = stamps[i + 1] - stamps[i];
-  const double step = median(steps);
+  const double step = upper_median(steps);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (steps[i] > 0 && (steps[i] <= 1.75 * step || step <= 0)) continue;
     const std::string at = fmt::format("{} (t = {})", place.of(i + 1), stamps[i + 1]);

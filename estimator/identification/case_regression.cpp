@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -11,7 +10,9 @@
 
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/in_parallel.hpp"
+#include "estimator/median.hpp"
 #include "estimator/regression/condensed_rows.hpp"
+#include "estimator/regression/distribution.hpp"
 
 namespace secular {
 namespace {
@@ -40,12 +41,6 @@ constexpr double outlier_false_alarm = 0.01;
 
 /// Ensembles of a condition that are needed to tell an outlier.
 constexpr std::size_t replicates_needed = 4;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Rows times columns with many zeros: `factor` is lower triangular, and a row of `sparse` has few entries.
 template <class Matrix>
@@ -248,7 +243,7 @@ class CaseRegression {
       for (Index d = 0; d < directions; ++d) {
         const Complex all = set_.truncation_change[static_cast<std::size_t>(d)](
             static_cast<Index>(system.observation[at]), static_cast<Index>(system.block[at]));
-        change(r, d) = -(system.part[at] == EquationPart::in_phase ? all.real() : all.imag()) / system.noise_sd[at];
+        change(r, d) = -part_of(all, system.part[at]) / system.noise_sd[at];
       }
     }
     Index begin = 0;
@@ -408,7 +403,7 @@ class CaseRegression {
       for (std::size_t r = 0; r < size; ++r) {
         std::vector<double> values;
         for (const std::size_t i : ensembles) values.push_back(left[i][r]);
-        const double centre = median(values);
+        const double centre = upper_median(values);
         for (std::size_t e = 0; e < ensembles.size(); ++e) square[e] += (values[e] - centre) * (values[e] - centre);
       }
       for (std::size_t e = 0; e < ensembles.size(); ++e) {
@@ -423,12 +418,11 @@ class CaseRegression {
       return false;
     };
     if (all.empty()) return changed();
-    const boost::math::chi_squared law(static_cast<double>(largest));
     const double rows = static_cast<double>(largest);
-    const double usual = median(all) / std::sqrt(boost::math::quantile(law, 0.5) / rows);
+    const double usual = upper_median(all) / std::sqrt(chi_squared_upper_quantile(0.5, rows) / rows);
     if (!(usual > 0)) return changed();
     const double tail = outlier_false_alarm / static_cast<double>(all.size());
-    const double cut = std::sqrt(boost::math::quantile(boost::math::complement(law, tail)) / rows);
+    const double cut = std::sqrt(chi_squared_upper_quantile(tail, rows) / rows);
     for (std::size_t i = 0; i < result_.distance.size(); ++i) {
       result_.distance[i] /= usual;
       if (result_.distance[i] <= cut) continue;

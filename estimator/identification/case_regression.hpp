@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
 #include <map>
 #include <set>
 #include <string>
@@ -26,6 +27,10 @@ struct CaseColumn {
 /// Of a complex equation in the frame of the motion (motion_frame). Of a modulation equation: the balance of
 /// energy, and that of frequency.
 enum class EquationPart { in_phase, in_quadrature };
+
+inline double part_of(std::complex<double> equation, EquationPart part) {
+  return part == EquationPart::in_phase ? equation.real() : equation.imag();
+}
 
 /// Whitened rows of one case: every observation's equations, real and imaginary parts, decorrelated by the joint
 /// covariance of everything measured in them.

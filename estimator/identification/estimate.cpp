@@ -4,7 +4,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -17,6 +16,7 @@
 #include "estimator/identification/short_list.hpp"
 #include "estimator/identification/unit_text.hpp"
 #include "estimator/regression/confidence.hpp"
+#include "estimator/regression/distribution.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
@@ -466,8 +466,7 @@ class Estimator {
     c.chi_squared = shared_.misfit;
     c.degrees_of_freedom = static_cast<double>(shared_.surplus);
     if (c.degrees_of_freedom < 1 || !std::isfinite(c.chi_squared)) return;
-    c.p_value =
-        boost::math::cdf(boost::math::complement(boost::math::chi_squared(c.degrees_of_freedom), c.chi_squared));
+    c.p_value = chi_squared_upper_tail(c.chi_squared, c.degrees_of_freedom);
     c.significant = c.p_value < contradiction_false_alarm;
     if (c.significant)
       result_.warnings.push_back(fmt::format(

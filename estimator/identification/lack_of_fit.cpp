@@ -2,13 +2,13 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <map>
 #include <utility>
+
+#include "estimator/regression/distribution.hpp"
 
 namespace secular {
 namespace {
@@ -45,14 +45,7 @@ double unknown_truncation(const CaseFit& fit, Index row) {
   if (fit.set->truncation.size() == 0 || !(fit.system.noise_sd[at] > 0)) return 0;
   const std::complex<double> all =
       fit.set->truncation(static_cast<Index>(fit.system.observation[at]), static_cast<Index>(fit.system.block[at]));
-  return 0.5 * (fit.system.part[at] == EquationPart::in_phase ? all.real() : all.imag()) / fit.system.noise_sd[at];
-}
-
-double upper_tail(double f, double numerator, double denominator) {
-  if (!std::isfinite(f)) return 0;
-  if (std::isfinite(denominator))
-    return boost::math::cdf(boost::math::complement(boost::math::fisher_f(numerator, denominator), f));
-  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(numerator), f * numerator));
+  return 0.5 * part_of(all, fit.system.part[at]) / fit.system.noise_sd[at];
 }
 
 }  // namespace
@@ -117,7 +110,7 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit) {
     test.repeatability = std::sqrt(variance);
     test.f = means / (test.numerator_df * variance + truncation);
     test.misfit = std::sqrt(test.f);
-    test.p_value = upper_tail(test.f, test.numerator_df, test.denominator_df);
+    test.p_value = f_upper_tail(test.f, test.numerator_df, test.denominator_df);
     result.push_back(std::move(test));
   }
   for (LackOfFit& test : result) test.significant = test.p_value < false_alarm / static_cast<double>(result.size());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "estimator/median.hpp"
 #include "estimator/modal/modal_assurance.hpp"
 #include "estimator/modal/pole.hpp"
 
@@ -11,12 +12,6 @@ namespace secular {
 namespace {
 
 using Eigen::Index;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double spread(const std::vector<double>& values) {
   double mean = 0, square = 0;
@@ -70,7 +65,7 @@ StableMode mode_of(const StabilisationDiagram& diagram, const std::vector<std::s
     damping.push_back(damping_ratio(pole));
   }
   StableMode mode;
-  mode.pole = {median(growth), median(omega)};
+  mode.pole = {upper_median(growth), upper_median(omega)};
   mode.orders = static_cast<int>(chain.size());
   mode.frequency_spread = spread(frequency);
   mode.damping_spread = spread(damping);

@@ -2,12 +2,12 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <limits>
 #include <set>
 #include <stdexcept>
 
+#include "estimator/regression/distribution.hpp"
 #include "estimator/regression/linear_fit.hpp"
 
 namespace secular {
@@ -16,10 +16,8 @@ using Eigen::Index;
 
 namespace {
 
-double upper_tail(double f, double numerator, double denominator) {
-  if (!(denominator > 0) || !std::isfinite(f)) return std::isfinite(f) ? 1.0 : 0.0;
-  const double p =
-      boost::math::cdf(boost::math::complement(boost::math::fisher_f(numerator, denominator), std::max(0.0, f)));
+double tail_or_zero(double f, double numerator, double denominator) {
+  const double p = f_upper_tail(f, numerator, denominator);
   return p < std::numeric_limits<double>::min() ? 0 : p;
 }
 
@@ -56,7 +54,7 @@ AnovaTable added_last_anova(const Eigen::Ref<const Eigen::MatrixXd>& design,
     row.sum_of_squares = without - table.residual;
     const double variance = table.residual / table.residual_degrees_of_freedom;
     row.f = row.sum_of_squares / static_cast<double>(q) / variance;
-    row.p = upper_tail(row.f, static_cast<double>(q), table.residual_degrees_of_freedom);
+    row.p = tail_or_zero(row.f, static_cast<double>(q), table.residual_degrees_of_freedom);
     row.clustered_f = row.clustered_p = std::numeric_limits<double>::quiet_NaN();
     const bool identifiable = std::all_of(term.columns.begin(), term.columns.end(), [&](int column) {
       return whole.identifiable[static_cast<std::size_t>(column)];
@@ -71,7 +69,7 @@ AnovaTable added_last_anova(const Eigen::Ref<const Eigen::MatrixXd>& design,
       const double wald = z.dot(correlation.ldlt().solve(z));
       const double groups = table.clusters, terms_of = static_cast<double>(q);
       row.clustered_f = wald * (groups - terms_of) / ((groups - 1) * terms_of);
-      row.clustered_p = upper_tail(row.clustered_f, terms_of, groups - terms_of);
+      row.clustered_p = tail_or_zero(row.clustered_f, terms_of, groups - terms_of);
     }
     table.rows.push_back(std::move(row));
   }

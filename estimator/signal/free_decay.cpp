@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "estimator/median.hpp"
 #include "estimator/signal/circular_hyperbolic.hpp"
 #include "estimator/signal/tone_fit.hpp"
 
@@ -12,12 +13,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Crossings of `level` from `first` on, with hysteresis against noise, interpolated between samples.
 std::vector<double> crossings(const Eigen::Ref<const VectorXd>& y, double level, double hysteresis, Index first) {
@@ -76,7 +71,7 @@ std::optional<DecayStart> find_decay_start(const Eigen::Ref<const VectorXd>& sam
   // hold.
   const Index quarter = samples.size() / 4;
   std::vector<double> tail(samples.data() + samples.size() - quarter, samples.data() + samples.size());
-  const double level = median(std::move(tail));
+  const double level = upper_median(std::move(tail));
   const double largest = (samples.array() - level).abs().maxCoeff();
   if (largest <= 0) return std::nullopt;
   Index last_large = 0;
@@ -87,7 +82,7 @@ std::optional<DecayStart> find_decay_start(const Eigen::Ref<const VectorXd>& sam
   std::vector<double> halves;
   for (std::size_t i = 0; i + 1 < std::min<std::size_t>(zeros.size(), 13); ++i)
     halves.push_back(zeros[i + 1] - zeros[i]);
-  const double half_period = median(halves);
+  const double half_period = upper_median(halves);
   const double frequency = std::numbers::pi * rate / half_period;
   const auto window = static_cast<Index>(4 * half_period);
   if (window < shortest_window) return std::nullopt;  // noise crosses the level every other sample
@@ -106,7 +101,7 @@ std::optional<DecayStart> find_decay_start(const Eigen::Ref<const VectorXd>& sam
   for (std::size_t i = 4; i + 4 < std::min<std::size_t>(zeros.size(), 16); i += 2)
     later.push_back(residual(zeros[i]));
   if (!later.empty()) {
-    const double usual = std::max(median(later), 1e-6);
+    const double usual = std::max(upper_median(later), 1e-6);
     while (first < 6 && first + 8 < zeros.size() && residual(zeros[first]) > 3 * usual) ++first;
   }
   const auto start = static_cast<Index>(std::ceil(zeros[first]));

@@ -1,11 +1,10 @@
 #include "estimator/signal/principal_components.hpp"
 
 #include <Eigen/Dense>
-#include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/gamma.hpp>
 #include <cmath>
 #include <stdexcept>
+
+#include "estimator/regression/distribution.hpp"
 
 namespace secular {
 namespace {
@@ -16,9 +15,7 @@ using Eigen::VectorXd;
 
 // Upper tail of the Tracy-Widom law of order one through its shifted gamma approximation (Chiani 2014).
 double tracy_widom_tail(double x) {
-  const double shifted = x + 9.84801;
-  if (shifted <= 0) return 1;
-  return boost::math::cdf(boost::math::complement(boost::math::gamma_distribution<>(46.446, 0.186054), shifted));
+  return gamma_upper_tail(x + 9.84801, 46.446, 0.186054);
 }
 
 // Probability that white noise of unit variance, rows x columns, has a squared singular value as large.
@@ -78,8 +75,7 @@ SpatialCount count_spatial_functions(const Eigen::Ref<const MatrixXd>& channels,
     for (Index i = 0; i < m; ++i) factor += mean * mean / std::pow(values(i) - mean, 2);
     const double statistic = factor * (q * std::log(mean) - rest.log().sum());
     const double freedom = 0.5 * (q + 2) * (q - 1);
-    count.probability.push_back(
-        boost::math::cdf(boost::math::complement(boost::math::chi_squared(freedom), std::max(0.0, statistic))));
+    count.probability.push_back(chi_squared_upper_tail(statistic, freedom));
     if (count.probability.back() > false_alarm) return count;
   }
   count.functions = static_cast<int>(values.size()) - 1;

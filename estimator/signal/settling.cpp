@@ -1,13 +1,14 @@
 #include "estimator/signal/settling.hpp"
 
 #include <Eigen/Dense>
-#include <boost/math/distributions/students_t.hpp>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstdio>
 #include <numbers>
 #include <stdexcept>
 
+#include "estimator/regression/confidence.hpp"
 #include "estimator/signal/tone_fit.hpp"
 
 namespace secular {
@@ -49,8 +50,7 @@ Trend trend_of(const VectorXd& values, const EnsembleLayout& layout, int degree)
 
 bool significant(double value, double sd, double freedom, double false_alarm) {
   if (!(sd > 0)) return value != 0;
-  const boost::math::students_t law(std::max(1.0, freedom));
-  return 2 * boost::math::cdf(boost::math::complement(law, std::abs(value) / sd)) < false_alarm;
+  return two_sided_p_value(value / sd, std::max(1.0, freedom)) < false_alarm;
 }
 
 std::string sentence(Index tone, Index channel, const char* what, double value, const char* unit) {

@@ -1,13 +1,13 @@
 #include "estimator/signal/tone_search.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 #include <utility>
 
+#include "estimator/regression/distribution.hpp"
 #include "estimator/signal/transform_length.hpp"
 
 namespace secular {
@@ -23,7 +23,7 @@ double peak_probability(double ordinate, Index channels, Index samples) {
   const double width = 0.5 * static_cast<double>(samples) * std::sqrt(std::numbers::pi / 3);
   const double crossings =
       width * std::exp((c - 0.5) * std::log(std::max(ordinate, 1e-300)) - ordinate - std::lgamma(c));
-  return -std::expm1(-(crossings + boost::math::gamma_q(c, ordinate)));
+  return -std::expm1(-(crossings + gamma_upper_tail(ordinate, c, 1)));
 }
 
 }  // namespace

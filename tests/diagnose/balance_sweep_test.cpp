@@ -32,16 +32,11 @@ TEST(BalanceSweep, SlopesAreThoseOfTheResidual) {
   ASSERT_GT(slaves.size(), 20U);
   const BalanceSweep::Path path = sweep.path(displacement);
   const MatrixXcd slopes = sweep.residual_slopes(path, parameters, slaves, 1e-5);
-  const Eigen::VectorXd lines = gathered(slaves, displacement);
-  ASSERT_EQ(slopes.cols(), lines.size());
+  ASSERT_EQ(slopes.cols(), gathered(slaves, displacement).size());
   const double step = 1e-5;
-  for (Index s = 0; s < lines.size(); ++s) {
+  for (Index s = 0; s < slopes.cols(); ++s) {
     const auto residual = [&](double by) {
-      Eigen::VectorXd moved = lines;
-      moved(s) += by;
-      MatrixXcd there = displacement;
-      scattered(slaves, moved, there);
-      return MatrixXcd(sweep.residual(sweep.path(there), parameters));
+      return MatrixXcd(sweep.residual(sweep.path(with_step(slaves, displacement, s, by)), parameters));
     };
     const MatrixXcd difference = (residual(step) - residual(-step)) / (2 * step);
     EXPECT_LT((slopes.col(s) - difference.reshaped()).norm(), 1e-6 * difference.norm()) << "entry " << s;

@@ -10,6 +10,7 @@
 #include "estimator/signal/folded_window.hpp"
 #include "estimator/signal/narrow_products.hpp"
 #include "estimator/signal/tone_series.hpp"
+#include "tests/signal/tone_pole.hpp"
 
 namespace secular {
 namespace {
@@ -17,12 +18,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double rate = 256;
-
-Pole tone(double hertz) {
-  return {PoleFamily::circular, 2 * std::numbers::pi * hertz, 0, false};
-}
 
 TEST(CircularMoments, AreTheSumsOverTheSamples) {
   const std::vector<std::vector<Pole>> cases = {

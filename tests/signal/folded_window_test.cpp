@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "estimator/signal/refine_poles.hpp"
+#include "tests/signal/tone_pole.hpp"
 
 namespace secular {
 namespace {
@@ -16,12 +17,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double rate = 256;
-
-Pole tone(double hertz) {
-  return {PoleFamily::circular, 2 * std::numbers::pi * hertz, 0, false};
-}
 
 // Sums of products of cosines and sines in closed form are those that are added up, also where tones nearly
 // coincide, lie near zero or at half the sampling rate.
