@@ -11,6 +11,7 @@
 #include "app/commands.hpp"
 #include "app/progress_line.hpp"
 #include "blind/follow_up.hpp"
+#include "blind/leave_out.hpp"
 #include "blind/run_set.hpp"
 #include "blind/score_set.hpp"
 #include "blind/sealed_set.hpp"
@@ -64,6 +65,15 @@ void run(const Options& options) {
   const blind::RunSummary summary = blind::run_set(
       options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
   fmt::print("{} cases, {} diagnosed before, {} failed\n", summary.cases, summary.kept, summary.failed.size());
+  print_failed(summary.failed);
+}
+
+void leave_out(const Options& options) {
+  ProgressLine line("effects left out");
+  const blind::LeaveOutSummary summary = blind::leave_out_of_set(
+      options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
+  fmt::print("{} cases without their effect in the catalogue, {} diagnosed before, {} failed\n", summary.cases,
+             summary.kept, summary.failed.size());
   print_failed(summary.failed);
 }
 
@@ -132,11 +142,17 @@ void add_blind_command(CLI::App& root, Action& chosen) {
   running->add_option("FOLDER", running_options->folder, "made by generate")->required();
   add_threads(running, running_options);
   add_run_options(running, running_options);
+  const auto [leaving, leave_options] =
+      add("leave-out", "Diagnose every case of one effect as if the catalogue did not hold it", leave_out);
+  leaving->add_option("FOLDER", leave_options->folder, "made by generate")->required();
+  add_threads(leaving, leave_options);
+  add_run_options(leaving, leave_options);
   const auto [scoring, score_options] = add("score", "Open the labels and compare", score);
   scoring->add_option("FOLDER", score_options->folder, "made by generate, diagnosed by run")->required();
   scoring->add_option("-o,--output", score_options->page, "folder of score.md, score.json and calibration.svg")
       ->capture_default_str();
-  const auto [all, all_options] = add("all", "generate, run, follow and score", generate, run, follow, score);
+  const auto [all, all_options] =
+      add("all", "generate, run, follow, leave-out and score", generate, run, follow, leave_out, score);
   add_set_options(all, all_options);
   add_threads(all, all_options);
   add_run_options(all, all_options);

@@ -142,6 +142,10 @@ void add_diagnose_command(CLI::App& root, Action& chosen) {
       "--band", options->band,
       "LOW:HIGH in Hz: free decays are filtered to it, so that modes beyond the model do not count");
   command->add_option("--records", request.window.records, "use the records whose file matches this pattern");
+  command
+      ->add_option("--without", request.without,
+                   "an effect of the catalogue that is not to be considered; may be given several times")
+      ->allow_extra_args(false);
   command->add_flag("--interpret", request.interpret, "no compiled code: slower, same results");
   command->add_option("--threads", request.threads, "threads; the result does not depend on it")
       ->check(CLI::Range(1U, 1024U));

@@ -55,6 +55,7 @@ std::string diagnosis_json(const DiagnosisRun& run) {
   gap["metric"] = d.gap.metric;
   if (!d.gap.wrong_cause.empty())
     gap["best_other_cause"] = {{"effect", d.gap.wrong_cause}, {"closed", d.gap.wrong_cause_closed}};
+  if (d.gap.placebo_closed) gap["placebo_closed"] = *d.gap.placebo_closed;
   root["gap"] = std::move(gap);
   root["unsteady"] = {
       {"detected", d.unsteady.detected}, {"p_value", d.unsteady.p_value}, {"ratio", d.unsteady.ratio}};

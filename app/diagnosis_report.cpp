@@ -227,6 +227,9 @@ void closing_section(HtmlReport& page, const Diagnosis& d) {
     table.rows.push_back({"best other cause: " + spaced(d.gap.wrong_cause), report::format_number(d.gap.before, 3),
                           "", report::format_number(d.gap.floor, 3),
                           report::format_percent(d.gap.wrong_cause_closed)});
+  if (d.gap.placebo_closed)
+    table.rows.push_back({"column that means nothing", report::format_number(d.gap.before, 3), "",
+                          report::format_number(d.gap.floor, 3), report::format_percent(*d.gap.placebo_closed)});
   table.caption = d.gap.metric;
   page.table(table);
   page.paragraph(

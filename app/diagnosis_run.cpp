@@ -52,6 +52,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   options.window = request.window;
   options.threads = request.threads;
   options.band = request.band;
+  options.left_out.insert(request.without.begin(), request.without.end());
   if (request.check_from_s || request.check_to_s) {
     options.check = request.window;
     options.check->from_s = request.check_from_s.value_or(Window{}.from_s);

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "diagnose/diagnosis.hpp"
 #include "estimator/campaign/campaign.hpp"
@@ -16,7 +17,8 @@ struct DiagnosisRequest {
   Window window;
   /// Window in which the explanation is tried on records in one piece; none: no such trial.
   std::optional<double> check_from_s, check_to_s;
-  std::optional<Band> band;  ///< free decays pass through it first
+  std::optional<Band> band;          ///< free decays pass through it first
+  std::vector<std::string> without;  ///< effects that are not to be considered
   bool interpret = false;
   unsigned threads = 1;
 };

@@ -51,8 +51,8 @@ std::optional<std::string> help_of_diagnose(const fs::path& program, const fs::p
 Diagnoser::Diagnoser(const fs::path& folder, const RunOptions& options)
     : options_(options), threads_(thread_arguments(folder, options)) {}
 
-std::optional<std::string> Diagnoser::run(const fs::path& place, const fs::path& campaign,
-                                          const fs::path& out) const {
+std::optional<std::string> Diagnoser::run(const fs::path& place, const fs::path& campaign, const fs::path& out,
+                                          const std::vector<std::string>& without) const {
   const fs::path result = out / "diagnosis", log = out / "diagnosis.log";
   std::error_code ignored;
   fs::remove_all(result, ignored);
@@ -61,6 +61,7 @@ std::optional<std::string> Diagnoser::run(const fs::path& place, const fs::path&
   if (fs::exists(place / "parameters.json"))
     arguments.insert(arguments.end(), {"--parameters", (place / "parameters.json").string()});
   arguments.insert(arguments.end(), {"-o", result.string()});
+  for (const std::string& effect : without) arguments.insert(arguments.end(), {"--without", effect});
   arguments.insert(arguments.end(), threads_.begin(), threads_.end());
   const Ended ended = run_child(arguments, log, options_.limit_s);
   const nlohmann::ordered_json how = {

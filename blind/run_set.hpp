@@ -37,8 +37,10 @@ class Diagnoser {
 
   /// Diagnoses `campaign` with model and numbers of the case at `place`: OUT/diagnosis/, what it printed in
   /// OUT/diagnosis.log, how it ended in OUT/run.json. Returns what went wrong, if anything did.
+  /// `without`: effects that the diagnosis must not consider.
   std::optional<std::string> run(const std::filesystem::path& place, const std::filesystem::path& campaign,
-                                 const std::filesystem::path& out) const;
+                                 const std::filesystem::path& out,
+                                 const std::vector<std::string>& without = {}) const;
 
  private:
   RunOptions options_;

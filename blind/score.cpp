@@ -152,7 +152,11 @@ Said what_was_said(const json& diagnosis) {
   try {
     const json& gap = diagnosis.at("gap");
     said.detected = gap.at("detected").get<bool>();
-    if (gap.contains("closed") && gap["closed"].is_number()) said.closed = gap["closed"].get<double>();
+    const auto number = [&](const char* key) {
+      return gap.contains(key) && gap[key].is_number() ? std::optional(gap[key].get<double>()) : std::nullopt;
+    };
+    said.closed = number("closed");
+    said.placebo_closed = number("placebo_closed");
     const std::string verdict = diagnosis.at("verdict").get<std::string>();
     if (diagnosis.contains("causes"))
       for (const json& cause : diagnosis["causes"]) {
@@ -184,9 +188,10 @@ Score score_of(const json& sealed, const std::vector<Said>& said) {
   for (const json& label : sealed.at("labels")) labels.push_back(read_label(label));
   Score score;
   score.cases = labels.size();
-  Share resolved, resolved_by_chance, contained, weak, false_alarm, detected, unknown, misnamed, pairs30, pairs;
+  Share resolved, resolved_by_chance, contained, weak, false_alarm, detected, unknown, misnamed, pairs30, pairs,
+      unknown_without, misnamed_without;
   std::map<double, Share, std::greater<>> top;
-  std::vector<double> probability, closed30, closed, seconds;
+  std::vector<double> probability, closed30, closed, placebo30, placebo, seconds;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const Label& label = labels[i];
     const Said& s = said.at(i);
@@ -225,6 +230,10 @@ Score score_of(const json& sealed, const std::vector<Said>& said) {
       resolved_by_chance.count(s.named_after.at("random") == truth);
     }
     (visible(label) ? contained : weak).count(names(s, truth));
+    if (visible(label) && !s.verdict_without.empty() && s.explained_by_rest.empty()) {
+      unknown_without.count(s.verdict_without == "unknown");
+      misnamed_without.count(s.verdict_without == "cause" || s.verdict_without == "set");
+    }
     if (!can_be_told(label)) continue;
     const bool first = (s.verdict == "cause" || s.verdict == "set") && s.cause == truth;
     top[label.snr_db].count(first);
@@ -232,6 +241,10 @@ Score score_of(const json& sealed, const std::vector<Said>& said) {
     if (first && s.closed) {
       closed.push_back(*s.closed);
       if (label.snr_db == 30) closed30.push_back(*s.closed);
+    }
+    if (first && s.placebo_closed) {
+      placebo.push_back(*s.placebo_closed);
+      if (label.snr_db == 30) placebo30.push_back(*s.placebo_closed);
     }
   }
   const std::map<double, double> top_targets = {{40, 0.9}, {20, 0.8}, {10, 0.6}};
@@ -247,11 +260,17 @@ Score score_of(const json& sealed, const std::vector<Said>& said) {
   figures.push_back(detected.figure("gap detected (at least 3 sigma)", 0.99));
   figures.push_back(unknown.figure("effect outside of the catalogue is called unknown", 0.9));
   figures.push_back(misnamed.figure("effect outside of the catalogue is named as another one", 0.05, true));
+  figures.push_back(unknown_without.figure("effect left out of the catalogue in turn: called unknown", 0.9));
+  figures.push_back(
+      misnamed_without.figure("effect left out of the catalogue in turn: another one is named", 0.05, true));
   figures.push_back(pairs30.figure("two effects, both found, 30 dB", 0.7));
   figures.push_back(pairs.figure("two effects, both found, all noise levels", std::nullopt));
   figures.push_back(mean_figure("of the reducible gap closed, right cause, 30 dB", closed30, 0.9));
   figures.push_back(
       mean_figure("of the reducible gap closed, right cause, all noise levels", closed, std::nullopt));
+  figures.push_back(mean_figure("the same by a column that means nothing, 30 dB", placebo30, 0.05, true));
+  figures.push_back(
+      mean_figure("the same by a column that means nothing, all noise levels", placebo, std::nullopt));
   figures.push_back(resolved.figure("set that holds the truth: one proposed dwell resolves it", 0.8));
   figures.push_back(resolved_by_chance.figure("the same set: one random dwell resolves it", std::nullopt));
   figures.push_back(weak.figure("named cause or its set contains the truth (less than 3 sigma)", std::nullopt));

@@ -57,6 +57,11 @@ struct Said {
   double seconds = 0;
   /// By follow-up, "proposed" and "random": the one cause named after one more dwell, empty where none was.
   std::map<std::string, std::string> named_after;
+  std::optional<double> placebo_closed;
+  /// With the effect left out of the catalogue that is the truth: the verdict, and which effects of the rest
+  /// explain the data as well. Empty verdict: not tried.
+  std::string verdict_without;
+  std::vector<std::string> explained_by_rest;
 };
 
 /// Reads the contract's diagnosis.json (section 6); a document that does not follow it gives verdict "failed".

@@ -7,6 +7,7 @@
 
 #include "blind/case_files.hpp"
 #include "blind/follow_up.hpp"
+#include "blind/leave_out.hpp"
 #include "blind/sealed_set.hpp"
 
 namespace secular::blind {
@@ -31,6 +32,14 @@ Said said_of(const fs::path& place) {
   for (const char* const which : follow_ups)
     if (const std::optional<Said> then = said_below(follow_up_folder(place, which)))
       said.named_after[which] = then->verdict == "cause" ? then->cause : "";
+  if (const std::optional<Said> without = said_below(left_out_folder(place));
+      without && fs::exists(look_alikes_file(place))) {
+    const nlohmann::json rest = nlohmann::json::parse(read_text(look_alikes_file(place)), nullptr, false);
+    if (rest.is_array()) {
+      said.verdict_without = without->verdict;
+      said.explained_by_rest = rest.get<std::vector<std::string>>();
+    }
+  }
   return said;
 }
 

@@ -17,6 +17,8 @@ constexpr double largest_relative_change = 0.3;
 constexpr double visible = 4;
 // A case whose motion grows beyond all bounds is drawn again, from a stream of its own.
 constexpr std::uint64_t most_redraws = 8, redrawn = 10'000'000;
+// Stream of the search among the rest of the catalogue.
+constexpr std::uint64_t rest_of_catalogue = 3'000'000;
 
 bool changes_with_time(const std::string& effect) {
   return effect == "modulated_force";
@@ -75,9 +77,9 @@ void set_strength(Truth& truth, const Specimen& specimen, const Signatures& sign
   }
 }
 
-// Which look-alikes explain the change as well.
-void find_look_alikes(Truth& truth, const SealedCase& c, const Signatures& signatures,
-                      const std::vector<double>& peak, Random& random) {
+// Which of `rivals` explain the change as well.
+void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, const SealedCase& c,
+                      const Signatures& signatures, const std::vector<double>& peak, Random& random) {
   const bool all = changes_with_time(truth.withheld.effect);
   Reality reality = reality_of(c.specimen);
   switch_on(truth.withheld, c.specimen, peak, reality);
@@ -90,7 +92,7 @@ void find_look_alikes(Truth& truth, const SealedCase& c, const Signatures& signa
     return;
   }
   const Eigen::MatrixXd& own = signatures.own_parameters(all);
-  for (const std::string& name : look_alikes(truth.withheld.effect, c.specimen.family)) {
+  for (const std::string& name : rivals) {
     for (std::size_t variant = 0; variant < 2; ++variant) {
       Withheld rival = draw_withheld(name, c.specimen, random);
       rival.mode = truth.withheld.mode;
@@ -198,7 +200,7 @@ SealedCase draw_once(const CasePlan& plan, Random random) {
     if (effect == "sensor_cross_axis")
       truth.withheld.coefficient *= levels.median_rms[truth.withheld.channel] / levels.median_rms[0];
     set_strength(truth, c.specimen, signatures, levels.peak, random.log_uniform(weakest_sigma, strongest_sigma));
-    find_look_alikes(truth, c, signatures, levels.peak, random);
+    find_look_alikes(truth, look_alikes(effect, plan.family), c, signatures, levels.peak, random);
     switch_on(truth.withheld, c.specimen, levels.peak, c.reality);
     c.truths.push_back(truth);
   }
@@ -262,6 +264,17 @@ std::vector<CasePlan> draw_plans(std::size_t cases, std::uint64_t seed, SetSize 
     plans.push_back(plan);
   }
   return plans;
+}
+
+std::vector<std::string> rest_that_explains(const SealedCase& sealed, std::uint64_t seed) {
+  Random random(seed, rest_of_catalogue + sealed.plan.number);
+  Truth truth = sealed.truths.front();
+  truth.same_as.clear();
+  std::vector<std::string> rest = effects_of_family(sealed.plan.family);
+  std::erase(rest, truth.withheld.effect);
+  find_look_alikes(truth, rest, sealed, Signatures(sealed.specimen, sealed.noise_sd),
+                   levels_of(sealed.specimen, reality_of(sealed.specimen)).peak, random);
+  return truth.same_as;
 }
 
 SealedCase draw_case(const CasePlan& plan, std::uint64_t seed) {

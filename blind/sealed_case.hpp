@@ -49,4 +49,8 @@ struct SealedCase {
 /// Draws everything of a case. Depends on the seed and the plan alone.
 SealedCase draw_case(const CasePlan& plan, std::uint64_t seed);
 
+/// Of a case with one effect: effects of the catalogue but this one that explain these data as well, "no_gap" where
+/// nothing needs an explanation. Depends on the seed and the case alone.
+std::vector<std::string> rest_that_explains(const SealedCase& sealed, std::uint64_t seed);
+
 }  // namespace secular::blind

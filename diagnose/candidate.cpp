@@ -69,6 +69,49 @@ std::vector<VectorXd> extra_mode_starts(const std::vector<Condition>& conditions
   return starts;
 }
 
+const std::map<std::string, GapComponent>& effect_components() {
+  static const std::map<std::string, GapComponent> components = {
+      {"viscous_damping", GapComponent::dissipative},
+      {"quadratic_damping", GapComponent::dissipative},
+      {"cubic_damping", GapComponent::dissipative},
+      {"coulomb_friction", GapComponent::dissipative},
+      {"amplitude_dependent_damping", GapComponent::dissipative},
+      {"hysteresis", GapComponent::dissipative},
+      {"quadratic_stiffness", GapComponent::conservative},
+      {"cubic_stiffness", GapComponent::conservative},
+      {"quintic_stiffness", GapComponent::conservative},
+      {"bilinear_stiffness", GapComponent::conservative},
+      {"freeplay", GapComponent::conservative},
+      {"quadratic_inertia", GapComponent::conservative},
+      {"cubic_inertia", GapComponent::conservative},
+      {"natural_frequency_drift", GapComponent::conservative},
+      {"direct_excitation", GapComponent::direct_excitation},
+      {"shaker_harmonics", GapComponent::direct_excitation},
+      {"extra_mode", GapComponent::direct_excitation},
+      {"parametric_excitation", GapComponent::parametric_excitation},
+      {"damping_coupling", GapComponent::coupling},
+      {"quadratic_coupling", GapComponent::coupling},
+      {"cubic_coupling", GapComponent::coupling},
+      {"parametric_coupling", GapComponent::coupling},
+      {"sensor_gain", GapComponent::measurement},
+      {"sensor_offset", GapComponent::measurement},
+      {"sensor_cross_axis", GapComponent::measurement},
+      {"channel_skew", GapComponent::measurement},
+      {"clipping", GapComponent::measurement},
+      {"mode_shape_error", GapComponent::measurement},
+  };
+  return components;
+}
+
+const std::map<std::string, GapComponent>& open_law_components() {
+  static const std::map<std::string, GapComponent> components = {
+      {"open_damping", GapComponent::dissipative},
+      {"open_loss", GapComponent::dissipative},
+      {"open_stiffness", GapComponent::conservative},
+  };
+  return components;
+}
+
 }  // namespace
 
 VectorXd largest_displacements(const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
@@ -93,35 +136,14 @@ VectorXd largest_displacements(const std::vector<Condition>& conditions, const s
 }
 
 GapComponent component_of(const std::string& effect) {
-  static const std::map<std::string, GapComponent> components = {
-      {"open_damping", GapComponent::dissipative},
-      {"open_loss", GapComponent::dissipative},
-      {"open_stiffness", GapComponent::conservative},
-      {"viscous_damping", GapComponent::dissipative},
-      {"quadratic_damping", GapComponent::dissipative},
-      {"cubic_damping", GapComponent::dissipative},
-      {"coulomb_friction", GapComponent::dissipative},
-      {"amplitude_dependent_damping", GapComponent::dissipative},
-      {"hysteresis", GapComponent::dissipative},
-      {"quadratic_stiffness", GapComponent::conservative},
-      {"cubic_stiffness", GapComponent::conservative},
-      {"quintic_stiffness", GapComponent::conservative},
-      {"bilinear_stiffness", GapComponent::conservative},
-      {"freeplay", GapComponent::conservative},
-      {"quadratic_inertia", GapComponent::conservative},
-      {"cubic_inertia", GapComponent::conservative},
-      {"natural_frequency_drift", GapComponent::conservative},
-      {"direct_excitation", GapComponent::direct_excitation},
-      {"shaker_harmonics", GapComponent::direct_excitation},
-      {"extra_mode", GapComponent::direct_excitation},
-      {"parametric_excitation", GapComponent::parametric_excitation},
-      {"damping_coupling", GapComponent::coupling},
-      {"quadratic_coupling", GapComponent::coupling},
-      {"cubic_coupling", GapComponent::coupling},
-      {"parametric_coupling", GapComponent::coupling},
-  };
-  const auto found = components.find(effect);
-  return found == components.end() ? GapComponent::measurement : found->second;
+  const auto open = open_law_components().find(effect);
+  return open != open_law_components().end() ? open->second : effect_components().at(effect);
+}
+
+std::vector<std::string> effect_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, component] : effect_components()) names.push_back(name);
+  return names;
 }
 
 std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects, const CompiledModel& model,

@@ -38,6 +38,9 @@ struct Candidate {
   bool open_law = false;  ///< stands for a law outside of the catalogue: no cause by itself
 };
 
+/// Names of all effects that a campaign can be tried with, in alphabetical order; open laws are not among them.
+std::vector<std::string> effect_names();
+
 /// Component of the equation of motion that an effect of the catalogue changes.
 GapComponent component_of(const std::string& effect);
 

@@ -79,6 +79,8 @@ class Diagnoser {
     const VectorXd largest = largest_displacements(conditions_, segments, sensors_, natural);
     set_scales(largest, natural);
     candidates_ = candidates_of(effects, model, sensors_, faults_, conditions_, largest);
+    check_left_out();
+    std::erase_if(candidates_, [&](const Candidate& c) { return options.left_out.contains(c.effect); });
     if (!conditions_.empty())
       discrepancy_.add(std::make_unique<LineEvidence>(condition_model(), conditions_, start_));
     if (!segments.empty()) {
@@ -173,6 +175,14 @@ class Diagnoser {
       force.scale =
           force.law == StateForce::Law::velocity_power ? displacement * natural[force.mode] : displacement;
     }
+  }
+
+  void check_left_out() const {
+    const std::vector<std::string> names = effect_names();
+    for (const std::string& name : options_.left_out)
+      if (!std::binary_search(names.begin(), names.end(), name))
+        throw InputError("--without " + name, "", "is no effect of the catalogue",
+                         fmt::format("one of {} is expected", fmt::join(names, ", ")));
   }
 
   std::unique_ptr<Evidence> prior() const {
@@ -296,6 +306,9 @@ class Diagnoser {
     const HeldOut after = predict_held_out(discrepancy_, best.explanation->fit, result_.labels);
     fill_gap(before.rows, after.rows);
     result_.rows_after = best.explanation->fit.rows;
+    if (!best_->members.empty())
+      result_.gap.placebo_closed = placebo_closed(inference_.null.fit, best_->fit.rows - inference_.null.fit.rows,
+                                                  result_.labels, result_.gap.floor);
 
     const double left =
         chi_squared_upper_tail(best.explanation->fit.chi_squared,

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct DiagnosisOptions {
   std::map<std::string, double> parameters;
   std::map<std::string, double> parameter_sd;  ///< where the numbers came with error bars
   std::vector<StateForce> forces;              ///< scales are set from the data
+  std::set<std::string> left_out;              ///< effects that are not to be considered
   std::optional<Band> band;     ///< free decays pass through it, so that other modes do not count as a gap
   std::optional<Window> check;  ///< part of the records on which the explanation is tried, whatever was fitted
   unsigned threads = 1;
@@ -50,6 +52,7 @@ struct GapReport {
   std::string metric;
   double wrong_cause_closed = 0;  ///< by the best explanation outside the set
   std::string wrong_cause;
+  std::optional<double> placebo_closed;  ///< see secular::placebo_closed
 };
 
 /// Settled motions that vary within dwells by more than noise though the excitation is steady: a force that no

@@ -15,6 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int bootstrap_draws = 400;
+constexpr int placebo_draws = 16;
 
 MatrixXd some_rows(const MatrixXd& all, const std::vector<Index>& which) {
   MatrixXd some(static_cast<Index>(which.size()), all.cols());
@@ -30,23 +31,46 @@ VectorXd solve_steps(const MatrixXd& jacobian, const VectorXd& rows) {
   return -unit.cwiseProduct(svd.solve(rows));
 }
 
+// Rows of every group of folds, folds dealt out in turn; none with fewer than three folds.
+std::vector<std::vector<Index>> groups_of_rows(const std::vector<RowLabel>& labels, int groups) {
+  std::map<int, std::size_t> group;
+  for (const RowLabel& label : labels) group.emplace(label.fold, 0);
+  if (group.size() < 3) return {};
+  std::vector<std::vector<Index>> rows(std::min<std::size_t>(static_cast<std::size_t>(groups), group.size()));
+  std::size_t next = 0;
+  for (auto& [fold, g] : group) g = next++ % rows.size();
+  for (std::size_t r = 0; r < labels.size(); ++r) rows[group.at(labels[r].fold)].push_back(static_cast<Index>(r));
+  return rows;
+}
+
+std::vector<Index> all_but(const std::vector<Index>& held, Index rows) {
+  std::vector<Index> rest;
+  for (Index r = 0; r < rows; ++r)
+    if (!std::binary_search(held.begin(), held.end(), r)) rest.push_back(r);
+  return rest;
+}
+
+// Rows to first order in the unknowns, each group as the others predict it.
+VectorXd held_out_to_first_order(const MatrixXd& jacobian, const VectorXd& rows,
+                                 const std::vector<std::vector<Index>>& groups) {
+  VectorXd predicted = rows;
+  for (const std::vector<Index>& held : groups) {
+    const std::vector<Index> training = all_but(held, rows.size());
+    const VectorXd step = solve_steps(some_rows(jacobian, training), some_rows(rows, training));
+    for (const Index r : held) predicted(r) += jacobian.row(r).dot(step);
+  }
+  return predicted;
+}
+
 }  // namespace
 
 HeldOut predict_held_out(const Discrepancy& discrepancy, const Refit& fit, const std::vector<RowLabel>& labels,
                          int groups) {
   HeldOut result;
   result.rows = fit.rows;
-  std::map<int, int> order;
-  for (const RowLabel& label : labels) order.emplace(label.fold, 0);
-  const int folds = static_cast<int>(order.size());
-  if (folds < 3) return result;
-  result.possible = true;
-  int next = 0;
-  for (auto& [fold, group] : order) group = next++ % std::min(groups, folds);
-  for (int g = 0; g < std::min(groups, folds); ++g) {
-    std::vector<Index> training, held;
-    for (std::size_t r = 0; r < labels.size(); ++r)
-      (order.at(labels[r].fold) == g ? held : training).push_back(static_cast<Index>(r));
+  for (const std::vector<Index>& held : groups_of_rows(labels, groups)) {
+    result.possible = true;
+    const std::vector<Index> training = all_but(held, fit.rows.size());
     VectorXd unknowns = fit.unknowns;
     VectorXd rows = fit.rows;
     double chi_squared = some_rows(rows, training).squaredNorm();
@@ -65,6 +89,28 @@ HeldOut predict_held_out(const Discrepancy& discrepancy, const Refit& fit, const
     for (const Index r : held) result.rows(r) = rows(r);
   }
   return result;
+}
+
+std::optional<double> placebo_closed(const Refit& null, const VectorXd& signature,
+                                     const std::vector<RowLabel>& labels, double floor, int groups) {
+  const std::vector<std::vector<Index>> held = groups_of_rows(labels, groups);
+  if (held.empty()) return std::nullopt;
+  const VectorXd before = held_out_to_first_order(null.jacobian, null.rows, held);
+  MatrixXd columns(null.rows.size(), null.jacobian.cols() + 1);
+  columns.leftCols(null.jacobian.cols()) = null.jacobian;
+  std::mt19937_64 random(20002);
+  double sum = 0;
+  for (int draw = 0; draw < placebo_draws; ++draw) {
+    std::map<int, double> sign;
+    for (const RowLabel& label : labels) sign.emplace(label.fold, 0);
+    for (auto& [fold, s] : sign) s = random() % 2 == 0 ? 1 : -1;
+    for (std::size_t r = 0; r < labels.size(); ++r) {
+      const auto i = static_cast<Index>(r);
+      columns(i, columns.cols() - 1) = sign.at(labels[r].fold) * signature(i);
+    }
+    sum += closed_share(before, held_out_to_first_order(columns, null.rows, held), labels, floor).closed;
+  }
+  return sum / placebo_draws;
 }
 
 ClosedShare closed_share(const VectorXd& before, const VectorXd& after, const std::vector<RowLabel>& labels,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "diagnose/refit.hpp"
@@ -24,5 +25,12 @@ struct ClosedShare {
 };
 ClosedShare closed_share(const Eigen::VectorXd& before, const Eigen::VectorXd& after,
                          const std::vector<RowLabel>& labels, double floor);
+
+/// Share of the gap of `null` that a column closes which means nothing, as a control on what is said of those that
+/// mean something: `signature`, the change of the rows by an explanation, with a sign drawn for every condition
+/// (seeded; mean over several draws), fitted to first order with all of the null's unknowns beside it and judged on
+/// conditions that were held out. Zero but for chance. Nothing with fewer than three folds.
+std::optional<double> placebo_closed(const Refit& null, const Eigen::VectorXd& signature,
+                                     const std::vector<RowLabel>& labels, double floor, int groups = 8);
 
 }  // namespace secular

@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "blind/case_files.hpp"
+#include "blind/leave_out.hpp"
 #include "blind/score_set.hpp"
 #include "blind/sha256.hpp"
 #include "input/input_error.hpp"
@@ -77,6 +80,30 @@ TEST_F(BlindRun, GivesParametersWhereACaseHasThem) {
   const std::string given = "--parameters " + (case_folder(folder, 2) / "parameters.json").string();
   EXPECT_NE(calls.find(given), std::string::npos) << calls;
   EXPECT_EQ(calls.find("--parameters", calls.find(given) + 1), std::string::npos);
+}
+
+using SlowBlindRun = BlindRun;
+
+TEST_F(SlowBlindRun, LeavesOutTheOneEffectThatACaseHas) {
+  const std::vector<CasePlan> plans = draw_plans(3, 1, SetSize::short_set);
+  const LeaveOutSummary summary = leave_out_of_set(folder, {.program = program, .threads = 2, .limit_s = 20}, {});
+  const std::string calls = read_text(folder / "calls");
+  std::size_t singles = 0;
+  for (const CasePlan& plan : plans) {
+    const fs::path place = case_folder(folder, plan.number);
+    if (plan.kind != "single") {
+      EXPECT_FALSE(fs::exists(left_out_folder(place))) << plan.number;
+      continue;
+    }
+    ++singles;
+    EXPECT_NE(calls.find((left_out_folder(place) / "diagnosis").string() + " --without " + plan.effects.front()),
+              std::string::npos)
+        << calls;
+    const auto rest = nlohmann::json::parse(read_text(look_alikes_file(place))).get<std::vector<std::string>>();
+    EXPECT_EQ(std::count(rest.begin(), rest.end(), plan.effects.front()), 0) << plan.effects.front();
+  }
+  ASSERT_GT(singles, 0U);
+  EXPECT_EQ(summary.cases, singles);
 }
 
 TEST_F(BlindRun, AnUnsealedSetIsRefused) {

@@ -112,6 +112,27 @@ TEST(BlindScore, FiguresAreThoseComputedByHand) {
   EXPECT_EQ(score.wrong[1].number, 5u);
 }
 
+TEST(BlindScore, WithoutTheTruthOnlyWhatTheRestCannotExplainCounts) {
+  const json sealed = {
+      {"labels",
+       {label(1, "single", 30, {"a"}), label(2, "single", 30, {"b"}), label(3, "single", 30, {"c"}),
+        label(4, "single", 30, {"d"}), label(5, "single", 30, {"e"}, 1), label(6, "none", 30, {})}}};
+  std::vector<Said> said = {cause("a", 1), cause("b", 1), cause("c", 1), cause("d", 1), cause("e", 1), Said{}};
+  said[0].verdict_without = "unknown";
+  said[1].verdict_without = "cause";
+  said[2].verdict_without = "set";
+  said[2].explained_by_rest = {"a"};
+  said[4].verdict_without = "cause";
+  said[0].placebo_closed = 0.02;
+  said[1].placebo_closed = -0.01;
+  const Score score = score_of(sealed, said);
+  // 1 and 2: the rest explains 3, 4 was not tried, 5 is too weak.
+  EXPECT_EQ(figure(score, "in turn: called unknown").trials, 2u);
+  EXPECT_DOUBLE_EQ(figure(score, "in turn: called unknown").value, 0.5);
+  EXPECT_DOUBLE_EQ(figure(score, "in turn: another one is named").value, 0.5);
+  EXPECT_NEAR(figure(score, "means nothing, 30 dB").value, 0.005, 1e-12);
+}
+
 TEST(BlindScore, CalibrationCountsEveryStatedProbability) {
   const json sealed = {{"labels", {label(1, "single", 40, {"a"}), label(2, "single", 40, {"b"})}}};
   Said first = cause("a", 0.95), second = cause("c", 0.97);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <random>
 
 #include "diagnose/held_out.hpp"
 #include "generated/registry.hpp"
@@ -85,9 +87,24 @@ TEST(Diagnosis, NamesTheOneLawThatActs) {
   ASSERT_FALSE(drag.causes.empty());
   EXPECT_NEAR(drag.causes.front().coefficient, 0.01, 4 * drag.causes.front().sd);
   EXPECT_GT(drag.gap.closed, 0.9);
+  ASSERT_TRUE(drag.gap.placebo_closed);
+  EXPECT_NEAR(*drag.gap.placebo_closed, 0, 0.05);
   EXPECT_EQ(drag.where.front().component, GapComponent::dissipative);
   const Diagnosis dry = diagnosed(model, simulated(model, pendulum_swing(0, 0.03), 13), damping_laws);
   EXPECT_EQ(dry.cause, "coulomb_friction");
+}
+
+TEST(Diagnosis, AnEffectThatIsLeftOutIsNeverNamed) {
+  const CompiledModel& model = *generated::find_compiled_model("pendulum");
+  const SimulatedCampaign data = simulated(model, pendulum_swing(0.01, 0), 12);
+  DiagnosisOptions options;
+  options.left_out = {"quadratic_damping"};
+  const Diagnosis d = diagnosed(model, data, damping_laws, options);
+  EXPECT_TRUE(d.gap.detected);
+  for (const CauseReport& cause : d.causes) EXPECT_NE(cause.effect, "quadratic_damping");
+  EXPECT_EQ(std::count(d.set.begin(), d.set.end(), "quadratic_damping"), 0);
+  options.left_out = {"air_drag"};
+  EXPECT_THROW(diagnosed(model, data, damping_laws, options), InputError);
 }
 
 TEST(Diagnosis, NamesTwoLawsThatActTogether) {
@@ -243,6 +260,32 @@ TEST(ClosedShare, IsThatOfItsDefinition) {
   EXPECT_DOUBLE_EQ(share.closed, (5.0 - 2) / (5 - 1));
   EXPECT_DOUBLE_EQ(share.low, share.closed);
   EXPECT_DOUBLE_EQ(share.high, share.closed);
+}
+
+// Rows of a straight line that lacks its quadratic term: the true column would close the gap, its placebos close
+// nothing but by chance, one unknown in so many rows.
+TEST(PlaceboClosed, IsNothingWhateverTheGap) {
+  const Eigen::Index folds = 40, each = 5;
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> noise;
+  std::vector<RowLabel> labels(static_cast<std::size_t>(folds * each));
+  Refit null;
+  null.jacobian = Eigen::MatrixXd(folds * each, 2);
+  Eigen::VectorXd quadratic(folds * each), response(folds * each);
+  for (Eigen::Index r = 0; r < response.size(); ++r) {
+    labels[static_cast<std::size_t>(r)].fold = static_cast<int>(r / each);
+    const double x = static_cast<double>(r / each) / static_cast<double>(folds - 1) - 0.5;
+    null.jacobian.row(r) << 1, x;
+    quadratic(r) = x * x;
+    response(r) = 80 * x * x + noise(random);
+  }
+  null.rows = response - null.jacobian * null.jacobian.colPivHouseholderQr().solve(response);
+  const std::optional<double> closed = placebo_closed(null, quadratic, labels, 1);
+  ASSERT_TRUE(closed);
+  EXPECT_NEAR(*closed, 0, 0.05);
+  EXPECT_NEAR(placebo_closed(null, -quadratic, labels, 1).value(), *closed, 1e-9);
+  for (RowLabel& label : labels) label.fold %= 2;
+  EXPECT_FALSE(placebo_closed(null, quadratic, labels, 1));
 }
 
 }  // namespace
