@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "estimator/hertz.hpp"
 #include "estimator/identification/mode_frequencies.hpp"
 #include "estimator/regression/confidence.hpp"
 #include "report/html_report.hpp"
@@ -26,8 +27,6 @@ using report::SeriesRole;
 using report::SeriesStyle;
 using report::Table;
 using report::Tone;
-
-constexpr double to_hz = 1 / (2 * std::numbers::pi);
 
 // Ensembles of one condition: mean and scatter of the peak amplitude of the first active mode.
 struct Condition {
@@ -309,12 +308,6 @@ std::size_t observations_of(const Identification& id) {
   return count;
 }
 
-std::string joined(const std::vector<std::string>& names, const std::string& between) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : between) + name;
-  return text;
-}
-
 void add_null_directions(report::HtmlReport& page, const Estimate& estimate) {
   page.section("What these tests leave open");
   Table table;
@@ -322,9 +315,9 @@ void add_null_directions(report::HtmlReport& page, const Estimate& estimate) {
                    {"What is not noticed", Column::Kind::text, ""},
                    {"What would part them", Column::Kind::text, ""}};
   for (const NullDirection& direction : estimate.null_directions)
-    table.rows.push_back(
-        {joined(direction.parameters, ", "), direction.text,
-         direction.parted_by.empty() ? "no case of this model" : joined(direction.parted_by, "; ")});
+    table.rows.push_back({fmt::format("{}", fmt::join(direction.parameters, ", ")), direction.text,
+                          direction.parted_by.empty() ? "no case of this model"
+                                                      : fmt::format("{}", fmt::join(direction.parted_by, "; "))});
   page.table(table);
 }
 
@@ -349,7 +342,7 @@ void add_damping(report::HtmlReport& page, const Estimate& estimate) {
     for (std::size_t l = 0; l < comparison.laws.size(); ++l) {
       const DampingLaw& law = comparison.laws[l];
       const bool chosen = l == comparison.chosen;
-      table.rows.push_back({joined(law.terms, " + "), report::format_number(law.score, 4),
+      table.rows.push_back({fmt::format("{}", fmt::join(law.terms, " + ")), report::format_number(law.score, 4),
                             report::format_number(law.worse_by, 3), report::format_number(law.sd, 2),
                             chosen ? "" : report::format_number(law.p_value, 2),
                             chosen ? "chosen" : (law.excluded ? "excluded" : "predicts no worse")});

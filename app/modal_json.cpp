@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <utility>
 
+#include "estimator/hertz.hpp"
 #include "estimator/modal/modal_mass.hpp"
 #include "estimator/modal/pole.hpp"
 
@@ -13,7 +13,6 @@ namespace secular::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double to_hz = 1 / (2 * std::numbers::pi);
 
 Json list(const Eigen::Ref<const Eigen::VectorXd>& values) {
   Json array = Json::array();

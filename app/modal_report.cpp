@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "estimator/hertz.hpp"
 #include "estimator/modal/modal_mass.hpp"
 #include "estimator/modal/pole.hpp"
 #include "report/html_report.hpp"
@@ -23,8 +23,6 @@ using report::SeriesRole;
 using report::SeriesStyle;
 using report::Table;
 using report::Tone;
-
-constexpr double to_hz = 1 / (2 * std::numbers::pi);
 
 std::string mode_name(std::size_t r) {
   return fmt::format("v{}", r + 1);

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -16,6 +15,7 @@
 #include "app/parameter_file.hpp"
 #include "app/shipped_models.hpp"
 #include "estimator/campaign/campaign.hpp"
+#include "estimator/hertz.hpp"
 #include "estimator/identification/modal_projection.hpp"
 #include "estimator/identification/unit_text.hpp"
 #include "input/input_error.hpp"
@@ -26,8 +26,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double to_hz = 1 / (2 * std::numbers::pi);
 
 /// Of the programme's deviations that a plan without a budget aims at: the prediction is of first order.
 constexpr double target_share = 0.9;

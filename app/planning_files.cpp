@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/planning.hpp"
+#include "estimator/hertz.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
 
@@ -32,7 +33,7 @@ std::string aim_of(const PlanRequest& request) {
   return fmt::format("{}-optimal for {} in {:g} s", criterion, names, *request.budget_s);
 }
 
-const char* name_of(DesignCriterion criterion) {
+const char* criterion_name(DesignCriterion criterion) {
   return criterion == DesignCriterion::d ? "D" : criterion == DesignCriterion::a ? "A" : "c";
 }
 
@@ -70,7 +71,6 @@ Figure plan_figure(const PlanResult& plan) {
   Figure figure;
   figure.title = "Planned dwells on the predicted responses";
   figure.x = {"Excitation frequency", "Hz", false, {}};
-  constexpr double to_hz = 1 / (2 * 3.141592653589793);
   std::vector<std::size_t> modes;
   for (std::size_t k = 0; k < plan.model->modes(); ++k)
     if (!plan.resonance->mode_at_rest[k]) modes.push_back(k);
@@ -164,7 +164,7 @@ std::string plan_json(const PlanRequest& request, const PlanResult& plan) {
   document["schema"] = 1;
   document["model"] = plan.model->name;
   document["case"] = plan.resonance->name;
-  document["criterion"] = request.budget_s ? Json(name_of(request.criterion)) : Json(nullptr);
+  document["criterion"] = request.budget_s ? Json(criterion_name(request.criterion)) : Json(nullptr);
   document["candidates"] = plan.candidates.size();
   document["wanted"] = Json::array();
   for (const Eigen::Index w : plan.wanted) {

@@ -4,14 +4,13 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
+
+#include "estimator/hertz.hpp"
 
 namespace secular::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 Json modes_json(const Prediction& prediction, const ModeAmplitudes& modes) {
   Json result = Json::array();

@@ -14,6 +14,7 @@
 #include "app/parameter_file.hpp"
 #include "app/shipped_models.hpp"
 #include "app/thesis_tables.hpp"
+#include "estimator/hertz.hpp"
 #include "estimator/identification/modal_projection.hpp"
 #include "estimator/procedures/block_rows.hpp"
 #include "estimator/procedures/combination_dwells.hpp"
@@ -39,8 +40,6 @@ using report::Figure;
 using report::Series;
 using report::SeriesRole;
 using report::SeriesStyle;
-
-constexpr double to_hz = 1 / (2 * std::numbers::pi);
 
 /// Levels closer than this, relative, are one.
 constexpr double same_level = 0.01;

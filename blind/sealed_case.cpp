@@ -14,7 +14,7 @@ constexpr double weakest_sigma = 3, strongest_sigma = 100;
 constexpr double largest_relative_change = 0.3;
 // Norm, over the whole campaign, below which a difference is nothing that data could show: its chi-square would
 // exceed the degrees of freedom of a comparison by 16 only.
-constexpr double visible = 4;
+constexpr double visible_norm = 4;
 // A case whose motion grows beyond all bounds is drawn again, from a stream of its own.
 constexpr std::uint64_t most_redraws = 8, redrawn = 10'000'000;
 // Stream of the search among the rest of the catalogue.
@@ -87,7 +87,7 @@ void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, cons
   const double ensembles = all ? 1 : std::sqrt(static_cast<double>(ensembles_per_dwell));
   // One sensor alone has no sensitivity that the model's own parameters would not take up.
   const bool hidden = truth.withheld.effect == "sensor_gain" && c.specimen.measurement.names.size() == 2;
-  if (hidden || left.norm() * ensembles < visible) {
+  if (hidden || left.norm() * ensembles < visible_norm) {
     truth.same_as.emplace_back("no_gap");
     return;
   }
@@ -116,7 +116,7 @@ void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, cons
         Eigen::MatrixXd columns(own.rows(), own.cols() + 1);
         columns << own, own_taken_off / length;
         const Eigen::VectorXd fit = columns.colPivHouseholderQr().solve(left);
-        if ((left - columns * fit).norm() * ensembles < visible) {
+        if ((left - columns * fit).norm() * ensembles < visible_norm) {
           if (std::find(truth.same_as.begin(), truth.same_as.end(), name) == truth.same_as.end())
             truth.same_as.push_back(name);
           break;

@@ -11,7 +11,7 @@ namespace {
 
 using Kind = Expression::Kind;
 
-constexpr std::string_view thin_space = "<mspace width=\"0.17em\"></mspace>";
+constexpr std::string_view thin_space_tag = "<mspace width=\"0.17em\"></mspace>";
 constexpr const char* comma = "<mo separator=\"true\">,</mo>";
 constexpr std::string_view minus_sign = "\u2212";
 
@@ -98,7 +98,7 @@ std::string row(std::string_view content) {
 std::string product_mathml(const std::vector<Expression>& factors) {
   std::string text;
   for (std::size_t i = 0; i < factors.size(); ++i) {
-    if (i > 0 && needs_space(factors[i - 1], factors[i])) text += thin_space;
+    if (i > 0 && needs_space(factors[i - 1], factors[i])) text += thin_space_tag;
     text += mathml(factors[i]);
   }
   return row(text);
@@ -236,7 +236,7 @@ std::string mathml(const Piece& piece, bool first) {
       case Element::Kind::expression:
         if (before != nullptr && before->kind == Element::Kind::expression &&
             needs_space(before->expression, element_of_piece.expression))
-          text += thin_space;
+          text += thin_space_tag;
         text += mathml(element_of_piece.expression);
         break;
     }

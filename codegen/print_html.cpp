@@ -50,7 +50,7 @@ td.long { white-space: normal; }
   main { max-width: none; padding: 0; } h2, h3 { break-after: avoid; } tr { break-inside: avoid; } }
 )css";
 
-constexpr double widest_piece = 36;  // em: wider terms are opened up
+constexpr double widest_html_piece = 36;  // em: wider terms are opened up
 
 std::string in_math(std::string_view content) {
   return fmt::format("<math displaystyle=\"true\">{}</math>", content);
@@ -59,7 +59,7 @@ std::string in_math(std::string_view content) {
 // One <math> a piece: browsers break lines between them only.
 std::string breakable(const Expression& formula, std::string_view before = {}) {
   std::string text;
-  for (const Piece& piece : line_pieces(formula, widest_piece)) {
+  for (const Piece& piece : line_pieces(formula, widest_html_piece)) {
     const bool first = text.empty();
     text += first ? in_math(std::string(before) + mathml(piece, true)) : "\n" + in_math(mathml(piece, false));
   }

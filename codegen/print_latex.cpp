@@ -26,17 +26,17 @@ constexpr std::string_view preamble = R"(\documentclass{article}
 \allowdisplaybreaks
 )";
 
-constexpr double line_width = 44;    // em, of 165 mm at 10 pt
-constexpr double continuation = 2;   // em, indent of a broken line
-constexpr double widest_left = 20;   // em: a longer left side gets lines of its own
-constexpr double widest_piece = 38;  // em
+constexpr double line_width = 44;          // em, of 165 mm at 10 pt
+constexpr double continuation = 2;         // em, indent of a broken line
+constexpr double widest_left = 20;         // em: a longer left side gets lines of its own
+constexpr double widest_latex_piece = 38;  // em
 
 // The right side on as few lines as fit, the first of them `first_width` wide.
 std::vector<std::string> lines_of(const Expression& formula, double first_width, double width) {
   std::vector<std::string> lines{""};
   double free = first_width;
   bool first = true;
-  for (const Piece& piece : line_pieces(formula, std::min(widest_piece, width))) {
+  for (const Piece& piece : line_pieces(formula, std::min(widest_latex_piece, width))) {
     if (!lines.back().empty() && piece.width > free) {
       lines.emplace_back("{}");
       free = width - continuation;

@@ -20,11 +20,11 @@ using Eigen::VectorXd;
 
 /// Nonlinear fits: at most so many candidates, and only those whose gain is this share of the best.
 constexpr std::size_t most_fits = 16;
-constexpr double least_share = 0.02;
+constexpr double least_gain_share = 0.02;
 constexpr double least_gain = 4;
 
 /// Shares of the inertia to which the equations of motion count as known, one after the other.
-constexpr double levels[] = {1e-2, 1e-3, 1e-4, 0};
+constexpr double coarse_levels[] = {1e-2, 1e-3, 1e-4, 0};
 
 /// Rows that a model misses by more than this, mean square in variances, are no place to look for what it lacks:
 /// its numbers are bent by then.
@@ -145,7 +145,7 @@ class Search {
   void fit_null(const VectorXd& start) {
     VectorXd unknowns = start;
     std::vector<Refit> nulls;
-    for (const double coarse : levels) {
+    for (const double coarse : coarse_levels) {
       Refit fit;
       double before = std::numeric_limits<double>::infinity();
       for (int round = 0; round < 6; ++round) {
@@ -165,7 +165,7 @@ class Search {
       if (misses(nulls[level_]))
         nulls[level_] = anchored_null(start);
       else {
-        discrepancy_.freeze(nulls[level_].unknowns, levels[level_]);
+        discrepancy_.freeze(nulls[level_].unknowns, coarse_levels[level_]);
         nulls[level_] = refit_own(nulls[level_].unknowns);
       }
     }
@@ -180,16 +180,16 @@ class Search {
     std::erase_if(own_, [&](std::size_t u) {
       return std::find(options_.anchors.begin(), options_.anchors.end(), u) != options_.anchors.end();
     });
-    discrepancy_.freeze(start, levels[level_]);
+    discrepancy_.freeze(start, coarse_levels[level_]);
     const Refit first = refit_own(start, first_damping);
-    discrepancy_.freeze(first.unknowns, levels[level_]);
+    discrepancy_.freeze(first.unknowns, coarse_levels[level_]);
     return refit_own(first.unknowns, first_damping);
   }
 
   void release_anchors() {
     own_ = all_own_;
     for (Explanation& e : found_) e.fit.free = free_of(e.members);
-    discrepancy_.freeze(found_.front().fit.unknowns, levels[level_]);
+    discrepancy_.freeze(found_.front().fit.unknowns, coarse_levels[level_]);
     refit_found();
   }
 
@@ -201,7 +201,7 @@ class Search {
     const double best = order.empty() ? 0 : screened[order.front()].gain;
     std::vector<std::size_t> kept;
     for (const std::size_t c : order)
-      if (kept.size() < most && screened[c].gain > std::max(least_gain, least_share * best)) kept.push_back(c);
+      if (kept.size() < most && screened[c].gain > std::max(least_gain, least_gain_share * best)) kept.push_back(c);
     return kept;
   }
 
@@ -254,15 +254,15 @@ class Search {
       if (paired) add_pairs();
       if (!found_.empty()) release_anchors();
     }
-    for (; level_ + 1 < std::size(levels) && !found_.empty(); ++level_) {
+    for (; level_ + 1 < std::size(coarse_levels) && !found_.empty(); ++level_) {
       Explanation& best = found_.front();
-      discrepancy_.freeze(best.fit.unknowns, levels[level_ + 1]);
+      discrepancy_.freeze(best.fit.unknowns, coarse_levels[level_ + 1]);
       Refit finer = refit(discrepancy_, best.fit.unknowns, best.fit.free, refit_options(options_.threads));
       if (misses(finer) && !paired) {
-        discrepancy_.freeze(best.fit.unknowns, levels[level_]);
+        discrepancy_.freeze(best.fit.unknowns, coarse_levels[level_]);
         add_pairs();
         paired = true;
-        discrepancy_.freeze(found_.front().fit.unknowns, levels[level_ + 1]);
+        discrepancy_.freeze(found_.front().fit.unknowns, coarse_levels[level_ + 1]);
       } else {
         best.fit = std::move(finer);
       }
@@ -398,7 +398,7 @@ class Search {
   double rows_;   // that are independent
   double price_;  // of one unknown more, in log evidence
   KnownScales scales_;
-  std::size_t level_ = 0;  // index into levels that the errors are frozen at
+  std::size_t level_ = 0;  // index into coarse_levels that the errors are frozen at
   std::vector<Screening> singles_;
   std::vector<Explanation> found_;
   Inference result_;

@@ -23,9 +23,9 @@ constexpr std::size_t remembered_steps = 8;
 constexpr double dependent_steps = 1e-8;
 
 /// A step this many times longer than the last one says that the linear picture was wrong: what was learnt is
-/// forgotten, and plain steps are shortened, to no less than `least_share`.
+/// forgotten, and plain steps are shortened, to no less than `least_step_share`.
 constexpr double step_growth = 2;
-constexpr double least_share = 0.05;
+constexpr double least_step_share = 0.05;
 
 }  // namespace
 
@@ -71,7 +71,7 @@ Motion MotionBalance::solve(const MotionSetting& setting, const VectorXcd& ampli
     const double length = step.norm();
     if (i > 0 && length > step_growth * last_step) {
       acceleration = AndersonAcceleration(remembered_steps, dependent_steps);
-      share = std::max(least_share, 0.5 * share);
+      share = std::max(least_step_share, 0.5 * share);
     }
     last_step = length;
     lines = motion.converged ? VectorXd(lines + step) : acceleration.next(lines, lines + share * step);

@@ -22,7 +22,7 @@ using Eigen::VectorXd;
 /// Variance, in scaled unknowns, of a direction that the campaign says nothing about.
 constexpr double unknown_variance = 1e6;
 
-constexpr double levels[] = {0.5, 0.7, 1.0, 1.5, 2.0};
+constexpr double level_factors[] = {0.5, 0.7, 1.0, 1.5, 2.0};
 
 /// Shifts of the frequency, in parts of the range that the campaign covers at the resonance.
 constexpr double shifts[] = {-0.5, -0.2, 0, 0.2, 0.5};
@@ -73,7 +73,7 @@ std::vector<Test> tests_around(const std::vector<Condition>& conditions) {
     std::vector<std::size_t> from = {members.front(), members[members.size() / 2], members.back()};
     from.erase(std::unique(from.begin(), from.end()), from.end());
     for (const std::size_t i : from)
-      for (const double level : levels)
+      for (const double level : level_factors)
         for (const double shift : shifts) {
           const double excitation = level * drive(conditions[i]);
           if (excitation < least * (1 - 1e-9) || excitation > most * (1 + 1e-9)) continue;

@@ -9,6 +9,7 @@
 
 #include "diagnose/record_window.hpp"
 #include "diagnose/resonant_lines.hpp"
+#include "estimator/hertz.hpp"
 #include "estimator/signal/tone_fit.hpp"
 #include "estimator/signal/tone_search.hpp"
 
@@ -39,8 +40,6 @@ constexpr Index fewest_samples = 64;
 /// A dwell whose amplitude creeps by more than this over its length has not settled; one that creeps less, but with
 /// so many standard deviations, is taken with its rate of change.
 constexpr double largest_creep = 0.05, significant_creep = 3.5;
-
-constexpr double turn = 2 * std::numbers::pi;
 
 struct Ensemble {
   MatrixXcd response;    // channel x observed line
@@ -183,7 +182,7 @@ void align(std::vector<Ensemble>& ensembles, const Torus& torus, const LineLayou
       double agreement = -INFINITY;
       for (int j = 0; j < layout.divisor; ++j) {
         Ensemble turned = ensemble;
-        turn_phases(turned, torus, lines, excitation_lines, {turn * j / layout.divisor, 0});
+        turn_phases(turned, torus, lines, excitation_lines, {two_pi * j / layout.divisor, 0});
         const double likeness = turned.response.conjugate().cwiseProduct(ensembles.front().response).sum().real();
         if (likeness > agreement) {
           agreement = likeness;
@@ -191,7 +190,7 @@ void align(std::vector<Ensemble>& ensembles, const Torus& torus, const LineLayou
         }
       }
       if (&ensemble != &ensembles.front())
-        turn_phases(ensemble, torus, lines, excitation_lines, {turn * best / layout.divisor, 0});
+        turn_phases(ensemble, torus, lines, excitation_lines, {two_pi * best / layout.divisor, 0});
       continue;
     }
     // The line {1,0} real on the channel that sees it most; {0,1} then follows from the excitation's phase.
@@ -273,7 +272,7 @@ std::optional<double> lower_frequency(const RecordPart& part, double rate, const
     for (Index c = 0; c < tones.noise_sd.size(); ++c) sum += std::log(tones.noise_sd(c) + 1e-300);
     return sum;
   };
-  const double bin = turn * rate / static_cast<double>(samples.rows());
+  const double bin = two_pi * rate / static_cast<double>(samples.rows());
   double a = low_frequency - bin, b = low_frequency + bin;
   constexpr double golden = 0.6180339887498949;
   double x = b - golden * (b - a), y = a + golden * (b - a), fx = left(x), fy = left(y);
@@ -300,7 +299,7 @@ std::optional<double> excitation_frequency(const RecordPart& part, double rate, 
                                            const RecordEntry& entry) {
   const auto channel = static_cast<Index>(responses);
   const double guess = entry.excitation_frequency_hz
-                           ? turn * *entry.excitation_frequency_hz
+                           ? two_pi * *entry.excitation_frequency_hz
                            : spectral_peak(part.samples.col(channel), rate, 4, 1).frequency;
   ToneOptions options;
   const ToneFit fit = fit_harmonic_tone(part.samples.col(channel), rate, guess, options);
@@ -367,10 +366,10 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
   Index length = entry.ensemble_s ? static_cast<Index>(std::lround(*entry.ensemble_s * rate)) : part.samples.rows();
   length = std::max<Index>(length, fewest_samples);
   if (part.samples.rows() / length < fewest_ensembles) length = part.samples.rows() / usual_ensembles;
-  if (length < fewest_samples || static_cast<double>(length) / rate * *omega / turn < 12)
+  if (length < fewest_samples || static_cast<double>(length) / rate * *omega / two_pi < 12)
     return leave_out("too few turns of the excitation in an ensemble");
   const DwellReader reader(part, rate, sensors.responses.size(), length);
-  const double resolution = turn * rate / static_cast<double>(length), nyquist = std::numbers::pi * rate;
+  const double resolution = two_pi * rate / static_cast<double>(length), nyquist = std::numbers::pi * rate;
 
   for (const LineLayout& layout : possible_layouts(natural_frequency, *omega)) {
     std::array<double, 2> base = {*omega / layout.divisor, 0};

@@ -5,10 +5,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "diagnose/record_window.hpp"
 #include "estimator/campaign/noise_floor.hpp"
+#include "estimator/hertz.hpp"
 #include "estimator/signal/free_decay.hpp"
 #include "input/input_error.hpp"
 
@@ -17,8 +17,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-
-constexpr double turn = 2 * std::numbers::pi;
 
 /// Samples in a turn of the highest mode that a comparison needs, and steps of integration in a turn.
 constexpr double wanted_samples = 24, wanted_steps = 60;
@@ -96,13 +94,13 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
     }
     const auto thinning =
         driven ? Index{1}
-               : std::max<Index>(1, static_cast<Index>(std::floor(turn * rate / highest / wanted_samples)));
+               : std::max<Index>(1, static_cast<Index>(std::floor(two_pi * rate / highest / wanted_samples)));
     const double thinned_rate = rate / static_cast<double>(thinning);
     const Index available = (part.samples.rows() - first - 1) / thinning;
     const double turns = driven ? driven_turns : decay_turns;
     const Index wanted = cut.length == SegmentLength::whole
                              ? available
-                             : static_cast<Index>(std::ceil(turns * turn / lowest * thinned_rate));
+                             : static_cast<Index>(std::ceil(turns * two_pi / lowest * thinned_rate));
     const auto length = std::min<Index>(available, std::max(fewest_samples, wanted));
     if (length < fewest_samples) {
       warnings.push_back(entry.file + ": shorter than a few turns of the lowest mode, left out");
@@ -128,7 +126,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
       segment.record = r;
       segment.fold = static_cast<int>(r) + 1000 * (1 + number++ % 10);
       segment.sample_s = 1 / thinned_rate;
-      segment.substeps = std::max(1, static_cast<int>(std::ceil(wanted_steps * highest / turn / thinned_rate)));
+      segment.substeps = std::max(1, static_cast<int>(std::ceil(wanted_steps * highest / two_pi / thinned_rate)));
       segment.response.resize(responses, length);
       segment.noise_sd = noise;
       const Index offset = first + begin * thinning;

@@ -4,12 +4,11 @@
 #include <numbers>
 #include <utility>
 
+#include "estimator/hertz.hpp"
 #include "simulate/noise.hpp"
 
 namespace secular {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 // Wave with harmonics of an angle with given rates: chain rule for the first two derivatives.
 ExcitationSample distorted(double amplitude, const std::vector<double>& harmonics, double angle, double rate,

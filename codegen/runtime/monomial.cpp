@@ -7,6 +7,8 @@
 
 namespace secular {
 
+using Complex = std::complex<double>;
+
 Monomial::Monomial(const CanonicalPowers& powers) {
   const std::size_t modes = powers.amplitude.size();
   for (std::size_t k = 0; k < modes; ++k) {
@@ -28,7 +30,6 @@ Monomial::Monomial(const CanonicalPowers& powers) {
 
 std::complex<double> Monomial::operator()(const std::complex<double>* amplitude,
                                           const std::complex<double>* forcing) const {
-  using Complex = std::complex<double>;
   Complex product(1);
   for (std::size_t k = 0; k < amplitudes_.size(); ++k) {
     const AmplitudePowers& p = amplitudes_[k];

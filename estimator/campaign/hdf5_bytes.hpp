@@ -18,6 +18,9 @@ struct Hdf5Damage {
 /// Bytes of the sum that ends every structure of the newer kind.
 inline constexpr std::uint64_t hdf5_check_sum_size = 4;
 
+/// Levels of a B-tree of the older kind: more than a file of any size needs.
+inline constexpr int hdf5_deepest_tree = 16;
+
 /// The address that says "nowhere".
 inline constexpr std::uint64_t hdf5_nowhere = std::numeric_limits<std::uint64_t>::max();
 

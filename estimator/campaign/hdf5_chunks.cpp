@@ -9,8 +9,6 @@
 namespace secular {
 namespace {
 
-constexpr int deepest_tree = 16;
-
 /// Takes chunks as they are found.
 class ChunkList {
  public:
@@ -39,7 +37,7 @@ class ChunkTree {
         rank_(data_set.shape->size()),
         dimension_(hdf5_long_dimension(*data_set.shape)),
         nodes_left_(file.size() / 24) {
-    read_node(data_set.layout.address, deepest_tree);
+    read_node(data_set.layout.address, hdf5_deepest_tree);
   }
 
  private:

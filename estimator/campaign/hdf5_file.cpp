@@ -15,7 +15,7 @@
 namespace secular {
 namespace {
 
-constexpr std::string_view signature("\x89HDF\r\n\x1a\n", 8);
+constexpr std::string_view hdf5_signature("\x89HDF\r\n\x1a\n", 8);
 constexpr std::size_t largest_user_block = 1 << 16;
 constexpr int deepest_group = 16;
 constexpr std::uint64_t smallest_object = 16;  // bytes
@@ -23,7 +23,7 @@ constexpr std::uint64_t smallest_object = 16;  // bytes
 // The signature stands at the begin or behind a user block of 512, 1024, ... bytes.
 std::optional<std::size_t> signature_place(const std::filesystem::path& path) {
   for (std::size_t at = 0; at <= largest_user_block; at = at == 0 ? 512 : 2 * at)
-    if (some_bytes(path, signature.size(), at) == signature) return at;
+    if (some_bytes(path, hdf5_signature.size(), at) == hdf5_signature) return at;
   return std::nullopt;
 }
 

@@ -9,8 +9,6 @@
 namespace secular {
 namespace {
 
-constexpr int deepest_tree = 16;
-
 class SymbolTable {
  public:
   SymbolTable(const Hdf5Bytes& file, const Hdf5SymbolTable& table) : file_(file), nodes_left_(file.size() / 24) {
@@ -20,7 +18,7 @@ class SymbolTable {
     const std::uint64_t size = heap.number(8);
     heap.skip(8);
     names_ = file.at(heap.number(8), size);
-    read_node(table.tree, deepest_tree);
+    read_node(table.tree, hdf5_deepest_tree);
   }
 
   std::vector<Hdf5Link> links;

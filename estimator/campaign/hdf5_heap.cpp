@@ -6,7 +6,7 @@
 namespace secular {
 namespace {
 
-constexpr std::uint64_t header_size = 142;  // without filters and check sum
+constexpr std::uint64_t heap_header_size = 142;  // without filters and check sum
 constexpr int deepest_heap = 64;
 enum ObjectKind : std::uint64_t { managed_object = 0, huge_object = 1 };
 
@@ -18,7 +18,7 @@ std::uint64_t log2_of(std::uint64_t power) {
 
 Hdf5Heap::Hdf5Heap(const Hdf5Bytes& file, std::uint64_t address)
     : file_(file), address_(address), bytes_left_(file.size()) {
-  Hdf5Cursor header(file.at(address, header_size), address);
+  Hdf5Cursor header(file.at(address, heap_header_size), address);
   if (header.take(4) != "FRHP" || header.number(1) != 0) header.fail("the heap of a group is missing");
   identifier_size_ = header.number(2);
   filtered_ = header.number(2) != 0;

@@ -6,9 +6,9 @@
 namespace secular {
 namespace {
 
-constexpr std::uint64_t deepest_tree = 16;
+constexpr std::uint64_t deepest_index = 16;
 constexpr std::uint64_t node_overhead = 10;  // signature, version, kind, check sum
-constexpr std::uint64_t header_size = 38;
+constexpr std::uint64_t tree_header_size = 38;
 
 std::uint64_t record_size(Hdf5TreeKind kind) {
   return kind == Hdf5TreeKind::links_by_name ? 4 + 7 : 8 + 8 + 8;
@@ -22,7 +22,7 @@ std::uint64_t bytes_for(std::uint64_t largest) {
 class Tree {
  public:
   Tree(const Hdf5Bytes& file, std::uint64_t address, Hdf5TreeKind kind) : file_(file), bytes_left_(file.size()) {
-    Hdf5Cursor header(file.at(address, header_size), address);
+    Hdf5Cursor header(file.at(address, tree_header_size), address);
     if (header.take(4) != "BTHD" || header.number(1) != 0) header.fail("the index of a group is missing");
     kind_ = header.number(1);
     node_size_ = header.number(4);
@@ -32,7 +32,7 @@ class Tree {
     const std::uint64_t root = header.number(8), root_records = header.number(2), total = header.number(8);
     if (kind_ != static_cast<std::uint64_t>(kind) || record_size_ != record_size(kind))
       header.fail("the index of a group has records of another kind");
-    if (depth > deepest_tree) header.fail("the index of a group is too deep");
+    if (depth > deepest_index) header.fail("the index of a group is too deep");
     if (node_size_ < node_overhead + record_size_) header.fail("the index of a group has impossible nodes");
     measure(depth, address);
     if (root != hdf5_nowhere && total > 0) read_node(root, root_records, depth);

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "estimator/campaign/damaged_file.hpp"
 #include "estimator/campaign/file_bytes.hpp"
 #include "estimator/campaign/fortran_number.hpp"
 #include "estimator/campaign/mapped_file.hpp"
@@ -17,8 +18,6 @@
 
 namespace secular {
 namespace {
-
-constexpr const char* whole_again = "the file is damaged or cut short: copy or export it again";
 
 /// The line below the delimiter that begins a data set.
 struct DataSetHead {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "estimator/campaign/damaged_file.hpp"
 #include "estimator/campaign/file_bytes.hpp"
 #include "estimator/campaign/mapped_file.hpp"
 #include "estimator/campaign/stored_numbers.hpp"
@@ -17,7 +18,6 @@
 namespace secular {
 namespace {
 
-constexpr const char* whole_again = "the file is damaged or cut short: copy or export it again";
 constexpr std::size_t riff_head = 12, chunk_head = 8, shortest_format = 16, extensible_format = 40;
 enum Coding : std::uint64_t { pcm = 1, floating_point = 3, extensible = 0xFFFE };
 

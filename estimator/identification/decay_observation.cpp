@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "estimator/hertz.hpp"
 #include "estimator/identification/decay_window.hpp"
 #include "estimator/identification/observation_set.hpp"
 #include "estimator/identification/record_window.hpp"
@@ -17,8 +18,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 /// A window that leaves more than the quietest one on each side does is not used: more by this, and by as many
 /// standard deviations of a noise level; at the ends of a decay, where one side is missing, by the other factor.
@@ -42,7 +41,7 @@ constexpr double largest_fall = 0.5, largest_bend = 0.1;
 constexpr double decayed_share = 0.02;
 
 /// Modes ring within this relative distance of their nominal frequency.
-constexpr double search_range = 0.15;
+constexpr double decay_search_range = 0.15;
 
 constexpr std::size_t fewest_windows = 6;
 
@@ -171,8 +170,9 @@ class DecayObserver {
       const VectorXd taper = (1 + (VectorXd::LinSpaced(count, -std::numbers::pi, std::numbers::pi)).array().cos());
       const VectorXd y = (modal.col(at).head(count).array() - modal.col(at).head(count).mean()) * taper.array();
       const double bin = two_pi * rate / static_cast<double>(count);
-      const double low = std::isfinite(nominal) ? (1 - search_range) * nominal : 3 * bin;
-      const double high = std::isfinite(nominal) ? (1 + search_range) * nominal : std::numbers::pi * rate - 3 * bin;
+      const double low = std::isfinite(nominal) ? (1 - decay_search_range) * nominal : 3 * bin;
+      const double high =
+          std::isfinite(nominal) ? (1 + decay_search_range) * nominal : std::numbers::pi * rate - 3 * bin;
       const VectorXd t = VectorXd::LinSpaced(count, 0, static_cast<double>(count - 1) / rate);
       double best = -1;
       for (double w = low; w <= high; w += 0.2 * bin) {

@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 
+#include "estimator/hertz.hpp"
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/record_window.hpp"
 #include "estimator/signal/slow_tones.hpp"
@@ -17,8 +18,6 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 /// Of the amplitudes in time.
 constexpr int degree = 2;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "estimator/hertz.hpp"
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/mode_frequencies.hpp"
 #include "estimator/identification/observation_set.hpp"
@@ -24,8 +25,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double two_pi = 2 * std::numbers::pi;
-
 /// Below this many standard deviations a mode counts as at rest.
 constexpr double trivial_branch_sd = 8;
 
@@ -36,7 +35,7 @@ constexpr double excitation_purity = 0.5;
 constexpr double level_tolerance = 0.2;
 
 /// Free frequencies are searched this far from where the nominal values put them, relative to the lowest mode.
-constexpr double search_range = 0.1;
+constexpr double dwell_search_range = 0.1;
 
 /// Fewer ensembles cannot tell phases that stand still from independent ones at the one percent that is asked for.
 constexpr std::size_t lock_ensembles = 6;
@@ -46,7 +45,7 @@ constexpr std::size_t lock_ensembles = 6;
 constexpr int transient_degree = 4;
 
 /// Bins between a weak harmonic and every other tone, for it to be fitted.
-constexpr double separate_bins = 2;
+constexpr double separate_tone_bins = 2;
 
 double strongest_frequency(const Eigen::Ref<const VectorXd>& y, double rate) {
   // Mean distance of upward crossings of the mean: enough as a start for one dominant tone.
@@ -225,7 +224,8 @@ class DwellObserver {
     VectorXd best = centre;
     double highest = -1;
     if (centre.size() == 1)
-      for (double shift = -search_range * lowest; shift <= search_range * lowest; shift += 0.25 * resolution) {
+      for (double shift = -dwell_search_range * lowest; shift <= dwell_search_range * lowest;
+           shift += 0.25 * resolution) {
         const VectorXd u = centre.array() + shift;
         const double power = tone_power(modal, rate, modes_.observed(u, excitation));
         if (power > highest) {
@@ -297,7 +297,7 @@ class DwellObserver {
       for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
         const RegressorBlock& block = resonance_.blocks[b];
         if (block.kind == BlockKind::harmonic && !is_zero_frequency(block) && (block.order <= 1) == (order == 1))
-          block_index[b] = index_of(block_tone[b], order == 1 ? 0 : separate_bins);
+          block_index[b] = index_of(block_tone[b], order == 1 ? 0 : separate_tone_bins);
       }
     // Whatever else is likely to be there must not count as noise: combinations of up to three frequencies.
     const std::size_t sources = modes + excitations_.size();
@@ -313,7 +313,7 @@ class DwellObserver {
             tone.fixed += multiple[i] * o.excitation_frequency[i - modes];
           }
         }
-        index_of(tone, separate_bins);
+        index_of(tone, separate_tone_bins);
         return;
       }
       const bool there = from >= modes || modes_.oscillates[from];

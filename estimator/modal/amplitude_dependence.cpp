@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <stdexcept>
 
+#include "estimator/hertz.hpp"
 #include "estimator/modal/mode_scaling.hpp"
 #include "estimator/modal/pole.hpp"
 #include "estimator/regression/confidence.hpp"
@@ -18,8 +18,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
-
-constexpr double to_hz = 1 / (2 * std::numbers::pi);
 
 // Powers of x up to `degree`, x in units of its largest value.
 MatrixXd powers(const VectorXd& x, double unit, Index degree) {

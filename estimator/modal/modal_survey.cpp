@@ -10,6 +10,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "estimator/campaign/campaign_text.hpp"
+#include "estimator/hertz.hpp"
 #include "estimator/modal/modal_assurance.hpp"
 #include "estimator/modal/modal_mass.hpp"
 #include "estimator/modal/mode_scaling.hpp"
@@ -28,8 +29,6 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
-
-constexpr double to_hz = 1 / (2 * std::numbers::pi);
 
 std::string toml_of(const ModalSurvey& survey) {
   return (survey.campaign.folder / "campaign.toml").string();

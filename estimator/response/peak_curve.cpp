@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 constexpr double step = 0x1p-12;
 
 /// Typical amplitudes below which a peak is none.
-constexpr double least = 0.02;
+constexpr double least_peak = 0.02;
 
 class Peaks {
  public:
@@ -105,7 +105,7 @@ ResponseCurve peak_curve(const ResponseField& field, const PeakRequest& request,
   };
   const auto visit = [&](const CurvePoint&, const CurvePoint& to, bool, TraceEnd& end) {
     const double amplitude = std::abs(peaks.modes(to.unknowns).amplitude[request.mode]);
-    if (amplitude < least * request.scale) {
+    if (amplitude < least_peak * request.scale) {
       end = {TraceStatus::special_end, "the peak's amplitude falls to zero"};
       return Visit::stop;
     }

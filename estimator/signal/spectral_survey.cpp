@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <unsupported/Eigen/FFT>
 
+#include "estimator/hertz.hpp"
 #include "estimator/signal/arma.hpp"
 #include "estimator/signal/model_order.hpp"
 #include "estimator/signal/tone_search.hpp"
@@ -19,8 +20,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double to_hz = 1 / (2 * std::numbers::pi);
 
 struct Way {
   const char* name;

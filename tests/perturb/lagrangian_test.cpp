@@ -10,7 +10,7 @@
 namespace secular {
 namespace {
 
-std::filesystem::path shipped(const std::string& name) {
+std::filesystem::path shipped_model(const std::string& name) {
   return std::filesystem::path(SECULAR_SOURCE_DIR) / "models" / (name + ".toml");
 }
 
@@ -65,7 +65,7 @@ TEST(Lagrangian, GivesTheEquationsOfMotion) {
 }
 
 TEST(Lagrangian, IsCertifiedFromTheEnergiesThemselves) {
-  const Model model = read_model(shipped("two_mass_frame"));
+  const Model model = read_model(shipped_model("two_mass_frame"));
   for (const ResonanceCase& resonance : model.cases) {
     const Derivation d = derive(model, resonance);
     EXPECT_TRUE(certify(d).holds) << resonance.name;
@@ -80,7 +80,7 @@ TEST(Lagrangian, IsCertifiedFromTheEnergiesThemselves) {
 // The frame by hand. Vertical base motion F cos(Omega t) gives v1 the parametric term eta2 v1 F cos(Omega t) with
 // eta2 = 6/5 ((m1+m2) p11^2/h1 + m2 (p21-p11)^2/h2), so that dA/dt holds -i eta2/(4 omega1) F conj(A).
 TEST(TwoMassFrame, ParametricCoefficient) {
-  const Model m = read_model(shipped("two_mass_frame"));
+  const Model m = read_model(shipped_model("two_mass_frame"));
   const Derivation d = derive(m, m.find_case("principal_parametric_1"));
   const auto s = [&](const char* name) { return m.symbols.at(name); };
   const GiNaC::ex eta2 = GiNaC::ex(6) / 5 * s("lift") *
@@ -93,7 +93,7 @@ TEST(TwoMassFrame, ParametricCoefficient) {
 // Backbone of mode 1: potential c4 v1^4 is alpha31 = 4 c4, kinetic d4 v1^2 v1'^2 is delta31 = 2 d4, and the
 // frequency moves by (3 alpha31 - 2 omega1^2 delta31)/(2 omega1) |A|^2.
 TEST(TwoMassFrame, Backbone) {
-  const Model m = read_model(shipped("two_mass_frame"));
+  const Model m = read_model(shipped_model("two_mass_frame"));
   const Derivation d = derive(m, m.find_case("free"));
   const auto s = [&](const char* name) { return m.symbols.at(name); };
   const GiNaC::ex low = s("p11"), drift = s("p21") - s("p11");
