@@ -87,10 +87,13 @@ class LumpCode {
     coefficient.flip();
     GroupedNumerator result{grouped(definition.numerator, coefficient), grouped(definition.numerator, frequency)};
     const auto declare = [&](const char* letter, const std::vector<PolynomialGroup>& groups) {
-      for (std::size_t g = 0; g < groups.size(); ++g)
+      for (std::size_t g = 0; g < groups.size(); ++g) {
+        // What multiplies 1 is in no derivative.
+        if (groups[g].common == unity().front().exponents) continue;
         temporaries.push_back(fmt::format("const Scalar {}_{} = {};  // multiplies {}", letter, g,
                                           writer.expression({groups[g].rest, unity()}),
                                           formula_text({{{"1", groups[g].common}}, unity()}, model_.order)));
+      }
     };
     declare("c", result.by_coefficients);
     declare("w", result.by_frequencies);
@@ -136,7 +139,9 @@ class LumpCode {
     code_.comment(
         fmt::format("gradient[p] = d {} / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.", lump.name));
     if (numerator)
-      code_.comment("N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked.");
+      code_.comment(
+          "N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has "
+          "none of them.");
     code_.comment(fmt::format("{} operations.", writer.operations()));
     code_.line("template <class Scalar>");
     code_.line(fmt::format(

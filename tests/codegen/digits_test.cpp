@@ -4,18 +4,15 @@
 
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <random>
 
 #include "codegen/amplitude_derivative.hpp"
 #include "codegen/runtime/derived_code.hpp"
 #include "codegen/runtime/interpreted_model.hpp"
-#include "codegen/runtime/runtime_model.hpp"
 #include "estimator/model_residual.hpp"
 #include "generated/registry.hpp"
 #include "perturb/model.hpp"
 #include "perturb/observation.hpp"
-#include "tests/campaign/temporary_folder.hpp"
 #include "tests/codegen/fifty_digits.hpp"
 
 namespace secular {
@@ -320,10 +317,10 @@ void check_model(const CompiledModel& compiled, const CanonicalModel& canonical,
   testing::Test::RecordProperty("worst_ulp", std::to_string(judge.worst()));
 }
 
-CanonicalModel canonical_of(const std::string& name, std::optional<std::vector<std::string>> cases = std::nullopt) {
+CanonicalModel canonical_of(const std::string& name) {
   const fs::path file = root / "models" / (name + ".toml");
   std::vector<std::string> notes;
-  return derive_for_code({file.string(), *read_file_bytes(file), std::move(cases), {}}, notes);
+  return derive_for_code({file.string(), *read_file_bytes(file), std::nullopt, {}}, notes);
 }
 
 class Digits : public testing::TestWithParam<std::string> {};
@@ -332,7 +329,11 @@ TEST_P(Digits, OfEveryGeneratedFunction) {
   check_model(*generated::find_compiled_model(GetParam()), canonical_of(GetParam()), 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Generated, Digits, testing::Values("pendulum", "two_mass_lumps", "two_mass_mode1"));
+INSTANTIATE_TEST_SUITE_P(Small, Digits,
+                         testing::Values("duffing", "mathieu_duffing", "parametric_pair", "pendulum",
+                                         "two_mass_lumps", "two_mass_mode1", "van_der_pol"));
+INSTANTIATE_TEST_SUITE_P(SlowOnes, Digits,
+                         testing::Values("internal_resonance", "three_modes", "two_mass_frame", "two_mass"));
 
 class InterpretedDigits : public testing::TestWithParam<std::string> {};
 
@@ -345,22 +346,6 @@ INSTANTIATE_TEST_SUITE_P(Small, InterpretedDigits,
                          testing::Values("duffing", "mathieu_duffing", "pendulum", "van_der_pol", "two_mass_lumps",
                                          "internal_resonance", "parametric_pair"));
 INSTANTIATE_TEST_SUITE_P(SlowOnes, InterpretedDigits, testing::Values("three_modes", "two_mass_frame", "two_mass"));
-
-// The text is the same emitter's; what is new is a real Lagrangian's state-dependent mass matrix in compiled form.
-class SlowCompiledDigits : public TemporaryFolder {};
-
-TEST_F(SlowCompiledDigits, OfTwoMasses) {
-  for (const auto& [name, resonance] :
-       {std::pair("two_mass_frame", "principal_parametric_1"), std::pair("two_mass", "additive_combination")}) {
-    RuntimeModelOptions options;
-    options.cases = {resonance};
-    options.header_folders = {root};
-    options.cache_folder = folder_ / "cache";
-    const RuntimeModel loaded = load_runtime_model(root / "models" / (std::string(name) + ".toml"), options);
-    ASSERT_EQ(loaded.origin, RuntimeModel::Origin::compiled);
-    check_model(*loaded.model, canonical_of(name, options.cases), 1);
-  }
-}
 
 // The canonical form that the references above are computed from is what GiNaC derived.
 TEST(CanonicalForm, HasTheValuesOfGinacsFormulasInSixtyDigits) {
