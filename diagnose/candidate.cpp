@@ -19,14 +19,23 @@ VectorXd one(double value) {
   return VectorXd::Constant(1, value);
 }
 
-// Largest sum of a channel's lines: what its peak cannot exceed.
-double largest_peak(const std::vector<Condition>& conditions, std::size_t channel, std::size_t responses) {
+// Largest value of a channel, either sign: a channel that saturates shows its level there.
+double largest_value(const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
+                     std::size_t channel, std::size_t responses) {
+  const bool response = channel < responses;
+  const auto row = static_cast<Index>(response ? channel : channel - responses);
   double largest = 0;
   for (const Condition& c : conditions) {
-    const bool response = channel < responses;
-    const Eigen::MatrixXcd& lines = response ? c.response : c.excitation;
-    const auto row = static_cast<Index>(response ? channel : channel - responses);
-    if (row < lines.rows()) largest = std::max(largest, 2 * lines.row(row).cwiseAbs().maxCoeff());
+    const Eigen::MatrixXcd& measured = response ? c.response : c.excitation;
+    const std::vector<Index>& lines = response ? c.lines : c.excitation_lines;
+    if (row >= measured.rows()) continue;
+    Eigen::MatrixXcd all = Eigen::MatrixXcd::Zero(1, c.torus->lines());
+    for (std::size_t l = 0; l < lines.size(); ++l) all(0, lines[l]) = measured(row, static_cast<Index>(l));
+    largest = std::max(largest, c.torus->samples(all).cwiseAbs().maxCoeff());
+  }
+  for (const Segment& s : segments) {
+    const Eigen::MatrixXd& measured = response ? s.response : s.excitation;
+    if (row < measured.rows()) largest = std::max(largest, measured.row(row).cwiseAbs().maxCoeff());
   }
   return largest;
 }
@@ -148,7 +157,8 @@ std::vector<std::string> effect_names() {
 
 std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects, const CompiledModel& model,
                                      const SensorModel& sensors, const FaultTable& faults,
-                                     const std::vector<Condition>& conditions, const VectorXd& largest) {
+                                     const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
+                                     const VectorXd& largest) {
   std::vector<Candidate> all;
   const std::size_t first_fault = model.symbols.size();
   for (const EquationEffect& e : effects) {
@@ -190,8 +200,8 @@ std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects,
     all.push_back(fault("channel_skew", name, faults.delay(i)));
     if (i < responses && !sensors.excitations.empty())
       all.push_back(fault("sensor_cross_axis", name, faults.cross(i)));
-    const double peak = largest_peak(conditions, i, responses);
-    for (const double share : {0.98, 0.9, 0.75, 0.6, 0.45}) {
+    const double peak = largest_value(conditions, segments, i, responses);
+    for (const double share : {0.997, 0.97, 0.9, 0.75, 0.6, 0.45}) {
       if (!(peak > 0)) break;
       Candidate clipping = fault("clipping", name, faults.inverse_level(i));
       clipping.least_strength = 1 / (share * peak);

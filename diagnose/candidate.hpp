@@ -52,6 +52,7 @@ Eigen::VectorXd largest_displacements(const std::vector<Condition>& conditions,
 /// Every explanation that the campaign can speak of at all. `largest`: see largest_displacements.
 std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects, const CompiledModel& model,
                                      const SensorModel& sensors, const FaultTable& faults,
-                                     const std::vector<Condition>& conditions, const Eigen::VectorXd& largest);
+                                     const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
+                                     const Eigen::VectorXd& largest);
 
 }  // namespace secular

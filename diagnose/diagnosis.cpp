@@ -78,7 +78,7 @@ class Diagnoser {
     judge_steadiness(observed.wander);
     const VectorXd largest = largest_displacements(conditions_, segments, sensors_, natural);
     set_scales(largest, natural);
-    candidates_ = candidates_of(effects, model, sensors_, faults_, conditions_, largest);
+    candidates_ = candidates_of(effects, model, sensors_, faults_, conditions_, segments, largest);
     check_left_out();
     std::erase_if(candidates_, [&](const Candidate& c) { return options.left_out.contains(c.effect); });
     if (!conditions_.empty())

@@ -112,13 +112,15 @@ class CaseRegression {
     // Columns at adjusted values have lost their errors already.
     if (known_.errors_in_variables) system.errors.with_response.resize(0);
     if (system.design.rows() > 0) {
-      result_.fit = linear_fit(system.design, system.response, system.condition, 1e-9, system.errors);
+      result_.fit = linear_fit(system.design, system.response, system.condition, 1e-9, system.errors,
+                               reweighting_.start ? reweighting_.start->noisy : std::nullopt);
       take(result_.fit.coefficients);
       block_misfits(result_.fit.residual);
     }
     truncation_effect();
     if (result_.fit.coefficients.size() > 0) result_.fit.coefficients += result_.reference;
-    result_.state = {lump_, natural_, offset_, scale_, result_.weight, result_.distance, system.errors};
+    result_.state = {lump_,          natural_,         offset_,       scale_,
+                     result_.weight, result_.distance, system.errors, result_.fit.noisy};
     return std::move(result_);
   }
 

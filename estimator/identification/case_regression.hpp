@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <complex>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -54,6 +55,7 @@ struct RegressionState {
   std::map<std::size_t, double> block_scale;            ///< by block: residual over noise that it counts with
   std::vector<double> weight, distance;                 ///< by observation
   ColumnErrors errors;                                  ///< WhitenedSystem::errors
+  std::optional<Eigen::Index> noisy;                    ///< LinearFit::noisy
 };
 
 /// Linear regression of one case's equations on its lumps and natural frequencies.

@@ -39,23 +39,27 @@ struct Whitening {
 
 // See SharedParameters::unseen, of the whitened Jacobian. In columns of unit norm entangled parameters do the same
 // for the same size.
-MatrixXd unseen_directions(const MatrixXd& jacobian, const VectorXd& scale, const VectorXd& values) {
+MatrixXd unseen_directions(const MatrixXd& jacobian, const VectorXd& scale, const VectorXd& values,
+                           const VectorXd& plausible_size) {
   std::vector<Index> seen;
   for (Index p = 0; p < jacobian.cols(); ++p)
     if (jacobian.col(p).squaredNorm() > 0) seen.push_back(p);
   const MatrixXd columns = jacobian(Eigen::all, seen) * scale(seen).asDiagonal();
-  const VectorXd sizes = values(seen).cwiseQuotient(scale(seen));
+  const VectorXd sizes = values(seen).cwiseQuotient(scale(seen)), plausible_sizes = plausible_size(seen);
   const auto width = static_cast<Index>(seen.size());
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
   const MatrixXd triangle = qr.matrixQR().topRows(std::min(columns.rows(), width)).triangularView<Eigen::Upper>();
   const Eigen::JacobiSVD<MatrixXd> svd(triangle * qr.colsPermutation().transpose(), Eigen::ComputeFullV);
-  Index rank = 0;
-  while (rank < svd.singularValues().size() &&
-         svd.singularValues()(rank) > lost_direction * svd.singularValues()(0))
-    ++rank;
-  const MatrixXd null = svd.matrixV().rightCols(width - rank);
+  std::vector<Index> lost;
+  for (Index k = 0; k < width; ++k) {
+    const double singular = k < svd.singularValues().size() ? svd.singularValues()(k) : 0;
+    if (singular <= lost_direction * svd.singularValues()(0) ||
+        !is_informed(svd.matrixV().col(k), singular, scale(seen), plausible_sizes))
+      lost.push_back(k);
+  }
+  const MatrixXd null = svd.matrixV()(Eigen::all, lost);
   const MatrixXd projection = null * null.transpose();
-  MatrixXd result(jacobian.cols(), width - rank);
+  MatrixXd result(jacobian.cols(), null.cols());
   Index found = 0;
   std::vector<bool> done(seen.size(), false);
   for (Index first = 0; first < width; ++first) {
@@ -85,6 +89,36 @@ MatrixXd unseen_directions(const MatrixXd& jacobian, const VectorXd& scale, cons
     }
   }
   return result.leftCols(found);
+}
+
+// By unknown: the size with which it alone would make as much as is seen of all the lumps that it is part of,
+// at `parameters`. Infinite where it is part of none.
+VectorXd plausible_sizes(std::span<const LumpEstimates> cases, const VectorXd& parameters, Index unknowns) {
+  VectorXd seen = VectorXd::Zero(unknowns), made = VectorXd::Zero(unknowns);
+  for (const LumpEstimates& part : cases) {
+    const std::size_t lump_count = part.resonance->lumps.size();
+    const auto count = static_cast<std::size_t>(parameters.size());
+    std::vector<double> slope(lump_count * count);
+    if (lump_count > 0) part.resonance->evaluate_lumps_jacobian(parameters.data(), slope.data());
+    for (std::size_t i = 0; i < part.index.size(); ++i) {
+      if (part.index[i] < 0) continue;
+      // What was estimated of this lump: itself, or combinations with others.
+      for (Index v = 0; v < part.values.size(); ++v) {
+        const double share = part.combination(v, static_cast<Index>(i)), sd = std::sqrt(part.plain(v, v));
+        if (share == 0 || !(sd > 0)) continue;
+        for (std::size_t p = 0; p < count; ++p) {
+          const double d = share * slope[static_cast<std::size_t>(part.index[i]) * count + p];
+          if (d == 0) continue;
+          seen(static_cast<Index>(p)) += std::pow(part.values(v) / sd, 2);
+          made(static_cast<Index>(p)) += std::pow(d / sd, 2);
+        }
+      }
+    }
+  }
+  VectorXd sizes = VectorXd::Constant(unknowns, std::numeric_limits<double>::infinity());
+  for (Index p = 0; p < unknowns; ++p)
+    if (made(p) > 0) sizes(p) = std::sqrt(seen(p) / made(p));
+  return sizes;
 }
 
 }  // namespace
@@ -158,7 +192,8 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
   const Index all_rows = rows + directions, unknowns = count + directions;
   VectorXd from(unknowns);
   from << start, VectorXd::Zero(directions);
-  const FitReport report = nonlinear_fit(function, all_rows, from);
+  const VectorXd plausible = plausible_sizes(cases, start, unknowns);
+  const FitReport report = nonlinear_fit(function, all_rows, from, 100, plausible);
   result.values = report.parameters.head(count);
   result.shift = report.parameters.tail(directions);
   VectorXd residual(all_rows);
@@ -167,7 +202,8 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
   // d values / d lumps = pinv(W J) W, by cases, in columns of unit norm.
   VectorXd scale = jacobian.colwise().norm().transpose();
   for (Index p = 0; p < unknowns; ++p) scale(p) = scale(p) > 0 ? 1 / scale(p) : 1;
-  result.unseen = unseen_directions(jacobian.topLeftCorner(rows, count), scale.head(count), result.values);
+  result.unseen = unseen_directions(jacobian.topLeftCorner(rows, count), scale.head(count), result.values,
+                                    plausible.head(count));
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
   solver.setThreshold(1e-9);
   solver.compute(jacobian * scale.asDiagonal());

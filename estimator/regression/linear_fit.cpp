@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -26,10 +27,25 @@ constexpr double smallest_signal = 0.5;
 /// A cluster that alone determines a direction leaves nothing to compare it with.
 constexpr double largest_leverage = 0.999;
 
+// By direction: squared singular value over what the errors of the columns alone give.
+VectorXd signal_to_errors(const MatrixXd& basis, const MatrixXd& gram) {
+  VectorXd signal = VectorXd::Constant(basis.cols(), std::numeric_limits<double>::infinity());
+  if (gram.size() > 0)
+    for (Index i = 0; i < basis.cols(); ++i) signal(i) = 1 / basis.col(i).dot(gram * basis.col(i));
+  return signal;
+}
+
+Index count_of_noisy(const VectorXd& signal, std::optional<Index> before) {
+  const auto at_most = [&](double ratio) { return (signal.array() <= ratio).count(); };
+  if (!before) return at_most(noise_ratio);
+  return std::clamp(*before, at_most(0.5 * noise_ratio), at_most(2 * noise_ratio));
+}
+
 }  // namespace
 
 LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<const VectorXd>& response,
-                     std::span<const int> cluster, double tolerance, const ColumnErrors& errors) {
+                     std::span<const int> cluster, double tolerance, const ColumnErrors& errors,
+                     std::optional<Index> noisy_before) {
   const Index rows = design.rows(), columns = design.cols();
   if (response.size() != rows || static_cast<Index>(cluster.size()) != rows)
     throw std::invalid_argument("rows of design, response and clusters differ");
@@ -71,11 +87,15 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
   fit.basis = scale.asDiagonal() * v * inverse.asDiagonal();
   // Directions in which the columns differ by their own errors.
   std::vector<Index> noisy, clear;
-  for (Index i = 0; i < rank; ++i) {
-    const bool made_of_noise =
-        errors.gram.size() > 0 && 1 <= noise_ratio * fit.basis.col(i).dot(errors.gram * fit.basis.col(i));
-    (made_of_noise ? noisy : clear).push_back(i);
-  }
+  const VectorXd signal = signal_to_errors(fit.basis, errors.gram);
+  fit.noisy = count_of_noisy(signal, noisy_before);
+  std::vector<Index> by_signal(static_cast<std::size_t>(rank));
+  std::iota(by_signal.begin(), by_signal.end(), Index{0});
+  std::stable_sort(by_signal.begin(), by_signal.end(), [&](Index a, Index b) { return signal(a) < signal(b); });
+  noisy.assign(by_signal.begin(), by_signal.begin() + fit.noisy);
+  clear.assign(by_signal.begin() + fit.noisy, by_signal.end());
+  std::sort(noisy.begin(), noisy.end());
+  std::sort(clear.begin(), clear.end());
   MatrixXd spread = fit.basis;  // what one unit of each coordinate's error does to the coefficients
   fit.bias = VectorXd::Zero(columns);
   if (errors.with_response.size() > 0 && !clear.empty()) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,7 +27,8 @@ struct LinearFit {
   CovarianceKind covariance_kind = CovarianceKind::plain;
   double degrees_of_freedom = 0;  ///< for Student's t: clusters - 1 if clustered, rows - rank otherwise
   Eigen::Index rank = 0;
-  std::vector<bool> identifiable;                ///< by column
+  Eigen::Index noisy = 0;          ///< of these directions, those in which columns differ by their own errors
+  std::vector<bool> identifiable;  ///< by column
   std::vector<std::vector<int>> entangled_with;  ///< by column: the others of its null directions
   Eigen::VectorXd condition_indices;             ///< largest over each singular value of the scaled columns
   Eigen::VectorXd variance_inflation;            ///< by column, uncentred
@@ -55,10 +57,13 @@ struct LinearFit {
 /// give, the columns whose variance rests mainly on that direction are not identifiable (their least-squares
 /// coefficients would be made of noise). In all other directions the attenuation that these errors make is taken
 /// out: there (G - E[dX'dX]) b = X'y - E[dX'dy] replaces the normal equations (W. A. Fuller, Measurement Error
-/// Models, 1987, section 2.2). Throws std::invalid_argument for sizes that differ.
+/// Models, 1987, section 2.2). `noisy_before`: how many directions an earlier fit of nearly the same rows lost that
+/// way; within a factor of two of `noise_ratio` a direction stays on its side, so that fits that follow one another
+/// do not change what they estimate. Throws std::invalid_argument for sizes that differ.
 LinearFit linear_fit(const Eigen::Ref<const Eigen::MatrixXd>& design,
                      const Eigen::Ref<const Eigen::VectorXd>& response, std::span<const int> cluster,
-                     double tolerance = 1e-9, const ColumnErrors& errors = {});
+                     double tolerance = 1e-9, const ColumnErrors& errors = {},
+                     std::optional<Eigen::Index> noisy_before = std::nullopt);
 
 /// See linear_fit: three parts signal to one part noise.
 inline constexpr double noise_ratio = 4;

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace secular {
 namespace {
@@ -12,6 +13,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double rank_tolerance = 1e-9;
+constexpr double uninformed = 3;
 
 struct Linearisation {
   VectorXd scale;  // of the columns
@@ -30,10 +32,28 @@ Linearisation linearise(const MatrixXd& jacobian) {
   return l;
 }
 
+// The part of a step (by singular direction) along what the residuals are informed of.
+VectorXd informed_part(const Linearisation& l, VectorXd along, const VectorXd& plausible) {
+  for (Index k = 0; k < along.size(); ++k)
+    if (!is_informed(l.svd.matrixV().col(k), l.svd.singularValues()(k), l.scale, plausible)) along(k) = 0;
+  return along;
+}
+
 }  // namespace
 
+bool is_informed(const VectorXd& direction, double singular, const VectorXd& scale, const VectorXd& plausible) {
+  double size = 0, share = 0;
+  for (Index p = 0; p < direction.size(); ++p) {
+    if (!std::isfinite(plausible(p))) continue;
+    size += std::pow(direction(p) * plausible(p) / scale(p), 2);
+    share += direction(p) * direction(p);
+  }
+  // A direction of others in the main is theirs to judge.
+  return share < 0.5 || std::sqrt(share) <= uninformed * singular * std::sqrt(size);
+}
+
 FitReport nonlinear_fit(const ResidualFunction& function, Index residuals, const VectorXd& start,
-                        int iteration_limit) {
+                        int iteration_limit, const VectorXd& plausible) {
   FitReport report;
   report.parameters = start;
   VectorXd residual(residuals), trial_residual(residuals);
@@ -44,7 +64,8 @@ FitReport nonlinear_fit(const ResidualFunction& function, Index residuals, const
   double damping = 1e-4;
   for (; report.iterations < iteration_limit; ++report.iterations) {
     const Linearisation l = linearise(jacobian);
-    const VectorXd along = l.svd.matrixU().leftCols(l.rank).transpose() * residual;
+    VectorXd along = l.svd.matrixU().leftCols(l.rank).transpose() * residual;
+    if (plausible.size() > 0) along = informed_part(l, std::move(along), plausible);
     const auto singular = l.svd.singularValues().head(l.rank).array();
     bool moved = false;
     while (damping < 1e10) {

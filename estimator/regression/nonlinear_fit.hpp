@@ -26,9 +26,17 @@ struct FitReport {
 using ResidualFunction =
     std::function<void(const Eigen::VectorXd& parameters, Eigen::VectorXd& residual, Eigen::MatrixXd& jacobian)>;
 
+/// Whether residuals say anything of a direction of the parameters, a unit vector in units of `scale`: not if one
+/// standard deviation along it, 1/`singular`, is three times as long as the `plausible` sizes of the parameters
+/// that it consists of. Parameters of infinite plausible size have no say.
+bool is_informed(const Eigen::VectorXd& direction, double singular, const Eigen::VectorXd& scale,
+                 const Eigen::VectorXd& plausible);
+
 /// Levenberg-Marquardt in columns scaled to unit norm. Directions that the residuals do not see (singular values
-/// below 1e-9 of the largest) stay at their start and are reported, never regularised away.
+/// below 1e-9 of the largest) stay at their start and are reported, never regularised away. With sizes of the
+/// parameters that are `plausible`, a direction of which the residuals are not informed stays at its start, too;
+/// covariance and report know it as one that is seen, however badly.
 FitReport nonlinear_fit(const ResidualFunction& function, Eigen::Index residuals, const Eigen::VectorXd& start,
-                        int iteration_limit = 100);
+                        int iteration_limit = 100, const Eigen::VectorXd& plausible = {});
 
 }  // namespace secular

@@ -1,6 +1,7 @@
 // The chapter 6 campaign with the model that it was made with, from samples to error bars, in several noise draws:
 // the full equations are integrated once, everything after the noise is done again. SECULAR_COVERAGE_DRAWS asks for
-// more draws than the few of a test run and for the table of how often each interval holds the truth.
+// more draws than the few of a test run and for the table of how often each interval holds the truth,
+// SECULAR_COVERAGE_FIRST for those from this one on.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,7 +63,8 @@ SimulatedCampaign SlowChapterSix::exact_;
 
 TEST_F(SlowChapterSix, LumpsOfTheRightModelGoTogetherAndIntervalsHold) {
   const char* text = std::getenv("SECULAR_COVERAGE_DRAWS");
-  const int draws = text ? std::atoi(text) : 2;
+  const char* first_text = std::getenv("SECULAR_COVERAGE_FIRST");
+  const int draws = text ? std::atoi(text) : 2, first = first_text ? std::atoi(first_text) : 0;
   struct Coverage {
     int inside = 0, count = 0;
     double error = 0, square = 0, sd = 0;
@@ -70,9 +72,12 @@ TEST_F(SlowChapterSix, LumpsOfTheRightModelGoTogetherAndIntervalsHold) {
   std::map<std::string, Coverage> table;
   int contradictions = 0;
   double chi_squared = 0, freedom = 0;
-  for (int draw = 0; draw < draws; ++draw) {
+  for (int draw = first; draw < first + draws; ++draw) {
     const Estimate estimate = identified(draw).estimate;
     contradictions += estimate.consistency.significant;
+    if (text)
+      std::printf("draw %d: chi-squared %.1f on %.0f, p = %.2g\n", draw, estimate.consistency.chi_squared,
+                  estimate.consistency.degrees_of_freedom, estimate.consistency.p_value);
     chi_squared += estimate.consistency.chi_squared / draws;
     freedom += estimate.consistency.degrees_of_freedom / draws;
     for (std::size_t p = 0; p < estimate.parameters.size(); ++p) {
