@@ -1,5 +1,7 @@
 #include "simulate/truncation_correction.hpp"
 
+#include <algorithm>
+#include <deque>
 #include <utility>
 
 #include "estimator/anderson_acceleration.hpp"
@@ -69,6 +71,32 @@ std::vector<ObservationSet> replay_near(Eigen::VectorXd& parameters, const Eigen
   }
 }
 
+/// Sets as they were corrected at some parameters.
+struct Pass {
+  Eigen::VectorXd parameters;
+  std::vector<ObservationSet> corrected;
+};
+
+// Symbols x moves: from earlier passes to the last one, and along the directions that no lump tells, with what each
+// did to the last pass's correction.
+Eigen::MatrixXd passed_moves(std::deque<Pass>& passes, const Eigen::MatrixXd& unseen) {
+  Pass& last = passes.back();
+  const auto earlier = static_cast<Eigen::Index>(passes.size()) - 1;
+  const Eigen::Index directions =
+      std::min(unseen.cols(), static_cast<Eigen::Index>(last.corrected.front().truncation_change.size()));
+  Eigen::MatrixXd moves(last.parameters.size(), earlier + directions);
+  for (Eigen::Index i = 0; i < earlier; ++i) {
+    const Pass& before = passes[static_cast<std::size_t>(i)];
+    moves.col(i) = last.parameters - before.parameters;
+    add_passed(last.corrected, before.corrected);
+  }
+  moves.rightCols(directions) = unseen.leftCols(directions);
+  for (ObservationSet& set : last.corrected)
+    set.truncation_passed.insert(set.truncation_passed.end(), set.truncation_change.begin(),
+                                 set.truncation_change.begin() + directions);
+  return moves;
+}
+
 }  // namespace
 
 TruncationCorrection correct_truncation(std::span<const ObservationSet> measured, const Estimate& raw,
@@ -85,6 +113,8 @@ TruncationCorrection correct_truncation(std::span<const ObservationSet> measured
   Eigen::VectorXd parameters = raw.parameter_values, next = parameters;
   bool settled = false;
   std::vector<ObservationSet> unseen;
+  Eigen::MatrixXd unseen_directions;
+  std::deque<Pass> passes;
   int unknown = 0;
   for (int pass = 1; pass <= most_truncation_passes && !settled; ++pass) {
     const Eigen::VectorXd good = parameters;
@@ -92,14 +122,17 @@ TruncationCorrection correct_truncation(std::span<const ObservationSet> measured
     result.replayed = replay_near(parameters, good, pass > 1, replay);
     std::vector<ObservationSet> corrected = with_truncation(measured, result.replayed, parameters);
     if (pass == unseen_pass) {
-      unknown = add_unseen(corrected, measured, parameters, result.estimate.unseen, replay);
+      unseen_directions = result.estimate.unseen;
+      unknown = add_unseen(corrected, measured, parameters, unseen_directions, replay);
       unseen = corrected;
     } else if (pass > unseen_pass) {
       keep_truncation_change(corrected, unseen);
     }
     done("replay of the full equations");
+    passes.push_back({parameters, std::move(corrected)});
+    if (passes.size() > remembered_passes) passes.pop_front();
     quick.start = result.estimate.state;
-    result.estimate = estimate(corrected, units, quick);
+    result.estimate = estimate(passes.back().corrected, units, quick);
     // With what no lump tells as an unknown it is another map: what was learnt of the first says nothing of it.
     if (pass == unseen_pass) acceleration = AndersonAcceleration(remembered_passes, dependent_passes);
     const Eigen::VectorXd weight = inverse_sd(result.estimate);
@@ -108,7 +141,8 @@ TruncationCorrection correct_truncation(std::span<const ObservationSet> measured
     settled = move < settled_share && (pass >= unseen_pass || result.estimate.unseen.cols() == 0);
     if (settled || pass == most_truncation_passes) {
       full.start = result.estimate.state;
-      result.estimate = estimate(corrected, units, full);
+      full.passed = passed_moves(passes, unseen_directions);
+      result.estimate = estimate(passes.back().corrected, units, full);
     }
     done("regression");
   }

@@ -117,7 +117,8 @@ class CaseRegression {
       take(result_.fit.coefficients);
       block_misfits(result_.fit.residual);
     }
-    truncation_effect();
+    result_.truncation_effect = effect_of(set_.truncation_change);
+    result_.passed_effect = effect_of(set_.truncation_passed);
     if (result_.fit.coefficients.size() > 0) result_.fit.coefficients += result_.reference;
     result_.state = {lump_,          natural_,         offset_,       scale_,
                      result_.weight, result_.distance, system.errors, result_.fit.noisy};
@@ -233,18 +234,19 @@ class CaseRegression {
     }
   }
 
-  // What is subtracted from the equations moves the response; errors of columns do so next to not at all.
-  void truncation_effect() {
-    const auto directions = static_cast<Index>(set_.truncation_change.size());
-    result_.truncation_effect = MatrixXd::Zero(result_.fit.coefficients.size(), directions);
-    if (directions == 0 || result_.fit.coefficients.size() == 0) return;
+  // How coefficients change with what is subtracted from the equations: it moves the response; errors of columns do
+  // so next to not at all.
+  MatrixXd effect_of(const std::vector<Eigen::MatrixXcd>& changes) const {
+    const auto directions = static_cast<Index>(changes.size());
+    if (directions == 0 || result_.fit.coefficients.size() == 0)
+      return MatrixXd::Zero(result_.fit.coefficients.size(), directions);
     const WhitenedSystem& system = result_.system;
     MatrixXd change(system.response.size(), directions);
     for (Index r = 0; r < change.rows(); ++r) {
       const auto at = static_cast<std::size_t>(r);
       for (Index d = 0; d < directions; ++d) {
-        const Complex all = set_.truncation_change[static_cast<std::size_t>(d)](
-            static_cast<Index>(system.observation[at]), static_cast<Index>(system.block[at]));
+        const Complex all = changes[static_cast<std::size_t>(d)](static_cast<Index>(system.observation[at]),
+                                                                 static_cast<Index>(system.block[at]));
         change(r, d) = -part_of(all, system.part[at]) / system.noise_sd[at];
       }
     }
@@ -253,7 +255,7 @@ class CaseRegression {
       colouring.triangularView<Eigen::Lower>().solveInPlace(change.middleRows(begin, colouring.rows()));
       begin += colouring.rows();
     }
-    result_.truncation_effect = result_.fit.basis * (result_.fit.orthonormal.transpose() * change);
+    return result_.fit.basis * (result_.fit.orthonormal.transpose() * change);
   }
 
   void assemble(Pass pass) {

@@ -84,6 +84,10 @@ struct EstimateOptions {
   bool judge_fit = true;
   /// Of the same observations: which equations are regressed, and coefficients and weights near the final ones.
   std::shared_ptr<const EstimationState> start = nullptr;
+  /// Symbols x passes: where parameters moved while the truncation was taken out, see
+  /// ObservationSet::truncation_passed. How the correction depends on the parameters, of which this tells as much
+  /// as matters, is part of what noise does to them. Empty: not known.
+  Eigen::MatrixXd passed = {};
   /// With a start: the weights stay as they are. For passes between, where only the truncation's correction has
   /// changed a little.
   bool keep_weights = false;
@@ -121,6 +125,10 @@ std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets
 /// more direction for every call (ObservationSet::truncation_change). `displaced`: with_truncation at the others.
 /// Observations that it lacks do not change.
 void add_truncation_change(std::span<ObservationSet> corrected, std::span<const ObservationSet> displaced);
+
+/// One more pass for the `corrected` sets (ObservationSet::truncation_passed): from `before`, with_truncation at
+/// the parameters of an earlier one, to them.
+void add_passed(std::span<ObservationSet> corrected, std::span<const ObservationSet> before);
 
 /// The changes of `from` along with the observations of `to`.
 void keep_truncation_change(std::span<ObservationSet> to, std::span<const ObservationSet> from);

@@ -121,6 +121,20 @@ VectorXd plausible_sizes(std::span<const LumpEstimates> cases, const VectorXd& p
   return sizes;
 }
 
+// LumpEstimates::truncation_slope of all cases, whitened, in the rows and unknowns of the fit.
+MatrixXd truncation_slopes(std::span<const LumpEstimates> cases, const std::vector<Whitening>& whitening,
+                           Index rows, Index unknowns) {
+  MatrixXd slopes = MatrixXd::Zero(rows, unknowns);
+  Index r = 0;
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const Index size = cases[c].values.size();
+    if (size > 0 && cases[c].truncation_slope.cols() > 0)
+      slopes.block(r, 0, size, cases[c].truncation_slope.cols()) = whitening[c](cases[c].truncation_slope);
+    r += size;
+  }
+  return slopes;
+}
+
 }  // namespace
 
 SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const VectorXd& start,
@@ -207,9 +221,14 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
   solver.setThreshold(1e-9);
   solver.compute(jacobian * scale.asDiagonal());
-  const MatrixXd inverse = scale.asDiagonal() * solver.pseudoInverse();
+  const MatrixXd direct = scale.asDiagonal() * solver.pseudoInverse();
+  // Lumps were estimated with the truncation taken out at these very values: values p and lumps l settle together,
+  // p = S (l + N p), so that a change dl of the lumps by noise moves values by (1 - S N)^-1 S dl.
+  const MatrixXd by_values = truncation_slopes(cases, whitening, all_rows, unknowns);
+  const MatrixXd inverse =
+      (MatrixXd::Identity(unknowns, unknowns) - direct * by_values).partialPivLu().solve(direct);
   // What the fit leaves of a change of the lumps.
-  const MatrixXd left = MatrixXd::Identity(all_rows, all_rows) - jacobian * inverse;
+  const MatrixXd left = MatrixXd::Identity(all_rows, all_rows) - (jacobian - by_values) * inverse;
   ResidualScatter scatter;
   scatter.known = left.rightCols(directions);
   Index r = 0;

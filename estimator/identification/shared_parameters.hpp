@@ -21,6 +21,9 @@ struct LumpEstimates {
   /// Values x directions: how they change where parameters move along SharedParameters::unseen, by way of what was
   /// subtracted for the expansion's truncation. No columns: not known.
   Eigen::MatrixXd truncation_effect;
+  /// Values x symbols: how they change with the parameters that the truncation was taken out with, as far as that
+  /// is known. No columns: not at all.
+  Eigen::MatrixXd truncation_slope;
   Eigen::MatrixXd influence;  ///< [condition][value]: change where the condition is left out
   bool clustered = false;     ///< error bars from `influence`, else from `plain`
   double degrees_of_freedom = 0;

@@ -87,6 +87,17 @@ void add_truncation_change(std::span<ObservationSet> corrected, std::span<const 
   }
 }
 
+void add_passed(std::span<ObservationSet> corrected, std::span<const ObservationSet> before) {
+  for (std::size_t s = 0; s < corrected.size(); ++s) {
+    ObservationSet& set = corrected[s];
+    Eigen::MatrixXcd change = Eigen::MatrixXcd::Zero(set.truncation.rows(), set.truncation.cols());
+    for_common(set, before[s], [&](Index i, Index other) {
+      change.row(i) = set.truncation.row(i) - before[s].truncation.row(other);
+    });
+    set.truncation_passed.push_back(std::move(change));
+  }
+}
+
 void keep_truncation_change(std::span<ObservationSet> to, std::span<const ObservationSet> from) {
   for (std::size_t s = 0; s < to.size(); ++s) {
     to[s].truncation_change.clear();

@@ -62,7 +62,7 @@ struct LinearFit {
 /// do not change what they estimate. Throws std::invalid_argument for sizes that differ.
 LinearFit linear_fit(const Eigen::Ref<const Eigen::MatrixXd>& design,
                      const Eigen::Ref<const Eigen::VectorXd>& response, std::span<const int> cluster,
-                     double tolerance = 1e-9, const ColumnErrors& errors = {},
+                     double tolerance = 1e-9, const ColumnErrors& errors = ColumnErrors(),
                      std::optional<Eigen::Index> noisy_before = std::nullopt);
 
 /// See linear_fit: three parts signal to one part noise.

@@ -37,6 +37,6 @@ bool is_informed(const Eigen::VectorXd& direction, double singular, const Eigen:
 /// parameters that are `plausible`, a direction of which the residuals are not informed stays at its start, too;
 /// covariance and report know it as one that is seen, however badly.
 FitReport nonlinear_fit(const ResidualFunction& function, Eigen::Index residuals, const Eigen::VectorXd& start,
-                        int iteration_limit = 100, const Eigen::VectorXd& plausible = {});
+                        int iteration_limit = 100, const Eigen::VectorXd& plausible = Eigen::VectorXd());
 
 }  // namespace secular

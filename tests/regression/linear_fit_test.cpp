@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include "../signal/gaussian.hpp"
@@ -14,6 +15,7 @@
 namespace secular {
 namespace {
 
+using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -134,6 +136,45 @@ TEST(NonlinearFit, UnseenDirectionsStayAndAreNamed) {
   EXPECT_NEAR(report.parameters(0) + report.parameters(1), 3, 1e-9);
   EXPECT_NEAR(report.parameters(0) - report.parameters(1), 5, 1e-9);  // untouched
   EXPECT_NEAR(report.covariance(2, 2), 0.25, 1e-12);
+}
+
+// One of two parameters is seen through a difference of one part in 1e8 only.
+TEST(NonlinearFit, WhatSaysLessThanIsPlausibleIsNotFollowed) {
+  const ResidualFunction function = [](const VectorXd& x, VectorXd& r, MatrixXd& j) {
+    const double part = 1e-8;
+    r << x(0) + x(1) - 3, part * (x(0) - x(1)) - 0.5;
+    j << 1, 1, part, -part;
+  };
+  const Eigen::Vector2d start(1, 1);
+  const FitReport followed = nonlinear_fit(function, 2, start);
+  EXPECT_GT(followed.parameters(0) - followed.parameters(1), 1e7);
+  const FitReport held = nonlinear_fit(function, 2, start, 100, Eigen::Vector2d(10, 10));
+  EXPECT_NEAR(held.parameters(0) + held.parameters(1), 3, 1e-9);
+  EXPECT_NEAR(held.parameters(0) - held.parameters(1), 0, 1e-6);
+  EXPECT_GT(held.covariance(0, 0), 1e15);  // and yet its error bar says how little is known
+}
+
+// A direction near the border between signal and noise stays where it was.
+TEST(LinearFit, DirectionsNearTheBorderStayOnTheirSide) {
+  MatrixXd design(12, 2);
+  std::vector<int> cluster;
+  for (Index i = 0; i < 12; ++i) {
+    design.row(i) << 1, (i % 2 == 0 ? 1 : -1);
+    cluster.push_back(static_cast<int>(i));
+  }
+  const VectorXd response = design * Eigen::Vector2d(1, 2);
+  const auto noisy = [&](double ratio, std::optional<Index> before) {
+    ColumnErrors errors;
+    errors.gram = MatrixXd::Zero(2, 2);
+    errors.gram(1, 1) = 12 / ratio;
+    return linear_fit(design, response, cluster, 1e-9, errors, before).noisy;
+  };
+  EXPECT_EQ(noisy(noise_ratio * 1.1, std::nullopt), 0);
+  EXPECT_EQ(noisy(noise_ratio / 1.1, std::nullopt), 1);
+  EXPECT_EQ(noisy(noise_ratio / 1.1, 0), 0);
+  EXPECT_EQ(noisy(noise_ratio * 1.1, 1), 1);
+  EXPECT_EQ(noisy(noise_ratio / 2.2, 0), 1);
+  EXPECT_EQ(noisy(noise_ratio * 2.2, 1), 0);
 }
 
 }  // namespace
