@@ -309,10 +309,14 @@ report::Figure gap_figure(const Diagnosis& d) {
 }
 
 std::string open_law_sentence(const OpenLaw& law) {
+  const bool one_sided = law.law == "open_one_sided_damping";
   const std::string grows = " of " + law.mode + " that grows as |" +
-                            (law.law == "open_damping" ? "velocity" : "displacement") + "|^" +
+                            (law.law == "open_damping" || one_sided ? "velocity" : "displacement") + "|^" +
                             report::format_uncertain(law.exponent, law.sd);
-  return "acts like a " + std::string(law.law == "open_loss" ? "viscous damping" : "force") + grows;
+  return "acts like a " + std::string(law.law == "open_loss" ? "viscous damping" : "force") + grows +
+         (one_sided ? " in either direction of motion with the same sign (a damping of one direction, beside a "
+                      "viscous one)"
+                    : "");
 }
 
 std::string diagnosis_report(const DiagnosisRun& run, const std::string& command) {

@@ -29,6 +29,8 @@ StateForce::Law law_of(const EffectTerm& term) {
       return StateForce::Law::displacement_power;
     case CatalogueEntry::Memory::velocity_power:
       return StateForce::Law::velocity_power;
+    case CatalogueEntry::Memory::speed_power:
+      return StateForce::Law::speed_power;
     case CatalogueEntry::Memory::loss_power:
       return StateForce::Law::loss_power;
     default:

@@ -116,6 +116,7 @@ const std::map<std::string, GapComponent>& open_law_components() {
   static const std::map<std::string, GapComponent> components = {
       {"open_damping", GapComponent::dissipative},
       {"open_loss", GapComponent::dissipative},
+      {"open_one_sided_damping", GapComponent::dissipative},
       {"open_stiffness", GapComponent::conservative},
   };
   return components;

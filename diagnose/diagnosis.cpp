@@ -172,8 +172,7 @@ class Diagnoser {
   void set_scales(const VectorXd& largest, const std::vector<double>& natural) {
     for (StateForce& force : options_.forces) {
       const double displacement = std::max(0.5 * largest(static_cast<Index>(force.mode)), 1e-300);
-      force.scale =
-          force.law == StateForce::Law::velocity_power ? displacement * natural[force.mode] : displacement;
+      force.scale = is_of_velocity(force.law) ? displacement * natural[force.mode] : displacement;
     }
   }
 

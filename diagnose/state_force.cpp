@@ -17,10 +17,10 @@ constexpr double largest_exponent = 15;
 }  // namespace
 
 double power_law(const StateForce& force, double displacement, double velocity, double exponent) {
-  const bool of_velocity = force.law == StateForce::Law::velocity_power;
-  const double x = of_velocity ? velocity : displacement;
+  const double x = is_of_velocity(force.law) ? velocity : displacement;
   const double size = std::pow(std::abs(x) / force.scale, std::clamp(exponent, 0.0, largest_exponent));
   if (force.law == StateForce::Law::loss_power) return size * velocity;
+  if (force.law == StateForce::Law::speed_power) return force.scale * size;
   return x == 0 ? 0 : std::copysign(force.scale * size, x);
 }
 

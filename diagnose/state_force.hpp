@@ -14,7 +14,8 @@ struct StateForce {
     spread_slider,  ///< mean stretch of spread_sliders such, slips evenly spread between 0 and shape (micro-slip)
     displacement_power,  ///< scale*sgn(x)*|x/scale|^shape
     velocity_power,      ///< scale*sgn(dx/dt)*|(dx/dt)/scale|^shape
-    loss_power           ///< |x/scale|^shape*dx/dt
+    loss_power,          ///< |x/scale|^shape*dx/dt
+    speed_power          ///< scale*|(dx/dt)/scale|^shape: damping of one direction only, beside a viscous one
   };
   Law law = Law::slider;
   std::size_t excitation = 0, mode = 0;
@@ -22,6 +23,11 @@ struct StateForce {
   std::size_t shape_symbol = 0;     ///< slip displacement, or exponent
   double scale = 1;                 ///< displacement or velocity: usual in the data, so that a strength has a size
 };
+
+/// Whether the scale of a law with an exponent is a velocity.
+constexpr bool is_of_velocity(StateForce::Law law) {
+  return law == StateForce::Law::velocity_power || law == StateForce::Law::speed_power;
+}
 
 /// Whether the force depends on the path and not on displacement and velocity alone.
 constexpr bool has_memory(StateForce::Law law) {

@@ -123,6 +123,11 @@ constexpr std::array laws = std::to_array<CatalogueEntry>({
      .term = "-{0}*{s}",
      .order = Order::outside,
      .memory = Memory::loss_power},
+    {.effect = "open_one_sided_damping",
+     .parameters = "su tu",
+     .term = "-{0}*{s}",
+     .order = Order::outside,
+     .memory = Memory::speed_power},
 });
 
 constexpr const char* extra_mode = "extra_mode";

@@ -52,6 +52,7 @@ struct CatalogueEntry {
     displacement_power,    ///< sgn(v)*|v|^exponent, in whatever scale
     velocity_power,        ///< sgn(D(v))*|D(v)|^exponent, in whatever scale
     loss_power,            ///< |v|^exponent*D(v), in whatever scale
+    speed_power,           ///< |D(v)|^exponent, in whatever scale
   };
   /// Order of eps in a case, cut at the case's expand_to.
   enum class Order {
@@ -77,8 +78,9 @@ struct CatalogueEntry {
 /// one entry.
 std::span<const CatalogueEntry> effect_catalogue();
 
-/// Forces of one mode with an exponent of their own, open_stiffness, open_damping and open_loss: what stands for
-/// single laws that the catalogue does not hold. They enter no experiment and are never a cause.
+/// Forces of one mode with an exponent of their own, open_stiffness, open_damping, open_loss and
+/// open_one_sided_damping: what stands for single laws that the catalogue does not hold. They enter no experiment
+/// and are never a cause.
 std::span<const CatalogueEntry> open_laws();
 bool is_open_law(const std::string& effect);
 

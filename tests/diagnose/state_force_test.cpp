@@ -31,7 +31,7 @@ double work(const RowVectorXd& signal, const RowVectorXd& path) {
   return sum;
 }
 
-TEST(StateForce, PowersAreOddAndInTheScaleOfTheForce) {
+TEST(StateForce, PowersAreInTheScaleOfTheForceAndOddButForOneSidedDamping) {
   StateForce force;
   force.scale = 2;
   force.law = StateForce::Law::displacement_power;
@@ -44,6 +44,9 @@ TEST(StateForce, PowersAreOddAndInTheScaleOfTheForce) {
   EXPECT_DOUBLE_EQ(power_law(force, 3, -4, 0), -2);
   force.law = StateForce::Law::loss_power;
   EXPECT_DOUBLE_EQ(power_law(force, -4, -5, 2), -20);
+  force.law = StateForce::Law::speed_power;
+  EXPECT_DOUBLE_EQ(power_law(force, 3, -4, 2), 8);
+  EXPECT_DOUBLE_EQ(power_law(force, 3, 4, 1), 4);
 }
 
 // Slips spread evenly between 0 and `slip`: a swing of amplitude A < slip loses the integral of 4 f (A - f) df/slip

@@ -86,8 +86,11 @@ std::map<std::pair<std::string, std::size_t>, Term> hand_written() {
   terms[{"quadratic_inertia", 0}] = own([](const Moment& m) { return -2 * m.v * m.a - m.dv * m.dv; });
   terms[{"cubic_inertia", 0}] = own([](const Moment& m) { return -m.v * m.v * m.a - m.v * m.dv * m.dv; });
   terms[{"hysteresis", 0}] = own([](const Moment& m) { return -m.signal; });
-  for (const auto& name : std::vector<std::pair<std::string, std::size_t>>{
-           {"hysteresis", 1}, {"open_stiffness", 0}, {"open_damping", 0}, {"open_loss", 0}})
+  for (const auto& name : std::vector<std::pair<std::string, std::size_t>>{{"hysteresis", 1},
+                                                                           {"open_stiffness", 0},
+                                                                           {"open_damping", 0},
+                                                                           {"open_loss", 0},
+                                                                           {"open_one_sided_damping", 0}})
     terms[name] = terms[{"hysteresis", 0}];
   terms[{"direct_excitation", 0}] = own([](const Moment& m) { return m.force; });
   terms[{"parametric_excitation", 0}] = own([](const Moment& m) { return m.v * m.force; });
