@@ -7,12 +7,14 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "diagnose/held_out.hpp"
 #include "diagnose/line_evidence.hpp"
 #include "diagnose/observe_conditions.hpp"
 #include "diagnose/prior_evidence.hpp"
 #include "diagnose/segment_evidence.hpp"
+#include "estimator/identification/short_list.hpp"
 #include "estimator/regression/distribution.hpp"
 #include "input/input_error.hpp"
 
@@ -76,6 +78,7 @@ class Diagnoser {
     result_.conditions = observed.conditions.size() + segments.size();
     conditions_ = std::move(observed.conditions);
     judge_steadiness(observed.wander);
+    leave_out_unsteady(observed.wander);
     const VectorXd largest = largest_displacements(conditions_, segments, sensors_, natural);
     set_scales(largest, natural);
     candidates_ = candidates_of(effects, model, sensors_, faults_, conditions_, segments, largest);
@@ -219,6 +222,21 @@ class Diagnoser {
         "most in {}) though the excitation is steady: a force that no channel records, or a structure "
         "that changes from minute to minute, which no effect of the catalogue does",
         unsteady.ratio, unsteady.p_value, unsteady.record));
+  }
+
+  // A few dwells that wander have no mean motion to compare; where most do, the mean is all there is.
+  void leave_out_unsteady(const std::vector<Wander>& wander) {
+    std::set<std::size_t> records;
+    for (const Wander& w : wander)
+      if (test_wander({w}).p_value < unsteady_alarm) records.insert(w.record);
+    const auto unsteady = [&](const Condition& c) { return records.contains(c.record); };
+    const auto count = std::count_if(conditions_.begin(), conditions_.end(), unsteady);
+    if (count == 0 || 2 * static_cast<std::size_t>(count) > conditions_.size()) return;
+    std::erase_if(conditions_, unsteady);
+    result_.conditions -= static_cast<std::size_t>(count);
+    std::vector<std::string> files;
+    for (const std::size_t record : records) files.push_back(campaign_.records[record].file);
+    result_.warnings.push_back(fmt::format("left out because their motion is not steady: {}", short_list(files)));
   }
 
   // Mean motions agree with the model; what varies within dwells may not.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -242,6 +243,23 @@ TEST(SlowDiagnosis, WhatIsMissingFarBeyondTheNoiseIsFound) {
   EXPECT_LT(d.gap.after, 1.2);
   ASSERT_FALSE(d.causes.empty());
   EXPECT_NEAR(d.causes.front().coefficient, 36.87, 4 * d.causes.front().sd);
+}
+
+// One dwell of nine swells and fades: it says nothing of the model, and the others are heard without it.
+TEST(SlowDiagnosis, ADwellThatIsNotSteadyIsLeftOut) {
+  const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
+  SimulatedCampaign data = simulated(model, parametric_dwells(), 23);
+  std::vector<double>& response = data.samples[4].channels.back();
+  for (std::size_t i = 0; i < response.size(); ++i)
+    response[i] *= 1 + 0.05 * std::sin(0.8 * static_cast<double>(i) / data.samples[4].sample_rate_hz);
+  const Diagnosis d = diagnosed(model, data, {});
+  EXPECT_TRUE(d.unsteady.detected);
+  EXPECT_EQ(d.unsteady.record, data.campaign.records[4].file);
+  EXPECT_EQ(d.conditions, data.samples.size() - 1);
+  EXPECT_NEAR(d.gap.before, 1, 0.15);  // the rest agrees with the model
+  EXPECT_TRUE(std::any_of(d.warnings.begin(), d.warnings.end(), [&](const std::string& warning) {
+    return warning == "left out because their motion is not steady: " + data.campaign.records[4].file;
+  }));
 }
 
 TEST(SlowDiagnosis, AChannelThatIsLateIsTold) {
