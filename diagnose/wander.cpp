@@ -6,11 +6,6 @@
 #include "estimator/regression/distribution.hpp"
 
 namespace secular {
-namespace {
-
-using Eigen::Index;
-
-}  // namespace
 
 Wander wander_of(const Eigen::VectorXcd& amplitude, const Eigen::MatrixXcd& noise) {
   Wander wander;

@@ -138,6 +138,7 @@ class Estimator {
       lump_estimates_.clear();
       bootstrap_lumps_.clear();
       used_.clear();
+      truncation_slope_.clear();
       single_.clear();
       shared();
     }
@@ -339,6 +340,7 @@ class Estimator {
     for (const CaseFit& fit : fits_) {
       LumpEstimates part;
       part.resonance = fit.set->resonance;
+      truncation_slope_.emplace_back();
       std::vector<Index> used, lost;
       for (std::size_t c = 0; c < fit.columns.size() && fit.fit.coefficients.size() > 0; ++c)
         if (fit.columns[c].kind != CaseColumn::Kind::sensor_offset)
@@ -361,7 +363,8 @@ class Estimator {
             part.combination * MatrixXd(fit.fit.plain_covariance(used, used)) * part.combination.transpose();
         part.influence = MatrixXd(fit.fit.influence(Eigen::all, used)) * part.combination.transpose();
         part.truncation_effect = part.combination * MatrixXd(fit.truncation_effect(used, Eigen::all));
-        part.truncation_slope = part.combination * MatrixXd(truncation_slope(fit)(used, Eigen::all));
+        truncation_slope_.back() = truncation_slope(fit);
+        part.truncation_slope = part.combination * MatrixXd(truncation_slope_.back()(used, Eigen::all));
       }
       part.clustered = fit.fit.covariance_kind == CovarianceKind::clustered;
       part.degrees_of_freedom = fit.fit.degrees_of_freedom;
@@ -412,7 +415,7 @@ class Estimator {
       const Index columns = fit.fit.coefficients.size();
       if (columns == 0 || shared_.slope[s].size() == 0) continue;
       const MatrixXd& effect = fit.truncation_effect;
-      const MatrixXd by_values = truncation_slope(fit);
+      const MatrixXd& by_values = truncation_slope_[s];
       // Of a change of the coefficients by noise, what comes back by way of the values.
       MatrixXd back = MatrixXd::Zero(columns, columns), left = MatrixXd::Zero(columns, columns);
       const auto add = [&](const MatrixXd& moves, const MatrixXd& slope) {
@@ -729,9 +732,10 @@ class Estimator {
   std::vector<CaseFit> fits_;
   std::vector<RegressionState> states_;  // by fit; without weights: none yet
   std::vector<LumpEstimates> lump_estimates_;
-  std::vector<std::vector<Index>> used_;  // by fit: columns that are in lump_estimates_, identifiable ones first
-  std::vector<std::size_t> single_;       // by fit: how many of them are identifiable
-  std::vector<MatrixXd> hidden_;          // by fit: hidden_misfit
+  std::vector<std::vector<Index>> used_;    // by fit: columns that are in lump_estimates_, identifiable ones first
+  std::vector<MatrixXd> truncation_slope_;  // by fit: see truncation_slope
+  std::vector<std::size_t> single_;         // by fit: how many of them are identifiable
+  std::vector<MatrixXd> hidden_;            // by fit: hidden_misfit
   SharedParameters shared_;
   MatrixXd bootstrap_;
   std::vector<MatrixXd> bootstrap_lumps_;

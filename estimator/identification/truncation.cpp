@@ -31,6 +31,15 @@ void for_common(const ObservationSet& first, const ObservationSet& second, const
   }
 }
 
+// By observation of `set`: its truncation less that of the same observation in another set; zero where that lacks
+// it.
+Eigen::MatrixXcd truncation_beyond(const ObservationSet& set, const ObservationSet& other) {
+  Eigen::MatrixXcd difference = Eigen::MatrixXcd::Zero(set.truncation.rows(), set.truncation.cols());
+  for_common(set, other,
+             [&](Index i, Index o) { difference.row(i) = set.truncation.row(i) - other.truncation.row(o); });
+  return difference;
+}
+
 }  // namespace
 
 std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets,
@@ -77,25 +86,13 @@ std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets
 }
 
 void add_truncation_change(std::span<ObservationSet> corrected, std::span<const ObservationSet> displaced) {
-  for (std::size_t s = 0; s < corrected.size(); ++s) {
-    ObservationSet& set = corrected[s];
-    Eigen::MatrixXcd change = Eigen::MatrixXcd::Zero(set.truncation.rows(), set.truncation.cols());
-    for_common(set, displaced[s], [&](Index i, Index other) {
-      change.row(i) = displaced[s].truncation.row(other) - set.truncation.row(i);
-    });
-    set.truncation_change.push_back(std::move(change));
-  }
+  for (std::size_t s = 0; s < corrected.size(); ++s)
+    corrected[s].truncation_change.push_back(-truncation_beyond(corrected[s], displaced[s]));
 }
 
 void add_passed(std::span<ObservationSet> corrected, std::span<const ObservationSet> before) {
-  for (std::size_t s = 0; s < corrected.size(); ++s) {
-    ObservationSet& set = corrected[s];
-    Eigen::MatrixXcd change = Eigen::MatrixXcd::Zero(set.truncation.rows(), set.truncation.cols());
-    for_common(set, before[s], [&](Index i, Index other) {
-      change.row(i) = set.truncation.row(i) - before[s].truncation.row(other);
-    });
-    set.truncation_passed.push_back(std::move(change));
-  }
+  for (std::size_t s = 0; s < corrected.size(); ++s)
+    corrected[s].truncation_passed.push_back(truncation_beyond(corrected[s], before[s]));
 }
 
 void keep_truncation_change(std::span<ObservationSet> to, std::span<const ObservationSet> from) {
