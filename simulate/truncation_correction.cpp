@@ -1,7 +1,7 @@
 #include "simulate/truncation_correction.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
-#include <deque>
 #include <utility>
 
 #include "estimator/anderson_acceleration.hpp"
@@ -10,19 +10,23 @@
 namespace secular {
 namespace {
 
-/// The correction is evaluated at the estimate, at the corrected one, and again while that still moves numbers by
-/// more than a share of their error bars.
-constexpr int most_truncation_passes = 12;
+/// The correction is evaluated at the estimate, at the corrected one, and so on: first as it comes, until that
+/// moves numbers by no more than a few error bars, then with how it depends on the parameters, until they rest.
+constexpr int most_plain_passes = 5, most_passes = 18;
+constexpr double near = 2, settled_share = 0.1;
 /// The pass that sees how the correction depends on what no lump tells: near enough to where it is used.
 constexpr int unseen_pass = 2;
 constexpr std::size_t remembered_passes = 6;
 /// Values of a pass have errors of this share: differences that depend on one another so far say nothing.
 constexpr double dependent_passes = 1e-3;
-constexpr double settled_share = 0.1;
-/// Of what is plausible: all of it may lead to quite another motion.
+/// Of what is plausible, or of a standard deviation: all of it may lead to quite another motion.
 constexpr double displaced_share = 0.1;
 /// A step after which motions grow beyond bounds is halved so often.
 constexpr int most_returns = 4;
+/// A step after which lumps and parameters go together worse, by more than this in chi-squared, is halved, so
+/// often.
+constexpr double worse = 1;
+constexpr int most_halvings = 5;
 
 // By symbol: one over the standard deviation, 0 where there is no estimate.
 Eigen::VectorXd inverse_sd(const Estimate& estimate) {
@@ -34,27 +38,37 @@ Eigen::VectorXd inverse_sd(const Estimate& estimate) {
   return result;
 }
 
-// How the correction at `parameters` depends on what no lump tells of them: seen once, on motions replayed a
-// part of the plausible way along each such direction, or back where that runs away. The number of directions in
-// which both do.
-int add_unseen(std::vector<ObservationSet>& corrected, std::span<const ObservationSet> measured,
-               const Eigen::VectorXd& parameters, const Eigen::MatrixXd& directions, const ReplaySets& replay) {
+/// Changes of the correction, by direction and set, and the number of directions in which nothing is known of them.
+struct Slopes {
+  std::vector<std::vector<Eigen::MatrixXcd>> change;
   int unknown = 0;
+};
+
+// How the correction at `parameters` changes along each direction, from motions replayed a part of the way, or back
+// where that runs away; zero where both do.
+Slopes slopes_along(const Eigen::MatrixXd& directions, std::span<const ObservationSet> corrected,
+                    std::span<const ObservationSet> measured, const Eigen::VectorXd& parameters,
+                    const ReplaySets& replay) {
+  Slopes slopes;
   for (Eigen::Index d = 0; d < directions.cols(); ++d) {
-    bool seen = false;
-    for (const double sign : {1.0, -1.0}) {
-      if (seen) break;
-      const Eigen::VectorXd displaced = parameters + sign * displaced_share * directions.col(d);
+    std::vector<Eigen::MatrixXcd> change;
+    for (const double share : {displaced_share, -displaced_share}) {
+      const Eigen::VectorXd displaced = parameters + share * directions.col(d);
       try {
-        add_truncation_change(corrected, with_truncation(measured, replay(displaced), displaced));
-        for (ObservationSet& set : corrected) set.truncation_change.back() /= displaced_share;
-        seen = true;
+        change = truncation_difference(corrected, with_truncation(measured, replay(displaced), displaced));
+        for (Eigen::MatrixXcd& part : change) part /= share;
+        break;
       } catch (const InputError&) {
       }
     }
-    if (!seen) ++unknown;
+    if (change.empty()) {
+      ++slopes.unknown;
+      for (const ObservationSet& set : corrected)
+        change.push_back(Eigen::MatrixXcd::Zero(set.truncation.rows(), set.truncation.cols()));
+    }
+    slopes.change.push_back(std::move(change));
   }
-  return unknown;
+  return slopes;
 }
 
 // At `parameters`, or where motions with these grow beyond bounds at the first on the way back to `good` ones with
@@ -71,90 +85,179 @@ std::vector<ObservationSet> replay_near(Eigen::VectorXd& parameters, const Eigen
   }
 }
 
-/// Sets as they were corrected at some parameters.
-struct Pass {
-  Eigen::VectorXd parameters;
-  std::vector<ObservationSet> corrected;
-};
-
-// Symbols x moves: from earlier passes to the last one, and along the directions that no lump tells, with what each
-// did to the last pass's correction.
-Eigen::MatrixXd passed_moves(std::deque<Pass>& passes, const Eigen::MatrixXd& unseen) {
-  Pass& last = passes.back();
-  const auto earlier = static_cast<Eigen::Index>(passes.size()) - 1;
-  const Eigen::Index directions =
-      std::min(unseen.cols(), static_cast<Eigen::Index>(last.corrected.front().truncation_change.size()));
-  Eigen::MatrixXd moves(last.parameters.size(), earlier + directions);
-  for (Eigen::Index i = 0; i < earlier; ++i) {
-    const Pass& before = passes[static_cast<std::size_t>(i)];
-    moves.col(i) = last.parameters - before.parameters;
-    add_passed(last.corrected, before.corrected);
+// Symbols x axes: all directions that parameters can take without moving along the unseen ones, each a standard
+// deviation long.
+Eigen::MatrixXd axes_beside(const Eigen::MatrixXd& unseen, const Eigen::VectorXd& sd) {
+  std::vector<Eigen::Index> moving;
+  for (Eigen::Index p = 0; p < sd.size(); ++p)
+    if (sd(p) > 0) moving.push_back(p);
+  const auto size = static_cast<Eigen::Index>(moving.size());
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(size, size);
+  Eigen::Index lost = 0;
+  if (unseen.cols() > 0 && size > 0) {
+    const Eigen::VectorXd own = sd(moving);
+    Eigen::MatrixXd directions = own.cwiseInverse().asDiagonal() * unseen(moving, Eigen::all);
+    directions.colwise().normalize();
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(directions);
+    lost = qr.rank();
+    basis = qr.householderQ();
   }
-  moves.rightCols(directions) = unseen.leftCols(directions);
-  for (ObservationSet& set : last.corrected)
-    set.truncation_passed.insert(set.truncation_passed.end(), set.truncation_change.begin(),
-                                 set.truncation_change.begin() + directions);
-  return moves;
+  Eigen::MatrixXd axes = Eigen::MatrixXd::Zero(sd.size(), size - lost);
+  for (Eigen::Index m = 0; m < size; ++m)
+    axes.row(moving[static_cast<std::size_t>(m)]) =
+        sd(moving[static_cast<std::size_t>(m)]) * basis.row(m).rightCols(size - lost);
+  return axes;
 }
+
+class Correction {
+ public:
+  Correction(std::span<const ObservationSet> measured, const Estimate& raw, const MeasuredUnits& units,
+             const EstimateOptions& options, const ReplaySets& replay, const StageDone& done)
+      : measured_(measured),
+        raw_(raw),
+        units_(units),
+        quick_(options),
+        full_(options),
+        replay_(replay),
+        done_(done),
+        estimate_(raw),
+        parameters_(raw.parameter_values),
+        next_(parameters_) {
+    quick_.bootstrap = 0;
+    quick_.damping_laws = quick_.judge_fit = false;
+    quick_.keep_weights = !options.refine;
+  }
+
+  TruncationCorrection run() {
+    go_around();
+    see_axes();
+    follow_slopes();
+    full_.start = estimate_.state;
+    estimate_ = estimate(at_.corrected, units_, full_);
+    estimate_ = with_correction_shown(std::move(estimate_), raw_);
+    estimate_ = with_unsettled_correction(std::move(estimate_), parameters_, next_);
+    if (unknown_ > 0)
+      estimate_.warnings.emplace_back(
+          "the correction for the expansion's truncation depends on parameters that are not well known, and "
+          "motions with other values of them grow beyond bounds: error bars do not contain that");
+    done_("regression");
+    return {std::move(estimate_), std::move(at_.replayed)};
+  }
+
+ private:
+  struct Pass {
+    std::vector<ObservationSet> replayed, corrected;
+  };
+
+  // At next_, or on the way back to parameters_ where motions there grow beyond bounds.
+  Pass correct(bool may_return) {
+    Pass pass;
+    pass.replayed = replay_near(next_, parameters_, may_return, replay_);
+    pass.corrected = with_truncation(measured_, pass.replayed, next_);
+    if (!at_.corrected.empty()) keep_truncation_change(pass.corrected, at_.corrected);
+    return pass;
+  }
+
+  double move() const { return inverse_sd(estimate_).cwiseProduct(next_ - parameters_).cwiseAbs().maxCoeff(); }
+
+  void go_around() {
+    AndersonAcceleration acceleration(remembered_passes, dependent_passes);
+    for (int pass = 1; pass <= most_plain_passes; ++pass) {
+      at_ = correct(pass > 1);
+      parameters_ = next_;
+      if (pass == unseen_pass) {
+        see_unseen();
+        // With what no lump tells as an unknown it is another map: what was learnt of the first says nothing of it.
+        acceleration = AndersonAcceleration(remembered_passes, dependent_passes);
+      }
+      done_("replay of the full equations");
+      quick_.start = estimate_.state;
+      estimate_ = estimate(at_.corrected, units_, quick_);
+      next_ = acceleration.next(parameters_, estimate_.parameter_values, inverse_sd(estimate_));
+      done_("regression");
+      if (pass >= unseen_pass && move() < near) return;
+    }
+  }
+
+  // How the correction depends on what no lump tells of the parameters.
+  void see_unseen() {
+    unseen_ = estimate_.unseen;
+    const Slopes slopes = slopes_along(unseen_, at_.corrected, measured_, parameters_, replay_);
+    unknown_ += slopes.unknown;
+    for (std::size_t s = 0; s < at_.corrected.size(); ++s)
+      for (const auto& change : slopes.change) at_.corrected[s].truncation_change.push_back(change[s]);
+  }
+
+  // The same of what lumps tell. Unseen directions are unknowns of their own (SharedParameters::shift), along which
+  // nothing is said here.
+  void see_axes() {
+    next_ = estimate_.parameter_values;
+    at_ = correct(true);
+    parameters_ = next_;
+    const Eigen::MatrixXd axes = axes_beside(unseen_, estimate_.parameter_sd);
+    const Slopes slopes = slopes_along(axes, at_.corrected, measured_, parameters_, replay_);
+    unknown_ += slopes.unknown;
+    quick_.moves.resize(parameters_.size(), axes.cols() + unseen_.cols());
+    quick_.moves << axes, unseen_;
+    full_.moves = quick_.moves;
+    for (std::size_t s = 0; s < at_.corrected.size(); ++s) {
+      ObservationSet& set = at_.corrected[s];
+      for (const auto& change : slopes.change) set.truncation_of_moves.push_back(change[s]);
+      set.truncation_of_moves.resize(static_cast<std::size_t>(quick_.moves.cols()),
+                                     Eigen::MatrixXcd::Zero(set.truncation.rows(), set.truncation.cols()));
+    }
+    done_("replay of the full equations");
+  }
+
+  // Gauss and Newton, from the sets corrected at parameters_ on; a step that makes it worse is halved.
+  void follow_slopes() {
+    const auto estimate_at = [&](const std::vector<ObservationSet>& corrected, const Eigen::VectorXd& at) {
+      quick_.start = estimate_.state;
+      quick_.corrected_at = at;
+      Estimate found = estimate(corrected, units_, quick_);
+      done_("regression");
+      return found;
+    };
+    estimate_ = estimate_at(at_.corrected, parameters_);
+    next_ = estimate_.parameter_values;
+    int halvings = 0;
+    for (int pass = most_plain_passes; pass < most_passes && move() > settled_share; ++pass) {
+      Pass further = correct(true);
+      done_("replay of the full equations");
+      Estimate found = estimate_at(further.corrected, next_);
+      if (found.misfit_before > estimate_.misfit_before + worse) {
+        if (++halvings > most_halvings) break;
+        next_ = 0.5 * (next_ + parameters_);
+        continue;
+      }
+      halvings = 0;
+      at_ = std::move(further);
+      parameters_ = next_;
+      estimate_ = std::move(found);
+      next_ = estimate_.parameter_values;
+    }
+    full_.corrected_at = parameters_;
+  }
+
+  std::span<const ObservationSet> measured_;
+  const Estimate& raw_;
+  const MeasuredUnits& units_;
+  EstimateOptions quick_, full_;
+  const ReplaySets& replay_;
+  const StageDone& done_;
+  Pass at_;
+  Estimate estimate_;                  // from at_
+  Eigen::VectorXd parameters_, next_;  // of at_, and where to go from there
+  Eigen::MatrixXd unseen_;
+  int unknown_ = 0;
+};
 
 }  // namespace
 
 TruncationCorrection correct_truncation(std::span<const ObservationSet> measured, const Estimate& raw,
                                         const MeasuredUnits& units, const EstimateOptions& options,
                                         const ReplaySets& replay, const StageDone& done) {
-  TruncationCorrection result;
-  result.estimate = raw;
-  EstimateOptions quick = options;
-  quick.bootstrap = 0;
-  quick.damping_laws = quick.judge_fit = false;
-  quick.keep_weights = !options.refine;
-  EstimateOptions full = options;
-  AndersonAcceleration acceleration(remembered_passes, dependent_passes);
-  Eigen::VectorXd parameters = raw.parameter_values, next = parameters;
-  bool settled = false;
-  std::vector<ObservationSet> unseen;
-  Eigen::MatrixXd unseen_directions;
-  std::deque<Pass> passes;
-  int unknown = 0;
-  for (int pass = 1; pass <= most_truncation_passes && !settled; ++pass) {
-    const Eigen::VectorXd good = parameters;
-    parameters = next;
-    result.replayed = replay_near(parameters, good, pass > 1, replay);
-    std::vector<ObservationSet> corrected = with_truncation(measured, result.replayed, parameters);
-    if (pass == unseen_pass) {
-      unseen_directions = result.estimate.unseen;
-      unknown = add_unseen(corrected, measured, parameters, unseen_directions, replay);
-      unseen = corrected;
-    } else if (pass > unseen_pass) {
-      keep_truncation_change(corrected, unseen);
-    }
-    done("replay of the full equations");
-    passes.push_back({parameters, std::move(corrected)});
-    if (passes.size() > remembered_passes) passes.pop_front();
-    quick.start = result.estimate.state;
-    result.estimate = estimate(passes.back().corrected, units, quick);
-    // With what no lump tells as an unknown it is another map: what was learnt of the first says nothing of it.
-    if (pass == unseen_pass) acceleration = AndersonAcceleration(remembered_passes, dependent_passes);
-    const Eigen::VectorXd weight = inverse_sd(result.estimate);
-    next = acceleration.next(parameters, result.estimate.parameter_values, weight);
-    const double move = weight.cwiseProduct(next - parameters).cwiseAbs().maxCoeff();
-    settled = move < settled_share && (pass >= unseen_pass || result.estimate.unseen.cols() == 0);
-    if (settled || pass == most_truncation_passes) {
-      full.start = result.estimate.state;
-      full.passed = passed_moves(passes, unseen_directions);
-      result.estimate = estimate(passes.back().corrected, units, full);
-    }
-    done("regression");
-  }
-  result.estimate = with_correction_shown(std::move(result.estimate), raw);
-  result.estimate = with_unsettled_correction(std::move(result.estimate), parameters, next);
-  if (unknown > 0)
-    result.estimate.warnings.emplace_back(
-        "the correction for the expansion's truncation depends on parameters that cannot be told apart, and "
-        "motions "
-        "with other values of them grow beyond bounds: error bars do not contain that");
-  done("regression");
-  return result;
+  return Correction(measured, raw, units, options, replay, done).run();
 }
 
 }  // namespace secular

@@ -118,7 +118,7 @@ class CaseRegression {
       block_misfits(result_.fit.residual);
     }
     result_.truncation_effect = effect_of(set_.truncation_change);
-    result_.passed_effect = effect_of(set_.truncation_passed);
+    result_.moves_effect = effect_of(set_.truncation_of_moves);
     if (result_.fit.coefficients.size() > 0) result_.fit.coefficients += result_.reference;
     result_.state = {lump_,          natural_,         offset_,       scale_,
                      result_.weight, result_.distance, system.errors, result_.fit.noisy};
@@ -185,7 +185,7 @@ class CaseRegression {
     MatrixXd core;
     VectorXd target = result_.system.response;
     if (x.rows() > columns + 1) {
-      const CondensedRows condensed = condensed_rows(x, target);
+      const CondensedRows condensed = condensed_rows(x, target, reweighting_.threads);
       core = condensed.design * scale.asDiagonal();
       target = condensed.response;
     } else {

@@ -68,9 +68,9 @@ struct CaseFit {
   LinearFit fit;              ///< coefficients include `reference`
   Eigen::VectorXd residual;   ///< by row: of each equation alone over its own noise, as measured noise explains it
   /// Columns x directions: how coefficients change with ObservationSet::truncation_change.
-  Eigen::MatrixXd truncation_effect, passed_effect;  ///< the second with ObservationSet::truncation_passed
-  std::map<std::size_t, double> block_misfit;        ///< by block: residual over what noise explains, unscaled
-  std::vector<double> weight;                        ///< by observation: 1, less where it is an outlier
+  Eigen::MatrixXd truncation_effect, moves_effect;  ///< the second with ObservationSet::truncation_of_moves
+  std::map<std::size_t, double> block_misfit;       ///< by block: residual over what noise explains, unscaled
+  std::vector<double> weight;                       ///< by observation: 1, less where it is an outlier
   std::vector<double> distance;  ///< by observation: deviation from its condition over what is usual; 0 if unknown
   RegressionState state;
 };

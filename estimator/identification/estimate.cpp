@@ -329,7 +329,6 @@ class Estimator {
         for (const int l : block.lumps) further.cases[s].lumps[static_cast<std::size_t>(l)] = true;
         if (scaled_rank(known_jacobian(further, point)) <= rank) continue;
         blocks[s].push_back(b);
-        states_[s] = {};
         added = true;
       }
     }
@@ -362,9 +361,11 @@ class Estimator {
         part.plain =
             part.combination * MatrixXd(fit.fit.plain_covariance(used, used)) * part.combination.transpose();
         part.influence = MatrixXd(fit.fit.influence(Eigen::all, used)) * part.combination.transpose();
-        part.truncation_effect = part.combination * MatrixXd(fit.truncation_effect(used, Eigen::all));
+        part.truncation_effect = fit.truncation_effect(used, Eigen::all);
         truncation_slope_.back() = truncation_slope(fit);
-        part.truncation_slope = part.combination * MatrixXd(truncation_slope_.back()(used, Eigen::all));
+        part.truncation_slope = truncation_slope_.back()(used, Eigen::all);
+        part.truncation_at = options_.corrected_at;
+        part.rows = rows_of(fit, used);
       }
       part.clustered = fit.fit.covariance_kind == CovarianceKind::clustered;
       part.degrees_of_freedom = fit.fit.degrees_of_freedom;
@@ -387,27 +388,58 @@ class Estimator {
     }
     shared_ = shared_parameters(lump_estimates_, start, given_);
     result_.parameter_values = shared_.values;
+    result_.misfit_before = shared_.misfit_before;
+    result_.parameter_sd = shared_.covariance.diagonal().cwiseMax(0).cwiseSqrt();
     if (options_.bootstrap > 0) draw_bootstrap();
   }
 
+  // `used`: columns that parameters make. What the case has lost may be anything.
+  static ConditionRows rows_of(const CaseFit& fit, const std::vector<Index>& used) {
+    const LinearFit& regression = fit.fit;
+    const MatrixXd coordinates = regression.orthonormal.transpose() * fit.system.design;  // of each column
+    std::vector<Index> rest;
+    for (Index c = 0; c < coordinates.cols(); ++c)
+      if (std::find(used.begin(), used.end(), c) == used.end()) rest.push_back(c);
+    ConditionRows rows;
+    rows.entries = coordinates(Eigen::all, used);
+    rows.others.resize(coordinates.rows(), static_cast<Index>(rest.size()) + regression.lost.cols());
+    rows.others << MatrixXd(coordinates(Eigen::all, rest)),
+        coordinates * regression.scale.asDiagonal() * regression.lost;
+    rows.reference = fit.reference(used);
+    rows.estimate = coordinates * (regression.coefficients - fit.reference);
+    rows.kept = regression.kept;
+    rows.residual_sd = regression.residual_sd;
+    rows.gram = regression.cluster_gram;
+    rows.score = regression.cluster_score;
+    return rows;
+  }
+
   // Columns x symbols: how a case's coefficients change with the parameters that the truncation was taken out with,
-  // along what parameters moved from pass to pass and what no lump tells of them.
+  // along EstimateOptions::moves.
   MatrixXd truncation_slope(const CaseFit& fit) const {
-    const Index symbols = static_cast<Index>(model_.symbols.size()), passes = options_.passed.cols();
-    if (passes == 0 || fit.passed_effect.cols() != passes) return MatrixXd::Zero(fit.fit.coefficients.size(), 0);
-    VectorXd size = options_.passed.rowwise().norm();
+    const Index symbols = static_cast<Index>(model_.symbols.size()), count = options_.moves.cols();
+    if (count == 0 || fit.moves_effect.cols() != count) return MatrixXd::Zero(fit.fit.coefficients.size(), 0);
+    VectorXd size = options_.moves.rowwise().norm();
     for (Index p = 0; p < symbols; ++p) size(p) = size(p) > 0 ? 1 / size(p) : 0;
-    MatrixXd moves = size.asDiagonal() * options_.passed;
+    MatrixXd moves = size.asDiagonal() * options_.moves;
     const VectorXd length = moves.colwise().norm().transpose().cwiseMax(std::numeric_limits<double>::min());
     moves = moves * length.cwiseInverse().asDiagonal();
     Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
     solver.setThreshold(dependent_moves);
     solver.compute(moves);
-    return fit.passed_effect * length.cwiseInverse().asDiagonal() * solver.pseudoInverse() * size.asDiagonal();
+    return fit.moves_effect * length.cwiseInverse().asDiagonal() * solver.pseudoInverse() * size.asDiagonal();
   }
 
-  // Lumps are corrected for the truncation with parameters that no lump can tell. Where these are, as far as all
-  // lumps together tell it, moves each lump; what they leave open is part of its error bar.
+  // The lumps of case s, and what the bootstrap drew of them.
+  void move(std::size_t s, const VectorXd& change) {
+    fits_[s].fit.coefficients += change;
+    if (s < bootstrap_lumps_.size() && bootstrap_lumps_[s].rows() == change.size())
+      bootstrap_lumps_[s].colwise() += change;
+  }
+
+  // Lumps as they would be corrected for the truncation at the parameters found. Of parameters that no lump can
+  // tell, where they are as far as all lumps together tell it moves each lump, too, and what they leave open is
+  // part of its error bar.
   void place_along_unseen() {
     result_.unseen = shared_.unseen;
     for (std::size_t s = 0; s < fits_.size(); ++s) {
@@ -421,15 +453,15 @@ class Estimator {
       const auto add = [&](const MatrixXd& moves, const MatrixXd& slope) {
         back(Eigen::all, used_[s]) += moves * (slope * lump_estimates_[s].combination);
       };
-      if (by_values.cols() > 0) add(by_values, shared_.slope[s]);
+      if (by_values.cols() > 0) {
+        add(by_values, shared_.slope[s]);
+        move(s, by_values * (shared_.values - options_.corrected_at));
+      }
       if (effect.cols() > 0 && shared_.shift_slope[s].size() > 0) {
         add(effect, shared_.shift_slope[s]);
         const MatrixXd open = effect * shared_.shift_prior;
         left = open * open.transpose();
-        const VectorXd change = effect * shared_.shift;
-        fits_[s].fit.coefficients += change;
-        if (s < bootstrap_lumps_.size() && bootstrap_lumps_[s].rows() == change.size())
-          bootstrap_lumps_[s].colwise() += change;
+        move(s, effect * shared_.shift);
       }
       const MatrixXd map = MatrixXd::Identity(columns, columns) + back;
       LinearFit& regression = fits_[s].fit;

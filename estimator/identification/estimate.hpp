@@ -69,6 +69,8 @@ struct Estimate {
   Eigen::VectorXd parameter_values;  ///< by CompiledModel::symbols: a representative that reproduces the lumps
   /// Symbols x directions: SharedParameters::unseen.
   Eigen::MatrixXd unseen;
+  double misfit_before = 0;      ///< SharedParameters::misfit_before
+  Eigen::VectorXd parameter_sd;  ///< of `parameter_values` by the noise of the lumps; 0 where they say nothing
   std::vector<std::string> warnings;
   std::shared_ptr<const EstimationState> state;
 };
@@ -84,10 +86,12 @@ struct EstimateOptions {
   bool judge_fit = true;
   /// Of the same observations: which equations are regressed, and coefficients and weights near the final ones.
   std::shared_ptr<const EstimationState> start = nullptr;
-  /// Symbols x passes: where parameters moved while the truncation was taken out, see
-  /// ObservationSet::truncation_passed. How the correction depends on the parameters, of which this tells as much
-  /// as matters, is part of what noise does to them. Empty: not known.
-  Eigen::MatrixXd passed = {};
+  /// Symbols x moves: where parameters were moved to see how the truncation's correction depends on them, see
+  /// ObservationSet::truncation_of_moves: lumps are fitted as they would be corrected at the parameters that fit
+  /// them. Empty: not known.
+  Eigen::MatrixXd moves = {};
+  /// With moves: the parameters that ObservationSet::truncation belongs to.
+  Eigen::VectorXd corrected_at = {};
   /// With a start: the weights stay as they are. For passes between, where only the truncation's correction has
   /// changed a little.
   bool keep_weights = false;
@@ -121,14 +125,10 @@ std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets
                                             std::span<const ObservationSet> replayed,
                                             const Eigen::VectorXd& parameters);
 
-/// The `corrected` sets with how their truncation changes from the parameters they were corrected at to others: one
-/// more direction for every call (ObservationSet::truncation_change). `displaced`: with_truncation at the others.
-/// Observations that it lacks do not change.
-void add_truncation_change(std::span<ObservationSet> corrected, std::span<const ObservationSet> displaced);
-
-/// One more pass for the `corrected` sets (ObservationSet::truncation_passed): from `before`, with_truncation at
-/// the parameters of an earlier one, to them.
-void add_passed(std::span<ObservationSet> corrected, std::span<const ObservationSet> before);
+/// By set and observation: how the truncation of the `corrected` sets changes from the parameters they were
+/// corrected at to others. `displaced`: with_truncation at the others. Observations that it lacks do not change.
+std::vector<Eigen::MatrixXcd> truncation_difference(std::span<const ObservationSet> corrected,
+                                                    std::span<const ObservationSet> displaced);
 
 /// The changes of `from` along with the observations of `to`.
 void keep_truncation_change(std::span<ObservationSet> to, std::span<const ObservationSet> from);

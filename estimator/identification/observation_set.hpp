@@ -44,8 +44,8 @@ struct ObservationSet {
   /// By direction in which parameters may move without any lump noticing (SharedParameters::unseen): how much
   /// larger `truncation` is where they have moved along it. Empty: not known.
   std::vector<Eigen::MatrixXcd> truncation_change;
-  /// The same by column of EstimateOptions::passed: how it changed where parameters moved along it.
-  std::vector<Eigen::MatrixXcd> truncation_passed;
+  /// The same by column of EstimateOptions::moves.
+  std::vector<Eigen::MatrixXcd> truncation_of_moves;
   std::vector<std::string> warnings;
 };
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "estimator/regression/clustered_chi_squared.hpp"
 #include "estimator/regression/nonlinear_fit.hpp"
@@ -36,6 +38,13 @@ struct Whitening {
     return m;
   }
 };
+
+// By column: what makes its norm one.
+VectorXd unit_scale(const MatrixXd& columns) {
+  VectorXd scale = columns.colwise().norm().transpose();
+  for (Index c = 0; c < scale.size(); ++c) scale(c) = scale(c) > 0 ? 1 / scale(c) : 1;
+  return scale;
+}
 
 // See SharedParameters::unseen, of the whitened Jacobian. In columns of unit norm entangled parameters do the same
 // for the same size.
@@ -121,18 +130,45 @@ VectorXd plausible_sizes(std::span<const LumpEstimates> cases, const VectorXd& p
   return sizes;
 }
 
-// LumpEstimates::truncation_slope of all cases, whitened, in the rows and unknowns of the fit.
-MatrixXd truncation_slopes(std::span<const LumpEstimates> cases, const std::vector<Whitening>& whitening,
-                           Index rows, Index unknowns) {
-  MatrixXd slopes = MatrixXd::Zero(rows, unknowns);
-  Index r = 0;
-  for (std::size_t c = 0; c < cases.size(); ++c) {
-    const Index size = cases[c].values.size();
-    if (size > 0 && cases[c].truncation_slope.cols() > 0)
-      slopes.block(r, 0, size, cases[c].truncation_slope.cols()) = whitening[c](cases[c].truncation_slope);
-    r += size;
+// Lumps and natural frequencies of one case as its regression should give them, and their slopes by all unknowns.
+struct Entries {
+  VectorXd values;
+  MatrixXd slope;
+};
+
+Entries entries_at(const LumpEstimates& part, const VectorXd& unknowns, Index count, const std::vector<bool>& given,
+                   bool with_truncation) {
+  const Index directions = unknowns.size() - count, entries = static_cast<Index>(part.index.size());
+  const VectorXd parameters = unknowns.head(count);
+  const auto lump_count = static_cast<Index>(part.resonance->lumps.size());
+  VectorXd lumps(lump_count);
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> lump_slope(lump_count, count);
+  if (lump_count > 0) {
+    part.resonance->evaluate_lumps(parameters.data(), lumps.data());
+    part.resonance->evaluate_lumps_jacobian(parameters.data(), lump_slope.data());
   }
-  return slopes;
+  Entries result{VectorXd(entries), MatrixXd::Zero(entries, count + directions)};
+  for (Index i = 0; i < entries; ++i) {
+    const int index = part.index[static_cast<std::size_t>(i)];
+    if (index < 0) {
+      result.values(i) = parameters(-1 - index);
+      result.slope(i, -1 - index) = 1;
+    } else {
+      result.values(i) = lumps(index);
+      result.slope.row(i).head(count) = lump_slope.row(index);
+    }
+  }
+  if (with_truncation && part.truncation_slope.cols() > 0) {
+    result.values -= part.truncation_slope * (parameters - part.truncation_at);
+    result.slope.leftCols(count) -= part.truncation_slope;
+  }
+  for (Index p = 0; p < count; ++p)
+    if (given[static_cast<std::size_t>(p)]) result.slope.col(p).setZero();
+  if (part.truncation_effect.cols() > 0) {
+    result.values -= part.truncation_effect * unknowns.tail(directions);
+    result.slope.rightCols(directions) = -part.truncation_effect;
+  }
+  return result;
 }
 
 }  // namespace
@@ -159,49 +195,24 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
   result.unseen = MatrixXd::Zero(count, 0);
   if (rows == 0) return result;
   // Unknowns: parameters, then shifts; after the lumps' rows those of the shifts' own size.
-  const ResidualFunction function = [&](const VectorXd& unknowns, VectorXd& residual, MatrixXd& jacobian) {
-    const VectorXd parameters = unknowns.head(count), shift = unknowns.tail(directions);
+  const auto evaluate = [&](const VectorXd& unknowns, bool with_truncation, VectorXd& residual,
+                            MatrixXd& jacobian) {
     Index r = 0;
     for (std::size_t c = 0; c < cases.size(); ++c) {
       const LumpEstimates& part = cases[c];
-      const auto lump_count = static_cast<Index>(part.resonance->lumps.size());
-      VectorXd lumps(lump_count);
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> lump_slope(lump_count, count);
-      if (lump_count > 0) {
-        part.resonance->evaluate_lumps(parameters.data(), lumps.data());
-        part.resonance->evaluate_lumps_jacobian(parameters.data(), lump_slope.data());
-      }
       const Index size = part.values.size();
       if (size == 0) continue;
-      const auto entries = static_cast<Index>(part.index.size());
-      VectorXd single(entries);
-      MatrixXd single_slope = MatrixXd::Zero(entries, count);
-      for (Index i = 0; i < entries; ++i) {
-        const int index = part.index[static_cast<std::size_t>(i)];
-        if (index < 0) {
-          single(i) = parameters(-1 - index);
-          single_slope(i, -1 - index) = 1;
-        } else {
-          single(i) = lumps(index);
-          single_slope.row(i) = lump_slope.row(index);
-        }
-      }
-      VectorXd difference = part.combination * single - part.values;
-      MatrixXd slope = MatrixXd::Zero(size, count + directions);
-      slope.leftCols(count) = part.combination * single_slope;
-      for (Index p = 0; p < count; ++p)
-        if (given[static_cast<std::size_t>(p)]) slope.col(p).setZero();
-      if (part.truncation_effect.cols() > 0) {
-        difference -= part.truncation_effect * shift;
-        slope.rightCols(directions) = -part.truncation_effect;
-      }
-      residual.segment(r, size) = whitening[c](difference);
-      jacobian.middleRows(r, size) = whitening[c](slope);
+      const Entries entries = entries_at(part, unknowns, count, given, with_truncation);
+      residual.segment(r, size) = whitening[c](part.combination * entries.values - part.values);
+      jacobian.middleRows(r, size) = whitening[c](part.combination * entries.slope);
       r += size;
     }
-    residual.tail(directions) = shift;
+    residual.tail(directions) = unknowns.tail(directions);
     jacobian.bottomRows(directions).setZero();
     jacobian.bottomRightCorner(directions, directions).setIdentity();
+  };
+  const ResidualFunction function = [&](const VectorXd& unknowns, VectorXd& residual, MatrixXd& jacobian) {
+    evaluate(unknowns, true, residual, jacobian);
   };
   const Index all_rows = rows + directions, unknowns = count + directions;
   VectorXd from(unknowns);
@@ -212,27 +223,49 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
   result.shift = report.parameters.tail(directions);
   VectorXd residual(all_rows);
   MatrixXd jacobian(all_rows, unknowns);
-  function(report.parameters, residual, jacobian);
-  // d values / d lumps = pinv(W J) W, by cases, in columns of unit norm.
-  VectorXd scale = jacobian.colwise().norm().transpose();
-  for (Index p = 0; p < unknowns; ++p) scale(p) = scale(p) > 0 ? 1 / scale(p) : 1;
+  const auto corrected = std::find_if(
+      cases.begin(), cases.end(), [&](const LumpEstimates& part) { return part.truncation_at.size() == count; });
+  if (corrected != cases.end()) {
+    VectorXd before = VectorXd::Zero(unknowns);
+    before.head(count) = corrected->truncation_at;
+    function(before, residual, jacobian);
+    if (directions > 0) {
+      const MatrixXd by_shift = jacobian.rightCols(directions);
+      residual -= by_shift * by_shift.colPivHouseholderQr().solve(residual);
+    }
+    result.misfit_before = residual.squaredNorm();
+  }
+  evaluate(report.parameters, false, residual, jacobian);
+  VectorXd scale = unit_scale(jacobian);
   result.unseen = unseen_directions(jacobian.topLeftCorner(rows, count), scale.head(count), result.values,
                                     plausible.head(count));
+  // d values / d lumps = pinv(W J) W, by cases, in columns of unit norm.
+  function(report.parameters, residual, jacobian);
+  scale = unit_scale(jacobian);
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
   solver.setThreshold(1e-9);
   solver.compute(jacobian * scale.asDiagonal());
-  const MatrixXd direct = scale.asDiagonal() * solver.pseudoInverse();
-  // Lumps were estimated with the truncation taken out at these very values: values p and lumps l settle together,
-  // p = S (l + N p), so that a change dl of the lumps by noise moves values by (1 - S N)^-1 S dl.
-  const MatrixXd by_values = truncation_slopes(cases, whitening, all_rows, unknowns);
-  const MatrixXd inverse =
-      (MatrixXd::Identity(unknowns, unknowns) - direct * by_values).partialPivLu().solve(direct);
+  const MatrixXd inverse = scale.asDiagonal() * solver.pseudoInverse();
   // What the fit leaves of a change of the lumps.
-  const MatrixXd left = MatrixXd::Identity(all_rows, all_rows) - (jacobian - by_values) * inverse;
+  const MatrixXd left = MatrixXd::Identity(all_rows, all_rows) - jacobian * inverse;
+  // Clustered cases by their own rows, the others by their lumps.
+  std::vector<CommonFit> common;
+  MatrixXd further = jacobian;
+  for (std::size_t c = 0, row = 0; c < cases.size(); row += static_cast<std::size_t>(cases[c++].values.size())) {
+    if (!cases[c].clustered || cases[c].values.size() == 0) continue;
+    Entries entries = entries_at(cases[c], report.parameters, count, given, true);
+    common.push_back({&cases[c].rows, std::move(entries.slope), std::move(entries.values)});
+    further.middleRows(static_cast<Index>(row), cases[c].values.size()).setZero();
+  }
+  const std::optional<ConditionScatter> between = condition_scatter(common, further);
   ResidualScatter scatter;
   scatter.known = left.rightCols(directions);
   Index r = 0;
-  MatrixXd variance_by_case = MatrixXd::Zero(count, static_cast<Index>(cases.size()));
+  VectorXd squares = VectorXd::Zero(count);  // of independent parts of each variance, over their degrees of freedom
+  const auto add = [&](const MatrixXd& covariance, const VectorXd& freedom) {
+    result.covariance += covariance;
+    squares += covariance.diagonal().cwiseAbs2().cwiseQuotient(freedom);
+  };
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const LumpEstimates& part = cases[c];
     const Index size = part.values.size();
@@ -243,8 +276,9 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
     r += size;
     const MatrixXd plain = result.slope[c] * part.plain * result.slope[c].transpose();
     result.plain_covariance += plain;
-    MatrixXd covariance = plain;
+    const VectorXd freedom = VectorXd::Constant(count, part.degrees_of_freedom);
     if (!part.clustered) {
+      add(plain, freedom);
       scatter.known.conservativeResize(Eigen::NoChange, scatter.known.cols() + size);
       scatter.known.rightCols(size) = left.middleCols(r - size, size);
     } else {
@@ -252,11 +286,12 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
                                   left.middleCols(r - size, size).transpose());
       const auto n = static_cast<double>(part.influence.rows());
       const MatrixXd moved = part.influence * result.slope[c].transpose();
-      covariance = (n - 1) / n * moved.transpose() * moved;
+      if (!between) add((n - 1) / n * moved.transpose() * moved, freedom);
     }
-    result.covariance += covariance;
-    variance_by_case.col(static_cast<Index>(c)) = covariance.diagonal();
   }
+  if (between)
+    add(between->covariance.topLeftCorner(count, count),
+        between->degrees_of_freedom.head(count).cwiseMax(std::numeric_limits<double>::min()));
   result.surplus = all_rows - solver.rank();
   result.misfit = clustered_chi_squared(residual, result.surplus, scatter);
   const MatrixXd of_shift =
@@ -264,15 +299,8 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
   result.covariance += of_shift;
   result.plain_covariance += of_shift;
   result.shift_prior = inverse.block(count, r, directions, directions);
-  for (Index p = 0; p < count; ++p) {
-    double denominator = 0;
-    for (std::size_t c = 0; c < cases.size(); ++c) {
-      const double v = variance_by_case(p, static_cast<Index>(c));
-      if (v > 0) denominator += v * v / cases[c].degrees_of_freedom;
-    }
-    const double total = result.covariance(p, p);
-    if (denominator > 0) result.degrees_of_freedom(p) = total * total / denominator;
-  }
+  for (Index p = 0; p < count; ++p)
+    if (squares(p) > 0) result.degrees_of_freedom(p) = std::pow(result.covariance(p, p), 2) / squares(p);
   return result;
 }
 

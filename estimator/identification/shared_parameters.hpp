@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "estimator/compiled_model.hpp"
+#include "estimator/identification/condition_scatter.hpp"
 
 namespace secular {
 
@@ -18,14 +19,17 @@ struct LumpEstimates {
   Eigen::MatrixXd combination;
   Eigen::VectorXd values;
   Eigen::MatrixXd plain;  ///< covariance from residuals: the weights
-  /// Values x directions: how they change where parameters move along SharedParameters::unseen, by way of what was
+  /// Index x directions: how they change where parameters move along SharedParameters::unseen, by way of what was
   /// subtracted for the expansion's truncation. No columns: not known.
   Eigen::MatrixXd truncation_effect;
-  /// Values x symbols: how they change with the parameters that the truncation was taken out with, as far as that
-  /// is known. No columns: not at all.
+  /// Index x symbols: how they change with the parameters that the truncation was taken out with, as far as that is
+  /// known: values + combination*truncation_slope*(parameters - truncation_at) are the lumps of the parameters. No
+  /// columns: not at all.
   Eigen::MatrixXd truncation_slope;
+  Eigen::VectorXd truncation_at;
   Eigen::MatrixXd influence;  ///< [condition][value]: change where the condition is left out
-  bool clustered = false;     ///< error bars from `influence`, else from `plain`
+  ConditionRows rows;         ///< the same before the lumps were made of them
+  bool clustered = false;     ///< error bars from `rows`, else from `plain`
   double degrees_of_freedom = 0;
 };
 
@@ -46,14 +50,18 @@ struct SharedParameters {
   /// What no parameters can give of the lumps (clustered_chi_squared), and how many more lumps than parameters
   /// there are.
   double misfit = 0;
+  /// What the parameters that the truncation was taken out with leave of the lumps, weighted sum of squares with
+  /// the best shift: a better set of parameters leaves less. Without slopes of the truncation not known, zero.
+  double misfit_before = 0;
   Eigen::Index surplus = 0;
 };
 
 /// Weighted nonlinear least squares of all lumps on the parameters, from `start`; weights are the full inverse
-/// covariances from residuals. Where the truncation's correction depends on what no lump sees, that is an unknown
-/// of its own, zero with standard deviation one: values + truncation_effect*shift are the lumps of the parameters.
-/// The error bars carry each condition's influence through the map, so that they do not rest on the weights.
-/// `given` parameters stay.
+/// covariances from residuals. What is known of how the truncation's correction depends on the parameters is part
+/// of the fit. Where it depends on what no lump sees, that is an unknown of its own, zero with standard deviation
+/// one: values + combination*truncation_effect*shift are the lumps of the parameters. The error bars come from
+/// leaving out one condition at a time (condition_scatter), so that they do not rest on the weights. `given`
+/// parameters stay.
 SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const Eigen::VectorXd& start,
                                    const std::vector<bool>& given);
 

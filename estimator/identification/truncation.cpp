@@ -31,15 +31,6 @@ void for_common(const ObservationSet& first, const ObservationSet& second, const
   }
 }
 
-// By observation of `set`: its truncation less that of the same observation in another set; zero where that lacks
-// it.
-Eigen::MatrixXcd truncation_beyond(const ObservationSet& set, const ObservationSet& other) {
-  Eigen::MatrixXcd difference = Eigen::MatrixXcd::Zero(set.truncation.rows(), set.truncation.cols());
-  for_common(set, other,
-             [&](Index i, Index o) { difference.row(i) = set.truncation.row(i) - other.truncation.row(o); });
-  return difference;
-}
-
 }  // namespace
 
 std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets,
@@ -85,24 +76,32 @@ std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets
   return result;
 }
 
-void add_truncation_change(std::span<ObservationSet> corrected, std::span<const ObservationSet> displaced) {
-  for (std::size_t s = 0; s < corrected.size(); ++s)
-    corrected[s].truncation_change.push_back(-truncation_beyond(corrected[s], displaced[s]));
-}
-
-void add_passed(std::span<ObservationSet> corrected, std::span<const ObservationSet> before) {
-  for (std::size_t s = 0; s < corrected.size(); ++s)
-    corrected[s].truncation_passed.push_back(truncation_beyond(corrected[s], before[s]));
+std::vector<Eigen::MatrixXcd> truncation_difference(std::span<const ObservationSet> corrected,
+                                                    std::span<const ObservationSet> displaced) {
+  std::vector<Eigen::MatrixXcd> result;
+  for (std::size_t s = 0; s < corrected.size(); ++s) {
+    const Eigen::MatrixXcd &from = corrected[s].truncation, &to = displaced[s].truncation;
+    Eigen::MatrixXcd difference = Eigen::MatrixXcd::Zero(from.rows(), from.cols());
+    for_common(corrected[s], displaced[s],
+               [&](Index i, Index other) { difference.row(i) = to.row(other) - from.row(i); });
+    result.push_back(std::move(difference));
+  }
+  return result;
 }
 
 void keep_truncation_change(std::span<ObservationSet> to, std::span<const ObservationSet> from) {
   for (std::size_t s = 0; s < to.size(); ++s) {
-    to[s].truncation_change.clear();
-    for (const Eigen::MatrixXcd& known : from[s].truncation_change) {
-      Eigen::MatrixXcd change = Eigen::MatrixXcd::Zero(to[s].truncation.rows(), to[s].truncation.cols());
-      for_common(to[s], from[s], [&](Index i, Index other) { change.row(i) = known.row(other); });
-      to[s].truncation_change.push_back(std::move(change));
-    }
+    const auto kept = [&](const std::vector<Eigen::MatrixXcd>& changes) {
+      std::vector<Eigen::MatrixXcd> result;
+      for (const Eigen::MatrixXcd& known : changes) {
+        Eigen::MatrixXcd change = Eigen::MatrixXcd::Zero(to[s].truncation.rows(), to[s].truncation.cols());
+        for_common(to[s], from[s], [&](Index i, Index other) { change.row(i) = known.row(other); });
+        result.push_back(std::move(change));
+      }
+      return result;
+    };
+    to[s].truncation_change = kept(from[s].truncation_change);
+    to[s].truncation_of_moves = kept(from[s].truncation_of_moves);
   }
 }
 

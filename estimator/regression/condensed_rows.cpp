@@ -1,7 +1,11 @@
 #include "estimator/regression/condensed_rows.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "estimator/in_parallel.hpp"
 
 namespace secular {
 namespace {
@@ -17,12 +21,27 @@ constexpr double well_apart = 1e-8, rounding = 1e-13;
 /// Norm of a combination of scaled columns that is zero, relative to the largest.
 constexpr double zero_combination = 1e-11;
 
+/// Rows of which one thread makes a Gram matrix at a time.
+constexpr Index chunk = 1024;
+
+// Lower half; summed in the order of the chunks, whatever number of threads there is.
+MatrixXd gram_of(const Eigen::Ref<const MatrixXd>& design, unsigned threads) {
+  const Index columns = design.cols(), chunks = (design.rows() + chunk - 1) / chunk;
+  std::vector<MatrixXd> parts(static_cast<std::size_t>(chunks), MatrixXd::Zero(columns, columns));
+  in_parallel(parts.size(), threads, [&](std::size_t c) {
+    const Index begin = static_cast<Index>(c) * chunk, count = std::min(chunk, design.rows() - begin);
+    parts[c].selfadjointView<Eigen::Lower>().rankUpdate(design.middleRows(begin, count).transpose());
+  });
+  MatrixXd gram = MatrixXd::Zero(columns, columns);
+  for (const MatrixXd& part : parts) gram += part;
+  return gram;
+}
+
 // Gram = V L V' of scaled columns: sqrt(L) V' has the same. False where it is too ill-conditioned for that.
 bool condense_gram(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<const VectorXd>& response,
-                   CondensedRows& result) {
+                   unsigned threads, CondensedRows& result) {
   const Index columns = design.cols();
-  MatrixXd gram = MatrixXd::Zero(columns, columns);
-  gram.selfadjointView<Eigen::Lower>().rankUpdate(design.transpose());
+  MatrixXd gram = gram_of(design, threads);
   VectorXd size = gram.diagonal().cwiseSqrt();
   if (!size.allFinite()) return false;
   for (Index c = 0; c < columns; ++c) size(c) = size(c) > 0 ? size(c) : 1;
@@ -57,10 +76,11 @@ bool condense_gram(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<co
 
 }  // namespace
 
-CondensedRows condensed_rows(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<const VectorXd>& response) {
+CondensedRows condensed_rows(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<const VectorXd>& response,
+                             unsigned threads) {
   const Index columns = design.cols(), all = columns + 1;
   CondensedRows result{MatrixXd::Zero(all, columns), VectorXd::Zero(all)};
-  if (columns > 0 && condense_gram(design, response, result)) return result;
+  if (columns > 0 && condense_gram(design, response, threads, result)) return result;
   VectorXd size = design.colwise().norm().transpose();
   for (Index c = 0; c < columns; ++c) size(c) = size(c) > 0 ? size(c) : 1;
   MatrixXd both(design.rows(), all);

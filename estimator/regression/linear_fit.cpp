@@ -98,6 +98,8 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
   std::sort(clear.begin(), clear.end());
   MatrixXd spread = fit.basis;  // what one unit of each coordinate's error does to the coefficients
   fit.bias = VectorXd::Zero(columns);
+  fit.kept = MatrixXd::Identity(rank, rank);
+  const VectorXd uncorrected = coordinates;
   if (errors.with_response.size() > 0 && !clear.empty()) {
     const MatrixXd basis = fit.basis(Eigen::all, clear);
     const VectorXd left = errors.with_response - errors.gram * (fit.basis(Eigen::all, noisy) * coordinates(noisy));
@@ -108,6 +110,7 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
       fit.bias = basis * (coordinates(clear) - corrected);
       coordinates(clear) = corrected;
       spread(Eigen::all, clear) = kept.solve(basis.transpose()).transpose();
+      fit.kept(clear, clear) = kept.reconstructedMatrix();
     }
   }
   fit.coefficients = fit.basis * coordinates;
@@ -177,10 +180,14 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
       residual(i) = fit.residual(group[static_cast<std::size_t>(i)]);
     }
     // Leaving rows out changes the coordinates in u by -(I - U_g' U_g)^-1 U_g' e_g.
-    const MatrixXd kept = MatrixXd::Identity(rank, rank) - basis.transpose() * basis;
+    const MatrixXd gram = basis.transpose() * basis, kept = MatrixXd::Identity(rank, rank) - gram;
     const Eigen::LDLT<MatrixXd> solver(kept);
     if (solver.vectorD().minCoeff() < 1 - largest_leverage) clustered = false;
-    fit.influence.row(g++) = -(spread * solver.solve(basis.transpose() * residual)).transpose();
+    const VectorXd score = basis.transpose() * residual;
+    fit.influence.row(g++) = -(spread * solver.solve(score)).transpose();
+    // With its part of what errors of the columns did, by the weight of its rows.
+    fit.cluster_score.push_back(score + gram * (coordinates - uncorrected));
+    fit.cluster_gram.push_back(gram);
   }
   if (clustered) {
     const auto n = static_cast<double>(groups);

@@ -44,8 +44,13 @@ struct LinearFit {
   Eigen::VectorXd residual;
   Eigen::VectorXd leverage;  ///< by row
   double residual_sd = 0;
-  Eigen::MatrixXd influence;        ///< [cluster][column]: change of a coefficient when it is left out
-  std::vector<int> cluster_labels;  ///< rows of `influence`
+  /// rank x rank: of coordinates in `basis`, what is left of the rows' Gram matrix (the identity) without what
+  /// errors of the columns alone give.
+  Eigen::MatrixXd kept;
+  std::vector<Eigen::MatrixXd> cluster_gram;   ///< by cluster, rank x rank: of its rows of `orthonormal`
+  std::vector<Eigen::VectorXd> cluster_score;  ///< by cluster: these rows times residuals; they add up to nothing
+  Eigen::MatrixXd influence;                   ///< [cluster][column]: change of a coefficient when it is left out
+  std::vector<int> cluster_labels;             ///< rows of `influence`
 };
 
 /// Columns are scaled to unit norm; singular values below `tolerance` times the largest count as zero. `cluster`

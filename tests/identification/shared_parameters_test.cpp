@@ -15,8 +15,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Going around between lumps and parameters until both rest, and the slope that says so at once.
-TEST(SharedParameters, SlopeIsThatOfTheFixedPoint) {
+// Lumps that are corrected at the parameters found, again and again until both rest, and the slopes that say so at
+// once.
+TEST(SharedParameters, SlopeIsThatOfLumpsCorrectedAtTheValues) {
   const CompiledModel& model = *generated::find_compiled_model("pendulum");
   const CompiledCase& resonance = model.cases[0];
   const auto lumps = static_cast<Index>(resonance.lumps.size()), symbols = static_cast<Index>(model.symbols.size());
@@ -44,23 +45,25 @@ TEST(SharedParameters, SlopeIsThatOfTheFixedPoint) {
   std::vector<bool> given(static_cast<std::size_t>(symbols), false);
   given[0] = true;
   const VectorXd measured = part.values;
-  // Lumps move with the parameters that they were corrected with, counted from `at`.
-  const auto settled = [&](const VectorXd& lumps_seen, const VectorXd& at) {
-    VectorXd p = at;
-    for (int pass = 0; pass < 200; ++pass) {
-      LumpEstimates now = part;
-      now.values = lumps_seen + part.truncation_slope * (p - at);
-      now.truncation_slope.resize(lumps, 0);
+  part.truncation_at = parameters + drawn(symbols, 1, 1e-2);
+  part.truncation_at(0) = parameters(0);
+  const auto settled = [&](const VectorXd& lumps_seen) {
+    LumpEstimates now = part;
+    VectorXd p = part.truncation_at;
+    for (int pass = 0; pass < 50; ++pass) {
+      now.values = lumps_seen + part.truncation_slope * (p - part.truncation_at);
+      now.truncation_at = p;
       p = shared_parameters(std::vector{now}, parameters, given).values;
     }
     return p;
   };
   const SharedParameters shared = shared_parameters(std::vector{part}, parameters, given);
   ASSERT_EQ(shared.slope.size(), 1U);
+  EXPECT_LT((shared.values - settled(measured)).norm(), 1e-8);
   for (Index l = 0; l < lumps; ++l) {
     const double step = 1e-4;
-    const VectorXd change = (settled(measured + step * VectorXd::Unit(lumps, l), shared.values) -
-                             settled(measured - step * VectorXd::Unit(lumps, l), shared.values)) /
+    const VectorXd change = (settled(measured + step * VectorXd::Unit(lumps, l)) -
+                             settled(measured - step * VectorXd::Unit(lumps, l))) /
                             (2 * step);
     EXPECT_LT((shared.slope[0].col(l) - change).norm(), 1e-4 * (1 + change.norm())) << "lump " << l;
   }

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace secular {
+
+/// The rows of one case's regression, condition by condition, in coordinates in which all of them together are
+/// orthonormal (LinearFit::basis).
+struct ConditionRows {
+  Eigen::MatrixXd entries;    ///< coordinates x entries: of the lumps and natural frequencies that parameters make
+  Eigen::MatrixXd others;     ///< coordinates x others: of what else the case estimates, and what it has lost
+  Eigen::VectorXd reference;  ///< by entry: what it is counted from
+  Eigen::VectorXd estimate;   ///< coordinates of the case's own estimate
+  Eigen::MatrixXd kept;       ///< LinearFit::kept
+  double residual_sd = 1;
+  std::vector<Eigen::MatrixXd> gram;   ///< by condition, coordinates x coordinates
+  std::vector<Eigen::VectorXd> score;  ///< by condition: rows times residuals of the case's own estimate
+};
+
+/// How the rows of one case depend on what all cases have in common.
+struct CommonFit {
+  const ConditionRows* rows = nullptr;
+  Eigen::MatrixXd slope;   ///< entries x unknowns
+  Eigen::VectorXd values;  ///< by entry, at the fit
+};
+
+/// Error bars of the common unknowns from the scatter between conditions.
+struct ConditionScatter {
+  Eigen::MatrixXd covariance;          ///< unknowns x unknowns
+  Eigen::VectorXd degrees_of_freedom;  ///< by unknown, for Student's t
+};
+
+/// Covariance clustered by condition: residuals of the common fit, condition by condition, divided by the square
+/// root of what the fit leaves of them, so that their products have the right mean where conditions differ by noise
+/// alone, and degrees of freedom from the law of that estimate (CR2; R. M. Bell and D. F. McCaffrey, Survey
+/// Methodology 28, 2002, 169-181). The unknowns are fitted to the rows themselves: the case's own estimate has many
+/// more coefficients, of which some rest on a few conditions. `further`: rows of unit variance x unknowns of what
+/// else is known, which adds no scatter of its own. Nothing where one condition alone determines a direction.
+std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cases, const Eigen::MatrixXd& further);
+
+}  // namespace secular
