@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -14,6 +13,7 @@
 #include "app/diagnosis_json.hpp"
 #include "app/diagnosis_report.hpp"
 #include "app/diagnosis_run.hpp"
+#include "estimator/hertz.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
 #include "report/whole_file.hpp"
@@ -27,12 +27,6 @@ struct Options {
   bool json = false;
 };
 
-std::string joined(const std::vector<std::string>& names, const char* between) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : between) + name;
-  return text;
-}
-
 void print_next_experiment(const DiagnosisRun& run) {
   const NextExperiment& next = run.diagnosis.next_experiment;
   if (!next.dwell) {
@@ -41,10 +35,9 @@ void print_next_experiment(const DiagnosisRun& run) {
   }
   const ProposedDwell& dwell = *next.dwell;
   fmt::print("next experiment: a dwell at {:.5g} Hz, {:.3g} times the excitation of {} ({})\n",
-             dwell.frequency / (2 * std::numbers::pi), dwell.level, run.campaign.records[dwell.like].file,
-             dwell.resonance);
+             dwell.frequency * to_hz, dwell.level, run.campaign.records[dwell.like].file, dwell.resonance);
   fmt::print("  to tell {} apart: {:.1f} sd expected, seen in the {}; the right one's probability {} -> {}\n",
-             joined(next.separates, ", "), dwell.separation, dwell.watch, report::format_percent(dwell.before),
+             fmt::join(next.separates, ", "), dwell.separation, dwell.watch, report::format_percent(dwell.before),
              report::format_percent(dwell.probability));
 }
 
@@ -61,13 +54,13 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
     fmt::print("  {:>7} {} of {} at {}, {}\n", report::format_percent(d.where[i].share),
                to_string(d.where[i].component), d.where[i].mode, d.where[i].harmonic, d.where[i].region);
   if (d.verdict == "cause") fmt::print("cause: {}\n", d.cause);
-  if (d.verdict == "set") fmt::print("one of: {}\n", joined(d.set, ", "));
+  if (d.verdict == "set") fmt::print("one of: {}\n", fmt::join(d.set, ", "));
   if (d.verdict == "unknown")
-    fmt::print("cause: unknown{}\n", d.set.empty() ? "" : "; nearest: " + joined(d.set, ", "));
+    fmt::print("cause: unknown{}\n", d.set.empty() ? "" : fmt::format("; nearest: {}", fmt::join(d.set, ", ")));
   if (d.open_law) fmt::print("  {}\n", open_law_sentence(*d.open_law));
   if (!d.together.empty())
-    fmt::print("  together: {}{}\n", joined(d.together, " and "),
-               d.second_or.empty() ? "" : " (or " + joined(d.second_or, " or ") + ")");
+    fmt::print("  together: {}{}\n", fmt::join(d.together, " and "),
+               d.second_or.empty() ? "" : fmt::format(" (or {})", fmt::join(d.second_or, " or ")));
   for (std::size_t i = 0; i < std::min<std::size_t>(6, d.causes.size()); ++i) {
     const CauseReport& c = d.causes[i];
     fmt::print("  {:>7} {}{}", report::format_percent(c.probability), c.effect,

@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
-#include <numbers>
 #include <set>
 #include <string>
 #include <system_error>
@@ -19,6 +18,7 @@
 #include "app/prediction_files.hpp"
 #include "app/prediction_report.hpp"
 #include "app/progress_line.hpp"
+#include "estimator/hertz.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
 #include "report/whole_file.hpp"
@@ -100,8 +100,8 @@ void print_summary(const Prediction& prediction, const std::vector<PredictionFig
   }
   for (const auto& [mode, points] : prediction.backbones)
     fmt::print("backbone of {}: {} Hz at rest, {} Hz at amplitude {}\n", mode,
-               report::format_number(points.front().frequency / (2 * std::numbers::pi), 6),
-               report::format_number(points.back().frequency / (2 * std::numbers::pi), 6),
+               report::format_number(points.front().frequency * to_hz, 6),
+               report::format_number(points.back().frequency * to_hz, 6),
                report::format_number(2 * points.back().amplitude, 4));
   for (const PredictedSweep& sweep : prediction.sweeps)
     for (const PredictedSweep::Jump& jump : sweep.jumps)

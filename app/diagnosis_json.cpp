@@ -1,7 +1,8 @@
 #include "app/diagnosis_json.hpp"
 
 #include <nlohmann/json.hpp>
-#include <numbers>
+
+#include "estimator/hertz.hpp"
 
 namespace secular::app {
 namespace {
@@ -19,7 +20,7 @@ Json next_experiment(const DiagnosisRun& run) {
           {"level_factor", dwell.level},
           {"excitation_channel", dwell.channel},
           {"excitation_peak", dwell.excitation},
-          {"frequency_hz", dwell.frequency / (2 * std::numbers::pi)},
+          {"frequency_hz", dwell.frequency * to_hz},
           {"watch", dwell.watch},
           {"separates", next.separates},
           {"separation_sigma", dwell.separation},

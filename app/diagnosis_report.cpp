@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
+#include "estimator/hertz.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
 
@@ -281,7 +281,7 @@ void next_section(HtmlReport& page, const DiagnosisRun& run) {
   Table table;
   table.columns = {{"", Column::Kind::text, ""}, {"", Column::Kind::text, ""}};
   table.rows = {{"Dwell", dwell.resonance},
-                {"Frequency", report::format_number(dwell.frequency / (2 * std::numbers::pi), 5) + " Hz"},
+                {"Frequency", report::format_number(dwell.frequency * to_hz, 5) + " Hz"},
                 {"Peak of " + dwell.channel, report::format_number(dwell.excitation, 4) + ", " +
                                                  report::format_number(dwell.level, 2) + " times that of " +
                                                  run.campaign.records[dwell.like].file},

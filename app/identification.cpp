@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "app/model_loading.hpp"
+#include "estimator/hertz.hpp"
 #include "estimator/identification/modal_projection.hpp"
 #include "estimator/identification/steady_amplitude.hpp"
 #include "input/input_error.hpp"
@@ -116,7 +116,7 @@ Assignment assign_records(const ModelSource& model, const Campaign& campaign,
           fmt::format("{}: a dwell without excitation_frequency_hz belongs to no case, left out", entry.file));
       continue;
     }
-    const double frequency = 2 * std::numbers::pi * *entry.excitation_frequency_hz;
+    const double frequency = two_pi * *entry.excitation_frequency_hz;
     std::size_t best = cases.size();
     for (std::size_t c = 0; c < cases.size(); ++c)
       if (cases[c].excited && allowed(cases[c]) &&
@@ -217,6 +217,7 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
   options.threads = request.threads;
   EstimateOptions first = options;
   first.judge_fit = first.damping_laws = false;
+  first.rough_errors = true;
   first.bootstrap = 0;
   Estimate raw = estimate(result.measured, units, first);
   clock.done("regression");

@@ -83,10 +83,10 @@ RelativePhase relative_phase(const CaseView& id, const Observation& o) {
     std::complex<double> product = o.forcing[0];
     for (std::size_t k = 0; k < id.model->modes(); ++k)
       if (id.modes.oscillates[k]) product *= std::conj(o.amplitude[k]);
-    return {std::arg(product), 2 * std::numbers::pi};
+    return {std::arg(product), two_pi};
   }
   const double ratio = o.rate[mode].imag() / o.excitation_frequency[0];
-  return {std::arg(o.amplitude[mode]) - ratio * std::arg(o.forcing[0]), 2 * std::numbers::pi * ratio};
+  return {std::arg(o.amplitude[mode]) - ratio * std::arg(o.forcing[0]), two_pi * ratio};
 }
 
 std::vector<Condition> conditions_of(const CaseView& id) {

@@ -7,12 +7,12 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "app/measured_points.hpp"
 #include "app/model_loading.hpp"
 #include "app/parameter_file.hpp"
+#include "estimator/hertz.hpp"
 #include "estimator/in_parallel.hpp"
 #include "input/input_error.hpp"
 
@@ -113,7 +113,7 @@ class Predictor {
   }
 
   double factor_of(const std::string& name) const {
-    return request_.hz && is_excitation_frequency(*result_.model, name) ? 2 * std::numbers::pi : 1;
+    return request_.hz && is_excitation_frequency(*result_.model, name) ? two_pi : 1;
   }
 
   VariedParameter scaled(const VariedParameter& parameter, const char* option) const {
@@ -127,7 +127,7 @@ class Predictor {
 
   // Excitation frequencies are printed in Hz.
   std::pair<double, std::string> printed(const std::string& name) const {
-    if (is_excitation_frequency(*result_.model, name)) return {2 * std::numbers::pi, "Hz"};
+    if (is_excitation_frequency(*result_.model, name)) return {two_pi, "Hz"};
     return {1.0, ""};
   }
 

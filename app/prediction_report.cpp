@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/prediction_files.hpp"
+#include "estimator/hertz.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
 
@@ -267,7 +268,7 @@ Figure backbone_figure(const Prediction& prediction, std::size_t b) {
   Series frequency, decay;
   for (const BackbonePoint& at : points) {
     frequency.x.push_back(2 * at.amplitude);
-    frequency.y.push_back(at.frequency / (2 * std::numbers::pi));
+    frequency.y.push_back(at.frequency * to_hz);
     decay.x.push_back(2 * at.amplitude);
     decay.y.push_back(-at.growth);
   }

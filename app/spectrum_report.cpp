@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "estimator/hertz.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
 
@@ -170,7 +170,7 @@ Figure spectrum_figure(const RecordSpectrum& record) {
     double square = 0;
     for (Index c = 0; c < d.amplitudes.cols(); ++c)
       square += d.amplitudes.block(d.first_function(i), c, 2, 1).squaredNorm();
-    tones.x.push_back(d.poles[i].frequency / (2 * std::numbers::pi));
+    tones.x.push_back(d.poles[i].frequency * to_hz);
     tones.y.push_back(std::sqrt(square / static_cast<double>(d.amplitudes.cols())));
   }
   const std::string label = record.names.size() == 1 ? record.names.front() : "Mean of the channels";
@@ -272,8 +272,7 @@ void add_tables(report::HtmlReport& page, const RecordSpectrum& record, std::siz
   }
   for (std::size_t i = 0; i < record.survey.peaks[channel].size(); ++i) {
     const SpectrumPeak& peak = record.survey.peaks[channel][i];
-    first.rows.push_back({i == 0 ? "DFT peak" : "", "circular",
-                          report::format_number(peak.frequency / (2 * std::numbers::pi), 7),
+    first.rows.push_back({i == 0 ? "DFT peak" : "", "circular", report::format_number(peak.frequency * to_hz, 7),
                           report::format_number(peak.p, 6), report::format_number(peak.q, 6)});
   }
   if (table.rows.empty()) return;
@@ -471,7 +470,7 @@ std::string spectrum_json(const RecordSpectrum& record) {
     channel["transform_peaks"] = Json::array();
     for (const SpectrumPeak& peak : survey.peaks[c])
       channel["transform_peaks"].push_back(
-          {{"frequency_hz", peak.frequency / (2 * std::numbers::pi)}, {"p", peak.p}, {"q", peak.q}});
+          {{"frequency_hz", peak.frequency * to_hz}, {"p", peak.p}, {"q", peak.q}});
     if (c < record.relations.size())
       channel["linear_relation"] = {{"excitation", record.excitation_name},
                                     {"explained", record.relations[c].explained},

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <numbers>
 #include <random>
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
+#include "estimator/hertz.hpp"
 #include "estimator/signal/decomposition.hpp"
 #include "estimator/signal/exponential_fit.hpp"
 #include "estimator/signal/refine_poles.hpp"
@@ -24,13 +24,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double turn = 2 * std::numbers::pi, rate = 256;
+constexpr double rate = 256;
 
 // Four accelerometers in a combination resonance: modal tones, their sum and a harmonic; `tones` of up to 8.
 std::vector<Pole> tones_of(int tones) {
   const double hertz[] = {12.5, 33.1, 45.6, 58.1, 66.2, 78.7, 91.2, 103.7};
   std::vector<Pole> poles;
-  for (int i = 0; i < tones; ++i) poles.push_back({PoleFamily::circular, turn * hertz[i], 0, false});
+  for (int i = 0; i < tones; ++i) poles.push_back({PoleFamily::circular, two_pi * hertz[i], 0, false});
   return poles;
 }
 
@@ -130,7 +130,7 @@ BENCHMARK(signal_ratio_to_transform)->ArgName("tones")->Arg(4)->Arg(8)->Unit(ben
 void signal_efficiency(benchmark::State& state) {
   const Index samples = 256;
   constexpr int draws = 2000;
-  const double frequency = turn * 40.37, centre = 0.5 * static_cast<double>(samples - 1) / rate;
+  const double frequency = two_pi * 40.37, centre = 0.5 * static_cast<double>(samples - 1) / rate;
   const std::vector<Pole> pole = {{PoleFamily::circular, frequency, 0, false}};
   const Eigen::Vector2d amplitude(0.6, 0.8);
   const VectorXd clean = pole_functions(pole, samples, rate, -centre) * amplitude;

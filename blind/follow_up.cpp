@@ -1,9 +1,7 @@
 #include "blind/follow_up.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -58,8 +56,8 @@ FollowUpSummary follow_up_set(const fs::path& folder, const RunOptions& options,
   const Diagnoser diagnoser(folder, options);
   const std::vector<CasePlan> plans = draw_plans(set.cases, set.seed, set.size);
   FollowUpSummary summary;
-  std::mutex guard;
-  std::atomic<std::size_t> done{0};
+  Failures failures;
+  std::atomic<std::size_t> done{0}, sets{0}, proposed{0};
   in_parallel(plans.size(), options.threads, [&](std::size_t i) {
     const fs::path place = case_folder(folder, plans[i].number), first = place / "diagnosis" / "diagnosis.json";
     const nlohmann::json diagnosis =
@@ -67,11 +65,8 @@ FollowUpSummary follow_up_set(const fs::path& folder, const RunOptions& options,
     if (diagnosis.is_object() && diagnosis.value("verdict", "") == "set") {
       const SealedCase sealed = draw_case(plans[i], set.seed);
       const std::optional<FurtherDwell> proposal = proposal_of(diagnosis, sealed.specimen.dwells.size());
-      {
-        const std::lock_guard lock(guard);
-        ++summary.sets;
-        if (proposal) ++summary.proposed;
-      }
+      ++sets;
+      if (proposal) ++proposed;
       Random random(set.seed, 2'000'000 + plans[i].number);
       const FurtherDwell compared = random_dwell(sealed.specimen, random);
       for (const std::string which : follow_ups) {
@@ -83,16 +78,15 @@ FollowUpSummary follow_up_set(const fs::path& folder, const RunOptions& options,
         fs::create_directories(target);
         write_extended_campaign(sealed, set.seed, asked ? *proposal : compared, place / "campaign",
                                 target / "campaign");
-        if (const std::optional<std::string> fault = diagnoser.run(place, target / "campaign", target)) {
-          const std::lock_guard lock(guard);
-          summary.failed.push_back({plans[i].number, which + ": " + *fault});
-        }
+        if (const std::optional<std::string> fault = diagnoser.run(place, target / "campaign", target))
+          failures.add(plans[i].number, which + ": " + *fault);
       }
     }
     if (progress) progress(++done, plans.size());
   });
-  std::sort(summary.failed.begin(), summary.failed.end(),
-            [](const FailedCase& a, const FailedCase& b) { return a.number < b.number; });
+  summary.sets = sets;
+  summary.proposed = proposed;
+  summary.failed = failures.by_number();
   return summary;
 }
 

@@ -1,8 +1,6 @@
 #include "blind/leave_out.hpp"
 
-#include <algorithm>
 #include <atomic>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -26,32 +24,28 @@ LeaveOutSummary leave_out_of_set(const fs::path& folder, const RunOptions& optio
   const Diagnoser diagnoser(folder, options);
   const std::vector<CasePlan> plans = draw_plans(set.cases, set.seed, set.size);
   LeaveOutSummary summary;
-  std::mutex guard;
-  std::atomic<std::size_t> done{0};
+  Failures failures;
+  std::atomic<std::size_t> done{0}, cases{0}, kept{0};
   in_parallel(plans.size(), options.threads, [&](std::size_t i) {
     const fs::path place = case_folder(folder, plans[i].number), out = left_out_folder(place);
     if (plans[i].kind == "single") {
       const bool complete = fs::exists(out / "diagnosis" / "diagnosis.json") && fs::exists(look_alikes_file(place));
-      {
-        const std::lock_guard lock(guard);
-        ++summary.cases;
-        if (complete) ++summary.kept;
-      }
+      ++cases;
+      if (complete) ++kept;
       if (!complete) {
         fs::create_directories(out);
         const SealedCase sealed = draw_case(plans[i], set.seed);
         write_text(look_alikes_file(place), nlohmann::json(rest_that_explains(sealed, set.seed)).dump() + "\n");
         if (const std::optional<std::string> fault =
-                diagnoser.run(place, place / "campaign", out, plans[i].effects)) {
-          const std::lock_guard lock(guard);
-          summary.failed.push_back({plans[i].number, *fault});
-        }
+                diagnoser.run(place, place / "campaign", out, plans[i].effects))
+          failures.add(plans[i].number, *fault);
       }
     }
     if (progress) progress(++done, plans.size());
   });
-  std::sort(summary.failed.begin(), summary.failed.end(),
-            [](const FailedCase& a, const FailedCase& b) { return a.number < b.number; });
+  summary.cases = cases;
+  summary.kept = kept;
+  summary.failed = failures.by_number();
   return summary;
 }
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "blind/case_files.hpp"
 #include "blind/child_process.hpp"
@@ -74,26 +74,36 @@ std::optional<std::string> Diagnoser::run(const fs::path& place, const fs::path&
   return fmt::format("exit status {}: {}", ended.status, fs::exists(log) ? last_line(read_text(log)) : "");
 }
 
+void Failures::add(std::size_t number, std::string reason) {
+  const std::lock_guard lock(guard_);
+  failed_.push_back({number, std::move(reason)});
+}
+
+std::vector<FailedCase> Failures::by_number() {
+  const std::lock_guard lock(guard_);
+  std::stable_sort(failed_.begin(), failed_.end(),
+                   [](const FailedCase& a, const FailedCase& b) { return a.number < b.number; });
+  return failed_;
+}
+
 RunSummary run_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
   const std::size_t cases = count_of_cases(folder);
   const Diagnoser diagnoser(folder, options);
   RunSummary summary;
   summary.cases = cases;
-  std::mutex guard;
-  std::atomic<std::size_t> done{0};
+  Failures failures;
+  std::atomic<std::size_t> done{0}, kept{0};
   in_parallel(cases, options.threads, [&](std::size_t i) {
     const fs::path place = case_folder(folder, i + 1);
     if (fs::exists(place / "diagnosis" / "diagnosis.json") && fs::exists(place / "run.json")) {
-      const std::lock_guard lock(guard);
-      ++summary.kept;
+      ++kept;
     } else if (const std::optional<std::string> fault = diagnoser.run(place, place / "campaign", place)) {
-      const std::lock_guard lock(guard);
-      summary.failed.push_back({i + 1, *fault});
+      failures.add(i + 1, *fault);
     }
     if (progress) progress(++done, cases);
   });
-  std::sort(summary.failed.begin(), summary.failed.end(),
-            [](const FailedCase& a, const FailedCase& b) { return a.number < b.number; });
+  summary.kept = kept;
+  summary.failed = failures.by_number();
   return summary;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,17 @@ struct RunOptions {
 struct FailedCase {
   std::size_t number = 0;
   std::string reason;  ///< "exit status 2: message"
+};
+
+/// Failures from any thread.
+class Failures {
+ public:
+  void add(std::size_t number, std::string reason);
+  std::vector<FailedCase> by_number();
+
+ private:
+  std::mutex guard_;
+  std::vector<FailedCase> failed_;
 };
 
 struct RunSummary {

@@ -17,8 +17,9 @@ constexpr double largest_relative_change = 0.3;
 constexpr double visible_norm = 4;
 // A case whose motion grows beyond all bounds is drawn again, from a stream of its own.
 constexpr std::uint64_t most_redraws = 8, redrawn = 10'000'000;
-// Standard deviations of a chi-squared beyond which it is noticed: once in ten thousand.
-constexpr double noticed = 3.7;
+// Standard deviations of a chi-squared beyond which it is noticed, once in ten thousand, and by how many it has to
+// exceed that in the mean to be noticed in 95 of 100 campaigns.
+constexpr double alarm = 3.7, for_certain = 1.6;
 // Stream of the search among the rest of the catalogue.
 constexpr std::uint64_t rest_of_catalogue = 3'000'000;
 
@@ -278,7 +279,7 @@ std::vector<std::string> rest_that_explains(const SealedCase& sealed, std::uint6
   // Without a rival to compare with, only the sum of all squares says that something is left: what is left has to
   // stand out of the spread of a chi-squared of that many components.
   const auto components = static_cast<double>(signatures.own_parameters(false).rows());
-  find_look_alikes(truth, rest, std::sqrt(noticed * std::sqrt(2 * components)), sealed, signatures,
+  find_look_alikes(truth, rest, std::sqrt((alarm + for_certain) * std::sqrt(2 * components)), sealed, signatures,
                    levels_of(sealed.specimen, reality_of(sealed.specimen)).peak, random);
   // A mode far beyond the band that one channel sees answers in proportion to the excitation.
   if (truth.withheld.effect == "sensor_cross_axis" &&

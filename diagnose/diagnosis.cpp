@@ -35,7 +35,7 @@ constexpr double remainder_alarm = 1e-4;
 
 /// An explanation that leaves structure is still the cause if what it leaves beyond repeatability is this share of
 /// what was there.
-constexpr double small_remainder = 0.18;
+constexpr double small_remainder = 0.1;
 
 /// Samples of decays, sweeps and broadband records that are compared, in all.
 constexpr Index most_samples = 6000;

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
+
+#include "estimator/hertz.hpp"
 
 namespace secular {
 namespace {
@@ -164,8 +165,7 @@ VectorXd SegmentEvidence::guessed_state(const Segment& s, const VectorXd& unknow
   VectorXd state = VectorXd::Zero(2 * modes);
   for (Index k = 0; k < modes; ++k) {
     const double w = unknowns(k);
-    const Index samples =
-        std::min<Index>(s.response.cols(), static_cast<Index>(1.2 * 2 * std::numbers::pi / w / s.sample_s) + 3);
+    const Index samples = std::min<Index>(s.response.cols(), static_cast<Index>(1.2 * two_pi / w / s.sample_s) + 3);
     const Eigen::ArrayXd phase =
         Eigen::ArrayXd::LinSpaced(samples, 0, static_cast<double>(samples - 1)) * (w * s.sample_s);
     MatrixXd waves(samples, 3);

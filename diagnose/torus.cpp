@@ -1,7 +1,8 @@
 #include "diagnose/torus.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "estimator/hertz.hpp"
 
 namespace secular {
 
@@ -26,10 +27,8 @@ Torus::Torus(int dimensions, int highest, Index points) : dimensions_(dimensions
   // Half a step off zero: turning points of the leading line then fall between two samples, where a jump of dry
   // friction is represented best.
   for (Index p = 0; p < total; ++p) {
-    const double first =
-        2 * std::numbers::pi * (static_cast<double>(p % points) + 0.5) / static_cast<double>(points);
-    const double second =
-        2 * std::numbers::pi * (static_cast<double>(p / points) + 0.5) / static_cast<double>(points);
+    const double first = two_pi * (static_cast<double>(p % points) + 0.5) / static_cast<double>(points);
+    const double second = two_pi * (static_cast<double>(p / points) + 0.5) / static_cast<double>(points);
     for (Index l = 0; l < lines(); ++l) {
       const double angle = phase(l)[0] * first + phase(l)[1] * second;
       basis_(p, 2 * l) = std::cos(angle);

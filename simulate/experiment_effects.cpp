@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <string_view>
+
+#include "estimator/hertz.hpp"
 
 namespace secular {
 namespace {
@@ -84,7 +85,7 @@ ExperimentEffect read_effect(const TomlTable& table) {
     if (key.empty()) continue;
     const double value = table.number(key);
     if (value < 0 || (value == 0 && key != "damping")) table.fail(key, "is not positive", "a positive number");
-    effect.shape.push_back(key == "frequency_hz" ? 2 * std::numbers::pi * value : value);
+    effect.shape.push_back(key == "frequency_hz" ? two_pi * value : value);
   }
   if (keys->extra == "shape") effect.list = table.numbers("shape");
   if (keys->extra == "harmonics")

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
+#include "estimator/hertz.hpp"
 #include "simulate/experiment_parts.hpp"
 
 namespace secular {
@@ -93,7 +93,7 @@ void read_shaker(const TomlTable& root, const Target& target, Experiment& experi
   }
   if (!experiment.excitation) table.fail("armature_hz", "there is no excitation", "describe it in [excitation]");
   Armature armature;
-  armature.omega = 2 * std::numbers::pi * positive(table, "armature_hz");
+  armature.omega = two_pi * positive(table, "armature_hz");
   armature.damping = positive(table, "armature_damping");
   armature.feedback = by_mode(table, "feedback", target);
   experiment.motion.armature = std::move(armature);

@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "estimator/hertz.hpp"
 #include "estimator/identification/modal_projection.hpp"
 #include "simulate/motion.hpp"
 
@@ -29,7 +29,7 @@ std::optional<HeldOutPrediction> predict_held_out_decay(const Campaign& campaign
   const Record samples = read_samples(record);
   const double rate = samples.sample_rate_hz;
   const double end = samples.start_s + static_cast<double>(samples.samples() - 1) / rate;
-  const double period = 2 * std::numbers::pi / last->rate[0].imag();
+  const double period = two_pi / last->rate[0].imag();
   if (end - window.to_s < fewest_periods * period) return std::nullopt;
 
   const ModalProjection projection = modal_projection(campaign, *measured.model);

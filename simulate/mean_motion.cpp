@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "estimator/hertz.hpp"
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/mode_frequencies.hpp"
 
@@ -56,7 +57,7 @@ std::vector<double> own_phases(const Observation& o, const Observation& first, c
     if (!modes.oscillates[k]) continue;
     const auto row = static_cast<Eigen::Index>(k);
     const double shift = modes.forced.row(row).dot(excitation) + modes.coupling.row(row).dot(free);
-    const double turn = 2 * std::numbers::pi / smallest_turn(model, resonance, k);
+    const double turn = two_pi / smallest_turn(model, resonance, k);
     result[k] = std::remainder(turned(o.amplitude[k], first.amplitude[k]) - shift, turn);
   }
   return result;

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 
+#include "estimator/hertz.hpp"
 #include "estimator/identification/decay_window.hpp"
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/modal_projection.hpp"
@@ -131,9 +131,8 @@ class Replay {
 
   Record dwell(const Observation& o, std::size_t index) const {
     const double rate = campaign_.sample_rate_hz;
-    const auto count = static_cast<std::size_t>(std::lround(
-        campaign_.records[index].ensemble_s.value_or(200 * 2 * std::numbers::pi / o.excitation_frequency[0]) *
-        rate));
+    const auto count = static_cast<std::size_t>(
+        std::lround(campaign_.records[index].ensemble_s.value_or(200 * two_pi / o.excitation_frequency[0]) * rate));
     const ExcitationSignal signal = [&](double t, ExcitationSample* s) {
       for (std::size_t j = 0; j < o.forcing.size(); ++j) {
         const double w = o.excitation_frequency[j];

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
+#include "estimator/hertz.hpp"
 #include "simulate/motion.hpp"
 
 namespace secular {
@@ -62,9 +62,8 @@ class Sweep {
     const double slowest = *std::min_element(frequency.begin(), frequency.end());
     double fastest = *std::max_element(frequency.begin(), frequency.end());
     for (const double w : step.frequency) fastest = std::max(fastest, w);
-    const double length = sweep_.window_periods * 2 * std::numbers::pi / slowest;
-    const auto count =
-        static_cast<std::size_t>(std::ceil(length * fastest / (2 * std::numbers::pi) * samples_per_period));
+    const double length = sweep_.window_periods * two_pi / slowest;
+    const auto count = static_cast<std::size_t>(std::ceil(length * fastest * to_hz * samples_per_period));
     const double interval = length / static_cast<double>(count);
     const ExcitationSignal signal = [&](double time, ExcitationSample* samples) {
       for (std::size_t j = 0; j < phase_.size(); ++j) {
@@ -79,12 +78,12 @@ class Sweep {
     std::vector<Complex> sum(model_.modes());
     integrate_motion(model_, sweep_.parameters.data(), signal, 0, displacement_, velocity_, interval, interval,
                      count, settings, [&](const MotionSample& sample) {
-                       const double weight = 1 - std::cos(2 * std::numbers::pi * sample.time / length);
+                       const double weight = 1 - std::cos(two_pi * sample.time / length);
                        for (std::size_t k = 0; k < sum.size(); ++k)
                          sum[k] += weight * sample.displacement[k] * std::polar(1.0, -frequency[k] * sample.time);
                      });
     for (std::size_t j = 0; j < phase_.size(); ++j)
-      phase_[j] = std::remainder(phase_[j] + step.frequency[j] * length, 2 * std::numbers::pi);
+      phase_[j] = std::remainder(phase_[j] + step.frequency[j] * length, two_pi);
     std::vector<double> amplitude;
     for (const Complex& s : sum) amplitude.push_back(2 * std::abs(s) / static_cast<double>(count));
     return amplitude;

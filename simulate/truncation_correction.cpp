@@ -126,6 +126,7 @@ class Correction {
     quick_.bootstrap = 0;
     quick_.damping_laws = quick_.judge_fit = false;
     quick_.keep_weights = !options.refine;
+    quick_.rough_errors = true;
   }
 
   TruncationCorrection run() {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <numbers>
 #include <utility>
 
+#include "estimator/hertz.hpp"
 #include "estimator/in_parallel.hpp"
 #include "simulate/anti_alias_filter.hpp"
 #include "simulate/excitation_signal.hpp"
@@ -151,7 +151,7 @@ class VirtualTest {
 
   // Moves the excitation's phase on, so that the next dwell goes on without a jump.
   void run_dwell(const Task& task, Course& course) {
-    const double omega = 2 * std::numbers::pi * task.frequency_hz;
+    const double omega = two_pi * task.frequency_hz;
     const ExcitationSignal signal =
         harmonic_wave(omega, task.amplitude, course.phase, experiment_.shaker_harmonics);
     const double rate = experiment_.sample_rate_hz;
@@ -159,7 +159,7 @@ class VirtualTest {
                        static_cast<std::size_t>(std::lround(task.dwell->ensemble_s * rate));
     store(task, recorded(task, signal, 0, course, task.dwell->settle_s, count));
     const double end = task.dwell->settle_s + static_cast<double>(count - 1) / rate;
-    course.phase = std::remainder(omega * end + course.phase, 2 * std::numbers::pi);
+    course.phase = std::remainder(omega * end + course.phase, two_pi);
   }
 
   void run_signal(const Task& task, Course& course) {
@@ -168,7 +168,7 @@ class VirtualTest {
     if (p.kind == SignalProgramme::Kind::sweep) {
       // Steady at the first frequency until time 0, with phase 0 there.
       const std::vector<double>& harmonics = experiment_.shaker_harmonics;
-      const ExcitationSignal steady = harmonic_wave(2 * std::numbers::pi * p.low_hz, p.amplitude, 0, harmonics);
+      const ExcitationSignal steady = harmonic_wave(two_pi * p.low_hz, p.amplitude, 0, harmonics);
       const ExcitationSignal sweep = linear_sweep(p.low_hz, p.rate_hz_per_s, p.amplitude, harmonics);
       const ExcitationSignal signal = [&](double time, ExcitationSample* samples) {
         (time < 0 ? steady : sweep)(time, samples);

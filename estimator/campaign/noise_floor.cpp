@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <numeric>
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
+#include "estimator/hertz.hpp"
 #include "estimator/median.hpp"
 
 namespace secular {
@@ -28,7 +28,7 @@ std::optional<double> noise_floor(std::span<const double> samples) {
   if (samples.size() < 4 * segment) return std::nullopt;
   std::vector<double> window(segment);
   for (std::size_t i = 0; i < segment; ++i)
-    window[i] = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(segment));
+    window[i] = 0.5 - 0.5 * std::cos(two_pi * static_cast<double>(i) / static_cast<double>(segment));
   double gain = 0;  // sum of squares: expected power of a bin for unit white noise
   for (const double w : window) gain += w * w;
   constexpr std::size_t first = segment / 4;

@@ -54,10 +54,7 @@ bool significant(const EstimatedValue& value) {
 constexpr double lost_tolerance = 1e-8;
 
 /// Probability that lumps of a model that holds contradict one another.
-/// Lumps contradict one another where chi-squared would be as large less often than this. The law has light tails,
-/// the statistic has not: its covariance comes from some thirty conditions. Of a hundred draws of the chapter 6
-/// campaign five lie below 1e-3 and none below this; what a missing term makes lies far beyond.
-constexpr double contradiction_alarm = 1e-6;
+constexpr double contradiction_alarm = 1e-3;
 
 /// A misfit counts as doubt where it may change a value by more than this share.
 constexpr double material_share = 0.1;
@@ -386,7 +383,7 @@ class Estimator {
             start(p) = part.values(static_cast<Index>(i));
       if (given_[static_cast<std::size_t>(p)]) start(p) = options_.fixed.at(name);
     }
-    shared_ = shared_parameters(lump_estimates_, start, given_);
+    shared_ = shared_parameters(lump_estimates_, start, given_, options_.rough_errors);
     result_.parameter_values = shared_.values;
     result_.misfit_before = shared_.misfit_before;
     result_.parameter_sd = shared_.covariance.diagonal().cwiseMax(0).cwiseSqrt();

@@ -92,6 +92,8 @@ struct EstimateOptions {
   Eigen::MatrixXd moves = {};
   /// With moves: the parameters that ObservationSet::truncation belongs to.
   Eigen::VectorXd corrected_at = {};
+  /// Parameters' error bars by way of the lumps', which are wider, instead of from the rows: for passes between.
+  bool rough_errors = false;
   /// With a start: the weights stay as they are. For passes between, where only the truncation's correction has
   /// changed a little.
   bool keep_weights = false;

@@ -174,7 +174,7 @@ Entries entries_at(const LumpEstimates& part, const VectorXd& unknowns, Index co
 }  // namespace
 
 SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const VectorXd& start,
-                                   const std::vector<bool>& given) {
+                                   const std::vector<bool>& given, bool rough_errors) {
   const Index count = start.size();
   Index directions = 0;
   for (const LumpEstimates& part : cases) directions = std::max(directions, part.truncation_effect.cols());
@@ -257,7 +257,7 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
     common.push_back({&cases[c].rows, std::move(entries.slope), std::move(entries.values)});
     further.middleRows(static_cast<Index>(row), cases[c].values.size()).setZero();
   }
-  const std::optional<ConditionScatter> between = condition_scatter(common, further);
+  const std::optional<ConditionScatter> between = rough_errors ? std::nullopt : condition_scatter(common, further);
   ResidualScatter scatter;
   scatter.known = left.rightCols(directions);
   Index r = 0;

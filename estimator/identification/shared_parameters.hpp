@@ -50,19 +50,20 @@ struct SharedParameters {
   /// What no parameters can give of the lumps (clustered_chi_squared), and how many more lumps than parameters
   /// there are.
   double misfit = 0;
+  Eigen::Index surplus = 0;
   /// What the parameters that the truncation was taken out with leave of the lumps, weighted sum of squares with
   /// the best shift: a better set of parameters leaves less. Without slopes of the truncation not known, zero.
   double misfit_before = 0;
-  Eigen::Index surplus = 0;
 };
 
 /// Weighted nonlinear least squares of all lumps on the parameters, from `start`; weights are the full inverse
 /// covariances from residuals. What is known of how the truncation's correction depends on the parameters is part
 /// of the fit. Where it depends on what no lump sees, that is an unknown of its own, zero with standard deviation
 /// one: values + combination*truncation_effect*shift are the lumps of the parameters. The error bars come from
-/// leaving out one condition at a time (condition_scatter), so that they do not rest on the weights. `given`
+/// the scatter between conditions (condition_scatter), so that they do not rest on the weights; `rough_errors`:
+/// from what leaving a condition out does to the lumps, carried through the map, which is wider and quick. `given`
 /// parameters stay.
 SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const Eigen::VectorXd& start,
-                                   const std::vector<bool>& given);
+                                   const std::vector<bool>& given, bool rough_errors = false);
 
 }  // namespace secular

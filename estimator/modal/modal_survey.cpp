@@ -5,7 +5,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <unsupported/Eigen/FFT>
 
@@ -307,8 +306,7 @@ class DecaySpectrum {
       VectorXd column = decay.col(c).head(samples_);
       column.array() -= column.mean();
       for (Index i = 0; i < samples_; ++i)
-        column(i) *=
-            1 - std::cos(2 * std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(samples_));
+        column(i) *= 1 - std::cos(two_pi * (static_cast<double>(i) + 0.5) / static_cast<double>(samples_));
       VectorXcd spectrum;
       transform_.fwd(spectrum, column);
       power_ += spectrum.cwiseAbs2();

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "estimator/hertz.hpp"
 #include "estimator/median.hpp"
 #include "estimator/modal/modal_assurance.hpp"
 #include "estimator/modal/pole.hpp"
@@ -131,7 +131,7 @@ StabilisationDiagram stabilisation_diagram(const EigensystemRealization& realiza
     return natural_frequency(a.pole) < natural_frequency(b.pole);
   });
   for (StableMode& mode : modes) {
-    const double hz = natural_frequency(mode.pole) / (2 * std::numbers::pi);
+    const double hz = natural_frequency(mode.pole) * to_hz;
     const bool outside = hz < options.lowest_hz || (options.highest_hz > 0 && hz > options.highest_hz);
     (outside ? diagram.others : diagram.modes).push_back(std::move(mode));
   }

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "estimator/hertz.hpp"
 #include "estimator/identification/modal_projection.hpp"
 #include "estimator/identification/record_window.hpp"
 #include "estimator/procedures/engine_lumps.hpp"
@@ -73,8 +74,8 @@ struct Reader {
     o.record = r;
     o.centre_s = record.start_s + (static_cast<double>(begin) + 0.5 * static_cast<double>(count - 1)) / rate;
     const MatrixXd base = Eigen::Map<const Eigen::VectorXd>(record.channels[excitation].data() + begin, count);
-    const double guess = entry.excitation_frequency_hz ? 2 * std::numbers::pi * *entry.excitation_frequency_hz
-                                                       : nominal[0] + nominal[1];
+    const double guess =
+        entry.excitation_frequency_hz ? two_pi * *entry.excitation_frequency_hz : nominal[0] + nominal[1];
     const ToneFit tone = fit_harmonic_tone(base, rate, guess, ToneOptions{});
     if (tone.status == ToneStatus::ill_conditioned || std::abs(tone.frequency / guess - 1) > 0.2)
       throw InputError((campaign.folder / entry.file).string(), "channel " + campaign.channels[excitation].name,
@@ -88,7 +89,7 @@ struct Reader {
     double frequency[2], frequency_sd = 0;
     if (!mode_frequencies(modal, rate, tone.frequency, frequency, frequency_sd)) return false;
     std::vector<double> tones;
-    const double resolution = 2 * std::numbers::pi * rate / static_cast<double>(count);
+    const double resolution = two_pi * rate / static_cast<double>(count);
     const auto index_of = [&](double f) -> std::ptrdiff_t {
       if (f < 2 * resolution || f > std::numbers::pi * rate - 2 * resolution) return -1;
       for (std::size_t i = 0; i < tones.size(); ++i)

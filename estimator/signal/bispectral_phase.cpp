@@ -4,8 +4,9 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
+
+#include "estimator/hertz.hpp"
 
 namespace secular {
 
@@ -40,7 +41,7 @@ BispectralPhase bispectral_phase(const Eigen::Ref<const VectorXcd>& excitation,
   }
   const EnsembleMean statistics = ensemble_mean(turned, layout);
   result.bias = -statistics.covariance(0, 1);
-  result.gamma = std::remainder(std::arg(mean) - result.bias, 2 * std::numbers::pi);
+  result.gamma = std::remainder(std::arg(mean) - result.bias, two_pi);
   result.gamma_sd = std::sqrt(statistics.covariance(1, 1));
   result.degrees_of_freedom = statistics.degrees_of_freedom;
   result.bicoherence = std::min(1.0, length * length / power);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "estimator/hertz.hpp"
 #include "estimator/signal/refine_poles.hpp"
 #include "estimator/signal/tone_search.hpp"
 
@@ -83,7 +84,7 @@ std::vector<Pole> in_order(std::vector<Pole> poles, double rate) {
     pole.rate = std::abs(pole.rate);
     pole.frequency = std::abs(pole.frequency);
     if (!pole.imposed && pole.frequency > std::numbers::pi * rate)
-      pole.frequency = std::abs(2 * std::numbers::pi * rate - pole.frequency);
+      pole.frequency = std::abs(two_pi * rate - pole.frequency);
   }
   std::stable_sort(poles.begin(), poles.end(), [](const Pole& a, const Pole& b) {
     if (a.imposed != b.imposed) return b.imposed;

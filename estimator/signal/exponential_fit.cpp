@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "estimator/hertz.hpp"
 #include "estimator/signal/symmetric_polynomial.hpp"
 
 namespace secular {
@@ -111,11 +112,11 @@ PisarenkoFit pisarenko(const Eigen::Ref<const VectorXd>& samples, double sample_
 SpectrumPeak spectrum_peak(const Eigen::Ref<const VectorXd>& samples, double sample_rate_hz, double near) {
   const Index n = samples.size();
   if (n < 4) throw std::invalid_argument("too few samples for a spectrum");
-  const double bin = 2 * std::numbers::pi * sample_rate_hz / static_cast<double>(n);
+  const double bin = two_pi * sample_rate_hz / static_cast<double>(n);
   const Index last = n / 2 - 1;
   // Three lines alone are wanted: a sum each, by a rotation that is exact again at every 64th sample.
   const auto line = [&](Index k) {
-    const double turn = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(n);
+    const double turn = two_pi * static_cast<double>(k) / static_cast<double>(n);
     const Complex step = std::polar(1.0, -turn);
     Complex sum = 0, rotation = 1;
     for (Index i = 0; i < n; ++i) {

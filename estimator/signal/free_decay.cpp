@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "estimator/hertz.hpp"
 #include "estimator/median.hpp"
 #include "estimator/signal/circular_hyperbolic.hpp"
 #include "estimator/signal/tone_fit.hpp"
@@ -44,7 +45,7 @@ constexpr Index shortest_window = 16;
 }  // namespace
 
 double decomposed_frequency(const Eigen::Ref<const VectorXd>& samples, double rate, double expected) {
-  const double per_period = rate * 2 * std::numbers::pi / expected;
+  const double per_period = rate * two_pi / expected;
   const auto block = std::max<Index>(1, static_cast<Index>(per_period / 16));
   const Index count = samples.size() / block;
   constexpr int order = 3;

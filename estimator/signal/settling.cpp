@@ -5,9 +5,9 @@
 #include <cmath>
 #include <complex>
 #include <cstdio>
-#include <numbers>
 #include <stdexcept>
 
+#include "estimator/hertz.hpp"
 #include "estimator/regression/confidence.hpp"
 #include "estimator/signal/tone_fit.hpp"
 
@@ -78,7 +78,7 @@ SettlingReport check_settling(const std::vector<MatrixXcd>& amplitude, const std
         const auto i = static_cast<std::size_t>(k);
         const Complex value = amplitude[i](tone, c);
         logarithm(k) = std::log(std::max(std::abs(value), 1e-300));
-        last += std::remainder(std::arg(value) - last, 2 * std::numbers::pi);  // unwrapped
+        last += std::remainder(std::arg(value) - last, two_pi);  // unwrapped
         phase(k) = last;
         own(k) = std::pow(amplitude_sd[i](tone, c) / std::max(std::abs(value), 1e-300), 2);
       }
@@ -123,8 +123,8 @@ SettlingReport check_settling(const Eigen::Ref<const MatrixXd>& channels, double
                                                        sample_rate_hz, frequencies, true);
     const double centre = static_cast<double>(k * layout.step) / sample_rate_hz;
     for (Index f = 0; f < fit.amplitude.rows(); ++f)
-      fit.amplitude.row(f) *= std::exp(
-          Complex(0, -std::remainder(frequencies[static_cast<std::size_t>(f)] * centre, 2 * std::numbers::pi)));
+      fit.amplitude.row(f) *=
+          std::exp(Complex(0, -std::remainder(frequencies[static_cast<std::size_t>(f)] * centre, two_pi)));
     amplitude.push_back(fit.amplitude);
     amplitude_sd.push_back(fit.amplitude_sd);
   }

@@ -171,7 +171,7 @@ MethodStatistics method_statistics(const Eigen::Ref<const VectorXd>& channel, co
 void check_settled(SpectralSurvey& survey, const Eigen::Ref<const MatrixXd>& channels) {
   if (survey.layout.count < 4) return;
   // The tones that stand in the refined decomposition, two bins from zero, Nyquist and each other.
-  const double bin = 2 * std::numbers::pi * survey.sample_rate_hz / static_cast<double>(survey.layout.length);
+  const double bin = two_pi * survey.sample_rate_hz / static_cast<double>(survey.layout.length);
   std::vector<double> frequencies;
   for (std::size_t i = 0; i < survey.decomposition.poles.size(); ++i) {
     const Pole& pole = survey.decomposition.poles[i];
@@ -284,7 +284,7 @@ AmplitudeSpectrum amplitude_spectrum(const Eigen::Ref<const MatrixXd>& channels,
   spectrum.amplitude = MatrixXd::Zero(lines, channels.cols());
   VectorXd window(length);
   for (Index i = 0; i < length; ++i)
-    window(i) = 1 - std::cos(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(length));
+    window(i) = 1 - std::cos(two_pi * static_cast<double>(i) / static_cast<double>(length));
   Eigen::FFT<double> transform;
   transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   double segments = 0;

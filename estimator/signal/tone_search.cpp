@@ -7,6 +7,7 @@
 #include <unsupported/Eigen/FFT>
 #include <utility>
 
+#include "estimator/hertz.hpp"
 #include "estimator/regression/distribution.hpp"
 #include "estimator/signal/transform_length.hpp"
 
@@ -68,7 +69,7 @@ SpectralPeak spectral_peak(const Eigen::Ref<const MatrixXd>& residual, double sa
     if (bend < 0) offset = std::clamp(0.5 * (before - after) / bend, -0.5, 0.5);
     peak.ordinate -= 0.25 * (before - after) * offset;
   }
-  const double bin = 2 * std::numbers::pi * sample_rate_hz / static_cast<double>(length);
+  const double bin = two_pi * sample_rate_hz / static_cast<double>(length);
   peak.frequency = bin * (static_cast<double>(at + low) + offset);
   peak.probability = peak_probability(peak.ordinate, residual.cols(), samples);
   return peak;

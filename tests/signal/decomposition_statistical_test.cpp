@@ -5,10 +5,10 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <vector>
 
+#include "estimator/hertz.hpp"
 #include "estimator/signal/arma.hpp"
 #include "estimator/signal/decomposition.hpp"
 #include "estimator/signal/ensembles.hpp"
@@ -22,8 +22,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double turn = 2 * std::numbers::pi;
 
 constexpr PolynomialMethod methods[] = {PolynomialMethod::least_squares, PolynomialMethod::noise_eigenvector,
                                         PolynomialMethod::lagged_covariance};
@@ -80,10 +78,10 @@ TEST(DecompositionStatistical, RefinedEstimateWithinFivePercentOfTheCramerRaoBou
     MatrixXd amplitudes(8, 4);
     amplitudes << 1, 0.6, -0.3, 0.9, 0.5, -0.7, 0.8, 0.2, 0.3, 0.5, 0.4, -0.4, 0.4, 0.1, -0.3, 0.3, 0.5, 0.5, -0.2,
         0.1, -0.2, 0.4, 0.6, 0.5, 0.2, -0.4, 0.3, 0.3, 0.4, 0.2, 0.4, -0.4;
-    const std::vector<Pole> poles = {{PoleFamily::circular, turn * 12.5, 0},
-                                     {PoleFamily::circular, turn * 33.1, 0},
-                                     {PoleFamily::circular, turn * 45.6, 0},
-                                     {PoleFamily::circular, turn * 58.1, 0}};
+    const std::vector<Pole> poles = {{PoleFamily::circular, two_pi * 12.5, 0},
+                                     {PoleFamily::circular, two_pi * 33.1, 0},
+                                     {PoleFamily::circular, two_pi * 45.6, 0},
+                                     {PoleFamily::circular, two_pi * 58.1, 0}};
     const double weakest = std::sqrt(0.5 * (0.2 * 0.2 + 0.4 * 0.4));
     const Efficiency four = efficiency(poles, amplitudes, weakest * std::pow(10, -db / 20), 512, 256, 4, 300, 42);
     EXPECT_TRUE(four.inside()) << four.ratio << " at " << db << " dB";
@@ -102,7 +100,7 @@ TEST(DecompositionStatistical, RefinedEstimateWithinFivePercentOfTheCramerRaoBou
 TEST(DecompositionStatistical, TonesTwoBinsApartAreNotConfusedAt20dB) {
   testing_support::Gaussian random(44);
   const Index n = 512;
-  const double rate = 256, bin = turn * rate / static_cast<double>(n);
+  const double rate = 256, bin = two_pi * rate / static_cast<double>(n);
   DecompositionOptions options;
   options.order = 2;
   options.refine = true;
@@ -186,10 +184,10 @@ TEST(DecompositionStatistical, CableExampleOfTable44) {
 
 // The shaker of section 4.4.1: 160 s at 64 samples per second with the tones of Table 4.2, phases of Table 4.3.
 VectorXd shaker_record(double noise_db, std::uint64_t seed) {
-  const std::vector<Pole> poles = {{PoleFamily::circular, turn * 0.5, 0},
-                                   {PoleFamily::circular, turn * 9.796872, 0},
-                                   {PoleFamily::circular, turn * 19.593825, 0},
-                                   {PoleFamily::circular, turn * 29.392829, 0}};
+  const std::vector<Pole> poles = {{PoleFamily::circular, two_pi * 0.5, 0},
+                                   {PoleFamily::circular, two_pi * 9.796872, 0},
+                                   {PoleFamily::circular, two_pi * 19.593825, 0},
+                                   {PoleFamily::circular, two_pi * 29.392829, 0}};
   VectorXd amplitudes(8);
   amplitudes << 0.0001, 0, 0.896984 * std::cos(0.83032), -0.896984 * std::sin(0.83032),
       0.018090 * std::cos(-2.75860), -0.018090 * std::sin(-2.75860), 0.001359 * std::cos(-1.90550),
@@ -214,7 +212,7 @@ TEST(DecompositionStatistical, ShakerWithTooLowAnOrderAsInTable41) {
     for (Index k = 0; k < layout.count; ++k) {
       const Decomposition fit = decompose(y.segment(k * layout.step, layout.length), 64, options);
       const ToneEstimate tone = fit.tone(0, 0);
-      frequency.add(tone.frequency / turn);
+      frequency.add(tone.frequency / two_pi);
       amplitude.add(tone.amplitude);
       explained.add(fit.signal_to_noise_db(0));
     }
@@ -240,9 +238,9 @@ TEST(DecompositionStatistical, ShakerWithAGoodOrderAsInTable42) {
       for (Index k = 0; k < layout.count; ++k) {
         const Decomposition fit = decompose(y.segment(k * layout.step, layout.length), 64, options);
         for (std::size_t h = 0; h < 3; ++h) {
-          const std::optional<std::size_t> at = fit.nearest(turn * 9.797 * static_cast<double>(h + 1));
+          const std::optional<std::size_t> at = fit.nearest(two_pi * 9.797 * static_cast<double>(h + 1));
           ASSERT_TRUE(at.has_value());
-          frequency[h].add(fit.tone(*at, 0).frequency / turn);
+          frequency[h].add(fit.tone(*at, 0).frequency / two_pi);
           amplitude[h].add(fit.tone(*at, 0).amplitude);
         }
       }
@@ -261,11 +259,11 @@ TEST(DecompositionStatistical, ShakerWithAGoodOrderAsInTable42) {
 TEST(DecompositionStatistical, PeakOfTheTransformAsInTable43) {
   // The printed q of the transform's row has the sign of its imaginary part, opposite to that of Eq. (4.3).
   const VectorXd y = shaker_record(66, 48).head(1024);
-  const SpectrumPeak primary = spectrum_peak(y, 64, turn * 9.797), second = spectrum_peak(y, 64, turn * 19.69);
-  EXPECT_NEAR(primary.frequency / turn, 9.8125, 1e-9);
+  const SpectrumPeak primary = spectrum_peak(y, 64, two_pi * 9.797), second = spectrum_peak(y, 64, two_pi * 19.69);
+  EXPECT_NEAR(primary.frequency / two_pi, 9.8125, 1e-9);
   EXPECT_NEAR(primary.p, 0.805861, 2e-3);
   EXPECT_NEAR(primary.q, -0.036122, 2e-3);
-  EXPECT_NEAR(second.frequency / turn, 19.625, 1e-9);
+  EXPECT_NEAR(second.frequency / two_pi, 19.625, 1e-9);
   EXPECT_NEAR(second.p, -0.003412, 5e-4);
   EXPECT_NEAR(second.q, -0.010855, 5e-4);
 }
@@ -306,7 +304,7 @@ Motion driven(double w, double drive, double direct, double parametric) {
 TEST(DecompositionStatistical, InputAndOutputCorrelateInPrimaryButNotInParametricResonance) {
   // Figs. C.2 and C.4, second mode near 33 Hz, noise at 80 dB.
   testing_support::Gaussian random(49);
-  const double w = turn * 33;
+  const double w = two_pi * 33;
   Motion primary = driven(w, w, 0.4 * w, 0), parametric = driven(w, 2 * w, 0.5, 4 * w);
   for (Motion* motion : {&primary, &parametric}) {
     const double rms = std::sqrt(motion->acceleration.squaredNorm() / 1024);

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
+#include "estimator/hertz.hpp"
 #include "tests/signal/gaussian.hpp"
 
 namespace secular {
@@ -14,12 +14,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double turn = 2 * std::numbers::pi;
-
 VectorXd tone(Index samples, double rate, double hz, double amplitude, double phase) {
   VectorXd y(samples);
   for (Index i = 0; i < samples; ++i)
-    y(i) = amplitude * std::cos(turn * hz * static_cast<double>(i) / rate + phase);
+    y(i) = amplitude * std::cos(two_pi * hz * static_cast<double>(i) / rate + phase);
   return y;
 }
 
