@@ -96,10 +96,12 @@ void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, doub
   }
   const Eigen::MatrixXd& own = signatures.own_parameters(all);
   for (const std::string& name : rivals) {
-    for (std::size_t variant = 0; variant < 2; ++variant) {
+    // Widths of a slider's slip or of a dead band, relative to the motion; one that slips at once is dry friction.
+    const std::vector<double> widths = name == "hysteresis" ? std::vector{0.15, 0.4, 0.03} : std::vector{0.15, 0.4};
+    for (std::size_t variant = 0; variant < widths.size(); ++variant) {
       Withheld rival = draw_withheld(name, c.specimen, random);
       rival.mode = truth.withheld.mode;
-      if (name == "hysteresis" || name == "freeplay") rival.detail = variant == 0 ? 0.15 : 0.4;
+      if (name == "hysteresis" || name == "freeplay") rival.detail = widths[variant];
       rival.smooth = variant == 1;
       // The rival's coefficient that explains most, its own change computed again where it has moved: large changes
       // are not proportional to it.

@@ -30,6 +30,9 @@ constexpr double coarse_levels[] = {1e-2, 1e-3, 1e-4, 0};
 /// its numbers are bent by then.
 constexpr double most_misfit = 10;
 
+/// Coarse equations help where they bring what the model leaves down to less than this share.
+constexpr double least_relief = 0.5;
+
 /// Errors taken anew at a fit that was made among others change what it leaves beyond noise by no more than this
 /// factor, or that fit has run away with its own errors.
 constexpr double reweighting = 1.3;
@@ -160,7 +163,10 @@ class Search {
       nulls.push_back(std::move(fit));
     }
     level_ = nulls.size() - 1;
-    if (misses(nulls[level_])) {
+    // What the equations of motion have no part in (a harmonic of the excitation that the model leaves out) is
+    // missed at every level alike.
+    const bool in_equations = nulls.front().chi_squared < least_relief * nulls.back().chi_squared;
+    if (misses(nulls[level_]) && in_equations) {
       while (level_ > 0 && misses(nulls[level_])) --level_;
       if (misses(nulls[level_]))
         nulls[level_] = anchored_null(start);
