@@ -245,6 +245,23 @@ TEST(SlowDiagnosis, WhatIsMissingFarBeyondTheNoiseIsFound) {
   EXPECT_NEAR(d.causes.front().coefficient, 36.87, 4 * d.causes.front().sd);
 }
 
+// Harmonics that the excitation brings along are missed by lines of its own channel, far beyond the noise, whatever
+// is known of the equations of motion. The natural frequency is not what the model says.
+TEST(SlowDiagnosis, WhatTheEquationsHaveNoPartInIsFound) {
+  const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
+  std::string experiment = parametric_dwells() + "[shaker]\nharmonics = [0.01, 0.006]\n";
+  const auto replace = [&](const std::string& what, const std::string& by) {
+    experiment.replace(experiment.find(what), what.size(), by);
+  };
+  replace("omega0 = 77.8487", "omega0 = 78.5");
+  replace("[24.68, 24.72, 24.76]", "[24.887, 24.927, 24.967]");
+  const Diagnosis d = diagnosed(model, simulated(model, experiment, 24), {});
+  EXPECT_EQ(d.verdict, "cause");
+  EXPECT_EQ(d.cause, "shaker_harmonics");
+  EXPECT_GT(d.gap.before, 4);
+  EXPECT_LT(d.gap.after, 1.2);
+}
+
 // One dwell of nine swells and fades: it says nothing of the model, and the others are heard without it.
 TEST(SlowDiagnosis, ADwellThatIsNotSteadyIsLeftOut) {
   const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
