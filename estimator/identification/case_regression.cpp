@@ -13,6 +13,7 @@
 #include "estimator/median.hpp"
 #include "estimator/regression/condensed_rows.hpp"
 #include "estimator/regression/distribution.hpp"
+#include "estimator/regression/unit_scale.hpp"
 
 namespace secular {
 namespace {
@@ -180,8 +181,7 @@ class CaseRegression {
   double solve() {
     const MatrixXd& x = result_.system.design;
     const Index columns = x.cols();
-    VectorXd scale = x.colwise().norm().transpose();
-    for (Index c = 0; c < scale.size(); ++c) scale(c) = scale(c) > 0 ? 1 / scale(c) : 1;
+    const VectorXd scale = unit_scale(x);
     MatrixXd core;
     VectorXd target = result_.system.response;
     if (x.rows() > columns + 1) {

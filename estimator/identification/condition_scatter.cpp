@@ -2,6 +2,8 @@
 
 #include <Eigen/Dense>
 
+#include "estimator/regression/unit_scale.hpp"
+
 namespace secular {
 namespace {
 
@@ -45,8 +47,7 @@ std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cas
     column += others;
   }
   design.block(row, 0, further.rows(), common) = further;
-  VectorXd scale = design.colwise().norm().transpose();
-  for (Index c = 0; c < width; ++c) scale(c) = scale(c) > 0 ? 1 / scale(c) : 1;
+  const VectorXd scale = unit_scale(design);
   const Eigen::BDCSVD<MatrixXd> svd(design * scale.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);
   const VectorXd& singular = svd.singularValues();
   Index rank = 0;

@@ -362,7 +362,7 @@ class Estimator {
         truncation_slope_.back() = truncation_slope(fit);
         part.truncation_slope = truncation_slope_.back()(used, Eigen::all);
         part.truncation_at = options_.corrected_at;
-        part.rows = rows_of(fit, used);
+        if (!options_.rough_errors) part.rows = rows_of(fit, used);
       }
       part.clustered = fit.fit.covariance_kind == CovarianceKind::clustered;
       part.degrees_of_freedom = fit.fit.degrees_of_freedom;

@@ -9,6 +9,7 @@
 
 #include "estimator/regression/clustered_chi_squared.hpp"
 #include "estimator/regression/nonlinear_fit.hpp"
+#include "estimator/regression/unit_scale.hpp"
 
 namespace secular {
 namespace {
@@ -38,13 +39,6 @@ struct Whitening {
     return m;
   }
 };
-
-// By column: what makes its norm one.
-VectorXd unit_scale(const MatrixXd& columns) {
-  VectorXd scale = columns.colwise().norm().transpose();
-  for (Index c = 0; c < scale.size(); ++c) scale(c) = scale(c) > 0 ? 1 / scale(c) : 1;
-  return scale;
-}
 
 // See SharedParameters::unseen, of the whitened Jacobian. In columns of unit norm entangled parameters do the same
 // for the same size.
@@ -171,6 +165,23 @@ Entries entries_at(const LumpEstimates& part, const VectorXd& unknowns, Index co
   return result;
 }
 
+// Clustered cases by their own rows, the others by their lumps: the rows of `further`, which holds all lumps'.
+std::optional<ConditionScatter> scatter_at(std::span<const LumpEstimates> cases, const VectorXd& unknowns,
+                                           Index count, const std::vector<bool>& given, MatrixXd further) {
+  std::vector<CommonFit> common;
+  Index row = 0;
+  for (const LumpEstimates& part : cases) {
+    const Index size = part.values.size();
+    if (part.clustered && size > 0) {
+      Entries entries = entries_at(part, unknowns, count, given, true);
+      common.push_back({&part.rows, std::move(entries.slope), std::move(entries.values)});
+      further.middleRows(row, size).setZero();
+    }
+    row += size;
+  }
+  return condition_scatter(common, further);
+}
+
 }  // namespace
 
 SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const VectorXd& start,
@@ -248,16 +259,8 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
   const MatrixXd inverse = scale.asDiagonal() * solver.pseudoInverse();
   // What the fit leaves of a change of the lumps.
   const MatrixXd left = MatrixXd::Identity(all_rows, all_rows) - jacobian * inverse;
-  // Clustered cases by their own rows, the others by their lumps.
-  std::vector<CommonFit> common;
-  MatrixXd further = jacobian;
-  for (std::size_t c = 0, row = 0; c < cases.size(); row += static_cast<std::size_t>(cases[c++].values.size())) {
-    if (!cases[c].clustered || cases[c].values.size() == 0) continue;
-    Entries entries = entries_at(cases[c], report.parameters, count, given, true);
-    common.push_back({&cases[c].rows, std::move(entries.slope), std::move(entries.values)});
-    further.middleRows(static_cast<Index>(row), cases[c].values.size()).setZero();
-  }
-  const std::optional<ConditionScatter> between = rough_errors ? std::nullopt : condition_scatter(common, further);
+  const std::optional<ConditionScatter> between =
+      rough_errors ? std::nullopt : scatter_at(cases, report.parameters, count, given, jacobian);
   ResidualScatter scatter;
   scatter.known = left.rightCols(directions);
   Index r = 0;
@@ -284,9 +287,10 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
     } else {
       scatter.influence.push_back(whitening[c](part.influence.transpose()).transpose() *
                                   left.middleCols(r - size, size).transpose());
+      if (between) continue;
       const auto n = static_cast<double>(part.influence.rows());
       const MatrixXd moved = part.influence * result.slope[c].transpose();
-      if (!between) add((n - 1) / n * moved.transpose() * moved, freedom);
+      add((n - 1) / n * moved.transpose() * moved, freedom);
     }
   }
   if (between)

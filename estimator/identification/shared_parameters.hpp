@@ -28,7 +28,7 @@ struct LumpEstimates {
   Eigen::MatrixXd truncation_slope;
   Eigen::VectorXd truncation_at;
   Eigen::MatrixXd influence;  ///< [condition][value]: change where the condition is left out
-  ConditionRows rows;         ///< the same before the lumps were made of them
+  ConditionRows rows;         ///< what the lumps were made of; not needed for rough errors
   bool clustered = false;     ///< error bars from `rows`, else from `plain`
   double degrees_of_freedom = 0;
 };

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "estimator/regression/condensed_rows.hpp"
+#include "estimator/regression/unit_scale.hpp"
 
 namespace secular {
 namespace {
@@ -51,8 +52,7 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
     throw std::invalid_argument("rows of design, response and clusters differ");
   if (rows == 0 || columns == 0) throw std::invalid_argument("a regression without rows or columns");
   LinearFit fit;
-  VectorXd scale = design.colwise().norm().transpose();
-  for (Index c = 0; c < columns; ++c) scale(c) = scale(c) > 0 ? 1 / scale(c) : 1;
+  const VectorXd scale = unit_scale(design);
   // Many rows are condensed first.
   const bool tall = rows > 2 * columns;
   MatrixXd core;

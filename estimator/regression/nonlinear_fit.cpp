@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "estimator/regression/unit_scale.hpp"
+
 namespace secular {
 namespace {
 
@@ -23,8 +25,7 @@ struct Linearisation {
 
 Linearisation linearise(const MatrixXd& jacobian) {
   Linearisation l;
-  l.scale = jacobian.colwise().norm().transpose();
-  for (Index c = 0; c < l.scale.size(); ++c) l.scale(c) = l.scale(c) > 0 ? 1 / l.scale(c) : 1;
+  l.scale = unit_scale(jacobian);
   l.svd.compute(jacobian * l.scale.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeFullV);
   const VectorXd& singular = l.svd.singularValues();
   while (l.rank < singular.size() && singular(l.rank) > rank_tolerance * singular(0) && singular(l.rank) > 0)
