@@ -29,16 +29,19 @@ struct Options {
 
 void print_next_experiment(const DiagnosisRun& run) {
   const NextExperiment& next = run.diagnosis.next_experiment;
-  if (!next.dwell) {
+  if (!next.proposed) {
     if (run.diagnosis.gap.detected) fmt::print("next experiment: none proposed; {}\n", next.reason);
     return;
   }
   const ProposedDwell& dwell = *next.dwell;
-  fmt::print("next experiment: a dwell at {:.5g} Hz, {:.3g} times the excitation of {} ({})\n",
-             dwell.frequency * to_hz, dwell.level, run.campaign.records[dwell.like].file, dwell.resonance);
-  fmt::print("  to tell {} apart: {:.1f} sd expected, seen in the {}; the right one's probability {} -> {}\n",
-             fmt::join(next.separates, ", "), dwell.separation, dwell.watch, report::format_percent(dwell.before),
-             report::format_percent(dwell.probability));
+  fmt::print("next experiment: a dwell at {:.5g} Hz, {:.3g} times the excitation of {}{} ({})\n",
+             dwell.frequency * to_hz, dwell.level, run.campaign.records[dwell.like].file,
+             dwell.length > 1 ? fmt::format(" and {:.3g} times as long", dwell.length) : "", dwell.resonance);
+  fmt::print(
+      "  to tell {} apart: {:.1f} sd expected, seen in the {}; the right one's probability {} -> {}, chance to "
+      "leave it alone {}\n",
+      fmt::join(next.separates, ", "), dwell.separation, dwell.watch, report::format_percent(dwell.before),
+      report::format_percent(dwell.probability), report::format_percent(dwell.chance));
 }
 
 void print_summary(const DiagnosisRun& run, const std::string& folder) {

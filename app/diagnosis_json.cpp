@@ -13,21 +13,25 @@ Json next_experiment(const DiagnosisRun& run) {
   const NextExperiment& next = run.diagnosis.next_experiment;
   if (!next.dwell) return {{"proposed", false}, {"reason", next.reason}};
   const ProposedDwell& dwell = *next.dwell;
-  return {{"proposed", true},
-          {"kind", "dwell"},
-          {"resonance", dwell.resonance},
-          {"like", run.campaign.records[dwell.like].file},
-          {"level_factor", dwell.level},
-          {"excitation_channel", dwell.channel},
-          {"excitation_peak", dwell.excitation},
-          {"frequency_hz", dwell.frequency * to_hz},
-          {"watch", dwell.watch},
-          {"separates", next.separates},
-          {"separation_sigma", dwell.separation},
-          {"probability_before", dwell.before},
-          {"expected_probability", dwell.probability},
-          {"expected_probability_of_a_random_one", dwell.typical},
-          {"compared", dwell.compared}};
+  Json json = {{"proposed", next.proposed}};
+  if (!next.proposed) json["reason"] = next.reason;
+  json.update({{"kind", "dwell"},
+               {"resonance", dwell.resonance},
+               {"like", run.campaign.records[dwell.like].file},
+               {"level_factor", dwell.level},
+               {"length_factor", dwell.length},
+               {"excitation_channel", dwell.channel},
+               {"excitation_peak", dwell.excitation},
+               {"frequency_hz", dwell.frequency * to_hz},
+               {"watch", dwell.watch},
+               {"separates", next.separates},
+               {"separation_sigma", dwell.separation},
+               {"probability_before", dwell.before},
+               {"expected_probability", dwell.probability},
+               {"expected_probability_of_a_random_one", dwell.typical},
+               {"chance_to_leave_one", dwell.chance},
+               {"compared", dwell.compared}});
+  return json;
 }
 
 Json simulated_errors(const std::vector<SimulatedError>& errors) {

@@ -271,10 +271,8 @@ void next_section(HtmlReport& page, const DiagnosisRun& run) {
   const NextExperiment& next = run.diagnosis.next_experiment;
   if (!run.diagnosis.gap.detected) return;
   page.section("Next experiment");
-  if (!next.dwell) {
-    page.paragraph("None is proposed: " + next.reason + ".");
-    return;
-  }
+  if (!next.proposed) page.paragraph("None is proposed: " + next.reason + ".");
+  if (!next.dwell) return;
   const ProposedDwell& dwell = *next.dwell;
   std::string rivals;
   for (const std::string& effect : next.separates) rivals += (rivals.empty() ? "" : ", ") + spaced(effect);
@@ -285,20 +283,18 @@ void next_section(HtmlReport& page, const DiagnosisRun& run) {
                 {"Peak of " + dwell.channel, report::format_number(dwell.excitation, 4) + ", " +
                                                  report::format_number(dwell.level, 2) + " times that of " +
                                                  run.campaign.records[dwell.like].file},
+                {"Length", report::format_number(dwell.length, 2) + " times as many ensembles as that record"},
                 {"Tells apart", rivals},
                 {"Expected separation", report::format_number(dwell.separation, 2) + " sd of the closest two"},
                 {"Look at", dwell.watch},
                 {"Expected probability of the right one",
                  report::format_percent(dwell.probability) + " after it, " + report::format_percent(dwell.before) +
-                     " now, " + report::format_percent(dwell.typical) + " after one taken at random"}};
+                     " now, " + report::format_percent(dwell.typical) + " after one taken at random"},
+                {"Chance that it leaves one", report::format_percent(dwell.chance)}};
   table.caption = "Best of " + std::to_string(dwell.compared) +
                   " dwells at the resonances measured, between half the lowest and twice the highest "
                   "level used";
   page.table(table);
-  if (dwell.separation < 2)
-    page.paragraph(
-        "Even this dwell would hardly part them: another kind of test is needed, for example a second sensor, a "
-        "calibration of the excitation, or a resonance that was not measured yet.");
 }
 
 }  // namespace

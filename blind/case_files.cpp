@@ -104,16 +104,13 @@ std::string csv_text(const std::vector<std::string>& names, const std::vector<st
   return fmt::to_string(text);
 }
 
-// The record of a settled dwell that begins with the motion `from`, and its entry of campaign.toml.
-std::string write_dwell(const SealedCase& c, const Drive& drive, const State& from, const std::string& group,
+// The record of a dwell and its entry of campaign.toml.
+std::string write_dwell(const SealedCase& c, const Dwell& dwell, const Motion& motion, const std::string& group,
                         Random& noise, const fs::path& campaign, const std::string& file) {
-  const Specimen& s = c.specimen;
-  const State state = settled_state(c.reality.structure, drive, from, s.settling);
-  const Motion motion = recorded_motion(c.reality.structure, drive, state, ensembles_per_dwell * ensemble_samples,
-                                        s.settling.substeps);
+  const Drive drive = drive_of(dwell, c.reality);
   std::vector<std::vector<double>> channels = measured(c.reality.measurement, drive, motion, false);
   disturb(c, noise, channels);
-  write_text(campaign / file, csv_text(s.measurement.names, channels));
+  write_text(campaign / file, csv_text(c.specimen.measurement.names, channels));
   return record_text(file, "dwell", drive.started) + fmt::format(
                                                          "excitation_frequency_hz = {:.4f}\nexcitation_amplitude = "
                                                          "{:.10g}\nensemble_s = {:.1f}\ngroup = \"{}\"\n",
@@ -198,9 +195,10 @@ void write_case(const SealedCase& c, std::uint64_t seed, const fs::path& folder)
   std::size_t number = 0;
   double started = 0;
   for (const Dwell& dwell : s.dwells) {
-    const Drive drive = drive_of(dwell, c.reality);
-    text += write_dwell(c, drive, dwell.state, dwell.group, noise, partial / "campaign", dwell_file(number++));
-    started = drive.started;
+    text +=
+        write_dwell(c, dwell, c.motions.at(number), dwell.group, noise, partial / "campaign", dwell_file(number));
+    started = dwell.drive.started;
+    ++number;
   }
   for (const double start : s.decay_starts) {
     started += 90;
@@ -234,7 +232,7 @@ void write_extended_campaign(const SealedCase& c, std::uint64_t seed, const Furt
       c.specimen.dwells.back().drive.started + 90 * static_cast<double>(c.specimen.decay_starts.size() + 1);
   Random noise(seed, 3'000'000 + c.plan.number);
   const std::size_t number = c.specimen.dwells.size() + c.specimen.decay_starts.size();
-  const std::string entry = write_dwell(c, drive_of(dwell, c.reality), dwell.state, dwell.group + ", further",
+  const std::string entry = write_dwell(c, dwell, dwell_motion(c, dwell, further.length), dwell.group + ", further",
                                         noise, partial, dwell_file(number));
   write_text(partial / "campaign.toml", read_text(partial / "campaign.toml") + entry);
   fs::rename(partial, target);

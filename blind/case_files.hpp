@@ -20,9 +20,10 @@ std::string dwell_file(std::size_t index);
 
 /// A dwell that was not in a case's programme.
 struct FurtherDwell {
-  std::size_t like = 0;  ///< dwell of the programme whose motion it begins with
-  double level = 1;      ///< times that dwell's excitation
-  double frequency = 0;  ///< rad/s
+  std::size_t like = 0;    ///< dwell of the programme whose motion it begins with
+  double level = 1;        ///< times that dwell's excitation
+  double frequency = 0;    ///< rad/s
+  std::size_t length = 1;  ///< times as many ensembles as that dwell
 };
 
 /// A copy of `campaign` in `target` (which must not exist) with one dwell more, recorded on the structure as it

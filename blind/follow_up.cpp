@@ -1,5 +1,6 @@
 #include "blind/follow_up.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -24,7 +25,8 @@ std::optional<FurtherDwell> proposal_of(const nlohmann::json& diagnosis, std::si
   for (std::size_t d = 0; d < dwells; ++d)
     if (file == dwell_file(d))
       return FurtherDwell{d, next.value("level_factor", 1.0),
-                          2 * std::numbers::pi * next.value("frequency_hz", 0.0)};
+                          2 * std::numbers::pi * next.value("frequency_hz", 0.0),
+                          static_cast<std::size_t>(std::clamp(next.value("length_factor", 1.0), 1.0, 100.0))};
   return std::nullopt;
 }
 
@@ -33,8 +35,10 @@ std::string resonance_of(const Dwell& dwell) {
   return dwell.group.substr(0, dwell.group.find(','));
 }
 
-FurtherDwell random_dwell(const Specimen& specimen, Random& random) {
+// As long as the one that it is compared with.
+FurtherDwell random_dwell(const Specimen& specimen, std::size_t length, Random& random) {
   FurtherDwell further;
+  further.length = length;
   further.like = random.below(specimen.dwells.size());
   further.level = random.uniform(0.5, 1.5);
   const Dwell& like = specimen.dwells[further.like];
@@ -68,7 +72,7 @@ FollowUpSummary follow_up_set(const fs::path& folder, const RunOptions& options,
       ++sets;
       if (proposal) ++proposed;
       Random random(set.seed, 2'000'000 + plans[i].number);
-      const FurtherDwell compared = random_dwell(sealed.specimen, random);
+      const FurtherDwell compared = random_dwell(sealed.specimen, proposal ? proposal->length : 1, random);
       for (const std::string which : follow_ups) {
         const bool asked = which == std::string(follow_ups[0]);
         const fs::path target = follow_up_folder(place, which);

@@ -36,7 +36,7 @@ double band_distance(int band, double x, double gap) {
 }  // namespace
 
 Integrator::Integrator(const Structure& structure, const Drive& drive, double t, const State& state)
-    : structure_(structure), drive_(drive), t_(t), x_(state) {
+    : structure_(structure), drive_(drive), t_(t), excitation_(drive.at(t)), x_(state) {
   start();
 }
 
@@ -56,27 +56,35 @@ void Integrator::start() {
     if (structure_.mode[k].friction != 0 && velocity(x_, k) == 0) cross(k * guards_per_mode + friction_guard);
 }
 
-State Integrator::stepped(double h) const {
+Integrator::Stepped Integrator::stepped(double h) const {
+  const double middle = drive_.at(t_ + h / 2), end = drive_.at(t_ + h);
   State k1{}, k2{}, k3{}, k4{}, y = x_;
-  derivative(structure_, drive_, regime_, t_, x_, k1);
+  derivative(structure_, drive_, regime_, t_, excitation_, x_, k1);
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h / 2 * k1[i];
-  derivative(structure_, drive_, regime_, t_ + h / 2, y, k2);
+  derivative(structure_, drive_, regime_, t_ + h / 2, middle, y, k2);
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h / 2 * k2[i];
-  derivative(structure_, drive_, regime_, t_ + h / 2, y, k3);
+  derivative(structure_, drive_, regime_, t_ + h / 2, middle, y, k3);
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h * k3[i];
-  derivative(structure_, drive_, regime_, t_ + h, y, k4);
+  derivative(structure_, drive_, regime_, t_ + h, end, y, k4);
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h / 6 * (k1[i] + 2 * (k2[i] + k3[i]) + k4[i]);
-  return y;
+  return {end, y};
 }
 
-double Integrator::guard(std::size_t number, double t, const State& x) const {
+void Integrator::move(double t, const Stepped& step) {
+  t_ = t;
+  excitation_ = step.excitation;
+  x_ = step.state;
+}
+
+double Integrator::guard(std::size_t number, double t, const Stepped& at) const {
+  const State& x = at.state;
   const std::size_t k = number / guards_per_mode;
   const ModeTerms& m = structure_.mode[k];
   switch (number % guards_per_mode) {
     case friction_guard:
       if (m.friction == 0) return never;
       if (regime_.sliding[k] != 0) return velocity(x, k) * regime_.sliding[k];
-      return m.friction - std::abs(force(structure_, drive_, regime_, k, t, drive_.at(t), x));
+      return m.friction - std::abs(force(structure_, drive_, regime_, k, t, at.excitation, x));
     case slider_guard:
       if (m.slider == 0 || m.smooth_slider) return never;
       if (regime_.slipping[k] != 0) return velocity(x, k) * regime_.slipping[k];
@@ -97,7 +105,7 @@ void Integrator::cross(std::size_t number) {
   const double q = displacement(x_, k);
   switch (number % guards_per_mode) {
     case friction_guard: {
-      const double f = force(structure_, drive_, regime_, k, t_, drive_.at(t_), x_);
+      const double f = force(structure_, drive_, regime_, k, t_, excitation_, x_);
       const bool was_at_rest = regime_.sliding[k] == 0;
       if (!was_at_rest && std::abs(f) <= m.friction) {
         regime_.sliding[k] = 0;
@@ -129,8 +137,7 @@ void Integrator::cross(std::size_t number) {
 
 void Integrator::advance(double step) {
   if (!nonsmooth_) {
-    x_ = stepped(step);
-    t_ += step;
+    move(t_ + step, stepped(step));
     return;
   }
   const double end = t_ + step;
@@ -138,12 +145,12 @@ void Integrator::advance(double step) {
   // A slider or a contact that chatters would cut the step without end: after so many cuts the rest is taken whole.
   for (int cuts = 0; cuts < 20; ++cuts) {
     const double left = end - t_;
-    const State whole = stepped(left);
+    const Stepped whole = stepped(left);
     double first = left;
     std::size_t which = guards;
     for (std::size_t g = 0; g < guards; ++g) {
       if (guard(g, end, whole) >= 0) continue;
-      const double before = guard(g, t_, x_);
+      const double before = guard(g, t_, {excitation_, x_});
       double at = 0;
       if (before > 0) {
         std::uintmax_t evaluations = 30;
@@ -158,16 +165,13 @@ void Integrator::advance(double step) {
       }
     }
     if (which == guards) {
-      x_ = whole;
-      t_ = end;
+      move(end, whole);
       return;
     }
-    x_ = stepped(first);
-    t_ += first;
+    move(t_ + first, stepped(first));
     cross(which);
   }
-  x_ = stepped(end - t_);
-  t_ = end;
+  move(end, stepped(end - t_));
 }
 
 }  // namespace secular::blind

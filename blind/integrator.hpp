@@ -17,17 +17,22 @@ class Integrator {
   double time() const { return t_; }
   const State& state() const { return x_; }
   const Regime& regime() const { return regime_; }
-  Accelerations acceleration() const { return accelerations(structure_, drive_, regime_, t_, x_); }
+  Accelerations acceleration() const { return accelerations(structure_, drive_, regime_, t_, excitation_, x_); }
 
  private:
-  State stepped(double step) const;
-  double guard(std::size_t number, double t, const State& x) const;
+  struct Stepped {
+    double excitation;  // at its end
+    State state;
+  };
+  Stepped stepped(double step) const;
+  void move(double t, const Stepped& step);
+  double guard(std::size_t number, double t, const Stepped& at) const;
   void cross(std::size_t number);
   void start();
 
   Structure structure_;
   Drive drive_;
-  double t_;
+  double t_, excitation_;
   State x_;
   Regime regime_;
   bool nonsmooth_ = false;

@@ -1,9 +1,13 @@
 #include "blind/sealed_case.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
+#include <utility>
 
 #include "blind/signature.hpp"
 
@@ -86,7 +90,8 @@ void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, doub
   const bool all = changes_with_time(truth.withheld.effect);
   Reality reality = reality_of(c.specimen);
   switch_on(truth.withheld, c.specimen, peak, reality);
-  const Eigen::VectorXd left = signatures.remainder(signatures.change(reality, all), all);
+  const Eigen::VectorXd left = signatures.refitted_remainder(signatures.change(reality, all), all);
+  truth.sigma = signatures.strength(left, all);
   const double ensembles = all ? 1 : std::sqrt(static_cast<double>(ensembles_per_dwell));
   // One sensor alone has no sensitivity that the model's own parameters would not take up.
   const bool hidden = truth.withheld.effect == "sensor_gain" && c.specimen.measurement.names.size() == 2;
@@ -215,17 +220,17 @@ SealedCase draw_once(const CasePlan& plan, Random random) {
   return c;
 }
 
-// Whether every dwell lasts: a softening force may let go only after the first seconds.
-bool stays_bounded(const SealedCase& c) {
-  return std::all_of(c.specimen.dwells.begin(), c.specimen.dwells.end(), [&](const Dwell& dwell) {
-    const Drive drive = drive_of(dwell, c.reality);
-    const Settling& settling = c.specimen.settling;
-    const State state = settled_state(c.reality.structure, drive, dwell.state, settling);
-    const Motion motion = recorded_motion(c.reality.structure, drive, state, ensembles_per_dwell * ensemble_samples,
-                                          settling.substeps);
-    return std::all_of(motion.displacement.begin(), motion.displacement.end(),
-                       [](const std::vector<double>& x) { return std::isfinite(x.back()); });
-  });
+// Dwells up to the first one that does not last: a softening force may let go only after the first seconds.
+std::vector<Motion> lasting_motions(const SealedCase& c) {
+  std::vector<Motion> motions;
+  for (const Dwell& dwell : c.specimen.dwells) {
+    Motion motion = dwell_motion(c, dwell);
+    const bool lasts = std::all_of(motion.displacement.begin(), motion.displacement.end(),
+                                   [](const std::vector<double>& x) { return std::isfinite(x.back()); });
+    if (!lasts) break;
+    motions.push_back(std::move(motion));
+  }
+  return motions;
 }
 
 }  // namespace
@@ -290,11 +295,21 @@ std::vector<std::string> rest_that_explains(const SealedCase& sealed, std::uint6
   return truth.same_as;
 }
 
+Motion dwell_motion(const SealedCase& c, const Dwell& dwell, std::size_t length) {
+  const Drive drive = drive_of(dwell, c.reality);
+  const Settling& settling = c.specimen.settling;
+  const State settled = settled_state(c.reality.structure, drive, dwell.state, settling);
+  return recorded_motion(c.reality.structure, drive, settled, length * ensembles_per_dwell * ensemble_samples,
+                         settling.substeps);
+}
+
 SealedCase draw_case(const CasePlan& plan, std::uint64_t seed) {
-  for (std::uint64_t attempt = 0;; ++attempt) {
+  for (std::uint64_t attempt = 0; attempt <= most_redraws; ++attempt) {
     SealedCase c = draw_once(plan, Random(seed, plan.number + redrawn * attempt));
-    if (attempt == most_redraws || stays_bounded(c)) return c;
+    c.motions = lasting_motions(c);
+    if (c.motions.size() == c.specimen.dwells.size()) return c;
   }
+  throw std::runtime_error(fmt::format("case {} of seed {}: none of its draws stays bounded", plan.number, seed));
 }
 
 }  // namespace secular::blind

@@ -44,9 +44,15 @@ struct SealedCase {
   std::vector<double> quantum;               ///< by channel; 0: none
   std::map<std::string, double> parameters;  ///< for parameters.json; empty: none
   std::vector<std::string> moved;            ///< symbols whose numbers in it are off
+  std::vector<Motion> motions;               ///< of each dwell's record
 };
 
-/// Draws everything of a case. Depends on the seed and the plan alone.
+/// The settled motion of a dwell, through all of its record, which is `length` times as long as those of the
+/// programme.
+Motion dwell_motion(const SealedCase& sealed, const Dwell& dwell, std::size_t length = 1);
+
+/// Draws everything of a case. Depends on the seed and the plan alone. Throws std::runtime_error where every
+/// attempt grows beyond bounds.
 SealedCase draw_case(const CasePlan& plan, std::uint64_t seed);
 
 /// Of a case with one effect: effects of the catalogue but this one that explain these data as well, "no_gap" where

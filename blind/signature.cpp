@@ -150,17 +150,21 @@ Eigen::VectorXd Signatures::linear_remainder(const Eigen::VectorXd& change_seen,
   return change_seen - columns * columns.colPivHouseholderQr().solve(change_seen);
 }
 
+Eigen::VectorXd Signatures::change_of_own(const Eigen::VectorXd& moved, bool all_ensembles) const {
+  const std::vector<OwnParameter> parameters = own_parameters_of(specimen_);
+  Reality reality = reality_of(specimen_);
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    *coefficient(reality.structure, parameters[i].effect, parameters[i].mode) +=
+        moved(static_cast<Eigen::Index>(i)) * steps_[all_ensembles][i];
+  return change(reality, all_ensembles);
+}
+
 Eigen::VectorXd Signatures::remainder(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
   const Eigen::MatrixXd& columns = own_parameters(all_ensembles);
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-  const std::vector<OwnParameter> parameters = own_parameters_of(specimen_);
   Eigen::VectorXd fitted = qr.solve(change_seen), best = change_seen - columns * fitted;
   for (int iteration = 0; iteration < 2; ++iteration) {
-    Reality moved = reality_of(specimen_);
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-      *coefficient(moved.structure, parameters[i].effect, parameters[i].mode) +=
-          fitted(static_cast<Eigen::Index>(i)) * steps_[all_ensembles][i];
-    const Eigen::VectorXd left = change_seen - change(moved, all_ensembles);
+    const Eigen::VectorXd left = change_seen - change_of_own(fitted, all_ensembles);
     if (!left.allFinite()) break;
     const Eigen::VectorXd further = qr.solve(left), remaining = left - columns * further;
     if (remaining.norm() >= best.norm()) break;
@@ -168,6 +172,46 @@ Eigen::VectorXd Signatures::remainder(const Eigen::VectorXd& change_seen, bool a
     fitted += further;
   }
   return best;
+}
+
+// Gauss and Newton; Broyden's update after every step, slopes anew where these lead no further, halving where even
+// those do not.
+Eigen::VectorXd Signatures::refitted_remainder(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
+  constexpr double worth_a_step = 0.97, probe = 1;
+  constexpr int most_steps = 15, most_slopes = 2, most_halvings = 5;
+  Eigen::MatrixXd slopes = own_parameters(all_ensembles);
+  Eigen::VectorXd fitted = Eigen::VectorXd::Zero(slopes.cols()), left = change_seen;
+  bool local = true;
+  int seen = 0;
+  for (int step = 0; step < most_steps; ++step) {
+    Eigen::VectorXd move = slopes.colPivHouseholderQr().solve(left);
+    if (local && (left - slopes * move).norm() > worth_a_step * left.norm()) break;
+    Eigen::VectorXd there = change_seen - change_of_own(fitted + move, all_ensembles);
+    const auto better = [&] { return there.allFinite() && there.norm() < left.norm(); };
+    if (!better() && !local) {
+      if (seen++ == most_slopes) break;
+      const Eigen::VectorXd here = change_seen - left;
+      for (Eigen::Index i = 0; i < slopes.cols(); ++i) {
+        const Eigen::VectorXd beside = fitted + probe * Eigen::VectorXd::Unit(slopes.cols(), i);
+        slopes.col(i) = (change_of_own(beside, all_ensembles) - here) / probe;
+      }
+      if (!slopes.allFinite()) break;
+      local = true;
+      continue;
+    }
+    for (int halvings = 0; !better() && halvings < most_halvings; ++halvings) {
+      move *= 0.5;
+      there = change_seen - change_of_own(fitted + move, all_ensembles);
+    }
+    if (!better()) break;
+    slopes += (left - there - slopes * move) * move.transpose() / move.squaredNorm();
+    const bool slow = there.norm() > worth_a_step * left.norm();
+    fitted += move;
+    left = there;
+    if (slow && seen == most_slopes) break;
+    local = false;
+  }
+  return left;
 }
 
 double Signatures::strength(const Eigen::VectorXd& change_seen, bool all_ensembles) const {

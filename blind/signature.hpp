@@ -26,6 +26,8 @@ class Signatures {
   /// What is left of `change` when the model's own parameters are fitted to it (Gauss and Newton, the linearisation
   /// at the nominal values).
   Eigen::VectorXd remainder(const Eigen::VectorXd& change, bool all_ensembles) const;
+  /// The same to convergence: slopes follow the fit, which a large change may lead far. Costs many times as much.
+  Eigen::VectorXd refitted_remainder(const Eigen::VectorXd& change, bool all_ensembles) const;
   /// The same after the first step alone.
   Eigen::VectorXd linear_remainder(const Eigen::VectorXd& change, bool all_ensembles) const;
 
@@ -36,6 +38,8 @@ class Signatures {
 
  private:
   Eigen::VectorXd amplitudes(const Reality& reality, bool all_ensembles) const;
+  /// The change that the model's own parameters make where they move by `moved`, in steps of unit columns.
+  Eigen::VectorXd change_of_own(const Eigen::VectorXd& moved, bool all_ensembles) const;
 
   const Specimen& specimen_;
   std::vector<double> noise_sd_;

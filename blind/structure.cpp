@@ -62,9 +62,8 @@ double extra_acceleration(const ExtraMode& e, double excitation, const State& x)
 
 }  // namespace
 
-void derivative(const Structure& structure, const Drive& drive, const Regime& regime, double t, const State& x,
-                State& rate) {
-  const double excitation = drive.at(t);
+void derivative(const Structure& structure, const Drive& drive, const Regime& regime, double t, double excitation,
+                const State& x, State& rate) {
   for (std::size_t k = 0; k < structure.modes; ++k) {
     const ModeTerms& m = structure.mode[k];
     const bool at_rest = m.friction != 0 && regime.sliding[k] == 0;
@@ -87,9 +86,8 @@ void derivative(const Structure& structure, const Drive& drive, const Regime& re
 }
 
 Accelerations accelerations(const Structure& structure, const Drive& drive, const Regime& regime, double t,
-                            const State& x) {
+                            double excitation, const State& x) {
   Accelerations result;
-  const double excitation = drive.at(t);
   for (std::size_t k = 0; k < structure.modes; ++k)
     result.modal[k] = acceleration(structure, drive, regime, k, t, excitation, x);
   if (structure.extra.direct != 0) result.extra = extra_acceleration(structure.extra, excitation, x);

@@ -44,7 +44,11 @@ constexpr Index most_samples = 6000;
 constexpr double separable = 6;
 
 /// Others stay in the set down to this share of the best one's probability.
-constexpr double credible_odds = 0.05;
+constexpr double credible_odds = told_apart;
+
+/// A dwell is proposed if it has this chance of leaving one explanation, and leaves no more than this share of the
+/// probability that another one is right.
+constexpr double worth_a_test = 0.5, most_doubt = 0.5;
 
 /// Explanations that a next experiment is planned for, and the least probability that each counts with there.
 constexpr std::size_t most_hypotheses = 4;
@@ -379,7 +383,10 @@ class Diagnoser {
       const std::vector<std::string> replaced = different(best.effects, r.effects);
       if (replaced.empty() || replaced.front() != leading) continue;
       const bool credible = r.probability > credible_odds * best.probability;
-      const bool same = expected_separation(*best.explanation, *r.explanation, inference_.null) < separable;
+      // What has more unknowns and still explains no better contains the best as a limit (a slider that slips at
+      // once is dry friction): the simpler one is named.
+      const bool same = r.explanation->unknowns <= best.explanation->unknowns &&
+                        expected_separation(*best.explanation, *r.explanation, inference_.null) < separable;
       if (credible || same) add(replacing.front());
     }
     for (const Rival& r : all)
@@ -450,6 +457,14 @@ class Diagnoser {
     for (const std::vector<std::string>& effects : taken)
       next.separates.push_back(fmt::format("{}", fmt::join(effects, " + ")));
     next.dwell = dwell;
+    next.proposed = dwell.chance >= worth_a_test && 1 - dwell.probability <= most_doubt * (1 - dwell.before);
+    if (!next.proposed)
+      next.reason = fmt::format(
+          "no dwell between half the lowest and twice the highest level used would part {}: the best has a chance "
+          "of {:.0f} % and takes the right one's probability from {:.1f} to {:.1f} %; it takes another kind of "
+          "test, for example a second sensor, a calibration of the excitation, or a resonance that was not "
+          "measured yet",
+          fmt::join(next.separates, ", "), 100 * dwell.chance, 100 * dwell.before, 100 * dwell.probability);
   }
 
   static std::vector<std::string> different(const std::vector<std::string>& a, const std::vector<std::string>& b) {

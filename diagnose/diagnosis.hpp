@@ -66,7 +66,8 @@ struct Unsteadiness {
 
 /// The test that should come next.
 struct NextExperiment {
-  std::optional<ProposedDwell> dwell;
+  std::optional<ProposedDwell> dwell;  ///< the best one, whether it is good enough to be proposed or not
+  bool proposed = false;
   std::vector<std::string> separates;  ///< effects that the test tells apart
   std::string reason;                  ///< why none is proposed
 };

@@ -42,10 +42,18 @@ double frequency_of(const Condition& c) {
   return c.line_rate(c.fundamental).imag();
 }
 
+/// A dwell with this chance of leaving one hypothesis need not be longer.
+constexpr double as_good_as_certain = 0.9;
+
 struct Test {
   std::size_t condition = 0;
   double level = 1, frequency = 1;
 };
+
+// Of a standard normal variable: to be below x.
+double normal_below(double x) {
+  return 0.5 * std::erfc(-x / std::sqrt(2.0));
+}
 
 // Dwells at one resonance: the same line of the same mode, counted from the excitation's.
 using Resonance = std::tuple<std::size_t, Index, Index>;
@@ -126,6 +134,7 @@ Judgement judged(const ConditionModel& model, const Condition& dwell, const Refi
 struct Outcome {
   bool possible = false;
   double probability = 0;  ///< expected of the right hypothesis
+  double chance = 0;       ///< expected, of leaving it alone
   double separation = 0;   ///< of the closest two
   std::string watch;
   Condition dwell;  ///< under the likeliest hypothesis
@@ -144,7 +153,25 @@ double expected_probability(const std::vector<Hypothesis>& hypotheses, const Mat
   return expected / total;
 }
 
-Outcome outcome_of(const ConditionModel& model, const Condition& measured, const Test& test,
+// That no other hypothesis keeps told_apart of the right one's odds.
+double expected_chance(const std::vector<Hypothesis>& hypotheses, const MatrixXd& separation) {
+  double total = 0, expected = 0;
+  for (std::size_t h = 0; h < hypotheses.size(); ++h) {
+    double chance = 1;
+    for (std::size_t g = 0; g < hypotheses.size(); ++g) {
+      if (g == h) continue;
+      const double square = separation(static_cast<Index>(h), static_cast<Index>(g));
+      const double missing = -std::log(told_apart * hypotheses[h].probability / hypotheses[g].probability);
+      const double surely = 0.5 * square - missing;
+      chance = std::min(chance, square > 0 ? normal_below(surely / std::sqrt(square)) : surely > 0 ? 1.0 : 0.0);
+    }
+    expected += hypotheses[h].probability * chance;
+    total += hypotheses[h].probability;
+  }
+  return expected / total;
+}
+
+Outcome outcome_of(const ConditionModel& model, const Condition& measured, const Test& test, double length,
                    const std::vector<Hypothesis>& hypotheses, double dispersion) {
   const auto count = static_cast<Index>(hypotheses.size());
   Outcome outcome;
@@ -155,6 +182,8 @@ Outcome outcome_of(const ConditionModel& model, const Condition& measured, const
     std::optional<Condition> dwell =
         virtual_dwell(model, measured, truth.explanation->fit.unknowns, test.level, test.frequency);
     if (!dwell) return outcome;
+    dwell->response_sd /= std::sqrt(length);
+    dwell->excitation_sd /= std::sqrt(length);
     for (Index g = 0; g < count; ++g) {
       if (g == h) continue;
       const Judgement judgement =
@@ -170,22 +199,18 @@ Outcome outcome_of(const ConditionModel& model, const Condition& measured, const
   outcome.possible = true;
   outcome.separation = std::sqrt(closest);
   outcome.probability = expected_probability(hypotheses, separation);
+  outcome.chance = expected_chance(hypotheses, separation);
   return outcome;
 }
 
-}  // namespace
-
-ProposedDwell next_experiment(const ConditionModel& model, const std::vector<Condition>& conditions,
-                              const std::vector<Hypothesis>& hypotheses, double dispersion, unsigned threads) {
-  ProposedDwell best;
-  if (hypotheses.size() < 2) return best;
-  const auto count = static_cast<Index>(hypotheses.size());
-  best.before = expected_probability(hypotheses, MatrixXd::Zero(count, count));
-  const std::vector<Test> tests = tests_around(conditions);
+ProposedDwell best_of(const ConditionModel& model, const std::vector<Condition>& conditions,
+                      const std::vector<Test>& tests, double length, const std::vector<Hypothesis>& hypotheses,
+                      double dispersion, unsigned threads) {
   std::vector<Outcome> outcomes(tests.size());
   in_parallel(tests.size(), threads, [&](std::size_t t) {
-    outcomes[t] = outcome_of(model, conditions[tests[t].condition], tests[t], hypotheses, dispersion);
+    outcomes[t] = outcome_of(model, conditions[tests[t].condition], tests[t], length, hypotheses, dispersion);
   });
+  ProposedDwell best;
   const Outcome* chosen = nullptr;
   double sum = 0;
   for (std::size_t t = 0; t < tests.size(); ++t) {
@@ -202,6 +227,7 @@ ProposedDwell next_experiment(const ConditionModel& model, const std::vector<Con
     best.level = tests[t].level;
   }
   if (!chosen) return best;
+  best.length = length;
   best.channel = model.sensors().excitation_names.front();
   best.excitation = drive(chosen->dwell);
   best.frequency = frequency_of(chosen->dwell);
@@ -209,7 +235,24 @@ ProposedDwell next_experiment(const ConditionModel& model, const std::vector<Con
   best.separation = chosen->separation;
   best.watch = chosen->watch;
   best.probability = chosen->probability;
+  best.chance = chosen->chance;
   best.typical = sum / static_cast<double>(best.compared);
+  return best;
+}
+
+}  // namespace
+
+ProposedDwell next_experiment(const ConditionModel& model, const std::vector<Condition>& conditions,
+                              const std::vector<Hypothesis>& hypotheses, double dispersion, unsigned threads) {
+  if (hypotheses.size() < 2) return {};
+  const std::vector<Test> tests = tests_around(conditions);
+  ProposedDwell best;
+  for (const double length : {1.0, longer_dwell}) {
+    best = best_of(model, conditions, tests, length, hypotheses, dispersion, threads);
+    if (best.compared == 0 || best.chance > as_good_as_certain) break;
+  }
+  const auto count = static_cast<Index>(hypotheses.size());
+  best.before = expected_probability(hypotheses, MatrixXd::Zero(count, count));
   return best;
 }
 

@@ -19,6 +19,7 @@ struct Hypothesis {
 struct ProposedDwell {
   std::size_t like = 0;      ///< record that it repeats at another level or frequency
   double level = 1;          ///< times that record's excitation
+  double length = 1;         ///< times that record's number of ensembles
   std::string channel;       ///< of the excitation
   double excitation = 0;     ///< peak, in that channel's unit
   double frequency = 0;      ///< of the excitation, rad/s
@@ -27,7 +28,8 @@ struct ProposedDwell {
   std::string watch;         ///< where most of that separation shows: mode or channel, and line
   double probability = 0;    ///< expected of the right hypothesis after the test
   double before = 0;         ///< the same without a test
-  double typical = 0;        ///< the same after a test taken at random from those compared
+  double typical = 0;        ///< the same after a test of that length taken at random from those compared
+  double chance = 0;         ///< that it leaves the right hypothesis alone: no other at `told_apart` of its odds
   std::size_t compared = 0;  ///< tests that were compared
 };
 
@@ -36,9 +38,16 @@ struct ProposedDwell {
 /// unknowns and judged by every other, whose unknowns may move as far as the campaign leaves them free: the
 /// separation d^2 = r^T (1 + J P J^T)^-1 r of whitened rows r, Jacobian J and covariance P is the fall of
 /// chi-squared that refitting cannot take back (a discrimination design; Box and Hill 1967, Atkinson and Fedorov
-/// 1975), and exp(-d^2/2) the expected odds. Levels stay within half the lowest and twice the highest
-/// used. Without a proposal (compared = 0) there is no dwell to start from.
+/// 1975), and exp(-d^2/2) the expected odds. What a dwell adds to the logarithm of the odds is normal with mean
+/// d^2/2 and standard deviation d, which gives its chance. Levels stay within half the lowest and twice the highest
+/// used; where no dwell as long as those measured is as good as certain, one `longer_dwell` times as long is looked
+/// for. Without a proposal (compared = 0) there is no dwell to start from.
 ProposedDwell next_experiment(const ConditionModel& model, const std::vector<Condition>& conditions,
                               const std::vector<Hypothesis>& hypotheses, double dispersion, unsigned threads);
+
+/// Odds below which an explanation is out.
+inline constexpr double told_apart = 0.05;
+
+inline constexpr double longer_dwell = 4;
 
 }  // namespace secular

@@ -23,10 +23,14 @@ constexpr double dependent_passes = 1e-3;
 constexpr double displaced_share = 0.1;
 /// A step after which motions grow beyond bounds is halved so often.
 constexpr int most_returns = 4;
-/// A step after which lumps and parameters go together worse, by more than this in chi-squared, is halved, so
-/// often.
-constexpr double worse = 1;
 constexpr int most_halvings = 5;
+/// Slopes hold this far around, in standard deviations; they are seen so often.
+constexpr double local = 1;
+constexpr int most_slopes = 6;
+/// Weights follow up to here: they may go around in a circle.
+constexpr int last_weights = most_plain_passes + 6;
+/// A step that leaves more than this share of the way to go tells of slopes that no longer hold.
+constexpr double slow = 0.5;
 
 // By symbol: one over the standard deviation, 0 where there is no estimate.
 Eigen::VectorXd inverse_sd(const Estimate& estimate) {
@@ -131,13 +135,17 @@ class Correction {
 
   TruncationCorrection run() {
     go_around();
+    next_ = estimate_.parameter_values;
+    at_ = correct(true);
+    parameters_ = next_;
+    choose_axes();
     see_axes();
     follow_slopes();
     full_.start = estimate_.state;
     estimate_ = estimate(at_.corrected, units_, full_);
     estimate_ = with_correction_shown(std::move(estimate_), raw_);
     estimate_ = with_unsettled_correction(std::move(estimate_), parameters_, next_);
-    if (unknown_ > 0)
+    if (unknown_unseen_ + unknown_axes_ > 0)
       estimate_.warnings.emplace_back(
           "the correction for the expansion's truncation depends on parameters that are not well known, and "
           "motions with other values of them grow beyond bounds: error bars do not contain that");
@@ -159,7 +167,11 @@ class Correction {
     return pass;
   }
 
-  double move() const { return inverse_sd(estimate_).cwiseProduct(next_ - parameters_).cwiseAbs().maxCoeff(); }
+  // In standard deviations.
+  static double size_of(const Eigen::VectorXd& step, const Estimate& by) {
+    return inverse_sd(by).cwiseProduct(step).cwiseAbs().maxCoeff();
+  }
+  double move() const { return size_of(next_ - parameters_, estimate_); }
 
   void go_around() {
     AndersonAcceleration acceleration(remembered_passes, dependent_passes);
@@ -184,60 +196,87 @@ class Correction {
   void see_unseen() {
     unseen_ = estimate_.unseen;
     const Slopes slopes = slopes_along(unseen_, at_.corrected, measured_, parameters_, replay_);
-    unknown_ += slopes.unknown;
+    unknown_unseen_ = slopes.unknown;
     for (std::size_t s = 0; s < at_.corrected.size(); ++s)
       for (const auto& change : slopes.change) at_.corrected[s].truncation_change.push_back(change[s]);
   }
 
   // The same of what lumps tell. Unseen directions are unknowns of their own (SharedParameters::shift), along which
-  // nothing is said here.
-  void see_axes() {
-    next_ = estimate_.parameter_values;
-    at_ = correct(true);
-    parameters_ = next_;
-    const Eigen::MatrixXd axes = axes_beside(unseen_, estimate_.parameter_sd);
-    const Slopes slopes = slopes_along(axes, at_.corrected, measured_, parameters_, replay_);
-    unknown_ += slopes.unknown;
-    quick_.moves.resize(parameters_.size(), axes.cols() + unseen_.cols());
-    quick_.moves << axes, unseen_;
+  // nothing is said here. Directions stay as they are, so that a fit that holds slopes, and knows less along some
+  // of them, does not lead too far away.
+  void choose_axes() {
+    axes_ = axes_beside(unseen_, estimate_.parameter_sd);
+    quick_.moves.resize(parameters_.size(), axes_.cols() + unseen_.cols());
+    quick_.moves << axes_, unseen_;
     full_.moves = quick_.moves;
+  }
+
+  void see_axes() {
+    const Slopes slopes = slopes_along(axes_, at_.corrected, measured_, parameters_, replay_);
+    unknown_axes_ = slopes.unknown;
     for (std::size_t s = 0; s < at_.corrected.size(); ++s) {
       ObservationSet& set = at_.corrected[s];
+      set.truncation_of_moves.clear();
       for (const auto& change : slopes.change) set.truncation_of_moves.push_back(change[s]);
       set.truncation_of_moves.resize(static_cast<std::size_t>(quick_.moves.cols()),
                                      Eigen::MatrixXcd::Zero(set.truncation.rows(), set.truncation.cols()));
     }
+    seen_at_ = parameters_;
+    ++times_seen_;
     done_("replay of the full equations");
   }
 
-  // Gauss and Newton, from the sets corrected at parameters_ on; a step that makes it worse is halved.
+  bool see_axes_again() {
+    if (times_seen_ == most_slopes || parameters_ == seen_at_) return false;
+    see_axes();
+    estimate_here();
+    return true;
+  }
+
+  // Newton's method for the parameters that fit the lumps corrected with them, from the sets corrected at
+  // parameters_ on. A step is halved unless what is left to go from its end, by the same weights and slopes and in
+  // the same measure, is less than it was (P. Deuflhard, Newton Methods for Nonlinear Problems, 2011, section 3.3:
+  // the natural monotonicity test). Slopes are seen again where they lead no further, and where it ends far from
+  // where they were seen.
   void follow_slopes() {
-    const auto estimate_at = [&](const std::vector<ObservationSet>& corrected, const Eigen::VectorXd& at) {
-      quick_.start = estimate_.state;
-      quick_.corrected_at = at;
-      Estimate found = estimate(corrected, units_, quick_);
-      done_("regression");
-      return found;
-    };
-    estimate_ = estimate_at(at_.corrected, parameters_);
-    next_ = estimate_.parameter_values;
+    quick_.start = estimate_.state;
+    estimate_here();
     int halvings = 0;
-    for (int pass = most_plain_passes; pass < most_passes && move() > settled_share; ++pass) {
-      Pass further = correct(true);
-      done_("replay of the full equations");
-      Estimate found = estimate_at(further.corrected, next_);
-      if (found.misfit_before > estimate_.misfit_before + worse) {
-        if (++halvings > most_halvings) break;
-        next_ = 0.5 * (next_ + parameters_);
+    for (int pass = most_plain_passes; pass < most_passes && halvings <= most_halvings; ++pass) {
+      if (move() < settled_share) {
+        if (size_of(parameters_ - seen_at_, estimate_) < local || !see_axes_again()) break;
         continue;
       }
-      halvings = 0;
-      at_ = std::move(further);
-      parameters_ = next_;
-      estimate_ = std::move(found);
-      next_ = estimate_.parameter_values;
+      Pass further = correct(true);
+      done_("replay of the full equations");
+      Estimate found = estimate_corrected(further.corrected, next_);
+      const double before = size_of(estimate_.parameter_values - parameters_, estimate_);
+      const double left = size_of(found.parameter_values - next_, estimate_);
+      if (left < before) {
+        at_ = std::move(further);
+        parameters_ = next_;
+        if (pass < last_weights) quick_.start = found.state;
+        estimate_here();
+        if (halvings == 0 && left > slow * before) see_axes_again();
+        halvings = 0;
+      } else if (!see_axes_again()) {
+        ++halvings;
+        next_ = 0.5 * (next_ + parameters_);
+      }
     }
     full_.corrected_at = parameters_;
+  }
+
+  void estimate_here() {
+    estimate_ = estimate_corrected(at_.corrected, parameters_);
+    next_ = estimate_.parameter_values;
+  }
+
+  Estimate estimate_corrected(const std::vector<ObservationSet>& corrected, const Eigen::VectorXd& at) {
+    quick_.corrected_at = at;
+    Estimate found = estimate(corrected, units_, quick_);
+    done_("regression");
+    return found;
   }
 
   std::span<const ObservationSet> measured_;
@@ -249,8 +288,9 @@ class Correction {
   Pass at_;
   Estimate estimate_;                  // from at_
   Eigen::VectorXd parameters_, next_;  // of at_, and where to go from there
-  Eigen::MatrixXd unseen_;
-  int unknown_ = 0;
+  Eigen::MatrixXd unseen_, axes_;
+  Eigen::VectorXd seen_at_;
+  int times_seen_ = 0, unknown_unseen_ = 0, unknown_axes_ = 0;
 };
 
 }  // namespace

@@ -385,7 +385,6 @@ class Estimator {
     }
     shared_ = shared_parameters(lump_estimates_, start, given_, options_.rough_errors);
     result_.parameter_values = shared_.values;
-    result_.misfit_before = shared_.misfit_before;
     result_.parameter_sd = shared_.covariance.diagonal().cwiseMax(0).cwiseSqrt();
     if (options_.bootstrap > 0) draw_bootstrap();
   }

@@ -69,7 +69,6 @@ struct Estimate {
   Eigen::VectorXd parameter_values;  ///< by CompiledModel::symbols: a representative that reproduces the lumps
   /// Symbols x directions: SharedParameters::unseen.
   Eigen::MatrixXd unseen;
-  double misfit_before = 0;      ///< SharedParameters::misfit_before
   Eigen::VectorXd parameter_sd;  ///< of `parameter_values` by the noise of the lumps; 0 where they say nothing
   std::vector<std::string> warnings;
   std::shared_ptr<const EstimationState> state;

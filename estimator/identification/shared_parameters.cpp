@@ -234,18 +234,6 @@ SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const V
   result.shift = report.parameters.tail(directions);
   VectorXd residual(all_rows);
   MatrixXd jacobian(all_rows, unknowns);
-  const auto corrected = std::find_if(
-      cases.begin(), cases.end(), [&](const LumpEstimates& part) { return part.truncation_at.size() == count; });
-  if (corrected != cases.end()) {
-    VectorXd before = VectorXd::Zero(unknowns);
-    before.head(count) = corrected->truncation_at;
-    function(before, residual, jacobian);
-    if (directions > 0) {
-      const MatrixXd by_shift = jacobian.rightCols(directions);
-      residual -= by_shift * by_shift.colPivHouseholderQr().solve(residual);
-    }
-    result.misfit_before = residual.squaredNorm();
-  }
   evaluate(report.parameters, false, residual, jacobian);
   VectorXd scale = unit_scale(jacobian);
   result.unseen = unseen_directions(jacobian.topLeftCorner(rows, count), scale.head(count), result.values,

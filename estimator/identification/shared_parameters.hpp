@@ -51,9 +51,6 @@ struct SharedParameters {
   /// there are.
   double misfit = 0;
   Eigen::Index surplus = 0;
-  /// What the parameters that the truncation was taken out with leave of the lumps, weighted sum of squares with
-  /// the best shift: a better set of parameters leaves less. Without slopes of the truncation not known, zero.
-  double misfit_before = 0;
 };
 
 /// Weighted nonlinear least squares of all lumps on the parameters, from `start`; weights are the full inverse
