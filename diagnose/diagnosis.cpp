@@ -13,6 +13,7 @@
 #include "diagnose/line_evidence.hpp"
 #include "diagnose/observe_conditions.hpp"
 #include "diagnose/prior_evidence.hpp"
+#include "diagnose/remainder.hpp"
 #include "diagnose/segment_evidence.hpp"
 #include "estimator/identification/short_list.hpp"
 #include "estimator/regression/distribution.hpp"
@@ -338,8 +339,16 @@ class Diagnoser {
     const auto beyond_floor = [&](double rms) {
       return std::sqrt(std::max(0.0, rms * rms - result_.gap.floor * result_.gap.floor));
     };
+    const SmoothRemainder smooth = smooth_remainder(best.explanation->fit, result_.labels);
+    const double before_squares = given() ? given_rows.squaredNorm() : inference_.null.fit.chi_squared;
+    const double explained = std::max(0.0, before_squares - best.explanation->fit.chi_squared);
+    RemainderReport& remainder = result_.remainder;
+    remainder.p_value = left;
+    remainder.smooth_p_value = smooth.p_value;
+    remainder.smooth_share = smooth.excess() > 0 ? std::sqrt(smooth.excess() / (smooth.excess() + explained)) : 0;
     const bool unknown =
-        structured && beyond_floor(result_.gap.after) > small_remainder * beyond_floor(result_.gap.before);
+        (structured && beyond_floor(result_.gap.after) > small_remainder * beyond_floor(result_.gap.before)) ||
+        (smooth.p_value < remainder_alarm && remainder.smooth_share > small_remainder);
 
     if (best.open_law) describe_open_law(best);
     result_.verdict = "unknown";

@@ -72,6 +72,13 @@ struct NextExperiment {
   std::string reason;                  ///< why none is proposed
 };
 
+/// What the best explanation leaves.
+struct RemainderReport {
+  double p_value = 1;         ///< of the sum of squares of all rows
+  double smooth_p_value = 1;  ///< of smooth_remainder
+  double smooth_share = 0;    ///< what that is beyond noise of all that there was to explain, as amplitudes
+};
+
 /// A force outside of the catalogue that explains the gap.
 struct OpenLaw {
   std::string mode;
@@ -96,6 +103,7 @@ struct Diagnosis {
   std::optional<OpenLaw> open_law;  ///< where it is a better explanation than any effect or pair of the catalogue
   std::vector<CauseReport> causes;
   std::vector<ParameterMove> parameters_moved;
+  RemainderReport remainder;
   NextExperiment next_experiment;
   std::optional<SimulatedCheck> simulated;  ///< where a gap was found
   std::vector<std::string> warnings;

@@ -29,6 +29,8 @@ struct RowLabel {
   std::string harmonic;  ///< "omega0", "2 Omega", ...
   double amplitude = 0;  ///< of the mode (or of the channel's strongest line), half of the peak
   double time_s = 0;
+  double level = 0;      ///< of a dwell: amplitude of the excitation's fundamental, half of the peak
+  double frequency = 0;  ///< of a dwell: of the excitation, rad/s
 };
 
 /// Evidence of one kind: rows of unit variance that vanish where the unknowns explain what was measured.

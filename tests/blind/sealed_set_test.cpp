@@ -119,6 +119,23 @@ TEST(BlindSignature, CountsStandardDeviationsOfAnEnsemble) {
   EXPECT_LT(signatures.remainder(change, false).norm(), 1e-3 * change.norm());
 }
 
+// Numbers of the model's own that have moved far: the first step of a fit does not get there.
+TEST(BlindSignature, OwnParametersAreFittedToConvergence) {
+  Random random(11, 4);
+  Specimen specimen =
+      draw_specimen("primary", {"cubic_stiffness", "quadratic_damping", "cubic_damping"}, 20, random);
+  const Signatures signatures(specimen, std::vector<double>(specimen.measurement.names.size(), 1e-3));
+  Reality reality = reality_of(specimen);
+  ModeTerms& mode = reality.structure.mode[0];
+  mode.mu1 *= 1.4;
+  mode.omega += 0.7 * specimen.decay_rate[0];
+  mode.direct *= 1.2;
+  const Eigen::VectorXd change = signatures.change(reality, false);
+  ASSERT_TRUE(change.allFinite());
+  EXPECT_GT(signatures.linear_remainder(change, false).norm(), 0.1 * change.norm());
+  EXPECT_LT(signatures.refitted_remainder(change, false).norm(), 0.01 * change.norm());
+}
+
 TEST_F(BlindFolder, CaseHasTheNoiseThatItsLabelSays) {
   CasePlan plan{.number = 3, .kind = "none", .effects = {}, .family = "primary", .snr_db = 20, .dwells = 4};
   const SealedCase sealed = draw_case(plan, 8);

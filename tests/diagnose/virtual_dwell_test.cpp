@@ -90,6 +90,37 @@ TEST(NextExperiment, GoesWhereTheLawsPart) {
   const ProposedDwell none = next_experiment(lab.model, {measured}, {{&first, 0.5}, {&first, 0.5}}, 1, 1);
   EXPECT_LT(none.separation, 1e-3);
   EXPECT_NEAR(none.probability, 0.5, 1e-6);
+  EXPECT_EQ(none.chance, 0);
+}
+
+// A dwell four times as long, where one alone is not as good as certain, halves the errors: at most twice the
+// separation (the explanations' own freedom stays).
+TEST(NextExperiment, IsLongerWhereItHasToBe) {
+  const Laboratory lab;
+  const double force = 3, frequency = natural, half = 0.5 * force * std::abs(direct) / (2 * damping * frequency);
+  const double peak = 2 * half, rate = 0.75 * std::pow(frequency * peak, 2),
+               drag_rate = 8 / (3 * std::numbers::pi) * frequency * peak;
+  const Condition measured = lab.dwell(frequency, force, Complex(0, half));
+  double shortest = 0;
+  for (const double share : {0.4, 0.2, 0.1, 0.05, 0.025}) {
+    const double added = share * damping, own = (1 - share / 2) * damping;
+    const VectorXd cubic = lab.unknowns({{"mu1", own}, {"mu3", added / rate}}),
+                   drag = lab.unknowns({{"mu1", own}, {"mu2", added / drag_rate}});
+    const Explanation first = explanation(lab, cubic, "mu3", 1e-3 * added / rate),
+                      second = explanation(lab, drag, "mu2", 1e-3 * added / drag_rate);
+    const ProposedDwell next = next_experiment(lab.model, {measured}, {{&first, 0.5}, {&second, 0.5}}, 1, 1);
+    // Phi((d^2/2 - ln 20)/d) of the closer of the two.
+    const double d = next.separation;
+    EXPECT_NEAR(next.chance, 0.5 * std::erfc(-(d / 2 - std::log(20) / d) / std::sqrt(2)), 0.1);
+    if (next.length == 1) {
+      EXPECT_GT(next.chance, 0.9);
+      shortest = share;
+    } else {
+      EXPECT_EQ(next.length, longer_dwell);
+      EXPECT_LT(share, shortest);
+    }
+  }
+  EXPECT_GT(shortest, 0);
 }
 
 }  // namespace

@@ -1,0 +1,76 @@
+#include "diagnose/remainder.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "diagnose/screening.hpp"
+#include "estimator/regression/distribution.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Balances with fewer rows say nothing of how they change.
+constexpr std::size_t fewest_rows = 8;
+
+/// A function of which the fitted unknowns leave no more than this share is theirs.
+constexpr double rounding = 1e-6;
+
+// From -1 to 1; zero where all are alike.
+VectorXd standardised(const VectorXd& x) {
+  const double low = x.minCoeff(), high = x.maxCoeff(), size = std::max(std::abs(low), std::abs(high));
+  if (!(high - low > 1e-6 * size)) return VectorXd::Zero(x.size());
+  return (2 * x.array() - low - high) / (high - low);
+}
+
+using Balance = std::tuple<std::string, std::string, GapComponent>;
+
+}  // namespace
+
+SmoothRemainder smooth_remainder(const Refit& fit, const std::vector<RowLabel>& labels) {
+  std::map<Balance, std::vector<Index>> balances;
+  for (std::size_t r = 0; r < labels.size(); ++r) {
+    const RowLabel& label = labels[r];
+    if (label.balance && label.amplitude > 0)
+      balances[{label.place, label.harmonic, label.component}].push_back(static_cast<Index>(r));
+  }
+  MatrixXd functions(fit.rows.size(), 0);
+  for (const auto& [balance, rows] : balances) {
+    if (rows.size() < fewest_rows) continue;
+    const auto count = static_cast<Index>(rows.size());
+    VectorXd amplitude(count), level(count), frequency(count), time(count);
+    for (Index i = 0; i < count; ++i) {
+      const RowLabel& label = labels[static_cast<std::size_t>(rows[static_cast<std::size_t>(i)])];
+      amplitude(i) = std::log(label.amplitude);
+      level(i) = label.level;
+      frequency(i) = label.frequency;
+      time(i) = label.time_s;
+    }
+    const VectorXd a = standardised(amplitude), l = standardised(level), f = standardised(frequency),
+                   t = standardised(time);
+    MatrixXd columns(count, 9);
+    columns << VectorXd::Ones(count), a, a.cwiseAbs2(), a.cwiseProduct(a.cwiseAbs2()), l, l.cwiseAbs2(), f,
+        f.cwiseAbs2(), t;
+    const Index before = functions.cols();
+    functions.conservativeResize(Eigen::NoChange, before + columns.cols());
+    functions.rightCols(columns.cols()).setZero();
+    functions(rows, Eigen::seqN(before, columns.cols())) = columns;
+  }
+  SmoothRemainder result;
+  if (functions.cols() == 0) return result;
+  MatrixXd beside = without_span(basis_of(fit.jacobian), functions);
+  for (Index c = 0; c < beside.cols(); ++c)
+    if (!(beside.col(c).norm() > rounding * functions.col(c).norm())) beside.col(c).setZero();
+  const MatrixXd basis = basis_of(beside);
+  result.squares = (basis.transpose() * fit.rows).squaredNorm();
+  result.freedom = static_cast<double>(basis.cols());
+  if (basis.cols() > 0) result.p_value = chi_squared_upper_tail(result.squares, result.freedom);
+  return result;
+}
+
+}  // namespace secular

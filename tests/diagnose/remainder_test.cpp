@@ -1,0 +1,104 @@
+// What an explanation leaves as a smooth function of the settings, on rows that are made up.
+#include "diagnose/remainder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int dwells = 40;
+
+std::vector<RowLabel> labels() {
+  std::vector<RowLabel> all;
+  for (int d = 0; d < dwells; ++d) {
+    RowLabel label;
+    label.place = "v";
+    label.harmonic = "Omega";
+    label.amplitude = 1e-4 * std::exp(0.07 * d);
+    label.time_s = 60 * ((d * 7) % dwells);
+    label.level = 1 + d / 10;
+    label.frequency = 60 + 0.1 * ((d * 3) % 10);
+    label.balance = true;
+    for (const GapComponent part : {GapComponent::conservative, GapComponent::dissipative}) {
+      label.component = part;
+      all.push_back(label);
+    }
+    label.balance = false;
+    label.component = GapComponent::measurement;
+    all.insert(all.end(), 6, label);
+  }
+  return all;
+}
+
+// The square of the amplitude, in the conservative rows.
+VectorXd bend(const std::vector<RowLabel>& rows) {
+  VectorXd bend = VectorXd::Zero(static_cast<Index>(rows.size()));
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    if (rows[r].balance && rows[r].component == GapComponent::conservative)
+      bend(static_cast<Index>(r)) = std::pow(rows[r].amplitude, 2);
+  return bend.normalized();
+}
+
+Refit noise(std::size_t rows, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Refit fit;
+  fit.rows.resize(static_cast<Index>(rows));
+  for (double& x : fit.rows) x = normal(random);
+  fit.jacobian.resize(fit.rows.size(), 0);
+  return fit;
+}
+
+// The mean of 200 chi-squared values of k degrees of freedom has standard deviation sqrt(2 k/200).
+TEST(SmoothRemainder, IsChiSquaredOfNoise) {
+  const std::vector<RowLabel> rows = labels();
+  double sum = 0, freedom = 0;
+  constexpr int draws = 200;
+  for (unsigned seed = 1; seed <= draws; ++seed) {
+    const SmoothRemainder left = smooth_remainder(noise(rows.size(), seed), rows);
+    sum += left.squares;
+    freedom = left.freedom;
+  }
+  EXPECT_EQ(freedom, 18);
+  EXPECT_NEAR(sum / draws, freedom, 4 * std::sqrt(2 * freedom / draws));
+}
+
+// Seven standard deviations in all, spread over forty of 320 rows: their sum of squares varies by 25, and 49 more
+// are next to nothing there.
+TEST(SmoothRemainder, SeesWhatIsSpreadOut) {
+  const std::vector<RowLabel> rows = labels();
+  Refit fit = noise(rows.size(), 5);
+  fit.rows += 7 * bend(rows);
+  EXPECT_LT(smooth_remainder(fit, rows).p_value, 1e-4);
+  // A fitted unknown of that signature has taken its own part.
+  fit.jacobian = bend(rows);
+  fit.rows -= fit.jacobian * (fit.jacobian.transpose() * fit.rows);
+  const SmoothRemainder fitted = smooth_remainder(fit, rows);
+  EXPECT_GT(fitted.p_value, 1e-3);
+  EXPECT_EQ(fitted.freedom, 18);
+  // One of the functions themselves is no function to look for any more.
+  fit.jacobian = MatrixXd::Zero(fit.rows.size(), 1);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    if (rows[r].balance && rows[r].component == GapComponent::dissipative)
+      fit.jacobian(static_cast<Index>(r), 0) = 1;
+  EXPECT_EQ(smooth_remainder(fit, rows).freedom, 17);
+}
+
+TEST(SmoothRemainder, SaysNothingOfAFewRows) {
+  std::vector<RowLabel> rows = labels();
+  rows.resize(16);
+  const SmoothRemainder left = smooth_remainder(noise(rows.size(), 3), rows);
+  EXPECT_EQ(left.freedom, 0);
+  EXPECT_EQ(left.p_value, 1);
+}
+
+}  // namespace
+}  // namespace secular
