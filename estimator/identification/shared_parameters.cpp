@@ -182,118 +182,173 @@ std::optional<ConditionScatter> scatter_at(std::span<const LumpEstimates> cases,
   return condition_scatter(common, further);
 }
 
+// Lumps of all cases on the parameters that they share. Unknowns are parameters, then shifts; after the lumps' rows
+// come those of the shifts' own size.
+class SharedFit {
+ public:
+  SharedFit(std::span<const LumpEstimates> cases, const VectorXd& start, const std::vector<bool>& given)
+      : cases_(cases), given_(given), count_(start.size()) {
+    for (const LumpEstimates& part : cases) {
+      lumps_ += part.values.size();
+      directions_ = std::max(directions_, part.truncation_effect.cols());
+      whitening_.emplace_back(part.plain);
+    }
+    result_.values = start;
+    result_.covariance = result_.plain_covariance = MatrixXd::Zero(count_, count_);
+    result_.degrees_of_freedom = VectorXd::Constant(count_, std::numeric_limits<double>::infinity());
+    result_.slope.assign(cases.size(), MatrixXd());
+    result_.shift_slope.assign(cases.size(), MatrixXd());
+    result_.shift = VectorXd::Zero(directions_);
+    result_.shift_prior = MatrixXd::Identity(directions_, directions_);
+    result_.unseen = MatrixXd::Zero(count_, 0);
+  }
+
+  SharedParameters run(bool rough_errors) {
+    if (lumps_ == 0) return std::move(result_);
+    fit();
+    see_unseen();
+    invert();
+    set_slopes();
+    set_errors(rough_errors);
+    set_misfit();
+    return std::move(result_);
+  }
+
+ private:
+  Index rows() const { return lumps_ + directions_; }
+
+  void evaluate(const VectorXd& unknowns, bool with_truncation, VectorXd& residual, MatrixXd& jacobian) const {
+    Index r = 0;
+    for (std::size_t c = 0; c < cases_.size(); ++c) {
+      const LumpEstimates& part = cases_[c];
+      const Index size = part.values.size();
+      if (size == 0) continue;
+      const Entries entries = entries_at(part, unknowns, count_, given_, with_truncation);
+      residual.segment(r, size) = whitening_[c](part.combination * entries.values - part.values);
+      jacobian.middleRows(r, size) = whitening_[c](part.combination * entries.slope);
+      r += size;
+    }
+    residual.tail(directions_) = unknowns.tail(directions_);
+    jacobian.bottomRows(directions_).setZero();
+    jacobian.bottomRightCorner(directions_, directions_).setIdentity();
+  }
+
+  void fit() {
+    const ResidualFunction function = [&](const VectorXd& unknowns, VectorXd& residual, MatrixXd& jacobian) {
+      evaluate(unknowns, true, residual, jacobian);
+    };
+    const Index unknowns = count_ + directions_;
+    VectorXd from(unknowns);
+    from << result_.values, VectorXd::Zero(directions_);
+    plausible_ = plausible_sizes(cases_, result_.values, unknowns);
+    unknowns_ = nonlinear_fit(function, rows(), from, 100, plausible_).parameters;
+    result_.values = unknowns_.head(count_);
+    result_.shift = unknowns_.tail(directions_);
+    residual_.resize(rows());
+    jacobian_.resize(rows(), unknowns);
+  }
+
+  void see_unseen() {
+    evaluate(unknowns_, false, residual_, jacobian_);
+    result_.unseen = unseen_directions(jacobian_.topLeftCorner(lumps_, count_), unit_scale(jacobian_).head(count_),
+                                       result_.values, plausible_.head(count_));
+  }
+
+  // d unknowns / d whitened rows, in columns of unit norm.
+  void invert() {
+    evaluate(unknowns_, true, residual_, jacobian_);
+    const VectorXd scale = unit_scale(jacobian_);
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
+    solver.setThreshold(1e-9);
+    solver.compute(jacobian_ * scale.asDiagonal());
+    inverse_ = scale.asDiagonal() * solver.pseudoInverse();
+    result_.surplus = rows() - solver.rank();
+  }
+
+  // d values / d lumps = pinv(W J) W, by cases.
+  void set_slopes() {
+    Index r = 0;
+    for (std::size_t c = 0; c < cases_.size(); ++c) {
+      const Index size = cases_[c].values.size();
+      if (size == 0) continue;
+      const MatrixXd slope = inverse_.middleCols(r, size) * whitening_[c](MatrixXd::Identity(size, size));
+      result_.slope[c] = slope.topRows(count_);
+      result_.shift_slope[c] = slope.bottomRows(directions_);
+      r += size;
+    }
+    result_.shift_prior = inverse_.block(count_, lumps_, directions_, directions_);
+  }
+
+  void set_errors(bool rough_errors) {
+    const std::optional<ConditionScatter> between =
+        rough_errors ? std::nullopt : scatter_at(cases_, unknowns_, count_, given_, jacobian_);
+    VectorXd squares =
+        VectorXd::Zero(count_);  // of independent parts of each variance, over their degrees of freedom
+    const auto add = [&](const MatrixXd& covariance, const VectorXd& freedom) {
+      result_.covariance += covariance;
+      squares += covariance.diagonal().cwiseAbs2().cwiseQuotient(freedom);
+    };
+    for (std::size_t c = 0; c < cases_.size(); ++c) {
+      const LumpEstimates& part = cases_[c];
+      if (part.values.size() == 0) continue;
+      const MatrixXd plain = result_.slope[c] * part.plain * result_.slope[c].transpose();
+      result_.plain_covariance += plain;
+      const VectorXd freedom = VectorXd::Constant(count_, part.degrees_of_freedom);
+      if (!part.clustered) {
+        add(plain, freedom);
+      } else if (!between) {
+        const auto n = static_cast<double>(part.influence.rows());
+        const MatrixXd moved = part.influence * result_.slope[c].transpose();
+        add((n - 1) / n * moved.transpose() * moved, freedom);
+      }
+    }
+    if (between)
+      add(between->covariance.topLeftCorner(count_, count_),
+          between->degrees_of_freedom.head(count_).cwiseMax(std::numeric_limits<double>::min()));
+    const MatrixXd by_shift = inverse_.block(0, lumps_, count_, directions_),
+                   of_shift = by_shift * by_shift.transpose();
+    result_.covariance += of_shift;
+    result_.plain_covariance += of_shift;
+    for (Index p = 0; p < count_; ++p)
+      if (squares(p) > 0) result_.degrees_of_freedom(p) = std::pow(result_.covariance(p, p), 2) / squares(p);
+  }
+
+  void set_misfit() {
+    // What the fit leaves of a change of the lumps.
+    const MatrixXd left = MatrixXd::Identity(rows(), rows()) - jacobian_ * inverse_;
+    ResidualScatter scatter;
+    scatter.known = left.rightCols(directions_);
+    Index r = 0;
+    for (std::size_t c = 0; c < cases_.size(); ++c) {
+      const LumpEstimates& part = cases_[c];
+      const Index size = part.values.size();
+      if (size == 0) continue;
+      const auto of_case = left.middleCols(r, size);
+      if (part.clustered) {
+        scatter.influence.push_back(whitening_[c](part.influence.transpose()).transpose() * of_case.transpose());
+      } else {
+        scatter.known.conservativeResize(Eigen::NoChange, scatter.known.cols() + size);
+        scatter.known.rightCols(size) = of_case;
+      }
+      r += size;
+    }
+    result_.misfit = clustered_chi_squared(residual_, result_.surplus, scatter);
+  }
+
+  std::span<const LumpEstimates> cases_;
+  const std::vector<bool>& given_;
+  Index count_, lumps_ = 0, directions_ = 0;
+  std::vector<Whitening> whitening_;
+  VectorXd plausible_, unknowns_, residual_;  // at unknowns_
+  MatrixXd jacobian_, inverse_;
+  SharedParameters result_;
+};
+
 }  // namespace
 
 SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const VectorXd& start,
                                    const std::vector<bool>& given, bool rough_errors) {
-  const Index count = start.size();
-  Index directions = 0;
-  for (const LumpEstimates& part : cases) directions = std::max(directions, part.truncation_effect.cols());
-  SharedParameters result;
-  result.values = start;
-  result.covariance = result.plain_covariance = MatrixXd::Zero(count, count);
-  result.degrees_of_freedom = VectorXd::Constant(count, std::numeric_limits<double>::infinity());
-  Index rows = 0;
-  std::vector<Whitening> whitening;
-  for (const LumpEstimates& part : cases) {
-    rows += part.values.size();
-    whitening.emplace_back(part.plain);
-  }
-  result.slope.assign(cases.size(), MatrixXd());
-  result.shift_slope.assign(cases.size(), MatrixXd());
-  result.shift = VectorXd::Zero(directions);
-  result.shift_prior = MatrixXd::Identity(directions, directions);
-  result.unseen = MatrixXd::Zero(count, 0);
-  if (rows == 0) return result;
-  // Unknowns: parameters, then shifts; after the lumps' rows those of the shifts' own size.
-  const auto evaluate = [&](const VectorXd& unknowns, bool with_truncation, VectorXd& residual,
-                            MatrixXd& jacobian) {
-    Index r = 0;
-    for (std::size_t c = 0; c < cases.size(); ++c) {
-      const LumpEstimates& part = cases[c];
-      const Index size = part.values.size();
-      if (size == 0) continue;
-      const Entries entries = entries_at(part, unknowns, count, given, with_truncation);
-      residual.segment(r, size) = whitening[c](part.combination * entries.values - part.values);
-      jacobian.middleRows(r, size) = whitening[c](part.combination * entries.slope);
-      r += size;
-    }
-    residual.tail(directions) = unknowns.tail(directions);
-    jacobian.bottomRows(directions).setZero();
-    jacobian.bottomRightCorner(directions, directions).setIdentity();
-  };
-  const ResidualFunction function = [&](const VectorXd& unknowns, VectorXd& residual, MatrixXd& jacobian) {
-    evaluate(unknowns, true, residual, jacobian);
-  };
-  const Index all_rows = rows + directions, unknowns = count + directions;
-  VectorXd from(unknowns);
-  from << start, VectorXd::Zero(directions);
-  const VectorXd plausible = plausible_sizes(cases, start, unknowns);
-  const FitReport report = nonlinear_fit(function, all_rows, from, 100, plausible);
-  result.values = report.parameters.head(count);
-  result.shift = report.parameters.tail(directions);
-  VectorXd residual(all_rows);
-  MatrixXd jacobian(all_rows, unknowns);
-  evaluate(report.parameters, false, residual, jacobian);
-  VectorXd scale = unit_scale(jacobian);
-  result.unseen = unseen_directions(jacobian.topLeftCorner(rows, count), scale.head(count), result.values,
-                                    plausible.head(count));
-  // d values / d lumps = pinv(W J) W, by cases, in columns of unit norm.
-  function(report.parameters, residual, jacobian);
-  scale = unit_scale(jacobian);
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
-  solver.setThreshold(1e-9);
-  solver.compute(jacobian * scale.asDiagonal());
-  const MatrixXd inverse = scale.asDiagonal() * solver.pseudoInverse();
-  // What the fit leaves of a change of the lumps.
-  const MatrixXd left = MatrixXd::Identity(all_rows, all_rows) - jacobian * inverse;
-  const std::optional<ConditionScatter> between =
-      rough_errors ? std::nullopt : scatter_at(cases, report.parameters, count, given, jacobian);
-  ResidualScatter scatter;
-  scatter.known = left.rightCols(directions);
-  Index r = 0;
-  VectorXd squares = VectorXd::Zero(count);  // of independent parts of each variance, over their degrees of freedom
-  const auto add = [&](const MatrixXd& covariance, const VectorXd& freedom) {
-    result.covariance += covariance;
-    squares += covariance.diagonal().cwiseAbs2().cwiseQuotient(freedom);
-  };
-  for (std::size_t c = 0; c < cases.size(); ++c) {
-    const LumpEstimates& part = cases[c];
-    const Index size = part.values.size();
-    if (size == 0) continue;
-    const MatrixXd slope = inverse.middleCols(r, size) * whitening[c](MatrixXd::Identity(size, size));
-    result.slope[c] = slope.topRows(count);
-    result.shift_slope[c] = slope.bottomRows(directions);
-    r += size;
-    const MatrixXd plain = result.slope[c] * part.plain * result.slope[c].transpose();
-    result.plain_covariance += plain;
-    const VectorXd freedom = VectorXd::Constant(count, part.degrees_of_freedom);
-    if (!part.clustered) {
-      add(plain, freedom);
-      scatter.known.conservativeResize(Eigen::NoChange, scatter.known.cols() + size);
-      scatter.known.rightCols(size) = left.middleCols(r - size, size);
-    } else {
-      scatter.influence.push_back(whitening[c](part.influence.transpose()).transpose() *
-                                  left.middleCols(r - size, size).transpose());
-      if (between) continue;
-      const auto n = static_cast<double>(part.influence.rows());
-      const MatrixXd moved = part.influence * result.slope[c].transpose();
-      add((n - 1) / n * moved.transpose() * moved, freedom);
-    }
-  }
-  if (between)
-    add(between->covariance.topLeftCorner(count, count),
-        between->degrees_of_freedom.head(count).cwiseMax(std::numeric_limits<double>::min()));
-  result.surplus = all_rows - solver.rank();
-  result.misfit = clustered_chi_squared(residual, result.surplus, scatter);
-  const MatrixXd of_shift =
-      inverse.block(0, r, count, directions) * inverse.block(0, r, count, directions).transpose();
-  result.covariance += of_shift;
-  result.plain_covariance += of_shift;
-  result.shift_prior = inverse.block(count, r, directions, directions);
-  for (Index p = 0; p < count; ++p)
-    if (squares(p) > 0) result.degrees_of_freedom(p) = std::pow(result.covariance(p, p), 2) / squares(p);
-  return result;
+  return SharedFit(cases, start, given).run(rough_errors);
 }
 
 }  // namespace secular
