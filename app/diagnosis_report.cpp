@@ -63,7 +63,10 @@ std::string sentence(const Diagnosis& d) {
     return "There is a gap, and no effect of the catalogue explains it: it " + open_law_sentence(*d.open_law) +
            ", which does so better than any effect of the catalogue or two of them.";
   return "There is a gap, and no effect of the catalogue explains it: the best one" +
-         (d.set.empty() ? std::string() : " (" + joined(d.set, ", ") + ")") + " leaves a structured remainder.";
+         (d.set.empty() ? std::string() : " (" + joined(d.set, ", ") + ")") +
+         (d.unsteady.detected ? " has no part in how the motion varies within dwells, " +
+                                    report::format_number(d.unsteady.ratio, 2) + " times what noise explains."
+                              : " leaves a structured remainder.");
 }
 
 // Rows of the equations of motion against amplitude, before and after.

@@ -222,11 +222,11 @@ class Diagnoser {
     unsteady.detected = test.p_value < unsteady_alarm;
     if (!unsteady.detected) return;
     unsteady.record = campaign_.records[test.record].file;
-    result_.warnings.push_back(fmt::format(
-        "resonant motion varies within dwells by {:.2g} times what the noise beside it explains (p = {:.1g}, "
-        "most in {}) though the excitation is steady: a force that no channel records, or a structure "
-        "that changes from minute to minute, which no effect of the catalogue does",
-        unsteady.ratio, unsteady.p_value, unsteady.record));
+    result_.warnings.push_back(
+        fmt::format("motion varies within dwells by {:.2g} times what the noise beside it explains (p = {:.1g}, "
+                    "most in {}) though the excitation is steady: a force that no channel records, or a structure "
+                    "that changes from minute to minute, which no effect of the catalogue does",
+                    unsteady.ratio, unsteady.p_value, unsteady.record));
   }
 
   // A few dwells that wander have no mean motion to compare; where most do, the mean is all there is.
@@ -346,9 +346,14 @@ class Diagnoser {
     remainder.p_value = left;
     remainder.smooth_p_value = smooth.p_value;
     remainder.smooth_share = smooth.excess() > 0 ? std::sqrt(smooth.excess() / (smooth.excess() + explained)) : 0;
-    const bool unknown =
+    const bool leaves_structure =
         (structured && beyond_floor(result_.gap.after) > small_remainder * beyond_floor(result_.gap.before)) ||
         (smooth.p_value < remainder_alarm && remainder.smooth_share > small_remainder);
+    // What varies within dwells counts against an explanation of their means that is worth less.
+    const auto squares = [](double rms) { return rms * rms; };
+    const bool restless = result_.unsteady.detected && squares(result_.unsteady.ratio) - 1 >
+                                                           squares(result_.gap.before) - squares(result_.gap.after);
+    const bool unknown = leaves_structure || restless;
 
     if (best.open_law) describe_open_law(best);
     result_.verdict = "unknown";

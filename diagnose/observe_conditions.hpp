@@ -14,7 +14,7 @@ namespace secular {
 struct ObservedConditions {
   std::vector<Condition> conditions;
   std::vector<std::string> warnings;
-  std::vector<Wander> wander;  ///< of resonant lines within dwells
+  std::vector<Wander> wander;  ///< of the motion within dwells
 };
 
 /// Dwells of a campaign as measured lines. `natural_frequency` (rad/s, by mode) tells which line of

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
+#include <utility>
 
 #include "diagnose/record_window.hpp"
 #include "diagnose/resonant_lines.hpp"
@@ -308,10 +310,10 @@ std::optional<double> excitation_frequency(const RecordPart& part, double rate, 
   return fit.frequency;
 }
 
-// How the masters wander; nothing where the excitation does.
-std::vector<Wander> wander_of_masters(const DwellReader& reader, const Condition& c,
-                                      const std::vector<Index>& lines, const std::array<double, 2>& base,
-                                      double resolution, const Torus& torus, const SensorModel& sensors) {
+// How a dwell's motion wanders; nothing where its excitation does.
+std::vector<Wander> wander_within(const DwellReader& reader, const Condition& c, const std::vector<Index>& lines,
+                                  const std::array<double, 2>& base, double resolution, const Torus& torus,
+                                  const SensorModel& sensors) {
   std::vector<double> frequencies;
   for (const Index l : lines)
     if (l != 0) frequencies.push_back(DwellReader::frequency_of(torus, l, base));
@@ -331,12 +333,15 @@ std::vector<Wander> wander_of_masters(const DwellReader& reader, const Condition
     const Wander excitation = through(c.fundamental, Eigen::RowVectorXd::Unit(channels, channel));
     if (test_wander({excitation}).p_value < unsteady_excitation) return {};
   }
+  // Where the masters are, and where the excitation drives every mode, near resonance or not.
+  std::set<std::pair<Index, std::size_t>> seen;
+  for (const MasterLine& master : c.masters) seen.emplace(master.line, master.mode);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(sensors.filter.rows()); ++k) seen.emplace(c.fundamental, k);
   std::vector<Wander> all;
-  for (const MasterLine& master : c.masters) {
+  for (const auto& [line, mode] : seen) {
     Eigen::RowVectorXd weights = Eigen::RowVectorXd::Zero(channels);
-    weights.head(static_cast<Index>(sensors.responses.size())) =
-        sensors.filter.row(static_cast<Index>(master.mode));
-    all.push_back(through(master.line, weights));
+    weights.head(static_cast<Index>(sensors.responses.size())) = sensors.filter.row(static_cast<Index>(mode));
+    all.push_back(through(line, weights));
     all.back().record = c.record;
   }
   return all;
@@ -444,8 +449,7 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
     c.fundamental = fundamental;
     c.lines = lines;
     c.excitation_lines = excitation_lines;
-    if (layout.dimensions == 1)
-      dwell.wander = wander_of_masters(reader, c, lines, base, resolution, *torus, sensors);
+    if (layout.dimensions == 1) dwell.wander = wander_within(reader, c, lines, base, resolution, *torus, sensors);
     return dwell;
   }
   return leave_out("its motion fits no resonance of model " + std::string(model.name));

@@ -1,9 +1,11 @@
 #include "diagnose/remainder.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <vector>
 
 #include "diagnose/screening.hpp"
 #include "estimator/regression/distribution.hpp"
@@ -21,11 +23,23 @@ constexpr std::size_t fewest_rows = 8;
 /// A function of which the fitted unknowns leave no more than this share is theirs.
 constexpr double rounding = 1e-6;
 
-// From -1 to 1; zero where all are alike.
-VectorXd standardised(const VectorXd& x) {
-  const double low = x.minCoeff(), high = x.maxCoeff(), size = std::max(std::abs(low), std::abs(high));
-  if (!(high - low > 1e-6 * size)) return VectorXd::Zero(x.size());
-  return (2 * x.array() - low - high) / (high - low);
+/// Settings that differ by this share were meant to be the same.
+constexpr double same_setting = 1e-3;
+
+/// One row counts with no more standard deviations than this: outliers are no smooth function.
+constexpr double largest_row = 3;
+
+// Ranks from -1 to 1, equal ones alike: one dwell far from all others has no more weight than they.
+VectorXd ranks(const VectorXd& x) {
+  std::vector<double> sorted(x.begin(), x.end());
+  std::sort(sorted.begin(), sorted.end());
+  const double most = std::max(1.0, static_cast<double>(x.size() - 1));
+  return x.unaryExpr([&](double value) {
+    const double close = same_setting * std::abs(value);
+    const auto first = std::lower_bound(sorted.begin(), sorted.end(), value - close),
+               last = std::upper_bound(sorted.begin(), sorted.end(), value + close);
+    return static_cast<double>((first - sorted.begin()) + (last - sorted.begin()) - 1) / most - 1;
+  });
 }
 
 using Balance = std::tuple<std::string, std::string, GapComponent>;
@@ -46,13 +60,12 @@ SmoothRemainder smooth_remainder(const Refit& fit, const std::vector<RowLabel>& 
     VectorXd amplitude(count), level(count), frequency(count), time(count);
     for (Index i = 0; i < count; ++i) {
       const RowLabel& label = labels[static_cast<std::size_t>(rows[static_cast<std::size_t>(i)])];
-      amplitude(i) = std::log(label.amplitude);
+      amplitude(i) = label.amplitude;
       level(i) = label.level;
       frequency(i) = label.frequency;
       time(i) = label.time_s;
     }
-    const VectorXd a = standardised(amplitude), l = standardised(level), f = standardised(frequency),
-                   t = standardised(time);
+    const VectorXd a = ranks(amplitude), l = ranks(level), f = ranks(frequency), t = ranks(time);
     MatrixXd columns(count, 9);
     columns << VectorXd::Ones(count), a, a.cwiseAbs2(), a.cwiseProduct(a.cwiseAbs2()), l, l.cwiseAbs2(), f,
         f.cwiseAbs2(), t;
@@ -67,7 +80,7 @@ SmoothRemainder smooth_remainder(const Refit& fit, const std::vector<RowLabel>& 
   for (Index c = 0; c < beside.cols(); ++c)
     if (!(beside.col(c).norm() > rounding * functions.col(c).norm())) beside.col(c).setZero();
   const MatrixXd basis = basis_of(beside);
-  result.squares = (basis.transpose() * fit.rows).squaredNorm();
+  result.squares = (basis.transpose() * fit.rows.cwiseMin(largest_row).cwiseMax(-largest_row)).squaredNorm();
   result.freedom = static_cast<double>(basis.cols());
   if (basis.cols() > 0) result.p_value = chi_squared_upper_tail(result.squares, result.freedom);
   return result;
