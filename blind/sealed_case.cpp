@@ -19,6 +19,8 @@ constexpr double largest_relative_change = 0.3;
 // Norm, over the whole campaign, below which a difference is nothing that data could show: its chi-square would
 // exceed the degrees of freedom of a comparison by 16 only.
 constexpr double visible_norm = 4;
+// A rival that still leaves this share of a change when its size has followed does not come to explain it.
+constexpr double hopeless = 0.8;
 // A case whose motion grows beyond all bounds is drawn again, from a stream of its own.
 constexpr std::uint64_t most_redraws = 8, redrawn = 10'000'000;
 // Standard deviations of a chi-squared beyond which it is noticed, once in ten thousand, and by how many it has to
@@ -126,11 +128,13 @@ void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, doub
         Eigen::MatrixXd columns(own.rows(), own.cols() + 1);
         columns << own, own_taken_off / length;
         const Eigen::VectorXd fit = columns.colPivHouseholderQr().solve(left);
-        if ((left - columns * fit).norm() * ensembles < seen) {
+        const double unexplained = (left - columns * fit).norm();
+        if (unexplained * ensembles < seen) {
           if (std::find(truth.same_as.begin(), truth.same_as.end(), name) == truth.same_as.end())
             truth.same_as.push_back(name);
           break;
         }
+        if (attempt > 1 && unexplained > hopeless * left.norm()) break;
         const double factor = fit(fit.size() - 1) / length;
         if (attempt > 1 && std::abs(factor - 1) < 0.02) break;
         rival.coefficient *= std::copysign(std::clamp(std::abs(factor), 0.02, 50.0), factor);
