@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <optional>
 #include <random>
 
@@ -277,6 +278,28 @@ TEST(SlowDiagnosis, ADwellThatIsNotSteadyIsLeftOut) {
   EXPECT_TRUE(std::any_of(d.warnings.begin(), d.warnings.end(), [&](const std::string& warning) {
     return warning == "left out because their motion is not steady: " + data.campaign.records[4].file;
   }));
+}
+
+// A force at the excitation's frequency swells and fades in every dwell. The mode answers far below its resonance
+// there (it moves at half that frequency): only the line of the excitation shows it. Its mean looks like a direct
+// excitation.
+TEST(SlowDiagnosis, AForceThatSwellsOffResonanceIsNoEffectOfTheCatalogue) {
+  const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
+  SimulatedCampaign data = simulated(model, parametric_dwells(), 24);
+  for (std::size_t r = 0; r < data.samples.size(); ++r) {
+    const double rate = data.samples[r].sample_rate_hz,
+                 omega = 2 * std::numbers::pi * *data.campaign.records[r].excitation_frequency_hz;
+    std::vector<double>& response = data.samples[r].channels.back();
+    double size = 0;
+    for (const double x : response) size = std::max(size, std::abs(x));
+    for (std::size_t i = 0; i < response.size(); ++i) {
+      const double t = static_cast<double>(i) / rate;
+      response[i] += 0.01 * size * std::sin(2 * std::numbers::pi * t / 9) * std::cos(omega * t);
+    }
+  }
+  const Diagnosis d = diagnosed(model, data, {});
+  EXPECT_TRUE(d.unsteady.detected);
+  EXPECT_EQ(d.verdict, "unknown");
 }
 
 TEST(SlowDiagnosis, AChannelThatIsLateIsTold) {
