@@ -1,34 +1,23 @@
 // The program as a user meets it: exit status, one clear message, nothing half-written.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 
+#include "tests/app/program_run.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
 
 namespace fs = std::filesystem;
+using testing_support::Outcome;
+using testing_support::text_of;
 const fs::path root = SECULAR_SOURCE_DIR;
-
-struct Outcome {
-  int status = -1;
-  std::string output, errors;
-};
-
-std::string text_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 class CommandLine : public testing::Test {
  protected:
@@ -40,13 +29,7 @@ class CommandLine : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder); }
 
-  Outcome run(const std::string& arguments) const {
-    const fs::path out = folder / "stdout.txt", err = folder / "stderr.txt";
-    const int raw = std::system((std::string(SECULAR_PROGRAM) + " " + arguments + " > " + out.string() + " 2> " +
-                                 err.string() + " < /dev/null")
-                                    .c_str());
-    return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, text_of(out), text_of(err)};
-  }
+  Outcome run(const std::string& arguments) const { return testing_support::run_program(folder, arguments); }
   std::string written(const std::string& name, const std::string& text) const {
     std::ofstream(folder / name) << text;
     return (folder / name).string();

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/app/program_run.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular::testing_support {
@@ -20,17 +20,10 @@ class DiagnosedFolder : public testing::Test {
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  int run(const std::string& arguments) const {
-    return std::system(("XDG_CACHE_HOME=" + path("cache") + " " + SECULAR_PROGRAM + " " + arguments + " > " +
-                        path("out.txt") + " 2>&1")
-                           .c_str());
-  }
+  int run(const std::string& arguments) const { return run_with_own_cache(folder_, arguments).status; }
 
   /// What the last command printed.
-  std::string printed() const {
-    std::ifstream in(folder_ / "out.txt");
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  std::string printed() const { return text_of(folder_ / "stdout.txt") + text_of(folder_ / "stderr.txt"); }
 
   /// diagnosis.json of the folder's campaign with its model.toml; null where the program fails.
   nlohmann::json diagnosis(const std::string& options = "") const {

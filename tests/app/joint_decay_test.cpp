@@ -1,7 +1,6 @@
 // Two modes that ring together after a pluck, from experiment to estimates: their own and their coupling terms,
 // with and without an internal resonance between them.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -11,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/app/program_run.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {
@@ -48,14 +48,8 @@ class SlowJointDecay : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   void run(const std::string& arguments) const {
-    const fs::path errors = folder_ / "stderr.txt";
-    const int raw =
-        std::system(("cd " + folder_.string() + " && XDG_CACHE_HOME=" + (folder_ / "cache").string() + " " +
-                     SECULAR_PROGRAM + " " + arguments + " > /dev/null 2> " + errors.string() + " < /dev/null")
-                        .c_str());
-    std::ifstream stream(errors);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    EXPECT_TRUE(WIFEXITED(raw) && WEXITSTATUS(raw) == 0) << arguments << ": " << text;
+    const testing_support::Outcome outcome = testing_support::run_with_own_cache(folder_, arguments);
+    EXPECT_EQ(outcome.status, 0) << arguments << ": " << outcome.errors;
   }
 
   // Every parameter is identified, within four standard deviations, which are at most `share` of it.

@@ -1,14 +1,12 @@
 // `secular modal` as a user meets it.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 
+#include "tests/app/program_run.hpp"
 #include "tests/modal/structure_campaign.hpp"
 #include "tests/process_folder.hpp"
 
@@ -16,13 +14,7 @@ namespace secular {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
+using testing_support::text_of;
 
 class ModalCommand : public testing::Test {
  protected:
@@ -35,13 +27,10 @@ class ModalCommand : public testing::Test {
   void TearDown() override { fs::remove_all(folder); }
 
   int run(const std::string& arguments) {
-    const std::string out = (folder / "stdout.txt").string(), err = (folder / "stderr.txt").string();
-    const int raw = std::system(
-        (std::string(SECULAR_PROGRAM) + " modal " + arguments + " > " + out + " 2> " + err + " < /dev/null")
-            .c_str());
-    output = text_of(out);
-    errors = text_of(err);
-    return WIFEXITED(raw) ? WEXITSTATUS(raw) : -1;
+    const testing_support::Outcome outcome = testing_support::run_program(folder, "modal " + arguments);
+    output = outcome.output;
+    errors = outcome.errors;
+    return outcome.status;
   }
   std::string path(const std::string& name) const { return (folder / name).string(); }
 

@@ -1,6 +1,5 @@
 // A resonance that no shipped model lists costs one [[case]] block.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <cmath>
 #include <complex>
@@ -11,28 +10,21 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/app/program_run.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+using testing_support::text_of;
 
 class SlowNewCase : public testing::Test {
  protected:
   void SetUp() override { fs::create_directories(folder_); }
   void TearDown() override { fs::remove_all(folder_); }
   int run(const std::string& arguments) const {
-    const int raw =
-        std::system(("cd " + folder_.string() + " && XDG_CACHE_HOME=" + (folder_ / "cache").string() + " " +
-                     SECULAR_PROGRAM + " " + arguments + " > stdout.txt 2> stderr.txt < /dev/null")
-                        .c_str());
-    return WIFEXITED(raw) ? WEXITSTATUS(raw) : -1;
+    return testing_support::run_with_own_cache(folder_, arguments).status;
   }
   std::string output() const { return text_of(folder_ / "stdout.txt"); }
   std::string errors() const { return text_of(folder_ / "stderr.txt"); }

@@ -1,6 +1,5 @@
 // Measured dwells on the predicted response.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/app/program_run.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {
@@ -76,15 +76,9 @@ class SlowMeasuredDwells : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
   int run(const std::string& arguments) const {
-    const int raw = std::system(("cd " + folder_.string() + " && XDG_CACHE_HOME=" + (folder_ / "cache").string() +
-                                 " " + SECULAR_PROGRAM + " " + arguments + " > /dev/null 2> stderr.txt < /dev/null")
-                                    .c_str());
-    return WIFEXITED(raw) ? WEXITSTATUS(raw) : -1;
+    return testing_support::run_with_own_cache(folder_, arguments).status;
   }
-  std::string errors() const {
-    std::ifstream stream(folder_ / "stderr.txt");
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
+  std::string errors() const { return testing_support::text_of(folder_ / "stderr.txt"); }
 
   fs::path folder_ = testing_support::process_folder() / "measured";
 };

@@ -1,6 +1,5 @@
 // `secular simulate` with effects of the catalogue switched on in the experiment file.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +8,13 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "app/experiment_loading.hpp"
 #include "input/input_error.hpp"
 #include "simulate/virtual_test.hpp"
+#include "tests/app/program_run.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 
 namespace secular::app {
@@ -88,13 +87,7 @@ class SimulateCommand : public TemporaryFolder {
     const LoadedExperiment l = loaded(more, settle_s);
     return run_virtual_test(l.experiment, *l.model, 1, threads);
   }
-  int run(const std::string& arguments) const {
-    const int raw =
-        std::system((std::string(SECULAR_PROGRAM) + " " + arguments + " > " + (folder_ / "stdout.txt").string() +
-                     " 2> " + (folder_ / "stderr.txt").string() + " < /dev/null")
-                        .c_str());
-    return WIFEXITED(raw) ? WEXITSTATUS(raw) : -1;
-  }
+  int run(const std::string& arguments) const { return testing_support::run_program(folder_, arguments).status; }
 };
 
 std::string effect(const std::string& name, const std::string& keys) {

@@ -1,16 +1,15 @@
 // A model that the program has never seen, from experiment to estimates: compiled at its first use, and
 // interpreted.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/app/program_run.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {
@@ -72,14 +71,10 @@ class SlowUnseenModel : public testing::Test {
   }
   std::string run_in(const std::string& environment, const std::string& arguments,
                      const std::string& program = SECULAR_PROGRAM) const {
-    const fs::path errors = folder_ / "stderr.txt";
-    const int raw = std::system(("cd " + folder_.string() + " && env " + environment + " " + program + " " +
-                                 arguments + " > /dev/null 2> " + errors.string() + " < /dev/null")
-                                    .c_str());
-    std::ifstream stream(errors);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    EXPECT_TRUE(WIFEXITED(raw) && WEXITSTATUS(raw) == 0) << arguments << ": " << text;
-    return text;
+    const testing_support::Outcome outcome =
+        testing_support::run_program(folder_, arguments, {.environment = environment, .program = program});
+    EXPECT_EQ(outcome.status, 0) << arguments << ": " << outcome.errors;
+    return outcome.errors;
   }
   // The program with its headers as it is installed.
   fs::path installed() const {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace secular::testing_support {
+
+/// What a run of the program came to; status -1 where a signal ended it.
+struct Outcome {
+  int status = -1;
+  std::string output, errors;
+};
+
+/// How the program is run.
+struct RunOptions {
+  std::string environment;  ///< assignments before the command, "A=1 B=2"
+  std::string program = SECULAR_PROGRAM;
+};
+
+/// With `folder` as working folder and nothing on standard input; what it prints stays in folder/stdout.txt and
+/// folder/stderr.txt.
+Outcome run_program(const std::filesystem::path& folder, const std::string& arguments,
+                    const RunOptions& options = {});
+
+/// The same with a cache of compiled models of its own, folder/cache.
+Outcome run_with_own_cache(const std::filesystem::path& folder, const std::string& arguments);
+
+/// The whole file; empty where there is none.
+std::string text_of(const std::filesystem::path& file);
+
+}  // namespace secular::testing_support
