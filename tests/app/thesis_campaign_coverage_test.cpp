@@ -114,6 +114,18 @@ TEST_F(SlowChapterSix, LumpsOfTheRightModelGoTogetherAndIntervalsHold) {
                 c.sd / c.count, 100.0 * c.inside / c.count, c.count);
 }
 
+// A draw whose raw estimate is fourteen standard deviations from where its correction comes to rest: slopes that
+// were seen there lead nowhere, and weights that belong there make good steps look bad.
+TEST_F(SlowChapterSix, ACorrectionThatBeginsFarAwaySettles) {
+  std::map<std::string, double> fixed;
+  for (const char* name : {"delta31", "delta33", "delta34", "delta36"})
+    for (std::size_t p = 0; p < model_->symbols.size(); ++p)
+      if (model_->symbols[p].name == name) fixed[name] = experiment_.parameters(static_cast<Eigen::Index>(p));
+  const Estimate estimate = identified(59, fixed).estimate;
+  EXPECT_FALSE(estimate.consistency.significant) << estimate.consistency.p_value;
+  for (const EstimatedValue& v : estimate.parameters) EXPECT_FALSE(v.doubtful) << v.name;
+}
+
 // Without coupled damping, lumps that it is part of cannot go together.
 TEST_F(SlowChapterSix, AMissingTermIsAContradiction) {
   const Estimate estimate = identified(0, {{"mu12", 0.0}}).estimate;
