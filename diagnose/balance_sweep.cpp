@@ -17,12 +17,12 @@ std::vector<SlavedLine> slaved_lines(const MotionSetting& setting, const Compile
   std::vector<SlavedLine> slaves;
   for (Index l = 0; l < setting.torus->lines(); ++l)
     for (Index k = 0; k < static_cast<Index>(model.modes()); ++k) {
-      const bool is_master = std::any_of(setting.masters.begin(), setting.masters.end(), [&](const MasterLine& m) {
-        return static_cast<Index>(m.mode) == k && m.line == l;
-      });
+      const auto is_this = [&](const MasterLine& m) { return static_cast<Index>(m.mode) == k && m.line == l; };
+      const bool known = std::any_of(setting.masters.begin(), setting.masters.end(), is_this) ||
+                         std::any_of(setting.resting.begin(), setting.resting.end(), is_this);
       const double frequency = parameters[static_cast<std::size_t>(k)], stiffness = frequency * frequency;
       const Complex rate = setting.line_rate(l), dynamic = stiffness + rate * rate;
-      if (!is_master && std::abs(dynamic) >= resonant_band * stiffness) slaves.push_back({k, l, 1.0 / dynamic});
+      if (!known && std::abs(dynamic) >= resonant_band * stiffness) slaves.push_back({k, l, 1.0 / dynamic});
     }
   return slaves;
 }

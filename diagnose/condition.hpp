@@ -19,6 +19,7 @@ struct Condition {
   std::shared_ptr<const Torus> torus;
   std::array<std::complex<double>, 2> rate;
   std::vector<MasterLine> masters;
+  std::vector<MasterLine> resting;  ///< MotionSetting::resting
   /// By master: (dB/dt)/B of a dwell that was still creeping, and the error of its real and imaginary part.
   std::vector<std::complex<double>> creep;
   std::vector<double> creep_sd;

@@ -45,7 +45,8 @@ class Evaluation {
   MotionSetting setting() const {
     MotionSetting setting{
         c_.torus, c_.rate,
-        MatrixXcd::Zero(static_cast<Index>(balance_.model().excitations.size()), c_.torus->lines()), c_.masters};
+        MatrixXcd::Zero(static_cast<Index>(balance_.model().excitations.size()), c_.torus->lines()), c_.masters,
+        c_.resting};
     for (Index j = 0; j < true_excitation_.rows(); ++j)
       for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
         setting.excitation(j, c_.excitation_lines[l]) = true_excitation_(j, static_cast<Index>(l));

@@ -29,14 +29,14 @@ using Eigen::VectorXd;
 constexpr double false_alarm = 0.003;
 
 /// Dwells are unsteady where noise alone would vary as much less often than this.
-constexpr double unsteady_alarm = 1e-4;
+constexpr double unsteady_alarm = 1e-6;
 
 /// The best explanation leaves structure where noise alone would leave as much less often than this.
 constexpr double remainder_alarm = 1e-4;
 
 /// An explanation that leaves structure is still the cause if what it leaves beyond repeatability is this share of
-/// what was there; of smooth structure in the equations, where approximations leave most, a little more.
-constexpr double small_remainder = 0.1, small_smooth_remainder = 0.15;
+/// what was there.
+constexpr double small_remainder = 0.1;
 
 /// Samples of decays, sweeps and broadband records that are compared, in all.
 constexpr Index most_samples = 6000;
@@ -348,7 +348,7 @@ class Diagnoser {
     remainder.smooth_share = smooth.excess() > 0 ? std::sqrt(smooth.excess() / (smooth.excess() + explained)) : 0;
     const bool leaves_structure =
         (structured && beyond_floor(result_.gap.after) > small_remainder * beyond_floor(result_.gap.before)) ||
-        (smooth.p_value < remainder_alarm && remainder.smooth_share > small_smooth_remainder);
+        (smooth.p_value < remainder_alarm && remainder.smooth_share > small_remainder);
     // What varies within dwells counts against an explanation of their means that is worth less.
     const auto squares = [](double rms) { return rms * rms; };
     const bool restless = result_.unsteady.detected && squares(result_.unsteady.ratio) - 1 >

@@ -29,6 +29,7 @@ struct MotionSetting {
   std::array<std::complex<double>, 2> rate;
   Eigen::MatrixXcd excitation;  ///< model's excitations x lines
   std::vector<MasterLine> masters;
+  std::vector<MasterLine> resting;  ///< lines near resonance on which a mode could move and was seen not to
 
   std::complex<double> line_rate(Eigen::Index line) const { return secular::line_rate(*torus, rate, line); }
 };
@@ -68,8 +69,9 @@ class MotionBalance {
   std::vector<StateForce> forces_;
 };
 
-/// A line closer to resonance than this (relative to the natural frequency squared) is no slave: it is a master, or
-/// the mode is at rest on it.
-constexpr double resonant_band = 0.25;
+/// A line closer to resonance than this (relative to the natural frequency squared) is no slave, as iteration would
+/// not reach its motion: where it is no master either, the mode counts as at rest on it. Narrower than what
+/// possible_layouts looks at, up to the third multiple: there is no line between the two that moves unseen.
+constexpr double resonant_band = 0.11;
 
 }  // namespace secular

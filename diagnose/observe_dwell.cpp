@@ -422,6 +422,7 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
       const bool moves = amplitude > present * sd / std::sqrt(static_cast<double>(dwell.ensembles));
       if (!moves) {
         whole = false;
+        c.resting.push_back({resonance.mode, *line});
         continue;
       }
       c.masters.push_back({resonance.mode, *line});
