@@ -177,7 +177,7 @@ Eigen::VectorXd Signatures::remainder(const Eigen::VectorXd& change_seen, bool a
 // Gauss and Newton; Broyden's update after every step, slopes anew where these lead no further, halving where even
 // those do not.
 Eigen::VectorXd Signatures::refitted_remainder(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
-  constexpr double worth_a_step = 0.97, probe = 1;
+  constexpr double worth_a_step = 0.97;
   constexpr int most_steps = 15, most_slopes = 2, most_halvings = 5;
   Eigen::MatrixXd slopes = own_parameters(all_ensembles);
   Eigen::VectorXd fitted = Eigen::VectorXd::Zero(slopes.cols()), left = change_seen;
@@ -192,8 +192,8 @@ Eigen::VectorXd Signatures::refitted_remainder(const Eigen::VectorXd& change_see
       if (seen++ == most_slopes) break;
       const Eigen::VectorXd here = change_seen - left;
       for (Eigen::Index i = 0; i < slopes.cols(); ++i) {
-        const Eigen::VectorXd beside = fitted + probe * Eigen::VectorXd::Unit(slopes.cols(), i);
-        slopes.col(i) = (change_of_own(beside, all_ensembles) - here) / probe;
+        const Eigen::VectorXd beside = fitted + Eigen::VectorXd::Unit(slopes.cols(), i);
+        slopes.col(i) = change_of_own(beside, all_ensembles) - here;
       }
       if (!slopes.allFinite()) break;
       local = true;

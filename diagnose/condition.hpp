@@ -33,6 +33,15 @@ struct Condition {
   std::vector<Eigen::Index> excitation_lines;  ///< 0, fundamental, 2*, 3*; empty without excitation
   Eigen::MatrixXcd excitation;                 ///< excitation channel x excitation line
   Eigen::MatrixXd excitation_sd;
+
+  /// Amplitude of the excitation's fundamental in its first channel, half of the peak; 0 without excitation.
+  double excitation_level() const {
+    for (std::size_t l = 0; l < excitation_lines.size(); ++l)
+      if (fundamental != 0 && excitation_lines[l] == fundamental)
+        return std::abs(excitation(0, static_cast<Eigen::Index>(l)));
+    return 0;
+  }
+  double excitation_frequency() const { return line_rate(fundamental).imag(); }  ///< rad/s; 0 without excitation
 };
 
 }  // namespace secular

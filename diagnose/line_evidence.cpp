@@ -65,12 +65,6 @@ LineEvidence::LineEvidence(ConditionModel model, std::vector<Condition> conditio
     double amplitude = 0;
     for (const MasterLine& m : c.masters)
       amplitude = std::max(amplitude, std::abs(w.motion.displacement(static_cast<Index>(m.mode), m.line)));
-    const auto driven = std::find(c.excitation_lines.begin(), c.excitation_lines.end(), c.fundamental);
-    double level = 0, frequency = 0;
-    if (c.fundamental != 0 && driven != c.excitation_lines.end()) {
-      level = std::abs(c.excitation(0, driven - c.excitation_lines.begin()));
-      frequency = c.line_rate(c.fundamental).imag();
-    }
     for (const Index row : w.kept) {
       const RowMeaning& meaning = meanings[static_cast<std::size_t>(row)];
       RowLabel label;
@@ -78,8 +72,8 @@ LineEvidence::LineEvidence(ConditionModel model, std::vector<Condition> conditio
       label.fold = c.fold;
       label.harmonic = line_name(c, meaning.line, compiled);
       label.time_s = c.time_s;
-      label.level = level;
-      label.frequency = frequency;
+      label.level = c.excitation_level();
+      label.frequency = c.excitation_frequency();
       label.amplitude = amplitude;
       label.balance = meaning.kind == RowMeaning::Kind::balance;
       if (label.balance) {

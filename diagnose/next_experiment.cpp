@@ -11,6 +11,7 @@
 #include "diagnose/line_evidence.hpp"
 #include "diagnose/virtual_dwell.hpp"
 #include "estimator/in_parallel.hpp"
+#include "estimator/regression/distribution.hpp"
 
 namespace secular {
 namespace {
@@ -32,14 +33,9 @@ constexpr double least_range = 0.01;
 
 constexpr double highest_level = 2, lowest_level = 0.5;
 
+// Peak.
 double drive(const Condition& c) {
-  for (std::size_t l = 0; l < c.excitation_lines.size(); ++l)
-    if (c.excitation_lines[l] == c.fundamental) return 2 * std::abs(c.excitation(0, static_cast<Index>(l)));
-  return 0;
-}
-
-double frequency_of(const Condition& c) {
-  return c.line_rate(c.fundamental).imag();
+  return 2 * c.excitation_level();
 }
 
 /// A dwell with this chance of leaving one hypothesis need not be longer.
@@ -49,11 +45,6 @@ struct Test {
   std::size_t condition = 0;
   double level = 1, frequency = 1;
 };
-
-// Of a standard normal variable: to be below x.
-double normal_below(double x) {
-  return 0.5 * std::erfc(-x / std::sqrt(2.0));
-}
 
 // Dwells at one resonance: the same line of the same mode, counted from the excitation's.
 using Resonance = std::tuple<std::size_t, Index, Index>;
@@ -74,8 +65,8 @@ std::vector<Test> tests_around(const std::vector<Condition>& conditions) {
                  most = highest_level * drive(conditions[members.back()]);
     double low = INFINITY, high = 0;
     for (const std::size_t i : members) {
-      low = std::min(low, frequency_of(conditions[i]));
-      high = std::max(high, frequency_of(conditions[i]));
+      low = std::min(low, conditions[i].excitation_frequency());
+      high = std::max(high, conditions[i].excitation_frequency());
     }
     const double range = std::max(least_range, high / low - 1);
     std::vector<std::size_t> from = {members.front(), members[members.size() / 2], members.back()};
@@ -137,7 +128,6 @@ struct Outcome {
   double chance = 0;       ///< expected, of leaving it alone
   double separation = 0;   ///< of the closest two
   std::string watch;
-  Condition dwell;  ///< under the likeliest hypothesis
 };
 
 double expected_probability(const std::vector<Hypothesis>& hypotheses, const MatrixXd& separation) {
@@ -163,7 +153,9 @@ double expected_chance(const std::vector<Hypothesis>& hypotheses, const MatrixXd
       const double square = separation(static_cast<Index>(h), static_cast<Index>(g));
       const double missing = -std::log(told_apart * hypotheses[h].probability / hypotheses[g].probability);
       const double surely = 0.5 * square - missing;
-      chance = std::min(chance, square > 0 ? normal_below(surely / std::sqrt(square)) : surely > 0 ? 1.0 : 0.0);
+      chance = std::min(chance, square > 0   ? normal_upper_tail(-surely / std::sqrt(square))
+                                : surely > 0 ? 1.0
+                                             : 0.0);
     }
     expected += hypotheses[h].probability * chance;
     total += hypotheses[h].probability;
@@ -171,30 +163,40 @@ double expected_chance(const std::vector<Hypothesis>& hypotheses, const MatrixXd
   return expected / total;
 }
 
-Outcome outcome_of(const ConditionModel& model, const Condition& measured, const Test& test, double length,
+// A test's dwell under each hypothesis; empty where one of them has no steady motion there.
+std::vector<Condition> predicted(const ConditionModel& model, const Condition& measured, const Test& test,
+                                 const std::vector<Hypothesis>& hypotheses) {
+  std::vector<Condition> dwells;
+  for (const Hypothesis& truth : hypotheses) {
+    std::optional<Condition> dwell =
+        virtual_dwell(model, measured, truth.explanation->fit.unknowns, test.level, test.frequency);
+    if (!dwell) return {};
+    dwells.push_back(std::move(*dwell));
+  }
+  return dwells;
+}
+
+Outcome outcome_of(const ConditionModel& model, std::vector<Condition> dwells, double length,
                    const std::vector<Hypothesis>& hypotheses, double dispersion) {
   const auto count = static_cast<Index>(hypotheses.size());
   Outcome outcome;
+  if (dwells.empty()) return outcome;
   MatrixXd separation = MatrixXd::Zero(count, count);
   double closest = INFINITY;
   for (Index h = 0; h < count; ++h) {
-    const Hypothesis& truth = hypotheses[static_cast<std::size_t>(h)];
-    std::optional<Condition> dwell =
-        virtual_dwell(model, measured, truth.explanation->fit.unknowns, test.level, test.frequency);
-    if (!dwell) return outcome;
-    dwell->response_sd /= std::sqrt(length);
-    dwell->excitation_sd /= std::sqrt(length);
+    Condition& dwell = dwells[static_cast<std::size_t>(h)];
+    dwell.response_sd /= std::sqrt(length);
+    dwell.excitation_sd /= std::sqrt(length);
     for (Index g = 0; g < count; ++g) {
       if (g == h) continue;
       const Judgement judgement =
-          judged(model, *dwell, hypotheses[static_cast<std::size_t>(g)].explanation->fit, dispersion);
+          judged(model, dwell, hypotheses[static_cast<std::size_t>(g)].explanation->fit, dispersion);
       separation(h, g) = judgement.separation;
       if (judgement.separation < closest) {
         closest = judgement.separation;
         outcome.watch = judgement.watch;
       }
     }
-    if (h == 0) outcome.dwell = std::move(*dwell);
   }
   outcome.possible = true;
   outcome.separation = std::sqrt(closest);
@@ -204,14 +206,15 @@ Outcome outcome_of(const ConditionModel& model, const Condition& measured, const
 }
 
 ProposedDwell best_of(const ConditionModel& model, const std::vector<Condition>& conditions,
-                      const std::vector<Test>& tests, double length, const std::vector<Hypothesis>& hypotheses,
-                      double dispersion, unsigned threads) {
+                      const std::vector<Test>& tests, const std::vector<std::vector<Condition>>& dwells,
+                      double length, const std::vector<Hypothesis>& hypotheses, double dispersion,
+                      unsigned threads) {
   std::vector<Outcome> outcomes(tests.size());
-  in_parallel(tests.size(), threads, [&](std::size_t t) {
-    outcomes[t] = outcome_of(model, conditions[tests[t].condition], tests[t], length, hypotheses, dispersion);
-  });
+  in_parallel(tests.size(), threads,
+              [&](std::size_t t) { outcomes[t] = outcome_of(model, dwells[t], length, hypotheses, dispersion); });
   ProposedDwell best;
   const Outcome* chosen = nullptr;
+  const Condition* likeliest = nullptr;
   double sum = 0;
   for (std::size_t t = 0; t < tests.size(); ++t) {
     const Outcome& outcome = outcomes[t];
@@ -223,15 +226,16 @@ ProposedDwell best_of(const ConditionModel& model, const std::vector<Condition>&
                       std::pair(std::min(chosen->probability, 0.999), chosen->separation))
       continue;
     chosen = &outcome;
+    likeliest = &dwells[t].front();
     best.like = conditions[tests[t].condition].record;
     best.level = tests[t].level;
   }
   if (!chosen) return best;
   best.length = length;
   best.channel = model.sensors().excitation_names.front();
-  best.excitation = drive(chosen->dwell);
-  best.frequency = frequency_of(chosen->dwell);
-  best.resonance = resonance_of(chosen->dwell, model.balance().model());
+  best.excitation = drive(*likeliest);
+  best.frequency = likeliest->excitation_frequency();
+  best.resonance = resonance_of(*likeliest, model.balance().model());
   best.separation = chosen->separation;
   best.watch = chosen->watch;
   best.probability = chosen->probability;
@@ -246,9 +250,13 @@ ProposedDwell next_experiment(const ConditionModel& model, const std::vector<Con
                               const std::vector<Hypothesis>& hypotheses, double dispersion, unsigned threads) {
   if (hypotheses.size() < 2) return {};
   const std::vector<Test> tests = tests_around(conditions);
+  std::vector<std::vector<Condition>> dwells(tests.size());
+  in_parallel(tests.size(), threads, [&](std::size_t t) {
+    dwells[t] = predicted(model, conditions[tests[t].condition], tests[t], hypotheses);
+  });
   ProposedDwell best;
   for (const double length : {1.0, longer_dwell}) {
-    best = best_of(model, conditions, tests, length, hypotheses, dispersion, threads);
+    best = best_of(model, conditions, tests, dwells, length, hypotheses, dispersion, threads);
     if (best.compared == 0 || best.chance > as_good_as_certain) break;
   }
   const auto count = static_cast<Index>(hypotheses.size());

@@ -27,6 +27,10 @@ double f_upper_tail(double ratio, double numerator, double denominator) {
   return boost::math::cdf(complement(boost::math::fisher_f(numerator, denominator), std::max(0.0, ratio)));
 }
 
+double normal_upper_tail(double value) {
+  return 0.5 * std::erfc(value / std::sqrt(2.0));
+}
+
 double gamma_upper_tail(double value, double shape, double scale) {
   return boost::math::cdf(complement(boost::math::gamma_distribution<>(shape, scale), std::max(0.0, value)));
 }

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "estimator/regression/distribution.hpp"
+
 namespace secular {
 namespace {
 
@@ -54,7 +56,7 @@ double signed_rank_p_value(std::span<const double> differences) {
   }
   const double mean = 0.5 * static_cast<double>(n * (n + 1));
   const double z = (static_cast<double>(positive) - mean - 1) / std::sqrt(variance);
-  return 0.5 * std::erfc(z / std::sqrt(2.0));
+  return normal_upper_tail(z);
 }
 
 }  // namespace secular

@@ -54,6 +54,14 @@ class SlowChapterSix : public testing::Test {
     return identify(request, exact_.campaign, read);
   }
 
+  static std::map<std::string, double> true_values(const std::vector<std::string>& names) {
+    std::map<std::string, double> values;
+    for (const std::string& name : names)
+      for (std::size_t p = 0; p < model_->symbols.size(); ++p)
+        if (model_->symbols[p].name == name) values[name] = experiment_.parameters(static_cast<Eigen::Index>(p));
+    return values;
+  }
+
   static std::shared_ptr<const CompiledModel> model_;
   static Experiment experiment_;
   static SimulatedCampaign exact_;
@@ -70,9 +78,7 @@ TEST_F(SlowChapterSix, LumpsOfTheRightModelGoTogetherAndIntervalsHold) {
   std::map<std::string, double> fixed;
   if (const char* names = std::getenv("SECULAR_COVERAGE_FIXED")) {
     std::istringstream list(names);
-    for (std::string name; std::getline(list, name, ',');)
-      for (std::size_t p = 0; p < model_->symbols.size(); ++p)
-        if (model_->symbols[p].name == name) fixed[name] = experiment_.parameters(static_cast<Eigen::Index>(p));
+    for (std::string name; std::getline(list, name, ',');) fixed.merge(true_values({name}));
   }
   struct Coverage {
     int inside = 0, count = 0;
@@ -117,11 +123,7 @@ TEST_F(SlowChapterSix, LumpsOfTheRightModelGoTogetherAndIntervalsHold) {
 // A draw whose raw estimate is fourteen standard deviations from where its correction comes to rest: slopes that
 // were seen there lead nowhere, and weights that belong there make good steps look bad.
 TEST_F(SlowChapterSix, ACorrectionThatBeginsFarAwaySettles) {
-  std::map<std::string, double> fixed;
-  for (const char* name : {"delta31", "delta33", "delta34", "delta36"})
-    for (std::size_t p = 0; p < model_->symbols.size(); ++p)
-      if (model_->symbols[p].name == name) fixed[name] = experiment_.parameters(static_cast<Eigen::Index>(p));
-  const Estimate estimate = identified(59, fixed).estimate;
+  const Estimate estimate = identified(59, true_values({"delta31", "delta33", "delta34", "delta36"})).estimate;
   EXPECT_FALSE(estimate.consistency.significant) << estimate.consistency.p_value;
   for (const EstimatedValue& v : estimate.parameters) EXPECT_FALSE(v.doubtful) << v.name;
 }
