@@ -25,6 +25,8 @@ StateForce::Law law_of(const EffectTerm& term) {
   switch (find_catalogue_entry(term.effect, term.form)->memory) {
     case CatalogueEntry::Memory::spread_displacement:
       return StateForce::Law::spread_slider;
+    case CatalogueEntry::Memory::smooth_displacement:
+      return StateForce::Law::smooth_slider;
     case CatalogueEntry::Memory::displacement_power:
       return StateForce::Law::displacement_power;
     case CatalogueEntry::Memory::velocity_power:

@@ -33,6 +33,8 @@ struct Condition {
   std::vector<Eigen::Index> excitation_lines;  ///< 0, fundamental, 2*, 3*; empty without excitation
   Eigen::MatrixXcd excitation;                 ///< excitation channel x excitation line
   Eigen::MatrixXd excitation_sd;
+  /// By channel: sd of the noise of a sample, as it comes into a channel that may saturate. Empty: none.
+  Eigen::VectorXd response_noise, excitation_noise;
 
   /// Amplitude of the excitation's fundamental in its first channel, half of the peak; 0 without excitation.
   double excitation_level() const {

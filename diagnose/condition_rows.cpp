@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "diagnose/balance_sweep.hpp"
+#include "diagnose/saturation.hpp"
 
 namespace secular {
 namespace {
@@ -22,6 +23,11 @@ constexpr double line_floor = 1e-5;
 
 /// Slaved lines are moved by this share of the largest line to find what depends on them.
 constexpr double line_step = 1e-6;
+
+/// A cut is undone to this share of a line, in no more than so many steps, none longer than a share of the line; the
+/// reading of a line grows with it by at least this factor, or nothing can be said of it.
+constexpr double undone = 1e-10, longest_undoing = 0.3, least_slope = 1e-3;
+constexpr int most_undoings = 30;
 
 // Without the channel's gain and delay (cut-off and cross-axis sensitivity are taken care of by the caller).
 Complex restored(Complex measured, const ChannelFault& fault, Complex rate) {
@@ -67,16 +73,33 @@ class Evaluation {
 
   ConditionRows run(const Motion* start) const {
     ConditionRows rows;
-    rows.amplitudes = master_amplitudes();
+    rows.amplitudes = master_amplitudes(start ? start->displacement : MatrixXcd());
     ConditionForecast expected = forecast(rows.amplitudes, start);
+    if (saturates())
+      for (int i = 0; i < most_undoings && expected.motion.converged; ++i) {
+        const VectorXcd next = master_amplitudes(expected.motion.displacement);
+        const double change = (next - rows.amplitudes).norm();
+        if (change <= undone * next.norm()) break;
+        rows.amplitudes = next;
+        const Motion motion = std::move(expected.motion);
+        expected = forecast(rows.amplitudes, &motion);
+      }
     rows.values = differences(rows.amplitudes, expected);
     rows.motion = std::move(expected.motion);
     return rows;
   }
 
-  // Amplitudes of the masters; the rows of a motion with them.
-  VectorXcd master_amplitudes() const {
+  // Amplitudes of the masters, as measured; the rows of a motion with them. Of a channel that saturates what is cut
+  // off depends on the other lines of the motion: `displacement` (empty: none).
+  VectorXcd master_amplitudes(const MatrixXcd& displacement) const {
     const auto channels = c_.response.rows();
+    VectorXcd uncut = VectorXcd::Ones(channels);
+    if (saturates()) {
+      MatrixXcd lines = displacement.size() > 0 ? unsaturated_responses(displacement)
+                                                : MatrixXcd::Zero(channels, c_.torus->lines());
+      for (Index c = 0; c < channels; ++c)
+        if (level_of(c) > 0) uncut(c) = uncut_share(lines, c);
+    }
     VectorXcd amplitudes(static_cast<Index>(c_.masters.size()));
     for (std::size_t m = 0; m < c_.masters.size(); ++m) {
       const MasterLine& master = c_.masters[m];
@@ -85,17 +108,9 @@ class Evaluation {
       VectorXcd seen(channels);
       for (Index c = 0; c < channels; ++c) {
         const ChannelFault& fault = faults_.response[static_cast<std::size_t>(c)];
-        Complex value = c_.response(c, column);
-        if (fault.inverse_level > 0) {
-          // The strongest line of a channel carries the cut-off.
-          const Index strongest = strongest_line(c);
-          const double factor = unclipped_amplitude(std::abs(c_.response(c, strongest)), 1 / fault.inverse_level) /
-                                std::abs(c_.response(c, strongest));
-          value *= factor;
-        }
-        value = restored(value, fault, c_.line_rate(master.line)) - fault.cross * excitation_at(master.line) -
-                extra_response(static_cast<std::size_t>(c), master.line);
-        seen(c) = value;
+        seen(c) = restored(uncut(c) * c_.response(c, column), fault, c_.line_rate(master.line)) -
+                  fault.cross * excitation_at(master.line) -
+                  extra_response(static_cast<std::size_t>(c), master.line);
       }
       amplitudes(static_cast<Index>(m)) = (filter_.row(static_cast<Index>(master.mode)).cast<Complex>() * seen)(0) /
                                           derivative_power(c_.line_rate(master.line), sensors_.derivatives);
@@ -157,8 +172,9 @@ class Evaluation {
         if (c_.excitation_lines[l] == c_.fundamental) {
           fundamental = c_.excitation(j, static_cast<Index>(l));
           if (fault.inverse_level > 0)
-            fundamental *=
-                unclipped_amplitude(std::abs(fundamental), 1 / fault.inverse_level) / std::abs(fundamental);
+            fundamental *= unsaturated_amplitude(std::abs(fundamental), 1 / fault.inverse_level,
+                                                 noise(c_.excitation_noise, j)) /
+                           std::abs(fundamental);
           fundamental = restored(fundamental, fault, c_.line_rate(c_.fundamental));
         }
       const Complex turned = fundamental == 0.0 ? Complex(1) : fundamental / std::abs(fundamental);
@@ -203,8 +219,9 @@ class Evaluation {
     return strongest;
   }
 
-  MatrixXcd predicted_responses(const Motion& motion) const {
-    MatrixXcd lines = shapes_ * motion.displacement;
+  // What the channels would show if they had no limits and no offsets: channel x line of the torus.
+  MatrixXcd unsaturated_responses(const MatrixXcd& displacement) const {
+    MatrixXcd lines = shapes_ * displacement;
     for (Index l = 0; l < lines.cols(); ++l) {
       const Complex s = c_.line_rate(l);
       lines.col(l) *= derivative_power(s, sensors_.derivatives);
@@ -215,18 +232,65 @@ class Evaluation {
         value *= (1 + fault.gain) * std::exp(-s * fault.delay);
       }
     }
+    return lines;
+  }
+
+  MatrixXcd predicted_responses(const Motion& motion) const {
+    MatrixXcd lines = unsaturated_responses(motion.displacement);
     for (Index c = 0; c < lines.rows(); ++c) {
-      const ChannelFault& fault = faults_.response[static_cast<std::size_t>(c)];
-      if (fault.inverse_level > 0) clip(lines, c, 1 / fault.inverse_level);
-      lines(c, 0) += fault.offset;
+      if (level_of(c) > 0) saturate(lines, c, level_of(c), noise(c_.response_noise, c));
+      lines(c, 0) += faults_.response[static_cast<std::size_t>(c)].offset;
     }
     return lines;
   }
 
-  void clip(MatrixXcd& lines, Index row, double level) const {
+  // Where a response channel saturates; 0: nowhere.
+  double level_of(Index channel) const {
+    const double inverse = faults_.response[static_cast<std::size_t>(channel)].inverse_level;
+    return inverse > 0 ? 1 / inverse : 0;
+  }
+  bool saturates() const {
+    return std::any_of(faults_.response.begin(), faults_.response.end(),
+                       [](const ChannelFault& fault) { return fault.inverse_level > 0; });
+  }
+
+  // What a channel's strongest line was before the cut, over what it shows: the line that, with all others as they
+  // are in `lines`, is shown as measured. Newton's method with the slopes of the describing function of a sinusoid,
+  // along the line's own phase and across it.
+  Complex uncut_share(const MatrixXcd& lines, Index channel) const {
+    const Index column = strongest_line(channel), line = c_.lines[static_cast<std::size_t>(column)];
+    const Complex shown = c_.response(channel, column);
+    if (shown == 0.0) return 1;
+    const double level = level_of(channel), noise_sd = noise(c_.response_noise, channel);
+    const auto fundamental = [&](double half) { return saturated_fundamental(half, level, noise_sd); };
+    const double alone = unsaturated_amplitude(std::abs(shown), level, noise_sd);
+    Complex uncut = shown * (alone / std::abs(shown));
+    for (int i = 0; i < most_undoings; ++i) {
+      MatrixXcd cut = lines.row(channel);
+      cut(0, line) = uncut;
+      saturate(cut, 0, level, noise_sd);
+      const double half = std::abs(uncut), step = 1e-4 * half;
+      const Complex direction = uncut / half;
+      const Complex lacking = (shown - cut(0, line)) / direction;
+      const double along = (fundamental(half + step) - fundamental(half - step)) / (2 * step);
+      Complex change(lacking.real() / std::max(along, least_slope), lacking.imag() * half / fundamental(half));
+      if (std::abs(change) > longest_undoing * half) change *= longest_undoing * half / std::abs(change);
+      uncut += change * direction;
+      if (std::abs(change) <= undone * half) break;
+    }
+    return uncut / shown;
+  }
+
+  static double noise(const VectorXd& by_channel, Index channel) {
+    return by_channel.size() > 0 ? by_channel(channel) : 0;
+  }
+
+  // Lines of the reading that is expected on the mean; what stays clear of the level is not touched.
+  void saturate(MatrixXcd& lines, Index row, double level, double noise_sd) const {
     MatrixXd samples = c_.torus->samples(lines.row(row));
-    if (samples.cwiseAbs().maxCoeff() <= level) return;
-    samples = samples.cwiseMax(-level).cwiseMin(level);
+    const double peak = samples.cwiseAbs().maxCoeff();
+    if (saturated(peak, level, noise_sd) == peak) return;
+    samples = samples.unaryExpr([&](double x) { return saturated(x, level, noise_sd); });
     lines.row(row) = c_.torus->coefficients(samples);
   }
 
@@ -241,7 +305,7 @@ class Evaluation {
         lines(0, line) = true_excitation_(j, static_cast<Index>(l)) * (1 + fault.gain) *
                          std::exp(-c_.line_rate(line) * fault.delay);
       }
-      if (fault.inverse_level > 0) clip(lines, 0, 1 / fault.inverse_level);
+      if (fault.inverse_level > 0) saturate(lines, 0, 1 / fault.inverse_level, noise(c_.excitation_noise, j));
       lines(0, 0) += fault.offset;
       for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
         expected(j, static_cast<Index>(l)) = lines(0, c_.excitation_lines[l]);
@@ -258,8 +322,8 @@ class Evaluation {
   MatrixXcd true_excitation_;
 };
 
-/// Rows of a condition, and what its slaved lines lack to their balance, where these lines are held instead of
-/// solved for.
+/// Rows of a condition, and what its slaved lines lack to their balance, where these lines are held near
+/// `displacement` instead of solved for. What they change of the cut of a channel that saturates is left out.
 class HeldLines {
  public:
   struct Values {
@@ -267,13 +331,13 @@ class HeldLines {
   };
 
   HeldLines(const Condition& condition, const MotionBalance& balance, const SensorModel& sensors,
-            const Faults& faults, std::span<const double> parameters)
+            const Faults& faults, std::span<const double> parameters, const MatrixXcd& displacement)
       : balance_(balance),
         faults_(faults),
         evaluation_(condition, balance, sensors, faults_, parameters),
         setting_(evaluation_.setting()),
         sweep_(balance.model(), balance.forces(), setting_),
-        amplitudes_(evaluation_.master_amplitudes()) {}
+        amplitudes_(evaluation_.master_amplitudes(displacement)) {}
   HeldLines(const HeldLines&) = delete;
   HeldLines& operator=(const HeldLines&) = delete;
 
@@ -351,7 +415,8 @@ MatrixXd ConditionModel::slopes(const Condition& condition, const VectorXd& unkn
                                 const std::vector<std::size_t>& which, const VectorXd& scale) const {
   const std::size_t symbols = balance_.model().symbols.size();
   const auto held = [&](const VectorXd& at) {
-    return HeldLines(condition, balance_, sensors_, table_.faults(at.data() + symbols), {at.data(), symbols});
+    return HeldLines(condition, balance_, sensors_, table_.faults(at.data() + symbols), {at.data(), symbols},
+                     displacement);
   };
   HeldLines here = held(unknowns);
   const std::vector<SlavedLine> slaves = here.slaves();

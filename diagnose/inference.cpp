@@ -44,6 +44,9 @@ constexpr double first_damping = 1e-2;
 constexpr std::size_t most_firsts = 3, most_partners = 6;
 constexpr int most_exchanges = 3;
 
+/// Where every explanation misses, so many effects are fitted again from the start.
+constexpr std::size_t most_afresh = 8;
+
 /// A second effect is looked for where the best single one leaves so many standard deviations of chi-squared.
 constexpr double least_remainder = 3.5;
 
@@ -106,6 +109,7 @@ class Search {
     fit_singles();
     descend();
     add_pairs();
+    if (start_afresh(start)) add_pairs();
     settle();
     weigh();
     return std::move(result_);
@@ -119,12 +123,36 @@ class Search {
     return options;
   }
 
-  Refit refit_own(const VectorXd& from, double damping = 0) {
+  Refit refit_own(const VectorXd& from, double damping = 0) { return refit_these(from, own_, damping); }
+
+  Refit refit_these(const VectorXd& from, const std::vector<std::size_t>& free, double damping) {
     RefitOptions options = refit_options(options_.threads);
     options.damping = damping;
-    Refit fit = refit(discrepancy_, from, own_, options);
-    scales_.remember(own_, fit.scale);
+    Refit fit = refit(discrepancy_, from, free, options);
+    scales_.remember(free, fit.scale);
     return fit;
+  }
+
+  // Errors of the rows depend on the unknowns, and a start far off has none that mean anything: one fit for each of
+  // coarse_levels, every one from where the last ended.
+  std::vector<Refit> from_coarse_to_fine(const VectorXd& start, const std::vector<std::size_t>& free) {
+    VectorXd unknowns = start;
+    std::vector<Refit> fits;
+    for (const double coarse : coarse_levels) {
+      Refit fit;
+      double before = std::numeric_limits<double>::infinity();
+      for (int round = 0; round < 6; ++round) {
+        discrepancy_.freeze(unknowns, coarse);
+        Refit next = refit_these(unknowns, free, coarse > 0 ? first_damping : 0);
+        if (next.chi_squared > reweighting * std::max(before, rows_)) break;
+        fit = std::move(next);
+        unknowns = fit.unknowns;
+        if (round > 0 && std::abs(fit.chi_squared - before) < 0.02 * before + 1) break;
+        before = fit.chi_squared;
+      }
+      fits.push_back(std::move(fit));
+    }
+    return fits;
   }
 
   bool misses(const Refit& fit) const { return fit.chi_squared > most_misfit * rows_; }
@@ -142,26 +170,10 @@ class Search {
     return e.fit.chi_squared > freedom + least_remainder * std::sqrt(2 * freedom);
   }
 
-  // Errors of the rows depend on the unknowns, and a start far off has none that mean anything: from coarse to
-  // fine. Of a model that is far from the data a fine fit would be bent beyond all sense; what it lacks is looked
-  // for first, among errors that it can live with.
+  // Of a model that is far from the data a fine fit would be bent beyond all sense; what it lacks is looked for
+  // first, among errors that it can live with.
   void fit_null(const VectorXd& start) {
-    VectorXd unknowns = start;
-    std::vector<Refit> nulls;
-    for (const double coarse : coarse_levels) {
-      Refit fit;
-      double before = std::numeric_limits<double>::infinity();
-      for (int round = 0; round < 6; ++round) {
-        discrepancy_.freeze(unknowns, coarse);
-        Refit next = refit_own(unknowns, coarse > 0 ? first_damping : 0);
-        if (next.chi_squared > reweighting * std::max(before, rows_)) break;
-        fit = std::move(next);
-        unknowns = fit.unknowns;
-        if (round > 0 && std::abs(fit.chi_squared - before) < 0.02 * before + 1) break;
-        before = fit.chi_squared;
-      }
-      nulls.push_back(std::move(fit));
-    }
+    std::vector<Refit> nulls = from_coarse_to_fine(start, own_);
     level_ = nulls.size() - 1;
     // What the equations of motion have no part in (a harmonic of the excitation that the model leaves out) is
     // missed at every level alike.
@@ -366,6 +378,45 @@ class Search {
         if (!again.insert(member).second) continue;
         found_.push_back(explain({member}, switched_off(pairs[d].fit.unknowns, {other}, candidates_)));
       }
+  }
+
+  // Where even the best explanation leaves more than noise, the model's own numbers may have followed what was missing
+  // to where no step leads back: the best effects once more, each on its own way from the start. Whether one of them
+  // is the best now.
+  bool start_afresh(const VectorXd& start) {
+    if (found_.empty() || !leaves_more_than_noise(found_.front())) return false;
+    const std::size_t most = misses(found_.front().fit) ? most_afresh : most_firsts;
+    std::set<std::pair<std::string, std::string>> taken;
+    std::vector<Explanation> fresh;
+    for (const Explanation& e : found_)
+      for (const std::size_t m : e.members) {
+        if (fresh.size() == most || !taken.emplace(candidates_[m].effect, candidates_[m].subject).second)
+          continue;
+        Explanation again;
+        again.members = {m};
+        again.unknowns = candidates_[m].strengths.size() + candidates_[m].shapes.size();
+        VectorXd begin = start;
+        take_over(begin, e.fit.unknowns, candidates_[m]);
+        again.fit = std::move(from_coarse_to_fine(begin, free_of(again.members)).back());
+        fresh.push_back(std::move(again));
+      }
+    // Every one among its own errors; the better one must be better among those of its own as well.
+    const Explanation* best = &found_.front();
+    const auto left_by = [&](const Explanation& e) { return discrepancy_(e.fit.unknowns).squaredNorm(); };
+    discrepancy_.freeze(best->fit.unknowns);
+    double least = left_by(*best);
+    for (const Explanation& e : fresh) {
+      discrepancy_.freeze(e.fit.unknowns);
+      const double left = left_by(e);
+      if (!(left < least) || !(left < left_by(*best)) || !is_possible(e, candidates_)) continue;
+      best = &e;
+      least = left;
+    }
+    discrepancy_.freeze(best->fit.unknowns);
+    if (best == &found_.front()) return false;
+    found_.insert(found_.end(), std::make_move_iterator(fresh.begin()), std::make_move_iterator(fresh.end()));
+    refit_found();
+    return true;
   }
 
   // Once more with the errors and starting points that hold at the best explanation.

@@ -65,6 +65,18 @@ class PooledScatter {
   MatrixXd sd_;
 };
 
+// Noise of a channel's samples: the median over all dwells, since the ones that saturate show less of it.
+Eigen::VectorXd typical_noise(const std::vector<Dwell>& dwells) {
+  if (dwells.empty()) return {};
+  Eigen::VectorXd noise(dwells.front().noise.size());
+  for (Index c = 0; c < noise.size(); ++c) {
+    std::vector<double> of_dwells;
+    for (const Dwell& dwell : dwells) of_dwells.push_back(dwell.noise(c));
+    noise(c) = upper_median(std::move(of_dwells));
+  }
+  return noise;
+}
+
 // Campaign time of a record without started_s: records one after another.
 std::vector<double> starts_of(const Campaign& campaign) {
   std::vector<double> starts;
@@ -93,7 +105,11 @@ ObservedConditions observe_conditions(const Campaign& campaign, const RecordRead
         dwells.push_back(std::move(*dwell));
   }
   const PooledScatter responses(dwells, false), excitations(dwells, true);
+  const Eigen::VectorXd noise = typical_noise(dwells);
+  const auto channels = static_cast<Index>(sensors.responses.size());
   for (Dwell& dwell : dwells) {
+    dwell.condition.response_noise = noise.head(channels);
+    dwell.condition.excitation_noise = noise.tail(noise.size() - channels);
     dwell.condition.response_sd = responses.of(dwell);
     dwell.condition.excitation_sd = excitations.of(dwell);
     observed.wander.insert(observed.wander.end(), dwell.wander.begin(), dwell.wander.end());

@@ -43,9 +43,14 @@ constexpr Index fewest_samples = 64;
 /// so many standard deviations, is taken with its rate of change.
 constexpr double largest_creep = 0.05, significant_creep = 3.5;
 
+/// Points over a turn of a motion that is a multiple of one frequency. An odd number: the corners of a force that is
+/// odd in the motion fall on twice as many places, and alias half as far from the lines that are looked at.
+constexpr Index turn_points = 255;
+
 struct Ensemble {
   MatrixXcd response;    // channel x observed line
   MatrixXcd excitation;  // channel x excitation line
+  Eigen::VectorXd noise;  // of a sample: responses, then excitations
 };
 
 class DwellReader {
@@ -138,6 +143,7 @@ class DwellReader {
         values.col(column) = amplitude * std::polar(1.0, -w * centre);
       }
       Ensemble ensemble;
+      ensemble.noise = fit.noise_sd;
       ensemble.response = values.topRows(responses_);
       ensemble.excitation.resize(values.rows() - responses_, static_cast<Index>(excitation_lines.size()));
       for (std::size_t i = 0; i < excitation_lines.size(); ++i) {
@@ -218,6 +224,12 @@ MatrixXd scatter_of(const std::vector<Ensemble>& ensembles, MatrixXcd Ensemble::
   for (std::size_t l = 0; l < lines.size(); ++l)
     if (lines[l] != 0) sum.col(static_cast<Index>(l)) /= 2;  // of a real part
   return sum.cwiseSqrt();
+}
+
+Eigen::VectorXd noise_of(const std::vector<Ensemble>& ensembles) {
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(ensembles.front().noise.size());
+  for (const Ensemble& e : ensembles) squares += e.noise.cwiseAbs2();
+  return (squares / static_cast<double>(ensembles.size())).cwiseSqrt();
 }
 
 // (dB/dt)/B over the ensembles of a dwell by a straight line through ln(B/mean B).
@@ -385,7 +397,7 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
       base = {*low, *omega - layout.excitation[0] * *low};
       torus = std::make_shared<const Torus>(2, 3, 24);
     } else {
-      torus = std::make_shared<const Torus>(1, std::max(6, 4 * layout.divisor), 128);
+      torus = std::make_shared<const Torus>(1, std::max(6, 4 * layout.divisor), turn_points);
     }
     const Index fundamental = *torus->find(layout.excitation);
     const std::vector<Index> lines = DwellReader::observable(*torus, base, resolution, nyquist);
@@ -406,6 +418,7 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
     dwell.degrees_of_freedom = static_cast<double>(ensembles.size() - 1);
     dwell.response_scatter = scatter_of(ensembles, &Ensemble::response, c.response, lines);
     dwell.excitation_scatter = scatter_of(ensembles, &Ensemble::excitation, c.excitation, excitation_lines);
+    dwell.noise = noise_of(ensembles);
 
     bool whole = true;  // every subharmonic or pair of the layout is really there
     double drift = 0;

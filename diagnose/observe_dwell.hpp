@@ -18,6 +18,7 @@ struct Dwell {
   std::size_t ensembles = 0;
   double degrees_of_freedom = 0;                         ///< of a scatter
   Eigen::MatrixXd response_scatter, excitation_scatter;  ///< one ensemble's sd of a real part: channel x line
+  Eigen::VectorXd noise;  ///< sd of what no line explains in a sample; responses first, then excitations
   /// By master, where the excitation is steady and all lines are multiples of one frequency.
   std::vector<Wander> wander;
 };

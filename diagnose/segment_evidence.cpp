@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 
+#include "diagnose/saturation.hpp"
 #include "estimator/hertz.hpp"
 
 namespace secular {
@@ -151,7 +152,7 @@ VectorXd SegmentEvidence::errors(const Segment& s, const VectorXd& unknowns, con
     }
     seen.row(c) *= 1 + fault.gain;
     if (fault.inverse_level > 0)
-      seen.row(c) = seen.row(c).cwiseMax(-1 / fault.inverse_level).cwiseMin(1 / fault.inverse_level);
+      for (double& reading : seen.row(c)) reading = saturated(reading, 1 / fault.inverse_level, s.noise_sd(c));
     seen.row(c).array() += fault.offset;
     all.segment(c * samples, samples) = (s.response.row(c).head(samples) - seen.row(c)).transpose() / s.noise_sd(c);
   }

@@ -26,7 +26,8 @@ ExcitationSample interpolated(const Eigen::MatrixXd& half_steps, Index row, doub
 struct ActiveForce {
   const StateForce* force;
   double shape;
-  std::vector<double> slips, stretch;
+  std::vector<Slider> sliders;
+  std::vector<double> stretch;
 };
 
 class Stretch {
@@ -43,8 +44,9 @@ class Stretch {
     for (const StateForce& force : forces) {
       if (parameters[force.strength_symbol] == 0) continue;
       const double shape = parameters[force.shape_symbol];
-      std::vector<double> slips = slips_of(force, shape), stretch(slips.size(), 0.0);
-      active_.push_back({&force, shape, std::move(slips), std::move(stretch)});
+      std::vector<Slider> sliders = sliders_of(force, shape);
+      std::vector<double> stretch(sliders.size(), 0.0);
+      active_.push_back({&force, shape, std::move(sliders), std::move(stretch)});
     }
   }
 
@@ -57,10 +59,10 @@ class Stretch {
     for (const ActiveForce& active : active_) {
       const StateForce& force = *active.force;
       const auto mode = static_cast<Index>(force.mode);
-      double value = active.slips.empty() ? power_law(force, state(mode), state(modes_ + mode), active.shape) : 0;
-      for (std::size_t i = 0; i < active.slips.size(); ++i)
-        value += std::clamp(active.stretch[i] + state(mode) - origin(mode), -active.slips[i], active.slips[i]) /
-                 static_cast<double>(active.slips.size());
+      double value = active.sliders.empty() ? power_law(force, state(mode), state(modes_ + mode), active.shape) : 0;
+      for (std::size_t i = 0; i < active.sliders.size(); ++i)
+        value += active.sliders[i].advanced(active.stretch[i], state(mode) - origin(mode)) /
+                 static_cast<double>(active.sliders.size());
       excitation_[force.excitation] = {value, 0, 0};
     }
     model_.acceleration(parameters_.data(), excitation_.data(), state.data(), state.data() + modes_,
@@ -110,9 +112,8 @@ class Stretch {
         moved = state + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
         for (ActiveForce& active : active_) {
           const auto mode = static_cast<Index>(active.force->mode);
-          for (std::size_t e = 0; e < active.slips.size(); ++e)
-            active.stretch[e] =
-                std::clamp(active.stretch[e] + moved(mode) - state(mode), -active.slips[e], active.slips[e]);
+          for (std::size_t e = 0; e < active.sliders.size(); ++e)
+            active.stretch[e] = active.sliders[e].advanced(active.stretch[e], moved(mode) - state(mode));
         }
         state.swap(moved);
       }

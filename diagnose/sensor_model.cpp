@@ -2,9 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
-#include <cmath>
-#include <numbers>
 
 #include "estimator/identification/modal_projection.hpp"
 #include "input/input_error.hpp"
@@ -96,26 +93,6 @@ Faults FaultTable::faults(const double* values) const {
   faults.extra.damping = values[extra_damping()];
   for (std::size_t c = 0; c < responses_; ++c) faults.extra.amplitude.push_back(values[extra_amplitude(c)]);
   return faults;
-}
-
-double clipped_fundamental(double half, double level) {
-  const double peak = 2 * half;
-  if (peak <= level) return half;
-  // a sin(t) cut at level: fundamental (2/pi) (a asin(level/a) + level sqrt(1 - (level/a)^2)).
-  const double ratio = level / peak;
-  return half * 2 / std::numbers::pi * (std::asin(ratio) + ratio * std::sqrt(1 - ratio * ratio));
-}
-
-double unclipped_amplitude(double measured, double level) {
-  if (2 * measured <= level) return measured;
-  // The fundamental tends to that of a square wave, 4/pi level peak: what is larger cannot be undone.
-  const double most = 50 * level;
-  const auto surplus = [&](double half) { return clipped_fundamental(half, level) - measured; };
-  if (surplus(most) <= 0) return most;
-  std::uintmax_t limit = 60;
-  const auto bracket = boost::math::tools::toms748_solve(surplus, measured, most, surplus(measured), surplus(most),
-                                                         boost::math::tools::eps_tolerance<double>(48), limit);
-  return 0.5 * (bracket.first + bracket.second);
 }
 
 }  // namespace secular

@@ -84,9 +84,4 @@ class FaultTable {
   std::vector<std::string> names_;
 };
 
-/// Half-amplitude of the fundamental of a sinusoid of half-amplitude `half` cut off at +-level (describing
-/// function), and the half-amplitude that leaves `measured` after cutting.
-double clipped_fundamental(double half, double level);
-double unclipped_amplitude(double measured, double level);
-
 }  // namespace secular

@@ -54,6 +54,13 @@ constexpr std::array catalogue = std::to_array<CatalogueEntry>({
      .term = "-{0}*{s}",
      .order = Order::outside,
      .memory = Memory::spread_displacement},
+    // A slider that gives way ever more the further it is loaded (Bouc 1967, Wen 1976, with exponent 2).
+    {.effect = "hysteresis",
+     .form = 2,
+     .parameters = "kz yield",
+     .term = "-{0}*{s}",
+     .order = Order::outside,
+     .memory = Memory::smooth_displacement},
     {.effect = "direct_excitation", .parameters = "eta1", .term = "+{0}*{F}", .order = Order::unless_resonant},
     {.effect = "parametric_excitation",
      .parameters = "eta2",

@@ -49,6 +49,7 @@ struct CatalogueEntry {
     time,                  ///< the time in s since the strength's reference instant
     elastic_displacement,  ///< z(t) of a slider and spring in series: dz/dt = D(v), |z| <= slip
     spread_displacement,   ///< mean of those of many such sliders, their slips evenly spread between 0 and slip
+    smooth_displacement,   ///< dz/dt = D(v) - abs(D(v))*z*abs(z)/slip^2
     displacement_power,    ///< sgn(v)*|v|^exponent, in whatever scale
     velocity_power,        ///< sgn(D(v))*|D(v)|^exponent, in whatever scale
     loss_power,            ///< |v|^exponent*D(v), in whatever scale

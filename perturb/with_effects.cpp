@@ -56,7 +56,8 @@ class Augmentation {
     if (entry->memory != CatalogueEntry::Memory::none) {
       const bool time = entry->memory == CatalogueEntry::Memory::time;
       const bool slider = entry->memory == CatalogueEntry::Memory::elastic_displacement ||
-                          entry->memory == CatalogueEntry::Memory::spread_displacement;
+                          entry->memory == CatalogueEntry::Memory::spread_displacement ||
+                          entry->memory == CatalogueEntry::Memory::smooth_displacement;
       added.memory = add_excitation((time ? "time" : slider ? "z" : "law_" + std::string(entry->effect)) + suffix);
       values["s"] = excitation_text(added.memory);
     }

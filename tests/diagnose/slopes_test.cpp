@@ -1,4 +1,4 @@
-// Slopes of a condition's rows.
+// Rows of a condition and their slopes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,6 +48,29 @@ TEST(ConditionSlopes, AreThoseOfTheSolvedRows) {
     // Balances are found to 1e-10 of forces of some 1e4; that divided by a change of this size is what may differ.
     EXPECT_LT((slopes.col(column) - solved).norm(), 1e-4 * solved.norm() + 1e-6) << "unknown " << which[w];
   }
+}
+
+// What is cut off depends on the harmonics that go with the line that is cut: they are the model's.
+TEST(ConditionRows, ACutChannelGivesBackTheAmplitudeOfItsMotion) {
+  const Laboratory lab;
+  VectorXd unknowns = lab.unknowns({{"alpha3", -9e7}, {"alpha2", 1e5}});
+  const Complex amplitude(2e-3, -1.5e-3);
+  const double peak = 2 * 80.3 * 80.3 * std::abs(amplitude);
+  for (const double level : {0.95, 0.7, 0.5})
+    for (const double noise : {0.0, 0.05, 0.2}) {
+      unknowns(static_cast<Index>(lab.compiled.symbols.size() + lab.faults.inverse_level(0))) = 1 / (level * peak);
+      Condition dwell = lab.dwell(80.3, 3, amplitude);
+      dwell.response_noise = VectorXd::Constant(1, noise * peak);
+      Eigen::VectorXcd amplitudes(1);
+      amplitudes(0) = amplitude;
+      const ConditionForecast shown = lab.model.forecast(dwell, amplitudes, unknowns, nullptr);
+      ASSERT_TRUE(shown.motion.converged);
+      ASSERT_GT(9 * std::abs(shown.motion.displacement(0, 3)), 0.05 * std::abs(amplitude));
+      dwell.response = shown.response;
+      const ConditionRows rows = lab.model.rows(dwell, unknowns, nullptr);
+      EXPECT_LT(std::abs(rows.amplitudes(0) - amplitude), 1e-7 * std::abs(amplitude)) << level << " " << noise;
+      EXPECT_LT(rows.values.tail(rows.values.size() - 2).norm(), 1e-6 * peak);
+    }
 }
 
 }  // namespace

@@ -64,6 +64,47 @@ TEST(StateForce, MicroSlipLosesTheCubeOfTheAmplitude) {
   }
 }
 
+// dz/dx = 1 - z|z|/slip^2 forwards (and 1 + z|z|/slip^2 backwards), by the classical Runge-Kutta method in small steps.
+double integrated(double z, double way, double slip) {
+  constexpr int steps = 2000;
+  const double h = way / steps, sign = way < 0 ? -1 : 1;
+  const auto slope = [&](double y) { return 1 - sign * y * std::abs(y) / (slip * slip); };
+  for (int i = 0; i < steps; ++i) {
+    const double k1 = slope(z), k2 = slope(z + 0.5 * h * k1), k3 = slope(z + 0.5 * h * k2), k4 = slope(z + h * k3);
+    z += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  return z;
+}
+
+TEST(StateForce, SmoothSliderFollowsItsDifferentialEquation) {
+  for (const double slip : {0.3, 1.0})
+    for (const double share : {-0.9, -0.2, 0.0, 0.5, 0.95})
+      for (const double way : {-2.0, -0.4, -0.05, 0.1, 0.6, 3.0}) {
+        const double z = share * slip;
+        EXPECT_NEAR((Slider{slip, true}.advanced(z, way * slip)), integrated(z, way * slip, slip), 1e-6 * slip)
+            << slip << " " << share << " " << way;
+      }
+}
+
+TEST(StateForce, SmoothSliderInStepsIsTheSameAsAtOnce) {
+  const Slider slider{0.7, true};
+  double z = -0.5;
+  for (int i = 0; i < 10; ++i) z = slider.advanced(z, 0.13);
+  EXPECT_NEAR(z, slider.advanced(-0.5, 1.3), 1e-14);
+}
+
+// Even where it hardly gives way, so that a turn changes its stretch by little more than where it began.
+TEST(StateForce, SmoothSliderClosesWithItsPath) {
+  for (const double amplitude : {0.05, 0.3, 1.0, 5.0}) {
+    const RowVectorXd path = harmonic(amplitude, 0.4, 255);
+    const Slider slider{1, true};
+    const RowVectorXd stretch = slider_stretch(path, slider);
+    EXPECT_NEAR(slider.advanced(stretch(254), path(0) - path(254)), stretch(0), 1e-9) << amplitude;
+    // Half a turn on it is the opposite: 255 points lie between each other's opposites.
+    EXPECT_NEAR(stretch.mean(), 0, 2e-3 * amplitude) << amplitude;
+  }
+}
+
 TEST(StateForce, SlidersAreSpringsBelowTheirSlipAndGiveWayToItsMeanAbove) {
   StateForce force;
   force.law = StateForce::Law::spread_slider;

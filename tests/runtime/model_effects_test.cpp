@@ -87,6 +87,7 @@ std::map<std::pair<std::string, std::size_t>, Term> hand_written() {
   terms[{"cubic_inertia", 0}] = own([](const Moment& m) { return -m.v * m.v * m.a - m.v * m.dv * m.dv; });
   terms[{"hysteresis", 0}] = own([](const Moment& m) { return -m.signal; });
   for (const auto& name : std::vector<std::pair<std::string, std::size_t>>{{"hysteresis", 1},
+                                                                           {"hysteresis", 2},
                                                                            {"open_stiffness", 0},
                                                                            {"open_damping", 0},
                                                                            {"open_loss", 0},
