@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "estimator/regression/distribution.hpp"
+
 namespace secular {
 namespace {
 
@@ -20,16 +22,12 @@ double density(double x) {
   return std::exp(-0.5 * x * x) / std::sqrt(2 * std::numbers::pi);
 }
 
-double upper_tail(double x) {
-  return 0.5 * std::erfc(x / std::numbers::sqrt2);
-}
-
 // E max(x + noise - level, 0): what is cut off above.
 double expected_excess(double x, double level, double noise_sd) {
   const double below = (level - x) / noise_sd;
   if (below > reach) return 0;
   if (below < -reach) return x - level;
-  return noise_sd * density(below) - noise_sd * below * upper_tail(below);
+  return noise_sd * density(below) - noise_sd * below * normal_upper_tail(below);
 }
 
 bool quiet(double level, double noise_sd) {

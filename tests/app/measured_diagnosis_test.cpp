@@ -89,6 +89,7 @@ omega0 = 506
   EXPECT_TRUE(d["gap"]["detected"]);
   EXPECT_EQ(d["verdict"], "cause");
   EXPECT_EQ(d["cause"], "hysteresis");
+  EXPECT_EQ(d["set"], nlohmann::json{"hysteresis"});
   EXPECT_GT(d["gap"]["closed"].get<double>(), 0.75);
   double sum = 0;
   for (const nlohmann::json& cause : d["causes"]) {

@@ -50,7 +50,7 @@ TEST(Saturation, FundamentalIsThatOfTheCutSinusoid) {
 }
 
 TEST(Saturation, FundamentalTendsToThatOfASquareWave) {
-  EXPECT_NEAR(saturated_fundamental(200, 1, 0), 2 / std::numbers::pi, 1e-5);
+  EXPECT_NEAR(2 * saturated_fundamental(1e4, 1, 0), 4 / std::numbers::pi, 1e-6);
 }
 
 TEST(Saturation, UndoingACutBringsTheAmplitudeBack) {
