@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "estimator/anderson_acceleration.hpp"
+#include "estimator/identification/seen_lumps.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
@@ -24,7 +25,8 @@ constexpr double displaced_share = 0.1;
 /// A step after which motions grow beyond bounds is halved so often.
 constexpr int most_returns = 4;
 constexpr int most_halvings = 5;
-/// Slopes hold this far around, in standard deviations; they are seen so often.
+/// Slopes hold this far around, in standard deviations (of what is plausible, along what no lump tells); they are
+/// seen so often.
 constexpr double local = 1;
 constexpr int most_slopes = 6;
 /// Weights follow up to here: they may go around in a circle.
@@ -48,16 +50,19 @@ struct Slopes {
   int unknown = 0;
 };
 
-// How the correction at `parameters` changes along each direction, from motions replayed a part of the way, or back
-// where that runs away; zero where both do.
-Slopes slopes_along(const Eigen::MatrixXd& directions, std::span<const ObservationSet> corrected,
-                    std::span<const ObservationSet> measured, const Eigen::VectorXd& parameters,
+/// Parameters that share of a direction away.
+using Displaced = std::function<Eigen::VectorXd(Eigen::Index direction, double share)>;
+
+// How the correction of `corrected` sets changes along each direction, from motions replayed a part of the way, or
+// back where that runs away; zero where both do.
+Slopes slopes_along(Eigen::Index directions, const Displaced& displaced_to,
+                    std::span<const ObservationSet> corrected, std::span<const ObservationSet> measured,
                     const ReplaySets& replay) {
   Slopes slopes;
-  for (Eigen::Index d = 0; d < directions.cols(); ++d) {
+  for (Eigen::Index d = 0; d < directions; ++d) {
     std::vector<Eigen::MatrixXcd> change;
     for (const double share : {displaced_share, -displaced_share}) {
-      const Eigen::VectorXd displaced = parameters + share * directions.col(d);
+      const Eigen::VectorXd displaced = displaced_to(d, share);
       try {
         change = truncation_difference(corrected, with_truncation(measured, replay(displaced), displaced));
         for (Eigen::MatrixXcd& part : change) part /= share;
@@ -73,20 +78,6 @@ Slopes slopes_along(const Eigen::MatrixXd& directions, std::span<const Observati
     slopes.change.push_back(std::move(change));
   }
   return slopes;
-}
-
-// At `parameters`, or where motions with these grow beyond bounds at the first on the way back to `good` ones with
-// which they do not.
-std::vector<ObservationSet> replay_near(Eigen::VectorXd& parameters, const Eigen::VectorXd& good, bool may_return,
-                                        const ReplaySets& replay) {
-  for (int step = 0;; ++step) {
-    try {
-      return replay(parameters);
-    } catch (const InputError&) {
-      if (!may_return || step == most_returns) throw;
-      parameters = 0.5 * (parameters + good);
-    }
-  }
 }
 
 // Symbols x axes: all directions that parameters can take without moving along the unseen ones, each a standard
@@ -125,8 +116,8 @@ class Correction {
         replay_(replay),
         done_(done),
         estimate_(raw),
-        parameters_(raw.parameter_values),
-        next_(parameters_) {
+        place_(raw.parameter_values),
+        next_(place_) {
     quick_.bootstrap = 0;
     quick_.damping_laws = quick_.judge_fit = false;
     quick_.keep_weights = !options.refine;
@@ -135,16 +126,17 @@ class Correction {
 
   TruncationCorrection run() {
     go_around();
-    next_ = estimate_.parameter_values;
+    next_ = found(estimate_);
     at_ = correct(true);
-    parameters_ = next_;
-    choose_axes();
-    see_axes();
+    place_ = next_;
+    choose_unseen();
+    axes_ = axes_beside(unseen_, estimate_.parameter_sd);
+    see_slopes();
     follow_slopes();
     full_.start = estimate_.state;
     estimate_ = estimate(at_.corrected, units_, full_);
     estimate_ = with_correction_shown(std::move(estimate_), raw_);
-    estimate_ = with_unsettled_correction(std::move(estimate_), parameters_, next_);
+    estimate_ = with_unsettled_correction(std::move(estimate_), values(place_), values(next_));
     if (unknown_unseen_ + unknown_axes_ > 0)
       estimate_.warnings.emplace_back(
           "the correction for the expansion's truncation depends on parameters that are not well known, and "
@@ -158,27 +150,56 @@ class Correction {
     std::vector<ObservationSet> replayed, corrected;
   };
 
-  // At next_, or on the way back to parameters_ where motions there grow beyond bounds.
+  // A place is the values of all symbols, then how far beyond them along each unseen direction: lumps tell the
+  // first, what the truncation does to them the second.
+  Eigen::VectorXd values(const Eigen::VectorXd& place) const { return place.head(raw_.parameter_values.size()); }
+  Eigen::VectorXd shift(const Eigen::VectorXd& place) const { return place.tail(unseen_.cols()); }
+  Eigen::VectorXd parameters(const Eigen::VectorXd& place) const {
+    if (unseen_.cols() == 0) return place;
+    return seen_.returned(values(place) + unseen_ * shift(place), values(place), unseen_);
+  }
+  Eigen::VectorXd found(const Estimate& by) const {
+    Eigen::VectorXd place = Eigen::VectorXd::Zero(by.parameter_values.size() + unseen_.cols());
+    place.head(by.parameter_values.size()) = by.parameter_values;
+    place.tail(by.shift.size()) = by.shift;
+    return place;
+  }
+
+  // At next_, or on the way back to place_ where motions there grow beyond bounds.
   Pass correct(bool may_return) {
     Pass pass;
-    pass.replayed = replay_near(next_, parameters_, may_return, replay_);
-    pass.corrected = with_truncation(measured_, pass.replayed, next_);
+    pass.replayed = replay_near(next_, may_return);
+    pass.corrected = with_truncation(measured_, pass.replayed, parameters(next_));
     if (!at_.corrected.empty()) keep_truncation_change(pass.corrected, at_.corrected);
     return pass;
   }
 
-  // In standard deviations.
-  static double size_of(const Eigen::VectorXd& step, const Estimate& by) {
-    return inverse_sd(by).cwiseProduct(step).cwiseAbs().maxCoeff();
+  // At `place`, or where motions there grow beyond bounds at the first on the way back to place_ where they do not.
+  std::vector<ObservationSet> replay_near(Eigen::VectorXd& place, bool may_return) {
+    for (int step = 0;; ++step) {
+      try {
+        return replay_(parameters(place));
+      } catch (const InputError&) {
+        if (!may_return || step == most_returns) throw;
+        place = 0.5 * (place + place_);
+      }
+    }
   }
-  double move() const { return size_of(next_ - parameters_, estimate_); }
+
+  // In standard deviations, along unseen directions of what is plausible.
+  double size_of(const Eigen::VectorXd& step, const Estimate& by) const {
+    const double of_values = inverse_sd(by).cwiseProduct(values(step)).cwiseAbs().maxCoeff();
+    return unseen_.cols() > 0 ? std::max(of_values, shift(step).cwiseAbs().maxCoeff()) : of_values;
+  }
+  double move() const { return size_of(next_ - place_, estimate_); }
 
   void go_around() {
     AndersonAcceleration acceleration(remembered_passes, dependent_passes);
     for (int pass = 1; pass <= most_plain_passes; ++pass) {
       at_ = correct(pass > 1);
-      parameters_ = next_;
+      place_ = next_;
       if (pass == unseen_pass) {
+        choose_unseen();
         see_unseen();
         // With what no lump tells as an unknown it is another map: what was learnt of the first says nothing of it.
         acceleration = AndersonAcceleration(remembered_passes, dependent_passes);
@@ -186,33 +207,57 @@ class Correction {
       done_("replay of the full equations");
       quick_.start = estimate_.state;
       estimate_ = estimate(at_.corrected, units_, quick_);
-      next_ = acceleration.next(parameters_, estimate_.parameter_values, inverse_sd(estimate_));
+      next_ << acceleration.next(values(place_), estimate_.parameter_values, inverse_sd(estimate_)), shift(place_);
       done_("regression");
       if (pass >= unseen_pass && move() < near) return;
     }
   }
 
-  // How the correction depends on what no lump tells of the parameters.
-  void see_unseen() {
-    unseen_ = estimate_.unseen;
-    const Slopes slopes = slopes_along(unseen_, at_.corrected, measured_, parameters_, replay_);
-    unknown_unseen_ = slopes.unknown;
-    for (std::size_t s = 0; s < at_.corrected.size(); ++s)
-      for (const auto& change : slopes.change) at_.corrected[s].truncation_change.push_back(change[s]);
+  void take_place(const Eigen::VectorXd& place, EstimateOptions& options) const {
+    options.corrected_at = values(place);
+    options.shift = {shift(place), -unseen_coordinate_ * values(place)};
   }
 
-  // The same of what lumps tell. Unseen directions are unknowns of their own (SharedParameters::shift), along which
-  // nothing is said here. Directions stay as they are, so that a fit that holds slopes, and knows less along some
+  // What no lump tells of the parameters, and how much of it is plausible: as much as they are seen to do, which
+  // may have been far off before the correction.
+  void choose_unseen() {
+    const Eigen::VectorXd beyond = parameters(place_) - values(place_), own = values(place_);
+    unseen_ = estimate_.unseen;
+    unseen_coordinate_ = estimate_.unseen_coordinate;
+    seen_ = SeenLumps(estimate_);
+    place_.resize(own.size() + unseen_.cols());
+    place_ << own, estimate_.unseen_coordinate * beyond;
+    next_ = place_;
+    take_place(place_, quick_);
+  }
+
+  // How the correction depends on it.
+  void see_unseen() {
+    const Displaced displaced = [&](Eigen::Index direction, double share) {
+      Eigen::VectorXd place = place_;
+      place(values(place_).size() + direction) += share;
+      return parameters(place);
+    };
+    const Slopes slopes = slopes_along(unseen_.cols(), displaced, at_.corrected, measured_, replay_);
+    unknown_unseen_ = slopes.unknown;
+    for (std::size_t s = 0; s < at_.corrected.size(); ++s) {
+      at_.corrected[s].truncation_change.clear();
+      for (const auto& change : slopes.change) at_.corrected[s].truncation_change.push_back(change[s]);
+    }
+  }
+
+  // The same of what lumps tell, too. Unseen directions are unknowns of their own (SharedParameters::shift), along
+  // which nothing is said here. Axes stay as they are, so that a fit that holds slopes, and knows less along some
   // of them, does not lead too far away.
-  void choose_axes() {
-    axes_ = axes_beside(unseen_, estimate_.parameter_sd);
-    quick_.moves.resize(parameters_.size(), axes_.cols() + unseen_.cols());
+  void see_slopes() {
+    see_unseen();
+    quick_.moves.resize(axes_.rows(), axes_.cols() + unseen_.cols());
     quick_.moves << axes_, unseen_;
     full_.moves = quick_.moves;
-  }
-
-  void see_axes() {
-    const Slopes slopes = slopes_along(axes_, at_.corrected, measured_, parameters_, replay_);
+    const Displaced displaced = [&](Eigen::Index axis, double share) {
+      return Eigen::VectorXd(parameters(place_) + share * axes_.col(axis));
+    };
+    const Slopes slopes = slopes_along(axes_.cols(), displaced, at_.corrected, measured_, replay_);
     unknown_axes_ = slopes.unknown;
     for (std::size_t s = 0; s < at_.corrected.size(); ++s) {
       ObservationSet& set = at_.corrected[s];
@@ -221,62 +266,63 @@ class Correction {
       set.truncation_of_moves.resize(static_cast<std::size_t>(quick_.moves.cols()),
                                      Eigen::MatrixXcd::Zero(set.truncation.rows(), set.truncation.cols()));
     }
-    seen_at_ = parameters_;
+    seen_at_ = place_;
     ++times_seen_;
     done_("replay of the full equations");
   }
 
-  bool see_axes_again() {
-    if (times_seen_ == most_slopes || parameters_ == seen_at_) return false;
-    see_axes();
+  bool see_slopes_again() {
+    if (times_seen_ == most_slopes || place_ == seen_at_) return false;
+    choose_unseen();
+    see_slopes();
     estimate_here();
     return true;
   }
 
-  // Newton's method for the parameters that fit the lumps corrected with them, from the sets corrected at
-  // parameters_ on. A step is halved unless what is left to go from its end, by the same weights and slopes and in
-  // the same measure, is less than it was (P. Deuflhard, Newton Methods for Nonlinear Problems, 2011, section 3.3:
-  // the natural monotonicity test). Slopes are seen again where they lead no further, and where it ends far from
-  // where they were seen.
+  // Newton's method for the place that fits the lumps corrected there, from the sets corrected at place_ on. A step
+  // is halved unless what is left to go from its end, by the same weights and slopes and in the same measure, is
+  // less than it was (P. Deuflhard, Newton Methods for Nonlinear Problems, 2011, section 3.3: the natural
+  // monotonicity test). Slopes are seen again where they lead no further, and where it ends far from where they
+  // were seen.
   void follow_slopes() {
     quick_.start = estimate_.state;
     estimate_here();
     int halvings = 0;
     for (int pass = most_plain_passes; pass < most_passes && halvings <= most_halvings; ++pass) {
       if (move() < settled_share) {
-        if (size_of(parameters_ - seen_at_, estimate_) < local || !see_axes_again()) break;
+        if (size_of(place_ - seen_at_, estimate_) < local || !see_slopes_again()) break;
         continue;
       }
       Pass further = correct(true);
       done_("replay of the full equations");
-      Estimate found = estimate_corrected(further.corrected, next_);
-      const double before = size_of(estimate_.parameter_values - parameters_, estimate_);
-      const double left = size_of(found.parameter_values - next_, estimate_);
+      const Estimate there = estimate_corrected(further.corrected, next_);
+      const double before = size_of(found(estimate_) - place_, estimate_);
+      const double left = size_of(found(there) - next_, estimate_);
       if (left < before) {
         at_ = std::move(further);
-        parameters_ = next_;
-        if (pass < last_weights) quick_.start = found.state;
+        place_ = next_;
+        if (pass < last_weights) quick_.start = there.state;
         estimate_here();
-        if (halvings == 0 && left > slow * before) see_axes_again();
+        if (halvings == 0 && left > slow * before) see_slopes_again();
         halvings = 0;
-      } else if (!see_axes_again()) {
+      } else if (!see_slopes_again()) {
         ++halvings;
-        next_ = 0.5 * (next_ + parameters_);
+        next_ = 0.5 * (next_ + place_);
       }
     }
-    full_.corrected_at = parameters_;
+    take_place(place_, full_);
   }
 
   void estimate_here() {
-    estimate_ = estimate_corrected(at_.corrected, parameters_);
-    next_ = estimate_.parameter_values;
+    estimate_ = estimate_corrected(at_.corrected, place_);
+    next_ = found(estimate_);
   }
 
   Estimate estimate_corrected(const std::vector<ObservationSet>& corrected, const Eigen::VectorXd& at) {
-    quick_.corrected_at = at;
-    Estimate found = estimate(corrected, units_, quick_);
+    take_place(at, quick_);
+    Estimate result = estimate(corrected, units_, quick_);
     done_("regression");
-    return found;
+    return result;
   }
 
   std::span<const ObservationSet> measured_;
@@ -286,9 +332,10 @@ class Correction {
   const ReplaySets& replay_;
   const StageDone& done_;
   Pass at_;
-  Estimate estimate_;                  // from at_
-  Eigen::VectorXd parameters_, next_;  // of at_, and where to go from there
-  Eigen::MatrixXd unseen_, axes_;
+  Estimate estimate_;             // from at_
+  Eigen::VectorXd place_, next_;  // of at_, and where to go from there
+  Eigen::MatrixXd unseen_, unseen_coordinate_, axes_;
+  SeenLumps seen_;
   Eigen::VectorXd seen_at_;
   int times_seen_ = 0, unknown_unseen_ = 0, unknown_axes_ = 0;
 };

@@ -29,32 +29,34 @@ VectorXd left_by_common_fit(const CommonFit& c) {
 
 }  // namespace
 
-std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cases, const MatrixXd& further) {
-  const Index common = further.cols();
-  Index height = further.rows(), width = common;
+std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cases, const MatrixXd& further,
+                                                  const MatrixXd& directions) {
+  const Index common = directions.rows(), fitted = directions.cols();
+  Index height = further.rows(), width = fitted;
   for (const CommonFit& c : cases) {
     height += c.rows->entries.rows();
     width += c.rows->others.cols();
   }
   MatrixXd design = MatrixXd::Zero(height, width);
-  Index row = 0, column = common;
+  Index row = 0, column = fitted;
   for (const CommonFit& c : cases) {
     const Index rank = c.rows->entries.rows(), others = c.rows->others.cols();
     const MatrixXd weight = c.rows->kept / c.rows->residual_sd;
-    design.block(row, 0, rank, common) = weight * c.rows->entries * c.slope;
+    design.block(row, 0, rank, fitted) = weight * c.rows->entries * c.slope * directions;
     design.block(row, column, rank, others) = weight * c.rows->others;
     row += rank;
     column += others;
   }
-  design.block(row, 0, further.rows(), common) = further;
+  design.block(row, 0, further.rows(), fitted) = further * directions;
   const VectorXd scale = unit_scale(design);
   const Eigen::BDCSVD<MatrixXd> svd(design * scale.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);
   const VectorXd& singular = svd.singularValues();
   Index rank = 0;
   while (rank < singular.size() && singular(rank) > lost_direction * singular(0)) ++rank;
   const MatrixXd u = svd.matrixU().leftCols(rank);
-  const MatrixXd spread =
-      scale.asDiagonal() * svd.matrixV().leftCols(rank) * singular.head(rank).cwiseInverse().asDiagonal();
+  const MatrixXd of_fitted = scale.head(fitted).asDiagonal() * svd.matrixV().topLeftCorner(fitted, rank) *
+                             singular.head(rank).cwiseInverse().asDiagonal();
+  const MatrixXd spread = directions * of_fitted;
   // By condition of all cases: its Gram matrix in the coordinates u, and what it alone moves the unknowns by.
   std::vector<MatrixXd> grams, roots;
   std::vector<VectorXd> moves;
@@ -72,8 +74,8 @@ std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cas
       if (stays.eigenvalues().minCoeff() < 1 - largest_leverage) return std::nullopt;
       const MatrixXd root = stays.operatorInverseSqrt();
       const VectorXd score = part.transpose() * (rows.score[g] + rows.gram[g] * left) / rows.residual_sd;
-      moves.emplace_back((spread * (root * score)).head(common));
-      roots.emplace_back(root * spread.topRows(common).transpose());
+      moves.emplace_back(spread * (root * score));
+      roots.emplace_back(root * spread.transpose());
       grams.push_back(symmetric);
     }
   }

@@ -38,7 +38,9 @@ struct ConditionScatter {
 /// alone, and degrees of freedom from the law of that estimate (CR2; R. M. Bell and D. F. McCaffrey, Survey
 /// Methodology 28, 2002, 169-181). The unknowns are fitted to the rows themselves: the case's own estimate has many
 /// more coefficients, of which some rest on a few conditions. `further`: rows of unit variance x unknowns of what
-/// else is known, which adds no scatter of its own. Nothing where one condition alone determines a direction.
-std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cases, const Eigen::MatrixXd& further);
+/// else is known, which adds no scatter of its own. `directions`: unknowns x directions along which they are fitted.
+/// Nothing where one condition alone determines a direction.
+std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cases, const Eigen::MatrixXd& further,
+                                                  const Eigen::MatrixXd& directions);
 
 }  // namespace secular

@@ -383,7 +383,7 @@ class Estimator {
             start(p) = part.values(static_cast<Index>(i));
       if (given_[static_cast<std::size_t>(p)]) start(p) = options_.fixed.at(name);
     }
-    shared_ = shared_parameters(lump_estimates_, start, given_, options_.rough_errors);
+    shared_ = shared_parameters(lump_estimates_, start, given_, options_.shift, options_.rough_errors);
     result_.parameter_values = shared_.values;
     result_.parameter_sd = shared_.covariance.diagonal().cwiseMax(0).cwiseSqrt();
     if (options_.bootstrap > 0) draw_bootstrap();
@@ -438,6 +438,8 @@ class Estimator {
   // part of its error bar.
   void place_along_unseen() {
     result_.unseen = shared_.unseen;
+    result_.unseen_coordinate = shared_.unseen_coordinate;
+    result_.shift = shared_.shift;
     for (std::size_t s = 0; s < fits_.size(); ++s) {
       const CaseFit& fit = fits_[s];
       const Index columns = fit.fit.coefficients.size();
@@ -457,7 +459,8 @@ class Estimator {
         add(effect, shared_.shift_slope[s]);
         const MatrixXd open = effect * shared_.shift_prior;
         left = open * open.transpose();
-        move(s, effect * shared_.shift);
+        const VectorXd& from = options_.shift.corrected_at;
+        move(s, effect * (from.size() > 0 ? VectorXd(shared_.shift - from) : shared_.shift));
       }
       const MatrixXd map = MatrixXd::Identity(columns, columns) + back;
       LinearFit& regression = fits_[s].fit;

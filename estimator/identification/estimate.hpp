@@ -12,6 +12,7 @@
 #include "estimator/identification/estimate_quality.hpp"
 #include "estimator/identification/lack_of_fit.hpp"
 #include "estimator/identification/observation_set.hpp"
+#include "estimator/identification/shared_parameters.hpp"
 
 namespace secular {
 
@@ -69,6 +70,9 @@ struct Estimate {
   Eigen::VectorXd parameter_values;  ///< by CompiledModel::symbols: a representative that reproduces the lumps
   /// Symbols x directions: SharedParameters::unseen.
   Eigen::MatrixXd unseen;
+  Eigen::MatrixXd unseen_coordinate;  ///< directions x symbols: SharedParameters::unseen_coordinate
+  /// How far parameters are along the directions of ObservationSet::truncation_change: SharedParameters::shift.
+  Eigen::VectorXd shift;
   Eigen::VectorXd parameter_sd;  ///< of `parameter_values` by the noise of the lumps; 0 where they say nothing
   std::vector<std::string> warnings;
   std::shared_ptr<const EstimationState> state;
@@ -91,6 +95,7 @@ struct EstimateOptions {
   Eigen::MatrixXd moves = {};
   /// With moves: the parameters that ObservationSet::truncation belongs to.
   Eigen::VectorXd corrected_at = {};
+  ShiftPlace shift = {};  ///< along the directions of ObservationSet::truncation_change
   /// Parameters' error bars by way of the lumps', which are wider, instead of from the rows: for passes between.
   bool rough_errors = false;
   /// With a start: the weights stay as they are. For passes between, where only the truncation's correction has

@@ -40,29 +40,49 @@ struct Whitening {
   }
 };
 
-// See SharedParameters::unseen, of the whitened Jacobian. In columns of unit norm entangled parameters do the same
-// for the same size.
-MatrixXd unseen_directions(const MatrixXd& jacobian, const VectorXd& scale, const VectorXd& values,
-                           const VectorXd& plausible_size) {
+// SharedParameters::unseen and unseen_coordinate.
+struct Unseen {
+  MatrixXd directions, coordinates;
+};
+
+// By parameter of a group: the size with which it alone would do to some lump, by `slopes` of the lumps, all that
+// the group does, within the error of that; of all lumps the smallest. What is more than that the others would have
+// to cancel. `spread`: a factor of the covariance of the `values`.
+VectorXd sizes_alone(const MatrixXd& slopes, const VectorXd& values, const MatrixXd& spread) {
+  VectorXd sizes = VectorXd::Constant(values.size(), std::numeric_limits<double>::infinity());
+  for (Index lump = 0; lump < slopes.rows(); ++lump) {
+    const double done = std::hypot(slopes.row(lump).dot(values), (slopes.row(lump) * spread).norm());
+    for (Index p = 0; p < values.size(); ++p)
+      if (slopes(lump, p) != 0) sizes(p) = std::min(sizes(p), done / std::abs(slopes(lump, p)));
+  }
+  return sizes;
+}
+
+// Of the whitened Jacobian; in columns of unit norm entangled parameters do the same for the same size. `slopes`:
+// of all lumps as they are.
+Unseen unseen_directions(const MatrixXd& jacobian, const MatrixXd& slopes, const VectorXd& scale,
+                         const VectorXd& values, const VectorXd& plausible_size) {
   std::vector<Index> seen;
   for (Index p = 0; p < jacobian.cols(); ++p)
     if (jacobian.col(p).squaredNorm() > 0) seen.push_back(p);
-  const MatrixXd columns = jacobian(Eigen::all, seen) * scale(seen).asDiagonal();
-  const VectorXd sizes = values(seen).cwiseQuotient(scale(seen)), plausible_sizes = plausible_size(seen);
+  const VectorXd seen_scale = scale(seen), plausible_sizes = plausible_size(seen);
+  const MatrixXd columns = jacobian(Eigen::all, seen) * seen_scale.asDiagonal();
   const auto width = static_cast<Index>(seen.size());
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
   const MatrixXd triangle = qr.matrixQR().topRows(std::min(columns.rows(), width)).triangularView<Eigen::Upper>();
   const Eigen::JacobiSVD<MatrixXd> svd(triangle * qr.colsPermutation().transpose(), Eigen::ComputeFullV);
   std::vector<Index> lost;
+  MatrixXd spread = seen_scale.asDiagonal() * svd.matrixV();  // a factor of the covariance of what is seen
   for (Index k = 0; k < width; ++k) {
     const double singular = k < svd.singularValues().size() ? svd.singularValues()(k) : 0;
-    if (singular <= lost_direction * svd.singularValues()(0) ||
-        !is_informed(svd.matrixV().col(k), singular, scale(seen), plausible_sizes))
-      lost.push_back(k);
+    const bool informed = singular > lost_direction * svd.singularValues()(0) &&
+                          is_informed(svd.matrixV().col(k), singular, seen_scale, plausible_sizes);
+    if (!informed) lost.push_back(k);
+    spread.col(k) *= informed ? 1 / singular : 0;
   }
   const MatrixXd null = svd.matrixV()(Eigen::all, lost);
   const MatrixXd projection = null * null.transpose();
-  MatrixXd result(jacobian.cols(), null.cols());
+  Unseen unseen{MatrixXd::Zero(jacobian.cols(), null.cols()), MatrixXd::Zero(null.cols(), jacobian.cols())};
   Index found = 0;
   std::vector<bool> done(seen.size(), false);
   for (Index first = 0; first < width; ++first) {
@@ -76,22 +96,37 @@ MatrixXd unseen_directions(const MatrixXd& jacobian, const VectorXd& scale, cons
           done[static_cast<std::size_t>(other)] = true;
           group.push_back(other);
         }
-    // If each of n alone were as likely to be the whole effect e, shares e/n would have the covariance e^2/n
-    // orthogonal to their sum.
-    const double effect = (columns(Eigen::all, group) * sizes(group)).norm();
-    const double plausible = effect / std::sqrt(static_cast<double>(group.size()));
+    std::vector<Index> symbols;
+    for (const Index g : group) symbols.push_back(seen[static_cast<std::size_t>(g)]);
+    // Independent parameters around zero with standard deviations D, given what lumps see: directions U along their
+    // null space with U^T D^-2 U = 1, and U^T D^-2 parameters of mean zero.
+    const VectorXd size = sizes_alone(slopes(Eigen::all, symbols), values(symbols), spread(group, Eigen::all));
+    const VectorXd precision = size.cwiseAbs2().cwiseInverse();
     const Eigen::SelfAdjointEigenSolver<MatrixXd> own(MatrixXd(projection(group, group)));
-    for (Index i = 0; i < own.eigenvalues().size() && found < result.cols(); ++i) {
-      if (own.eigenvalues()(i) < 0.5) continue;
-      result.col(found).setZero();
-      for (std::size_t g = 0; g < group.size(); ++g)
-        result(seen[static_cast<std::size_t>(group[g])], found) = plausible *
-                                                                  own.eigenvectors()(static_cast<Index>(g), i) *
-                                                                  scale(seen[static_cast<std::size_t>(group[g])]);
-      ++found;
+    std::vector<Index> free;
+    for (Index i = 0; i < own.eigenvalues().size(); ++i)
+      if (own.eigenvalues()(i) > 0.5 && found + static_cast<Index>(free.size()) < null.cols()) free.push_back(i);
+    const MatrixXd basis = seen_scale(group).asDiagonal() * own.eigenvectors()(Eigen::all, free);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> given(
+        MatrixXd(basis.transpose() * precision.asDiagonal() * basis));
+    MatrixXd directions =
+        basis * given.eigenvectors() * given.eigenvalues().cwiseSqrt().cwiseInverse().asDiagonal();
+    // Either sense is as good; the same one each time, since corrections are not quite linear.
+    for (auto direction : directions.colwise()) {
+      Index largest = 0;
+      direction.cwiseQuotient(size).cwiseAbs().maxCoeff(&largest);
+      if (direction(largest) < 0) direction = -direction;
     }
+    for (Index i = 0; i < directions.cols(); ++i, ++found)
+      for (std::size_t g = 0; g < symbols.size(); ++g) {
+        const auto at = static_cast<Index>(g);
+        unseen.directions(symbols[g], found) = directions(at, i);
+        unseen.coordinates(found, symbols[g]) = directions(at, i) * precision(at);
+      }
   }
-  return result.leftCols(found);
+  unseen.directions.conservativeResize(Eigen::NoChange, found);
+  unseen.coordinates.conservativeResize(found, Eigen::NoChange);
+  return unseen;
 }
 
 // By unknown: the size with which it alone would make as much as is seen of all the lumps that it is part of,
@@ -124,16 +159,14 @@ VectorXd plausible_sizes(std::span<const LumpEstimates> cases, const VectorXd& p
   return sizes;
 }
 
-// Lumps and natural frequencies of one case as its regression should give them, and their slopes by all unknowns.
+// Lumps and natural frequencies of one case, and their slopes by all unknowns.
 struct Entries {
   VectorXd values;
   MatrixXd slope;
 };
 
-Entries entries_at(const LumpEstimates& part, const VectorXd& unknowns, Index count, const std::vector<bool>& given,
-                   bool with_truncation) {
-  const Index directions = unknowns.size() - count, entries = static_cast<Index>(part.index.size());
-  const VectorXd parameters = unknowns.head(count);
+Entries entries_of(const LumpEstimates& part, const VectorXd& parameters, Index unknowns) {
+  const Index count = parameters.size(), entries = static_cast<Index>(part.index.size());
   const auto lump_count = static_cast<Index>(part.resonance->lumps.size());
   VectorXd lumps(lump_count);
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> lump_slope(lump_count, count);
@@ -141,7 +174,7 @@ Entries entries_at(const LumpEstimates& part, const VectorXd& unknowns, Index co
     part.resonance->evaluate_lumps(parameters.data(), lumps.data());
     part.resonance->evaluate_lumps_jacobian(parameters.data(), lump_slope.data());
   }
-  Entries result{VectorXd(entries), MatrixXd::Zero(entries, count + directions)};
+  Entries result{VectorXd(entries), MatrixXd::Zero(entries, unknowns)};
   for (Index i = 0; i < entries; ++i) {
     const int index = part.index[static_cast<std::size_t>(i)];
     if (index < 0) {
@@ -152,6 +185,15 @@ Entries entries_at(const LumpEstimates& part, const VectorXd& unknowns, Index co
       result.slope.row(i).head(count) = lump_slope.row(index);
     }
   }
+  return result;
+}
+
+// The same as the regression should give them after the truncation is taken out; `given` parameters do not move.
+Entries entries_at(const LumpEstimates& part, const VectorXd& unknowns, Index count, const std::vector<bool>& given,
+                   bool with_truncation) {
+  const Index directions = unknowns.size() - count;
+  const VectorXd parameters = unknowns.head(count);
+  Entries result = entries_of(part, parameters, unknowns.size());
   if (with_truncation && part.truncation_slope.cols() > 0) {
     result.values -= part.truncation_slope * (parameters - part.truncation_at);
     result.slope.leftCols(count) -= part.truncation_slope;
@@ -165,9 +207,24 @@ Entries entries_at(const LumpEstimates& part, const VectorXd& unknowns, Index co
   return result;
 }
 
+// d values/d parameters of all cases, one after the other: as measured, not whitened.
+MatrixXd slopes_of_lumps(std::span<const LumpEstimates> cases, const VectorXd& parameters, Index values) {
+  MatrixXd slopes(values, parameters.size());
+  Index row = 0;
+  for (const LumpEstimates& part : cases) {
+    const Index size = part.values.size();
+    if (size > 0)
+      slopes.middleRows(row, size) = part.combination * entries_of(part, parameters, parameters.size()).slope;
+    row += size;
+  }
+  return slopes;
+}
+
 // Clustered cases by their own rows, the others by their lumps: the rows of `further`, which holds all lumps'.
+// `directions`: along which unknowns are fitted.
 std::optional<ConditionScatter> scatter_at(std::span<const LumpEstimates> cases, const VectorXd& unknowns,
-                                           Index count, const std::vector<bool>& given, MatrixXd further) {
+                                           Index count, const std::vector<bool>& given, MatrixXd further,
+                                           const MatrixXd& directions) {
   std::vector<CommonFit> common;
   Index row = 0;
   for (const LumpEstimates& part : cases) {
@@ -179,14 +236,15 @@ std::optional<ConditionScatter> scatter_at(std::span<const LumpEstimates> cases,
     }
     row += size;
   }
-  return condition_scatter(common, further);
+  return condition_scatter(common, further, directions);
 }
 
 // Lumps of all cases on the parameters that they share. Unknowns are parameters, then shifts; after the lumps' rows
 // come those of the shifts' own size.
 class SharedFit {
  public:
-  SharedFit(std::span<const LumpEstimates> cases, const VectorXd& start, const std::vector<bool>& given)
+  SharedFit(std::span<const LumpEstimates> cases, const VectorXd& start, const std::vector<bool>& given,
+            const ShiftPlace& shift)
       : cases_(cases), given_(given), count_(start.size()) {
     for (const LumpEstimates& part : cases) {
       lumps_ += part.values.size();
@@ -201,6 +259,9 @@ class SharedFit {
     result_.shift = VectorXd::Zero(directions_);
     result_.shift_prior = MatrixXd::Identity(directions_, directions_);
     result_.unseen = MatrixXd::Zero(count_, 0);
+    result_.unseen_coordinate = MatrixXd::Zero(0, count_);
+    corrected_at_ = shift.corrected_at.size() > 0 ? shift.corrected_at : result_.shift;
+    expected_ = shift.expected.size() > 0 ? shift.expected : result_.shift;
   }
 
   SharedParameters run(bool rough_errors) {
@@ -223,14 +284,20 @@ class SharedFit {
       const LumpEstimates& part = cases_[c];
       const Index size = part.values.size();
       if (size == 0) continue;
-      const Entries entries = entries_at(part, unknowns, count_, given_, with_truncation);
+      const Entries entries = entries_at(part, seen_from_correction(unknowns), count_, given_, with_truncation);
       residual.segment(r, size) = whitening_[c](part.combination * entries.values - part.values);
       jacobian.middleRows(r, size) = whitening_[c](part.combination * entries.slope);
       r += size;
     }
-    residual.tail(directions_) = unknowns.tail(directions_);
+    residual.tail(directions_) = unknowns.tail(directions_) - expected_;
     jacobian.bottomRows(directions_).setZero();
     jacobian.bottomRightCorner(directions_, directions_).setIdentity();
+  }
+
+  // Shifts from where the truncation was taken out.
+  VectorXd seen_from_correction(VectorXd unknowns) const {
+    unknowns.tail(directions_) -= corrected_at_;
+    return unknowns;
   }
 
   void fit() {
@@ -239,7 +306,7 @@ class SharedFit {
     };
     const Index unknowns = count_ + directions_;
     VectorXd from(unknowns);
-    from << result_.values, VectorXd::Zero(directions_);
+    from << result_.values, corrected_at_;
     plausible_ = plausible_sizes(cases_, result_.values, unknowns);
     unknowns_ = nonlinear_fit(function, rows(), from, 100, plausible_).parameters;
     result_.values = unknowns_.head(count_);
@@ -250,19 +317,30 @@ class SharedFit {
 
   void see_unseen() {
     evaluate(unknowns_, false, residual_, jacobian_);
-    result_.unseen = unseen_directions(jacobian_.topLeftCorner(lumps_, count_), unit_scale(jacobian_).head(count_),
-                                       result_.values, plausible_.head(count_));
+    Unseen unseen =
+        unseen_directions(jacobian_.topLeftCorner(lumps_, count_), slopes_of_lumps(cases_, result_.values, lumps_),
+                          unit_scale(jacobian_).head(count_), result_.values, plausible_.head(count_));
+    result_.unseen = std::move(unseen.directions);
+    result_.unseen_coordinate = std::move(unseen.coordinates);
   }
 
-  // d unknowns / d whitened rows, in columns of unit norm.
+  // d unknowns / d whitened rows, in columns of unit norm. Where the lumps are not informed of a direction the fit
+  // stays where it was: noise along it reaches no number. (The truncation's slopes are differences, and leave such
+  // a direction some 1e-7 of what others have, by their own errors.)
   void invert() {
     evaluate(unknowns_, true, residual_, jacobian_);
     const VectorXd scale = unit_scale(jacobian_);
-    Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
-    solver.setThreshold(1e-9);
-    solver.compute(jacobian_ * scale.asDiagonal());
-    inverse_ = scale.asDiagonal() * solver.pseudoInverse();
-    result_.surplus = rows() - solver.rank();
+    const Eigen::BDCSVD<MatrixXd> svd(jacobian_ * scale.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const VectorXd& singular = svd.singularValues();
+    std::vector<Index> informed;
+    for (Index k = 0; k < singular.size(); ++k)
+      if (singular(k) > lost_direction * singular(0) &&
+          is_informed(svd.matrixV().col(k), singular(k), scale, plausible_))
+        informed.push_back(k);
+    directions_fitted_ = scale.asDiagonal() * svd.matrixV()(Eigen::all, informed);
+    inverse_ = directions_fitted_ * singular(informed).cwiseInverse().asDiagonal() *
+               svd.matrixU()(Eigen::all, informed).transpose();
+    result_.surplus = rows() - static_cast<Index>(informed.size());
   }
 
   // d values / d lumps = pinv(W J) W, by cases.
@@ -281,7 +359,9 @@ class SharedFit {
 
   void set_errors(bool rough_errors) {
     const std::optional<ConditionScatter> between =
-        rough_errors ? std::nullopt : scatter_at(cases_, unknowns_, count_, given_, jacobian_);
+        rough_errors
+            ? std::nullopt
+            : scatter_at(cases_, seen_from_correction(unknowns_), count_, given_, jacobian_, directions_fitted_);
     VectorXd squares =
         VectorXd::Zero(count_);  // of independent parts of each variance, over their degrees of freedom
     const auto add = [&](const MatrixXd& covariance, const VectorXd& freedom) {
@@ -305,10 +385,12 @@ class SharedFit {
     if (between)
       add(between->covariance.topLeftCorner(count_, count_),
           between->degrees_of_freedom.head(count_).cwiseMax(std::numeric_limits<double>::min()));
+    // Errors that no noise makes: where parameters may be along what no lump sees, and what that does to the
+    // others.
     const MatrixXd by_shift = inverse_.block(0, lumps_, count_, directions_),
-                   of_shift = by_shift * by_shift.transpose();
-    result_.covariance += of_shift;
-    result_.plain_covariance += of_shift;
+                   open = by_shift * by_shift.transpose() + result_.unseen * result_.unseen.transpose();
+    result_.covariance += open;
+    result_.plain_covariance += open;
     for (Index p = 0; p < count_; ++p)
       if (squares(p) > 0) result_.degrees_of_freedom(p) = std::pow(result_.covariance(p, p), 2) / squares(p);
   }
@@ -339,16 +421,17 @@ class SharedFit {
   const std::vector<bool>& given_;
   Index count_, lumps_ = 0, directions_ = 0;
   std::vector<Whitening> whitening_;
+  VectorXd corrected_at_, expected_;          // by direction
   VectorXd plausible_, unknowns_, residual_;  // at unknowns_
-  MatrixXd jacobian_, inverse_;
+  MatrixXd jacobian_, inverse_, directions_fitted_;
   SharedParameters result_;
 };
 
 }  // namespace
 
 SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const VectorXd& start,
-                                   const std::vector<bool>& given, bool rough_errors) {
-  return SharedFit(cases, start, given).run(rough_errors);
+                                   const std::vector<bool>& given, const ShiftPlace& shift, bool rough_errors) {
+  return SharedFit(cases, start, given, shift).run(rough_errors);
 }
 
 }  // namespace secular

@@ -40,8 +40,10 @@ struct SharedParameters {
   Eigen::MatrixXd covariance, plain_covariance;  ///< the second from the weights alone
   Eigen::VectorXd degrees_of_freedom;            ///< by symbol (Satterthwaite over the cases)
   /// Directions in which parameters may move without any lump noticing, each as far as is plausible (one standard
-  /// deviation): if each parameter of an entangled group is as likely to be alone what the group does.
+  /// deviation): each parameter of an entangled group may do as much as the whole group is seen to do.
   Eigen::MatrixXd unseen;  ///< symbols x directions
+  /// Directions x symbols, times parameters: how far along each these are from where they are likeliest.
+  Eigen::MatrixXd unseen_coordinate;
   /// How far along each they are, by directions whose truncation_effect is known. What tells it is that the lumps
   /// have to go together after the truncation is taken out.
   Eigen::VectorXd shift;
@@ -53,14 +55,21 @@ struct SharedParameters {
   Eigen::Index surplus = 0;
 };
 
+/// Along the directions in which the truncation's correction depends on what no lump sees. Empty: zero.
+struct ShiftPlace {
+  Eigen::VectorXd corrected_at;  ///< where the truncation was taken out
+  Eigen::VectorXd expected;      ///< where parameters are likeliest
+};
+
 /// Weighted nonlinear least squares of all lumps on the parameters, from `start`; weights are the full inverse
 /// covariances from residuals. What is known of how the truncation's correction depends on the parameters is part
-/// of the fit. Where it depends on what no lump sees, that is an unknown of its own, zero with standard deviation
-/// one: values + combination*truncation_effect*shift are the lumps of the parameters. The error bars come from
-/// the scatter between conditions (condition_scatter), so that they do not rest on the weights; `rough_errors`:
-/// from what leaving a condition out does to the lumps, carried through the map, which is wider and quick. `given`
-/// parameters stay.
+/// of the fit. Where it depends on what no lump sees, that is an unknown of its own, as expected with standard
+/// deviation one: values + combination*truncation_effect*(shift - corrected_at) are the lumps of the parameters.
+/// The error bars come from the scatter between conditions (condition_scatter), so that they do not rest on the
+/// weights; `rough_errors`: from what leaving a condition out does to the lumps, carried through the map, which is
+/// wider and quick. `given` parameters stay.
 SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const Eigen::VectorXd& start,
-                                   const std::vector<bool>& given, bool rough_errors = false);
+                                   const std::vector<bool>& given, const ShiftPlace& shift = {},
+                                   bool rough_errors = false);
 
 }  // namespace secular

@@ -73,7 +73,7 @@ TEST(ConditionScatter, OfAMeanIsThatOfTheMeansOfConditions) {
   }
   const ConditionRows rows = rows_of(design, response);
   const std::vector<CommonFit> cases{fit_of(rows, MatrixXd::Identity(1, 1))};
-  const auto scatter = condition_scatter(cases, MatrixXd(0, 1));
+  const auto scatter = condition_scatter(cases, MatrixXd(0, 1), MatrixXd::Identity(1, 1));
   ASSERT_TRUE(scatter);
   const double expected = (means.array() - means.mean()).square().sum() / (conditions - 1) / conditions;
   EXPECT_NEAR(scatter->covariance(0, 0), expected, 1e-12 * expected);
@@ -109,7 +109,7 @@ TEST(ConditionScatter, IntervalsHoldWithUnequalConditions) {
       }
       const ConditionRows rows = rows_of(design, response);
       const std::vector<CommonFit> cases{fit_of(rows, slope)};
-      const auto scatter = condition_scatter(cases, MatrixXd(0, 2));
+      const auto scatter = condition_scatter(cases, MatrixXd(0, 2), MatrixXd::Identity(2, 2));
       ASSERT_TRUE(scatter);
       const VectorXd found = slope.colPivHouseholderQr().solve(cases.front().values);
       const Interval interval =

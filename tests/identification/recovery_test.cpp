@@ -95,7 +95,9 @@ TEST(Recovery, FixedParametersAreGivenAndSharpenTheOthers) {
   const Recovered open = recover("principal_parametric", 1);
   const Recovered fixed = recover("principal_parametric", 1, {{{"mu2", 0.0}}});
   EXPECT_TRUE(fixed.value("mu2").fixed);
-  EXPECT_LT(fixed.value("mu1").sd, open.value("mu1").sd);
+  // The law that is hard to tell from the one that is given. (The error of mu1 is mostly what the truncation's
+  // correction leaves open.)
+  EXPECT_LT(fixed.value("mu3").sd, open.value("mu3").sd);
   EXPECT_LT(std::abs(*fixed.value("mu3").value - fixed.truth("mu3")), 3 * fixed.value("mu3").sd);
   EXPECT_THROW(recover("principal_parametric", 1, {{{"nu", 0.0}}}), InputError);
 }

@@ -3,9 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
 #include <random>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "estimator/identification/seen_lumps.hpp"
 #include "generated/registry.hpp"
 
 namespace secular {
@@ -67,6 +72,90 @@ TEST(SharedParameters, SlopeIsThatOfLumpsCorrectedAtTheValues) {
                             (2 * step);
     EXPECT_LT((shared.slope[0].col(l) - change).norm(), 1e-4 * (1 + change.norm())) << "lump " << l;
   }
+}
+
+class Entangled : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::map<std::string, double> known{{"omega0", 77.85}, {"mu1", 0.2},   {"mu2", 0.1},     {"mu3", 37.0},
+                                              {"eta1", -0.02},   {"eta2", 7.6},  {"alpha2", -1e4}, {"alpha3", -2e7},
+                                              {"delta2", 0.5},   {"delta3", 2e3}};
+    parameters_ = VectorXd::Zero(static_cast<Index>(model_.symbols.size()));
+    for (const auto& [name, value] : known) parameters_(symbol(name)) = value;
+    part_.resonance = &resonance_;
+    lumps_.resize(static_cast<Index>(resonance_.lumps.size()));
+    resonance_.evaluate_lumps(parameters_.data(), lumps_.data());
+    // Neither the zero-frequency component nor higher harmonics, which would separate stiffness from inertia.
+    for (std::size_t l = 0; l < resonance_.lumps.size(); ++l)
+      if (const std::string name(resonance_.lumps[l].name); name != "alpha_0" && name.find("harmonic") != 0)
+        part_.index.push_back(static_cast<int>(l));
+    part_.values = lumps_(part_.index);
+    const Index lumps = part_.values.size();
+    part_.combination = MatrixXd::Identity(lumps, lumps);
+    sd_ = 1e-3 * part_.values.cwiseAbs().cwiseMax(1e-3);
+    part_.plain = sd_.cwiseAbs2().asDiagonal();
+    part_.influence = MatrixXd::Zero(2, lumps);
+    part_.degrees_of_freedom = 20;
+    part_.truncation_effect = MatrixXd::Zero(lumps, 0);
+    std::vector<bool> given(model_.symbols.size(), false);
+    given[0] = true;
+    shared_ = shared_parameters(std::vector{part_}, parameters_, given);
+  }
+  Index symbol(const std::string& name) const {
+    for (std::size_t p = 0; p < model_.symbols.size(); ++p)
+      if (model_.symbols[p].name == name) return static_cast<Index>(p);
+    throw std::out_of_range(name);
+  }
+  double lump(const std::string& name) const {
+    for (std::size_t l = 0; l < resonance_.lumps.size(); ++l)
+      if (resonance_.lumps[l].name == name) return lumps_(static_cast<Index>(l));
+    throw std::out_of_range(name);
+  }
+
+  const CompiledModel& model_ = *generated::find_compiled_model("two_mass_mode1");
+  const CompiledCase& resonance_ = model_.cases[0];
+  LumpEstimates part_;
+  SharedParameters shared_;
+  VectorXd parameters_, lumps_, sd_;
+};
+
+TEST_F(Entangled, WhatIsPlausibleOfAParameterFollowsFromTheLumpThatItWouldMakeAlone) {
+  const MatrixXd& unseen = shared_.unseen;
+  ASSERT_EQ(unseen.cols(), 2);
+  EXPECT_LT((shared_.unseen_coordinate * unseen - MatrixXd::Identity(2, 2)).norm(), 1e-9);
+  const auto plausible = [&](const char* name) { return unseen.row(symbol(name)).norm(); };
+  // alpha_q = alpha2 - 3*omega0^2*delta2: each as much as the lump, of which they share one direction.
+  const double omega = parameters_(0), alone = std::abs(lump("alpha_q"));
+  EXPECT_NEAR(plausible("alpha2"), alone / std::sqrt(2.0), 1e-3 * alone);
+  EXPECT_NEAR(plausible("delta2"), alone / (3 * omega * omega) / std::sqrt(2.0),
+              1e-3 * alone / (3 * omega * omega));
+  // Nothing that lumps tell moves along it.
+  for (const char* name : {"mu1", "mu2", "mu3", "eta1"}) EXPECT_EQ(plausible(name), 0) << name;
+}
+
+TEST_F(Entangled, ParametersReturnToTheirLumps) {
+  Estimate estimate;
+  estimate.cases = {&resonance_};
+  estimate.lumps.resize(resonance_.lumps.size());
+  for (Index l = 0; l < sd_.size(); ++l) {
+    EstimatedValue& value = estimate.lumps[static_cast<std::size_t>(part_.index[static_cast<std::size_t>(l)])];
+    value.value = part_.values(l);
+    value.sd = sd_(l);
+  }
+  const SeenLumps seen(estimate);
+  for (Index d = 0; d < 2; ++d) {
+    const VectorXd tangent = shared_.values + 2 * shared_.unseen.col(d);
+    const VectorXd there = seen.returned(tangent, shared_.values, shared_.unseen);
+    EXPECT_LT((seen.at(there) - seen.at(shared_.values)).norm(), 1e-3);
+    // The way back is short beside the way there.
+    EXPECT_LT(((shared_.unseen_coordinate * (there - tangent)).norm()), 0.5);
+    EXPECT_EQ(there(symbol("mu1")), shared_.values(symbol("mu1")));
+  }
+  // The quadratic ones are part of alpha_e as products: their tangent leaves it.
+  const double moved =
+      std::max((seen.at(shared_.values + 2 * shared_.unseen.col(0)) - seen.at(shared_.values)).norm(),
+               (seen.at(shared_.values + 2 * shared_.unseen.col(1)) - seen.at(shared_.values)).norm());
+  EXPECT_GT(moved, 1);
 }
 
 }  // namespace

@@ -1,0 +1,64 @@
+#include "estimator/identification/seen_lumps.hpp"
+
+#include <Eigen/Dense>
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Parameters are on their lumps within this part of a standard deviation; steps towards there.
+constexpr double on_lumps = 1e-3;
+constexpr int most_steps = 6;
+/// Effects that differ by this share are the same.
+constexpr double same_effect = 1e-6;
+
+}  // namespace
+
+SeenLumps::SeenLumps(const Estimate& estimate) : cases_(estimate.cases) {
+  weight_ = VectorXd::Zero(static_cast<Index>(estimate.lumps.size()));
+  for (std::size_t l = 0; l < estimate.lumps.size(); ++l)
+    if (const EstimatedValue& v = estimate.lumps[l]; v.value && v.sd > 0) weight_(static_cast<Index>(l)) = 1 / v.sd;
+}
+
+VectorXd SeenLumps::at(const VectorXd& parameters) const {
+  VectorXd lumps(weight_.size());
+  Index first = 0;
+  for (const CompiledCase* resonance : cases_) {
+    if (resonance->lumps.empty()) continue;
+    resonance->evaluate_lumps(parameters.data(), lumps.data() + first);
+    first += static_cast<Index>(resonance->lumps.size());
+  }
+  return weight_.cwiseProduct(lumps);
+}
+
+MatrixXd SeenLumps::slope(const VectorXd& parameters) const {
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> slope(weight_.size(), parameters.size());
+  Index first = 0;
+  for (const CompiledCase* resonance : cases_) {
+    if (resonance->lumps.empty()) continue;
+    resonance->evaluate_lumps_jacobian(parameters.data(), slope.row(first).data());
+    first += static_cast<Index>(resonance->lumps.size());
+  }
+  return weight_.asDiagonal() * slope;
+}
+
+VectorXd SeenLumps::returned(VectorXd parameters, const VectorXd& like, const MatrixXd& directions) const {
+  const VectorXd scale = directions.rowwise().norm(), wanted = at(like);
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
+  solver.setThreshold(same_effect);
+  VectorXd left = at(parameters) - wanted;
+  for (int step = 0; step < most_steps && left.norm() > on_lumps; ++step) {
+    solver.compute(slope(parameters) * scale.asDiagonal());
+    const VectorXd nearer = parameters - scale.cwiseProduct(solver.solve(left));
+    const VectorXd still = at(nearer) - wanted;
+    if (!(still.norm() < left.norm())) break;
+    parameters = nearer;
+    left = still;
+  }
+  return parameters;
+}
+
+}  // namespace secular

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "estimator/identification/estimate.hpp"
+
+namespace secular {
+
+/// The lumps that an estimate tells, in units of their error bars.
+class SeenLumps {
+ public:
+  SeenLumps() = default;
+  explicit SeenLumps(const Estimate& estimate);
+
+  /// By Estimate::lumps, of parameters by CompiledModel::symbols; 0 where there is no estimate.
+  Eigen::VectorXd at(const Eigen::VectorXd& parameters) const;
+
+  /// From `parameters` to where the lumps are those of `like`, by what belongs to the `directions` (symbols x
+  /// directions, of which Estimate::unseen are tangents that products of parameters leave), and by the least of
+  /// that.
+  Eigen::VectorXd returned(Eigen::VectorXd parameters, const Eigen::VectorXd& like,
+                           const Eigen::MatrixXd& directions) const;
+
+ private:
+  Eigen::MatrixXd slope(const Eigen::VectorXd& parameters) const;
+
+  std::vector<const CompiledCase*> cases_;
+  Eigen::VectorXd weight_;
+};
+
+}  // namespace secular
