@@ -86,6 +86,33 @@ void set_strength(Truth& truth, const Specimen& specimen, const Signatures& sign
   }
 }
 
+/// A rival as it may be shaped. Width of a slider's slip or of a dead band, relative to the motion; 0: it has none.
+struct Shape {
+  double width = 0;
+  bool smooth = false;
+};
+
+// A slider that slips at once is dry friction; a dead band that only the largest motions leave hardens like a high
+// power.
+std::vector<Shape> shapes_of(const std::string& effect) {
+  std::vector<Shape> shapes;
+  if (effect == "hysteresis" || effect == "freeplay")
+    for (const double width : {0.15, 0.4, 0.6, 0.75, 0.9}) shapes.push_back({width, false});
+  if (effect == "hysteresis") {
+    shapes.push_back({0.03, false});
+    for (const double width : {0.15, 0.4}) shapes.push_back({width, true});
+  }
+  if (shapes.empty()) shapes.emplace_back();
+  return shapes;
+}
+
+// What is left of a change has to stand out of the spread of a chi-squared of all components where there is no
+// rival of the right name to compare with: only the sum of all squares says then that something is missing.
+double unnamed_norm(const Signatures& signatures) {
+  const auto components = static_cast<double>(signatures.own_parameters(false).rows());
+  return std::sqrt((alarm + for_certain) * std::sqrt(2 * components));
+}
+
 // Which of `rivals` explain the change as well: to less than a norm of `seen`.
 void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, double seen, const SealedCase& c,
                       const Signatures& signatures, const std::vector<double>& peak, Random& random) {
@@ -103,13 +130,13 @@ void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, doub
   }
   const Eigen::MatrixXd& own = signatures.own_parameters(all);
   for (const std::string& name : rivals) {
-    // Widths of a slider's slip or of a dead band, relative to the motion; one that slips at once is dry friction.
-    const std::vector<double> widths = name == "hysteresis" ? std::vector{0.15, 0.4, 0.03} : std::vector{0.15, 0.4};
-    for (std::size_t variant = 0; variant < widths.size(); ++variant) {
+    for (const Shape& shape : shapes_of(name)) {
       Withheld rival = draw_withheld(name, c.specimen, random);
       rival.mode = truth.withheld.mode;
-      if (name == "hysteresis" || name == "freeplay") rival.detail = widths[variant];
-      rival.smooth = variant == 1;
+      if (shape.width > 0) {
+        rival.detail = shape.width;
+        rival.smooth = shape.smooth;
+      }
       // The rival's coefficient that explains most, its own change computed again where it has moved: large changes
       // are not proportional to it.
       for (int attempt = 0; attempt < 4; ++attempt) {
@@ -139,7 +166,7 @@ void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, doub
         if (attempt > 1 && std::abs(factor - 1) < 0.02) break;
         rival.coefficient *= std::copysign(std::clamp(std::abs(factor), 0.02, 50.0), factor);
       }
-      if (name != "hysteresis" && name != "freeplay") break;
+      if (!truth.same_as.empty() && truth.same_as.back() == name) break;
     }
   }
 }
@@ -214,7 +241,8 @@ SealedCase draw_once(const CasePlan& plan, Random random) {
     if (effect == "sensor_cross_axis")
       truth.withheld.coefficient *= levels.median_rms[truth.withheld.channel] / levels.median_rms[0];
     set_strength(truth, c.specimen, signatures, levels.peak, random.log_uniform(weakest_sigma, strongest_sigma));
-    find_look_alikes(truth, look_alikes(effect, plan.family), visible_norm, c, signatures, levels.peak, random);
+    const double seen = plan.kind == "outside" ? unnamed_norm(signatures) : visible_norm;
+    find_look_alikes(truth, look_alikes(effect, plan.family), seen, c, signatures, levels.peak, random);
     switch_on(truth.withheld, c.specimen, levels.peak, c.reality);
     c.truths.push_back(truth);
   }
@@ -287,10 +315,7 @@ std::vector<std::string> rest_that_explains(const SealedCase& sealed, std::uint6
   std::vector<std::string> rest = effects_of_family(sealed.plan.family);
   std::erase(rest, truth.withheld.effect);
   const Signatures signatures(sealed.specimen, sealed.noise_sd);
-  // Without a rival to compare with, only the sum of all squares says that something is left: what is left has to
-  // stand out of the spread of a chi-squared of that many components.
-  const auto components = static_cast<double>(signatures.own_parameters(false).rows());
-  find_look_alikes(truth, rest, std::sqrt((alarm + for_certain) * std::sqrt(2 * components)), sealed, signatures,
+  find_look_alikes(truth, rest, unnamed_norm(signatures), sealed, signatures,
                    levels_of(sealed.specimen, reality_of(sealed.specimen)).peak, random);
   // A mode far beyond the band that one channel sees answers in proportion to the excitation.
   if (truth.withheld.effect == "sensor_cross_axis" &&

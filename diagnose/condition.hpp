@@ -15,7 +15,7 @@ namespace secular {
 struct Condition {
   std::size_t record = 0;  ///< index into Campaign::records
   int fold = 0;            ///< what is left out together when a prediction is checked
-  double time_s = 0;       ///< of its middle, since the campaign began
+  double time_s = 0;       ///< of its middle, of record_times
   std::shared_ptr<const Torus> torus;
   std::array<std::complex<double>, 2> rate;
   std::vector<MasterLine> masters;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/campaign_clock.hpp"
 #include "diagnose/observe_dwell.hpp"
 #include "estimator/median.hpp"
 
@@ -77,24 +78,12 @@ Eigen::VectorXd typical_noise(const std::vector<Dwell>& dwells) {
   return noise;
 }
 
-// Campaign time of a record without started_s: records one after another.
-std::vector<double> starts_of(const Campaign& campaign) {
-  std::vector<double> starts;
-  double clock = 0;
-  for (const RecordEntry& entry : campaign.records) {
-    starts.push_back(entry.started_s.value_or(clock));
-    clock = starts.back() + 1;
-  }
-  return starts;
-}
-
 }  // namespace
 
 ObservedConditions observe_conditions(const Campaign& campaign, const RecordReader& read,
                                       const CompiledModel& model, const SensorModel& sensors,
                                       const std::vector<double>& natural_frequency, const Window& window) {
   ObservedConditions observed;
-  const std::vector<double> starts = starts_of(campaign);
   std::vector<Dwell> dwells;
   for (std::size_t r = 0; r < campaign.records.size(); ++r) {
     const RecordEntry& entry = campaign.records[r];
@@ -115,11 +104,8 @@ ObservedConditions observe_conditions(const Campaign& campaign, const RecordRead
     observed.wander.insert(observed.wander.end(), dwell.wander.begin(), dwell.wander.end());
     observed.conditions.push_back(std::move(dwell.condition));
   }
-  for (Condition& condition : observed.conditions) condition.time_s += starts[condition.record];
-  double middle = 0;
-  for (const Condition& condition : observed.conditions) middle += condition.time_s;
-  if (!observed.conditions.empty()) middle /= static_cast<double>(observed.conditions.size());
-  for (Condition& condition : observed.conditions) condition.time_s -= middle;
+  const std::vector<double> began = record_times(campaign);
+  for (Condition& condition : observed.conditions) condition.time_s += began[condition.record];
   return observed;
 }
 

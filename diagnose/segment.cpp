@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/campaign_clock.hpp"
 #include "diagnose/record_window.hpp"
 #include "estimator/campaign/noise_floor.hpp"
 #include "estimator/hertz.hpp"
@@ -48,6 +49,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
     if (campaign.records[r].kind != RecordKind::dwell &&
         matches_pattern(cut.window.records, campaign.records[r].file))
       records.push_back(r);
+  const std::vector<double> began = record_times(campaign);
   std::vector<Segment> segments;
   for (const std::size_t r : records) {
     const RecordEntry& entry = campaign.records[r];
@@ -132,7 +134,9 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
       const Index offset = first + begin * thinning;
       for (Index i = 0; i < length; ++i)
         segment.response.col(i) = part.samples.row(offset + i * thinning).head(responses).transpose();
-      segment.time_s = part.start_s - record.start_s + static_cast<double>(offset + length * thinning / 2) / rate;
+      segment.in_record_s =
+          part.start_s - record.start_s + static_cast<double>(offset + length * thinning / 2) / rate;
+      segment.time_s = began[r] + segment.in_record_s;
       if (!driven && segment.response.row(0).cwiseAbs().maxCoeff() < end_at_noise * noise(0)) break;
       if (driven) {
         // Half samples: cubic interpolation of the measured excitation.

@@ -344,7 +344,7 @@ std::vector<SegmentEvidence::Disturbed> SegmentEvidence::disturbed() const {
       records.push_back({segments_[i].record, 0, {}});
     Disturbed& record = records.back();
     ++record.segments;
-    if (frozen_[i].disturbance > 2 * frozen_[i].rest_sd) record.worst_s.push_back(segments_[i].time_s);
+    if (frozen_[i].disturbance > 2 * frozen_[i].rest_sd) record.worst_s.push_back(segments_[i].in_record_s);
   }
   return records;
 }
