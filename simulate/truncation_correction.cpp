@@ -22,8 +22,10 @@ constexpr std::size_t remembered_passes = 6;
 constexpr double dependent_passes = 1e-3;
 /// Of what is plausible, or of a standard deviation: all of it may lead to quite another motion.
 constexpr double displaced_share = 0.1;
-/// A step after which motions grow beyond bounds is halved so often.
-constexpr int most_returns = 4;
+/// A step after which motions grow beyond bounds is halved so often; none goes further along what no lump tells, of
+/// what is plausible.
+constexpr int most_returns = 8;
+constexpr double longest_shift = 2;
 constexpr int most_halvings = 5;
 /// Slopes hold this far around, in standard deviations (of what is plausible, along what no lump tells); they are
 /// seen so often.
@@ -165,9 +167,13 @@ class Correction {
     return place;
   }
 
-  // At next_, or on the way back to place_ where motions there grow beyond bounds.
+  // At next_, or on the way back to place_ where that is very far or motions there grow beyond bounds.
   Pass correct(bool may_return) {
     Pass pass;
+    if (unseen_.cols() > 0) {
+      const double far = shift(next_ - place_).cwiseAbs().maxCoeff();
+      if (far > longest_shift) next_ = place_ + longest_shift / far * (next_ - place_);
+    }
     pass.replayed = replay_near(next_, may_return);
     pass.corrected = with_truncation(measured_, pass.replayed, parameters(next_));
     if (!at_.corrected.empty()) keep_truncation_change(pass.corrected, at_.corrected);
