@@ -24,8 +24,8 @@ constexpr double line_floor = 1e-5;
 /// Slaved lines are moved by this share of the largest line to find what depends on them.
 constexpr double line_step = 1e-6;
 
-/// A cut is undone to this share of a line, in no more than so many steps, none longer than a share of the line; the
-/// reading of a line grows with it by at least this factor, or nothing can be said of it.
+/// A cut is undone to this share of a line, in no more than so many steps, none longer than a share of the line;
+/// the reading of a line grows with it by at least this factor, or nothing can be said of it.
 constexpr double undone = 1e-10, longest_undoing = 0.3, least_slope = 1e-3;
 constexpr int most_undoings = 30;
 
@@ -69,6 +69,18 @@ class Evaluation {
 
   ConditionForecast forecast(const VectorXcd& amplitudes, const Motion* start) const {
     return forecast_of(amplitudes, balance_.solve(setting(), amplitudes, parameters_, start));
+  }
+
+  // The largest displacement that the strongest lines could be, 1 where nothing is seen: a size of motions beside
+  // rest.
+  double measured_displacement() const {
+    double largest = 0;
+    for (std::size_t l = 0; l < c_.lines.size(); ++l)
+      if (c_.lines[l] != 0)
+        largest =
+            std::max(largest, c_.response.col(static_cast<Index>(l)).cwiseAbs().maxCoeff() /
+                                  std::abs(derivative_power(c_.line_rate(c_.lines[l]), sensors_.derivatives)));
+    return largest > 0 ? largest : 1;
   }
 
   ConditionRows run(const Motion* start) const {
@@ -364,7 +376,8 @@ class HeldLines {
     MatrixXd rows, steps;
   };
   LineSlopes line_slopes(const BalanceSweep::Path& path, const std::vector<SlavedLine>& slaves) {
-    const double step = line_step * path.lines.cwiseAbs().maxCoeff();
+    const double motion = path.lines.cwiseAbs().maxCoeff();
+    const double step = line_step * (motion > 0 ? motion : evaluation_.measured_displacement());
     const MatrixXcd residual = sweep_.residual(path, evaluation_.parameters());
     const MatrixXcd slopes = sweep_.residual_slopes(path, evaluation_.parameters(), slaves, step);
     const VectorXd base = rows(path.lines, residual);

@@ -50,6 +50,26 @@ TEST(ConditionSlopes, AreThoseOfTheSolvedRows) {
   }
 }
 
+// A dwell on which no mode is seen to swing, under a model that does not move yet either: what it lacks has slopes.
+TEST(ConditionSlopes, DoNotVanishAtRest) {
+  const Laboratory lab;
+  const VectorXd unknowns = lab.unknowns({{"eta1", 0.0}});
+  Condition dwell = lab.dwell(160, 3, Complex(2e-3, -1.5e-3));
+  dwell.masters.clear();
+  const ConditionRows rows = lab.model.rows(dwell, unknowns, nullptr);
+  ASSERT_TRUE(rows.motion.converged);
+  ASSERT_EQ(rows.motion.displacement.cwiseAbs().maxCoeff(), 0);
+  const std::vector<std::size_t> which{lab.symbol("eta1")};
+  const double size = 1e-5;
+  const MatrixXd slopes =
+      lab.model.slopes(dwell, unknowns, rows.motion.displacement, which, VectorXd::Constant(1, size));
+  VectorXd moved = unknowns;
+  moved(static_cast<Index>(which[0])) = size;
+  const VectorXd solved = lab.model.rows(dwell, moved, nullptr).values - rows.values;
+  ASSERT_GT(solved.norm(), 0);
+  EXPECT_LT((slopes.col(0) - solved).norm(), 1e-4 * solved.norm());
+}
+
 // What is cut off depends on the harmonics that go with the line that is cut: they are the model's.
 TEST(ConditionRows, ACutChannelGivesBackTheAmplitudeOfItsMotion) {
   const Laboratory lab;
