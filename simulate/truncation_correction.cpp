@@ -30,7 +30,8 @@ constexpr int most_halvings = 5;
 /// Slopes hold this far around, in standard deviations (of what is plausible, along what no lump tells); they are
 /// seen so often.
 constexpr double local = 1;
-constexpr int most_slopes = 6;
+constexpr int most_slopes = 6, most_unseen_slopes = 6;
+constexpr double near_axes = 4;
 /// Weights follow up to here: they may go around in a circle.
 constexpr int last_weights = most_plain_passes + 6;
 /// A step that leaves more than this share of the way to go tells of slopes that no longer hold.
@@ -136,9 +137,10 @@ class Correction {
     see_slopes();
     follow_slopes();
     full_.start = estimate_.state;
+    const Eigen::VectorXd further = values(found(estimate_));  // not next_: a step may have been cut
     estimate_ = estimate(at_.corrected, units_, full_);
     estimate_ = with_correction_shown(std::move(estimate_), raw_);
-    estimate_ = with_unsettled_correction(std::move(estimate_), values(place_), values(next_));
+    estimate_ = with_unsettled_correction(std::move(estimate_), values(place_), further);
     if (unknown_unseen_ + unknown_axes_ > 0)
       estimate_.warnings.emplace_back(
           "the correction for the expansion's truncation depends on parameters that are not well known, and "
@@ -193,8 +195,11 @@ class Correction {
   }
 
   // In standard deviations, along unseen directions of what is plausible.
+  double size_of_values(const Eigen::VectorXd& step, const Estimate& by) const {
+    return inverse_sd(by).cwiseProduct(values(step)).cwiseAbs().maxCoeff();
+  }
   double size_of(const Eigen::VectorXd& step, const Estimate& by) const {
-    const double of_values = inverse_sd(by).cwiseProduct(values(step)).cwiseAbs().maxCoeff();
+    const double of_values = size_of_values(step, by);
     return unseen_.cols() > 0 ? std::max(of_values, shift(step).cwiseAbs().maxCoeff()) : of_values;
   }
   double move() const { return size_of(next_ - place_, estimate_); }
@@ -272,15 +277,29 @@ class Correction {
       set.truncation_of_moves.resize(static_cast<std::size_t>(quick_.moves.cols()),
                                      Eigen::MatrixXcd::Zero(set.truncation.rows(), set.truncation.cols()));
     }
-    seen_at_ = place_;
+    seen_at_ = axes_seen_at_ = place_;
     ++times_seen_;
     done_("replay of the full equations");
   }
 
+  // Where what lumps tell has hardly moved, at first only along what they do not: there corrections bend most, and
+  // directions are few.
   bool see_slopes_again() {
-    if (times_seen_ == most_slopes || place_ == seen_at_) return false;
+    if (place_ == axes_seen_at_) return false;
+    const bool everything = place_ == seen_at_ || size_of_values(place_ - axes_seen_at_, estimate_) > near_axes;
+    if (everything ? times_seen_ == most_slopes : times_unseen_ == most_unseen_slopes) return false;
+    const Eigen::Index directions = unseen_.cols();
     choose_unseen();
-    see_slopes();
+    if (everything || unseen_.cols() != directions) {
+      see_slopes();
+    } else {
+      see_unseen();
+      quick_.moves.rightCols(directions) = unseen_;
+      full_.moves = quick_.moves;
+      seen_at_ = place_;
+      ++times_unseen_;
+      done_("replay of the full equations");
+    }
     estimate_here();
     return true;
   }
@@ -296,7 +315,8 @@ class Correction {
     int halvings = 0;
     for (int pass = most_plain_passes; pass < most_passes && halvings <= most_halvings; ++pass) {
       if (move() < settled_share) {
-        if (size_of(place_ - seen_at_, estimate_) < local || !see_slopes_again()) break;
+        const bool settled = halvings == 0 && size_of(place_ - seen_at_, estimate_) < local;
+        if (settled || !see_slopes_again()) break;
         continue;
       }
       Pass further = correct(true);
@@ -342,8 +362,8 @@ class Correction {
   Eigen::VectorXd place_, next_;  // of at_, and where to go from there
   Eigen::MatrixXd unseen_, unseen_coordinate_, axes_;
   SeenLumps seen_;
-  Eigen::VectorXd seen_at_;
-  int times_seen_ = 0, unknown_unseen_ = 0, unknown_axes_ = 0;
+  Eigen::VectorXd seen_at_, axes_seen_at_;  // places of the latest slopes, and of the latest along the axes
+  int times_seen_ = 0, times_unseen_ = 0, unknown_unseen_ = 0, unknown_axes_ = 0;
 };
 
 }  // namespace
