@@ -25,7 +25,7 @@ constexpr double displaced_share = 0.1;
 /// A step after which motions grow beyond bounds is halved so often; none goes further along what no lump tells, of
 /// what is plausible.
 constexpr int most_returns = 8;
-constexpr double longest_shift = 2;
+constexpr double longest_shift = 8;
 constexpr int most_halvings = 5;
 /// Slopes hold this far around, in standard deviations (of what is plausible, along what no lump tells); they are
 /// seen so often.
