@@ -122,18 +122,6 @@ const std::map<std::string, GapComponent>& open_law_components() {
   return components;
 }
 
-// Powers that are laws of the catalogue.
-std::vector<SpecialCase> special_cases_of(const StateForce& force) {
-  using Law = StateForce::Law;
-  const double square = force.scale * force.scale;
-  if (force.law == Law::displacement_power)
-    return {{"cubic_stiffness", 3, square}, {"quintic_stiffness", 5, square * square}};
-  if (force.law == Law::velocity_power)
-    return {{"quadratic_damping", 2, force.scale}, {"cubic_damping", 3, square}};
-  if (force.law == Law::loss_power) return {{"amplitude_dependent_damping", 2, square}};
-  return {};
-}
-
 }  // namespace
 
 VectorXd largest_displacements(const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
@@ -168,8 +156,7 @@ std::vector<std::string> effect_names() {
   return names;
 }
 
-std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects,
-                                     const std::vector<StateForce>& forces, const CompiledModel& model,
+std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects, const CompiledModel& model,
                                      const SensorModel& sensors, const FaultTable& faults,
                                      const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
                                      const VectorXd& largest) {
@@ -187,8 +174,6 @@ std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects,
     c.strengths = {e.strength};
     c.shapes = e.shapes;
     c.open_law = e.open_law;
-    for (const StateForce& force : forces)
-      if (force.strength_symbol == e.strength) c.special_cases = special_cases_of(force);
     if (e.shapes.empty())
       c.shape_starts = {VectorXd()};
     else if (c.open_law)

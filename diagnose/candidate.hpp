@@ -9,7 +9,6 @@
 #include "diagnose/discrepancy.hpp"
 #include "diagnose/segment.hpp"
 #include "diagnose/sensor_model.hpp"
-#include "diagnose/state_force.hpp"
 
 namespace secular {
 
@@ -21,12 +20,6 @@ struct EquationEffect {
   std::size_t strength = 0;         ///< symbol; zero without the effect
   std::vector<std::size_t> shapes;  ///< symbols of displacements (gap, slip) or of an exponent that shape it
   bool open_law = false;            ///< stands for a law outside of the catalogue
-};
-
-/// An effect of the catalogue that an open law is with some exponent and its strength times a factor.
-struct SpecialCase {
-  std::string effect;
-  double exponent = 0, factor = 1;
 };
 
 /// One explanation of a gap: unknowns that are zero without it.
@@ -43,7 +36,6 @@ struct Candidate {
   /// Whether unknowns make sense as this explanation; empty: always.
   std::function<bool(const Eigen::VectorXd& unknowns)> plausible;
   bool open_law = false;  ///< stands for a law outside of the catalogue: no cause by itself
-  std::vector<SpecialCase> special_cases;  ///< of an open law
 };
 
 /// Names of all effects that a campaign can be tried with, in alphabetical order; open laws are not among them.
@@ -57,10 +49,8 @@ Eigen::VectorXd largest_displacements(const std::vector<Condition>& conditions,
                                       const std::vector<Segment>& segments, const SensorModel& sensors,
                                       const std::vector<double>& natural_frequency);
 
-/// Every explanation that the campaign can speak of at all. `forces`: those of `effects` that are no polynomials.
-/// `largest`: see largest_displacements.
-std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects,
-                                     const std::vector<StateForce>& forces, const CompiledModel& model,
+/// Every explanation that the campaign can speak of at all. `largest`: see largest_displacements.
+std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects, const CompiledModel& model,
                                      const SensorModel& sensors, const FaultTable& faults,
                                      const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
                                      const Eigen::VectorXd& largest);

@@ -86,7 +86,7 @@ class Diagnoser {
     leave_out_unsteady(observed.wander);
     const VectorXd largest = largest_displacements(conditions_, segments, sensors_, natural);
     set_scales(largest, natural);
-    candidates_ = candidates_of(effects, options_.forces, model, sensors_, faults_, conditions_, segments, largest);
+    candidates_ = candidates_of(effects, model, sensors_, faults_, conditions_, segments, largest);
     check_left_out();
     std::erase_if(candidates_, [&](const Candidate& c) { return options.left_out.contains(c.effect); });
     if (!conditions_.empty())
@@ -320,12 +320,9 @@ class Diagnoser {
       fill_gap(before.rows, before.rows);
       return;
     }
-    // An exponent of its own that is credibly no better than a law of the catalogue stands for that law, if that
-    // one leaves no structure.
-    const bool catalogue_will_do =
-        all.front().open_law && !named.empty() &&
-        named.front().probability > credible_odds * all.front().probability &&
-        smooth_remainder(named.front().explanation->fit, result_.labels).p_value > remainder_alarm;
+    // An exponent of its own that is credibly no better than a law of the catalogue stands for that law.
+    const bool catalogue_will_do = all.front().open_law && !named.empty() &&
+                                   named.front().probability > credible_odds * all.front().probability;
     const Rival& best = catalogue_will_do ? named.front() : all.front();
     best_ = best.explanation;
     const HeldOut after = predict_held_out(discrepancy_, best.explanation->fit, result_.labels);

@@ -110,7 +110,6 @@ class Search {
     descend();
     add_pairs();
     if (start_afresh(start)) add_pairs();
-    open_from_special_cases();
     settle();
     weigh();
     return std::move(result_);
@@ -381,37 +380,9 @@ class Search {
       }
   }
 
-  // A law with an exponent of its own fits no worse than the laws that it contains: where it is not there, or does,
-  // its own way from the null was too far, and it goes on from the best of them.
-  void open_from_special_cases() {
-    std::vector<Explanation> fresh;
-    std::size_t alone = 0;
-    for (const Explanation& e : found_) {
-      if (e.members.size() != 1 || is_open(e) || alone++ == most_firsts) continue;
-      const Candidate& law = candidates_[e.members.front()];
-      for (std::size_t c = 0; c < candidates_.size(); ++c) {
-        const Candidate& open = candidates_[c];
-        const auto special = std::find_if(open.special_cases.begin(), open.special_cases.end(),
-                                          [&](const SpecialCase& s) { return s.effect == law.effect; });
-        if (special == open.special_cases.end() || open.subject != law.subject) continue;
-        const bool better = std::any_of(found_.begin(), found_.end(), [&](const Explanation& other) {
-          return other.members == std::vector{c} && other.fit.chi_squared <= e.fit.chi_squared;
-        });
-        if (better) continue;
-        VectorXd begin = switched_off(e.fit.unknowns, e.members, candidates_);
-        begin(static_cast<Index>(open.strengths[0])) =
-            special->factor * e.fit.unknowns(static_cast<Index>(law.strengths[0]));
-        begin(static_cast<Index>(open.shapes[0])) = special->exponent;
-        fresh.push_back(explain({c}, begin));
-      }
-    }
-    for (Explanation& e : fresh) found_.push_back(std::move(e));
-    keep_best_of_each(found_, candidates_);
-  }
-
-  // Where even the best explanation leaves more than noise, the model's own numbers may have followed what was
-  // missing to where no step leads back: the best effects once more, each on its own way from the start. Whether
-  // one of them is the best now.
+  // Where even the best explanation leaves more than noise, the model's own numbers may have followed what was missing
+  // to where no step leads back: the best effects once more, each on its own way from the start. Whether one of them
+  // is the best now.
   bool start_afresh(const VectorXd& start) {
     if (found_.empty() || !leaves_more_than_noise(found_.front())) return false;
     const std::size_t most = misses(found_.front().fit) ? most_afresh : most_firsts;
@@ -419,7 +390,8 @@ class Search {
     std::vector<Explanation> fresh;
     for (const Explanation& e : found_)
       for (const std::size_t m : e.members) {
-        if (fresh.size() == most || !taken.emplace(candidates_[m].effect, candidates_[m].subject).second) continue;
+        if (fresh.size() == most || !taken.emplace(candidates_[m].effect, candidates_[m].subject).second)
+          continue;
         Explanation again;
         again.members = {m};
         again.unknowns = candidates_[m].strengths.size() + candidates_[m].shapes.size();

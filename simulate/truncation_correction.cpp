@@ -31,6 +31,7 @@ constexpr int most_halvings = 5;
 /// seen so often.
 constexpr double local = 1;
 constexpr int most_slopes = 6, most_unseen_slopes = 6;
+/// Those along what lumps tell hold this much further, while the others are seen again.
 constexpr double near_axes = 4;
 /// Weights follow up to here: they may go around in a circle.
 constexpr int last_weights = most_plain_passes + 6;
