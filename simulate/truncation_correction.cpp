@@ -30,7 +30,7 @@ constexpr int most_halvings = 5;
 /// Slopes hold this far around, in standard deviations (of what is plausible, along what no lump tells); they are
 /// seen so often.
 constexpr double local = 1;
-constexpr int most_slopes = 6, most_unseen_slopes = 6;
+constexpr int most_slopes = 6;
 /// Those along what lumps tell hold this much further, while the others are seen again.
 constexpr double near_axes = 4;
 /// Weights follow up to here: they may go around in a circle.
@@ -170,27 +170,24 @@ class Correction {
     return place;
   }
 
-  // At next_, or on the way back to place_ where that is very far or motions there grow beyond bounds.
+  // At next_, or on the way back to place_ where that is very far, and at the first on that way where motions do
+  // not grow beyond bounds.
   Pass correct(bool may_return) {
-    Pass pass;
     if (unseen_.cols() > 0) {
       const double far = shift(next_ - place_).cwiseAbs().maxCoeff();
       if (far > longest_shift) next_ = place_ + longest_shift / far * (next_ - place_);
     }
-    pass.replayed = replay_near(next_, may_return);
-    pass.corrected = with_truncation(measured_, pass.replayed, parameters(next_));
-    if (!at_.corrected.empty()) keep_truncation_change(pass.corrected, at_.corrected);
-    return pass;
-  }
-
-  // At `place`, or where motions there grow beyond bounds at the first on the way back to place_ where they do not.
-  std::vector<ObservationSet> replay_near(Eigen::VectorXd& place, bool may_return) {
     for (int step = 0;; ++step) {
+      const Eigen::VectorXd at = parameters(next_);
       try {
-        return replay_(parameters(place));
+        Pass pass;
+        pass.replayed = replay_(at);
+        pass.corrected = with_truncation(measured_, pass.replayed, at);
+        if (!at_.corrected.empty()) keep_truncation_change(pass.corrected, at_.corrected);
+        return pass;
       } catch (const InputError&) {
         if (!may_return || step == most_returns) throw;
-        place = 0.5 * (place + place_);
+        next_ = 0.5 * (next_ + place_);
       }
     }
   }
@@ -262,10 +259,7 @@ class Correction {
   // which nothing is said here. Axes stay as they are, so that a fit that holds slopes, and knows less along some
   // of them, does not lead too far away.
   void see_slopes() {
-    see_unseen();
-    quick_.moves.resize(axes_.rows(), axes_.cols() + unseen_.cols());
-    quick_.moves << axes_, unseen_;
-    full_.moves = quick_.moves;
+    see_unseen_beside_axes();
     const Displaced displaced = [&](Eigen::Index axis, double share) {
       return Eigen::VectorXd(parameters(place_) + share * axes_.col(axis));
     };
@@ -278,9 +272,17 @@ class Correction {
       set.truncation_of_moves.resize(static_cast<std::size_t>(quick_.moves.cols()),
                                      Eigen::MatrixXcd::Zero(set.truncation.rows(), set.truncation.cols()));
     }
-    seen_at_ = axes_seen_at_ = place_;
+    axes_seen_at_ = place_;
     ++times_seen_;
     done_("replay of the full equations");
+  }
+
+  void see_unseen_beside_axes() {
+    see_unseen();
+    quick_.moves.resize(axes_.rows(), axes_.cols() + unseen_.cols());
+    quick_.moves << axes_, unseen_;
+    full_.moves = quick_.moves;
+    seen_at_ = place_;
   }
 
   // Where what lumps tell has hardly moved, at first only along what they do not: there corrections bend most, and
@@ -288,16 +290,13 @@ class Correction {
   bool see_slopes_again() {
     if (place_ == axes_seen_at_) return false;
     const bool everything = place_ == seen_at_ || size_of_values(place_ - axes_seen_at_, estimate_) > near_axes;
-    if (everything ? times_seen_ == most_slopes : times_unseen_ == most_unseen_slopes) return false;
+    if (everything ? times_seen_ == most_slopes : times_unseen_ == most_slopes) return false;
     const Eigen::Index directions = unseen_.cols();
     choose_unseen();
     if (everything || unseen_.cols() != directions) {
       see_slopes();
     } else {
-      see_unseen();
-      quick_.moves.rightCols(directions) = unseen_;
-      full_.moves = quick_.moves;
-      seen_at_ = place_;
+      see_unseen_beside_axes();
       ++times_unseen_;
       done_("replay of the full equations");
     }

@@ -17,6 +17,19 @@ constexpr double same_effect = 1e-6;
 
 }  // namespace
 
+VectorXd lumps_of(const std::vector<const CompiledCase*>& cases, const VectorXd& parameters) {
+  std::size_t count = 0;
+  for (const CompiledCase* resonance : cases) count += resonance->lumps.size();
+  VectorXd lumps(static_cast<Index>(count));
+  double* first = lumps.data();
+  for (const CompiledCase* resonance : cases) {
+    if (resonance->lumps.empty()) continue;
+    resonance->evaluate_lumps(parameters.data(), first);
+    first += resonance->lumps.size();
+  }
+  return lumps;
+}
+
 SeenLumps::SeenLumps(const Estimate& estimate) : cases_(estimate.cases) {
   weight_ = VectorXd::Zero(static_cast<Index>(estimate.lumps.size()));
   for (std::size_t l = 0; l < estimate.lumps.size(); ++l)
@@ -24,14 +37,7 @@ SeenLumps::SeenLumps(const Estimate& estimate) : cases_(estimate.cases) {
 }
 
 VectorXd SeenLumps::at(const VectorXd& parameters) const {
-  VectorXd lumps(weight_.size());
-  Index first = 0;
-  for (const CompiledCase* resonance : cases_) {
-    if (resonance->lumps.empty()) continue;
-    resonance->evaluate_lumps(parameters.data(), lumps.data() + first);
-    first += static_cast<Index>(resonance->lumps.size());
-  }
-  return weight_.cwiseProduct(lumps);
+  return weight_.cwiseProduct(lumps_of(cases_, parameters));
 }
 
 MatrixXd SeenLumps::slope(const VectorXd& parameters) const {

@@ -7,6 +7,9 @@
 
 namespace secular {
 
+/// Lumps of all cases, one after the other as Estimate::lumps, of parameters by CompiledModel::symbols.
+Eigen::VectorXd lumps_of(const std::vector<const CompiledCase*>& cases, const Eigen::VectorXd& parameters);
+
 /// The lumps that an estimate tells, in units of their error bars.
 class SeenLumps {
  public:

@@ -5,6 +5,7 @@
 
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/estimate.hpp"
+#include "estimator/identification/seen_lumps.hpp"
 #include "estimator/identification/short_list.hpp"
 #include "estimator/regression/confidence.hpp"
 
@@ -131,14 +132,8 @@ Estimate with_unsettled_correction(Estimate latest, const VectorXd& before, cons
   };
   for (std::size_t p = 0; p < latest.parameters.size(); ++p)
     widen(latest.parameters[p], std::abs(next(static_cast<Index>(p)) - before(static_cast<Index>(p))));
-  std::size_t at = 0;
-  for (const CompiledCase* resonance : latest.cases) {
-    std::vector<double> earlier(resonance->lumps.size()), later(resonance->lumps.size());
-    if (earlier.empty()) continue;
-    resonance->evaluate_lumps(before.data(), earlier.data());
-    resonance->evaluate_lumps(next.data(), later.data());
-    for (std::size_t l = 0; l < earlier.size(); ++l) widen(latest.lumps[at++], std::abs(later[l] - earlier[l]));
-  }
+  const VectorXd change = (lumps_of(latest.cases, next) - lumps_of(latest.cases, before)).cwiseAbs();
+  for (std::size_t l = 0; l < latest.lumps.size(); ++l) widen(latest.lumps[l], change(static_cast<Index>(l)));
   if (!moved.empty())
     latest.warnings.push_back("the correction for the expansion's truncation has not come to rest, doubtful: " +
                               short_list(moved));
