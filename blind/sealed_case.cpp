@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -19,8 +20,11 @@ constexpr double largest_relative_change = 0.3;
 // Norm, over the whole campaign, below which a difference is nothing that data could show: its chi-square would
 // exceed the degrees of freedom of a comparison by 16 only.
 constexpr double visible_norm = 4;
-// A rival that still leaves this share of a change when its size has followed does not come to explain it.
-constexpr double hopeless = 0.8;
+// A rival that still leaves this share of a change when its size has followed, or this one at first, does not come
+// to explain it.
+constexpr double hopeless = 0.8, hopeless_at_first = 0.95;
+// One that leaves less is fitted to convergence, together with the model's own parameters.
+constexpr double near = 0.5;
 // A case whose motion grows beyond all bounds is drawn again, from a stream of its own.
 constexpr std::uint64_t most_redraws = 8, redrawn = 10'000'000;
 // Standard deviations of a chi-squared beyond which it is noticed, once in ten thousand, and by how many it has to
@@ -67,7 +71,7 @@ void set_strength(Truth& truth, const Specimen& specimen, const Signatures& sign
       continue;
     }
     truth.raw_sigma = signatures.strength(change, all);
-    truth.relative = signatures.relative(change, all);
+    truth.relative = signatures.relative(reality, all);
     // The linear fit leads to the target, the converged one judges what was reached.
     const auto factor_to_target = [&](const Eigen::VectorXd& left) {
       truth.sigma = signatures.strength(left, all);
@@ -113,22 +117,73 @@ double unnamed_norm(const Signatures& signatures) {
   return std::sqrt((alarm + for_certain) * std::sqrt(2 * components));
 }
 
+/// What a truth changes, seen by one set of amplitudes.
+struct SeenChange {
+  const Signatures& signatures;
+  bool all_ensembles = false;
+  Eigen::VectorXd whole, left;  ///< `left`: what the model's own parameters leave of it
+
+  /// Standard deviations of an ensemble are those of so many of the mean of all.
+  double ensembles() const { return all_ensembles ? 1 : std::sqrt(static_cast<double>(ensembles_per_dwell)); }
+};
+
+// Norm of what a rival leaves of a change, with the coefficient that explains most. Its own change is computed
+// again where that has moved: large changes are not proportional to it. Nor do large changes add up: a rival that
+// comes near is fitted together with the model's own parameters.
+double least_left_by(Withheld rival, double raw_sigma, double seen, const SeenChange& truth, const SealedCase& c,
+                     const std::vector<double>& peak) {
+  const Signatures& signatures = truth.signatures;
+  const Eigen::VectorXd& left = truth.left;
+  const bool all = truth.all_ensembles;
+  const auto with_rival = [&](double coefficient) {
+    Reality other = reality_of(c.specimen);
+    rival.coefficient = coefficient;
+    switch_on(rival, c.specimen, peak, other);
+    return other;
+  };
+  const Eigen::MatrixXd& own = signatures.own_parameters(all);
+  double least = std::numeric_limits<double>::infinity();
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    const Eigen::VectorXd change = signatures.change(with_rival(rival.coefficient), all);
+    const double size = signatures.strength(change, all);
+    if (!change.allFinite() || size == 0) break;
+    if (attempt == 0) {
+      rival.coefficient *= std::clamp(raw_sigma / size, 0.02, 50.0);
+      continue;
+    }
+    const Eigen::VectorXd own_taken_off = signatures.remainder(change, all);
+    const double length = own_taken_off.norm();
+    if (length == 0) break;
+    Eigen::MatrixXd columns(own.rows(), own.cols() + 1);
+    columns << own, own_taken_off / length;
+    const Eigen::VectorXd fit = columns.colPivHouseholderQr().solve(left);
+    const double unexplained = (left - columns * fit).norm();
+    least = std::min(least, unexplained);
+    if (unexplained * truth.ensembles() < seen) return unexplained;
+    if (unexplained > (attempt > 1 ? hopeless : hopeless_at_first) * left.norm()) break;
+    const double factor = fit(fit.size() - 1) / length;
+    if (attempt > 1 && std::abs(factor - 1) < 0.02) break;
+    rival.coefficient *= std::copysign(std::clamp(std::abs(factor), 0.02, 50.0), factor);
+  }
+  if (!(least < near * left.norm())) return least;
+  return std::min(least, signatures.refitted_remainder(truth.whole, all, with_rival, rival.coefficient).norm());
+}
+
 // Which of `rivals` explain the change as well: to less than a norm of `seen`.
 void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, double seen, const SealedCase& c,
                       const Signatures& signatures, const std::vector<double>& peak, Random& random) {
   const bool all = changes_with_time(truth.withheld.effect);
   Reality reality = reality_of(c.specimen);
   switch_on(truth.withheld, c.specimen, peak, reality);
-  const Eigen::VectorXd left = signatures.refitted_remainder(signatures.change(reality, all), all);
-  truth.sigma = signatures.strength(left, all);
-  const double ensembles = all ? 1 : std::sqrt(static_cast<double>(ensembles_per_dwell));
+  SeenChange change{signatures, all, signatures.change(reality, all), {}};
+  change.left = signatures.refitted_remainder(change.whole, all);
+  truth.sigma = signatures.strength(change.left, all);
   // One sensor alone has no sensitivity that the model's own parameters would not take up.
   const bool hidden = truth.withheld.effect == "sensor_gain" && c.specimen.measurement.names.size() == 2;
-  if (hidden || left.norm() * ensembles < visible_norm) {
+  if (hidden || change.left.norm() * change.ensembles() < visible_norm) {
     truth.same_as.emplace_back("no_gap");
     return;
   }
-  const Eigen::MatrixXd& own = signatures.own_parameters(all);
   for (const std::string& name : rivals) {
     for (const Shape& shape : shapes_of(name)) {
       Withheld rival = draw_withheld(name, c.specimen, random);
@@ -137,36 +192,10 @@ void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, doub
         rival.detail = shape.width;
         rival.smooth = shape.smooth;
       }
-      // The rival's coefficient that explains most, its own change computed again where it has moved: large changes
-      // are not proportional to it.
-      for (int attempt = 0; attempt < 4; ++attempt) {
-        Reality other = reality_of(c.specimen);
-        switch_on(rival, c.specimen, peak, other);
-        const Eigen::VectorXd change = signatures.change(other, all);
-        const double size = signatures.strength(change, all);
-        if (!change.allFinite() || size == 0) break;
-        if (attempt == 0) {
-          rival.coefficient *= std::clamp(truth.raw_sigma / size, 0.02, 50.0);
-          continue;
-        }
-        const Eigen::VectorXd own_taken_off = signatures.remainder(change, all);
-        const double length = own_taken_off.norm();
-        if (length == 0) break;
-        Eigen::MatrixXd columns(own.rows(), own.cols() + 1);
-        columns << own, own_taken_off / length;
-        const Eigen::VectorXd fit = columns.colPivHouseholderQr().solve(left);
-        const double unexplained = (left - columns * fit).norm();
-        if (unexplained * ensembles < seen) {
-          if (std::find(truth.same_as.begin(), truth.same_as.end(), name) == truth.same_as.end())
-            truth.same_as.push_back(name);
-          break;
-        }
-        if (attempt > 1 && unexplained > hopeless * left.norm()) break;
-        const double factor = fit(fit.size() - 1) / length;
-        if (attempt > 1 && std::abs(factor - 1) < 0.02) break;
-        rival.coefficient *= std::copysign(std::clamp(std::abs(factor), 0.02, 50.0), factor);
+      if (least_left_by(rival, truth.raw_sigma, seen, change, c, peak) * change.ensembles() < seen) {
+        truth.same_as.push_back(name);
+        break;
       }
-      if (!truth.same_as.empty() && truth.same_as.back() == name) break;
     }
   }
 }
@@ -203,7 +232,7 @@ void move_parameters(SealedCase& c, const Signatures& signatures, double target,
     double factor = 0.2;
     if (change.allFinite()) {
       truth.sigma = truth.raw_sigma = signatures.strength(change, false);
-      truth.relative = signatures.relative(change, false);
+      truth.relative = signatures.relative(moved, false);
       factor = std::min(target / truth.sigma, largest_relative_change / truth.relative);
       if (attempt == 4 || std::abs(std::log(factor)) < 0.2) break;
     }

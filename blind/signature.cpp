@@ -2,8 +2,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace secular::blind {
 namespace {
@@ -76,14 +78,14 @@ const Eigen::VectorXd& Signatures::nominal(bool all_ensembles) const {
   return amplitudes_of_model;
 }
 
-Eigen::VectorXd Signatures::amplitudes(const Reality& reality, bool all_ensembles) const {
+Eigen::VectorXd Signatures::amplitudes(const Reality& reality, bool all_ensembles, double of_drive) const {
   const std::size_t ensembles = all_ensembles ? ensembles_per_dwell : 1, channels = noise_sd_.size();
-  const std::size_t components = 2 * harmonics_ + 1;
-  Eigen::VectorXd result(static_cast<Eigen::Index>(specimen_.dwells.size() * ensembles * channels * components));
+  Eigen::VectorXd result(static_cast<Eigen::Index>(specimen_.dwells.size() * ensembles * channels) * components());
   const Settling settling = resettling(specimen_);
   Eigen::Index at = 0;
   for (const Dwell& dwell : specimen_.dwells) {
-    const Drive drive = drive_of(dwell, reality);
+    Drive drive = drive_of(dwell, reality);
+    drive.amplitude *= of_drive;
     const State state = settled_state(reality.structure, drive, dwell.state, settling);
     const Motion motion =
         recorded_motion(reality.structure, drive, state, ensembles * ensemble_samples, settling.substeps);
@@ -95,17 +97,57 @@ Eigen::VectorXd Signatures::amplitudes(const Reality& reality, bool all_ensemble
       for (std::size_t c = 0; c < channels; ++c) {
         const Eigen::Map<const Eigen::VectorXd> y(samples[c].data() + e * ensemble_samples, ensemble_samples);
         const double sd = noise_sd_[c] * std::sqrt(2.0 / static_cast<double>(ensemble_samples));
-        result.segment(at, static_cast<Eigen::Index>(components)) = normal.solve(basis.transpose() * y) / sd;
+        result.segment(at, components()) = normal.solve(basis.transpose() * y) / sd;
         result(at) *= std::sqrt(2.0);  // the mean's standard deviation is the smaller one
-        at += static_cast<Eigen::Index>(components);
+        at += components();
       }
     }
   }
   return result;
 }
 
-Eigen::VectorXd Signatures::change(const Reality& reality, bool all_ensembles) const {
+Eigen::VectorXd Signatures::difference(const Reality& reality, bool all_ensembles) const {
   return amplitudes(reality, all_ensembles) - nominal(all_ensembles);
+}
+
+const Eigen::MatrixX2d& Signatures::excitation_noise(bool all_ensembles) const {
+  constexpr double step = 0.002;
+  Eigen::MatrixX2d& noise = excitation_noise_[all_ensembles];
+  if (noise.rows() > 0) return noise;
+  const Eigen::VectorXd& here = nominal(all_ensembles);
+  const Eigen::VectorXd larger = (amplitudes(reality_of(specimen_), all_ensembles, 1 + step) - here) / step;
+  if (!larger.allFinite()) throw std::runtime_error("a dwell of the model alone has no bounded motion");
+  noise = Eigen::MatrixX2d::Zero(here.size(), 2);
+  const Eigen::Index width = static_cast<Eigen::Index>(noise_sd_.size()) * components();
+  const auto driven = static_cast<Eigen::Index>(specimen_.settling.periods_of_two);  // harmonic of the fundamental
+  for (Eigen::Index first = 0; first < here.size(); first += width) {
+    const double of_one = 1 / here.segment<2>(first + 2 * driven - 1).norm();
+    for (Eigen::Index i = first + components(); i < first + width; i += components()) {
+      noise.col(0).segment(i, components()) = of_one * larger.segment(i, components());
+      // A later phase: every harmonic turns by its own multiple of it.
+      for (Eigen::Index h = 1; h <= static_cast<Eigen::Index>(harmonics_); ++h) {
+        const double turn = of_one * static_cast<double>(h) / static_cast<double>(driven);
+        noise(i + 2 * h - 1, 1) = turn * here(i + 2 * h);
+        noise(i + 2 * h, 1) = -turn * here(i + 2 * h - 1);
+      }
+    }
+  }
+  return noise;
+}
+
+// (I + N N^T)^(-1/2) by the singular values s of N: along its left vectors 1/sqrt(1 + s^2), elsewhere 1.
+Eigen::VectorXd Signatures::change(const Reality& reality, bool all_ensembles) const {
+  Eigen::VectorXd result = difference(reality, all_ensembles);
+  const Eigen::MatrixX2d& noise = excitation_noise(all_ensembles);
+  const Eigen::Index width = static_cast<Eigen::Index>(noise_sd_.size()) * components();
+  for (Eigen::Index first = 0; first < result.size(); first += width) {
+    const Eigen::JacobiSVD<Eigen::MatrixX2d> svd(noise.middleRows(first, width), Eigen::ComputeThinU);
+    const Eigen::Vector2d kept = (1 + svd.singularValues().array().square()).rsqrt();
+    auto here = result.segment(first, width);
+    const Eigen::Vector2d along = svd.matrixU().transpose() * here;
+    here -= svd.matrixU() * (along.array() * (1 - kept.array())).matrix();
+  }
+  return result;
 }
 
 namespace {
@@ -150,9 +192,10 @@ Eigen::VectorXd Signatures::linear_remainder(const Eigen::VectorXd& change_seen,
   return change_seen - columns * columns.colPivHouseholderQr().solve(change_seen);
 }
 
-Eigen::VectorXd Signatures::change_of_own(const Eigen::VectorXd& moved, bool all_ensembles) const {
+Eigen::VectorXd Signatures::change_with_own(Reality reality, const Eigen::VectorXd& moved,
+                                            bool all_ensembles) const {
+  own_parameters(all_ensembles);  // their steps
   const std::vector<OwnParameter> parameters = own_parameters_of(specimen_);
-  Reality reality = reality_of(specimen_);
   for (std::size_t i = 0; i < parameters.size(); ++i)
     *coefficient(reality.structure, parameters[i].effect, parameters[i].mode) +=
         moved(static_cast<Eigen::Index>(i)) * steps_[all_ensembles][i];
@@ -164,7 +207,7 @@ Eigen::VectorXd Signatures::remainder(const Eigen::VectorXd& change_seen, bool a
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
   Eigen::VectorXd fitted = qr.solve(change_seen), best = change_seen - columns * fitted;
   for (int iteration = 0; iteration < 2; ++iteration) {
-    const Eigen::VectorXd left = change_seen - change_of_own(fitted, all_ensembles);
+    const Eigen::VectorXd left = change_seen - change_with_own(reality_of(specimen_), fitted, all_ensembles);
     if (!left.allFinite()) break;
     const Eigen::VectorXd further = qr.solve(left), remaining = left - columns * further;
     if (remaining.norm() >= best.norm()) break;
@@ -174,44 +217,67 @@ Eigen::VectorXd Signatures::remainder(const Eigen::VectorXd& change_seen, bool a
   return best;
 }
 
-// Gauss and Newton; Broyden's update after every step, slopes anew where these lead no further, halving where even
-// those do not.
-Eigen::VectorXd Signatures::refitted_remainder(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
+namespace {
+
+// What is left of `seen` by Gauss and Newton from zero on; Broyden's update after every step, slopes anew where
+// these lead no further, halving where even those do not.
+Eigen::VectorXd least_remainder(const Eigen::VectorXd& seen, Eigen::MatrixXd slopes,
+                                const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& change_of) {
   constexpr double worth_a_step = 0.97;
   constexpr int most_steps = 15, most_slopes = 2, most_halvings = 5;
-  Eigen::MatrixXd slopes = own_parameters(all_ensembles);
-  Eigen::VectorXd fitted = Eigen::VectorXd::Zero(slopes.cols()), left = change_seen;
+  Eigen::VectorXd fitted = Eigen::VectorXd::Zero(slopes.cols()), left = seen - change_of(fitted);
   bool local = true;
-  int seen = 0;
+  int times_anew = 0;
   for (int step = 0; step < most_steps; ++step) {
     Eigen::VectorXd move = slopes.colPivHouseholderQr().solve(left);
     if (local && (left - slopes * move).norm() > worth_a_step * left.norm()) break;
-    Eigen::VectorXd there = change_seen - change_of_own(fitted + move, all_ensembles);
+    Eigen::VectorXd there = seen - change_of(fitted + move);
     const auto better = [&] { return there.allFinite() && there.norm() < left.norm(); };
     if (!better() && !local) {
-      if (seen++ == most_slopes) break;
-      const Eigen::VectorXd here = change_seen - left;
-      for (Eigen::Index i = 0; i < slopes.cols(); ++i) {
-        const Eigen::VectorXd beside = fitted + Eigen::VectorXd::Unit(slopes.cols(), i);
-        slopes.col(i) = change_of_own(beside, all_ensembles) - here;
-      }
+      if (times_anew++ == most_slopes) break;
+      const Eigen::VectorXd here = seen - left;
+      for (Eigen::Index i = 0; i < slopes.cols(); ++i)
+        slopes.col(i) = change_of(fitted + Eigen::VectorXd::Unit(slopes.cols(), i)) - here;
       if (!slopes.allFinite()) break;
       local = true;
       continue;
     }
     for (int halvings = 0; !better() && halvings < most_halvings; ++halvings) {
       move *= 0.5;
-      there = change_seen - change_of_own(fitted + move, all_ensembles);
+      there = seen - change_of(fitted + move);
     }
     if (!better()) break;
     slopes += (left - there - slopes * move) * move.transpose() / move.squaredNorm();
     const bool slow = there.norm() > worth_a_step * left.norm();
     fitted += move;
     left = there;
-    if (slow && seen == most_slopes) break;
+    if (slow && times_anew == most_slopes) break;
     local = false;
   }
   return left;
+}
+
+}  // namespace
+
+Eigen::VectorXd Signatures::refitted_remainder(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
+  return least_remainder(change_seen, own_parameters(all_ensembles), [&](const Eigen::VectorXd& moved) {
+    return change_with_own(reality_of(specimen_), moved, all_ensembles);
+  });
+}
+
+Eigen::VectorXd Signatures::refitted_remainder(const Eigen::VectorXd& change_seen, bool all_ensembles,
+                                               const std::function<Reality(double coefficient)>& rival,
+                                               double coefficient_at_first) const {
+  const Eigen::MatrixXd& own = own_parameters(all_ensembles);
+  const Eigen::VectorXd of_rival = change(rival(coefficient_at_first), all_ensembles);
+  const double norm = of_rival.norm();
+  if (!std::isfinite(norm) || norm == 0) return change_seen;
+  Eigen::MatrixXd slopes(own.rows(), own.cols() + 1);
+  slopes << own, of_rival / norm;
+  return least_remainder(change_seen, std::move(slopes), [&](const Eigen::VectorXd& moved) {
+    const double more = moved(own.cols()) / norm;
+    return change_with_own(rival(coefficient_at_first * (1 + more)), moved, all_ensembles);
+  });
 }
 
 double Signatures::strength(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
@@ -219,8 +285,8 @@ double Signatures::strength(const Eigen::VectorXd& change_seen, bool all_ensembl
   return change_seen.norm() / std::sqrt(parts);
 }
 
-double Signatures::relative(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
-  return change_seen.norm() / nominal(all_ensembles).norm();
+double Signatures::relative(const Reality& reality, bool all_ensembles) const {
+  return difference(reality, all_ensembles).norm() / nominal(all_ensembles).norm();
 }
 
 }  // namespace secular::blind

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,13 +14,15 @@ namespace secular::blind {
 
 /// Harmonic amplitudes of every dwell and channel of a reality, as one vector: real and imaginary parts of the
 /// harmonics of the response's fundamental in the first ensemble (in all of them where an effect changes with
-/// time), each divided by its standard deviation under the noise.
+/// time), each divided by its standard deviation under the noise. The excitation is known as well as its channel
+/// tells it and no better: what an error of its amplitude or phase would do to the responses counts as noise.
 class Signatures {
  public:
   /// `noise_sd` by channel.
   Signatures(const Specimen& specimen, std::vector<double> noise_sd);
 
-  /// How a reality's harmonic amplitudes differ from the model's own. `all_ensembles` costs more.
+  /// How a reality's harmonic amplitudes differ from the model's own, in standard deviations (rotated so that these
+  /// are independent of each other). `all_ensembles` costs more.
   Eigen::VectorXd change(const Reality& reality, bool all_ensembles) const;
   /// Changes by small steps of the model's own natural frequencies and coefficients: columns of unit length.
   const Eigen::MatrixXd& own_parameters(bool all_ensembles) const;
@@ -28,18 +31,28 @@ class Signatures {
   Eigen::VectorXd remainder(const Eigen::VectorXd& change, bool all_ensembles) const;
   /// The same to convergence: slopes follow the fit, which a large change may lead far. Costs many times as much.
   Eigen::VectorXd refitted_remainder(const Eigen::VectorXd& change, bool all_ensembles) const;
+  /// The same with the coefficient of a rival fitted beside them, from `coefficient` on: `rival` is the specimen's
+  /// reality with it switched on.
+  Eigen::VectorXd refitted_remainder(const Eigen::VectorXd& change, bool all_ensembles,
+                                     const std::function<Reality(double coefficient)>& rival,
+                                     double coefficient) const;
   /// The same after the first step alone.
   Eigen::VectorXd linear_remainder(const Eigen::VectorXd& change, bool all_ensembles) const;
 
   /// Norm of a change over one ensemble of one dwell, root mean square over the dwells: in standard deviations.
   double strength(const Eigen::VectorXd& change, bool all_ensembles) const;
-  /// The same relative to the amplitudes themselves, all channels together.
-  double relative(const Eigen::VectorXd& change, bool all_ensembles) const;
+  /// Norm of a reality's change relative to the amplitudes themselves, all channels together.
+  double relative(const Reality& reality, bool all_ensembles) const;
 
  private:
-  Eigen::VectorXd amplitudes(const Reality& reality, bool all_ensembles) const;
-  /// The change that the model's own parameters make where they move by `moved`, in steps of unit columns.
-  Eigen::VectorXd change_of_own(const Eigen::VectorXd& moved, bool all_ensembles) const;
+  Eigen::VectorXd amplitudes(const Reality& reality, bool all_ensembles, double of_drive = 1) const;
+  Eigen::Index components() const { return static_cast<Eigen::Index>(2 * harmonics_ + 1); }
+  /// Of one channel's noise alone: each divided by its own standard deviation.
+  Eigen::VectorXd difference(const Reality& reality, bool all_ensembles) const;
+  /// What errors of the excitation's amplitude and phase of one standard deviation do to the responses.
+  const Eigen::MatrixX2d& excitation_noise(bool all_ensembles) const;
+  /// The change where `reality`'s own parameters move by the first of `moved`, in steps of unit columns.
+  Eigen::VectorXd change_with_own(Reality reality, const Eigen::VectorXd& moved, bool all_ensembles) const;
 
   const Specimen& specimen_;
   std::vector<double> noise_sd_;
@@ -47,6 +60,7 @@ class Signatures {
   const Eigen::VectorXd& nominal(bool all_ensembles) const;
 
   mutable std::map<bool, Eigen::VectorXd> nominal_;
+  mutable std::map<bool, Eigen::MatrixX2d> excitation_noise_;
   mutable std::map<bool, Eigen::MatrixXd> own_;
   mutable std::map<bool, std::vector<double>> steps_;  // of each own parameter for a column of unit length
 };

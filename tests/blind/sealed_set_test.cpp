@@ -93,7 +93,8 @@ TEST(BlindPlans, EveryEffectIsDrawnAndKindsKeepTheirShares) {
   EXPECT_EQ(effects.size(), 28u);
 }
 
-// A coefficient's step of a strength that is known: linear response q = eta1 F H, so 1 % more eta1 is 1 % more q.
+// A coefficient's step of a strength that is known: linear response q = eta1 F H, so 1 % more eta1 is 1 % more q,
+// and so is an excitation of 1 % more, which its channel's noise leaves open.
 TEST(BlindSignature, CountsStandardDeviationsOfAnEnsemble) {
   Random random(11, 4);
   Specimen specimen =
@@ -104,15 +105,19 @@ TEST(BlindSignature, CountsStandardDeviationsOfAnEnsemble) {
   Reality reality = reality_of(specimen);
   reality.structure.mode[0].direct *= 1.01;
   const Eigen::VectorXd change = signatures.change(reality, false);
+  const double sd_of_amplitude = sd * std::sqrt(2 / static_cast<double>(ensemble_samples));
   double squares = 0;
   for (const Dwell& dwell : specimen.dwells) {
     const Motion motion = recorded_motion(specimen.structure, dwell.drive, dwell.state, 4096, 4);
     const auto channels = measured(specimen.measurement, dwell.drive, motion, true);
+    double response = 0;  // squared amplitudes, in standard deviations
     for (std::size_t c = 1; c < channels.size(); ++c) {
       double mean_square = 0;
       for (const double x : channels[c]) mean_square += x * x / 4096;
-      squares += std::pow(0.01, 2) * 2 * mean_square / (sd * sd * 2 / static_cast<double>(ensemble_samples));
+      response += 2 * mean_square / (sd_of_amplitude * sd_of_amplitude);
     }
+    const double excitation = std::pow(dwell.drive.amplitude / sd_of_amplitude, 2);
+    squares += std::pow(0.01, 2) * response / (1 + response / excitation);
   }
   EXPECT_NEAR(signatures.strength(change, false), std::sqrt(squares / 2), 0.01 * std::sqrt(squares / 2));
   // The model's own parameters take it up.
@@ -134,6 +139,28 @@ TEST(BlindSignature, OwnParametersAreFittedToConvergence) {
   ASSERT_TRUE(change.allFinite());
   EXPECT_GT(signatures.linear_remainder(change, false).norm(), 0.1 * change.norm());
   EXPECT_LT(signatures.refitted_remainder(change, false).norm(), 0.01 * change.norm());
+}
+
+// Changes that do not add up: a spring and the model's own parameters together lead to the truth that was made of
+// them, whatever the spring's size at first.
+TEST(BlindSignature, ARivalIsFittedTogetherWithTheModelsOwnParameters) {
+  Random random(11, 4);
+  Specimen specimen =
+      draw_specimen("primary", {"cubic_stiffness", "quadratic_damping", "cubic_damping"}, 20, random);
+  const Signatures signatures(specimen, std::vector<double>(specimen.measurement.names.size(), 1e-3));
+  const double cubic = coefficient_of_share(specimen, "cubic_stiffness", 0, 1);
+  const auto with_spring = [&](double coefficient) {
+    Reality reality = reality_of(specimen);
+    reality.structure.mode[0].alpha3 += coefficient;
+    return reality;
+  };
+  Reality reality = with_spring(cubic);
+  reality.structure.mode[0].mu1 *= 1.3;
+  reality.structure.mode[0].omega += 0.5 * specimen.decay_rate[0];
+  const Eigen::VectorXd change = signatures.change(reality, false);
+  ASSERT_TRUE(change.allFinite());
+  EXPECT_GT(signatures.refitted_remainder(change, false).norm(), 0.1 * change.norm());
+  EXPECT_LT(signatures.refitted_remainder(change, false, with_spring, 0.4 * cubic).norm(), 0.01 * change.norm());
 }
 
 TEST_F(BlindFolder, CaseHasTheNoiseThatItsLabelSays) {
