@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "diagnose/held_out.hpp"
 #include "diagnose/line_evidence.hpp"
+#include "diagnose/naming.hpp"
 #include "diagnose/observe_conditions.hpp"
 #include "diagnose/prior_evidence.hpp"
 #include "diagnose/remainder.hpp"
@@ -40,12 +40,6 @@ constexpr double small_remainder = 0.1;
 
 /// Samples of decays, sweeps and broadband records that are compared, in all.
 constexpr Index most_samples = 6000;
-
-/// Explanations that are expected to differ by less than this in chi-squared cannot be told apart.
-constexpr double separable = 6;
-
-/// Others stay in the set down to this share of the best one's probability.
-constexpr double credible_odds = told_apart;
 
 /// A dwell is proposed if it has this chance of leaving one explanation, and leaves no more than this share of the
 /// probability that another one is right.
@@ -282,13 +276,6 @@ class Diagnoser {
   }
 
   // The model's own numbers moved: an explanation when numbers were given.
-  struct Rival {
-    const Explanation* explanation = nullptr;
-    double log_evidence = 0, probability = 0;
-    std::vector<std::string> effects;
-    bool open_law = false;
-  };
-
   std::vector<Rival> rivals() const {
     std::vector<Rival> all;
     if (given()) all.push_back({&inference_.null, inference_.null.log_evidence, 0, {"parameters"}, false});
@@ -300,11 +287,7 @@ class Diagnoser {
       }
       all.push_back(std::move(rival));
     }
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Rival& a, const Rival& b) { return a.log_evidence > b.log_evidence; });
-    double sum = 0;
-    for (const Rival& r : all) sum += std::exp(r.log_evidence - all.front().log_evidence);
-    for (Rival& r : all) r.probability = std::exp(r.log_evidence - all.front().log_evidence) / sum;
+    if (!all.empty()) rank(all);
     return all;
   }
 
@@ -321,8 +304,8 @@ class Diagnoser {
       return;
     }
     // An exponent of its own that is credibly no better than a law of the catalogue stands for that law.
-    const bool catalogue_will_do = all.front().open_law && !named.empty() &&
-                                   named.front().probability > credible_odds * all.front().probability;
+    const bool catalogue_will_do =
+        all.front().open_law && !named.empty() && is_credible(named.front(), all.front());
     const Rival& best = catalogue_will_do ? named.front() : all.front();
     best_ = best.explanation;
     const HeldOut after = predict_held_out(discrepancy_, best.explanation->fit, result_.labels);
@@ -359,7 +342,11 @@ class Diagnoser {
     result_.verdict = "unknown";
     if (!named.empty()) {
       collect_causes(named, before.rows);
-      name_set(named, before.rows);
+      Naming naming = name_effects(named, inference_);
+      result_.set = std::move(naming.set);
+      result_.together = std::move(naming.together);
+      result_.second_or = std::move(naming.second_or);
+      compare_with_wrong_cause(named, before.rows);
       if (!unknown && !best.open_law) {
         result_.verdict = result_.set.size() == 1 ? "cause" : "set";
         result_.cause = result_.set.size() == 1 ? result_.set.front() : "";
@@ -378,47 +365,12 @@ class Diagnoser {
                 std::sqrt(std::max(0.0, fit.covariance(at, at) * inference_.dispersion)), rival.probability};
   }
 
-  // What the best explanation by the catalogue names, and what cannot be told from it.
-  void name_set(const std::vector<Rival>& all, const VectorXd& rows_before) {
-    const Rival& best = all.front();
-    std::vector<std::string> set;
-    const auto add = [&](const std::string& effect) {
-      if (std::find(set.begin(), set.end(), effect) == set.end()) set.push_back(effect);
-    };
-    // Rivals of the same number of effects: what would have to stand in the first one's place.
-    const std::string leading = leading_effect(best);
-    add(leading);
-    // Where moved parameters are enough, every effect that is tried beside them is one too many.
-    const bool own_parameters = best.explanation->members.empty();
+  // The best single effect that is not in the set, as a control.
+  void compare_with_wrong_cause(const std::vector<Rival>& all, const VectorXd& rows_before) {
     for (const Rival& r : all) {
-      if (own_parameters || r.effects.size() != best.effects.size()) continue;
-      const std::vector<std::string> replacing = different(r.effects, best.effects);
-      if (replacing.size() != 1) continue;
-      const std::vector<std::string> replaced = different(best.effects, r.effects);
-      if (replaced.empty() || replaced.front() != leading) continue;
-      const bool credible = r.probability > credible_odds * best.probability;
-      // What has more unknowns and still explains no better contains the best as a limit (a slider that slips at
-      // once is dry friction): the simpler one is named.
-      const bool same = r.explanation->unknowns <= best.explanation->unknowns &&
-                        expected_separation(*best.explanation, *r.explanation, inference_.null) < separable;
-      if (credible || same) add(replacing.front());
-    }
-    for (const Rival& r : all)
-      if (r.effects.size() < best.effects.size() && r.probability > credible_odds * best.probability)
-        for (const std::string& effect : r.effects) add(effect);
-    if (best.effects.size() > 1) {
-      const std::string second = best.effects[best.effects.front() == leading ? 1 : 0];
-      result_.together = {leading, second};
-      for (const Rival& r : all) {
-        if (r.effects.size() != 2 || !(r.probability > credible_odds * best.probability)) continue;
-        const std::vector<std::string> instead = different(r.effects, result_.together);
-        if (instead.size() == 1 && different(result_.together, r.effects) == std::vector{second})
-          result_.second_or.push_back(instead.front());
-      }
-    }
-    result_.set = set;
-    for (const Rival& r : all) {
-      if (r.effects.size() != 1 || std::find(set.begin(), set.end(), r.effects.front()) != set.end()) continue;
+      if (r.effects.size() != 1 ||
+          std::find(result_.set.begin(), result_.set.end(), r.effects.front()) != result_.set.end())
+        continue;
       const HeldOut wrong = predict_held_out(discrepancy_, r.explanation->fit, result_.labels);
       result_.gap.wrong_cause = r.effects.front();
       result_.gap.wrong_cause_closed = closed_share(rows_before, wrong.rows, result_.labels, 1).closed;
@@ -479,21 +431,6 @@ class Diagnoser {
           "test, for example a second sensor, a calibration of the excitation, or a resonance that was not "
           "measured yet",
           fmt::join(next.separates, ", "), 100 * dwell.chance, 100 * dwell.before, 100 * dwell.probability);
-  }
-
-  static std::vector<std::string> different(const std::vector<std::string>& a, const std::vector<std::string>& b) {
-    std::vector<std::string> only;
-    for (const std::string& x : a)
-      if (std::find(b.begin(), b.end(), x) == b.end()) only.push_back(x);
-    return only;
-  }
-
-  // Of two effects together the one that alone explains more.
-  std::string leading_effect(const Rival& best) const {
-    if (best.effects.size() == 1) return best.effects.front();
-    const std::vector<std::size_t>& members = best.explanation->members;
-    return inference_.linear_gain[members[0]] >= inference_.linear_gain[members[1]] ? best.effects[0]
-                                                                                    : best.effects[1];
   }
 
   void fill_gap(const VectorXd& before, const VectorXd& after) {
@@ -560,62 +497,14 @@ class Diagnoser {
     return discrepancy_(without) - best->fit.rows;
   }
 
-  // Shares of the gap by mode or channel, component, harmonic and amplitude.
+  // Where the cause says which force is missing, the balances are its own.
   void share_out() {
-    const VectorXd rows = gap_rows(), unmixed = discrepancy_.unmixed(rows);
-    std::map<std::string, std::vector<double>> amplitudes;
-    for (const RowLabel& label : result_.labels) amplitudes[label.place].push_back(label.amplitude);
-    std::map<std::string, double> middle;
-    for (auto& [place, values] : amplitudes) {
-      std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                       values.end());
-      middle[place] = values[values.size() / 2];
-    }
-    // Where the cause says which force is missing, the balances are its own; in phase and in quadrature are what
-    // can be said of the others.
-    const Candidate* leading = nullptr;
-    if (result_.verdict == "cause" && best_ && !best_->members.empty())
+    const Candidate* named = nullptr;
+    if (result_.verdict == "cause" && best_)
       for (const std::size_t m : best_->members)
-        if (candidates_[m].effect == result_.cause) leading = &candidates_[m];
-    const bool finer = leading && leading->component != GapComponent::conservative &&
-                       leading->component != GapComponent::dissipative;
-    struct Group {
-      double low = 0, high = 0;
-    };
-    std::map<std::tuple<std::string, int, std::string>, Group> groups;
-    double total = 0;
-    for (std::size_t r = 0; r < result_.labels.size(); ++r) {
-      const RowLabel& label = result_.labels[r];
-      const auto i = static_cast<Index>(r);
-      double energy = rows(i) * rows(i);
-      GapComponent component = label.component;
-      if (label.balance) {
-        // Errors in phase and in quadrature are correlated: the pair's weight goes to where the force is.
-        const Index pair = component == GapComponent::conservative ? i + 1 : i - 1;
-        const double here = unmixed(i) * unmixed(i), there = unmixed(pair) * unmixed(pair);
-        energy = (energy + rows(pair) * rows(pair)) * here / std::max(here + there, 1e-300);
-        if (finer && (!leading->equation || leading->mode == label.mode)) component = leading->component;
-      }
-      total += energy;
-      Group& group = groups[{label.place, static_cast<int>(component), label.harmonic}];
-      (label.amplitude > middle[label.place] ? group.high : group.low) += energy;
-    }
-    for (const auto& [key, group] : groups) {
-      const double share = (group.low + group.high) / std::max(total, 1e-300);
-      if (share < 0.02) continue;
-      GapShare entry;
-      entry.mode = std::get<0>(key);
-      entry.component = static_cast<GapComponent>(std::get<1>(key));
-      entry.harmonic = std::get<2>(key);
-      entry.share = share;
-      const double high = group.high / (group.low + group.high);
-      entry.region = high > 0.8   ? fmt::format("amplitude > {:.3g}", 2 * middle[entry.mode])
-                     : high < 0.2 ? fmt::format("amplitude < {:.3g}", 2 * middle[entry.mode])
-                                  : "all amplitudes";
-      result_.where.push_back(std::move(entry));
-    }
-    std::stable_sort(result_.where.begin(), result_.where.end(),
-                     [](const GapShare& a, const GapShare& b) { return a.share > b.share; });
+        if (candidates_[m].effect == result_.cause) named = &candidates_[m];
+    const VectorXd rows = gap_rows();
+    result_.where = gap_shares(rows, discrepancy_.unmixed(rows), result_.labels, named);
   }
 
   const Campaign& campaign_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "diagnose/candidate.hpp"
+#include "diagnose/gap_shares.hpp"
 #include "diagnose/inference.hpp"
 #include "diagnose/next_experiment.hpp"
 #include "diagnose/simulated_check.hpp"
@@ -26,14 +27,6 @@ struct DiagnosisOptions {
   std::optional<Band> band;     ///< free decays pass through it, so that other modes do not count as a gap
   std::optional<Window> check;  ///< part of the records on which the explanation is tried, whatever was fitted
   unsigned threads = 1;
-};
-
-/// A share of the gap: rows of one kind.
-struct GapShare {
-  std::string mode;  ///< coordinate or channel
-  GapComponent component = GapComponent::measurement;
-  std::string harmonic, region;
-  double share = 0;
 };
 
 struct CauseReport {

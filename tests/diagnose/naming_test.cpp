@@ -1,0 +1,103 @@
+// What is named where several explanations compete, on explanations that are made up.
+#include "diagnose/naming.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <deque>
+#include <stdexcept>
+
+namespace secular {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// A competition whose explanations change rows of three components by their own columns.
+class Competition {
+ public:
+  Competition() { inference_.null.fit.rows = Eigen::Vector3d(9, 9, 0); }
+
+  // `odds` against the first; `column`: which of the rows it moves.
+  void enter(const Names& effects, double odds, int column, std::size_t unknowns = 1) {
+    Explanation& e = explanations_.emplace_back();
+    e.fit.rows = inference_.null.fit.rows;
+    e.fit.rows(column) = 0;
+    e.fit.jacobian = Eigen::MatrixXd::Identity(3, 3).col(column);
+    e.unknowns = unknowns;
+    for (const std::string& effect : effects)
+      if (effect != "parameters") e.members.push_back(static_cast<std::size_t>(effect.front() - 'a'));
+    rivals_.push_back({&e, std::log(odds), 0, effects, false});
+  }
+
+  // Candidate "a" explains more alone than "b", and so on.
+  Naming named() {
+    for (int i = 0; i < 26; ++i) inference_.linear_gain.push_back(26 - i);
+    rank(rivals_);
+    return name_effects(rivals_, inference_);
+  }
+
+  std::vector<Rival>& rivals() { return rivals_; }
+
+ private:
+  Inference inference_;
+  std::deque<Explanation> explanations_;
+  std::vector<Rival> rivals_;
+};
+
+TEST(Naming, ProbabilitiesAreThoseOfTheEvidence) {
+  Competition competition;
+  competition.enter({"b"}, 1, 0);
+  competition.enter({"a"}, 3, 1);
+  rank(competition.rivals());
+  EXPECT_EQ(competition.rivals()[0].effects, Names{"a"});
+  EXPECT_DOUBLE_EQ(competition.rivals()[0].probability, 0.75);
+  EXPECT_DOUBLE_EQ(competition.rivals()[1].probability, 0.25);
+}
+
+TEST(Naming, WhatIsFarLessLikelyIsNotInTheSet) {
+  Competition competition;
+  competition.enter({"a"}, 1, 0);
+  competition.enter({"b"}, 0.2, 1);
+  competition.enter({"c"}, 1e-4, 2);
+  EXPECT_EQ(competition.named().set, (Names{"a", "b"}));
+}
+
+// An effect that cannot be told from the best one stays, however little is left of its prior odds; but a more
+// flexible one, of which the best is a limit, does not.
+TEST(Naming, WhatCannotBeToldApartStaysUnlessItHasMoreUnknowns) {
+  Competition competition;
+  competition.enter({"a"}, 1, 0);
+  competition.enter({"b"}, 1e-4, 0);
+  competition.enter({"c"}, 1e-4, 0, 2);
+  competition.enter({"d"}, 1e-4, 1);
+  EXPECT_EQ(competition.named().set, (Names{"a", "b"}));
+}
+
+TEST(Naming, OfTwoTogetherTheOneThatExplainsMoreLeads) {
+  Competition competition;
+  competition.enter({"d", "b"}, 1, 0);
+  competition.enter({"b", "e"}, 0.5, 1);  // in the second's place
+  competition.enter({"d", "c"}, 0.2, 2);  // in the first's place
+  competition.enter({"e", "c"}, 0.5, 2);  // neither
+  competition.enter({"f"}, 0.1, 2);       // alone
+  competition.enter({"g"}, 0.001, 2);     // not credible
+  const Naming naming = competition.named();
+  EXPECT_EQ(naming.set, (Names{"b", "c", "f"}));
+  EXPECT_EQ(naming.together, (Names{"b", "d"}));
+  EXPECT_EQ(naming.second_or, Names{"e"});
+}
+
+TEST(Naming, MovedParametersThatAreEnoughStandAlone) {
+  Competition competition;
+  competition.enter({"parameters"}, 1, 0);
+  competition.enter({"a"}, 0.5, 0);
+  EXPECT_EQ(competition.named().set, Names{"parameters"});
+}
+
+TEST(Naming, NobodyIsNamedAmongNone) {
+  Competition competition;
+  EXPECT_THROW(competition.named(), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace secular
