@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "app/commands.hpp"
-#include "app/thesis_procedures.hpp"
+#include "app/procedures/thesis_procedures.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
 #include "report/whole_file.hpp"
@@ -53,10 +53,15 @@ void print_summary(const ProcedureRun& run, const std::string& folder) {
       fmt::print("{}\n", line);
     }
     for (const auto& [name, table] : section.anova)
-      for (const AnovaRow& row : table.rows)
-        fmt::print("  {}: without {}: F = {} (p {}), by condition F = {} (p {})\n", name, row.name,
-                   report::format_number(row.f, 4), report::format_number(row.p, 2),
-                   report::format_number(row.clustered_f, 4), report::format_number(row.clustered_p, 2));
+      for (const AnovaRow& row : table.rows) {
+        const std::string line = fmt::format("  {}: without {}: ", name, row.name);
+        if (row.degrees_of_freedom == 0)
+          fmt::print("{}no loss, the other terms hold it\n", line);
+        else
+          fmt::print("{}F = {} (p {}), by condition F = {} (p {})\n", line, report::format_number(row.f, 4),
+                     report::format_number(row.p, 2), report::format_number(row.clustered_f, 4),
+                     report::format_number(row.clustered_p, 2));
+      }
   }
   fmt::print("written: {0}/procedures.json, {0}/report.html\n", folder);
 }

@@ -89,17 +89,17 @@ Complex EquationData::step(const Quantity& q, const Observation& o, double size)
 double EquationData::sd(const Quantity& q, const Observation& o) const {
   switch (q.kind) {
     case Kind::amplitude:
-      return o.amplitude_sd[q.index];
+      return o.amplitude_sd.at(q.index);
     case Kind::growth:
-      return std::max(0.0, o.growth_sd[q.index]);
+      return std::max(0.0, o.growth_sd.at(q.index));
     case Kind::frequency:
-      return o.frequency_sd[q.index];
+      return o.frequency_sd.at(q.index);
     case Kind::free_frequency:
-      return o.free_frequency_sd[q.index];
+      return o.free_frequency_sd.at(q.index);
     case Kind::forcing:
-      return o.forcing_sd[q.index];
+      return o.forcing_sd.at(q.index);
     case Kind::excitation_frequency:
-      return o.excitation_frequency_sd[q.index];
+      return o.excitation_frequency_sd.at(q.index);
   }
   return 0;
 }

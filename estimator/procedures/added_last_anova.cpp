@@ -42,19 +42,26 @@ AnovaTable added_last_anova(const Eigen::Ref<const Eigen::MatrixXd>& design,
     AnovaRow row;
     row.name = term.name;
     const auto q = static_cast<Index>(term.columns.size());
-    row.degrees_of_freedom = static_cast<int>(q);
     std::vector<Index> kept;
     for (Index c = 0; c < design.cols(); ++c)
       if (std::find(term.columns.begin(), term.columns.end(), static_cast<int>(c)) == term.columns.end())
         kept.push_back(c);
-    const double without =
-        kept.empty()
-            ? table.total
-            : linear_fit(Eigen::MatrixXd(design(Eigen::all, kept)), response, cluster).residual.squaredNorm();
-    row.sum_of_squares = without - table.residual;
-    const double variance = table.residual / table.residual_degrees_of_freedom;
-    row.f = row.sum_of_squares / static_cast<double>(q) / variance;
-    row.p = tail_or_zero(row.f, static_cast<double>(q), table.residual_degrees_of_freedom);
+    double without = table.total;
+    Index rank_without = 0;
+    if (!kept.empty()) {
+      const LinearFit rest = linear_fit(Eigen::MatrixXd(design(Eigen::all, kept)), response, cluster);
+      without = rest.residual.squaredNorm();
+      rank_without = rest.rank;
+    }
+    // Columns that the others hold already take nothing away with them.
+    row.degrees_of_freedom = static_cast<int>(whole.rank - rank_without);
+    row.f = row.p = std::numeric_limits<double>::quiet_NaN();
+    if (row.degrees_of_freedom > 0) {
+      row.sum_of_squares = without - table.residual;
+      const double variance = table.residual / table.residual_degrees_of_freedom;
+      row.f = row.sum_of_squares / row.degrees_of_freedom / variance;
+      row.p = tail_or_zero(row.f, row.degrees_of_freedom, table.residual_degrees_of_freedom);
+    }
     row.clustered_f = row.clustered_p = std::numeric_limits<double>::quiet_NaN();
     const bool identifiable = std::all_of(term.columns.begin(), term.columns.end(), [&](int column) {
       return whole.identifiable[static_cast<std::size_t>(column)];

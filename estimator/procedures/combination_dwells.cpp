@@ -119,6 +119,7 @@ struct Reader {
       o.growth_sd.push_back(0);
       o.frequency_sd.push_back(frequency_sd);
     }
+    o.free_frequency_sd = {frequency_sd};  // of either mode: their sum is the excitation's
     for (std::size_t b = 0; b < at_block.size(); ++b) {
       const auto mode = static_cast<Index>(resonance.blocks[b].mode);
       const bool seen = at_block[b] >= 0;

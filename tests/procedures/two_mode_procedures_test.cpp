@@ -168,5 +168,33 @@ TEST(AddedLastAnova, TwoColumnsThatNeedEachOther) {
   EXPECT_LT(table.rows[2].clustered_p, 1e-6);
 }
 
+// A column that another one holds takes nothing away, alone; together they are one term of one degree of freedom.
+TEST(AddedLastAnova, AColumnThatTheOthersHoldIsNotTested) {
+  constexpr int n = 24;
+  Eigen::MatrixXd design(n, 3);
+  VectorXd y(n);
+  std::vector<int> cluster;
+  for (int i = 0; i < n; ++i) {
+    design.row(i) << std::cos(0.7 * i), std::sin(0.4 * i), -2.5 * std::cos(0.7 * i);
+    y(i) = design(i, 0) + 0.1 * std::sin(37.0 * i);
+    cluster.push_back(i / 4);
+  }
+  const AnovaTable table =
+      added_last_anova(design, y, cluster, {{"a", {0}}, {"b", {1}}, {"c", {2}}, {"a, c", {0, 2}}});
+  const AnovaTable without = added_last_anova(design.leftCols(2), y, cluster, {{"a", {0}}, {"b", {1}}});
+  for (const int held : {0, 2}) {
+    const AnovaRow& row = table.rows[static_cast<std::size_t>(held)];
+    EXPECT_EQ(row.degrees_of_freedom, 0);
+    EXPECT_EQ(row.sum_of_squares, 0);
+    EXPECT_TRUE(std::isnan(row.f));
+    EXPECT_TRUE(std::isnan(row.p));
+    EXPECT_TRUE(std::isnan(row.clustered_p));
+  }
+  EXPECT_EQ(table.residual_degrees_of_freedom, n - 2);
+  EXPECT_NEAR(table.rows[1].f, without.rows[1].f, 1e-9 * without.rows[1].f);
+  EXPECT_EQ(table.rows[3].degrees_of_freedom, 1);
+  EXPECT_NEAR(table.rows[3].f, without.rows[0].f, 1e-9 * without.rows[0].f);
+}
+
 }  // namespace
 }  // namespace secular

@@ -1,4 +1,4 @@
-#include "app/thesis_tables.hpp"
+#include "app/procedures/thesis_tables.hpp"
 
 namespace secular::app {
 namespace {

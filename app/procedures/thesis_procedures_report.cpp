@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/thesis_procedures.hpp"
+#include "app/procedures/thesis_procedures.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
 
@@ -25,8 +25,8 @@ Json anova_json(const std::string& name, const AnovaTable& table) {
     rows.push_back({{"term", row.name},
                     {"degrees_of_freedom", row.degrees_of_freedom},
                     {"sum_of_squares", row.sum_of_squares},
-                    {"f", row.f},
-                    {"p", row.p},
+                    {"f", optional_json(row.f)},
+                    {"p", optional_json(row.p)},
                     {"f_by_condition", optional_json(row.clustered_f)},
                     {"p_by_condition", optional_json(row.clustered_p)}});
   return {{"equation", name},
