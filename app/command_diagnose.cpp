@@ -49,6 +49,10 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
   fmt::print("model {}: {} conditions, {} rows\n", run.model->name, d.conditions, d.labels.size());
   fmt::print("gap: {} (p = {:.2g}); {:.3g} times the repeatability", d.gap.detected ? "yes" : "none detected",
              d.gap.p_value, d.gap.before);
+  if (d.gap.judged == Judged::given) fmt::print(" as given");
+  if (d.gap.judged == Judged::within_error_bars)
+    fmt::print(" as given{}",
+               d.gap.detected ? ", more than the given error bars allow" : ", which the given error bars allow");
   if (d.gap.detected)
     fmt::print(", {:.3g} after; closed {} [{}, {}]", d.gap.after, report::format_percent(d.gap.closed),
                report::format_percent(d.gap.closed_low), report::format_percent(d.gap.closed_high));

@@ -50,6 +50,7 @@ std::string diagnosis_json(const DiagnosisRun& run) {
   root["schema"] = 1;
   root["model"] = std::string(run.model->name);
   Json gap;
+  gap["of"] = to_string(d.gap.judged);
   gap["detected"] = d.gap.detected;
   gap["p_value"] = d.gap.p_value;
   gap["before"] = d.gap.before;

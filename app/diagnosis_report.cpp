@@ -43,9 +43,11 @@ std::string verdict_text(const Diagnosis& d) {
 
 std::string sentence(const Diagnosis& d) {
   if (d.verdict == "no_gap")
-    return "What was measured is what the model does, with its own parameters fitted, within the repeatability of "
-           "the "
-           "measurement.";
+    return "What was measured is what the model does, with " +
+           std::string(d.gap.judged == Judged::fitted  ? "its own parameters fitted"
+                       : d.gap.judged == Judged::given ? "the given numbers"
+                                                       : "numbers that the given error bars allow") +
+           ", within the repeatability of the measurement.";
   if (d.verdict == "cause")
     return "The gap is explained by " + joined(d.together.size() > 1 ? d.together : std::vector{d.cause}, " and ") +
            (d.second_or.empty()

@@ -63,8 +63,11 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
     options.check->to_s = request.check_to_s.value_or(Window{}.to_s);
   }
   if (!request.parameters.empty()) {
-    options.parameters = read_parameter_file(request.parameters);
-    options.parameter_sd = read_parameter_errors(request.parameters);
+    GivenParameters given = read_parameter_file(request.parameters);
+    options.parameters = std::move(given.values);
+    for (const auto& [name, value] : given.representative)
+      if (options.parameters.emplace(name, value).second) options.open.insert(name);
+    options.parameter_sd = std::move(given.sd);
   }
   std::vector<EffectTerm> terms;
   for (const EffectTerm& term : source.applicable_effects())

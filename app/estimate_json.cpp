@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "estimator/identification/seen_lumps.hpp"
 #include "estimator/regression/confidence.hpp"
 
 namespace secular::app {
@@ -103,6 +104,20 @@ Json damping_json(const DampingComparison& comparison) {
   return entry;
 }
 
+// Of parameters that the data cannot tell, values that go with all that they tell: for commands that need numbers.
+void add_representative(Json& result, const Identification& identification) {
+  const Estimate& estimate = identification.estimate;
+  const Eigen::VectorXd values = representative_parameters(estimate);
+  Json open;
+  for (std::size_t p = 0; p < estimate.parameters.size(); ++p)
+    if (!estimate.parameters[p].value && std::isfinite(values(static_cast<Eigen::Index>(p))))
+      open[estimate.parameters[p].name] = values(static_cast<Eigen::Index>(p));
+  if (open.empty()) return;
+  Json cases = Json::array();
+  for (const CompiledCase* resonance : told_cases(estimate)) cases.push_back(resonance->name);
+  result["representative"] = {{"values", std::move(open)}, {"steady_motions_of", std::move(cases)}};
+}
+
 }  // namespace
 
 std::string estimate_json(const Identification& identification) {
@@ -125,6 +140,7 @@ std::string estimate_json(const Identification& identification) {
   result["lumps"] = Json::array();
   for (const EstimatedValue& value : identification.estimate.lumps)
     result["lumps"].push_back(value_json(value, true));
+  add_representative(result, identification);
   Json quality;
   quality["observations"] = observations;
   quality["blocks"] = Json::array();

@@ -25,40 +25,55 @@ std::string resolved(const std::string& path) {
   return path;
 }
 
+[[noreturn]] void refuse(const std::string& path, const std::string& place, const std::string& fault,
+                         const std::string& expected = "an estimate.json of `secular identify` was expected") {
+  throw InputError(path, place, fault, expected);
+}
+
+void read_representative(const nlohmann::json& entry, const std::string& path, GivenParameters& given) {
+  const std::string place = "key representative";
+  if (!entry.is_object() || !entry.contains("values") || !entry["values"].is_object() ||
+      !entry.contains("steady_motions_of") || !entry["steady_motions_of"].is_array())
+    refuse(path, place, "has no values and steady_motions_of");
+  for (const auto& [name, value] : entry["values"].items()) {
+    if (!value.is_number() || !std::isfinite(value.get<double>()))
+      refuse(path, place, "has a value that is not a number", "a number was expected for " + name);
+    given.representative[name] = value.get<double>();
+  }
+  for (const nlohmann::json& name : entry["steady_motions_of"]) {
+    if (!name.is_string()) refuse(path, place, "has a case that is no name");
+    given.told_cases.insert(name.get<std::string>());
+  }
+}
+
 }  // namespace
 
-std::map<std::string, double> read_parameter_file(const std::string& name) {
+GivenParameters read_parameter_file(const std::string& name) {
   const std::string path = resolved(name);
   std::ifstream stream(path, std::ios::binary);
   const nlohmann::json document = nlohmann::json::parse(stream, nullptr, false);
-  if (!stream || !document.is_object() || !document.contains("estimates")) return read_numbers(path);
-  std::map<std::string, double> values;
+  GivenParameters given;
+  if (!stream || !document.is_object() || !document.contains("estimates")) {
+    given.values = read_numbers(path);
+    return given;
+  }
   const nlohmann::json& estimates = document["estimates"];
-  if (!estimates.is_array())
-    throw InputError(path, "key estimates", "is not a list", "an estimate.json of `secular identify` was expected");
+  if (!estimates.is_array()) refuse(path, "key estimates", "is not a list");
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     const nlohmann::json& entry = estimates[i];
     const std::string place = "estimates, entry " + std::to_string(i + 1);
     if (!entry.is_object() || !entry.contains("name") || !entry["name"].is_string() || !entry.contains("value"))
-      throw InputError(path, place, "has no name and value", "an estimate.json of `secular identify` was expected");
+      refuse(path, place, "has no name and value");
     if (entry["value"].is_null()) continue;
     if (!entry["value"].is_number() || !std::isfinite(entry["value"].get<double>()))
-      throw InputError(path, place, "has a value that is not a number", "a number, or null, was expected");
-    values[entry["name"].get<std::string>()] = entry["value"].get<double>();
+      refuse(path, place, "has a value that is not a number", "a number, or null, was expected");
+    const auto symbol = entry["name"].get<std::string>();
+    given.values[symbol] = entry["value"].get<double>();
+    if (entry.contains("sd") && entry["sd"].is_number() && entry["sd"].get<double>() > 0)
+      given.sd[symbol] = entry["sd"].get<double>();
   }
-  return values;
-}
-
-std::map<std::string, double> read_parameter_errors(const std::string& name) {
-  std::ifstream stream(resolved(name), std::ios::binary);
-  const nlohmann::json document = nlohmann::json::parse(stream, nullptr, false);
-  std::map<std::string, double> errors;
-  if (!stream || !document.is_object() || !document.contains("estimates")) return errors;
-  for (const nlohmann::json& entry : document["estimates"])
-    if (entry.is_object() && entry.contains("sd") && entry["sd"].is_number() && entry["sd"].get<double>() > 0 &&
-        entry.contains("value") && entry["value"].is_number())
-      errors[entry["name"].get<std::string>()] = entry["sd"].get<double>();
-  return errors;
+  if (document.contains("representative")) read_representative(document["representative"], path, given);
+  return given;
 }
 
 }  // namespace secular::app

@@ -1,17 +1,23 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 
 namespace secular::app {
 
-/// Values of symbols from an estimate.json of `identify` or a plain JSON object of symbol to number; `path` is a
-/// file, or the name of a shipped one ("predictions/table_5_4"). Of an estimate, symbols that the data could not
-/// identify are left out. Throws InputError naming the file, the place and what was expected.
-std::map<std::string, double> read_parameter_file(const std::string& path);
+/// What a file tells of the symbols of a model.
+struct GivenParameters {
+  std::map<std::string, double> values;
+  std::map<std::string, double> sd;  ///< of an estimate
+  /// Of an estimate: of symbols that the data could not tell, values that go with all that they told.
+  std::map<std::string, double> representative;
+  /// Cases whose steady motions do not depend on which values those are.
+  std::set<std::string> told_cases;
+};
 
-/// Standard deviations of the values of an estimate.json; empty for a plain object. Call read_parameter_file first:
-/// it is the one that complains.
-std::map<std::string, double> read_parameter_errors(const std::string& path);
+/// An estimate.json of `identify` or a plain JSON object of symbol to number; `path` is a file, or the name of a
+/// shipped one ("predictions/table_5_4"). Throws InputError naming the file, the place and what was expected.
+GivenParameters read_parameter_file(const std::string& path);
 
 }  // namespace secular::app

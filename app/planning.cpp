@@ -66,7 +66,9 @@ class Planner {
 
  private:
   void read_parameters() {
-    const std::map<std::string, double> given = read_parameter_file(request_.parameters);
+    GivenParameters file = read_parameter_file(request_.parameters);
+    std::map<std::string, double>& given = file.values;
+    given.merge(file.representative);
     const CompiledModel& model = *result_.model;
     const auto count = static_cast<Index>(model.symbols.size());
     result_.parameters.resize(count);

@@ -142,17 +142,36 @@ class Predictor {
     }
   }
 
+  // Steady motions of the case are the same whatever else has the lumps that were told; harmonics and sweeps of the
+  // full equations are those of one such set.
+  template <typename Take>
+  void take_representative(const GivenParameters& given, const Take& take) {
+    std::vector<std::string> open;
+    for (const auto& [name, value] : given.representative) {
+      if (request_.at.contains(name)) continue;
+      take(name, value);
+      open.push_back(name);
+    }
+    if (!open.empty())
+      result_.warnings.push_back(
+          fmt::format("{} does not tell {}: values that go with its lumps are taken. Amplitudes, frequencies and "
+                      "stability do not depend on the choice; harmonics, sweeps and other cases do",
+                      request_.parameters, fmt::join(open, ", ")));
+  }
+
   void read_parameters() {
     const CompiledModel& model = *result_.model;
-    const std::map<std::string, double> values = read_parameter_file(request_.parameters);
+    const GivenParameters given = read_parameter_file(request_.parameters);
     const auto count = static_cast<Index>(result_.names.size());
     result_.parameters = VectorXd::Constant(count, std::numeric_limits<double>::quiet_NaN());
     for (std::size_t s = 0; s < model.nominal.size(); ++s)
       result_.parameters(static_cast<Index>(s)) = model.nominal[s];
-    for (const auto& [name, value] : values) {
+    const auto take = [&](const std::string& name, double value) {
       const auto found = std::find(result_.names.begin(), result_.names.end(), name);
       if (found != result_.names.end()) result_.parameters(found - result_.names.begin()) = value;
-    }
+    };
+    for (const auto& [name, value] : given.values) take(name, value);
+    if (given.told_cases.contains(std::string(result_.resonance->name))) take_representative(given, take);
     for (const auto& [name, value] : request_.at) result_.parameters(index_of(name)) = factor_of(name) * value;
     for (const auto* varied : {&result_.vary, &result_.against})
       if (*varied) result_.parameters(index_of((*varied)->name)) = 0.5 * ((*varied)->from + (*varied)->to);

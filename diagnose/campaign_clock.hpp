@@ -6,8 +6,8 @@
 
 namespace secular {
 
-/// By record: when it began, s, from the mean of all beginnings. A record without started_s begins a second after the
-/// one before it.
+/// By record: when it began, s, from the mean of all beginnings. A record without started_s begins a second after
+/// the one before it.
 std::vector<double> record_times(const Campaign& campaign);
 
 }  // namespace secular

@@ -5,14 +5,15 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
+#include "diagnose/contradiction.hpp"
 #include "diagnose/held_out.hpp"
 #include "diagnose/line_evidence.hpp"
 #include "diagnose/naming.hpp"
 #include "diagnose/observe_conditions.hpp"
-#include "diagnose/prior_evidence.hpp"
 #include "diagnose/remainder.hpp"
 #include "diagnose/segment_evidence.hpp"
 #include "estimator/identification/short_list.hpp"
@@ -101,7 +102,6 @@ class Diagnoser {
                          "a window in seconds of the records' own time is expected");
       apart_.emplace(model, options_.forces, sensors_, faults_, std::move(apart));
     }
-    if (!options.parameter_sd.empty()) discrepancy_.add(prior());
   }
 
   Diagnosis run() {
@@ -111,11 +111,10 @@ class Diagnoser {
     for (const std::size_t s : own_)
       if (s < model_.modes()) inference_options.anchors.push_back(s);  // natural frequencies
     inference_ = infer(discrepancy_, candidates_, start_, own_, inference_options);
-    // Rows of the given numbers with the errors that hold at the fit.
-    const VectorXd given_rows = given() ? discrepancy_(start_) : VectorXd();
+    judge_given();
     warn_of_disturbed_records();
-    detect(given_rows);
-    result_.rows_before = given() ? given_rows : inference_.null.fit.rows;
+    detect();
+    result_.rows_before = given() ? given_.rows : inference_.null.fit.rows;
     result_.rows_after = result_.rows_before;
     if (!result_.gap.detected) {
       close_without_gap();
@@ -125,13 +124,13 @@ class Diagnoser {
     std::vector<Rival> named;
     for (const Rival& r : all)
       if (!r.open_law) named.push_back(r);
-    name_cause(all, named, given_rows);
+    name_cause(all, named);
     share_out();
     propose_experiment(named);
     if (best_)
-      result_.simulated =
-          simulated_check(condition_model(), conditions_, segments_, apart_ ? &*apart_ : nullptr,
-                          given() ? start_ : inference_.null.fit.unknowns, best_->fit.unknowns, options_.threads);
+      result_.simulated = simulated_check(condition_model(), conditions_, segments_, apart_ ? &*apart_ : nullptr,
+                                          given() ? given_.unknowns : inference_.null.fit.unknowns,
+                                          best_->fit.unknowns, options_.threads);
     return std::move(result_);
   }
 
@@ -161,6 +160,14 @@ class Diagnoser {
       if (!known)
         throw InputError("--parameters", "symbol " + name, "is no symbol of model " + std::string(model_.name), "");
     }
+    for (const std::size_t s : own_) {
+      const std::string name(model_.symbols[s].name);
+      const bool nominal = s < model_.nominal.size() && std::isfinite(model_.nominal[s]);
+      if (given() && !options_.parameters.contains(name) && !nominal)
+        throw InputError(
+            "--parameters", "symbol " + name, "has no value",
+            "the gap of given numbers is that of all of them; leave --parameters out to have them fitted");
+    }
     for (std::size_t k = 0; k < model_.modes(); ++k)
       if (!(start_(static_cast<Index>(k)) > 0))
         throw InputError(std::string(model_.name), "[nominal]",
@@ -184,15 +191,6 @@ class Diagnoser {
       if (!std::binary_search(names.begin(), names.end(), name))
         throw InputError("--without " + name, "", "is no effect of the catalogue",
                          fmt::format("one of {} is expected", fmt::join(names, ", ")));
-  }
-
-  std::unique_ptr<Evidence> prior() const {
-    std::vector<PriorEvidence::Entry> entries;
-    for (const auto& [name, sd] : options_.parameter_sd)
-      for (const std::size_t s : own_)
-        if (model_.symbols[s].name == name && sd > 0)
-          entries.push_back({s, start_(static_cast<Index>(s)), sd, name});
-    return std::make_unique<PriorEvidence>(std::move(entries));
   }
 
   void warn_of_disturbed_records() {
@@ -255,10 +253,59 @@ class Diagnoser {
     }
   }
 
-  void detect(const VectorXd& given_rows) {
+  // The given numbers with the errors that hold at the fit; what they leave open is the campaign's to choose.
+  void judge_given() {
+    if (!given()) return;
+    result_.gap.judged = options_.parameter_sd.empty() ? Judged::given : Judged::within_error_bars;
+    given_.unknowns = start_;
+    given_.rows = discrepancy_(start_);
+    std::vector<std::size_t> open;
+    for (const std::size_t s : own_)
+      if (options_.open.contains(std::string(model_.symbols[s].name))) open.push_back(s);
+    if (open.empty()) return;
+    RefitOptions refit_options;
+    refit_options.threads = options_.threads;
+    const Refit fit = refit(discrepancy_, start_, open, refit_options);
+    given_.unknowns = fit.unknowns;
+    given_.rows = fit.rows;
+    given_.rank = fit.rank;
+  }
+
+  // Of the given numbers' error bars by the free unknowns of a fit.
+  VectorXd given_sd(const Refit& fit) const {
+    VectorXd sd(static_cast<Index>(fit.free.size()));
+    for (Index f = 0; f < sd.size(); ++f) {
+      const std::string name(model_.symbols[fit.free[static_cast<std::size_t>(f)]].name);
+      const auto found = options_.parameter_sd.find(name);
+      sd(f) = options_.open.contains(name)           ? std::numeric_limits<double>::infinity()
+              : found == options_.parameter_sd.end() ? 0
+                                                     : found->second;
+    }
+    return sd;
+  }
+
+  // Whether the given numbers are other than those that fit best, p of that.
+  double moved_p_value() const {
+    const Refit& fit = inference_.null.fit;
+    if (!given()) return 1;
+    if (options_.parameter_sd.empty())
+      return chi_squared_upper_tail(given_.rows.squaredNorm() - fit.chi_squared,
+                                    static_cast<double>(fit.rank - given_.rank));
+    VectorXd numbers(static_cast<Index>(fit.free.size()));
+    for (Index f = 0; f < numbers.size(); ++f)
+      numbers(f) = start_(static_cast<Index>(fit.free[static_cast<std::size_t>(f)]));
+    const Contradiction found = contradiction(fit, numbers, given_sd(fit));
+    return chi_squared_upper_tail(found.chi_squared, static_cast<double>(found.rank));
+  }
+
+  void detect() {
     GapReport& gap = result_.gap;
-    const double chi_squared = given() ? given_rows.squaredNorm() : inference_.null.fit.chi_squared;
-    const double freedom = given() ? static_cast<double>(discrepancy_.freedom()) : inference_.degrees_of_freedom;
+    // With error bars the sum of all squares is that of the numbers that fit best: how far these are is another
+    // question.
+    const bool exactly = gap.judged == Judged::given;
+    const double chi_squared = exactly ? given_.rows.squaredNorm() : inference_.null.fit.chi_squared;
+    const double freedom =
+        exactly ? static_cast<double>(discrepancy_.freedom() - given_.rank) : inference_.degrees_of_freedom;
     const double omnibus = chi_squared_upper_tail(chi_squared, freedom);
     // The best single candidate on its own, corrected for having been looked for.
     double targeted = 1;
@@ -267,10 +314,7 @@ class Diagnoser {
                                                            static_cast<double>(candidates_[c].strengths.size() +
                                                                                candidates_[c].shapes.size())));
     targeted = std::min(1.0, targeted * static_cast<double>(std::max<std::size_t>(1, candidates_.size())));
-    double moved = 1;
-    if (given())
-      moved = chi_squared_upper_tail(chi_squared - inference_.null.fit.chi_squared,
-                                     static_cast<double>(inference_.null.fit.rank));
+    const double moved = moved_p_value();
     gap.p_value = std::min(1.0, (given() ? 3 : 2) * std::min({omnibus, targeted, moved}));
     gap.detected = gap.p_value < false_alarm;
   }
@@ -292,10 +336,10 @@ class Diagnoser {
   }
 
   // `named`: those of `all` that the catalogue holds.
-  void name_cause(const std::vector<Rival>& all, const std::vector<Rival>& named, const VectorXd& given_rows) {
+  void name_cause(const std::vector<Rival>& all, const std::vector<Rival>& named) {
     HeldOut before;
     if (given())
-      before.rows = given_rows;
+      before.rows = given_.rows;
     else
       before = predict_held_out(discrepancy_, inference_.null.fit, result_.labels);
     if (all.empty()) {
@@ -323,7 +367,7 @@ class Diagnoser {
       return std::sqrt(std::max(0.0, rms * rms - result_.gap.floor * result_.gap.floor));
     };
     const SmoothRemainder smooth = smooth_remainder(best.explanation->fit, result_.labels);
-    const double before_squares = given() ? given_rows.squaredNorm() : inference_.null.fit.chi_squared;
+    const double before_squares = given() ? given_.rows.squaredNorm() : inference_.null.fit.chi_squared;
     const double explained = std::max(0.0, before_squares - best.explanation->fit.chi_squared);
     RemainderReport& remainder = result_.remainder;
     remainder.p_value = left;
@@ -517,6 +561,11 @@ class Diagnoser {
   std::vector<Candidate> candidates_;
   std::vector<Condition> conditions_;
   Discrepancy discrepancy_;
+  /// With what they leave open fitted; `rank` of that.
+  struct GivenNumbers {
+    VectorXd unknowns, rows;
+    Index rank = 0;
+  } given_;
   const SegmentEvidence* segments_ = nullptr;  // of discrepancy_
   std::optional<SegmentEvidence> apart_;       // of the window to check on
   Inference inference_;
@@ -525,6 +574,18 @@ class Diagnoser {
 };
 
 }  // namespace
+
+std::string to_string(Judged judged) {
+  switch (judged) {
+    case Judged::fitted:
+      return "fitted parameters";
+    case Judged::given:
+      return "given numbers";
+    case Judged::within_error_bars:
+      return "given numbers within their error bars";
+  }
+  return "";
+}
 
 Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
                    const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,

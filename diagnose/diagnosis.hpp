@@ -22,6 +22,7 @@ struct DiagnosisOptions {
   /// choose.
   std::map<std::string, double> parameters;
   std::map<std::string, double> parameter_sd;  ///< where the numbers came with error bars
+  std::set<std::string> open;                  ///< of `parameters`: only starts, nothing was said of these
   std::vector<StateForce> forces;              ///< scales are set from the data
   std::set<std::string> left_out;              ///< effects that are not to be considered
   std::optional<Band> band;     ///< free decays pass through it, so that other modes do not count as a gap
@@ -37,7 +38,17 @@ struct CauseReport {
   std::optional<double> closed;
 };
 
+/// Whose gap it is.
+enum class Judged {
+  fitted,            ///< the model with whatever parameters fit best
+  given,             ///< the numbers that were given
+  within_error_bars  ///< the numbers that were given, as far as their error bars reach
+};
+
+std::string to_string(Judged judged);
+
 struct GapReport {
+  Judged judged = Judged::fitted;
   bool detected = false;
   double p_value = 1;
   double before = 0, after = 0, floor = 1;

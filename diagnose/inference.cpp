@@ -380,9 +380,9 @@ class Search {
       }
   }
 
-  // Where even the best explanation leaves more than noise, the model's own numbers may have followed what was missing
-  // to where no step leads back: the best effects once more, each on its own way from the start. Whether one of them
-  // is the best now.
+  // Where even the best explanation leaves more than noise, the model's own numbers may have followed what was
+  // missing to where no step leads back: the best effects once more, each on its own way from the start. Whether
+  // one of them is the best now.
   bool start_afresh(const VectorXd& start) {
     if (found_.empty() || !leaves_more_than_noise(found_.front())) return false;
     const std::size_t most = misses(found_.front().fit) ? most_afresh : most_firsts;
@@ -390,8 +390,7 @@ class Search {
     std::vector<Explanation> fresh;
     for (const Explanation& e : found_)
       for (const std::size_t m : e.members) {
-        if (fresh.size() == most || !taken.emplace(candidates_[m].effect, candidates_[m].subject).second)
-          continue;
+        if (fresh.size() == most || !taken.emplace(candidates_[m].effect, candidates_[m].subject).second) continue;
         Explanation again;
         again.members = {m};
         again.unknowns = candidates_[m].strengths.size() + candidates_[m].shapes.size();

@@ -43,13 +43,13 @@ constexpr Index fewest_samples = 64;
 /// so many standard deviations, is taken with its rate of change.
 constexpr double largest_creep = 0.05, significant_creep = 3.5;
 
-/// Points over a turn of a motion that is a multiple of one frequency. An odd number: the corners of a force that is
-/// odd in the motion fall on twice as many places, and alias half as far from the lines that are looked at.
+/// Points over a turn of a motion that is a multiple of one frequency. An odd number: the corners of a force that
+/// is odd in the motion fall on twice as many places, and alias half as far from the lines that are looked at.
 constexpr Index turn_points = 255;
 
 struct Ensemble {
-  MatrixXcd response;    // channel x observed line
-  MatrixXcd excitation;  // channel x excitation line
+  MatrixXcd response;     // channel x observed line
+  MatrixXcd excitation;   // channel x excitation line
   Eigen::VectorXd noise;  // of a sample: responses, then excitations
 };
 

@@ -67,8 +67,8 @@ RowVectorXd slider_stretch(const RowVectorXd& path, const Slider& slider) {
     }
     return z;
   };
-  // A turn brings different beginnings nearer to one another, but little where a smooth slider hardly gives way: the
-  // beginning that comes back is found by the secant.
+  // A turn brings different beginnings nearer to one another, but little where a smooth slider hardly gives way:
+  // the beginning that comes back is found by the secant.
   double start = 0, end = turn_from(start);
   for (int i = 0; i < most_turns && std::abs(end - start) > same_stretch * std::abs(slider.slip); ++i) {
     const double next = turn_from(end), slope = (next - end) / (end - start);

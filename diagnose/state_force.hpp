@@ -45,7 +45,8 @@ inline constexpr std::size_t spread_sliders = 8;
 /// A spring in series with a slider, by the spring's stretch z, |z| <= slip.
 struct Slider {
   double slip = 0;
-  bool smooth = false;  ///< gives way with (z/slip)^2 while it is loaded (Bouc and Wen) instead of at once (Jenkins)
+  bool smooth =
+      false;  ///< gives way with (z/slip)^2 while it is loaded (Bouc and Wen) instead of at once (Jenkins)
 
   /// Stretch after the displacement has grown by `way` without turning.
   double advanced(double stretch, double way) const;

@@ -22,7 +22,7 @@ KnownTruth::KnownTruth(const std::string& source, const CompiledModel& model, co
     parameters_ = read_experiment(resolve_model(source), model).parameters;
     return;
   }
-  const std::map<std::string, double> given = read_parameter_file(source);
+  const std::map<std::string, double> given = read_parameter_file(source).values;
   parameters_ = Eigen::VectorXd::Zero(static_cast<Index>(model.symbols.size()));
   for (std::size_t s = 0; s < model.symbols.size(); ++s) {
     const auto found = given.find(std::string(model.symbols[s].name));

@@ -1,6 +1,7 @@
 #include "estimator/identification/seen_lumps.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 
 namespace secular {
 namespace {
@@ -65,6 +66,28 @@ VectorXd SeenLumps::returned(VectorXd parameters, const VectorXd& like, const Ma
     left = still;
   }
   return parameters;
+}
+
+VectorXd representative_parameters(const Estimate& estimate) {
+  const VectorXd& values = estimate.parameter_values;
+  if (estimate.unseen.cols() == 0 || estimate.shift.size() != estimate.unseen.cols()) return values;
+  return SeenLumps(estimate).returned(values + estimate.unseen * estimate.shift, values, estimate.unseen);
+}
+
+std::vector<const CompiledCase*> told_cases(const Estimate& estimate) {
+  std::vector<const CompiledCase*> told;
+  std::size_t first = 0;
+  for (const CompiledCase* resonance : estimate.cases) {
+    const bool known =
+        std::all_of(resonance->blocks.begin(), resonance->blocks.end(), [&](const RegressorBlock& b) {
+          return b.kind != BlockKind::modulation || std::all_of(b.lumps.begin(), b.lumps.end(), [&](int lump) {
+                   return estimate.lumps[first + static_cast<std::size_t>(lump)].identifiable;
+                 });
+        });
+    if (known) told.push_back(resonance);
+    first += resonance->lumps.size();
+  }
+  return told;
 }
 
 }  // namespace secular

@@ -10,6 +10,14 @@ namespace secular {
 /// Lumps of all cases, one after the other as Estimate::lumps, of parameters by CompiledModel::symbols.
 Eigen::VectorXd lumps_of(const std::vector<const CompiledCase*>& cases, const Eigen::VectorXd& parameters);
 
+/// Parameters that reproduce what an estimate tells: of those that no lump can tell, where all lumps together are
+/// most plausible (Estimate::shift).
+Eigen::VectorXd representative_parameters(const Estimate& estimate);
+
+/// Cases of an estimate whose modulation equations hold no lump that it does not tell: whatever has its lumps has its
+/// steady motions.
+std::vector<const CompiledCase*> told_cases(const Estimate& estimate);
+
 /// The lumps that an estimate tells, in units of their error bars.
 class SeenLumps {
  public:
