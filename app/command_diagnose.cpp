@@ -2,21 +2,20 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <thread>
 
 #include "app/band_option.hpp"
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/diagnosis_json.hpp"
 #include "app/diagnosis_report.hpp"
 #include "app/diagnosis_run.hpp"
+#include "app/result_files.hpp"
 #include "estimator/hertz.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
-#include "report/whole_file.hpp"
 
 namespace secular::app {
 namespace {
@@ -98,20 +97,10 @@ int run(Options& options, const CLI::App& command) {
   if (!options.band.empty()) options.request.band = parse_band(options.band);
   const DiagnosisRun result = run_diagnosis(options.request);
   const std::string json = diagnosis_json(result);
-  std::string line = "secular diagnose " + options.request.campaign + " -o " + options.folder;
-  for (const CLI::Option* option : command.get_options())
-    if (option->count() > 0 && !option->get_positional() && option->get_name() != "--output" &&
-        option->get_name() != "--json")
-      for (const std::string& value : option->results()) line += " " + option->get_name() + " " + value;
-  const std::string html = diagnosis_report(result, line);
-  std::error_code error;
-  std::filesystem::create_directories(options.folder, error);
-  if (error) throw InputError(options.folder, "", "cannot be made a folder", "name a folder that can be written");
-  report::write_whole_file(std::filesystem::path(options.folder) / "diagnosis.json", json);
-  report::write_whole_file(std::filesystem::path(options.folder) / "report.html", html);
-  report::write_whole_file(
-      std::filesystem::path(options.folder) / "gap.svg",
-      report::render_figure(gap_figure(result.diagnosis), "gap", report::FigureUse::standalone).svg);
+  const std::string html = diagnosis_report(result, command_line_of(command));
+  const std::string figure =
+      report::render_figure(gap_figure(result.diagnosis), "gap", report::FigureUse::standalone).svg;
+  write_result_files(options.folder, {{"diagnosis.json", json}, {"report.html", html}, {"gap.svg", figure}});
   for (const std::string& warning : result.diagnosis.warnings) fmt::print(stderr, "warning: {}\n", warning);
   if (options.json)
     fmt::print("{}", json);

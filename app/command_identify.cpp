@@ -3,21 +3,20 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <vector>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/estimate_json.hpp"
 #include "app/identification.hpp"
 #include "app/identification_report.hpp"
+#include "app/result_files.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
-#include "report/whole_file.hpp"
 
 namespace secular::app {
 namespace {
@@ -130,20 +129,11 @@ void add_identify_command(CLI::App& root, Action& chosen) {
         throw InputError("--from, --to", "", "the window is empty", "--from must be before --to");
       const Identification result = identify(options->request);
       const std::string json = estimate_json(result);
-      std::string line = "secular identify " + options->request.campaign + " --model " + options->request.model +
-                         " -o " + options->folder;
-      if (command->count("--from")) line += fmt::format(" --from {}", options->request.window.from_s);
-      if (command->count("--to")) line += fmt::format(" --to {}", options->request.window.to_s);
-      const std::string html = identification_report(result, line);
-      std::error_code error;
-      std::filesystem::create_directories(options->folder, error);
-      if (error)
-        throw InputError(options->folder, "", "cannot be made a folder", "name a folder that can be written");
-      report::write_whole_file(std::filesystem::path(options->folder) / "estimate.json", json);
-      report::write_whole_file(std::filesystem::path(options->folder) / "report.html", html);
-      report::write_whole_file(
-          std::filesystem::path(options->folder) / "response.svg",
-          report::render_figure(response_figure(result), "response", report::FigureUse::standalone).svg);
+      const std::string html = identification_report(result, command_line_of(*command));
+      const std::string figure =
+          report::render_figure(response_figure(result), "response", report::FigureUse::standalone).svg;
+      write_result_files(options->folder,
+                         {{"estimate.json", json}, {"report.html", html}, {"response.svg", figure}});
       if (options->timings)
         for (const auto& [stage, seconds] : result.seconds)
           fmt::print(stderr, "{:<30} {:7.3f} s\n", stage, seconds);

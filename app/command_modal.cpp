@@ -3,16 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "app/band_option.hpp"
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/modal_json.hpp"
 #include "app/modal_report.hpp"
+#include "app/result_files.hpp"
 #include "estimator/modal/modal_survey.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
@@ -78,15 +78,6 @@ void print_summary(const ModalSurvey& survey, const Options& options) {
              options.basis.empty() ? "" : ", " + options.basis);
 }
 
-std::string line_of(const Options& options, const CLI::App& command) {
-  std::string line = "secular modal " + options.campaign + " -o " + options.folder;
-  for (const CLI::Option* option : command.get_options())
-    if (option->count() > 0 && !option->get_positional() && option->get_name() != "--output" &&
-        option->get_name() != "--json")
-      for (const std::string& value : option->results()) line += " " + option->get_name() + " " + value;
-  return line;
-}
-
 int run(Options& options, const CLI::App& command) {
   if (!options.band.empty()) {
     const Band band = parse_band(options.band);
@@ -98,14 +89,10 @@ int run(Options& options, const CLI::App& command) {
   if (command.count("--exponential-window")) options.survey.response_decay = options.response_decay;
   const ModalSurvey survey = modal_survey(options.campaign, options.survey);
   const std::string json = modal_json(survey);
-  const std::string html = modal_report(survey, line_of(options, command));
+  const std::string html = modal_report(survey, command_line_of(command));
   const std::string basis = options.basis.empty() ? "" : modal_basis_text(survey);
-  std::error_code error;
-  std::filesystem::create_directories(options.folder, error);
-  if (error) throw InputError(options.folder, "", "cannot be made a folder", "name a folder that can be written");
   if (!options.basis.empty()) report::write_whole_file(options.basis, basis);
-  report::write_whole_file(std::filesystem::path(options.folder) / "modal.json", json);
-  report::write_whole_file(std::filesystem::path(options.folder) / "report.html", html);
+  write_result_files(options.folder, {{"modal.json", json}, {"report.html", html}});
   for (const std::string& warning : survey.warnings) fmt::print(stderr, "warning: {}\n", warning);
   if (options.json)
     fmt::print("{}", json);

@@ -3,17 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
-#include <system_error>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/planning.hpp"
+#include "app/result_files.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
-#include "report/whole_file.hpp"
 
 namespace secular::app {
 namespace {
@@ -33,18 +32,6 @@ std::pair<double, double> range_of(const std::string& text, const std::string& o
   if (low.empty() || high.empty() || *first != '\0' || *second != '\0' || !std::isfinite(a) || !std::isfinite(b))
     throw InputError(option + " " + text, "", "is no range", "LOW:HIGH, for example 24.4:25.1");
   return {a, b};
-}
-
-std::string command_line(const Options& options) {
-  const PlanRequest& r = options.request;
-  std::string line = fmt::format("secular plan {} --case {} --parameters {}", r.model, r.resonance, r.parameters);
-  for (const std::string& name : r.wanted) line += " --for " + name;
-  for (const std::string& name : r.fixed) line += " --fix " + name;
-  line += fmt::format(" --criterion {} --range-frequency {} --range-amplitude {}", options.criterion,
-                      options.frequency, options.amplitude);
-  if (r.budget_s) line += fmt::format(" --budget-s {:g}", *r.budget_s);
-  if (!r.against.empty()) line += " --against " + r.against;
-  return line + " -o " + options.folder;
 }
 
 void print_summary(const PlanResult& plan, const std::string& folder) {
@@ -127,8 +114,8 @@ void add_plan_command(CLI::App& root, Action& chosen) {
       "Example: secular plan two_mass_mode1 --case principal_parametric --parameters predictions/table_5_4 "
       "--for mu1,mu3,alpha_e,eta_e --range-frequency 24.4:25.1 --range-amplitude 10:30 "
       "--against experiments/thesis_chapter5 -o out");
-  command->callback([options, &chosen] {
-    chosen = [options] {
+  command->callback([options, command, &chosen] {
+    chosen = [options, command] {
       static const std::map<std::string, DesignCriterion> criteria = {
           {"D", DesignCriterion::d}, {"A", DesignCriterion::a}, {"c", DesignCriterion::c}};
       PlanRequest& asked = options->request;
@@ -137,15 +124,9 @@ void add_plan_command(CLI::App& root, Action& chosen) {
       std::tie(asked.lowest_amplitude, asked.highest_amplitude) = range_of(options->amplitude, "--range-amplitude");
       const PlanResult plan = plan_test(asked);
       const std::string json = plan_json(asked, plan);
-      const std::string html = plan_report(asked, plan, command_line(*options));
-      const std::filesystem::path folder(options->folder);
-      std::error_code error;
-      std::filesystem::create_directories(folder, error);
-      if (error)
-        throw InputError(options->folder, "", "cannot be made a folder", "name a folder that can be written");
-      report::write_whole_file(folder / "plan.json", json);
-      report::write_whole_file(folder / "plan.toml", plan_experiment(asked, plan));
-      report::write_whole_file(folder / "report.html", html);
+      const std::string html = plan_report(asked, plan, command_line_of(*command));
+      write_result_files(options->folder,
+                         {{"plan.json", json}, {"plan.toml", plan_experiment(asked, plan)}, {"report.html", html}});
       for (const std::string& warning : plan.warnings) fmt::print(stderr, "warning: {}\n", warning);
       if (options->json)
         fmt::print("{}", json);

@@ -5,23 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <set>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <vector>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/prediction.hpp"
 #include "app/prediction_files.hpp"
 #include "app/prediction_report.hpp"
 #include "app/progress_line.hpp"
+#include "app/result_files.hpp"
 #include "estimator/hertz.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
-#include "report/whole_file.hpp"
 
 namespace secular::app {
 namespace {
@@ -58,22 +57,6 @@ void parse(Options& options) {
   }
   request.sweep_up = std::find(options.sweeps.begin(), options.sweeps.end(), "up") != options.sweeps.end();
   request.sweep_down = std::find(options.sweeps.begin(), options.sweeps.end(), "down") != options.sweeps.end();
-}
-
-std::string command_line(const Options& options) {
-  const PredictionRequest& request = options.request;
-  std::string line =
-      "secular predict " + request.model + " --case " + request.resonance + " --parameters " + request.parameters;
-  if (!options.vary.empty()) line += fmt::format(" --vary {}", fmt::join(options.vary, " "));
-  if (!options.against.empty()) line += fmt::format(" --against {}", fmt::join(options.against, " "));
-  if (!request.curve.empty()) line += " --curve " + request.curve;
-  for (const std::string& text : options.at) line += " --at " + text;
-  if (request.hz) line += " --hz";
-  if (request.largest > 0) line += fmt::format(" --largest {}", request.largest);
-  if (!options.sweeps.empty())
-    line += fmt::format(" --sweep {} --sweep-steps {}", fmt::join(options.sweeps, ","), request.sweep_steps);
-  if (!request.measured.empty()) line += " --measured " + request.measured;
-  return line + " -o " + options.folder;
 }
 
 std::string located(double value, double axis, const std::string& unit) {
@@ -122,20 +105,16 @@ void print_summary(const Prediction& prediction, const std::vector<PredictionFig
   fmt::print("\n");
 }
 
-void write_files(const Prediction& prediction, const std::vector<PredictionFigure>& figures, const Options& options,
-                 const std::string& json) {
-  const std::filesystem::path folder(options.folder);
-  const std::string csv = prediction_csv(prediction);
-  const std::string html = prediction_report(prediction, figures, command_line(options));
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(options.folder, "", "cannot be made a folder", "name a folder that can be written");
-  report::write_whole_file(folder / "prediction.json", json);
-  report::write_whole_file(folder / "prediction.csv", csv);
-  report::write_whole_file(folder / "report.html", html);
+void write_files(const Prediction& prediction, const std::vector<PredictionFigure>& figures,
+                 const std::string& folder, const std::string& json, const std::string& line) {
+  std::vector<std::pair<std::string, std::string>> files = {
+      {"prediction.json", json},
+      {"prediction.csv", prediction_csv(prediction)},
+      {"report.html", prediction_report(prediction, figures, line)}};
   for (const PredictionFigure& figure : figures)
-    report::write_whole_file(folder / (figure.name + ".svg"),
-                             report::render_figure(figure.figure, "figure", report::FigureUse::standalone).svg);
+    files.emplace_back(figure.name + ".svg",
+                       report::render_figure(figure.figure, "figure", report::FigureUse::standalone).svg);
+  write_result_files(folder, files);
 }
 
 }  // namespace
@@ -182,15 +161,15 @@ void add_predict_command(CLI::App& root, Action& chosen) {
   command->footer(
       "Example: secular predict two_mass_mode1 --case principal_parametric --parameters predictions/table_5_4 "
       "--at F=22.55 --vary Omega 24.3 25.1 --hz -o out");
-  command->callback([options, &chosen] {
-    chosen = [options] {
+  command->callback([options, command, &chosen] {
+    chosen = [options, command] {
       parse(*options);
       ProgressLine line("dwells");
       const Prediction prediction =
           predict(options->request, [&line](std::size_t done, std::size_t total) { line(done, total); });
       const std::string json = prediction_json(prediction);
       const std::vector<PredictionFigure> figures = prediction_figures(prediction);
-      write_files(prediction, figures, *options, json);
+      write_files(prediction, figures, options->folder, json, command_line_of(*command));
       for (const std::string& warning : prediction.warnings) fmt::print(stderr, "warning: {}\n", warning);
       if (options->json)
         fmt::print("{}", json);

@@ -1,17 +1,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <sstream>
 #include <string>
-#include <system_error>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/procedures/thesis_procedures.hpp"
+#include "app/result_files.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
-#include "report/whole_file.hpp"
 
 namespace secular::app {
 namespace {
@@ -23,16 +22,6 @@ struct Options {
   std::string folder;
   bool json = false;
 };
-
-std::string command_line(const Options& options) {
-  std::string line = "secular procedure " + options.request.campaign + " --model " + options.request.model;
-  if (!options.request.resonance.empty()) line += " --case " + options.request.resonance;
-  for (const std::string& method : options.request.methods) line += " --method " + method;
-  for (const std::string& term : options.terms) line += " --term " + term;
-  for (const std::string& name : options.request.left_out) line += " --without " + name;
-  if (!options.request.truth.empty()) line += " --true " + options.request.truth;
-  return line + " -o " + options.folder;
-}
 
 std::string number_or_blank(const std::optional<double>& value) {
   return value ? report::format_number(*value, 4) : "";
@@ -94,8 +83,8 @@ void add_procedure_command(CLI::App& root, Action& chosen) {
   command->add_flag("--json", options->json, "print procedures.json instead of the summary");
   command->footer(
       "Example: secular procedure campaign --model two_mass_mode1 --true experiments/thesis_chapter5 -o out");
-  command->callback([options, &chosen] {
-    chosen = [options] {
+  command->callback([options, command, &chosen] {
+    chosen = [options, command] {
       ProcedureRequest& asked = options->request;
       if (options->from) asked.window.from_s = *options->from;
       if (options->to) asked.window.to_s = *options->to;
@@ -107,14 +96,8 @@ void add_procedure_command(CLI::App& root, Action& chosen) {
       }
       const ProcedureRun run = run_procedures(asked);
       const std::string json = procedures_json(run);
-      const std::string html = procedures_report(run, command_line(*options));
-      const std::filesystem::path folder(options->folder);
-      std::error_code error;
-      std::filesystem::create_directories(folder, error);
-      if (error)
-        throw InputError(options->folder, "", "cannot be made a folder", "name a folder that can be written");
-      report::write_whole_file(folder / "procedures.json", json);
-      report::write_whole_file(folder / "report.html", html);
+      const std::string html = procedures_report(run, command_line_of(*command));
+      write_result_files(options->folder, {{"procedures.json", json}, {"report.html", html}});
       for (const std::string& warning : run.warnings) fmt::print(stderr, "warning: {}\n", warning);
       if (options->json)
         fmt::print("{}", json);

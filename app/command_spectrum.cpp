@@ -13,14 +13,15 @@
 #include <system_error>
 #include <vector>
 
+#include "app/command_line.hpp"
 #include "app/commands.hpp"
+#include "app/result_files.hpp"
 #include "app/spectrum_report.hpp"
 #include "estimator/campaign/campaign.hpp"
 #include "estimator/campaign/data_file.hpp"
 #include "estimator/identification/observation_set.hpp"
 #include "estimator/signal/modal_filter.hpp"
 #include "input/input_error.hpp"
-#include "report/whole_file.hpp"
 
 namespace secular::app {
 namespace {
@@ -285,23 +286,6 @@ void print_table(const RecordSpectrum& record) {
     fmt::print("*: hyperbolic (a rate over 2 pi), or a product (frequency, and rate of growth or decay)\n");
 }
 
-std::string line_of(const Options& options, const CLI::App& command) {
-  std::string line = "secular spectrum " + options.source + " -o " + options.folder;
-  for (const CLI::Option* option : command.get_options())
-    if (option->count() > 0 && !option->get_positional() && option->get_name() != "--output" &&
-        option->get_name() != "--json")
-      for (const std::string& value : option->results()) line += " " + option->get_name() + " " + value;
-  return line;
-}
-
-void write(const Options& options, const std::string& json, const std::string& html) {
-  std::error_code error;
-  fs::create_directories(options.folder, error);
-  if (error) throw InputError(options.folder, "", "cannot be made a folder", "name a folder that can be written");
-  report::write_whole_file(fs::path(options.folder) / "spectrum.json", json);
-  report::write_whole_file(fs::path(options.folder) / "report.html", html);
-}
-
 int run(const Options& options, const CLI::App& command) {
   if (!(options.from_s < options.to_s))
     throw InputError("--from, --to", "", "the window is empty", "--from must be before --to");
@@ -309,7 +293,7 @@ int run(const Options& options, const CLI::App& command) {
   if (!fs::exists(options.source, ignored))
     throw InputError(options.source, "", "does not exist",
                      fmt::format("a campaign folder or a {} file was expected", data_formats));
-  const std::string line = line_of(options, command);
+  const std::string line = command_line_of(command);
   if (!fs::is_directory(options.source, ignored) && options.time.empty() && options.sample_rate_hz == 0) {
     const std::vector<DataVariable> variables = describe_data_file(options.source);
     const bool frequencies = std::any_of(variables.begin(), variables.end(), [](const DataVariable& v) {
@@ -318,7 +302,8 @@ int run(const Options& options, const CLI::App& command) {
     const ResponseTable table = frequencies ? response_table(read_data_file(options.source)) : ResponseTable{};
     if (!table.series.empty()) {
       const std::string json = response_table_json(table);
-      write(options, json, response_table_report(table, line));
+      write_result_files(options.folder,
+                         {{"spectrum.json", json}, {"report.html", response_table_report(table, line)}});
       if (options.json) {
         fmt::print("{}", json);
         return 0;
@@ -333,7 +318,7 @@ int run(const Options& options, const CLI::App& command) {
       fs::is_directory(options.source, ignored) ? columns_of_campaign(options) : columns_of_file(options);
   const RecordSpectrum record = analysed(options, columns);
   const std::string json = spectrum_json(record);
-  write(options, json, spectrum_report(record, line));
+  write_result_files(options.folder, {{"spectrum.json", json}, {"report.html", spectrum_report(record, line)}});
   if (options.json) {
     fmt::print("{}", json);
   } else {
