@@ -41,19 +41,19 @@ struct Program {
   }
 };
 
-TEST(CommandLine, HoldsWhatWasGivenAndNothingElse) {
+TEST(CommandLineOf, HoldsWhatWasGivenAndNothingElse) {
   EXPECT_EQ(Program().line_of({"work", "test"}), "secular work test");
   EXPECT_EQ(Program().line_of({"work", "--from", "0.5", "--hz", "test"}), "secular work test --from 0.5 --hz");
   EXPECT_EQ(Program().line_of({"work", "test", "--json", "--threads", "4"}), "secular work test");
 }
 
-TEST(CommandLine, QuotesWhatAShellWouldChange) {
+TEST(CommandLineOf, QuotesWhatAShellWouldChange) {
   EXPECT_EQ(Program().line_of({"work", "my test", "--records", "records/*.csv"}),
             "secular work 'my test' --records 'records/*.csv'");
   EXPECT_EQ(Program().line_of({"work", "it's"}), "secular work 'it'\\''s'");
 }
 
-TEST(CommandLine, GivesSeveralValuesAsTheOptionTakesThem) {
+TEST(CommandLineOf, GivesSeveralValuesAsTheOptionTakesThem) {
   EXPECT_EQ(Program().line_of({"work", "test", "--name", "a", "--name", "b"}), "secular work test --name a b");
   EXPECT_EQ(Program().line_of({"work", "test", "--vary", "Omega", "1", "2"}), "secular work test --vary Omega 1 2");
   EXPECT_EQ(Program().line_of({"work", "--without", "a", "--without", "b", "test"}),
@@ -61,7 +61,7 @@ TEST(CommandLine, GivesSeveralValuesAsTheOptionTakesThem) {
 }
 
 // The line is itself a command, and the same one.
-TEST(CommandLine, IsItsOwnRepetition) {
+TEST(CommandLineOf, IsItsOwnRepetition) {
   const std::string line =
       Program().line_of({"work", "test", "--hz", "--vary", "F", "-1", "2", "--without", "x", "--name", "a", "b"});
   std::istringstream words(line.substr(std::string("secular ").size()));
