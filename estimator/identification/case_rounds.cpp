@@ -1,0 +1,227 @@
+// Regressions of all cases, which share natural frequencies and what is known.
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "estimator/identification/estimation.hpp"
+#include "input/input_error.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Cases are fitted again with the natural frequencies of all of them; the columns depend on those weakly.
+constexpr int case_rounds = 2;
+
+void check_fixed(Estimation& e) {
+  for (const auto& [name, value] : e.options.fixed) {
+    std::string known;
+    bool found = false;
+    for (const CompiledSymbol& symbol : e.model.symbols) {
+      known += (known.empty() ? "" : ", ") + std::string(symbol.name);
+      found = found || symbol.name == name;
+    }
+    if (!found)
+      throw InputError("--fix " + name, "", "is no symbol of model " + std::string(e.model.name),
+                       "its symbols are " + known);
+  }
+  e.given.assign(e.model.symbols.size(), false);
+  for (std::size_t p = 0; p < e.given.size(); ++p)
+    e.given[p] = e.options.fixed.count(std::string(e.model.symbols[p].name)) != 0;
+}
+
+// A locked mode's frequency is the excitation's: close to the natural one by the resonance relation.
+void start_frequencies(Estimation& e) {
+  e.knowledge.fixed = e.options.fixed;
+  e.knowledge.errors_in_variables = e.options.refine;
+  for (std::size_t k = 0; k < e.model.modes(); ++k) {
+    const std::string name(e.model.symbols[k].name);
+    double sum = 0, count = 0;
+    for (const ObservationSet* set : e.sets) {
+      if (!mode_frequencies(e.model, *set->resonance).oscillates[k]) continue;
+      for (const Observation& o : set->observations) {
+        if (o.growth_sd[k] < 0) continue;
+        sum += o.rate[k].imag();
+        ++count;
+      }
+    }
+    double value = count > 0 ? sum / count : e.model.nominal[k];
+    if (e.given[k]) {
+      value = e.options.fixed.at(name);
+      e.knowledge.fixed_frequency.insert(k);
+    }
+    if (!std::isfinite(value))
+      throw InputError("model " + std::string(e.model.name), "natural frequency " + name,
+                       "is not seen in this campaign and has no nominal value",
+                       "give it with --fix " + name + "=VALUE (rad/s) or in the model's [nominal]");
+    e.knowledge.natural_frequency.push_back(value);
+  }
+}
+
+std::vector<std::vector<std::size_t>> modulation_blocks(const Estimation& e) {
+  std::vector<std::vector<std::size_t>> blocks;
+  for (const ObservationSet* set : e.sets) {
+    const ModeFrequencies modes = mode_frequencies(e.model, *set->resonance);
+    blocks.emplace_back();
+    for (std::size_t b = 0; b < set->resonance->blocks.size(); ++b) {
+      const RegressorBlock& block = set->resonance->blocks[b];
+      if (block.kind == BlockKind::modulation && modes.oscillates[static_cast<std::size_t>(block.mode)])
+        blocks.back().push_back(b);
+    }
+  }
+  return blocks;
+}
+
+// First-order harmonics whose lumps say something about the parameters that the modulation equations do not. (A
+// harmonic that only repeats what they say would bring its own truncation error and nothing else.)
+bool add_useful_harmonics(Estimation& e) {
+  CampaignKnowledge known = campaign_knowledge(e);
+  // Coefficients take natural frequencies as known: from this campaign or from the model's nominal values.
+  for (std::size_t k = 0; k < e.model.modes(); ++k) known.parameters[k] = true;
+  const VectorXd point = generic_point(static_cast<Index>(e.model.symbols.size()));
+  const Index rank = scaled_rank(known_jacobian(known, point));
+  bool added = false;
+  for (std::size_t s = 0; s < e.sets.size(); ++s) {
+    const CompiledCase& resonance = *e.sets[s]->resonance;
+    for (std::size_t b = 0; b < resonance.blocks.size(); ++b) {
+      const RegressorBlock& block = resonance.blocks[b];
+      if (block.kind != BlockKind::harmonic || block.order > 1) continue;
+      const bool measured = std::any_of(e.sets[s]->observations.begin(), e.sets[s]->observations.end(),
+                                        [&](const Observation& o) { return o.harmonic_sd[b] >= 0; });
+      if (!measured) continue;
+      CampaignKnowledge further = known;
+      for (const int l : block.lumps) further.cases[s].lumps[static_cast<std::size_t>(l)] = true;
+      if (scaled_rank(known_jacobian(further, point)) <= rank) continue;
+      e.blocks[s].push_back(b);
+      added = true;
+    }
+  }
+  return added;
+}
+
+}  // namespace
+
+Estimation::Estimation(std::span<const ObservationSet> measured, const MeasuredUnits& measured_units,
+                       const EstimateOptions& asked)
+    : model(*measured.front().model), units(measured_units), options(asked) {
+  for (const ObservationSet& set : measured) {
+    result.warnings.insert(result.warnings.end(), set.warnings.begin(), set.warnings.end());
+    if (!set.observations.empty()) sets.push_back(&set);
+    result.cases.push_back(set.resonance);
+    all.push_back(&set);
+  }
+  units.excitation.resize(model.excitations.size(), "1");
+  check_fixed(*this);
+  start_frequencies(*this);
+}
+
+void fit_rounds(Estimation& e) {
+  // One case alone finds its own natural frequencies.
+  const int rounds = e.sets.size() > 1 ? case_rounds : 1;
+  const EstimationState* start = e.options.start.get();
+  if (start && start->blocks.size() == e.sets.size()) {
+    e.blocks = start->blocks;
+    e.states = start->regressions;
+    e.shifts = start->shifts;
+    for (const auto& [name, value] : e.shifts) e.knowledge.fixed[name] = value;
+    for (std::size_t k = 0; k < e.model.modes(); ++k)
+      if (!e.given[k]) e.knowledge.natural_frequency[k] = start->natural_frequency[k];
+    for (int round = 0; round < (e.options.keep_weights ? 1 : rounds); ++round) fit_cases(e);
+    return;
+  }
+  e.blocks = modulation_blocks(e);
+  fit_cases(e);
+  const bool more = add_useful_harmonics(e);
+  for (int round = more ? 0 : 1; round < rounds; ++round) fit_cases(e);
+}
+
+void fit_cases(Estimation& e) {
+  e.fits.clear();
+  e.states.resize(e.sets.size());
+  for (std::size_t s = 0; s < e.sets.size(); ++s) {
+    const bool start = !e.states[s].weight.empty();
+    e.fits.push_back(
+        fit_case(*e.sets[s], e.blocks[s], e.knowledge,
+                 {start ? &e.states[s] : nullptr, start && e.options.keep_weights, e.options.threads}));
+    e.states[s] = e.fits.back().state;
+  }
+  // What all cases say of each natural frequency, each by its weight.
+  for (std::size_t k = 0; k < e.model.modes(); ++k) {
+    if (e.given[k]) continue;
+    double sum = 0, weights = 0;
+    for (const CaseFit& fit : e.fits)
+      for (std::size_t c = 0; c < fit.columns.size(); ++c) {
+        if (fit.columns[c].kind != CaseColumn::Kind::natural_frequency || fit.columns[c].index != k) continue;
+        if (fit.fit.coefficients.size() == 0 || !fit.fit.identifiable[c]) continue;
+        const auto at = static_cast<Index>(c);
+        const double weight = 1 / (fit.fit.plain_covariance(at, at) + 1e-300);
+        sum += weight * fit.fit.coefficients(at);
+        weights += weight;
+      }
+    if (weights > 0) e.knowledge.natural_frequency[k] = sum / weights;
+  }
+}
+
+bool know_shifts(Estimation& e) {
+  CampaignKnowledge known = campaign_knowledge(e);
+  for (std::size_t k = 0; k < e.model.modes(); ++k) known.parameters[k] = true;
+  const Identifiability what = identifiability(known);
+  const std::size_t symbols = e.model.symbols.size();
+  bool found = false;
+  for (const CaseFit& fit : e.fits) {
+    if (fit.fit.coefficients.size() == 0) continue;
+    const CompiledCase& resonance = *fit.set->resonance;
+    std::vector<double> lumps(resonance.lumps.size()), slope(lumps.size() * symbols);
+    resonance.evaluate_lumps(e.shared.values.data(), lumps.data());
+    resonance.evaluate_lumps_jacobian(e.shared.values.data(), slope.data());
+    for (std::size_t c = 0; c < fit.columns.size(); ++c) {
+      if (fit.columns[c].kind != CaseColumn::Kind::lump || fit.fit.identifiable[c]) continue;
+      const std::vector<int>& others = fit.fit.entangled_with[c];
+      const bool with_frequency = !others.empty() && std::all_of(others.begin(), others.end(), [&](int other) {
+        return fit.columns[static_cast<std::size_t>(other)].kind == CaseColumn::Kind::natural_frequency;
+      });
+      const std::size_t l = fit.columns[c].index;
+      bool follows = with_frequency;
+      for (std::size_t p = 0; p < symbols; ++p)
+        if (slope[l * symbols + p] != 0 && !what.determined[p]) follows = false;
+      if (!follows) continue;
+      e.shifts[std::string(resonance.lumps[l].name)] = e.knowledge.fixed[std::string(resonance.lumps[l].name)] =
+          lumps[l];
+      found = true;
+    }
+  }
+  return found;
+}
+
+void follow_shifts(Estimation& e) {
+  for (const CaseFit& fit : e.fits) {
+    const CompiledCase& resonance = *fit.set->resonance;
+    std::vector<double> lumps(resonance.lumps.size());
+    if (!lumps.empty()) resonance.evaluate_lumps(e.shared.values.data(), lumps.data());
+    for (std::size_t l = 0; l < lumps.size(); ++l)
+      if (const auto shift = e.shifts.find(std::string(resonance.lumps[l].name)); shift != e.shifts.end())
+        shift->second = lumps[l];
+  }
+}
+
+CampaignKnowledge campaign_knowledge(const Estimation& e) {
+  CampaignKnowledge known;
+  known.model = &e.model;
+  known.parameters = e.given;
+  for (const CaseFit& fit : e.fits) {
+    KnownLumps part{fit.set->resonance, std::vector<bool>(fit.set->resonance->lumps.size(), false)};
+    for (std::size_t l = 0; l < part.lumps.size(); ++l)
+      part.lumps[l] = e.options.fixed.count(std::string(part.resonance->lumps[l].name)) != 0;
+    for (std::size_t c = 0; c < fit.columns.size(); ++c) {
+      if (fit.fit.coefficients.size() == 0 || !fit.fit.identifiable[c]) continue;
+      if (fit.columns[c].kind == CaseColumn::Kind::lump) part.lumps[fit.columns[c].index] = true;
+      if (fit.columns[c].kind == CaseColumn::Kind::natural_frequency) known.parameters[fit.columns[c].index] = true;
+    }
+    known.cases.push_back(std::move(part));
+  }
+  return known;
+}
+
+}  // namespace secular

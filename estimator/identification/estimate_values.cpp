@@ -1,0 +1,187 @@
+// Parameters and lumps as numbers with error bars, or with the reason why there is none.
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "estimator/identification/case_quality.hpp"
+#include "estimator/identification/estimation.hpp"
+#include "estimator/identification/unit_text.hpp"
+#include "estimator/regression/confidence.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Percentiles of the bootstrap's interval.
+constexpr double bootstrap_tail = 0.025;
+
+/// A misfit counts as doubt where it may change a value by more than this share.
+constexpr double material_share = 0.1;
+
+bool significant(const EstimatedValue& value) {
+  return value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
+}
+
+// The misfit joins the error bar.
+void add_misfit(EstimatedValue& value, double misfit) {
+  if (!(misfit > 0) || !value.value) return;
+  value.misfit = misfit;
+  value.doubtful = misfit > 2 * value.sd && misfit > material_share * std::abs(*value.value);
+  value.sd = std::hypot(value.sd, 0.5 * misfit);
+}
+
+BootstrapInterval interval_of(VectorXd draws) {
+  std::sort(draws.data(), draws.data() + draws.size());
+  const auto at = [&](double share) {
+    const double place = share * static_cast<double>(draws.size() - 1);
+    const auto below = static_cast<Index>(std::floor(place));
+    const Index above = std::min(below + 1, draws.size() - 1);
+    return draws(below) + (place - std::floor(place)) * (draws(above) - draws(below));
+  };
+  const double mean = draws.mean();
+  return {at(bootstrap_tail), at(1 - bootstrap_tail),
+          std::sqrt((draws.array() - mean).square().sum() /
+                    std::max<double>(1, static_cast<double>(draws.size() - 1)))};
+}
+
+std::vector<std::size_t> blocks_of(const CaseFit& fit, std::size_t column) {
+  const CaseColumn& c = fit.columns[column];
+  std::vector<std::size_t> found;
+  for (const std::size_t b : fit.blocks) {
+    const RegressorBlock& block = fit.set->resonance->blocks[b];
+    const bool here =
+        c.kind == CaseColumn::Kind::lump
+            ? std::find(block.lumps.begin(), block.lumps.end(), static_cast<int>(c.index)) != block.lumps.end()
+            : block.kind == BlockKind::modulation && static_cast<int>(c.index) == block.mode;
+    if (here) found.push_back(b);
+  }
+  return found;
+}
+
+// The blocks of the cases whose lumps move the parameter, by their share of its weight.
+std::string source_of(const Estimation& e, Index p) {
+  std::string text;
+  for (std::size_t s = 0; s < e.fits.size(); ++s) {
+    const MatrixXd& slope = e.shared.slope[s];
+    if (slope.rows() == 0) continue;
+    std::set<std::size_t> blocks;
+    const MatrixXd& combination = e.lump_estimates[s].combination;
+    for (Index row = 0; row < combination.rows(); ++row) {
+      const double part = slope(p, row) * slope(p, row) * e.lump_estimates[s].plain(row, row);
+      if (!(part > 1e-6 * e.shared.covariance(p, p))) continue;
+      for (Index i = 0; i < combination.cols(); ++i)
+        if (combination(row, i) != 0)
+          for (const std::size_t b :
+               blocks_of(e.fits[s], static_cast<std::size_t>(e.used[s][static_cast<std::size_t>(i)])))
+            blocks.insert(b);
+    }
+    if (blocks.empty()) continue;
+    std::string names;
+    for (const std::size_t b : blocks)
+      names += (names.empty() ? "" : ", ") + std::string(e.sets[s]->resonance->blocks[b].name);
+    text += (text.empty() ? "" : "; ") +
+            (e.fits.size() > 1 ? std::string(e.sets[s]->resonance->name) + ": " + names : names);
+  }
+  return text;
+}
+
+// Near dependencies of the lump that is the parameter itself.
+std::vector<std::string> near_parameters(const Estimation& e, const std::string& name) {
+  if (e.fits.size() != 1) return {};
+  const auto near = nearly_entangled(e.fits.front());
+  for (std::size_t c = 0; c < near.size(); ++c)
+    if (e.fits.front().columns[c].kind == CaseColumn::Kind::lump && column_name(e.fits.front(), c) == name)
+      return near[c];
+  return {};
+}
+
+void fill_lump(const Estimation& e, const CaseFit& fit, std::size_t s, std::size_t l, EstimatedValue& value) {
+  for (std::size_t c = 0; c < fit.columns.size(); ++c) {
+    if (fit.columns[c].kind != CaseColumn::Kind::lump || fit.columns[c].index != l) continue;
+    const auto at = static_cast<Index>(c);
+    value.from.clear();
+    for (const std::size_t b : blocks_of(fit, c))
+      value.from += (value.from.empty() ? "" : ", ") + std::string(fit.set->resonance->blocks[b].name);
+    if (!fit.fit.identifiable[c]) {
+      value.from = "not determined by this campaign";
+      for (const int other : fit.fit.entangled_with[c])
+        value.entangled_with.push_back(column_name(fit, static_cast<std::size_t>(other)));
+      return;
+    }
+    value.identifiable = true;
+    value.value = fit.fit.coefficients(at);
+    value.sd = std::sqrt(std::max(0.0, fit.fit.covariance(at, at)));
+    if (e.hidden[s].cols() > 0) add_misfit(value, e.hidden[s].row(at).norm());
+    value.degrees_of_freedom = fit.fit.degrees_of_freedom;
+    value.significant = significant(value);
+    value.partial_f = partial_f(fit)[c];
+    value.nearly_entangled_with = nearly_entangled(fit)[c];
+    if (s < e.bootstrap_lumps.size() && e.bootstrap_lumps[s].cols() > 0)
+      value.bootstrap = interval_of(e.bootstrap_lumps[s].row(at).transpose());
+  }
+}
+
+}  // namespace
+
+void report_parameters(Estimation& e) {
+  const CampaignKnowledge known = campaign_knowledge(e);
+  const Identifiability what = identifiability(known);
+  for (std::size_t p = 0; p < e.model.symbols.size(); ++p) {
+    const auto at = static_cast<Index>(p);
+    EstimatedValue value;
+    value.name = std::string(e.model.symbols[p].name);
+    value.unit = unit_text(e.model.symbols[p].dimension,
+                           std::vector<std::string>(e.model.modes(), e.units.coordinate), e.units.excitation);
+    if (e.given[p]) {
+      value.fixed = value.identifiable = true;
+      value.value = e.shared.values(at);
+      value.from = "given";
+    } else if (what.determined[p] && e.shared.covariance(at, at) > 0) {
+      value.identifiable = true;
+      value.value = e.shared.values(at);
+      value.sd = std::sqrt(e.shared.covariance(at, at));
+      add_misfit(value, misfit_of_parameter(e, at));
+      value.degrees_of_freedom = e.shared.degrees_of_freedom(at);
+      value.from = source_of(e, at);
+      value.significant = significant(value);
+      value.nearly_entangled_with = near_parameters(e, value.name);
+      if (e.bootstrap.cols() > 0) value.bootstrap = interval_of(e.bootstrap.row(at).transpose());
+    } else {
+      value.from = "not determined by this campaign";
+      for (const int other : what.entangled_with[p])
+        value.entangled_with.emplace_back(e.model.symbols[static_cast<std::size_t>(other)].name);
+    }
+    e.result.parameters.push_back(std::move(value));
+  }
+  e.result.null_directions = null_directions(known);
+}
+
+void report_lumps(Estimation& e) {
+  for (const ObservationSet* set : e.all) {
+    const auto fitted = std::find_if(e.fits.begin(), e.fits.end(), [&](const CaseFit& f) { return f.set == set; });
+    for (std::size_t l = 0; l < set->resonance->lumps.size(); ++l) {
+      EstimatedValue value;
+      value.name = std::string(set->resonance->lumps[l].name);
+      value.definition = std::string(set->resonance->lumps[l].definition);
+      value.resonance = std::string(set->resonance->name);
+      value.unit = unit_text(set->resonance->lumps[l].dimension,
+                             std::vector<std::string>(e.model.modes(), e.units.coordinate), e.units.excitation);
+      value.from = e.knowledge.fixed.count(value.name) != 0 ? "follows from its symbols" : "not used";
+      const auto given = e.options.fixed.find(value.name);
+      if (given != e.options.fixed.end()) {
+        value.fixed = value.identifiable = true;
+        value.value = given->second;
+        value.from = "given";
+      } else if (fitted != e.fits.end() && fitted->fit.coefficients.size() > 0) {
+        fill_lump(e, *fitted, static_cast<std::size_t>(fitted - e.fits.begin()), l, value);
+      }
+      e.result.lumps.push_back(std::move(value));
+    }
+  }
+}
+
+}  // namespace secular

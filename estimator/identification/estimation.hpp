@@ -1,0 +1,85 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "estimator/identification/case_regression.hpp"
+#include "estimator/identification/estimate.hpp"
+#include "estimator/identification/identifiability.hpp"
+#include "estimator/identification/shared_parameters.hpp"
+
+namespace secular {
+
+struct EstimationState {
+  std::vector<std::vector<std::size_t>> blocks;  ///< by case with observations
+  std::vector<RegressionState> regressions;
+  std::vector<double> natural_frequency;
+  std::map<std::string, double> shifts;  ///< lumps that were given what their symbols make of them
+};
+
+/// An estimate on its way: what each stage has found for the next ones.
+struct Estimation {
+  /// Throws InputError for a fixed name that is no symbol and a natural frequency that nothing tells.
+  Estimation(std::span<const ObservationSet> measured, const MeasuredUnits& measured_units,
+             const EstimateOptions& asked);
+
+  const CompiledModel& model;
+  MeasuredUnits units;
+  const EstimateOptions& options;
+  std::vector<const ObservationSet*> sets, all;  ///< those with observations, and all
+  std::vector<bool> given;                       ///< by symbol
+  // Of the cases, see fit_rounds.
+  CaseKnowledge knowledge;
+  std::map<std::string, double> shifts;          ///< see know_shifts
+  std::vector<std::vector<std::size_t>> blocks;  ///< by fit: equations that are regressed
+  std::vector<CaseFit> fits;
+  std::vector<RegressionState> states;  ///< by fit; without weights: none yet
+  // Of the parameters, see share_parameters.
+  std::vector<LumpEstimates> lump_estimates;
+  std::vector<std::vector<Eigen::Index>> used;    ///< by fit: columns in lump_estimates, identifiable ones first
+  std::vector<Eigen::MatrixXd> truncation_slope;  ///< by fit: of the coefficients, by parameters
+  std::vector<std::size_t> single;                ///< by fit: how many of `used` are identifiable
+  SharedParameters shared;
+  Eigen::MatrixXd bootstrap;
+  std::vector<Eigen::MatrixXd> bootstrap_lumps;
+  // Of what does not fit, see test_fit.
+  std::vector<Eigen::MatrixXd> hidden;  ///< by fit: hidden_misfit
+  Estimate result;
+};
+
+/// Regresses every case, with the harmonics that say something new and natural frequencies that go together.
+void fit_rounds(Estimation& e);
+/// Regresses every case once.
+void fit_cases(Estimation& e);
+/// Where damping is of the first order, the second one shifts the frequency by a lump of its own (-mu^2/(2 omega)),
+/// whose column is that of the natural frequency: neither can be told. The lump's symbols are known from elsewhere,
+/// though, and it depends on the natural frequency weakly: it is given its value, and the frequency can be. Whether
+/// there is one.
+bool know_shifts(Estimation& e);
+/// Shifts as they are at the parameters that were found with them, for the next estimate.
+void follow_shifts(Estimation& e);
+/// Which lumps and natural frequencies the fits tell.
+CampaignKnowledge campaign_knowledge(const Estimation& e);
+
+/// Parameters from the lumps of all cases, and what the bootstrap draws of both.
+void share_parameters(Estimation& e);
+/// Lumps as they would be corrected for the truncation at the parameters found. Of parameters that no lump can
+/// tell, where they are as far as all lumps together tell it moves each lump, too, and what they leave open is part
+/// of its error bar.
+void place_along_unseen(Estimation& e);
+
+/// Whether equations hold as well as repeats agree, and the lumps of all cases with one another; else warnings.
+void test_fit(Estimation& e);
+void test_consistency(Estimation& e);
+/// What a parameter may be off by: through the lumps, and because no parameters give all lumps.
+double misfit_of_parameter(const Estimation& e, Eigen::Index parameter);
+
+void report_parameters(Estimation& e);
+void report_lumps(Estimation& e);
+void report_quality(Estimation& e);
+
+}  // namespace secular

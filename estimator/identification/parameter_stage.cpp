@@ -1,0 +1,220 @@
+// From lumps of all cases to parameters, and back where the truncation's correction depends on these.
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "estimator/identification/case_quality.hpp"
+#include "estimator/identification/estimation.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Standard deviation, relative, of a natural frequency about the observed one where nothing else tells it.
+constexpr double resonance_width = 0.005;
+
+/// Moves of parameters, in units of their own size, that depend on one another to this share say nothing new.
+constexpr double dependent_moves = 1e-3;
+
+/// Combinations of columns that are orthogonal to everything lost are as good as these.
+constexpr double lost_tolerance = 1e-8;
+
+// Combinations of the columns `lost`, one a row, that the fit knows although it knows none of them alone:
+// orthogonal, in scaled coefficients, to every direction that is lost.
+MatrixXd known_combinations(const LinearFit& fit, const std::vector<Index>& lost) {
+  if (lost.empty() || fit.lost.cols() == 0) return {};
+  const MatrixXd directions = fit.lost(lost, Eigen::all);
+  const Eigen::JacobiSVD<MatrixXd> svd(directions, Eigen::ComputeFullU);
+  Index rank = 0;
+  while (rank < svd.singularValues().size() && svd.singularValues()(rank) > lost_tolerance) ++rank;
+  const VectorXd scale = fit.scale(lost);
+  return svd.matrixU().rightCols(static_cast<Index>(lost.size()) - rank).transpose() *
+         scale.cwiseInverse().asDiagonal();
+}
+
+// `used`: columns that parameters make. What the case has lost may be anything.
+ConditionRows rows_of(const CaseFit& fit, const std::vector<Index>& used) {
+  const LinearFit& regression = fit.fit;
+  const MatrixXd coordinates = regression.orthonormal.transpose() * fit.system.design;  // of each column
+  std::vector<Index> rest;
+  for (Index c = 0; c < coordinates.cols(); ++c)
+    if (std::find(used.begin(), used.end(), c) == used.end()) rest.push_back(c);
+  ConditionRows rows;
+  rows.entries = coordinates(Eigen::all, used);
+  rows.others.resize(coordinates.rows(), static_cast<Index>(rest.size()) + regression.lost.cols());
+  rows.others << MatrixXd(coordinates(Eigen::all, rest)),
+      coordinates * regression.scale.asDiagonal() * regression.lost;
+  rows.reference = fit.reference(used);
+  rows.estimate = coordinates * (regression.coefficients - fit.reference);
+  rows.kept = regression.kept;
+  rows.residual_sd = regression.residual_sd;
+  rows.gram = regression.cluster_gram;
+  rows.score = regression.cluster_score;
+  return rows;
+}
+
+// Columns x symbols: how a case's coefficients change with the parameters that the truncation was taken out with,
+// along EstimateOptions::moves.
+MatrixXd truncation_slope(const Estimation& e, const CaseFit& fit) {
+  const Index symbols = static_cast<Index>(e.model.symbols.size()), count = e.options.moves.cols();
+  if (count == 0 || fit.moves_effect.cols() != count) return MatrixXd::Zero(fit.fit.coefficients.size(), 0);
+  VectorXd size = e.options.moves.rowwise().norm();
+  for (Index p = 0; p < symbols; ++p) size(p) = size(p) > 0 ? 1 / size(p) : 0;
+  MatrixXd moves = size.asDiagonal() * e.options.moves;
+  const VectorXd length = moves.colwise().norm().transpose().cwiseMax(std::numeric_limits<double>::min());
+  moves = moves * length.cwiseInverse().asDiagonal();
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
+  solver.setThreshold(dependent_moves);
+  solver.compute(moves);
+  return fit.moves_effect * length.cwiseInverse().asDiagonal() * solver.pseudoInverse() * size.asDiagonal();
+}
+
+// A natural frequency that no regression separates from other changes of stiffness is still near the observed
+// one: that is what the resonance means. Without it, coefficients that hold it weakly would have to determine it.
+void add_resonance_widths(Estimation& e) {
+  for (std::size_t k = 0; k < e.model.modes(); ++k) {
+    bool estimated = false;
+    for (std::size_t s = 0; s < e.fits.size(); ++s) {
+      const std::vector<int>& index = e.lump_estimates[s].index;
+      const auto end = index.begin() + static_cast<std::ptrdiff_t>(e.single[s]);
+      estimated = estimated || std::find(index.begin(), end, -1 - static_cast<int>(k)) != end;
+    }
+    if (estimated || e.given[k]) continue;
+    LumpEstimates near;
+    near.resonance = e.sets.front()->resonance;
+    near.index = {-1 - static_cast<int>(k)};
+    near.combination = MatrixXd::Identity(1, 1);
+    near.values = VectorXd::Constant(1, e.knowledge.natural_frequency[k]);
+    near.plain = MatrixXd::Constant(1, 1, std::pow(resonance_width * near.values(0), 2));
+    near.degrees_of_freedom = std::numeric_limits<double>::infinity();
+    e.lump_estimates.push_back(std::move(near));
+  }
+}
+
+void draw_bootstrap(Estimation& e) {
+  const Index count = e.shared.values.size();
+  e.bootstrap = e.shared.values.replicate(1, e.options.bootstrap);
+  for (std::size_t s = 0; s < e.fits.size(); ++s) {
+    if (e.fits[s].fit.coefficients.size() == 0) {
+      e.bootstrap_lumps.emplace_back();
+      continue;
+    }
+    e.bootstrap_lumps.push_back(bootstrap_coefficients(e.fits[s], e.options.bootstrap, e.options.seed + s));
+    MatrixXd change(static_cast<Index>(e.used[s].size()), e.options.bootstrap);
+    for (std::size_t i = 0; i < e.used[s].size(); ++i)
+      change.row(static_cast<Index>(i)) =
+          e.bootstrap_lumps[s].row(e.used[s][i]).array() - e.fits[s].fit.coefficients(e.used[s][i]);
+    if (e.shared.slope[s].rows() == count)
+      e.bootstrap += e.shared.slope[s] * (e.lump_estimates[s].combination * change);
+  }
+}
+
+// The lumps of case s, and what the bootstrap drew of them.
+void move(Estimation& e, std::size_t s, const VectorXd& change) {
+  e.fits[s].fit.coefficients += change;
+  if (s < e.bootstrap_lumps.size() && e.bootstrap_lumps[s].rows() == change.size())
+    e.bootstrap_lumps[s].colwise() += change;
+}
+
+}  // namespace
+
+void share_parameters(Estimation& e) {
+  e.lump_estimates.clear();
+  e.bootstrap_lumps.clear();
+  e.used.clear();
+  e.truncation_slope.clear();
+  e.single.clear();
+  for (const CaseFit& fit : e.fits) {
+    LumpEstimates part;
+    part.resonance = fit.set->resonance;
+    e.truncation_slope.emplace_back();
+    std::vector<Index> used, lost;
+    for (std::size_t c = 0; c < fit.columns.size() && fit.fit.coefficients.size() > 0; ++c)
+      if (fit.columns[c].kind != CaseColumn::Kind::sensor_offset)
+        (fit.fit.identifiable[c] ? used : lost).push_back(static_cast<Index>(c));
+    const auto single = static_cast<Index>(used.size());
+    const MatrixXd together = known_combinations(fit.fit, lost);
+    used.insert(used.end(), lost.begin(), lost.end());
+    for (const Index c : used) {
+      const CaseColumn& column = fit.columns[static_cast<std::size_t>(c)];
+      part.index.push_back(column.kind == CaseColumn::Kind::lump ? static_cast<int>(column.index)
+                                                                 : -1 - static_cast<int>(column.index));
+    }
+    const Index size = single + together.rows(), entries = static_cast<Index>(used.size());
+    part.combination = MatrixXd::Zero(size, entries);
+    part.combination.topLeftCorner(single, single).setIdentity();
+    if (together.size() > 0) part.combination.bottomRightCorner(together.rows(), together.cols()) = together;
+    if (size > 0) {
+      part.values = part.combination * fit.fit.coefficients(used);
+      part.plain = part.combination * MatrixXd(fit.fit.plain_covariance(used, used)) * part.combination.transpose();
+      part.influence = MatrixXd(fit.fit.influence(Eigen::all, used)) * part.combination.transpose();
+      part.truncation_effect = fit.truncation_effect(used, Eigen::all);
+      e.truncation_slope.back() = truncation_slope(e, fit);
+      part.truncation_slope = e.truncation_slope.back()(used, Eigen::all);
+      part.truncation_at = e.options.corrected_at;
+      if (!e.options.rough_errors) part.rows = rows_of(fit, used);
+    }
+    part.clustered = fit.fit.covariance_kind == CovarianceKind::clustered;
+    part.degrees_of_freedom = fit.fit.degrees_of_freedom;
+    e.lump_estimates.push_back(std::move(part));
+    e.used.push_back(std::move(used));
+    e.single.push_back(static_cast<std::size_t>(single));
+  }
+  add_resonance_widths(e);
+  VectorXd start = VectorXd::Zero(static_cast<Index>(e.model.symbols.size()));
+  for (Index p = 0; p < start.size(); ++p) {
+    const std::string name(e.model.symbols[static_cast<std::size_t>(p)].name);
+    if (p < static_cast<Index>(e.model.modes()))
+      start(p) = e.knowledge.natural_frequency[static_cast<std::size_t>(p)];
+    for (std::size_t s = 0; s < e.fits.size(); ++s)
+      for (std::size_t i = 0; i < e.single[s]; ++i)
+        if (const LumpEstimates& part = e.lump_estimates[s];
+            part.index[i] >= 0 && part.resonance->lumps[static_cast<std::size_t>(part.index[i])].name == name)
+          start(p) = part.values(static_cast<Index>(i));
+    if (e.given[static_cast<std::size_t>(p)]) start(p) = e.options.fixed.at(name);
+  }
+  e.shared = shared_parameters(e.lump_estimates, start, e.given, e.options.shift, e.options.rough_errors);
+  e.result.parameter_values = e.shared.values;
+  e.result.parameter_sd = e.shared.covariance.diagonal().cwiseMax(0).cwiseSqrt();
+  if (e.options.bootstrap > 0) draw_bootstrap(e);
+}
+
+void place_along_unseen(Estimation& e) {
+  e.result.unseen = e.shared.unseen;
+  e.result.unseen_coordinate = e.shared.unseen_coordinate;
+  e.result.shift = e.shared.shift;
+  for (std::size_t s = 0; s < e.fits.size(); ++s) {
+    const CaseFit& fit = e.fits[s];
+    const Index columns = fit.fit.coefficients.size();
+    if (columns == 0 || e.shared.slope[s].size() == 0) continue;
+    const MatrixXd& effect = fit.truncation_effect;
+    const MatrixXd& by_values = e.truncation_slope[s];
+    // Of a change of the coefficients by noise, what comes back by way of the values.
+    MatrixXd back = MatrixXd::Zero(columns, columns), left = MatrixXd::Zero(columns, columns);
+    const auto add = [&](const MatrixXd& moves, const MatrixXd& slope) {
+      back(Eigen::all, e.used[s]) += moves * (slope * e.lump_estimates[s].combination);
+    };
+    if (by_values.cols() > 0) {
+      add(by_values, e.shared.slope[s]);
+      move(e, s, by_values * (e.shared.values - e.options.corrected_at));
+    }
+    if (effect.cols() > 0 && e.shared.shift_slope[s].size() > 0) {
+      add(effect, e.shared.shift_slope[s]);
+      const MatrixXd open = effect * e.shared.shift_prior;
+      left = open * open.transpose();
+      const VectorXd& from = e.options.shift.corrected_at;
+      move(e, s, effect * (from.size() > 0 ? VectorXd(e.shared.shift - from) : e.shared.shift));
+    }
+    const MatrixXd map = MatrixXd::Identity(columns, columns) + back;
+    LinearFit& regression = e.fits[s].fit;
+    regression.influence = regression.influence * map.transpose();
+    regression.covariance = map * regression.covariance * map.transpose() + left;
+    regression.plain_covariance = map * regression.plain_covariance * map.transpose() + left;
+  }
+}
+
+}  // namespace secular
