@@ -83,6 +83,11 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
       fmt::print(
           "simulated in the window to check on: {} off by {:.4g} before, {:.4g} after (rms; measured {:.4g})\n",
           e.channel, e.before, e.after, e.signal);
+  if (d.simulated)
+    for (const SimulatedError& e : d.simulated->apart)
+      if (e.before_fitted && e.after_fitted)
+        fmt::print("  with the numbers that fit it best: {:.4g} before, {:.4g} after\n", *e.before_fitted,
+                   *e.after_fitted);
   print_next_experiment(run);
   fmt::print("written: {0}/diagnosis.json, {0}/report.html, {0}/gap.svg\n", folder);
 }
@@ -94,6 +99,8 @@ int run(Options& options, const CLI::App& command) {
       !(*options.request.check_from_s < *options.request.check_to_s))
     throw InputError("--check-from, --check-to", "", "the window is empty",
                      "--check-from must be before --check-to");
+  if (options.request.fit_check && !options.request.check_from_s && !options.request.check_to_s)
+    throw InputError("--fit-check", "", "has no window", "give --check-from and --check-to");
   if (!options.band.empty()) options.request.band = parse_band(options.band);
   const DiagnosisRun result = run_diagnosis(options.request);
   const std::string json = diagnosis_json(result);
@@ -127,6 +134,8 @@ void add_diagnose_command(CLI::App& root, Action& chosen) {
   command->add_option("--check-from", request.check_from_s,
                       "simulate every decay, sweep and broadband record from this time on, s, in one piece");
   command->add_option("--check-to", request.check_to_s, "and up to this time, s");
+  command->add_flag("--fit-check", request.fit_check,
+                    "simulate them once more with the numbers that fit them best");
   command->add_option(
       "--band", options->band,
       "LOW:HIGH in Hz: free decays are filtered to it, so that modes beyond the model do not count");

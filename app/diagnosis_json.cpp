@@ -36,9 +36,13 @@ Json next_experiment(const DiagnosisRun& run) {
 
 Json simulated_errors(const std::vector<SimulatedError>& errors) {
   Json list = Json::array();
-  for (const SimulatedError& e : errors)
-    list.push_back(
-        {{"channel", e.channel}, {"signal_rms", e.signal}, {"before_rms", e.before}, {"after_rms", e.after}});
+  for (const SimulatedError& e : errors) {
+    Json entry = {
+        {"channel", e.channel}, {"signal_rms", e.signal}, {"before_rms", e.before}, {"after_rms", e.after}};
+    if (e.before_fitted) entry["before_fitted_rms"] = *e.before_fitted;
+    if (e.after_fitted) entry["after_fitted_rms"] = *e.after_fitted;
+    list.push_back(std::move(entry));
+  }
   return list;
 }
 

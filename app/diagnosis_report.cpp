@@ -248,6 +248,11 @@ void simulated_rows(Table& table, const std::string& what, const std::vector<Sim
   for (const SimulatedError& e : errors)
     table.rows.push_back({what, e.channel, report::format_number(e.signal, 4), report::format_number(e.before, 4),
                           report::format_number(e.after, 4)});
+  for (const SimulatedError& e : errors)
+    if (e.before_fitted && e.after_fitted)
+      table.rows.push_back({what + ", with the numbers that fit them best", e.channel,
+                            report::format_number(e.signal, 4), report::format_number(*e.before_fitted, 4),
+                            report::format_number(*e.after_fitted, 4)});
 }
 
 // The same question once more, asked of the equations of motion alone.

@@ -61,6 +61,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
     options.check = request.window;
     options.check->from_s = request.check_from_s.value_or(Window{}.from_s);
     options.check->to_s = request.check_to_s.value_or(Window{}.to_s);
+    options.fit_check = request.fit_check;
   }
   if (!request.parameters.empty()) {
     GivenParameters given = read_parameter_file(request.parameters);

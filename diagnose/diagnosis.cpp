@@ -127,15 +127,21 @@ class Diagnoser {
     name_cause(all, named);
     share_out();
     propose_experiment(named);
-    if (best_)
-      result_.simulated = simulated_check(condition_model(), conditions_, segments_, apart_ ? &*apart_ : nullptr,
-                                          given() ? given_.unknowns : inference_.null.fit.unknowns,
-                                          best_->fit.unknowns, options_.threads);
+    if (best_) simulate();
     return std::move(result_);
   }
 
  private:
   bool given() const { return !options_.parameters.empty(); }
+
+  void simulate() {
+    const Refit& null = inference_.null.fit;
+    result_.simulated =
+        simulated_check(condition_model(), conditions_, segments_, apart_ ? &*apart_ : nullptr,
+                        given() ? given_.unknowns : null.unknowns, best_->fit.unknowns, options_.threads);
+    if (apart_ && options_.fit_check)
+      fit_window(*apart_, null, best_->fit, options_.threads, result_.simulated->apart);
+  }
 
   ConditionModel condition_model() const {
     return ConditionModel(MotionBalance(model_, options_.forces), sensors_, faults_);

@@ -1,6 +1,7 @@
 #include "diagnose/simulated_check.hpp"
 
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "diagnose/virtual_dwell.hpp"
@@ -25,12 +26,46 @@ std::vector<SimulatedError> errors_of(const SensorModel& sensors, const VectorXd
   std::vector<SimulatedError> errors;
   for (std::size_t c = 0; c < sensors.response_names.size(); ++c) {
     const auto i = static_cast<Index>(c);
-    errors.push_back({sensors.response_names[c], std::sqrt(signal(i)), std::sqrt(before(i)), std::sqrt(after(i))});
+    errors.push_back(
+        {sensors.response_names[c], std::sqrt(signal(i)), std::sqrt(before(i)), std::sqrt(after(i)), {}, {}});
   }
   return errors;
 }
 
+/// States of records are those that fit best to first order about the last fit: it is fitted again until this share
+/// of the error is all that changes.
+constexpr double settled = 1e-3;
+constexpr int most_passes = 6;
+
+// Mean squares by channel at the unknowns of `fit` that a window's records like best.
+VectorXd least_mean_square(const SegmentEvidence& records, const Refit& fit, unsigned threads) {
+  Discrepancy window;
+  window.add(std::make_unique<SegmentEvidence>(records));
+  RefitOptions options;
+  options.threads = threads;
+  VectorXd unknowns = fit.unknowns, least = records.mean_square_error(unknowns);
+  for (int pass = 0; pass < most_passes; ++pass) {
+    window.freeze(unknowns);
+    unknowns = refit(window, unknowns, fit.free, options).unknowns;
+    const VectorXd there = records.mean_square_error(unknowns);
+    const bool rest = there.sum() > (1 - 2 * settled) * least.sum();
+    if (there.sum() < least.sum()) least = there;
+    if (rest) break;
+  }
+  return least;
+}
+
 }  // namespace
+
+void fit_window(const SegmentEvidence& window, const Refit& before, const Refit& after, unsigned threads,
+                std::vector<SimulatedError>& errors) {
+  const VectorXd least_before = least_mean_square(window, before, threads),
+                 least_after = least_mean_square(window, after, threads);
+  for (std::size_t c = 0; c < errors.size(); ++c) {
+    errors[c].before_fitted = std::sqrt(least_before(static_cast<Index>(c)));
+    errors[c].after_fitted = std::sqrt(least_after(static_cast<Index>(c)));
+  }
+}
 
 SimulatedCheck simulated_check(const ConditionModel& model, const std::vector<Condition>& conditions,
                                const SegmentEvidence* segments, const SegmentEvidence* apart,

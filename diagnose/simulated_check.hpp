@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnose/condition_rows.hpp"
+#include "diagnose/refit.hpp"
 #include "diagnose/segment_evidence.hpp"
 
 namespace secular {
@@ -16,6 +18,8 @@ struct SimulatedError {
   double signal = 0;  ///< root mean square of what was measured
   double before = 0;  ///< of the difference, model as it is
   double after = 0;   ///< of the difference, best explanation added
+  /// The same two with the numbers that fit this window best: what the model, and the explanation, can do at most.
+  std::optional<double> before_fitted, after_fitted;
 };
 
 struct SimulatedCheck {
@@ -30,5 +34,10 @@ struct SimulatedCheck {
 SimulatedCheck simulated_check(const ConditionModel& model, const std::vector<Condition>& conditions,
                                const SegmentEvidence* segments, const SegmentEvidence* apart,
                                const Eigen::VectorXd& before, const Eigen::VectorXd& after, unsigned threads);
+
+/// Fits the free unknowns of both to a window's records, each in one piece, from where they are; fills
+/// before_fitted and after_fitted of `errors`, which are those of that window.
+void fit_window(const SegmentEvidence& window, const Refit& before, const Refit& after, unsigned threads,
+                std::vector<SimulatedError>& errors);
 
 }  // namespace secular
