@@ -57,16 +57,29 @@ void Integrator::start() {
 }
 
 Integrator::Stepped Integrator::stepped(double h) const {
-  const double middle = drive_.at(t_ + h / 2), end = drive_.at(t_ + h);
-  State k1{}, k2{}, k3{}, k4{}, y = x_;
-  derivative(structure_, drive_, regime_, t_, excitation_, x_, k1);
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h / 2 * k1[i];
-  derivative(structure_, drive_, regime_, t_ + h / 2, middle, y, k2);
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h / 2 * k2[i];
-  derivative(structure_, drive_, regime_, t_ + h / 2, middle, y, k3);
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h * k3[i];
-  derivative(structure_, drive_, regime_, t_ + h, end, y, k4);
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h / 6 * (k1[i] + 2 * (k2[i] + k3[i]) + k4[i]);
+  const double third = drive_.at(t_ + h / 3), two_thirds = drive_.at(t_ + 2 * h / 3),
+               middle = drive_.at(t_ + h / 2), end = drive_.at(t_ + h);
+  State k1{}, k2{}, k3{}, k4{}, k5{}, k6{}, k7{}, y{};
+  const auto slope = [&](double share, double excitation, State& k) {
+    derivative(structure_, drive_, regime_, t_ + share * h, excitation, y, k);
+  };
+  y = x_;
+  slope(0, excitation_, k1);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h / 3 * k1[i];
+  slope(1.0 / 3, third, k2);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h * 2 / 3 * k2[i];
+  slope(2.0 / 3, two_thirds, k3);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h / 12 * (k1[i] + 4 * k2[i] - k3[i]);
+  slope(1.0 / 3, third, k4);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h / 16 * (-k1[i] + 18 * k2[i] - 3 * k3[i] - 6 * k4[i]);
+  slope(0.5, middle, k5);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = x_[i] + h / 8 * (9 * k2[i] - 3 * k3[i] - 6 * k4[i] + 4 * k5[i]);
+  slope(0.5, middle, k6);
+  for (std::size_t i = 0; i < y.size(); ++i)
+    y[i] = x_[i] + h / 44 * (9 * k1[i] - 36 * k2[i] + 63 * k3[i] + 72 * k4[i] - 64 * k6[i]);
+  slope(1, end, k7);
+  for (std::size_t i = 0; i < y.size(); ++i)
+    y[i] = x_[i] + h / 120 * (11 * (k1[i] + k7[i]) + 81 * (k3[i] + k4[i]) - 32 * (k5[i] + k6[i]));
   return {end, y};
 }
 

@@ -4,9 +4,9 @@
 
 namespace secular::blind {
 
-/// Classical Runge-Kutta of fourth order with a fixed step, which is cut where a nonsmooth term changes its branch
-/// (friction that reverses or comes to rest, a slider that starts or stops, a contact, a dead band), so that no
-/// step crosses a kink.
+/// Runge-Kutta of sixth order (seven stages; J. C. Butcher, J. Austral. Math. Soc. 4 (1964) 179) with a fixed step,
+/// which is cut where a nonsmooth term changes its branch (friction that reverses or comes to rest, a slider that
+/// starts or stops, a contact, a dead band), so that no step crosses a kink.
 class Integrator {
  public:
   /// `state` at time t (seconds since the record began; negative while it settles).

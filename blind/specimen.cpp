@@ -221,7 +221,6 @@ Specimen draw_specimen(const std::string& family, const std::set<std::string>& w
   } else {
     for (std::size_t k = 0; k < modes; ++k) add_primary_dwells(s, k, dwells / modes, random);
   }
-  if (modes == 2) s.settling.substeps = 6;
   settle(s);
   if (random.chance(0.5)) random.shuffle(s.dwells);
   double started = 0;

@@ -36,7 +36,7 @@ State after(const Structure& structure, const Drive& drive, const State& from, d
   return integrator.state();
 }
 
-TEST(BlindIntegrator, ConvergesWithFourthOrder) {
+TEST(BlindIntegrator, ConvergesWithSixthOrder) {
   Structure structure = one_mode(1);
   structure.mode[0].alpha3 = 1;
   structure.mode[0].mu2 = 0.1;
@@ -44,9 +44,19 @@ TEST(BlindIntegrator, ConvergesWithFourthOrder) {
   structure.mode[0].direct = 1;
   const Drive drive{.amplitude = 0.4, .frequency = 1.3};
   const State start = at_rest_from(0.5), exact = after(structure, drive, start, 1, 4096);
-  const double coarse = std::abs(displacement(after(structure, drive, start, 1, 16), 0) - displacement(exact, 0));
-  const double fine = std::abs(displacement(after(structure, drive, start, 1, 32), 0) - displacement(exact, 0));
-  EXPECT_NEAR(std::log2(coarse / fine), 4, 0.3);
+  const double coarse = std::abs(displacement(after(structure, drive, start, 1, 8), 0) - displacement(exact, 0));
+  const double fine = std::abs(displacement(after(structure, drive, start, 1, 16), 0) - displacement(exact, 0));
+  EXPECT_NEAR(std::log2(coarse / fine), 6, 0.4);
+}
+
+// Natural frequencies are given to diagnoses to ten digits: the steps of a set shift the highest one, 27 Hz, by
+// less than 1e-8 of it.
+TEST(BlindIntegrator, KeepsTheNaturalFrequency) {
+  const double omega = 2 * pi * 27, duration = 10;
+  const State end =
+      after(one_mode(omega), {.frequency = 1}, at_rest_from(1), duration, static_cast<int>(duration * 256 * 4));
+  const double late = std::atan2(-velocity(end, 0) / omega, displacement(end, 0)) - omega * duration;
+  EXPECT_LT(std::abs(std::remainder(late, 2 * pi)), 2e-8 * omega * duration);
 }
 
 // Without damping the energy q'^2 (1 + 2 delta2 q + delta3 q^2)/2 + potential of each mode is kept.
@@ -73,7 +83,7 @@ TEST(BlindIntegrator, KeepsTheEnergyOfAConservativeStructure) {
   const double coarse = energy(after(structure, rest, start, 3, 1000)) - energy(start);
   const double fine = energy(after(structure, rest, start, 3, 2000)) - energy(start);
   EXPECT_LT(std::abs(fine), 1e-5 * energy(start));
-  EXPECT_LT(std::abs(fine), std::abs(coarse) / 8);  // what is lost is the integrator's
+  EXPECT_LT(std::abs(fine), std::abs(coarse) / 32);  // what is lost is the integrator's
 }
 
 // Contact with stiffness k for q > 0: half periods pi/sqrt(omega^2 + k) and pi/omega.
