@@ -141,10 +141,11 @@ Eigen::VectorXd Signatures::change(const Reality& reality, bool all_ensembles) c
   const Eigen::MatrixX2d& noise = excitation_noise(all_ensembles);
   const Eigen::Index width = static_cast<Eigen::Index>(noise_sd_.size()) * components();
   for (Eigen::Index first = 0; first < result.size(); first += width) {
-    const Eigen::JacobiSVD<Eigen::MatrixX2d> svd(noise.middleRows(first, width), Eigen::ComputeThinU);
-    const Eigen::Vector2d kept = (1 + svd.singularValues().array().square()).rsqrt();
+    const Eigen::MatrixXd of_dwell = noise.middleRows(first, width);  // thin U needs columns counted at run time
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(of_dwell, Eigen::ComputeThinU);
+    const Eigen::VectorXd kept = (1 + svd.singularValues().array().square()).rsqrt();
     auto here = result.segment(first, width);
-    const Eigen::Vector2d along = svd.matrixU().transpose() * here;
+    const Eigen::VectorXd along = svd.matrixU().transpose() * here;
     here -= svd.matrixU() * (along.array() * (1 - kept.array())).matrix();
   }
   return result;
