@@ -65,10 +65,10 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   }
   if (!request.parameters.empty()) {
     GivenParameters given = read_parameter_file(request.parameters);
-    options.parameters = std::move(given.values);
+    options.given.values = std::move(given.values);
     for (const auto& [name, value] : given.representative)
-      if (options.parameters.emplace(name, value).second) options.open.insert(name);
-    options.parameter_sd = std::move(given.sd);
+      if (options.given.values.emplace(name, value).second) options.given.open.insert(name);
+    options.given.sd = std::move(given.sd);
   }
   std::vector<EffectTerm> terms;
   for (const EffectTerm& term : source.applicable_effects())

@@ -206,6 +206,7 @@ std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects,
       if (!(peak > 0)) break;
       Candidate clipping = fault("clipping", name, faults.inverse_level(i));
       clipping.least_strength = 1 / (share * peak);
+      clipping.passive = true;  // a level below nothing cuts nothing
       all.push_back(std::move(clipping));
     }
   }

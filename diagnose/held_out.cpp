@@ -81,7 +81,7 @@ HeldOut predict_held_out(const Discrepancy& discrepancy, const Refit& fit, const
         moved(static_cast<Index>(fit.free[f])) += fit.scale(static_cast<Index>(f)) * change(static_cast<Index>(f));
       const VectorXd next_rows = discrepancy(moved);
       const double next_chi = some_rows(next_rows, training).squaredNorm();
-      if (!(next_chi < chi_squared)) break;
+      if (!(next_chi < chi_squared) || !next_rows.allFinite()) break;
       unknowns = moved;
       rows = next_rows;
       chi_squared = next_chi;

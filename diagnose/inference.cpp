@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "diagnose/screening.hpp"
 #include "estimator/in_parallel.hpp"
@@ -46,6 +47,9 @@ constexpr int most_exchanges = 3;
 
 /// Where every explanation misses, so many effects are fitted again from the start.
 constexpr std::size_t most_afresh = 8;
+
+/// Of the first single effects, so many are.
+constexpr std::size_t most_first_afresh = 2;
 
 /// A second effect is looked for where the best single one leaves so many standard deviations of chi-squared.
 constexpr double least_remainder = 3.5;
@@ -107,7 +111,7 @@ class Search {
   Inference run(const VectorXd& start) {
     fit_null(start);
     fit_singles();
-    descend();
+    if (!begin_afresh(start)) descend();
     add_pairs();
     if (start_afresh(start)) add_pairs();
     settle();
@@ -116,6 +120,17 @@ class Search {
   }
 
  private:
+  // Errors and starting points of the rows, taken at these unknowns.
+  struct Frozen {
+    VectorXd at;
+    double coarse = 0;
+  };
+
+  void freeze(const VectorXd& at, double coarse = 0) {
+    frozen_ = {at, coarse};
+    discrepancy_.freeze(at, coarse);
+  }
+
   RefitOptions refit_options(unsigned threads = 1) const {
     RefitOptions options;
     options.threads = threads;
@@ -142,7 +157,7 @@ class Search {
       Refit fit;
       double before = std::numeric_limits<double>::infinity();
       for (int round = 0; round < 6; ++round) {
-        discrepancy_.freeze(unknowns, coarse);
+        freeze(unknowns, coarse);
         Refit next = refit_these(unknowns, free, coarse > 0 ? first_damping : 0);
         if (next.chi_squared > reweighting * std::max(before, rows_)) break;
         fit = std::move(next);
@@ -165,6 +180,9 @@ class Search {
     return std::any_of(e.members.begin(), e.members.end(), [&](std::size_t m) { return candidates_[m].open_law; });
   }
 
+  // Among the errors as they are.
+  double left_by(const Explanation& e) const { return discrepancy_(e.fit.unknowns).squaredNorm(); }
+
   bool leaves_more_than_noise(const Explanation& e) const {
     const double freedom = result_.degrees_of_freedom;
     return e.fit.chi_squared > freedom + least_remainder * std::sqrt(2 * freedom);
@@ -183,7 +201,7 @@ class Search {
       if (misses(nulls[level_]))
         nulls[level_] = anchored_null(start);
       else {
-        discrepancy_.freeze(nulls[level_].unknowns, coarse_levels[level_]);
+        freeze(nulls[level_].unknowns, coarse_levels[level_]);
         nulls[level_] = refit_own(nulls[level_].unknowns);
       }
     }
@@ -198,16 +216,16 @@ class Search {
     std::erase_if(own_, [&](std::size_t u) {
       return std::find(options_.anchors.begin(), options_.anchors.end(), u) != options_.anchors.end();
     });
-    discrepancy_.freeze(start, coarse_levels[level_]);
+    freeze(start, coarse_levels[level_]);
     const Refit first = refit_own(start, first_damping);
-    discrepancy_.freeze(first.unknowns, coarse_levels[level_]);
+    freeze(first.unknowns, coarse_levels[level_]);
     return refit_own(first.unknowns, first_damping);
   }
 
   void release_anchors() {
     own_ = all_own_;
     for (Explanation& e : found_) e.fit.free = free_of(e.members);
-    discrepancy_.freeze(found_.front().fit.unknowns, coarse_levels[level_]);
+    freeze(found_.front().fit.unknowns, coarse_levels[level_]);
     refit_found();
   }
 
@@ -274,13 +292,13 @@ class Search {
     }
     for (; level_ + 1 < std::size(coarse_levels) && !found_.empty(); ++level_) {
       Explanation& best = found_.front();
-      discrepancy_.freeze(best.fit.unknowns, coarse_levels[level_ + 1]);
+      freeze(best.fit.unknowns, coarse_levels[level_ + 1]);
       Refit finer = refit(discrepancy_, best.fit.unknowns, best.fit.free, refit_options(options_.threads));
       if (misses(finer) && !paired) {
-        discrepancy_.freeze(best.fit.unknowns, coarse_levels[level_]);
+        freeze(best.fit.unknowns, coarse_levels[level_]);
         add_pairs();
         paired = true;
-        discrepancy_.freeze(found_.front().fit.unknowns, coarse_levels[level_ + 1]);
+        freeze(found_.front().fit.unknowns, coarse_levels[level_ + 1]);
       } else {
         best.fit = std::move(finer);
       }
@@ -380,6 +398,49 @@ class Search {
       }
   }
 
+  // One effect on its own way from the start, its strength and shape as in `like`.
+  Explanation afresh(std::size_t member, const VectorXd& start, const VectorXd& like) {
+    Explanation again;
+    again.members = {member};
+    again.unknowns = candidates_[member].strengths.size() + candidates_[member].shapes.size();
+    VectorXd begin = start;
+    take_over(begin, like, candidates_[member]);
+    again.fit = std::move(from_coarse_to_fine(begin, free_of(again.members)).back());
+    return again;
+  }
+
+  // The model's own numbers may follow what is missing to where no step leads back, and whatever is tried beside
+  // them there is bent as well. If the first few effects leave more than noise there, and one of them on its own
+  // way from the start does not, that one is the best, and the rest is judged beside it.
+  bool begin_afresh(const VectorXd& start) {
+    if (found_.empty() || !leaves_more_than_noise(found_.front())) return false;
+    const Frozen here = frozen_;
+    const KnownScales scales = scales_;
+    const std::vector<std::size_t> own = std::exchange(own_, all_own_);
+    for (std::size_t f = 0; f < std::min(most_first_afresh, found_.size()); ++f) {
+      if (is_open(found_[f])) continue;
+      Explanation again = afresh(found_[f].members.front(), start, found_[f].fit.unknowns);
+      if (leaves_more_than_noise(again) || !is_possible(again, candidates_)) continue;
+      freeze(again.fit.unknowns);
+      if (left_by(found_.front()) <= left_by(again)) continue;  // it has run away with its own errors
+      level_ = std::size(coarse_levels) - 1;
+      const VectorXd without = switched_off(again.fit.unknowns, again.members, candidates_);
+      for (Explanation& e : found_) {
+        VectorXd begin = without;
+        take_over(begin, e.fit.unknowns, candidates_[e.members.front()]);
+        e.fit.unknowns = std::move(begin);
+        e.fit.free = free_of(e.members);
+      }
+      found_[f] = std::move(again);
+      refit_found();
+      return true;
+    }
+    freeze(here.at, here.coarse);
+    scales_ = scales;
+    own_ = own;
+    return false;
+  }
+
   // Where even the best explanation leaves more than noise, the model's own numbers may have followed what was
   // missing to where no step leads back: the best effects once more, each on its own way from the start. Whether
   // one of them is the best now.
@@ -391,27 +452,20 @@ class Search {
     for (const Explanation& e : found_)
       for (const std::size_t m : e.members) {
         if (fresh.size() == most || !taken.emplace(candidates_[m].effect, candidates_[m].subject).second) continue;
-        Explanation again;
-        again.members = {m};
-        again.unknowns = candidates_[m].strengths.size() + candidates_[m].shapes.size();
-        VectorXd begin = start;
-        take_over(begin, e.fit.unknowns, candidates_[m]);
-        again.fit = std::move(from_coarse_to_fine(begin, free_of(again.members)).back());
-        fresh.push_back(std::move(again));
+        fresh.push_back(afresh(m, start, e.fit.unknowns));
       }
     // Every one among its own errors; the better one must be better among those of its own as well.
     const Explanation* best = &found_.front();
-    const auto left_by = [&](const Explanation& e) { return discrepancy_(e.fit.unknowns).squaredNorm(); };
-    discrepancy_.freeze(best->fit.unknowns);
+    freeze(best->fit.unknowns);
     double least = left_by(*best);
     for (const Explanation& e : fresh) {
-      discrepancy_.freeze(e.fit.unknowns);
+      freeze(e.fit.unknowns);
       const double left = left_by(e);
       if (!(left < least) || !(left < left_by(*best)) || !is_possible(e, candidates_)) continue;
       best = &e;
       least = left;
     }
-    discrepancy_.freeze(best->fit.unknowns);
+    freeze(best->fit.unknowns);
     if (best == &found_.front()) return false;
     found_.insert(found_.end(), std::make_move_iterator(fresh.begin()), std::make_move_iterator(fresh.end()));
     refit_found();
@@ -423,7 +477,7 @@ class Search {
     own_ = all_own_;
     if (found_.empty()) return;
     const Explanation best = found_.front();
-    discrepancy_.freeze(best.fit.unknowns);
+    freeze(best.fit.unknowns);
     result_.null.fit = refit_own(result_.null.fit.unknowns);
     Refit from_best = refit_own(switched_off(best.fit.unknowns, best.members, candidates_));
     if (from_best.chi_squared < result_.null.fit.chi_squared) result_.null.fit = std::move(from_best);
@@ -454,6 +508,7 @@ class Search {
   double rows_;   // that are independent
   double price_;  // of one unknown more, in log evidence
   KnownScales scales_;
+  Frozen frozen_;
   std::size_t level_ = 0;  // index into coarse_levels that the errors are frozen at
   std::vector<Screening> singles_;
   std::vector<Explanation> found_;

@@ -26,6 +26,16 @@ constexpr double rounding = 1e-6;
 /// Settings that differ by this share were meant to be the same.
 constexpr double same_setting = 1e-3;
 
+/// The best explanation leaves structure where noise alone would leave as much less often than this.
+constexpr double remainder_alarm = 1e-4;
+
+/// An explanation that leaves structure is still the cause if what it leaves beyond repeatability is this share of
+/// what was there,
+constexpr double small_remainder = 0.1;
+
+/// and if held-out conditions show that at least this share was closed (the lower end of its interval).
+constexpr double least_closing = 0.5;
+
 /// One row counts with no more standard deviations than this: outliers are no smooth function.
 constexpr double largest_row = 3;
 
@@ -84,6 +94,24 @@ SmoothRemainder smooth_remainder(const Refit& fit, const std::vector<RowLabel>& 
   result.freedom = static_cast<double>(basis.cols());
   if (basis.cols() > 0) result.p_value = chi_squared_upper_tail(result.squares, result.freedom);
   return result;
+}
+
+Remainder remainder_of(const Refit& fit, const std::vector<RowLabel>& labels, double freedom, double explained) {
+  const SmoothRemainder smooth = smooth_remainder(fit, labels);
+  Remainder left;
+  left.p_value = chi_squared_upper_tail(fit.chi_squared, freedom - static_cast<double>(fit.rank));
+  left.smooth_p_value = smooth.p_value;
+  left.smooth_share = smooth.excess() > 0 ? std::sqrt(smooth.excess() / (smooth.excess() + explained)) : 0;
+  return left;
+}
+
+bool leaves_structure(const Remainder& remainder, const ClosedShare& closing, double floor) {
+  const auto beyond_floor = [&](double rms) { return std::sqrt(std::max(0.0, rms * rms - floor * floor)); };
+  const bool is_shown = closing.low >= least_closing;
+  const bool little = is_shown && beyond_floor(closing.after) <= small_remainder * beyond_floor(closing.before);
+  const bool little_smooth = is_shown && remainder.smooth_share <= small_remainder;
+  return (remainder.p_value < remainder_alarm && !little) ||
+         (remainder.smooth_p_value < remainder_alarm && !little_smooth);
 }
 
 }  // namespace secular

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "diagnose/held_out.hpp"
 #include "diagnose/refit.hpp"
 
 namespace secular {
@@ -18,5 +19,20 @@ struct SmoothRemainder {
 /// fit.jacobian) are taken out first. Structure that is spread over many rows shows here long before it shows in
 /// their sum of squares. `labels` belong to fit.rows.
 SmoothRemainder smooth_remainder(const Refit& fit, const std::vector<RowLabel>& labels);
+
+/// What the best explanation leaves.
+struct Remainder {
+  double p_value = 1;         ///< of the sum of squares of all rows
+  double smooth_p_value = 1;  ///< of smooth_remainder
+  double smooth_share = 0;    ///< what that is beyond noise of all that there was to explain, as amplitudes
+};
+
+/// `freedom`: of all rows. `explained`: fall of the sum of squares by the explanation.
+Remainder remainder_of(const Refit& fit, const std::vector<RowLabel>& labels, double freedom, double explained);
+
+/// Whether an explanation leaves structure that forbids to call it the cause. Real structures always leave some: it
+/// may, where held-out conditions show that it closes most of the gap and what it leaves beyond repeatability is
+/// less than a tenth of what was there.
+bool leaves_structure(const Remainder& remainder, const ClosedShare& closing, double floor);
 
 }  // namespace secular

@@ -153,7 +153,7 @@ TEST(Diagnosis, SlipsOfTheClockDisturbARecordAndHideNoCause) {
 TEST(Diagnosis, OfGivenNumbersThatAreOffTheParametersAreTheCause) {
   const CompiledModel& model = *generated::find_compiled_model("pendulum");
   DiagnosisOptions options;
-  options.parameters = {{"omega0", 5.77}, {"alpha3", -5.55}, {"alpha5", 0.2775},
+  options.given.values = {{"omega0", 5.77}, {"alpha3", -5.55}, {"alpha5", 0.2775},
                         {"mu1", 0.007},   {"mu2", 0.01},     {"fc", 0.03}};
   const SimulatedCampaign data = simulated(model, pendulum_swing(0.01, 0.03), 15);
   const Diagnosis d = diagnosed(model, data, {}, options);
@@ -162,7 +162,7 @@ TEST(Diagnosis, OfGivenNumbersThatAreOffTheParametersAreTheCause) {
   ASSERT_FALSE(d.parameters_moved.empty());
   EXPECT_TRUE(std::any_of(d.parameters_moved.begin(), d.parameters_moved.end(),
                           [](const ParameterMove& m) { return m.name == "mu1"; }));
-  options.parameters["mu1"] = 0.004;
+  options.given.values["mu1"] = 0.004;
   EXPECT_EQ(diagnosed(model, data, {}, options).verdict, "no_gap");
 }
 
@@ -170,7 +170,7 @@ TEST(Diagnosis, RefusesUnknownSymbolsAndEmptyCampaigns) {
   const CompiledModel& model = *generated::find_compiled_model("pendulum");
   SimulatedCampaign data = simulated(model, pendulum_swing(0.01, 0.03), 16);
   DiagnosisOptions options;
-  options.parameters = {{"nonsense", 1.0}};
+  options.given.values = {{"nonsense", 1.0}};
   EXPECT_THROW(diagnosed(model, data, {}, options), InputError);
   data.campaign.records.clear();
   EXPECT_THROW(diagnosed(model, data, {}), InputError);

@@ -100,5 +100,33 @@ TEST(SmoothRemainder, SaysNothingOfAFewRows) {
   EXPECT_EQ(left.p_value, 1);
 }
 
+ClosedShare closing(double before, double after, double low) {
+  ClosedShare share;
+  share.before = before;
+  share.after = after;
+  share.low = low;
+  return share;
+}
+
+TEST(LeavesStructure, NoiseIsNone) {
+  EXPECT_FALSE(
+      leaves_structure({.p_value = 0.01, .smooth_p_value = 0.5, .smooth_share = 0}, closing(2, 1.9, -1), 1));
+}
+
+TEST(LeavesStructure, ATenthOfTheGapIsAllowedToRealStructures) {
+  const Remainder plain{.p_value = 1e-9, .smooth_p_value = 1, .smooth_share = 0};
+  EXPECT_FALSE(leaves_structure(plain, closing(50, 4, 0.9), 1));
+  EXPECT_TRUE(leaves_structure(plain, closing(50, 6, 0.9), 1));
+  const Remainder smooth{.p_value = 1, .smooth_p_value = 1e-9, .smooth_share = 0.2};
+  EXPECT_TRUE(leaves_structure(smooth, closing(50, 1, 0.9), 1));
+}
+
+TEST(LeavesStructure, ItIsNotWhereNothingShowsThatTheGapWasClosed) {
+  const Remainder plain{.p_value = 1e-9, .smooth_p_value = 1e-9, .smooth_share = 0.03};
+  EXPECT_TRUE(leaves_structure(plain, closing(93, 4.7, -1), 1));
+  EXPECT_TRUE(leaves_structure(plain, closing(93, 4.7, std::nan("")), 1));
+  EXPECT_FALSE(leaves_structure(plain, closing(93, 4.7, 0.6), 1));
+}
+
 }  // namespace
 }  // namespace secular
