@@ -11,12 +11,13 @@ inline constexpr double sample_rate_hz = 256;
 inline constexpr std::size_t ensemble_samples = 1024;
 
 /// How a dwell is brought to its steady state: by going through it in blocks of about one time constant and a whole
-/// number of periods, until two blocks end in the same state.
+/// number of periods, until the ends of blocks have a limit that is near. What repeats after two periods of the
+/// excitation only is watched by itself.
 struct Settling {
   double time_constant = 1;        ///< s, of the slowest decay
   std::size_t periods_of_two = 1;  ///< the response repeats after this many periods of the excitation
-  int least_blocks = 12, most_blocks = 60;
-  double tolerance = 1e-4;   ///< largest change of a mode's state over one block, relative to its amplitude
+  int least_blocks = 12, most_blocks = 400;
+  double tolerance = 1e-4;   ///< largest distance of a mode's state from its limit, relative to its amplitude
   std::size_t substeps = 4;  ///< integration steps between two samples
 };
 

@@ -6,12 +6,14 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <utility>
 
 #include "diagnose/record_window.hpp"
 #include "diagnose/resonant_lines.hpp"
 #include "estimator/hertz.hpp"
+#include "estimator/regression/distribution.hpp"
 #include "estimator/signal/tone_fit.hpp"
 #include "estimator/signal/tone_search.hpp"
 
@@ -39,9 +41,9 @@ constexpr double unsteady_excitation = 1e-3;
 /// Fewest samples and turns of the slowest line in an ensemble.
 constexpr Index fewest_samples = 64;
 
-/// A dwell whose amplitude creeps by more than this over its length has not settled; one that creeps less, but with
-/// so many standard deviations, is taken with its rate of change.
-constexpr double largest_creep = 0.05, significant_creep = 3.5;
+/// A dwell whose amplitude creeps by more than this over its length has not settled; one that creeps less, but more
+/// than a motion that stands still does by chance in so few cases, is taken with its rate of change.
+constexpr double largest_creep = 0.05, creep_alarm = 2e-3;
 
 /// Points over a turn of a motion that is a multiple of one frequency. An odd number: the corners of a force that
 /// is odd in the motion fall on twice as many places, and alias half as far from the lines that are looked at.
@@ -216,11 +218,22 @@ MatrixXcd mean_of(const std::vector<Ensemble>& ensembles, MatrixXcd Ensemble::*p
   return sum / static_cast<double>(ensembles.size());
 }
 
-MatrixXd scatter_of(const std::vector<Ensemble>& ensembles, MatrixXcd Ensemble::*part, const MatrixXcd& mean,
+enum class About { mean, straight_line };
+
+// One ensemble's standard deviation of a real part about the mean of all or about a straight line in time.
+MatrixXd scatter_of(const std::vector<Ensemble>& ensembles, MatrixXcd Ensemble::*part, About about,
                     const std::vector<Index>& lines) {
+  const auto count = static_cast<double>(ensembles.size());
+  const MatrixXcd mean = mean_of(ensembles, part);
+  MatrixXcd slope = MatrixXcd::Zero(mean.rows(), mean.cols());
+  const auto time = [&](std::size_t e) { return static_cast<double>(e) - 0.5 * (count - 1); };
+  if (about == About::straight_line)
+    for (std::size_t e = 0; e < ensembles.size(); ++e)
+      slope += time(e) / (count * (count * count - 1) / 12) * (ensembles[e].*part);
   MatrixXd sum = MatrixXd::Zero(mean.rows(), mean.cols());
-  for (const Ensemble& e : ensembles) sum += (e.*part - mean).cwiseAbs2();
-  sum /= static_cast<double>(ensembles.size() - 1);
+  for (std::size_t e = 0; e < ensembles.size(); ++e)
+    sum += (ensembles[e].*part - mean - time(e) * slope).cwiseAbs2();
+  sum /= count - (about == About::mean ? 1 : 2);
   for (std::size_t l = 0; l < lines.size(); ++l)
     if (lines[l] != 0) sum.col(static_cast<Index>(l)) /= 2;  // of a real part
   return sum.cwiseSqrt();
@@ -232,21 +245,30 @@ Eigen::VectorXd noise_of(const std::vector<Ensemble>& ensembles) {
   return (squares / static_cast<double>(ensembles.size())).cwiseSqrt();
 }
 
-// (dB/dt)/B over the ensembles of a dwell by a straight line through ln(B/mean B).
+// (dB/dt)/B over the ensembles of a dwell by a straight line through ln(B/mean B); the chance that a motion which
+// stands still creeps as much, by the noise of the samples and by the scatter about that line, whichever is larger.
 struct Creep {
   Complex rate;
-  double sd = 0;
+  double sd = 0, p_value = 1;
 };
-template <class Modal>
-Creep creep_of(const std::vector<Ensemble>& ensembles, const Modal& modal, double sd, double step_s) {
-  const auto n = static_cast<double>(ensembles.size());
-  Complex mean = 0;
-  for (const Ensemble& e : ensembles) mean += modal(e.response) / n;
+
+// `noise_sd`: of one ensemble's real part, by the samples' noise; `scatter_sd`: the same about a straight line.
+Creep creep_of(const std::vector<Complex>& amplitude, double noise_sd, double scatter_sd, double step_s) {
+  const auto n = static_cast<double>(amplitude.size());
+  const Complex mean = std::accumulate(amplitude.begin(), amplitude.end(), Complex(0)) / n;
   Complex moment = 0;
-  for (std::size_t e = 0; e < ensembles.size(); ++e)
-    moment += (static_cast<double>(e) - 0.5 * (n - 1)) * std::log(modal(ensembles[e].response) / mean);
+  for (std::size_t e = 0; e < amplitude.size(); ++e)
+    moment += (static_cast<double>(e) - 0.5 * (n - 1)) * std::log(amplitude[e] / mean);
   const double spread = n * (n * n - 1) / 12;
-  return {moment / (spread * step_s), sd / std::abs(mean) / (std::sqrt(spread) * step_s)};
+  Creep creep;
+  creep.rate = moment / (spread * step_s);
+  const auto sd_of_rate = [&](double sd) { return sd / std::abs(mean) / (std::sqrt(spread) * step_s); };
+  creep.sd = sd_of_rate(std::max(noise_sd, scatter_sd));
+  // Half the squared ratio of a complex number to its sd is F-distributed on 2 and twice n - 2 degrees.
+  const auto f = [&](double sd) { return 0.5 * std::norm(creep.rate) / (sd_of_rate(sd) * sd_of_rate(sd)); };
+  const double scattered = f_upper_tail(f(scatter_sd), 2, 2 * (n - 2));
+  creep.p_value = std::max(chi_squared_upper_tail(2 * f(noise_sd), 2), scattered);
+  return creep;
 }
 
 // A pair of lines whose frequencies are only fixed in their combination: the lower one from the samples.
@@ -359,6 +381,16 @@ std::vector<Wander> wander_within(const DwellReader& reader, const Condition& c,
   return all;
 }
 
+bool is_transient(const std::vector<Wander>& wander) {
+  bool transient = false;
+  for (const Wander& w : wander) {
+    if (!(test_wander({w}).p_value < unsteady_alarm)) continue;
+    if (!w.dies_out) return false;
+    transient = true;
+  }
+  return transient;
+}
+
 }  // namespace
 
 std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, const Record& record,
@@ -416,9 +448,12 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
     c.excitation = mean_of(ensembles, &Ensemble::excitation);
     dwell.ensembles = ensembles.size();
     dwell.degrees_of_freedom = static_cast<double>(ensembles.size() - 1);
-    dwell.response_scatter = scatter_of(ensembles, &Ensemble::response, c.response, lines);
-    dwell.excitation_scatter = scatter_of(ensembles, &Ensemble::excitation, c.excitation, excitation_lines);
+    dwell.response_scatter = scatter_of(ensembles, &Ensemble::response, About::mean, lines);
+    dwell.excitation_scatter = scatter_of(ensembles, &Ensemble::excitation, About::mean, excitation_lines);
     dwell.noise = noise_of(ensembles);
+    const MatrixXd about_line = scatter_of(ensembles, &Ensemble::response, About::straight_line, lines);
+    const Eigen::RowVectorXd line_noise =  // of a real part of half the peak
+        dwell.noise.head(c.response.rows()).transpose() / std::sqrt(2 * static_cast<double>(length));
 
     bool whole = true;  // every subharmonic or pair of the layout is really there
     double drift = 0;
@@ -439,9 +474,13 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
         continue;
       }
       c.masters.push_back({resonance.mode, *line});
-      const Creep creep = creep_of(ensembles, modal, sd, static_cast<double>(length) / rate);
+      std::vector<Complex> amplitudes;
+      for (const Ensemble& e : ensembles) amplitudes.push_back(modal(e.response));
+      const Creep creep = creep_of(amplitudes, weights.cwiseProduct(line_noise).norm(),
+                                   weights.cwiseProduct(about_line.col(column).transpose()).norm(),
+                                   static_cast<double>(length) / rate);
       const double change = std::abs(creep.rate) * static_cast<double>(part.samples.rows()) / rate;
-      if (std::abs(creep.rate) > significant_creep * creep.sd) {
+      if (creep.p_value < creep_alarm) {
         drift = std::max(drift, change);
         c.creep.push_back(creep.rate);
         c.creep_sd.push_back(creep.sd);
@@ -455,6 +494,12 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
     if (drift > largest_creep)
       return leave_out(fmt::format("it has not settled (its amplitude changes by {:.1f} %)", 100 * drift));
 
+    if (drift > 0) {  // which is no lack of repeatability
+      dwell.response_scatter = about_line;
+      dwell.excitation_scatter =
+          scatter_of(ensembles, &Ensemble::excitation, About::straight_line, excitation_lines);
+      dwell.degrees_of_freedom -= 1;
+    }
     c.record = index;
     c.fold = static_cast<int>(index);
     c.time_s = part.start_s - record.start_s + 0.5 * static_cast<double>(part.samples.rows()) / rate;
@@ -464,6 +509,7 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
     c.lines = lines;
     c.excitation_lines = excitation_lines;
     if (layout.dimensions == 1) dwell.wander = wander_within(reader, c, lines, base, resolution, *torus, sensors);
+    if (is_transient(dwell.wander)) return leave_out("it has not settled (what varies in it dies out)");
     return dwell;
   }
   return leave_out("its motion fits no resonance of model " + std::string(model.name));

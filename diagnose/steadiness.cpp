@@ -4,13 +4,6 @@
 #include <set>
 
 namespace secular {
-namespace {
-
-/// Dwells are unsteady where noise alone would vary as much less often than this.
-constexpr double unsteady_alarm = 1e-6;
-
-}  // namespace
-
 Unsteadiness judge_steadiness(const std::vector<Wander>& wander, const Campaign& campaign) {
   const WanderTest test = test_wander(wander);
   Unsteadiness unsteady{test.p_value < unsteady_alarm, test.p_value, test.ratio, ""};

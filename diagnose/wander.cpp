@@ -6,6 +6,24 @@
 #include "estimator/regression/distribution.hpp"
 
 namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+/// What dies out varies by this share in the second half of a dwell, as squares, of what it was off in the first.
+constexpr double left_in_the_second_half = 0.05;
+
+// Over a whole turn or two of a wave no half is quieter than that.
+bool settles(const Eigen::VectorXcd& amplitude) {
+  const Index half = amplitude.size() / 2;
+  const Eigen::VectorXcd late = amplitude.tail(half);
+  const Complex end = late.mean();
+  const double early = (amplitude.head(amplitude.size() - half).array() - end).abs2().mean();
+  return (late.array() - end).abs2().mean() < left_in_the_second_half * early;
+}
+
+}  // namespace
 
 Wander wander_of(const Eigen::VectorXcd& amplitude, const Eigen::MatrixXcd& noise) {
   Wander wander;
@@ -21,6 +39,7 @@ Wander wander_of(const Eigen::VectorXcd& amplitude, const Eigen::MatrixXcd& nois
   wander.squares = deviation / variance;
   wander.freedom = 2 * (ensembles - 2);
   wander.noise_freedom = 2 * static_cast<double>(noise.size());
+  wander.dies_out = test_wander({wander}).p_value < unsteady_alarm && settles(amplitude);
   return wander;
 }
 

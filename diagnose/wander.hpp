@@ -12,7 +12,11 @@ struct Wander {
   std::size_t record = 0;  ///< index into Campaign::records
   double squares = 0;      ///< squared deviations over the noise's variance, summed
   double freedom = 0, noise_freedom = 0;
+  bool dies_out = false;  ///< varies beyond noise in its first half, by far less in its second
 };
+
+/// A dwell is unsteady where noise alone would vary as much less often than this.
+inline constexpr double unsteady_alarm = 1e-6;
 
 /// `amplitude`: by ensemble. `noise`: amplitudes beside the line, ensembles x frequencies.
 Wander wander_of(const Eigen::VectorXcd& amplitude, const Eigen::MatrixXcd& noise);

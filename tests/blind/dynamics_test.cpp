@@ -161,6 +161,29 @@ TEST(BlindMotion, SteadyStateIsTheTransferFunctions) {
   }
 }
 
+// A little above its threshold a parametric resonance takes hundreds of time constants to grow out of a tenth of a
+// millionth, while the motion that the base drives directly has long settled.
+TEST(BlindMotion, ASlowSubharmonicBeneathALargeMotionIsWaitedFor) {
+  const double omega = 2 * pi * 12, mu = 0.6, threshold = 4 * omega * mu;
+  Structure structure = one_mode(omega);
+  structure.mode[0].mu1 = mu;
+  structure.mode[0].mu3 = 4;
+  structure.mode[0].direct = 0.01;
+  structure.mode[0].parametric = 1.03;
+  const Drive drive{.amplitude = threshold, .frequency = 2 * omega};
+  const Settling settling{.time_constant = 1 / mu, .periods_of_two = 2};
+  const double period = 2 * pi / drive.frequency;
+  const auto subharmonic = [&](const State& state) {
+    const State later = after(structure, drive, state, period, 60);
+    return 0.5 * std::hypot(displacement(later, 0) - displacement(state, 0),
+                            (velocity(later, 0) - velocity(state, 0)) / omega);
+  };
+  const State settled = settled_state(structure, drive, at_rest_from(1e-7), settling);
+  EXPECT_GT(subharmonic(settled), 5e-4);
+  const State long_after = after(structure, drive, settled, 200 * period, 12000);
+  EXPECT_NEAR(subharmonic(long_after), subharmonic(settled), 2e-4 * subharmonic(settled));
+}
+
 TEST(BlindStructure, EveryTermIsItsFormula) {
   State x{};
   const double q = 0.3, p = -0.7, u = 0.2, r = 0.5, s = 0.11, f = 1.7, F = 2;

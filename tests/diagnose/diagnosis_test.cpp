@@ -154,7 +154,7 @@ TEST(Diagnosis, OfGivenNumbersThatAreOffTheParametersAreTheCause) {
   const CompiledModel& model = *generated::find_compiled_model("pendulum");
   DiagnosisOptions options;
   options.given.values = {{"omega0", 5.77}, {"alpha3", -5.55}, {"alpha5", 0.2775},
-                        {"mu1", 0.007},   {"mu2", 0.01},     {"fc", 0.03}};
+                          {"mu1", 0.007},   {"mu2", 0.01},     {"fc", 0.03}};
   const SimulatedCampaign data = simulated(model, pendulum_swing(0.01, 0.03), 15);
   const Diagnosis d = diagnosed(model, data, {}, options);
   EXPECT_EQ(d.verdict, "cause");
@@ -226,6 +226,20 @@ TEST(SlowDiagnosis, DwellsOfAParametricResonance) {
   EXPECT_EQ(next.separates.front(), "cubic_damping");
   ASSERT_FALSE(d.causes.empty());
   EXPECT_NEAR(d.causes.front().coefficient, 36.87, 4 * d.causes.front().sd);
+}
+
+// Six ensembles of a motion that still grows scatter about their mean by nothing but that growth.
+TEST(SlowDiagnosis, ADwellThatHasNotSettledIsLeftOut) {
+  const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
+  std::string experiment = parametric_dwells();
+  experiment.replace(experiment.find("settle_s = 60.0"), 15, "settle_s = 10.0");
+  const Diagnosis d = diagnosed(model, simulated(model, experiment, 22), {});
+  const auto left_out = std::count_if(d.warnings.begin(), d.warnings.end(), [](const std::string& warning) {
+    return warning.find("has not settled") != std::string::npos;
+  });
+  EXPECT_GT(left_out, 0);
+  EXPECT_FALSE(d.unsteady.detected);
+  EXPECT_EQ(d.verdict, "no_gap");
 }
 
 // The shipped experiment: the motion is known to a millionth, its quadratic and cubic coefficients are entangled,

@@ -86,6 +86,42 @@ TEST(Wander, AWaveOfTheNoisesSizeIsSeenInManyDwellsAndALargeOneInASingleOne) {
   EXPECT_EQ(test.record, disturbed);
 }
 
+Eigen::MatrixXcd unit_noise() {
+  std::mt19937_64 random(6);
+  std::normal_distribution<double> normal;
+  return Eigen::MatrixXcd::NullaryExpr(6, 8, [&] {
+    const double real = normal(random);
+    return Complex(real, normal(random));
+  });
+}
+
+// A steady motion is approached along a spiral: z^n and conj(z)^n at ensemble n.
+TEST(Wander, WhatDiesOutIsNoUnsteadiness) {
+  for (const Complex z : {Complex(0.5, 0), Complex(0.4, 0.3), Complex(-0.2, 0.5)}) {
+    Eigen::VectorXcd amplitude(6);
+    for (Index n = 0; n < amplitude.size(); ++n) {
+      const Complex power = std::pow(z, static_cast<double>(n));
+      amplitude(n) = Complex(300, -200) + Complex(80, 30) * power + Complex(-20, 50) * std::conj(power);
+    }
+    const Wander wander = wander_of(amplitude, unit_noise());
+    EXPECT_LT(test_wander({wander}).p_value, unsteady_alarm) << z;
+    EXPECT_TRUE(wander.dies_out) << z;
+  }
+}
+
+TEST(Wander, WavesDoNotDieOut) {
+  for (const double period : {2.25, 2.6, 3.0, 4.0})
+    for (const double phase : {0.0, 0.7, 1.4, 2.1}) {
+      Eigen::VectorXcd amplitude(6);
+      for (Index n = 0; n < amplitude.size(); ++n)
+        amplitude(n) = Complex(300, -200) +
+                       Complex(40, 20) * std::sin(2 * std::numbers::pi * static_cast<double>(n) / period + phase);
+      const Wander wander = wander_of(amplitude, unit_noise());
+      EXPECT_LT(test_wander({wander}).p_value, unsteady_alarm) << period << ' ' << phase;
+      EXPECT_FALSE(wander.dies_out) << period << ' ' << phase;
+    }
+}
+
 TEST(Wander, TooFewEnsemblesSayNothing) {
   EXPECT_EQ(test_wander({}).p_value, 1);
   EXPECT_EQ(test_wander({wander_of(Eigen::VectorXcd::Ones(2), Eigen::MatrixXcd::Ones(2, 8))}).p_value, 1);
