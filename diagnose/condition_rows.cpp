@@ -183,8 +183,8 @@ class Evaluation {
       for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
         if (c_.excitation_lines[l] == c_.fundamental) {
           fundamental = c_.excitation(j, static_cast<Index>(l));
-          if (fault.inverse_level > 0)
-            fundamental *= unsaturated_amplitude(std::abs(fundamental), 1 / fault.inverse_level,
+          if (fault.saturates())
+            fundamental *= unsaturated_amplitude(std::abs(fundamental), fault.level(),
                                                  noise(c_.excitation_noise, j)) /
                            std::abs(fundamental);
           fundamental = restored(fundamental, fault, c_.line_rate(c_.fundamental));
@@ -258,12 +258,12 @@ class Evaluation {
 
   // Where a response channel saturates; 0: nowhere.
   double level_of(Index channel) const {
-    const double inverse = faults_.response[static_cast<std::size_t>(channel)].inverse_level;
-    return inverse > 0 ? 1 / inverse : 0;
+    const ChannelFault& fault = faults_.response[static_cast<std::size_t>(channel)];
+    return fault.saturates() ? fault.level() : 0;
   }
   bool saturates() const {
     return std::any_of(faults_.response.begin(), faults_.response.end(),
-                       [](const ChannelFault& fault) { return fault.inverse_level > 0; });
+                       [](const ChannelFault& fault) { return fault.saturates(); });
   }
 
   // What a channel's strongest line was before the cut, over what it shows: the line that, with all others as they
@@ -317,7 +317,7 @@ class Evaluation {
         lines(0, line) = true_excitation_(j, static_cast<Index>(l)) * (1 + fault.gain) *
                          std::exp(-c_.line_rate(line) * fault.delay);
       }
-      if (fault.inverse_level > 0) saturate(lines, 0, 1 / fault.inverse_level, noise(c_.excitation_noise, j));
+      if (fault.saturates()) saturate(lines, 0, fault.level(), noise(c_.excitation_noise, j));
       lines(0, 0) += fault.offset;
       for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
         expected(j, static_cast<Index>(l)) = lines(0, c_.excitation_lines[l]);

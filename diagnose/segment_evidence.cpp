@@ -151,8 +151,8 @@ VectorXd SegmentEvidence::errors(const Segment& s, const VectorXd& unknowns, con
       }
     }
     seen.row(c) *= 1 + fault.gain;
-    if (fault.inverse_level > 0)
-      for (double& reading : seen.row(c)) reading = saturated(reading, 1 / fault.inverse_level, s.noise_sd(c));
+    if (fault.saturates())
+      for (double& reading : seen.row(c)) reading = saturated(reading, fault.level(), s.noise_sd(c));
     seen.row(c).array() += fault.offset;
     all.segment(c * samples, samples) = (s.response.row(c).head(samples) - seen.row(c)).transpose() / s.noise_sd(c);
   }

@@ -29,6 +29,9 @@ SensorModel sensor_model(const Campaign& campaign, const CompiledModel& model, s
 struct ChannelFault {
   double gain = 0, cross = 0, delay = 0, offset = 0;
   double inverse_level = 0;  ///< 1/level of saturation; 0: none
+
+  bool saturates() const { return inverse_level > 0; }
+  double level() const { return 1 / inverse_level; }  ///< where it saturates
 };
 
 /// A mode that is in the responses and not in the model: channel c gets amplitude[c] times the acceleration (or
