@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t decay_samples = 3072;
-
 // A term as the model file writes it: the mode's equation, its coordinate {v}, the other one {u}, the symbol {c}.
 std::string term_text(const std::string& effect, const std::string& c, const std::string& v, const std::string& u) {
   if (effect == "viscous_damping") return fmt::format("- 2*{}*D({})", c, v);
@@ -202,13 +200,9 @@ void write_case(const SealedCase& c, std::uint64_t seed, const fs::path& folder)
   }
   for (const double start : s.decay_starts) {
     started += 90;
-    State state{};
-    displacement(state, 0) = start;
-    Drive rest;
-    rest.frequency = s.structure.mode[0].omega;
-    rest.started = started;
-    const Motion motion = recorded_motion(c.reality.structure, rest, state, decay_samples, s.settling.substeps);
-    std::vector<std::vector<double>> channels = measured(c.reality.measurement, rest, motion, false);
+    const Motion motion = decay_motion(c, start, started);
+    std::vector<std::vector<double>> channels =
+        measured(c.reality.measurement, decay_drive(c, started), motion, false);
     disturb(c, noise, channels);
     const std::string file = dwell_file(number++);
     write_text(partial / "campaign" / file, csv_text(s.measurement.names, channels));

@@ -281,17 +281,26 @@ SealedCase draw_once(const CasePlan& plan, Random random) {
   return c;
 }
 
+bool is_bounded(const Motion& motion) {
+  return std::all_of(motion.displacement.begin(), motion.displacement.end(),
+                     [](const std::vector<double>& x) { return std::isfinite(x.back()); });
+}
+
 // Dwells up to the first one that does not last: a softening force may let go only after the first seconds.
 std::vector<Motion> lasting_motions(const SealedCase& c) {
   std::vector<Motion> motions;
   for (const Dwell& dwell : c.specimen.dwells) {
     Motion motion = dwell_motion(c, dwell);
-    const bool lasts = std::all_of(motion.displacement.begin(), motion.displacement.end(),
-                                   [](const std::vector<double>& x) { return std::isfinite(x.back()); });
-    if (!lasts) break;
+    if (!is_bounded(motion)) break;
     motions.push_back(std::move(motion));
   }
   return motions;
+}
+
+// A decay begins beyond every dwell's amplitude, where a softening force may not hold.
+bool decays_last(const SealedCase& c) {
+  return std::all_of(c.specimen.decay_starts.begin(), c.specimen.decay_starts.end(),
+                     [&](double start) { return is_bounded(decay_motion(c, start, 0)); });
 }
 
 }  // namespace
@@ -361,11 +370,26 @@ Motion dwell_motion(const SealedCase& c, const Dwell& dwell, std::size_t length)
                          settling.substeps);
 }
 
+Drive decay_drive(const SealedCase& sealed, double started) {
+  Drive drive;
+  drive.frequency = sealed.specimen.structure.mode[0].omega;
+  drive.started = started;
+  return drive;
+}
+
+Motion decay_motion(const SealedCase& sealed, double initial_displacement, double started) {
+  constexpr std::size_t samples = 3072;
+  State state{};
+  displacement(state, 0) = initial_displacement;
+  return recorded_motion(sealed.reality.structure, decay_drive(sealed, started), state, samples,
+                         sealed.specimen.settling.substeps);
+}
+
 SealedCase draw_case(const CasePlan& plan, std::uint64_t seed) {
   for (std::uint64_t attempt = 0; attempt <= most_redraws; ++attempt) {
     SealedCase c = draw_once(plan, Random(seed, plan.number + redrawn * attempt));
     c.motions = lasting_motions(c);
-    if (c.motions.size() == c.specimen.dwells.size()) return c;
+    if (c.motions.size() == c.specimen.dwells.size() && decays_last(c)) return c;
   }
   throw std::runtime_error(fmt::format("case {} of seed {}: none of its draws stays bounded", plan.number, seed));
 }

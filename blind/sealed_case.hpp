@@ -51,6 +51,12 @@ struct SealedCase {
 /// programme.
 Motion dwell_motion(const SealedCase& sealed, const Dwell& dwell, std::size_t length = 1);
 
+/// Of a free decay that begins so many seconds after the campaign: nothing but its time.
+Drive decay_drive(const SealedCase& sealed, double started);
+
+/// A free decay of the first mode from an initial displacement.
+Motion decay_motion(const SealedCase& sealed, double initial_displacement, double started);
+
 /// Draws everything of a case. Depends on the seed and the plan alone. Throws std::runtime_error where every
 /// attempt grows beyond bounds.
 SealedCase draw_case(const CasePlan& plan, std::uint64_t seed);
