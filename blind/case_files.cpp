@@ -191,22 +191,17 @@ void write_case(const SealedCase& c, std::uint64_t seed, const fs::path& folder)
   }
   std::string text = campaign_head(s.measurement, s.coordinates, fmt::format("case {}", c.plan.number));
   std::size_t number = 0;
-  double started = 0;
   for (const Dwell& dwell : s.dwells) {
     text +=
         write_dwell(c, dwell, c.motions.at(number), dwell.group, noise, partial / "campaign", dwell_file(number));
-    started = dwell.drive.started;
     ++number;
   }
-  for (const double start : s.decay_starts) {
-    started += 90;
-    const Motion motion = decay_motion(c, start, started);
-    std::vector<std::vector<double>> channels =
-        measured(c.reality.measurement, decay_drive(c, started), motion, false);
+  for (const Decay& decay : c.decays) {
+    std::vector<std::vector<double>> channels = measured(c.reality.measurement, decay.drive, decay.motion, false);
     disturb(c, noise, channels);
     const std::string file = dwell_file(number++);
     write_text(partial / "campaign" / file, csv_text(s.measurement.names, channels));
-    text += record_text(file, "free_decay", started) + "group = \"free decays\"\n";
+    text += record_text(file, "free_decay", decay.drive.started) + "group = \"free decays\"\n";
   }
   write_text(partial / "campaign" / "campaign.toml", text);
   fs::remove_all(folder, ignored);

@@ -9,28 +9,22 @@
 #include "blind/integrator.hpp"
 
 namespace secular::blind {
-
 namespace {
 
 // Of a subharmonic below this share of the motion that does not grow there is nothing to see.
 constexpr double no_subharmonic = 1e-7;
 
-// Of two states, by mode as an amplitude.
-double distance(const Structure& structure, const State& a, const State& b, std::size_t k) {
-  return std::hypot(displacement(a, k) - displacement(b, k),
-                    (velocity(a, k) - velocity(b, k)) / structure.mode[k].omega);
-}
-
 /// A sequence of states that goes somewhere.
 class Approach {
  public:
-  explicit Approach(const Structure& structure) : structure_(structure), step_(structure.modes) {}
+  explicit Approach(const Structure& structure) : structure_(structure) {}
 
   void add(const State& state) {
     last_ = std::exchange(now_, state);
     for (std::size_t k = 0; k < structure_.modes; ++k) {
-      factor_[k] = distance(structure_, now_, last_, k) / step_[k];
-      step_[k] = distance(structure_, now_, last_, k);
+      const double step = distance(structure_, now_, last_, k);
+      factor_[k] = step / step_[k];
+      step_[k] = step;
     }
   }
 
@@ -47,11 +41,15 @@ class Approach {
  private:
   const Structure& structure_;
   State now_{}, last_{};
-  std::vector<double> step_;
-  std::array<double, most_modes> factor_{};
+  std::array<double, most_modes> step_{}, factor_{};
 };
 
 }  // namespace
+
+double distance(const Structure& structure, const State& a, const State& b, std::size_t k) {
+  return std::hypot(displacement(a, k) - displacement(b, k),
+                    (velocity(a, k) - velocity(b, k)) / structure.mode[k].omega);
+}
 
 State settled_state(const Structure& structure, const Drive& drive, const State& from, const Settling& settling) {
   const double period = 2 * std::numbers::pi / drive.frequency;

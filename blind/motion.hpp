@@ -28,6 +28,9 @@ struct Motion {
   std::size_t samples() const { return extra_displacement.size(); }
 };
 
+/// How far mode k's state is from another one, as an amplitude: sqrt(q^2 + (q'/omega)^2) of their difference.
+double distance(const Structure& structure, const State& a, const State& b, std::size_t k);
+
 /// The state at t = 0 of a settled dwell.
 State settled_state(const Structure& structure, const Drive& drive, const State& from, const Settling& settling);
 

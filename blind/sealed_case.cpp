@@ -297,10 +297,24 @@ std::vector<Motion> lasting_motions(const SealedCase& c) {
   return motions;
 }
 
-// A decay begins beyond every dwell's amplitude, where a softening force may not hold.
-bool decays_last(const SealedCase& c) {
-  return std::all_of(c.specimen.decay_starts.begin(), c.specimen.decay_starts.end(),
-                     [&](double start) { return is_bounded(decay_motion(c, start, 0)); });
+// Free decays of the first mode, one every 90 s after the last dwell, up to the first one that does not last: they
+// begin beyond every dwell's amplitude, where a softening force may not hold.
+std::vector<Decay> lasting_decays(const SealedCase& c) {
+  constexpr std::size_t samples = 3072;
+  std::vector<Decay> decays;
+  double started = c.specimen.dwells.empty() ? 0 : c.specimen.dwells.back().drive.started;
+  for (const double initial : c.specimen.decay_starts) {
+    started += 90;
+    Drive drive;
+    drive.frequency = c.specimen.structure.mode[0].omega;
+    drive.started = started;
+    State state{};
+    displacement(state, 0) = initial;
+    Motion motion = recorded_motion(c.reality.structure, drive, state, samples, c.specimen.settling.substeps);
+    if (!is_bounded(motion)) break;
+    decays.push_back({drive, std::move(motion)});
+  }
+  return decays;
 }
 
 }  // namespace
@@ -370,26 +384,13 @@ Motion dwell_motion(const SealedCase& c, const Dwell& dwell, std::size_t length)
                          settling.substeps);
 }
 
-Drive decay_drive(const SealedCase& sealed, double started) {
-  Drive drive;
-  drive.frequency = sealed.specimen.structure.mode[0].omega;
-  drive.started = started;
-  return drive;
-}
-
-Motion decay_motion(const SealedCase& sealed, double initial_displacement, double started) {
-  constexpr std::size_t samples = 3072;
-  State state{};
-  displacement(state, 0) = initial_displacement;
-  return recorded_motion(sealed.reality.structure, decay_drive(sealed, started), state, samples,
-                         sealed.specimen.settling.substeps);
-}
-
 SealedCase draw_case(const CasePlan& plan, std::uint64_t seed) {
   for (std::uint64_t attempt = 0; attempt <= most_redraws; ++attempt) {
     SealedCase c = draw_once(plan, Random(seed, plan.number + redrawn * attempt));
     c.motions = lasting_motions(c);
-    if (c.motions.size() == c.specimen.dwells.size() && decays_last(c)) return c;
+    if (c.motions.size() < c.specimen.dwells.size()) continue;
+    c.decays = lasting_decays(c);
+    if (c.decays.size() == c.specimen.decay_starts.size()) return c;
   }
   throw std::runtime_error(fmt::format("case {} of seed {}: none of its draws stays bounded", plan.number, seed));
 }

@@ -35,6 +35,11 @@ struct Truth {
   std::vector<std::string> same_as;  ///< effects (or "no_gap") that these data cannot tell from it
 };
 
+struct Decay {
+  Drive drive;  ///< none, but its time
+  Motion motion;
+};
+
 struct SealedCase {
   CasePlan plan;
   Specimen specimen;
@@ -45,17 +50,12 @@ struct SealedCase {
   std::map<std::string, double> parameters;  ///< for parameters.json; empty: none
   std::vector<std::string> moved;            ///< symbols whose numbers in it are off
   std::vector<Motion> motions;               ///< of each dwell's record
+  std::vector<Decay> decays;                 ///< after the dwells
 };
 
 /// The settled motion of a dwell, through all of its record, which is `length` times as long as those of the
 /// programme.
 Motion dwell_motion(const SealedCase& sealed, const Dwell& dwell, std::size_t length = 1);
-
-/// Of a free decay that begins so many seconds after the campaign: nothing but its time.
-Drive decay_drive(const SealedCase& sealed, double started);
-
-/// A free decay of the first mode from an initial displacement.
-Motion decay_motion(const SealedCase& sealed, double initial_displacement, double started);
 
 /// Draws everything of a case. Depends on the seed and the plan alone. Throws std::runtime_error where every
 /// attempt grows beyond bounds.

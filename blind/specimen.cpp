@@ -99,9 +99,7 @@ void settle(Specimen& s) {
     dwell.state = settled_state(s.structure, dwell.drive, dwell.state, s.settling);
     double size = 0;
     for (std::size_t k = 0; k < s.structure.modes; ++k)
-      size = std::max(
-          size, std::hypot(displacement(dwell.state, k), velocity(dwell.state, k) / s.structure.mode[k].omega) /
-                    s.typical_amplitude[k]);
+      size = std::max(size, distance(s.structure, dwell.state, State{}, k) / s.typical_amplitude[k]);
     if (size > 0.02) kept.push_back(dwell);
   }
   s.dwells = std::move(kept);

@@ -11,7 +11,6 @@
 namespace secular {
 namespace {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 /// A gap is there where noise alone would look like it less often than this.
@@ -191,10 +190,8 @@ class Diagnoser {
   VectorXd gap_rows() const {
     if (result_.verdict != "cause" && result_.verdict != "set") return result_.rows_before;
     if (!best_ || best_->members.empty()) return result_.rows_before - result_.rows_after;
-    VectorXd without = best_->fit.unknowns;
-    for (const std::size_t m : best_->members)
-      for (const std::size_t u : comparison_.candidates[m].strengths) without(static_cast<Index>(u)) = 0;
-    return discrepancy()(without) - best_->fit.rows;
+    return discrepancy()(switched_off(best_->fit.unknowns, best_->members, comparison_.candidates)) -
+           best_->fit.rows;
   }
 
   // Where the cause says which force is missing, the balances are its own.

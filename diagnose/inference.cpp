@@ -60,14 +60,6 @@ void take_over(VectorXd& into, const VectorXd& from, const Candidate& c) {
   for (const std::size_t u : c.shapes) into(static_cast<Index>(u)) = from(static_cast<Index>(u));
 }
 
-// An explanation's unknowns with these candidates switched off.
-VectorXd switched_off(VectorXd unknowns, const std::vector<std::size_t>& members,
-                      const std::vector<Candidate>& candidates) {
-  for (const std::size_t m : members)
-    for (const std::size_t u : candidates[m].strengths) unknowns(static_cast<Index>(u)) = 0;
-  return unknowns;
-}
-
 bool is_possible(const Explanation& e, const std::vector<Candidate>& candidates) {
   return std::none_of(e.members.begin(), e.members.end(), [&](std::size_t m) {
     const Candidate& c = candidates[m];
@@ -263,13 +255,17 @@ class Search {
     keep_best_of_each(found_, candidates_);
   }
 
-  Explanation explain(std::vector<std::size_t> members, const VectorXd& start) const {
+  Explanation explanation(std::vector<std::size_t> members, Refit fit) const {
     Explanation e;
     for (const std::size_t m : members)
       e.unknowns += candidates_[m].strengths.size() + candidates_[m].shapes.size();
-    e.fit = refit(discrepancy_, start, free_of(members), refit_options());
+    e.fit = std::move(fit);
     e.members = std::move(members);
     return e;
+  }
+
+  Explanation explain(const std::vector<std::size_t>& members, const VectorXd& start) const {
+    return explanation(members, refit(discrepancy_, start, free_of(members), refit_options()));
   }
 
   // A strength that another member or the model frees already counts once.
@@ -400,13 +396,9 @@ class Search {
 
   // One effect on its own way from the start, its strength and shape as in `like`.
   Explanation afresh(std::size_t member, const VectorXd& start, const VectorXd& like) {
-    Explanation again;
-    again.members = {member};
-    again.unknowns = candidates_[member].strengths.size() + candidates_[member].shapes.size();
     VectorXd begin = start;
     take_over(begin, like, candidates_[member]);
-    again.fit = std::move(from_coarse_to_fine(begin, free_of(again.members)).back());
-    return again;
+    return explanation({member}, std::move(from_coarse_to_fine(begin, free_of({member})).back()));
   }
 
   // The model's own numbers may follow what is missing to where no step leads back, and whatever is tried beside
@@ -516,6 +508,13 @@ class Search {
 };
 
 }  // namespace
+
+VectorXd switched_off(VectorXd unknowns, const std::vector<std::size_t>& members,
+                      const std::vector<Candidate>& candidates) {
+  for (const std::size_t m : members)
+    for (const std::size_t u : candidates[m].strengths) unknowns(static_cast<Index>(u)) = 0;
+  return unknowns;
+}
 
 Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidates, const VectorXd& start,
                 const std::vector<std::size_t>& own, const InferenceOptions& options) {

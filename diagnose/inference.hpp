@@ -16,6 +16,10 @@ struct Explanation {
   double log_evidence = 0;
 };
 
+/// An explanation's unknowns with these candidates switched off.
+Eigen::VectorXd switched_off(Eigen::VectorXd unknowns, const std::vector<std::size_t>& members,
+                             const std::vector<Candidate>& candidates);
+
 /// What the candidates explain.
 struct Inference {
   Explanation null;                       ///< own parameters alone

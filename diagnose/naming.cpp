@@ -44,6 +44,10 @@ bool is_the_same(const Rival& rival, const Rival& best, const Explanation& null)
 
 }  // namespace
 
+bool Naming::names(const std::string& effect) const {
+  return holds(set, effect) || holds(together, effect);
+}
+
 void rank(std::vector<Rival>& rivals) {
   std::stable_sort(rivals.begin(), rivals.end(),
                    [](const Rival& a, const Rival& b) { return a.log_evidence > b.log_evidence; });

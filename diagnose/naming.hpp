@@ -27,6 +27,9 @@ struct Naming {
   std::vector<std::string> set;        ///< the leading effect, then those that could stand in its place
   std::vector<std::string> together;   ///< two effects that act at once, the leading one first
   std::vector<std::string> second_or;  ///< effects that could stand in the place of the second of them
+
+  /// Whether it is in the set, or one of two that act at once.
+  bool names(const std::string& effect) const;
 };
 
 /// `rivals`: ranked, none of them an open law; throws std::invalid_argument where there are none.

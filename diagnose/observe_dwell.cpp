@@ -221,10 +221,9 @@ MatrixXcd mean_of(const std::vector<Ensemble>& ensembles, MatrixXcd Ensemble::*p
 enum class About { mean, straight_line };
 
 // One ensemble's standard deviation of a real part about the mean of all or about a straight line in time.
-MatrixXd scatter_of(const std::vector<Ensemble>& ensembles, MatrixXcd Ensemble::*part, About about,
-                    const std::vector<Index>& lines) {
+MatrixXd scatter_of(const std::vector<Ensemble>& ensembles, MatrixXcd Ensemble::*part, const MatrixXcd& mean,
+                    About about, const std::vector<Index>& lines) {
   const auto count = static_cast<double>(ensembles.size());
-  const MatrixXcd mean = mean_of(ensembles, part);
   MatrixXcd slope = MatrixXcd::Zero(mean.rows(), mean.cols());
   const auto time = [&](std::size_t e) { return static_cast<double>(e) - 0.5 * (count - 1); };
   if (about == About::straight_line)
@@ -384,7 +383,7 @@ std::vector<Wander> wander_within(const DwellReader& reader, const Condition& c,
 bool is_transient(const std::vector<Wander>& wander) {
   bool transient = false;
   for (const Wander& w : wander) {
-    if (!(test_wander({w}).p_value < unsteady_alarm)) continue;
+    if (!is_unsteady(w)) continue;
     if (!w.dies_out) return false;
     transient = true;
   }
@@ -448,10 +447,11 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
     c.excitation = mean_of(ensembles, &Ensemble::excitation);
     dwell.ensembles = ensembles.size();
     dwell.degrees_of_freedom = static_cast<double>(ensembles.size() - 1);
-    dwell.response_scatter = scatter_of(ensembles, &Ensemble::response, About::mean, lines);
-    dwell.excitation_scatter = scatter_of(ensembles, &Ensemble::excitation, About::mean, excitation_lines);
+    dwell.response_scatter = scatter_of(ensembles, &Ensemble::response, c.response, About::mean, lines);
+    dwell.excitation_scatter =
+        scatter_of(ensembles, &Ensemble::excitation, c.excitation, About::mean, excitation_lines);
     dwell.noise = noise_of(ensembles);
-    const MatrixXd about_line = scatter_of(ensembles, &Ensemble::response, About::straight_line, lines);
+    const MatrixXd about_line = scatter_of(ensembles, &Ensemble::response, c.response, About::straight_line, lines);
     const Eigen::RowVectorXd line_noise =  // of a real part of half the peak
         dwell.noise.head(c.response.rows()).transpose() / std::sqrt(2 * static_cast<double>(length));
 
@@ -497,7 +497,7 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
     if (drift > 0) {  // which is no lack of repeatability
       dwell.response_scatter = about_line;
       dwell.excitation_scatter =
-          scatter_of(ensembles, &Ensemble::excitation, About::straight_line, excitation_lines);
+          scatter_of(ensembles, &Ensemble::excitation, c.excitation, About::straight_line, excitation_lines);
       dwell.degrees_of_freedom -= 1;
     }
     c.record = index;

@@ -17,10 +17,6 @@ constexpr double worth_a_test = 0.5, most_doubt = 0.5;
 constexpr std::size_t most_hypotheses = 4;
 constexpr double least_rival = 0.05;
 
-bool holds(const Names& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 }  // namespace
 
 NextExperiment propose_experiment(const std::vector<Rival>& rivals, const Naming& naming,
@@ -30,9 +26,8 @@ NextExperiment propose_experiment(const std::vector<Rival>& rivals, const Naming
   std::vector<Hypothesis> hypotheses;
   std::vector<Names> taken;
   for (const Rival& r : rivals) {
-    const bool in_set = std::all_of(r.effects.begin(), r.effects.end(), [&](const std::string& effect) {
-      return holds(naming.set, effect) || holds(naming.together, effect);
-    });
+    const bool in_set = std::all_of(r.effects.begin(), r.effects.end(),
+                                    [&](const std::string& effect) { return naming.names(effect); });
     const bool wanted = hypotheses.empty() || in_set || (naming.set.size() < 2 && hypotheses.size() < 2);
     if (!wanted || std::find(taken.begin(), taken.end(), r.effects) != taken.end()) continue;
     hypotheses.push_back({r.explanation, std::max(r.probability, least_rival)});

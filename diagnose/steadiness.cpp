@@ -4,6 +4,7 @@
 #include <set>
 
 namespace secular {
+
 Unsteadiness judge_steadiness(const std::vector<Wander>& wander, const Campaign& campaign) {
   const WanderTest test = test_wander(wander);
   Unsteadiness unsteady{test.p_value < unsteady_alarm, test.p_value, test.ratio, ""};
@@ -15,7 +16,7 @@ std::vector<std::string> leave_out_unsteady(std::vector<Condition>& conditions, 
                                             const Campaign& campaign) {
   std::set<std::size_t> records;
   for (const Wander& w : wander)
-    if (test_wander({w}).p_value < unsteady_alarm) records.insert(w.record);
+    if (is_unsteady(w)) records.insert(w.record);
   const auto unsteady = [&](const Condition& c) { return records.contains(c.record); };
   const auto count = std::count_if(conditions.begin(), conditions.end(), unsteady);
   if (count == 0 || 2 * static_cast<std::size_t>(count) > conditions.size()) return {};

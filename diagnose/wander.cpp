@@ -39,7 +39,7 @@ Wander wander_of(const Eigen::VectorXcd& amplitude, const Eigen::MatrixXcd& nois
   wander.squares = deviation / variance;
   wander.freedom = 2 * (ensembles - 2);
   wander.noise_freedom = 2 * static_cast<double>(noise.size());
-  wander.dies_out = test_wander({wander}).p_value < unsteady_alarm && settles(amplitude);
+  wander.dies_out = is_unsteady(wander) && settles(amplitude);
   return wander;
 }
 
@@ -64,6 +64,10 @@ WanderTest test_wander(const std::vector<Wander>& dwells) {
   test.p_value =
       std::min(1.0, 2 * std::min(f_upper_tail(squares / freedom, freedom, noise_freedom), count * least));
   return test;
+}
+
+bool is_unsteady(const Wander& wander) {
+  return test_wander({wander}).p_value < unsteady_alarm;
 }
 
 }  // namespace secular

@@ -30,4 +30,7 @@ struct WanderTest {
 
 WanderTest test_wander(const std::vector<Wander>& dwells);
 
+/// Whether one line of a dwell varies beyond the alarm.
+bool is_unsteady(const Wander& wander);
+
 }  // namespace secular
