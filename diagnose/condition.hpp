@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "diagnose/motion_balance.hpp"
+#include "simulate/motion_balance.hpp"
 
 namespace secular {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/balance_sweep.hpp"
+#include "simulate/balance_sweep.hpp"
 #include "diagnose/saturation.hpp"
 
 namespace secular {

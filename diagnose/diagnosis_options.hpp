@@ -7,7 +7,7 @@
 
 #include "diagnose/given_numbers.hpp"
 #include "diagnose/segment.hpp"
-#include "diagnose/state_force.hpp"
+#include "simulate/state_force.hpp"
 #include "estimator/identification/observation_set.hpp"
 
 namespace secular {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "diagnose/torus.hpp"
+#include "simulate/torus.hpp"
 
 namespace secular {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "diagnose/motion_balance.hpp"
+#include "simulate/motion_balance.hpp"
 #include "estimator/compiled_model.hpp"
 
 namespace secular {

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <vector>
 
 #include "estimator/hertz.hpp"
-#include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/mode_frequencies.hpp"
 
 namespace secular {
@@ -89,17 +87,6 @@ Observation mean_motion(std::span<const Observation> ensembles, const CompiledMo
     mean.amplitude[k] = std::polar(1.0, std::arg(first.amplitude[k])) * median(turned);
     mean.rate[k] = over([&](const Observation& o) { return o.rate[k]; });
   }
-  for (std::size_t b = 0; b < first.harmonic.size(); ++b) {
-    if (first.harmonic_sd[b] < 0) continue;
-    const RegressorBlock& block = resonance.blocks[b];
-    mean.harmonic[b] = std::conj(motion_frame(block, mean)) *
-                       over([&](const Observation& o) { return motion_frame(block, o) * o.harmonic[b]; });
-  }
-  // Median of normal numbers: pi/2 times the variance of their mean.
-  const double share = std::min(1.0, std::sqrt(0.5 * std::numbers::pi / static_cast<double>(ensembles.size())));
-  for (auto* list : {&mean.excitation_frequency_sd, &mean.forcing_sd, &mean.amplitude_sd, &mean.frequency_sd,
-                     &mean.free_frequency_sd, &mean.harmonic_sd})
-    for (double& sd : *list) sd *= share;
   return mean;
 }
 

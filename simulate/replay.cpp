@@ -8,13 +8,12 @@
 
 #include "estimator/hertz.hpp"
 #include "estimator/identification/decay_window.hpp"
-#include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/modal_projection.hpp"
-#include "estimator/identification/predicted_harmonics.hpp"
 #include "estimator/in_parallel.hpp"
 #include "input/input_error.hpp"
 #include "simulate/mean_motion.hpp"
 #include "simulate/motion.hpp"
+#include "simulate/oscillation_state.hpp"
 
 namespace secular {
 namespace {
@@ -87,48 +86,6 @@ class Replay {
     return static_cast<std::size_t>(std::find(modes.begin(), modes.end(), model_.coordinates[k]) - modes.begin());
   }
 
-  // State of the measured oscillation `earlier` seconds before the observation's centre.
-  void initial_state(const Observation& o, double earlier, std::vector<double>& q, std::vector<double>& v) const {
-    q.assign(model_.modes(), 0);
-    v.assign(model_.modes(), 0);
-    for (std::size_t k = 0; k < model_.modes(); ++k) {
-      const Complex amplitude = o.amplitude[k] * std::exp(-o.rate[k] * earlier);
-      q[k] += 2 * amplitude.real();
-      v[k] += 2 * (o.rate[k] * amplitude).real();
-    }
-    if (!measured_.resonance->excited) return;
-    // What the state leaves out joins the modes' free motion: the expansion gives the harmonics that were not
-    // measured, and the displacement at zero frequency, which accelerometers do not see.
-    const std::vector<Complex> predicted = predicted_harmonics(model_, *measured_.resonance, parameters_, o);
-    for (std::size_t b = 0; b < measured_.resonance->blocks.size(); ++b) {
-      const RegressorBlock& block = measured_.resonance->blocks[b];
-      if (block.kind != BlockKind::harmonic) continue;
-      const auto k = static_cast<std::size_t>(block.mode);
-      if (is_zero_frequency(block)) {
-        q[k] += predicted[b].real();
-        continue;
-      }
-      double frequency = 0;
-      for (std::size_t i = 0; i < block.phase.size(); ++i)
-        frequency +=
-            block.phase[i] * (i < model_.modes() ? o.rate[i].imag() : o.excitation_frequency[i - model_.modes()]);
-      const Complex harmonic = predicted[b] + measured_excess(o, b, predicted[b]);
-      const Complex amplitude = harmonic * std::exp(Complex(0, -frequency * earlier));
-      q[k] += 2 * amplitude.real();
-      v[k] -= 2 * frequency * amplitude.imag();
-    }
-  }
-
-  // What a measured harmonic has beyond the predicted one, as far as noise cannot have put it there (James and
-  // Stein's estimate): noise in a harmonic is that of the modes' motion, larger by the square of the frequencies'
-  // ratio, and would start a replay away from the motion that was.
-  static Complex measured_excess(const Observation& o, std::size_t b, Complex predicted) {
-    if (o.harmonic_sd[b] < 0) return 0;
-    const Complex excess = o.harmonic[b] - predicted;
-    const double noise = 2 * o.harmonic_sd[b] * o.harmonic_sd[b];
-    return noise < std::norm(excess) ? (1 - noise / std::norm(excess)) * excess : 0;
-  }
-
   Record dwell(const Observation& o, std::size_t index) const {
     const double rate = campaign_.sample_rate_hz;
     const auto count = static_cast<std::size_t>(
@@ -140,13 +97,12 @@ class Replay {
         s[j] = {wave.real(), -w * wave.imag(), -w * w * wave.real()};
       }
     };
-    std::vector<double> q, v;
     const double begin = -0.5 * static_cast<double>(count - 1) / rate;  // phases count from the centre
-    initial_state(o, -begin, q, v);
+    OscillationState state = oscillation_state(model_, *measured_.resonance, parameters_, o, begin);
     Record record = empty(count, 0);
     std::size_t i = 0;
-    integrate_motion(model_, parameters_.data(), signal, begin, q, v, begin, 1 / rate, count, settings(o, index),
-                     [&](const MotionSample& sample) { store(sample, i++, record); });
+    integrate_motion(model_, parameters_.data(), signal, begin, state.displacement, state.velocity, begin, 1 / rate,
+                     count, settings(o, index), [&](const MotionSample& sample) { store(sample, i++, record); });
     ExcitationSample sample[8];
     for (std::size_t n = 0; n < count; ++n) {
       signal(begin + static_cast<double>(n) / rate, sample);
@@ -164,32 +120,30 @@ class Replay {
     const ExcitationSignal silent = [&](double, ExcitationSample* s) {
       for (std::size_t j = 0; j < model_.excitations.size(); ++j) s[j] = {};
     };
-    const auto motion = [&](const std::vector<double>& displacement, const std::vector<double>& velocity,
-                            double seconds) {
-      std::vector<double> q = displacement, v = velocity;
+    const auto motion = [&](OscillationState state, double seconds) {
       const auto count = static_cast<std::size_t>(std::lround(seconds * rate)) + 1;
       Record record = empty(count, begin);
       std::size_t i = 0;
-      integrate_motion(model_, parameters_.data(), silent, 0, q, v, 0, 1 / rate, count, settings(first, index),
+      integrate_motion(model_, parameters_.data(), silent, 0, state.displacement, state.velocity, 0, 1 / rate,
+                       count, settings(first, index),
                        [&](const MotionSample& sample) { store(sample, i++, record); });
       return record;
     };
-    std::vector<double> q, v;
-    initial_state(first, half(first), q, v);
+    OscillationState start = oscillation_state(model_, *measured_.resonance, parameters_, first, -half(first));
     for (int step = 0; step < start_steps; ++step) {
-      const Observation seen = decay_windows_.fit_again(motion(q, v, 2 * half(first)), first);
+      const Observation seen = decay_windows_.fit_again(motion(start, 2 * half(first)), first);
       double missed = 0;
       for (const std::size_t k : decay_windows_.oscillating()) {
         if (first.growth_sd[k] < 0 || seen.growth_sd[k] < 0) continue;
         const Complex wanted = first.amplitude[k] - seen.amplitude[k];
         const Complex more = wanted * std::exp(-first.rate[k] * half(first));
-        q[k] += 2 * more.real();
-        v[k] += 2 * (first.rate[k] * more).real();
+        start.displacement[k] += 2 * more.real();
+        start.velocity[k] += 2 * (first.rate[k] * more).real();
         missed = std::max(missed, std::abs(wanted) / std::abs(first.amplitude[k]));
       }
       if (missed < start_tolerance) break;
     }
-    return motion(q, v, last.centre_s + half(last) - begin);
+    return motion(start, last.centre_s + half(last) - begin);
   }
 
   const Campaign& campaign_;

@@ -1,5 +1,5 @@
 // Harmonic balance with the resonant line given, against what is known in closed form.
-#include "diagnose/motion_balance.hpp"
+#include "simulate/motion_balance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "diagnose/torus.hpp"
+#include "simulate/torus.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "diagnose/motion_balance.hpp"
+#include "simulate/motion_balance.hpp"
 #include "diagnose/resonant_lines.hpp"
 #include "diagnose/sensor_model.hpp"
 

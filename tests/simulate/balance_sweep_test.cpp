@@ -1,5 +1,5 @@
 // Slopes of the balance with the lines of the motion.
-#include "diagnose/balance_sweep.hpp"
+#include "simulate/balance_sweep.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "diagnose/state_force.hpp"
-#include "diagnose/torus.hpp"
+#include "simulate/state_force.hpp"
+#include "simulate/torus.hpp"
 #include "estimator/compiled_model.hpp"
 
 namespace secular {

@@ -1,4 +1,4 @@
-#include "diagnose/torus.hpp"
+#include "simulate/torus.hpp"
 
 #include <cmath>
 

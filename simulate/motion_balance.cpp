@@ -1,9 +1,9 @@
-#include "diagnose/motion_balance.hpp"
+#include "simulate/motion_balance.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/balance_sweep.hpp"
+#include "simulate/balance_sweep.hpp"
 #include "estimator/anderson_acceleration.hpp"
 
 namespace secular {

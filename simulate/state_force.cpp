@@ -1,4 +1,4 @@
-#include "diagnose/state_force.hpp"
+#include "simulate/state_force.hpp"
 
 #include <algorithm>
 #include <cmath>

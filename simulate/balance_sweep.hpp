@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "diagnose/motion_balance.hpp"
+#include "simulate/motion_balance.hpp"
 
 namespace secular {
 

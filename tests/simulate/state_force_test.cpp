@@ -1,5 +1,5 @@
 // Forces that the language of models cannot say.
-#include "diagnose/state_force.hpp"
+#include "simulate/state_force.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnose/balance_sweep.hpp"
+#include "simulate/balance_sweep.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,176 @@
+#include "simulate/oscillation_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <span>
+
+#include "estimator/identification/equation_data.hpp"
+#include "estimator/identification/mode_frequencies.hpp"
+#include "estimator/identification/predicted_harmonics.hpp"
+#include "simulate/motion_balance.hpp"
+
+namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+/// Highest line by the highest one on which a mode or a force is; and points of a turn.
+constexpr int multiples_of_one = 8, multiples_of_two = 3;
+constexpr Index points_by_line = 4;
+
+/// Independent phases of a case: the excitations', then the free modes', each divided until every mode's phase is a
+/// whole number of them; or those of two modes, where the others are whole numbers of these.
+struct BasePhases {
+  std::vector<double> frequency;  ///< rad/s
+  std::vector<LinePhase> mode, excitation;
+
+  int highest() const {
+    int n = 1;
+    for (const auto* list : {&mode, &excitation})
+      for (const LinePhase& phase : *list) n = std::max(n, std::abs(phase[0]) + std::abs(phase[1]));
+    return n;
+  }
+};
+
+// Lines count by the phases of the modes, whose combinations they are: an excitation at omega1 + omega2 as a base
+// phase would make a high line of 3*omega1 - omega2.
+void count_by_modes(BasePhases& base, const ModeFrequencies& modes) {
+  std::vector<LinePhase> own;
+  for (std::size_t k = 0; k < base.mode.size(); ++k)
+    if (modes.oscillates[k]) own.push_back(base.mode[k]);
+  if (base.frequency.size() != 2 || own.size() != 2) return;
+  const LinePhase a = own[0], b = own[1];
+  const int determinant = a[0] * b[1] - a[1] * b[0];
+  if (std::abs(determinant) != 1) return;
+  // n = x*a + y*b
+  const auto counted = [&](const LinePhase& n) {
+    return LinePhase{determinant * (n[0] * b[1] - n[1] * b[0]), determinant * (a[0] * n[1] - a[1] * n[0])};
+  };
+  const auto turning = [&](const LinePhase& n) { return n[0] * base.frequency[0] + n[1] * base.frequency[1]; };
+  base.frequency = {turning(a), turning(b)};
+  for (auto* list : {&base.mode, &base.excitation})
+    for (LinePhase& phase : *list) phase = counted(phase);
+}
+
+std::optional<BasePhases> base_phases(const CompiledModel& model, const CompiledCase& resonance,
+                                      const Observation& o) {
+  const ModeFrequencies modes = mode_frequencies(model, resonance);
+  const std::size_t excitations = model.excitations.size(), width = model.modes() + excitations;
+  const std::size_t count = excitations + modes.free.size();
+  if (count == 0 || count > 2) return std::nullopt;
+  BasePhases base{{}, std::vector<LinePhase>(model.modes()), std::vector<LinePhase>(excitations)};
+  for (std::size_t j = 0; j < count; ++j) {
+    const std::size_t column = j < excitations ? model.modes() + j : modes.free[j - excitations];
+    const auto share = [&](std::size_t k) { return resonance.observed_frequency[k * width + column]; };
+    int divisor = 1;
+    for (std::size_t k = 0; k < model.modes(); ++k)
+      if (modes.oscillates[k]) divisor = std::lcm(divisor, share(k).denominator);
+    for (std::size_t k = 0; k < model.modes(); ++k)
+      if (modes.oscillates[k]) base.mode[k][j] = share(k).numerator * divisor / share(k).denominator;
+    if (j < excitations) base.excitation[j][j] = divisor;
+    base.frequency.push_back((j < excitations ? o.excitation_frequency[j] : o.rate[column].imag()) / divisor);
+  }
+  count_by_modes(base, modes);
+  return base;
+}
+
+/// A line of either sign: the torus holds one of each pair.
+struct SignedLine {
+  Index line = 0;
+  bool conjugate = false;
+
+  Complex of(Complex amplitude) const { return conjugate ? std::conj(amplitude) : amplitude; }
+};
+
+SignedLine signed_line(const Torus& torus, const LinePhase& phase) {
+  if (const auto line = torus.find(phase)) return {*line, false};
+  return {torus.find({-phase[0], -phase[1]}).value(), true};
+}
+
+OscillationState at_rest(const CompiledModel& model) {
+  return {std::vector<double>(model.modes(), 0.0), std::vector<double>(model.modes(), 0.0)};
+}
+
+void add(Complex amplitude, Complex rate, double time, std::size_t mode, OscillationState& state) {
+  const Complex value = amplitude * std::exp(rate * time);
+  state.displacement[mode] += 2 * value.real();
+  state.velocity[mode] += 2 * (rate * value).real();
+}
+
+OscillationState modes_alone(const CompiledModel& model, const Observation& o, double time) {
+  OscillationState state = at_rest(model);
+  for (std::size_t k = 0; k < model.modes(); ++k) add(o.amplitude[k], o.rate[k], time, k, state);
+  return state;
+}
+
+OscillationState with_expansion(const CompiledModel& model, const CompiledCase& resonance,
+                                const Eigen::VectorXd& parameters, const Observation& o, double time) {
+  OscillationState state = modes_alone(model, o, time);
+  const std::vector<Complex> predicted = predicted_harmonics(model, resonance, parameters, o);
+  for (std::size_t b = 0; b < resonance.blocks.size(); ++b) {
+    const RegressorBlock& block = resonance.blocks[b];
+    if (block.kind != BlockKind::harmonic) continue;
+    const auto k = static_cast<std::size_t>(block.mode);
+    if (is_zero_frequency(block)) {
+      state.displacement[k] += predicted[b].real();
+      continue;
+    }
+    double frequency = 0;
+    for (std::size_t i = 0; i < block.phase.size(); ++i)
+      frequency +=
+          block.phase[i] * (i < model.modes() ? o.rate[i].imag() : o.excitation_frequency[i - model.modes()]);
+    add(predicted[b], Complex(0, frequency), time, k, state);
+  }
+  return state;
+}
+
+std::optional<OscillationState> balanced(const CompiledModel& model, const CompiledCase& resonance,
+                                         const Eigen::VectorXd& parameters, const Observation& o, double time) {
+  const auto base = base_phases(model, resonance, o);
+  if (!base) return std::nullopt;
+  const auto dimensions = static_cast<int>(base->frequency.size());
+  const int highest = base->highest() * (dimensions == 1 ? multiples_of_one : multiples_of_two);
+  MotionSetting setting;
+  setting.torus = std::make_shared<const Torus>(dimensions, highest, points_by_line * highest);
+  for (std::size_t j = 0; j < base->frequency.size(); ++j) setting.rate[j] = Complex(0, base->frequency[j]);
+  setting.excitation = Eigen::MatrixXcd::Zero(static_cast<Index>(base->excitation.size()), setting.torus->lines());
+  for (std::size_t j = 0; j < base->excitation.size(); ++j) {
+    const SignedLine line = signed_line(*setting.torus, base->excitation[j]);
+    setting.excitation(static_cast<Index>(j), line.line) = 0.5 * line.of(o.forcing[j]);  // half of the peak
+  }
+  std::vector<Complex> amplitudes;
+  for (std::size_t k = 0; k < model.modes(); ++k) {
+    if (base->mode[k] == LinePhase{}) continue;  // at rest
+    const SignedLine line = signed_line(*setting.torus, base->mode[k]);
+    setting.masters.push_back({k, line.line});
+    amplitudes.push_back(line.of(o.amplitude[k]));
+  }
+  const Motion motion = MotionBalance(model, {}).solve(
+      setting, Eigen::Map<const Eigen::VectorXcd>(amplitudes.data(), static_cast<Index>(amplitudes.size())),
+      std::span(parameters.data(), static_cast<std::size_t>(parameters.size())));
+  if (!motion.converged) return std::nullopt;
+  OscillationState state = at_rest(model);
+  for (std::size_t k = 0; k < model.modes(); ++k) {
+    const auto row = static_cast<Index>(k);
+    state.displacement[k] = motion.displacement(row, 0).real();
+    for (Index l = 1; l < setting.torus->lines(); ++l)
+      add(motion.displacement(row, l), setting.line_rate(l), time, k, state);
+  }
+  return state;
+}
+
+}  // namespace
+
+OscillationState oscillation_state(const CompiledModel& model, const CompiledCase& resonance,
+                                   const Eigen::VectorXd& parameters, const Observation& o, double time) {
+  if (!resonance.excited) return modes_alone(model, o, time);
+  if (const auto state = balanced(model, resonance, parameters, o, time)) return *state;
+  return with_expansion(model, resonance, parameters, o, time);
+}
+
+}  // namespace secular
