@@ -221,16 +221,14 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
   first.bootstrap = 0;
   Estimate raw = estimate(result.measured, units, first);
   clock.done("regression");
-  const auto replay = [&](const Eigen::VectorXd& parameters) {
-    std::vector<ObservationSet> sets;
-    for (const ObservationSet& set : result.measured)
-      sets.push_back(observe_replay(campaign, set, parameters, request.threads));
-    return sets;
+  const auto replay = [&](const ObservationSet& set, const Eigen::VectorXd& parameters) {
+    return observe_replay(campaign, set, parameters, request.threads);
   };
   try {
     TruncationCorrection correction = correct_truncation(result.measured, raw, units, options, replay,
                                                          [&](const char* stage) { clock.done(stage); });
     result.estimate = std::move(correction.estimate);
+    result.measured = std::move(correction.measured);
     result.replayed = std::move(correction.replayed);
     for (ObservationSet& set : result.replayed)
       if (set.resonance->excited) to_steady_amplitudes(set, result.estimate.parameter_values);

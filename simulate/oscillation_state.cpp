@@ -26,7 +26,7 @@ constexpr Index points_by_line = 4;
 /// Independent phases of a case: the excitations', then the free modes', each divided until every mode's phase is a
 /// whole number of them; or those of two modes, where the others are whole numbers of these.
 struct BasePhases {
-  std::vector<double> frequency;  ///< rad/s
+  std::vector<Complex> rate;  ///< growth + i*frequency, 1/s
   std::vector<LinePhase> mode, excitation;
 
   int highest() const {
@@ -43,7 +43,7 @@ void count_by_modes(BasePhases& base, const ModeFrequencies& modes) {
   std::vector<LinePhase> own;
   for (std::size_t k = 0; k < base.mode.size(); ++k)
     if (modes.oscillates[k]) own.push_back(base.mode[k]);
-  if (base.frequency.size() != 2 || own.size() != 2) return;
+  if (base.rate.size() != 2 || own.size() != 2) return;
   const LinePhase a = own[0], b = own[1];
   const int determinant = a[0] * b[1] - a[1] * b[0];
   if (std::abs(determinant) != 1) return;
@@ -51,8 +51,10 @@ void count_by_modes(BasePhases& base, const ModeFrequencies& modes) {
   const auto counted = [&](const LinePhase& n) {
     return LinePhase{determinant * (n[0] * b[1] - n[1] * b[0]), determinant * (a[0] * n[1] - a[1] * n[0])};
   };
-  const auto turning = [&](const LinePhase& n) { return n[0] * base.frequency[0] + n[1] * base.frequency[1]; };
-  base.frequency = {turning(a), turning(b)};
+  const auto turning = [&](const LinePhase& n) {
+    return static_cast<double>(n[0]) * base.rate[0] + static_cast<double>(n[1]) * base.rate[1];
+  };
+  base.rate = {turning(a), turning(b)};
   for (auto* list : {&base.mode, &base.excitation})
     for (LinePhase& phase : *list) phase = counted(phase);
 }
@@ -60,7 +62,8 @@ void count_by_modes(BasePhases& base, const ModeFrequencies& modes) {
 std::optional<BasePhases> base_phases(const CompiledModel& model, const CompiledCase& resonance,
                                       const Observation& o) {
   const ModeFrequencies modes = mode_frequencies(model, resonance);
-  const std::size_t excitations = model.excitations.size(), width = model.modes() + excitations;
+  const std::size_t width = model.modes() + model.excitations.size();
+  const std::size_t excitations = resonance.excited ? model.excitations.size() : 0;
   const std::size_t count = excitations + modes.free.size();
   if (count == 0 || count > 2) return std::nullopt;
   BasePhases base{{}, std::vector<LinePhase>(model.modes()), std::vector<LinePhase>(excitations)};
@@ -73,7 +76,10 @@ std::optional<BasePhases> base_phases(const CompiledModel& model, const Compiled
     for (std::size_t k = 0; k < model.modes(); ++k)
       if (modes.oscillates[k]) base.mode[k][j] = share(k).numerator * divisor / share(k).denominator;
     if (j < excitations) base.excitation[j][j] = divisor;
-    base.frequency.push_back((j < excitations ? o.excitation_frequency[j] : o.rate[column].imag()) / divisor);
+    const Complex rate = j < excitations     ? Complex(0, o.excitation_frequency[j])
+                         : resonance.excited ? Complex(0, o.rate[column].imag())
+                                             : o.rate[column];
+    base.rate.push_back(rate / static_cast<double>(divisor));
   }
   count_by_modes(base, modes);
   return base;
@@ -133,12 +139,12 @@ std::optional<OscillationState> balanced(const CompiledModel& model, const Compi
                                          const Eigen::VectorXd& parameters, const Observation& o, double time) {
   const auto base = base_phases(model, resonance, o);
   if (!base) return std::nullopt;
-  const auto dimensions = static_cast<int>(base->frequency.size());
+  const auto dimensions = static_cast<int>(base->rate.size());
   const int highest = base->highest() * (dimensions == 1 ? multiples_of_one : multiples_of_two);
   MotionSetting setting;
   setting.torus = std::make_shared<const Torus>(dimensions, highest, points_by_line * highest);
-  for (std::size_t j = 0; j < base->frequency.size(); ++j) setting.rate[j] = Complex(0, base->frequency[j]);
-  setting.excitation = Eigen::MatrixXcd::Zero(static_cast<Index>(base->excitation.size()), setting.torus->lines());
+  for (std::size_t j = 0; j < base->rate.size(); ++j) setting.rate[j] = base->rate[j];
+  setting.excitation = Eigen::MatrixXcd::Zero(static_cast<Index>(model.excitations.size()), setting.torus->lines());
   for (std::size_t j = 0; j < base->excitation.size(); ++j) {
     const SignedLine line = signed_line(*setting.torus, base->excitation[j]);
     setting.excitation(static_cast<Index>(j), line.line) = 0.5 * line.of(o.forcing[j]);  // half of the peak
@@ -168,7 +174,6 @@ std::optional<OscillationState> balanced(const CompiledModel& model, const Compi
 
 OscillationState oscillation_state(const CompiledModel& model, const CompiledCase& resonance,
                                    const Eigen::VectorXd& parameters, const Observation& o, double time) {
-  if (!resonance.excited) return modes_alone(model, o, time);
   if (const auto state = balanced(model, resonance, parameters, o, time)) return *state;
   return with_expansion(model, resonance, parameters, o, time);
 }

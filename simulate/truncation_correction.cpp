@@ -1,7 +1,11 @@
 #include "simulate/truncation_correction.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "estimator/anderson_acceleration.hpp"
@@ -35,6 +39,8 @@ constexpr int most_slopes = 6;
 constexpr double near_axes = 4;
 /// Weights follow up to here: they may go around in a circle.
 constexpr int last_weights = most_plain_passes + 6;
+/// Motions up to these shares of the largest ones are tried where those grow beyond bounds.
+constexpr double small_shares[] = {0.7, 0.5, 0.35};
 /// A step that leaves more than this share of the way to go tells of slopes that no longer hold.
 constexpr double slow = 0.5;
 
@@ -46,6 +52,13 @@ Eigen::VectorXd inverse_sd(const Estimate& estimate) {
     if (value.value && value.sd > 0) result(p) = 1 / value.sd;
   }
   return result;
+}
+
+std::vector<ObservationSet> replayed(std::span<const ObservationSet> measured, const Eigen::VectorXd& parameters,
+                                     const ReplaySet& replay) {
+  std::vector<ObservationSet> sets;
+  for (const ObservationSet& set : measured) sets.push_back(replay(set, parameters));
+  return sets;
 }
 
 /// Changes of the correction, by direction and set, and the number of directions in which nothing is known of them.
@@ -61,14 +74,15 @@ using Displaced = std::function<Eigen::VectorXd(Eigen::Index direction, double s
 // back where that runs away; zero where both do.
 Slopes slopes_along(Eigen::Index directions, const Displaced& displaced_to,
                     std::span<const ObservationSet> corrected, std::span<const ObservationSet> measured,
-                    const ReplaySets& replay) {
+                    const ReplaySet& replay) {
   Slopes slopes;
   for (Eigen::Index d = 0; d < directions; ++d) {
     std::vector<Eigen::MatrixXcd> change;
     for (const double share : {displaced_share, -displaced_share}) {
       const Eigen::VectorXd displaced = displaced_to(d, share);
       try {
-        change = truncation_difference(corrected, with_truncation(measured, replay(displaced), displaced));
+        change = truncation_difference(corrected,
+                                       with_truncation(measured, replayed(measured, displaced, replay), displaced));
         for (Eigen::MatrixXcd& part : change) part /= share;
         break;
       } catch (const InputError&) {
@@ -110,8 +124,10 @@ Eigen::MatrixXd axes_beside(const Eigen::MatrixXd& unseen, const Eigen::VectorXd
 
 class Correction {
  public:
-  Correction(std::span<const ObservationSet> measured, const Estimate& raw, const MeasuredUnits& units,
-             const EstimateOptions& options, const ReplaySets& replay, const StageDone& done)
+  /// From the parameters of `begin` on; what the correction does is shown beside `raw`.
+  Correction(std::span<const ObservationSet> measured, const Estimate& raw, const Estimate& begin,
+             const MeasuredUnits& units, const EstimateOptions& options, const ReplaySet& replay,
+             const StageDone& done)
       : measured_(measured),
         raw_(raw),
         units_(units),
@@ -119,8 +135,8 @@ class Correction {
         full_(options),
         replay_(replay),
         done_(done),
-        estimate_(raw),
-        place_(raw.parameter_values),
+        estimate_(begin),
+        place_(begin.parameter_values),
         next_(place_) {
     quick_.bootstrap = 0;
     quick_.damping_laws = quick_.judge_fit = false;
@@ -147,7 +163,7 @@ class Correction {
           "the correction for the expansion's truncation depends on parameters that are not well known, and "
           "motions with other values of them grow beyond bounds: error bars do not contain that");
     done_("regression");
-    return {std::move(estimate_), std::move(at_.replayed)};
+    return {std::move(estimate_), {measured_.begin(), measured_.end()}, std::move(at_.replayed)};
   }
 
  private:
@@ -181,7 +197,7 @@ class Correction {
       const Eigen::VectorXd at = parameters(next_);
       try {
         Pass pass;
-        pass.replayed = replay_(at);
+        pass.replayed = replayed(measured_, at, replay_);
         pass.corrected = with_truncation(measured_, pass.replayed, at);
         if (!at_.corrected.empty()) keep_truncation_change(pass.corrected, at_.corrected);
         return pass;
@@ -355,7 +371,7 @@ class Correction {
   const Estimate& raw_;
   const MeasuredUnits& units_;
   EstimateOptions quick_, full_;
-  const ReplaySets& replay_;
+  const ReplaySet& replay_;
   const StageDone& done_;
   Pass at_;
   Estimate estimate_;             // from at_
@@ -366,12 +382,62 @@ class Correction {
   int times_seen_ = 0, times_unseen_ = 0, unknown_unseen_ = 0, unknown_axes_ = 0;
 };
 
+// Observations whose modes move no more than this share of what they do at most.
+std::vector<ObservationSet> small_motions(std::span<const ObservationSet> measured, double share) {
+  std::vector<ObservationSet> small(measured.begin(), measured.end());
+  for (ObservationSet& set : small) {
+    std::vector<double> most(set.model->modes(), 0.0);
+    for (const Observation& o : set.observations)
+      for (std::size_t k = 0; k < most.size(); ++k) most[k] = std::max(most[k], std::abs(o.amplitude[k]));
+    std::erase_if(set.observations, [&](const Observation& o) {
+      for (std::size_t k = 0; k < most.size(); ++k)
+        if (std::abs(o.amplitude[k]) > share * most[k]) return true;
+      return false;
+    });
+  }
+  return small;
+}
+
+std::size_t count_of_observations(std::span<const ObservationSet> sets) {
+  std::size_t count = 0;
+  for (const ObservationSet& set : sets) count += set.observations.size();
+  return count;
+}
+
 }  // namespace
 
 TruncationCorrection correct_truncation(std::span<const ObservationSet> measured, const Estimate& raw,
                                         const MeasuredUnits& units, const EstimateOptions& options,
-                                        const ReplaySets& replay, const StageDone& done) {
-  return Correction(measured, raw, units, options, replay, done).run();
+                                        const ReplaySet& replay, const StageDone& done) {
+  try {
+    return Correction(measured, raw, raw, units, options, replay, done).run();
+  } catch (const InputError& beyond_bounds) {
+    const std::string reason = beyond_bounds.what();
+    const std::size_t all = count_of_observations(measured);
+    EstimateOptions quick = options;
+    quick.judge_fit = quick.damping_laws = false;
+    quick.rough_errors = true;
+    quick.bootstrap = 0;
+    for (const double share : small_shares) {
+      const std::vector<ObservationSet> small = small_motions(measured, share);
+      const std::size_t left_out = all - count_of_observations(small);
+      if (2 * left_out > all) break;  // it is the model that does not hold
+      std::optional<TruncationCorrection> of_small;
+      try {
+        const Estimate first = estimate(small, units, quick);
+        of_small = Correction(small, first, first, units, options, replay, done).run();
+        return Correction(measured, raw, of_small->estimate, units, options, replay, done).run();
+      } catch (const InputError&) {
+        if (!of_small) continue;
+        of_small->estimate.warnings.push_back(fmt::format(
+            "{} of {} observations, which move more than {:.0f} % of the largest one, are left out: the full "
+            "equations do not make them ({})",
+            left_out, all, 100 * share, reason));
+        return std::move(*of_small);
+      }
+    }
+    throw;
+  }
 }
 
 }  // namespace secular

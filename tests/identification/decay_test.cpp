@@ -42,8 +42,8 @@ Corrected identified(const Experiment& e, const std::string& case_name) {
   const ObservationSet set = observed(simulated, model, case_named(model, case_name));
   Corrected result;
   result.raw = estimate(set, "kg^(1/2) m", {"m/s^2"}, {});
-  const auto replay = [&](const Eigen::VectorXd& parameters) {
-    return std::vector{observe_replay(simulated.campaign, set, parameters, 2)};
+  const auto replay = [&](const ObservationSet& measured, const Eigen::VectorXd& parameters) {
+    return observe_replay(simulated.campaign, measured, parameters, 2);
   };
   result.corrected =
       correct_truncation(std::span(&set, 1), result.raw, {"kg^(1/2) m", {"m/s^2"}}, {}, replay, [](const char*) {

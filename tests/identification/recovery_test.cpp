@@ -58,8 +58,8 @@ Recovered recover(const std::string& name, std::uint64_t seed, const EstimateOpt
   r.measured = dwells ? observe_dwells(simulated.campaign, read, *r.model, *r.resonance, {})
                       : observe_free_decays(simulated.campaign, read, *r.model, *r.resonance, {});
   const Estimate raw = estimate(r.measured, unit, {"m/s^2"}, options);
-  const auto replay = [&](const Eigen::VectorXd& parameters) {
-    return std::vector{observe_replay(simulated.campaign, r.measured, parameters, 2)};
+  const auto replay = [&](const ObservationSet& measured, const Eigen::VectorXd& parameters) {
+    return observe_replay(simulated.campaign, measured, parameters, 2);
   };
   r.estimate =
       correct_truncation(std::span(&r.measured, 1), raw, {unit, {"m/s^2"}}, options, replay, [](const char*) {
