@@ -151,6 +151,14 @@ class DwellObserver {
     return text;
   }
 
+  // Of the frequency that was asked for and what the decomposition finds near it, which noise may lead astray, the one
+  // with more power.
+  static double tone_near(const MatrixXd& samples, double rate, double guess) {
+    const double decomposed = decomposed_frequency(samples.col(0), rate, guess);
+    const auto power = [&](double w) { return tone_power(samples, rate, VectorXd::Constant(1, w)); };
+    return power(guess) > power(decomposed) ? guess : decomposed;
+  }
+
   void warn_of_level(const RecordEntry& entry, const std::vector<Observation>& found,
                      ObservationSet& result) const {
     if (!entry.excitation_amplitude || !(*entry.excitation_amplitude > 0) || excitations_.size() != 1) return;
@@ -174,7 +182,7 @@ class DwellObserver {
       const double guess = entry.excitation_frequency_hz
                                ? two_pi * *entry.excitation_frequency_hz
                                : strongest_frequency(samples.col(0), record.sample_rate_hz);
-      const double start = decomposed_frequency(samples.col(0), record.sample_rate_hz, guess);
+      const double start = tone_near(samples, record.sample_rate_hz, guess);
       ToneOptions tone;
       tone.harmonics = {1};
       ToneFit fit = fit_harmonic_tone(samples, record.sample_rate_hz, start, tone);
