@@ -6,6 +6,7 @@
 
 #include "estimator/identification/case_quality.hpp"
 #include "estimator/identification/estimation.hpp"
+#include "estimator/identification/silent_parameters.hpp"
 
 namespace secular {
 namespace {
@@ -120,6 +121,29 @@ void move(Estimation& e, std::size_t s, const VectorXd& change) {
     e.bootstrap_lumps[s].colwise() += change;
 }
 
+// Parameters that no lump depends on act on the motions all the same (a coupling to a mode whose resonance was not
+// excited): what they do to the truncation's correction is an unknown like the other unseen directions.
+void add_silent_directions(Estimation& e) {
+  const VectorXd size = sizes_by_force(e.model, e.sets, e.shared.values);
+  std::vector<bool> heard(e.model.symbols.size(), false);
+  for (const LumpEstimates& part : e.lump_estimates) {
+    std::vector<double> slope(part.resonance->lumps.size() * heard.size());
+    if (!slope.empty()) part.resonance->evaluate_lumps_jacobian(e.shared.values.data(), slope.data());
+    for (std::size_t i = 0; i < slope.size(); ++i)
+      if (slope[i] != 0) heard[i % heard.size()] = true;
+  }
+  for (std::size_t p = e.model.modes(); p < heard.size(); ++p) {
+    const auto at = static_cast<Index>(p);
+    if (heard[p] || e.given[p] || !(size(at) > 0)) continue;
+    MatrixXd& unseen = e.shared.unseen;
+    MatrixXd& coordinate = e.shared.unseen_coordinate;
+    unseen.conservativeResize(Eigen::NoChange, unseen.cols() + 1);
+    unseen.rightCols(1) = size(at) * VectorXd::Unit(unseen.rows(), at);
+    coordinate.conservativeResize(coordinate.rows() + 1, Eigen::NoChange);
+    coordinate.bottomRows(1) = VectorXd::Unit(coordinate.cols(), at).transpose() / size(at);
+  }
+}
+
 }  // namespace
 
 void share_parameters(Estimation& e) {
@@ -178,6 +202,7 @@ void share_parameters(Estimation& e) {
     if (e.given[static_cast<std::size_t>(p)]) start(p) = e.options.fixed.at(name);
   }
   e.shared = shared_parameters(e.lump_estimates, start, e.given, e.options.shift, e.options.rough_errors);
+  add_silent_directions(e);
   e.result.parameter_values = e.shared.values;
   e.result.parameter_sd = e.shared.covariance.diagonal().cwiseMax(0).cwiseSqrt();
   if (e.options.bootstrap > 0) draw_bootstrap(e);
