@@ -1,0 +1,96 @@
+// Structures of the blind check with nothing withheld: a generator and an integrator that share no code with the
+// estimator, numbers that nobody chose, decays beside dwells, real channels. SECULAR_COVERAGE_CASES asks for more
+// structures of each family than the few of a test run, SECULAR_COVERAGE_DB for another noise than 50 dB below the
+// responses, where what the expansion leaves out would be far larger than the error bars.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "app/identification.hpp"
+#include "blind/case_files.hpp"
+#include "blind/sealed_case.hpp"
+#include "estimator/regression/confidence.hpp"
+
+namespace secular::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+double number_from(const char* variable, double usual) {
+  const char* text = std::getenv(variable);
+  return text ? std::atof(text) : usual;
+}
+
+std::map<std::string, double> truth_of(const blind::SealedCase& sealed) {
+  const blind::Specimen& specimen = sealed.specimen;
+  blind::Structure structure = specimen.structure;
+  std::map<std::string, double> truth;
+  for (const blind::OwnTerm& term : specimen.own)
+    truth[term.symbol] = *blind::coefficient(structure, term.effect, term.mode);
+  for (std::size_t k = 0; k < specimen.frequency_symbols.size(); ++k)
+    truth[specimen.frequency_symbols[k]] = structure.mode[k].omega;
+  return truth;
+}
+
+struct Count {
+  int numbers = 0, missed = 0, doubtful = 0;
+};
+
+void count_values(const Estimate& estimate, const std::map<std::string, double>& truth, Count& count) {
+  for (const EstimatedValue& v : estimate.parameters) {
+    const auto known = truth.find(v.name);
+    if (!v.value || known == truth.end()) continue;
+    if (v.doubtful) {
+      ++count.doubtful;
+      continue;
+    }
+    const Interval interval = confidence_interval(*v.value, v.sd, v.degrees_of_freedom);
+    ++count.numbers;
+    count.missed += known->second < interval.low || known->second > interval.high;
+  }
+}
+
+TEST(SlowDrawnStructures, IntervalsHoldTheTruth) {
+  const int cases = static_cast<int>(number_from("SECULAR_COVERAGE_CASES", 6));
+  const fs::path folder = fs::path(testing::TempDir()) / "secular_drawn_structures";
+  Count all;
+  for (const std::string& family : blind::families) {
+    Count here;
+    for (int number = 1; number <= cases; ++number) {
+      blind::CasePlan plan;
+      plan.number = static_cast<std::size_t>(number);
+      plan.kind = "none";
+      plan.family = family;
+      plan.snr_db = number_from("SECULAR_COVERAGE_DB", 50);
+      plan.dwells = 40;
+      const blind::SealedCase sealed = blind::draw_case(plan, 9);
+      const fs::path place = folder / family;
+      blind::write_case(sealed, 9, place);
+      IdentificationRequest request;
+      request.campaign = (place / "campaign").string();
+      request.model = (place / "model.toml").string();
+      request.threads = 2;
+      count_values(identify(request).estimate, truth_of(sealed), here);
+    }
+    std::printf("%-22s %4d numbers, %5.1f %% of their intervals hold the truth, %d more are doubtful\n",
+                family.c_str(), here.numbers, 100.0 * (here.numbers - here.missed) / here.numbers, here.doubtful);
+    all.numbers += here.numbers;
+    all.missed += here.missed;
+    all.doubtful += here.doubtful;
+  }
+  fs::remove_all(folder);
+  // Numbers of one campaign are not independent: their misses have 1.5 times the binomial variance (0.8 to 1.9 in
+  // eight groups of 24 to 40 campaigns). Three standard deviations.
+  const double expected = 0.05 * all.numbers, sd = std::sqrt(1.5 * 0.95 * expected);
+  EXPECT_LT(all.missed, expected + 3 * sd);
+  EXPECT_GT(all.numbers, 20 * cases);
+  EXPECT_LT(all.doubtful, 0.05 * all.numbers);
+}
+
+}  // namespace
+}  // namespace secular::app
