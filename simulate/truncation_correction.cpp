@@ -25,7 +25,7 @@ constexpr std::size_t remembered_passes = 6;
 /// Values of a pass have errors of this share: differences that depend on one another so far say nothing.
 constexpr double dependent_passes = 1e-3;
 /// Of what is plausible, or of a standard deviation: all of it may lead to quite another motion.
-constexpr double displaced_share = 0.1;
+constexpr double displaced_share = 0.02;
 /// A step after which motions grow beyond bounds is halved so often; none goes further along what no lump tells, of
 /// what is plausible.
 constexpr int most_returns = 8;
