@@ -38,14 +38,24 @@ std::string name_of(const CaseFit& fit, const Equation& equation) {
                                         : (in_phase ? ", in phase" : ", in quadrature"));
 }
 
-// Half of what was subtracted from an equation for the expansion's truncation, over the equation's noise: the share
-// that error bars count as unknown, because it depends on how lumps split into parameters.
-double unknown_truncation(const CaseFit& fit, Index row) {
+// What is not known of the truncation that was subtracted from an equation, over the equation's noise: what it
+// changes by where parameters move by a standard deviation, one entry a move; half of all of it where that is not
+// known.
+VectorXd unknown_truncation(const CaseFit& fit, Index row) {
+  const ObservationSet& set = *fit.set;
   const auto at = static_cast<std::size_t>(row);
-  if (fit.set->truncation.size() == 0 || !(fit.system.noise_sd[at] > 0)) return 0;
-  const std::complex<double> all =
-      fit.set->truncation(static_cast<Index>(fit.system.observation[at]), static_cast<Index>(fit.system.block[at]));
-  return 0.5 * part_of(all, fit.system.part[at]) / fit.system.noise_sd[at];
+  if (set.truncation.size() == 0 || !(fit.system.noise_sd[at] > 0)) return VectorXd::Zero(1);
+  const auto of = [&](const Eigen::MatrixXcd& all) {
+    return part_of(all(static_cast<Index>(fit.system.observation[at]), static_cast<Index>(fit.system.block[at])),
+                   fit.system.part[at]) /
+           fit.system.noise_sd[at];
+  };
+  const std::size_t seen = set.truncation_of_moves.size(), unseen = set.truncation_change.size();
+  if (seen == 0) return VectorXd::Constant(1, 0.5 * of(set.truncation));
+  VectorXd unknown(static_cast<Index>(seen + unseen));
+  for (std::size_t m = 0; m < seen; ++m) unknown(static_cast<Index>(m)) = of(set.truncation_of_moves[m]);
+  for (std::size_t m = 0; m < unseen; ++m) unknown(static_cast<Index>(seen + m)) = of(set.truncation_change[m]);
+  return unknown;
 }
 
 }  // namespace
@@ -54,7 +64,8 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit) {
   std::vector<LackOfFit> result;
   if (!fit.set->resonance->excited || fit.fit.coefficients.size() == 0) return result;
   struct Group {
-    double weights = 0, sum = 0, squares = 0, count = 0, truncation = 0;
+    double weights = 0, sum = 0, squares = 0, count = 0;
+    VectorXd truncation;
   };
   std::map<Equation, std::map<int, Group>> groups;
   std::map<Equation, double> unknowns;
@@ -66,7 +77,8 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit) {
     group.sum += weight * z;
     group.squares += weight * z * z;
     group.count += 1;
-    group.truncation += weight * unknown_truncation(fit, r);
+    const VectorXd unknown = weight * unknown_truncation(fit, r);
+    group.truncation = group.truncation.size() == 0 ? unknown : VectorXd(group.truncation + unknown);
   }
   // What the fit takes of the variance of a condition's mean: n m'Cm for its mean design row m in units of the
   // equation's own noise and the covariance C of the coefficients (the weights of a block that misfits are lower).
@@ -100,7 +112,7 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit) {
       means += between;
       repeats += std::max(0.0, group.squares - between);
       repeat_df += group.count - 1;
-      truncation += group.truncation * group.truncation / group.weights;
+      truncation += group.truncation.squaredNorm() / group.weights;
     }
     test.numerator_df = static_cast<double>(conditions.size()) - unknowns[equation];
     if (test.numerator_df < 1) continue;

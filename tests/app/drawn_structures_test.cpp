@@ -4,12 +4,14 @@
 // responses, where what the expansion leaves out would be far larger than the error bars.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "app/identification.hpp"
 #include "blind/case_files.hpp"
@@ -38,7 +40,7 @@ std::map<std::string, double> truth_of(const blind::SealedCase& sealed) {
 }
 
 struct Count {
-  int numbers = 0, missed = 0, doubtful = 0;
+  int numbers = 0, missed = 0, doubtful = 0, misfits = 0;
 };
 
 void count_values(const Estimate& estimate, const std::map<std::string, double>& truth, Count& count) {
@@ -59,6 +61,7 @@ TEST(SlowDrawnStructures, IntervalsHoldTheTruth) {
   const int cases = static_cast<int>(number_from("SECULAR_COVERAGE_CASES", 6));
   const fs::path folder = fs::path(testing::TempDir()) / "secular_drawn_structures";
   Count all;
+  std::vector<double> misfit_f;
   for (const std::string& family : blind::families) {
     Count here;
     for (int number = 1; number <= cases; ++number) {
@@ -75,7 +78,15 @@ TEST(SlowDrawnStructures, IntervalsHoldTheTruth) {
       request.campaign = (place / "campaign").string();
       request.model = (place / "model.toml").string();
       request.threads = 2;
-      count_values(identify(request).estimate, truth_of(sealed), here);
+      const Estimate estimate = identify(request).estimate;
+      count_values(estimate, truth_of(sealed), here);
+      bool misfit = false;
+      for (const CaseLackOfFit& of_case : estimate.lack_of_fit)
+        for (const LackOfFit& test : of_case.equations) {
+          misfit_f.push_back(test.f);
+          misfit = misfit || test.significant;
+        }
+      all.misfits += misfit;
     }
     std::printf("%-22s %4d numbers, %5.1f %% of their intervals hold the truth, %d more are doubtful\n",
                 family.c_str(), here.numbers, 100.0 * (here.numbers - here.missed) / here.numbers, here.doubtful);
@@ -90,6 +101,12 @@ TEST(SlowDrawnStructures, IntervalsHoldTheTruth) {
   EXPECT_LT(all.missed, expected + 3 * sd);
   EXPECT_GT(all.numbers, 20 * cases);
   EXPECT_LT(all.doubtful, 0.05 * all.numbers);
+  // Models are right, and what is taken out for the truncation is known to less than the noise: F is neither large
+  // nor, as it would be if much of that counted as unknown, small.
+  EXPECT_LE(all.misfits, 1 + cases / 10);
+  std::nth_element(misfit_f.begin(), misfit_f.begin() + static_cast<std::ptrdiff_t>(misfit_f.size() / 2),
+                   misfit_f.end());
+  EXPECT_NEAR(misfit_f[misfit_f.size() / 2], 1, 0.3);
 }
 
 }  // namespace
