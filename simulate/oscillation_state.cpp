@@ -1,16 +1,13 @@
 #include "simulate/oscillation_state.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <span>
 
 #include "estimator/identification/equation_data.hpp"
-#include "estimator/identification/mode_frequencies.hpp"
 #include "estimator/identification/predicted_harmonics.hpp"
+#include "simulate/base_phases.hpp"
 #include "simulate/motion_balance.hpp"
 
 namespace secular {
@@ -22,68 +19,6 @@ using Eigen::Index;
 /// Highest line by the highest one on which a mode or a force is; and points of a turn.
 constexpr int multiples_of_one = 8, multiples_of_two = 3;
 constexpr Index points_by_line = 4;
-
-/// Independent phases of a case: the excitations', then the free modes', each divided until every mode's phase is a
-/// whole number of them; or those of two modes, where the others are whole numbers of these.
-struct BasePhases {
-  std::vector<Complex> rate;  ///< growth + i*frequency, 1/s
-  std::vector<LinePhase> mode, excitation;
-
-  int highest() const {
-    int n = 1;
-    for (const auto* list : {&mode, &excitation})
-      for (const LinePhase& phase : *list) n = std::max(n, std::abs(phase[0]) + std::abs(phase[1]));
-    return n;
-  }
-};
-
-// Lines count by the phases of the modes, whose combinations they are: an excitation at omega1 + omega2 as a base
-// phase would make a high line of 3*omega1 - omega2.
-void count_by_modes(BasePhases& base, const ModeFrequencies& modes) {
-  std::vector<LinePhase> own;
-  for (std::size_t k = 0; k < base.mode.size(); ++k)
-    if (modes.oscillates[k]) own.push_back(base.mode[k]);
-  if (base.rate.size() != 2 || own.size() != 2) return;
-  const LinePhase a = own[0], b = own[1];
-  const int determinant = a[0] * b[1] - a[1] * b[0];
-  if (std::abs(determinant) != 1) return;
-  // n = x*a + y*b
-  const auto counted = [&](const LinePhase& n) {
-    return LinePhase{determinant * (n[0] * b[1] - n[1] * b[0]), determinant * (a[0] * n[1] - a[1] * n[0])};
-  };
-  const auto turning = [&](const LinePhase& n) {
-    return static_cast<double>(n[0]) * base.rate[0] + static_cast<double>(n[1]) * base.rate[1];
-  };
-  base.rate = {turning(a), turning(b)};
-  for (auto* list : {&base.mode, &base.excitation})
-    for (LinePhase& phase : *list) phase = counted(phase);
-}
-
-std::optional<BasePhases> base_phases(const CompiledModel& model, const CompiledCase& resonance,
-                                      const Observation& o) {
-  const ModeFrequencies modes = mode_frequencies(model, resonance);
-  const std::size_t width = model.modes() + model.excitations.size();
-  const std::size_t excitations = resonance.excited ? model.excitations.size() : 0;
-  const std::size_t count = excitations + modes.free.size();
-  if (count == 0 || count > 2) return std::nullopt;
-  BasePhases base{{}, std::vector<LinePhase>(model.modes()), std::vector<LinePhase>(excitations)};
-  for (std::size_t j = 0; j < count; ++j) {
-    const std::size_t column = j < excitations ? model.modes() + j : modes.free[j - excitations];
-    const auto share = [&](std::size_t k) { return resonance.observed_frequency[k * width + column]; };
-    int divisor = 1;
-    for (std::size_t k = 0; k < model.modes(); ++k)
-      if (modes.oscillates[k]) divisor = std::lcm(divisor, share(k).denominator);
-    for (std::size_t k = 0; k < model.modes(); ++k)
-      if (modes.oscillates[k]) base.mode[k][j] = share(k).numerator * divisor / share(k).denominator;
-    if (j < excitations) base.excitation[j][j] = divisor;
-    const Complex rate = j < excitations     ? Complex(0, o.excitation_frequency[j])
-                         : resonance.excited ? Complex(0, o.rate[column].imag())
-                                             : o.rate[column];
-    base.rate.push_back(rate / static_cast<double>(divisor));
-  }
-  count_by_modes(base, modes);
-  return base;
-}
 
 /// A line of either sign: the torus holds one of each pair.
 struct SignedLine {
@@ -127,9 +62,10 @@ OscillationState with_expansion(const CompiledModel& model, const CompiledCase& 
       continue;
     }
     double frequency = 0;
-    for (std::size_t i = 0; i < block.phase.size(); ++i)
-      frequency +=
-          block.phase[i] * (i < model.modes() ? o.rate[i].imag() : o.excitation_frequency[i - model.modes()]);
+    for (std::size_t i = 0; i < block.phase.size(); ++i)  // a decay has no excitation, and no phase of one
+      if (block.phase[i] != 0)
+        frequency +=
+            block.phase[i] * (i < model.modes() ? o.rate[i].imag() : o.excitation_frequency[i - model.modes()]);
     add(predicted[b], Complex(0, frequency), time, k, state);
   }
   return state;

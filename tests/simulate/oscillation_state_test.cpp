@@ -146,5 +146,26 @@ TEST(OscillationState, AdditiveCombination) {
   EXPECT_LT(missed(d), 2e-5);
 }
 
+// More independent frequencies than a balance takes: what the expansion has, here of a decay without excitation.
+TEST(OscillationState, DecayOfThreeModes) {
+  const CompiledModel& model = *generated::find_compiled_model("three_modes");
+  const auto free =
+      std::find_if(model.cases.begin(), model.cases.end(), [](const CompiledCase& c) { return !c.excited; });
+  ASSERT_NE(free, model.cases.end());
+  Eigen::VectorXd linear = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.symbols.size()));
+  Observation o;
+  for (int k = 0; k < 3; ++k) {
+    linear(k) = 10 + 7 * k;
+    o.amplitude.push_back(std::polar(1e-3, 0.4 * k));
+    o.rate.emplace_back(-0.3, linear(k));
+  }
+  const OscillationState state = oscillation_state(model, *free, linear, o, 0.21);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Complex value = o.amplitude[k] * std::exp(0.21 * o.rate[k]);
+    EXPECT_DOUBLE_EQ(state.displacement[k], 2 * value.real());
+    EXPECT_DOUBLE_EQ(state.velocity[k], 2 * (o.rate[k] * value).real());
+  }
+}
+
 }  // namespace
 }  // namespace secular

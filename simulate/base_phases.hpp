@@ -1,0 +1,28 @@
+#pragma once
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+#include "estimator/compiled_model.hpp"
+#include "estimator/identification/observation_set.hpp"
+#include "simulate/torus.hpp"
+
+namespace secular {
+
+/// Independent phases of a case: the excitations', then the free modes', each divided until every mode's phase is a
+/// whole number of them; or those of two modes, where the others are whole numbers of these.
+struct BasePhases {
+  std::vector<std::complex<double>> rate;  ///< growth + i*frequency, 1/s
+  std::vector<LinePhase> mode;             ///< zero of modes at rest
+  std::vector<LinePhase> excitation;       ///< empty of a case without
+
+  /// The most of them, |n[0]| + |n[1]|, that make a phase of a mode or an excitation.
+  int highest() const;
+};
+
+/// At the observed frequencies, of a decay with the observed growth. Nothing where there are more than two.
+std::optional<BasePhases> base_phases(const CompiledModel& model, const CompiledCase& resonance,
+                                      const Observation& observation);
+
+}  // namespace secular
