@@ -90,4 +90,12 @@ Observation mean_motion(std::span<const Observation> ensembles, const CompiledMo
   return mean;
 }
 
+void take_motion(const Observation& exact, Observation& to) {
+  to.excitation_frequency = exact.excitation_frequency;
+  to.forcing = exact.forcing;
+  to.amplitude = exact.amplitude;
+  to.rate = exact.rate;
+  to.harmonic = exact.harmonic;
+}
+
 }  // namespace secular

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulate/balance_sweep.hpp"
 #include "estimator/anderson_acceleration.hpp"
+#include "simulate/balance_sweep.hpp"
 
 namespace secular {
 namespace {

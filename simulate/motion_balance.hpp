@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "estimator/compiled_model.hpp"
 #include "simulate/state_force.hpp"
 #include "simulate/torus.hpp"
-#include "estimator/compiled_model.hpp"
 
 namespace secular {
 

@@ -5,6 +5,7 @@
 
 #include "estimator/compiled_model.hpp"
 #include "estimator/identification/observation_set.hpp"
+#include "simulate/balanced_motions.hpp"
 
 namespace secular {
 
@@ -13,12 +14,23 @@ struct OscillationState {
   std::vector<double> displacement, velocity;
 };
 
-/// State, `time` seconds after the observation's centre, of a motion whose modes have the observed amplitudes. Of
-/// an excited case with every harmonic that hangs on them, by the full equations of motion and not by the
-/// expansion: a motion that starts so goes on without the free oscillation that a missing harmonic leaves in its
-/// place. Where it has more than two independent frequencies, or is too strong for its harmonics to be found, with
-/// those that the expansion has.
-OscillationState oscillation_state(const CompiledModel& model, const CompiledCase& resonance,
-                                   const Eigen::VectorXd& parameters, const Observation& observation, double time);
+/// States of motions of a case whose modes have observed amplitudes.
+class OscillationStates {
+ public:
+  OscillationStates(const CompiledModel& model, const CompiledCase& resonance);
+
+  /// `time` seconds after the observation's centre. With every harmonic that hangs on the modes, by the full
+  /// equations of motion and not by the expansion: a motion that starts so goes on without the free oscillation
+  /// that a missing harmonic leaves in its place. Where it has more than two independent frequencies, or is too
+  /// strong for its harmonics to be found, with those that the expansion has. Of a driven motion the amplitudes are
+  /// those at the observation's centre, to where they get at the rates that these parameters make; of a decay at
+  /// the observed ones.
+  OscillationState at(const Eigen::VectorXd& parameters, const Observation& observation, double time) const;
+
+ private:
+  const CompiledModel& model_;
+  const CompiledCase& resonance_;
+  BalancedMotions motions_;
+};
 
 }  // namespace secular

@@ -38,6 +38,7 @@ class Replay {
         measured_(measured),
         model_(*measured.model),
         parameters_(parameters),
+        states_(model_, *measured.resonance),
         decay_windows_(campaign, model_, *measured.resonance) {
     if (campaign.modal_basis)
       for (const std::vector<double>& row : campaign.modal_basis->mass_normalised_shapes) shapes_.push_back(row);
@@ -98,7 +99,7 @@ class Replay {
       }
     };
     const double begin = -0.5 * static_cast<double>(count - 1) / rate;  // phases count from the centre
-    OscillationState state = oscillation_state(model_, *measured_.resonance, parameters_, o, begin);
+    OscillationState state = states_.at(parameters_, o, begin);
     Record record = empty(count, 0);
     std::size_t i = 0;
     integrate_motion(model_, parameters_.data(), signal, begin, state.displacement, state.velocity, begin, 1 / rate,
@@ -129,7 +130,7 @@ class Replay {
                        [&](const MotionSample& sample) { store(sample, i++, record); });
       return record;
     };
-    OscillationState start = oscillation_state(model_, *measured_.resonance, parameters_, first, -half(first));
+    OscillationState start = states_.at(parameters_, first, -half(first));
     for (int step = 0; step < start_steps; ++step) {
       const Observation seen = decay_windows_.fit_again(motion(start, 2 * half(first)), first);
       double missed = 0;
@@ -150,6 +151,7 @@ class Replay {
   const ObservationSet& measured_;
   const CompiledModel& model_;
   const Eigen::VectorXd& parameters_;
+  OscillationStates states_;
   DecayWindows decay_windows_;
   std::vector<std::vector<double>> shapes_;
   std::vector<std::size_t> excitations_;
@@ -220,13 +222,8 @@ ObservationSet observe_replay(const Campaign& campaign, const ObservationSet& me
   result.warnings.clear();
   result.observations.clear();
   const auto take = [&](const Observation& seen, const Observation& exact) {
-    Observation mixed = seen;
-    mixed.excitation_frequency = exact.excitation_frequency;
-    mixed.forcing = exact.forcing;
-    mixed.amplitude = exact.amplitude;
-    mixed.rate = exact.rate;
-    mixed.harmonic = exact.harmonic;
-    result.observations.push_back(std::move(mixed));
+    result.observations.push_back(seen);
+    take_motion(exact, result.observations.back());
   };
   if (!measured.resonance->excited) {
     const DecayWindows windows(campaign, *measured.model, *measured.resonance);

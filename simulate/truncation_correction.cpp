@@ -15,6 +15,8 @@
 namespace secular {
 namespace {
 
+/// Stages.
+constexpr const char *full_equations = "motions of the full equations", *regression = "regression";
 /// The correction is evaluated at the estimate, at the corrected one, and so on: first as it comes, until that
 /// moves numbers by no more than a few error bars, then with how it depends on the parameters, until they rest.
 constexpr int most_plain_passes = 5, most_passes = 18;
@@ -54,13 +56,6 @@ Eigen::VectorXd inverse_sd(const Estimate& estimate) {
   return result;
 }
 
-std::vector<ObservationSet> replayed(std::span<const ObservationSet> measured, const Eigen::VectorXd& parameters,
-                                     const ReplaySet& replay) {
-  std::vector<ObservationSet> sets;
-  for (const ObservationSet& set : measured) sets.push_back(replay(set, parameters));
-  return sets;
-}
-
 /// Changes of the correction, by direction and set, and the number of directions in which nothing is known of them.
 struct Slopes {
   std::vector<std::vector<Eigen::MatrixXcd>> change;
@@ -70,19 +65,20 @@ struct Slopes {
 /// Parameters that share of a direction away.
 using Displaced = std::function<Eigen::VectorXd(Eigen::Index direction, double share)>;
 
-// How the correction of `corrected` sets changes along each direction, from motions replayed a part of the way, or
-// back where that runs away; zero where both do.
+// How the correction of `corrected` sets changes along each direction, from motions a part of the way, or back
+// where there are none; zero where both are missing.
 Slopes slopes_along(Eigen::Index directions, const Displaced& displaced_to,
                     std::span<const ObservationSet> corrected, std::span<const ObservationSet> measured,
-                    const ReplaySet& replay) {
+                    FullMotions& motions) {
   Slopes slopes;
   for (Eigen::Index d = 0; d < directions; ++d) {
     std::vector<Eigen::MatrixXcd> change;
     for (const double share : {displaced_share, -displaced_share}) {
       const Eigen::VectorXd displaced = displaced_to(d, share);
       try {
-        change = truncation_difference(corrected,
-                                       with_truncation(measured, replayed(measured, displaced, replay), displaced));
+        const auto moved = motions.at(displaced);
+        if (!moved) continue;
+        change = truncation_difference(corrected, with_truncation(measured, *moved, displaced));
         for (Eigen::MatrixXcd& part : change) part /= share;
         break;
       } catch (const InputError&) {
@@ -133,7 +129,7 @@ class Correction {
         units_(units),
         quick_(options),
         full_(options),
-        replay_(replay),
+        motions_(measured, replay, options.threads),
         done_(done),
         estimate_(begin),
         place_(begin.parameter_values),
@@ -149,6 +145,10 @@ class Correction {
     next_ = found(estimate_);
     at_ = correct(true);
     place_ = next_;
+    try {
+      replay();
+    } catch (const InputError&) {  // there is a balance, and later perhaps a replay
+    }
     choose_unseen();
     axes_ = axes_beside(unseen_, estimate_.parameter_sd);
     see_slopes();
@@ -162,13 +162,15 @@ class Correction {
       estimate_.warnings.emplace_back(
           "the correction for the expansion's truncation depends on parameters that are not well known, and "
           "motions with other values of them grow beyond bounds: error bars do not contain that");
-    done_("regression");
-    return {std::move(estimate_), {measured_.begin(), measured_.end()}, std::move(at_.replayed)};
+    done_(regression);
+    return {std::move(estimate_), {measured_.begin(), measured_.end()}, motions_.replays()};
   }
 
  private:
   struct Pass {
-    std::vector<ObservationSet> replayed, corrected;
+    Eigen::VectorXd parameters;
+    std::vector<ObservationSet> corrected;
+    bool replayed = false;
   };
 
   // A place is the values of all symbols, then how far beyond them along each unseen direction: lumps tell the
@@ -195,17 +197,31 @@ class Correction {
     }
     for (int step = 0;; ++step) {
       const Eigen::VectorXd at = parameters(next_);
+      const bool last = !may_return || step == most_returns;
       try {
-        Pass pass;
-        pass.replayed = replayed(measured_, at, replay_);
-        pass.corrected = with_truncation(measured_, pass.replayed, at);
-        if (!at_.corrected.empty()) keep_truncation_change(pass.corrected, at_.corrected);
-        return pass;
+        if (const auto motions = motions_.at(at)) return corrected_by(*motions, at);
       } catch (const InputError&) {
-        if (!may_return || step == most_returns) throw;
-        next_ = 0.5 * (next_ + place_);
+        if (last) throw;
       }
+      if (last)
+        throw InputError("the correction for the truncation", "",
+                         "harmonics of a measured motion are not found by the full equations", "");
+      next_ = 0.5 * (next_ + place_);
     }
+  }
+
+  Pass corrected_by(const std::vector<ObservationSet>& motions, const Eigen::VectorXd& at) const {
+    Pass pass{at, with_truncation(measured_, motions, at)};
+    if (!at_.corrected.empty()) keep_truncation_change(pass.corrected, at_.corrected);
+    return pass;
+  }
+
+  void replay() {
+    motions_.replay(at_.parameters);
+    next_ = place_;
+    at_ = correct(false);
+    at_.replayed = true;
+    done_(full_equations);
   }
 
   // In standard deviations, along unseen directions of what is plausible.
@@ -229,11 +245,11 @@ class Correction {
         // With what no lump tells as an unknown it is another map: what was learnt of the first says nothing of it.
         acceleration = AndersonAcceleration(remembered_passes, dependent_passes);
       }
-      done_("replay of the full equations");
+      done_(full_equations);
       quick_.start = estimate_.state;
       estimate_ = estimate(at_.corrected, units_, quick_);
       next_ << acceleration.next(values(place_), estimate_.parameter_values, inverse_sd(estimate_)), shift(place_);
-      done_("regression");
+      done_(regression);
       if (pass >= unseen_pass && move() < near) return;
     }
   }
@@ -246,7 +262,7 @@ class Correction {
   // What no lump tells of the parameters, and how much of it is plausible: as much as they are seen to do, which
   // may have been far off before the correction.
   void choose_unseen() {
-    const Eigen::VectorXd beyond = parameters(place_) - values(place_), own = values(place_);
+    const Eigen::VectorXd beyond = at_.parameters - values(place_), own = values(place_);
     unseen_ = estimate_.unseen;
     unseen_coordinate_ = estimate_.unseen_coordinate;
     seen_ = SeenLumps(estimate_);
@@ -254,6 +270,8 @@ class Correction {
     place_ << own, estimate_.unseen_coordinate * beyond;
     next_ = place_;
     take_place(place_, quick_);
+    // What is along none of these directions now is not beyond the values any longer.
+    if (parameters(place_) != at_.parameters) at_ = correct(false);
   }
 
   // How the correction depends on it.
@@ -263,7 +281,7 @@ class Correction {
       place(values(place_).size() + direction) += share;
       return parameters(place);
     };
-    const Slopes slopes = slopes_along(unseen_.cols(), displaced, at_.corrected, measured_, replay_);
+    const Slopes slopes = slopes_along(unseen_.cols(), displaced, at_.corrected, measured_, motions_);
     unknown_unseen_ = slopes.unknown;
     for (std::size_t s = 0; s < at_.corrected.size(); ++s) {
       at_.corrected[s].truncation_change.clear();
@@ -279,7 +297,7 @@ class Correction {
     const Displaced displaced = [&](Eigen::Index axis, double share) {
       return Eigen::VectorXd(parameters(place_) + share * axes_.col(axis));
     };
-    const Slopes slopes = slopes_along(axes_.cols(), displaced, at_.corrected, measured_, replay_);
+    const Slopes slopes = slopes_along(axes_.cols(), displaced, at_.corrected, measured_, motions_);
     unknown_axes_ = slopes.unknown;
     for (std::size_t s = 0; s < at_.corrected.size(); ++s) {
       ObservationSet& set = at_.corrected[s];
@@ -290,7 +308,7 @@ class Correction {
     }
     axes_seen_at_ = place_;
     ++times_seen_;
-    done_("replay of the full equations");
+    done_(full_equations);
   }
 
   void see_unseen_beside_axes() {
@@ -314,7 +332,7 @@ class Correction {
     } else {
       see_unseen_beside_axes();
       ++times_unseen_;
-      done_("replay of the full equations");
+      done_(full_equations);
     }
     estimate_here();
     return true;
@@ -330,13 +348,18 @@ class Correction {
     estimate_here();
     int halvings = 0;
     for (int pass = most_plain_passes; pass < most_passes && halvings <= most_halvings; ++pass) {
+      if (move() < settled_share && !at_.replayed) {
+        replay();
+        estimate_here();
+        continue;
+      }
       if (move() < settled_share) {
         const bool settled = halvings == 0 && size_of(place_ - seen_at_, estimate_) < local;
         if (settled || !see_slopes_again()) break;
         continue;
       }
       Pass further = correct(true);
-      done_("replay of the full equations");
+      done_(full_equations);
       const Estimate there = estimate_corrected(further.corrected, next_);
       const double before = size_of(found(estimate_) - place_, estimate_);
       const double left = size_of(found(there) - next_, estimate_);
@@ -352,6 +375,10 @@ class Correction {
         next_ = 0.5 * (next_ + place_);
       }
     }
+    if (!at_.replayed) {
+      replay();
+      estimate_here();
+    }
     take_place(place_, full_);
   }
 
@@ -363,7 +390,7 @@ class Correction {
   Estimate estimate_corrected(const std::vector<ObservationSet>& corrected, const Eigen::VectorXd& at) {
     take_place(at, quick_);
     Estimate result = estimate(corrected, units_, quick_);
-    done_("regression");
+    done_(regression);
     return result;
   }
 
@@ -371,7 +398,7 @@ class Correction {
   const Estimate& raw_;
   const MeasuredUnits& units_;
   EstimateOptions quick_, full_;
-  const ReplaySet& replay_;
+  FullMotions motions_;
   const StageDone& done_;
   Pass at_;
   Estimate estimate_;             // from at_

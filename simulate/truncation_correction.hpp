@@ -6,11 +6,9 @@
 #include <vector>
 
 #include "estimator/identification/estimate.hpp"
+#include "simulate/full_motions.hpp"
 
 namespace secular {
-
-/// What the full equations do at some parameters where a set was measured: observe_replay.
-using ReplaySet = std::function<ObservationSet(const ObservationSet& measured, const Eigen::VectorXd& parameters)>;
 
 /// Called with what was just done, for the time that it took.
 using StageDone = std::function<void(const char* stage)>;

@@ -81,7 +81,7 @@ double missed(const Driven& d) {
   double worst = 0, size = 0;
   for (const std::size_t i : {count / 2, count / 2 + 7, count / 2 + 200}) {
     const OscillationState state =
-        oscillation_state(d.model, d.resonance, d.parameters, o, samples[i].time - centre);
+        OscillationStates(d.model, d.resonance).at(d.parameters, o, samples[i].time - centre);
     for (std::size_t k = 0; k < d.model.modes(); ++k) {
       const double speed = o.rate[k].imag();
       worst = std::max({worst, std::abs(state.displacement[k] - samples[i].displacement[k]),
@@ -159,7 +159,7 @@ TEST(OscillationState, DecayOfThreeModes) {
     o.amplitude.push_back(std::polar(1e-3, 0.4 * k));
     o.rate.emplace_back(-0.3, linear(k));
   }
-  const OscillationState state = oscillation_state(model, *free, linear, o, 0.21);
+  const OscillationState state = OscillationStates(model, *free).at(linear, o, 0.21);
   for (std::size_t k = 0; k < 3; ++k) {
     const Complex value = o.amplitude[k] * std::exp(0.21 * o.rate[k]);
     EXPECT_DOUBLE_EQ(state.displacement[k], 2 * value.real());

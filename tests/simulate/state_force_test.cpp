@@ -64,7 +64,8 @@ TEST(StateForce, MicroSlipLosesTheCubeOfTheAmplitude) {
   }
 }
 
-// dz/dx = 1 - z|z|/slip^2 forwards (and 1 + z|z|/slip^2 backwards), by the classical Runge-Kutta method in small steps.
+// dz/dx = 1 - z|z|/slip^2 forwards (and 1 + z|z|/slip^2 backwards), by the classical Runge-Kutta method in small
+// steps.
 double integrated(double z, double way, double slip) {
   constexpr int steps = 2000;
   const double h = way / steps, sign = way < 0 ? -1 : 1;

@@ -1,0 +1,60 @@
+#include "simulate/balanced_set.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "estimator/in_parallel.hpp"
+#include "simulate/mean_motion.hpp"
+
+namespace secular {
+namespace {
+
+// Of a replay, whose ensembles are alike, the mean is each of them.
+Observation mean_of(std::span<const Observation> observations, const ObservationSet& set) {
+  return set.resonance->excited ? mean_motion(observations, *set.model, *set.resonance) : observations.front();
+}
+
+void set_motion(const BalancedMotions& motions, const BalancedMotions::Balanced& balanced,
+                const ObservationSet& set, Observation& o) {
+  for (std::size_t k = 0; k < o.rate.size(); ++k)
+    if (const auto rate = motions.rate_of(k, balanced)) o.rate[k] = *rate;
+  const auto& blocks = set.resonance->blocks;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (blocks[b].kind != BlockKind::harmonic) continue;
+    const auto mode = static_cast<std::size_t>(blocks[b].mode);
+    if (const auto amplitude = motions.amplitude_of(mode, blocks[b].phase, balanced)) o.harmonic[b] = *amplitude;
+  }
+}
+
+}  // namespace
+
+BalancedSet::BalancedSet(const ObservationSet& set, unsigned threads)
+    : set_(set), motions_(*set.model, *set.resonance), threads_(threads) {
+  const std::vector<Observation>& all = set.observations;
+  for (std::size_t begin = 0; begin < all.size();) {
+    std::size_t end = begin + 1;
+    while (set.resonance->excited && end < all.size() && all[end].record == all[begin].record) ++end;
+    groups_.push_back({mean_of(std::span(all).subspan(begin, end - begin), set), begin, end, std::nullopt});
+    begin = end;
+  }
+}
+
+std::optional<ObservationSet> BalancedSet::at(const Eigen::VectorXd& parameters) {
+  ObservationSet result = set_;
+  std::vector<char> found(groups_.size(), false);  // not of bool, whose elements share bytes
+  in_parallel(groups_.size(), threads_, [&](std::size_t g) {
+    Group& group = groups_[g];
+    auto balanced = motions_.at(parameters, group.mean, group.latest ? &*group.latest : nullptr);
+    if (!balanced && group.latest) balanced = motions_.at(parameters, group.mean);
+    if (!balanced) return;
+    Observation exact = group.mean;
+    set_motion(motions_, *balanced, result, exact);
+    for (std::size_t i = group.begin; i < group.end; ++i) take_motion(exact, result.observations[i]);
+    group.latest = std::move(balanced->motion);
+    found[g] = true;
+  });
+  if (std::find(found.begin(), found.end(), false) != found.end()) return std::nullopt;
+  return result;
+}
+
+}  // namespace secular
