@@ -25,8 +25,8 @@ class BalancedMotions {
     Motion motion;
   };
 
-  /// Nothing where the case has more than two independent frequencies or the motion is too strong for its lines to
-  /// be found. `start`: as MotionBalance::solve takes it.
+  /// Nothing where the case has more than two independent frequencies, the motion is too strong for its lines to be
+  /// found, or what they make is quite another motion. `start`: as MotionBalance::solve takes it.
   std::optional<Balanced> at(const Eigen::VectorXd& parameters, const Observation& observation,
                              const Motion* start = nullptr) const;
 
@@ -44,6 +44,7 @@ class BalancedMotions {
                                                    const Balanced& balanced) const;
 
  private:
+  bool is_near_what_was_measured(const Balanced& balanced) const;
   const MasterLine* master(std::size_t mode, const Balanced& balanced) const;
 
   /// A line of either sign: the torus holds one of each pair.

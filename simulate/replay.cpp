@@ -30,6 +30,18 @@ constexpr std::size_t records_ahead = 16;
 /// A stretch of a decay is started again until its first window is met to this, relative.
 constexpr int start_steps = 4;
 constexpr double start_tolerance = 1e-4;
+/// A start from which it runs away returns so far towards one from which it does not, so often.
+constexpr double return_share = 0.9;
+constexpr int start_returns = 12;
+
+OscillationState between(const OscillationState& a, const OscillationState& b, double share) {
+  OscillationState state = a;
+  for (std::size_t k = 0; k < state.displacement.size(); ++k) {
+    state.displacement[k] += share * (b.displacement[k] - a.displacement[k]);
+    state.velocity[k] += share * (b.velocity[k] - a.velocity[k]);
+  }
+  return state;
+}
 
 class Replay {
  public:
@@ -130,9 +142,22 @@ class Replay {
                        [&](const MotionSample& sample) { store(sample, i++, record); });
       return record;
     };
-    OscillationState start = states_.at(parameters_, first, -half(first));
-    for (int step = 0; step < start_steps; ++step) {
-      const Observation seen = decay_windows_.fit_again(motion(start, 2 * half(first)), first);
+    OscillationState start = states_.at(parameters_, first, -half(first)),
+                     possible{std::vector<double>(model_.modes(), 0.0), std::vector<double>(model_.modes(), 0.0)};
+    int returns = 0;
+    for (int step = 0; step < start_steps;) {
+      Observation seen;
+      try {
+        seen = decay_windows_.fit_again(motion(start, 2 * half(first)), first);
+      } catch (const InputError&) {
+        // A window near where a softening spring gives way, over which amplitudes change a lot, has its start
+        // beyond.
+        if (++returns > start_returns) throw;
+        start = between(possible, start, return_share);
+        continue;
+      }
+      possible = start;
+      ++step;
       double missed = 0;
       for (const std::size_t k : decay_windows_.oscillating()) {
         if (first.growth_sd[k] < 0 || seen.growth_sd[k] < 0) continue;

@@ -43,6 +43,8 @@ constexpr double near_axes = 4;
 constexpr int last_weights = most_plain_passes + 6;
 /// Motions up to these shares of the largest ones are tried where those grow beyond bounds.
 constexpr double small_shares[] = {0.7, 0.5, 0.35};
+/// Slopes that make standard deviations grow by more say that corrections and numbers hardly determine one another.
+constexpr double most_growth = 1000;
 /// A step that leaves more than this share of the way to go tells of slopes that no longer hold.
 constexpr double slow = 0.5;
 
@@ -54,6 +56,15 @@ Eigen::VectorXd inverse_sd(const Estimate& estimate) {
     if (value.value && value.sd > 0) result(p) = 1 / value.sd;
   }
   return result;
+}
+
+// Largest factor by which standard deviations are more than those in `sd`.
+double growth(const Estimate& estimate, const Eigen::VectorXd& sd) {
+  double largest = 1;
+  for (Eigen::Index p = 0; p < sd.size(); ++p)
+    if (sd(p) > 0 && estimate.parameters[static_cast<std::size_t>(p)].value)
+      largest = std::max(largest, estimate.parameters[static_cast<std::size_t>(p)].sd / sd(p));
+  return largest;
 }
 
 /// Changes of the correction, by direction and set, and the number of directions in which nothing is known of them.
@@ -150,9 +161,13 @@ class Correction {
     } catch (const InputError&) {  // there is a balance, and later perhaps a replay
     }
     choose_unseen();
-    axes_ = axes_beside(unseen_, estimate_.parameter_sd);
+    const Eigen::VectorXd sd = estimate_.parameter_sd;
+    axes_ = axes_beside(unseen_, sd);
     see_slopes();
     follow_slopes();
+    if (growth(estimate_, sd) > most_growth)
+      throw InputError("the correction for the truncation", "",
+                       "depends so much on the numbers that it is made for that neither is determined", "");
     full_.start = estimate_.state;
     const Eigen::VectorXd further = values(found(estimate_));  // not next_: a step may have been cut
     estimate_ = estimate(at_.corrected, units_, full_);

@@ -103,5 +103,29 @@ TEST(SlowDecay, ASmallSwingClaimsNoNonlinearity) {
   }
 }
 
+// A pluck nearly as far as a spring holds (the expansion's terms are of the size of the linear ones there, and one
+// decay alone leaves most parameters open): what is given is near the truth, or doubtful.
+TEST(SlowDecay, NearWhereTheSpringGivesWayNothingIsGivenWithoutDoubtThatIsWrong) {
+  for (const double share : {0.9, 0.95, 0.97, 0.99}) {
+    Experiment e = decay_of(0, 12, 0.1);
+    const double reach = 5e-3;
+    const auto set = [&](const char* name, double value) {
+      for (std::size_t p = 0; p < two_mass().symbols.size(); ++p)
+        if (two_mass().symbols[p].name == name) e.parameters(static_cast<Eigen::Index>(p)) = value;
+    };
+    for (const char* none : {"alpha3", "delta2", "delta3", "mu2", "mu3"}) set(none, 0);
+    set("alpha2", e.parameters(0) * e.parameters(0) / reach);  // no force is left at -reach
+    e.free_decays[0].initial_displacement = {-share * reach};
+    const Corrected found = identified(e, "free");
+    for (const char* name : {"omega0", "mu1"}) {
+      const EstimatedValue& v = value_of(found.corrected, name);
+      if (!v.value || v.doubtful) continue;
+      const double truth = truth_of(two_mass(), case_named(two_mass(), "free"), e.parameters, name);
+      EXPECT_LT(std::abs(*v.value - truth), 4 * v.sd) << name << " from " << share;
+      EXPECT_LT(v.sd, 0.1 * truth) << name << " from " << share;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace secular
