@@ -360,7 +360,11 @@ class Correction {
   // were seen.
   void follow_slopes() {
     quick_.start = estimate_.state;
+    // Weights of the first estimates took what the expansion leaves for noise.
+    quick_.keep_weights = false;
     estimate_here();
+    quick_.keep_weights = !full_.refine;
+    quick_.start = estimate_.state;
     int halvings = 0;
     for (int pass = most_plain_passes; pass < most_passes && halvings <= most_halvings; ++pass) {
       if (move() < settled_share && !at_.replayed) {

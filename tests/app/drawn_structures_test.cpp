@@ -3,6 +3,7 @@
 // structures of each family than the few of a test run, SECULAR_COVERAGE_DB for another noise than 50 dB below the
 // responses, where what the expansion leaves out would be far larger than the error bars.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +60,7 @@ void count_values(const Estimate& estimate, const std::map<std::string, double>&
 
 TEST(SlowDrawnStructures, IntervalsHoldTheTruth) {
   const int cases = static_cast<int>(number_from("SECULAR_COVERAGE_CASES", 6));
-  const fs::path folder = fs::path(testing::TempDir()) / "secular_drawn_structures";
+  const fs::path folder = fs::path(testing::TempDir()) / ("secular_drawn_structures." + std::to_string(::getpid()));
   Count all;
   std::vector<double> misfit_f;
   for (const std::string& family : blind::families) {
