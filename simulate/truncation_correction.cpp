@@ -161,13 +161,10 @@ class Correction {
     } catch (const InputError&) {  // there is a balance, and later perhaps a replay
     }
     choose_unseen();
-    const Eigen::VectorXd sd = estimate_.parameter_sd;
-    axes_ = axes_beside(unseen_, sd);
+    sd_ = estimate_.parameter_sd;
+    axes_ = axes_beside(unseen_, sd_);
     see_slopes();
     follow_slopes();
-    if (growth(estimate_, sd) > most_growth)
-      throw InputError("the correction for the truncation", "",
-                       "depends so much on the numbers that it is made for that neither is determined", "");
     full_.start = estimate_.state;
     const Eigen::VectorXd further = values(found(estimate_));  // not next_: a step may have been cut
     estimate_ = estimate(at_.corrected, units_, full_);
@@ -214,7 +211,8 @@ class Correction {
       const Eigen::VectorXd at = parameters(next_);
       const bool last = !may_return || step == most_returns;
       try {
-        if (const auto motions = motions_.at(at)) return corrected_by(*motions, at);
+        if (const auto motions = motions_.at(at))
+          if (Pass pass = corrected_by(*motions, at); is_finite(pass)) return pass;
       } catch (const InputError&) {
         if (last) throw;
       }
@@ -229,6 +227,11 @@ class Correction {
     Pass pass{at, with_truncation(measured_, motions, at)};
     if (!at_.corrected.empty()) keep_truncation_change(pass.corrected, at_.corrected);
     return pass;
+  }
+
+  static bool is_finite(const Pass& pass) {
+    return std::all_of(pass.corrected.begin(), pass.corrected.end(),
+                       [](const ObservationSet& set) { return set.truncation.allFinite(); });
   }
 
   void replay() {
@@ -410,6 +413,9 @@ class Correction {
     take_place(at, quick_);
     Estimate result = estimate(corrected, units_, quick_);
     done_(regression);
+    if (!(growth(result, sd_) < most_growth))
+      throw InputError("the correction for the truncation", "",
+                       "depends so much on the numbers that it is made for that neither is determined", "");
     return result;
   }
 
@@ -422,6 +428,7 @@ class Correction {
   Pass at_;
   Estimate estimate_;             // from at_
   Eigen::VectorXd place_, next_;  // of at_, and where to go from there
+  Eigen::VectorXd sd_;            // before any slopes
   Eigen::MatrixXd unseen_, unseen_coordinate_, axes_;
   SeenLumps seen_;
   Eigen::VectorXd seen_at_, axes_seen_at_;  // places of the latest slopes, and of the latest along the axes

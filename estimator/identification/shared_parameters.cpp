@@ -10,6 +10,7 @@
 #include "estimator/regression/clustered_chi_squared.hpp"
 #include "estimator/regression/nonlinear_fit.hpp"
 #include "estimator/regression/unit_scale.hpp"
+#include "input/input_error.hpp"
 
 namespace secular {
 namespace {
@@ -260,8 +261,9 @@ class SharedFit {
     result_.shift_prior = MatrixXd::Identity(directions_, directions_);
     result_.unseen = MatrixXd::Zero(count_, 0);
     result_.unseen_coordinate = MatrixXd::Zero(0, count_);
-    corrected_at_ = shift.corrected_at.size() > 0 ? shift.corrected_at : result_.shift;
-    expected_ = shift.expected.size() > 0 ? shift.expected : result_.shift;
+    // Where no case has a coefficient left, none says anything of the directions.
+    corrected_at_ = shift.corrected_at.size() == directions_ ? shift.corrected_at : result_.shift;
+    expected_ = shift.expected.size() == directions_ ? shift.expected : result_.shift;
   }
 
   SharedParameters run(bool rough_errors) {
@@ -317,6 +319,9 @@ class SharedFit {
 
   void see_unseen() {
     evaluate(unknowns_, false, residual_, jacobian_);
+    if (!jacobian_.allFinite())
+      throw InputError("parameters from lumps", "", "grow beyond bounds",
+                       "the truncation that was taken out of the equations may be far larger than these");
     Unseen unseen =
         unseen_directions(jacobian_.topLeftCorner(lumps_, count_), slopes_of_lumps(cases_, result_.values, lumps_),
                           unit_scale(jacobian_).head(count_), result_.values, plausible_.head(count_));
