@@ -35,15 +35,14 @@ class BalancedMotions {
   /// balance. That leaves out how forces depend on so slow a change: shares of it of the order of the damping ratio
   /// and of the squared nonlinearity.
   std::optional<std::complex<double>> rate_of(std::size_t mode, const Balanced& balanced) const;
-  /// The same less the observed rate; zero of a mode at rest.
-  std::complex<double> excess_rate(std::size_t mode, const Balanced& balanced) const;
-
   /// Amplitude, half of the peak, of a mode at the phase of natural frequencies and excitations (as RegressorBlock
   /// has it); nothing beyond the highest line.
   std::optional<std::complex<double>> amplitude_of(std::size_t mode, std::span<const int> phase,
                                                    const Balanced& balanced) const;
 
  private:
+  /// rate_of less the observed rate; zero of a mode at rest.
+  std::complex<double> excess_rate(std::size_t mode, const Balanced& balanced) const;
   bool is_near_what_was_measured(const Balanced& balanced) const;
   const MasterLine* master(std::size_t mode, const Balanced& balanced) const;
 

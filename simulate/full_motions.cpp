@@ -3,27 +3,22 @@
 #include <utility>
 #include <vector>
 
+#include "estimator/identification/common_observations.hpp"
+
 namespace secular {
 namespace {
 
-bool is_before(const Observation& a, const Observation& b) {
-  return a.record < b.record || (a.record == b.record && a.centre_s < b.centre_s);
-}
-
-// `motions`, as far as they were replayed, with what replays have beyond their balance. All are in the same order.
+// `motions`, as far as they were replayed, with what replays have beyond their balance.
 ObservationSet with_remainder(ObservationSet motions, const ObservationSet& replayed,
                               const ObservationSet& balanced) {
   std::vector<Observation> kept;
-  std::size_t at = 0;
-  for (Observation& o : motions.observations) {
-    while (at < replayed.observations.size() && is_before(replayed.observations[at], o)) ++at;
-    if (at == replayed.observations.size()) break;
+  for_common_observations(motions, replayed, [&](std::size_t i, std::size_t at) {
+    Observation o = motions.observations[i];
     const Observation &exact = replayed.observations[at], &known = balanced.observations[at];
-    if (is_before(o, exact)) continue;
     for (std::size_t k = 0; k < o.rate.size(); ++k) o.rate[k] += exact.rate[k] - known.rate[k];
     for (std::size_t b = 0; b < o.harmonic.size(); ++b) o.harmonic[b] += exact.harmonic[b] - known.harmonic[b];
     kept.push_back(std::move(o));
-  }
+  });
   motions.observations = std::move(kept);
   return motions;
 }

@@ -10,25 +10,16 @@ namespace {
 
 using Complex = std::complex<double>;
 
-OscillationState at_rest(const CompiledModel& model) {
-  return {std::vector<double>(model.modes(), 0.0), std::vector<double>(model.modes(), 0.0)};
-}
-
 void add(Complex amplitude, Complex rate, double time, std::size_t mode, OscillationState& state) {
   const Complex value = amplitude * std::exp(rate * time);
   state.displacement[mode] += 2 * value.real();
   state.velocity[mode] += 2 * (rate * value).real();
 }
 
-OscillationState modes_alone(const CompiledModel& model, const Observation& o, double time) {
-  OscillationState state = at_rest(model);
-  for (std::size_t k = 0; k < model.modes(); ++k) add(o.amplitude[k], o.rate[k], time, k, state);
-  return state;
-}
-
 OscillationState with_expansion(const CompiledModel& model, const CompiledCase& resonance,
                                 const Eigen::VectorXd& parameters, const Observation& o, double time) {
-  OscillationState state = modes_alone(model, o, time);
+  OscillationState state = at_rest(model);
+  for (std::size_t k = 0; k < model.modes(); ++k) add(o.amplitude[k], o.rate[k], time, k, state);
   const std::vector<Complex> predicted = predicted_harmonics(model, resonance, parameters, o);
   for (std::size_t b = 0; b < resonance.blocks.size(); ++b) {
     const RegressorBlock& block = resonance.blocks[b];
@@ -49,6 +40,10 @@ OscillationState with_expansion(const CompiledModel& model, const CompiledCase& 
 }
 
 }  // namespace
+
+OscillationState at_rest(const CompiledModel& model) {
+  return {std::vector<double>(model.modes(), 0.0), std::vector<double>(model.modes(), 0.0)};
+}
 
 OscillationStates::OscillationStates(const CompiledModel& model, const CompiledCase& resonance)
     : model_(model), resonance_(resonance), motions_(model, resonance) {}

@@ -14,6 +14,8 @@ struct OscillationState {
   std::vector<double> displacement, velocity;
 };
 
+OscillationState at_rest(const CompiledModel& model);
+
 /// States of motions of a case whose modes have observed amplitudes.
 class OscillationStates {
  public:
@@ -22,9 +24,7 @@ class OscillationStates {
   /// `time` seconds after the observation's centre. With every harmonic that hangs on the modes, by the full
   /// equations of motion and not by the expansion: a motion that starts so goes on without the free oscillation
   /// that a missing harmonic leaves in its place. Where it has more than two independent frequencies, or is too
-  /// strong for its harmonics to be found, with those that the expansion has. Of a driven motion the amplitudes are
-  /// those at the observation's centre, to where they get at the rates that these parameters make; of a decay at
-  /// the observed ones.
+  /// strong for its harmonics to be found, with those that the expansion has.
   OscillationState at(const Eigen::VectorXd& parameters, const Observation& observation, double time) const;
 
  private:

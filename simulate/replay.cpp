@@ -142,8 +142,7 @@ class Replay {
                        [&](const MotionSample& sample) { store(sample, i++, record); });
       return record;
     };
-    OscillationState start = states_.at(parameters_, first, -half(first)),
-                     possible{std::vector<double>(model_.modes(), 0.0), std::vector<double>(model_.modes(), 0.0)};
+    OscillationState start = states_.at(parameters_, first, -half(first)), possible = at_rest(model_);
     int returns = 0;
     for (int step = 0; step < start_steps;) {
       Observation seen;

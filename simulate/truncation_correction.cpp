@@ -200,8 +200,8 @@ class Correction {
     return place;
   }
 
-  // At next_, or on the way back to place_ where that is very far, and at the first on that way where motions do
-  // not grow beyond bounds.
+  // At next_, or on the way back to place_ where that is very far, and at the first on that way where there are
+  // motions.
   Pass correct(bool may_return) {
     if (unseen_.cols() > 0) {
       const double far = shift(next_ - place_).cwiseAbs().maxCoeff();
@@ -364,18 +364,18 @@ class Correction {
   void follow_slopes() {
     quick_.start = estimate_.state;
     // Weights of the first estimates took what the expansion leaves for noise.
-    quick_.keep_weights = false;
+    const bool kept = std::exchange(quick_.keep_weights, false);
     estimate_here();
-    quick_.keep_weights = !full_.refine;
+    quick_.keep_weights = kept;
     quick_.start = estimate_.state;
     int halvings = 0;
     for (int pass = most_plain_passes; pass < most_passes && halvings <= most_halvings; ++pass) {
-      if (move() < settled_share && !at_.replayed) {
-        replay();
-        estimate_here();
-        continue;
-      }
       if (move() < settled_share) {
+        if (!at_.replayed) {
+          replay();
+          estimate_here();
+          continue;
+        }
         const bool settled = halvings == 0 && size_of(place_ - seen_at_, estimate_) < local;
         if (settled || !see_slopes_again()) break;
         continue;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <complex>
 
+#include "estimator/identification/common_observations.hpp"
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/estimate.hpp"
 #include "estimator/identification/seen_lumps.hpp"
@@ -10,29 +11,9 @@
 #include "estimator/regression/confidence.hpp"
 
 namespace secular {
-namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-// Rows of the same observation in two sets, both in the order of records and instants.
-template <class Visit>
-void for_common(const ObservationSet& first, const ObservationSet& second, const Visit& visit) {
-  std::size_t from = 0;
-  for (std::size_t i = 0; i < first.observations.size(); ++i) {
-    const Observation& o = first.observations[i];
-    const auto before = [&](const Observation& other) {
-      return other.record < o.record || (other.record == o.record && other.centre_s < o.centre_s);
-    };
-    while (from < second.observations.size() && before(second.observations[from])) ++from;
-    if (from == second.observations.size()) return;
-    const Observation& other = second.observations[from];
-    if (other.record == o.record && other.centre_s == o.centre_s)
-      visit(static_cast<Index>(i), static_cast<Index>(from));
-  }
-}
-
-}  // namespace
 
 std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets,
                                             std::span<const ObservationSet> replayed, const VectorXd& parameters) {
@@ -52,24 +33,16 @@ std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets
     std::vector<Observation> kept;
     set.truncation = Eigen::MatrixXcd::Zero(static_cast<Index>(set.observations.size()),
                                             static_cast<Index>(resonance.blocks.size()));
-    std::size_t from = 0;  // both are in the same order
-    for (const Observation& o : set.observations) {
-      while (from < exact.observations.size() &&
-             (exact.observations[from].record < o.record ||
-              (exact.observations[from].record == o.record && exact.observations[from].centre_s < o.centre_s)))
-        ++from;
-      if (from == exact.observations.size() || exact.observations[from].record != o.record ||
-          exact.observations[from].centre_s != o.centre_s)
-        continue;
-      const EquationData::Rows rows = data.rows(from, {}, lumps, natural, natural);
+    for_common_observations(set, exact, [&](std::size_t i, std::size_t other) {
+      const EquationData::Rows rows = data.rows(other, {}, lumps, natural, natural);
       for (Index r = 0; r < rows.response.size(); ++r) {
         const std::size_t b = rows.block[static_cast<std::size_t>(r)];
         const bool imaginary = r > 0 && rows.block[static_cast<std::size_t>(r - 1)] == b;
         const std::complex<double> part = imaginary ? std::complex<double>(0, rows.response(r)) : rows.response(r);
         set.truncation(static_cast<Index>(kept.size()), static_cast<Index>(b)) += part;
       }
-      kept.push_back(o);
-    }
+      kept.push_back(set.observations[i]);
+    });
     set.observations = std::move(kept);
     set.truncation.conservativeResize(static_cast<Index>(set.observations.size()), Eigen::NoChange);
     result.push_back(std::move(set));
@@ -83,8 +56,10 @@ std::vector<Eigen::MatrixXcd> truncation_difference(std::span<const ObservationS
   for (std::size_t s = 0; s < corrected.size(); ++s) {
     const Eigen::MatrixXcd &from = corrected[s].truncation, &to = displaced[s].truncation;
     Eigen::MatrixXcd difference = Eigen::MatrixXcd::Zero(from.rows(), from.cols());
-    for_common(corrected[s], displaced[s],
-               [&](Index i, Index other) { difference.row(i) = to.row(other) - from.row(i); });
+    for_common_observations(corrected[s], displaced[s], [&](std::size_t i, std::size_t other) {
+      const auto row = static_cast<Index>(i);
+      difference.row(row) = to.row(static_cast<Index>(other)) - from.row(row);
+    });
     result.push_back(std::move(difference));
   }
   return result;
@@ -96,7 +71,9 @@ void keep_truncation_change(std::span<ObservationSet> to, std::span<const Observ
       std::vector<Eigen::MatrixXcd> result;
       for (const Eigen::MatrixXcd& known : changes) {
         Eigen::MatrixXcd change = Eigen::MatrixXcd::Zero(to[s].truncation.rows(), to[s].truncation.cols());
-        for_common(to[s], from[s], [&](Index i, Index other) { change.row(i) = known.row(other); });
+        for_common_observations(to[s], from[s], [&](std::size_t i, std::size_t other) {
+          change.row(static_cast<Index>(i)) = known.row(static_cast<Index>(other));
+        });
         result.push_back(std::move(change));
       }
       return result;

@@ -3,7 +3,6 @@
 // structures of each family than the few of a test run, SECULAR_COVERAGE_DB for another noise than 50 dB below the
 // responses, where what the expansion leaves out would be far larger than the error bars.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +17,7 @@
 #include "blind/case_files.hpp"
 #include "blind/sealed_case.hpp"
 #include "estimator/regression/confidence.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular::app {
 namespace {
@@ -60,7 +60,6 @@ void count_values(const Estimate& estimate, const std::map<std::string, double>&
 
 TEST(SlowDrawnStructures, IntervalsHoldTheTruth) {
   const int cases = static_cast<int>(number_from("SECULAR_COVERAGE_CASES", 6));
-  const fs::path folder = fs::path(testing::TempDir()) / ("secular_drawn_structures." + std::to_string(::getpid()));
   Count all;
   std::vector<double> misfit_f;
   for (const std::string& family : blind::families) {
@@ -73,7 +72,7 @@ TEST(SlowDrawnStructures, IntervalsHoldTheTruth) {
       plan.snr_db = number_from("SECULAR_COVERAGE_DB", 50);
       plan.dwells = 40;
       const blind::SealedCase sealed = blind::draw_case(plan, 9);
-      const fs::path place = folder / family;
+      const fs::path place = testing_support::process_folder() / family;
       blind::write_case(sealed, 9, place);
       IdentificationRequest request;
       request.campaign = (place / "campaign").string();
@@ -95,7 +94,6 @@ TEST(SlowDrawnStructures, IntervalsHoldTheTruth) {
     all.missed += here.missed;
     all.doubtful += here.doubtful;
   }
-  fs::remove_all(folder);
   // Numbers of one campaign are not independent: their misses have 1.5 times the binomial variance (0.8 to 1.9 in
   // eight groups of 24 to 40 campaigns). Three standard deviations.
   const double expected = 0.05 * all.numbers, sd = std::sqrt(1.5 * 0.95 * expected);

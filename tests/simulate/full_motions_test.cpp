@@ -5,18 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <filesystem>
 #include <string>
 
-#include "generated/registry.hpp"
 #include "simulate/replay.hpp"
-#include "simulate/virtual_test.hpp"
+#include "tests/identification/virtual_campaign.hpp"
 
 namespace secular {
 namespace {
-
-using Complex = std::complex<double>;
 
 struct Tested {
   const CompiledModel* model = nullptr;
@@ -27,19 +22,15 @@ struct Tested {
   ReplaySet replay;
 
   // A shipped experiment, as far as `shorten` leaves it.
-  Tested(const std::string& name, void (*shorten)(Experiment&)) {
-    const std::filesystem::path path =
-        std::filesystem::path(SECULAR_SOURCE_DIR) / "models/experiments" / (name + ".toml");
-    model = generated::find_compiled_model(experiment_model(path));
-    experiment = read_experiment(path, *model);
+  Tested(const std::string& name, void (*shorten)(Experiment&))
+      : experiment(testing_support::shipped_experiment(name)) {
+    model = generated::find_compiled_model(experiment.model);
     shorten(experiment);
     simulated = run_virtual_test(experiment, *model, 1, 2);
-    const bool dwells = !experiment.dwells.empty();
-    const CompiledCase& resonance = *std::find_if(model->cases.begin(), model->cases.end(),
-                                                  [&](const CompiledCase& c) { return c.excited == dwells; });
-    const RecordReader read = [&](std::size_t i) { return simulated.samples[i]; };
-    measured = dwells ? observe_dwells(simulated.campaign, read, *model, resonance, {})
-                      : observe_free_decays(simulated.campaign, read, *model, resonance, {});
+    measured = testing_support::observed(
+        simulated, *model, *std::find_if(model->cases.begin(), model->cases.end(), [&](const auto& c) {
+          return c.excited == !experiment.dwells.empty();
+        }));
     replay = [this](const ObservationSet& set, const Eigen::VectorXd& parameters) {
       ++replays;
       return observe_replay(simulated.campaign, set, parameters, 2);
