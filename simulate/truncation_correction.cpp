@@ -79,8 +79,7 @@ using Displaced = std::function<Eigen::VectorXd(Eigen::Index direction, double s
 // How the correction of `corrected` sets changes along each direction, from motions a part of the way, or back
 // where there are none; zero where both are missing.
 Slopes slopes_along(Eigen::Index directions, const Displaced& displaced_to,
-                    std::span<const ObservationSet> corrected, std::span<const ObservationSet> measured,
-                    FullMotions& motions) {
+                    std::span<const ObservationSet> corrected, FullMotions& motions, unsigned threads) {
   Slopes slopes;
   for (Eigen::Index d = 0; d < directions; ++d) {
     std::vector<Eigen::MatrixXcd> change;
@@ -89,7 +88,7 @@ Slopes slopes_along(Eigen::Index directions, const Displaced& displaced_to,
       try {
         const auto moved = motions.at(displaced);
         if (!moved) continue;
-        change = truncation_difference(corrected, with_truncation(measured, *moved, displaced));
+        change = truncation_difference(corrected, *moved, displaced, threads);
         for (Eigen::MatrixXcd& part : change) part /= share;
         break;
       } catch (const InputError&) {
@@ -224,7 +223,7 @@ class Correction {
   }
 
   Pass corrected_by(const std::vector<ObservationSet>& motions, const Eigen::VectorXd& at) const {
-    Pass pass{at, with_truncation(measured_, motions, at)};
+    Pass pass{at, with_truncation(measured_, motions, at, quick_.threads)};
     if (!at_.corrected.empty()) keep_truncation_change(pass.corrected, at_.corrected);
     return pass;
   }
@@ -299,7 +298,7 @@ class Correction {
       place(values(place_).size() + direction) += share;
       return parameters(place);
     };
-    const Slopes slopes = slopes_along(unseen_.cols(), displaced, at_.corrected, measured_, motions_);
+    const Slopes slopes = slopes_along(unseen_.cols(), displaced, at_.corrected, motions_, quick_.threads);
     unknown_unseen_ = slopes.unknown;
     for (std::size_t s = 0; s < at_.corrected.size(); ++s) {
       at_.corrected[s].truncation_change.clear();
@@ -315,7 +314,7 @@ class Correction {
     const Displaced displaced = [&](Eigen::Index axis, double share) {
       return Eigen::VectorXd(parameters(place_) + share * axes_.col(axis));
     };
-    const Slopes slopes = slopes_along(axes_.cols(), displaced, at_.corrected, measured_, motions_);
+    const Slopes slopes = slopes_along(axes_.cols(), displaced, at_.corrected, motions_, quick_.threads);
     unknown_axes_ = slopes.unknown;
     for (std::size_t s = 0; s < at_.corrected.size(); ++s) {
       ObservationSet& set = at_.corrected[s];

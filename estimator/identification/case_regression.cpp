@@ -28,11 +28,15 @@ constexpr int pass_limit = 14;
 /// Reweighting ends where no coefficient moves by more than this share of its standard deviation.
 constexpr double converged_change = 0.03;
 
-/// Weights of ensembles that change by less are the same.
-constexpr double same_weight = 1e-3;
+/// Ensembles are compared with others of their condition where it moves by less than this: what coefficients lack
+/// is the same for all of them.
+constexpr double roughly_converged = 1;
 
 /// Observations that one thread takes at a time.
 constexpr std::size_t chunk = 16;
+
+/// Rows that one thread takes at a time.
+constexpr std::size_t rows_at_once = 1024;
 
 /// Each halves the digits that are missing; the adjustments are small.
 constexpr int adjustment_rounds = 3;
@@ -97,14 +101,14 @@ class CaseRegression {
   CaseFit run() {
     if (result_.columns.empty() || set_.observations.empty()) return std::move(result_);
     const bool keep = warm_ && reweighting_.keep;
-    if (!keep) {
-      iterate();
-      if (set_.resonance->excited && weigh_ensembles()) iterate();
-      if (known_.errors_in_variables)
-        for (int round = 0; round < adjustment_rounds; ++round) {
-          adjust();
-          iterate();
-        }
+    if (!keep) iterate(roughly_converged);
+    if (!keep && !reweighting_.rough) {
+      if (case_.excited) weigh_ensembles();
+      iterate(converged_change);
+      for (int round = 0; round < (known_.errors_in_variables ? adjustment_rounds : 0); ++round) {
+        adjust();
+        iterate(converged_change);
+      }
     }
     const bool same_errors = keep && reweighting_.start->errors.gram.rows() == values_.size();
     assemble(same_errors ? Pass::whitened : Pass::last);
@@ -114,7 +118,7 @@ class CaseRegression {
     if (known_.errors_in_variables) system.errors.with_response.resize(0);
     if (system.design.rows() > 0) {
       result_.fit = linear_fit(system.design, system.response, system.condition, 1e-9, system.errors,
-                               reweighting_.start ? reweighting_.start->noisy : std::nullopt);
+                               reweighting_.start ? reweighting_.start->noisy : std::nullopt, reweighting_.threads);
       take(result_.fit.coefficients);
       block_misfits(result_.fit.residual);
     }
@@ -164,14 +168,15 @@ class CaseRegression {
                                                            : offset_[c.index];
   }
 
-  void iterate() {
+  // Until no coefficient moves by more than `enough` standard deviations.
+  void iterate(double enough) {
     for (int pass = 0; pass < pass_limit; ++pass) {
       const bool first = pass == 0 && !warm_;
       assemble(first ? Pass::first : Pass::whitened);
       if (result_.system.design.rows() == 0) return;
       const double change = solve();
-      if (!first) block_misfits(result_.system.response - result_.system.design * values_);
-      if (pass > (warm_ ? 0 : 1) && change < converged_change) break;
+      if (!first) block_misfits(left());
+      if (pass > (warm_ ? 0 : 1) && change < enough) break;
     }
     warm_ = true;
   }
@@ -181,16 +186,10 @@ class CaseRegression {
   double solve() {
     const MatrixXd& x = result_.system.design;
     const Index columns = x.cols();
-    const VectorXd scale = unit_scale(x);
-    MatrixXd core;
-    VectorXd target = result_.system.response;
-    if (x.rows() > columns + 1) {
-      const CondensedRows condensed = condensed_rows(x, target, reweighting_.threads);
-      core = condensed.design * scale.asDiagonal();
-      target = condensed.response;
-    } else {
-      core = x * scale.asDiagonal();
-    }
+    CondensedRows rows{x, result_.system.response};
+    if (x.rows() > columns + 1) rows = condensed_rows(x, result_.system.response, reweighting_.threads);
+    const VectorXd scale = unit_scale(rows.design), &target = rows.response;
+    const MatrixXd core = rows.design * scale.asDiagonal();
     Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
     solver.setThreshold(1e-10);
     solver.compute(core);
@@ -206,6 +205,19 @@ class CaseRegression {
     // Noise-free rows leave rounding alone.
     const auto spare = static_cast<double>(std::max<Index>(1, x.rows() - columns));
     return moved * std::sqrt(spare) / (left + 1e-9 * target.norm() + std::numeric_limits<double>::min());
+  }
+
+  // Of the whitened rows, at the current coefficients.
+  VectorXd left() const {
+    const WhitenedSystem& system = result_.system;
+    VectorXd result = system.response;
+    const std::size_t chunks = (system.block.size() + rows_at_once - 1) / rows_at_once;
+    in_parallel(chunks, reweighting_.threads, [&](std::size_t c) {
+      const auto begin = static_cast<Index>(c * rows_at_once);
+      const Index count = std::min(static_cast<Index>(rows_at_once), result.size() - begin);
+      result.segment(begin, count).noalias() -= system.design.middleRows(begin, count) * values_;
+    });
+    return result;
   }
 
   // Residual of every equation alone over its own noise, from that of the whitened rows, and of every block, to
@@ -242,19 +254,23 @@ class CaseRegression {
       return MatrixXd::Zero(result_.fit.coefficients.size(), directions);
     const WhitenedSystem& system = result_.system;
     MatrixXd change(system.response.size(), directions);
-    for (Index r = 0; r < change.rows(); ++r) {
-      const auto at = static_cast<std::size_t>(r);
-      for (Index d = 0; d < directions; ++d) {
-        const Complex all = changes[static_cast<std::size_t>(d)](static_cast<Index>(system.observation[at]),
-                                                                 static_cast<Index>(system.block[at]));
-        change(r, d) = -part_of(all, system.part[at]) / system.noise_sd[at];
-      }
+    std::vector<Index> begin;
+    for (Index next = 0; const MatrixXd& colouring : system.colouring) {
+      begin.push_back(next);
+      next += colouring.rows();
     }
-    Index begin = 0;
-    for (const MatrixXd& colouring : system.colouring) {
-      colouring.triangularView<Eigen::Lower>().solveInPlace(change.middleRows(begin, colouring.rows()));
-      begin += colouring.rows();
-    }
+    in_parallel(begin.size(), reweighting_.threads, [&](std::size_t n) {
+      const MatrixXd& colouring = system.colouring[n];
+      auto rows = change.middleRows(begin[n], colouring.rows());
+      for (Index d = 0; d < directions; ++d)
+        for (Index r = 0; r < rows.rows(); ++r) {
+          const auto at = static_cast<std::size_t>(begin[n] + r);
+          const Complex all = changes[static_cast<std::size_t>(d)](static_cast<Index>(system.observation[at]),
+                                                                   static_cast<Index>(system.block[at]));
+          rows(r, d) = -part_of(all, system.part[at]) / system.noise_sd[at];
+        }
+      colouring.triangularView<Eigen::Lower>().solveInPlace(rows);
+    });
     return result_.fit.basis * (result_.fit.orthonormal.transpose() * change);
   }
 
@@ -384,13 +400,12 @@ class CaseRegression {
     adjusted_data_.emplace(adjusted_, result_.blocks);
   }
 
-  // Deviation of each ensemble's whitened residual from the median of its condition; true if a weight changed.
-  bool weigh_ensembles() {
-    const std::vector<double> before =
-        std::exchange(result_.weight, std::vector<double>(result_.weight.size(), 1.0));
+  // By the deviation of each ensemble's whitened residual from the median of its condition.
+  void weigh_ensembles() {
+    result_.weight.assign(result_.weight.size(), 1.0);
     result_.distance.assign(result_.distance.size(), 0.0);
     assemble(Pass::whitened);
-    const VectorXd residual = result_.system.response - result_.system.design * values_;
+    const VectorXd residual = left();
     std::map<int, std::vector<std::size_t>> members;
     std::map<std::size_t, std::vector<double>> left;
     for (Index r = 0; r < residual.size(); ++r)
@@ -416,15 +431,10 @@ class CaseRegression {
       }
       largest = std::max(largest, size);
     }
-    const auto changed = [&] {
-      for (std::size_t i = 0; i < before.size(); ++i)
-        if (std::abs(result_.weight[i] - before[i]) > same_weight) return true;
-      return false;
-    };
-    if (all.empty()) return changed();
+    if (all.empty()) return;
     const double rows = static_cast<double>(largest);
     const double usual = upper_median(all) / std::sqrt(chi_squared_upper_quantile(0.5, rows) / rows);
-    if (!(usual > 0)) return changed();
+    if (!(usual > 0)) return;
     const double tail = outlier_false_alarm / static_cast<double>(all.size());
     const double cut = std::sqrt(chi_squared_upper_quantile(tail, rows) / rows);
     for (std::size_t i = 0; i < result_.distance.size(); ++i) {
@@ -432,7 +442,6 @@ class CaseRegression {
       if (result_.distance[i] <= cut) continue;
       result_.weight[i] = cut * cut / (result_.distance[i] * result_.distance[i]);
     }
-    return changed();
   }
 
   const ObservationSet& set_;

@@ -91,6 +91,9 @@ struct Reweighting {
   /// With a start: take its weights as they are, one linear regression. Right where only what is subtracted for the
   /// truncation has changed a little.
   bool keep = false;
+  /// For a regression that another one goes on from: until no coefficient moves by more than its standard deviation,
+  /// all ensembles with equal weight, nothing adjusted.
+  bool rough = false;
   unsigned threads = 1;  ///< the result does not depend on it
 };
 

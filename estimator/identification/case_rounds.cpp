@@ -117,7 +117,7 @@ Estimation::Estimation(std::span<const ObservationSet> measured, const MeasuredU
   start_frequencies(*this);
 }
 
-void fit_rounds(Estimation& e) {
+Precision fit_rounds(Estimation& e) {
   // One case alone finds its own natural frequencies.
   const int rounds = e.sets.size() > 1 ? case_rounds : 1;
   const EstimationState* start = e.options.start.get();
@@ -128,23 +128,24 @@ void fit_rounds(Estimation& e) {
     for (const auto& [name, value] : e.shifts) e.knowledge.fixed[name] = value;
     for (std::size_t k = 0; k < e.model.modes(); ++k)
       if (!e.given[k]) e.knowledge.natural_frequency[k] = start->natural_frequency[k];
-    for (int round = 0; round < (e.options.keep_weights ? 1 : rounds); ++round) fit_cases(e);
-    return;
+    for (int round = 0; round < (e.options.keep_weights ? 1 : rounds); ++round) fit_cases(e, Precision::full);
+    return Precision::full;
   }
   e.blocks = modulation_blocks(e);
-  fit_cases(e);
+  fit_cases(e, Precision::rough);
   const bool more = add_useful_harmonics(e);
-  for (int round = more ? 0 : 1; round < rounds; ++round) fit_cases(e);
+  for (int round = more ? 0 : 1; round < rounds; ++round) fit_cases(e, Precision::rough);
+  return Precision::rough;
 }
 
-void fit_cases(Estimation& e) {
+void fit_cases(Estimation& e, Precision precision) {
   e.fits.clear();
   e.states.resize(e.sets.size());
   for (std::size_t s = 0; s < e.sets.size(); ++s) {
     const bool start = !e.states[s].weight.empty();
-    e.fits.push_back(
-        fit_case(*e.sets[s], e.blocks[s], e.knowledge,
-                 {start ? &e.states[s] : nullptr, start && e.options.keep_weights, e.options.threads}));
+    e.fits.push_back(fit_case(*e.sets[s], e.blocks[s], e.knowledge,
+                              {start ? &e.states[s] : nullptr, start && e.options.keep_weights,
+                               precision == Precision::rough, e.options.threads}));
     e.states[s] = e.fits.back().state;
   }
   // What all cases say of each natural frequency, each by its weight.

@@ -39,25 +39,28 @@ Complex motion_frame(const RegressorBlock& block, const Observation& o) {
   return std::polar(1.0, -angle);
 }
 
-EquationData::EquationData(const ObservationSet& set, const std::vector<std::size_t>& blocks)
+EquationData::EquationData(const ObservationSet& set, const std::vector<std::size_t>& blocks, Errors errors)
     : set_(set), case_(*set.resonance), modes_(mode_frequencies(*set.model, *set.resonance)), blocks_(blocks) {
   const auto add = [&](Kind kind, std::size_t index, bool imaginary, bool columns_depend) {
     quantities_.push_back({kind, index, imaginary});
     column_variant_.push_back(columns_depend ? static_cast<int>(copies_++) : 0);
   };
-  for (std::size_t k = 0; k < set.model->modes(); ++k) {
-    if (!modes_.oscillates[k]) continue;
-    add(Kind::amplitude, k, false, true);
-    add(Kind::amplitude, k, true, true);
-    add(Kind::growth, k, false, false);
-    // Without excitation every mode's frequency is observed by itself, a resonance between them or not.
-    if (!case_.excited) add(Kind::frequency, k, false, false);
-  }
-  for (std::size_t f = 0; f < modes_.free.size() && case_.excited; ++f) add(Kind::free_frequency, f, false, false);
-  for (std::size_t j = 0; j < set.model->excitations.size() && case_.excited; ++j) {
-    add(Kind::forcing, j, false, true);
-    add(Kind::forcing, j, true, true);
-    add(Kind::excitation_frequency, j, false, true);
+  if (errors == Errors::of_measurement) {
+    for (std::size_t k = 0; k < set.model->modes(); ++k) {
+      if (!modes_.oscillates[k]) continue;
+      add(Kind::amplitude, k, false, true);
+      add(Kind::amplitude, k, true, true);
+      add(Kind::growth, k, false, false);
+      // Without excitation every mode's frequency is observed by itself, a resonance between them or not.
+      if (!case_.excited) add(Kind::frequency, k, false, false);
+    }
+    for (std::size_t f = 0; f < modes_.free.size() && case_.excited; ++f)
+      add(Kind::free_frequency, f, false, false);
+    for (std::size_t j = 0; j < set.model->excitations.size() && case_.excited; ++j) {
+      add(Kind::forcing, j, false, true);
+      add(Kind::forcing, j, true, true);
+      add(Kind::excitation_frequency, j, false, true);
+    }
   }
   frame_.reserve(set.observations.size() * blocks.size());
   for (const Observation& o : set.observations) {

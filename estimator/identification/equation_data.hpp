@@ -24,8 +24,11 @@ std::complex<double> motion_frame(const RegressorBlock& block, const Observation
 /// one standard deviation.
 class EquationData {
  public:
-  /// `blocks`: indices into CompiledCase::blocks. `set` must outlive this.
-  EquationData(const ObservationSet& set, const std::vector<std::size_t>& blocks);
+  enum class Errors { of_measurement, none };
+
+  /// `blocks`: indices into CompiledCase::blocks. `set` must outlive this. Without errors, no quantity is varied.
+  EquationData(const ObservationSet& set, const std::vector<std::size_t>& blocks,
+               Errors errors = Errors::of_measurement);
 
   /// Columns at these natural frequencies (by mode); nothing is done while they move by less than 1e-11.
   void evaluate(const std::vector<double>& natural_frequency);

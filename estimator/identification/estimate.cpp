@@ -20,14 +20,15 @@ Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& uni
     throw InputError("case " + names, "", "no observations are left to identify it from", why);
   }
   Estimation e(sets, units, options);
-  fit_rounds(e);
+  const Precision so_far = fit_rounds(e);
   share_parameters(e);
   if (!e.shifts.empty()) {
     follow_shifts(e);
-  } else if (know_shifts(e)) {
-    fit_cases(e);
+  } else if (know_shifts(e) || so_far == Precision::rough) {
+    fit_cases(e, Precision::full);
     share_parameters(e);
   }
+  if (options.bootstrap > 0) draw_bootstrap(e);
   place_along_unseen(e);
   e.hidden.resize(e.fits.size());
   if (options.judge_fit) {

@@ -129,12 +129,14 @@ Estimate estimate(const ObservationSet& set, const std::string& coordinate_unit,
 /// replayed are left out.
 std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets,
                                             std::span<const ObservationSet> replayed,
-                                            const Eigen::VectorXd& parameters);
+                                            const Eigen::VectorXd& parameters, unsigned threads = 1);
 
 /// By set and observation: how the truncation of the `corrected` sets changes from the parameters they were
-/// corrected at to others. `displaced`: with_truncation at the others. Observations that it lacks do not change.
+/// corrected at to other `parameters`, with which the full equations make the `replayed` motions. Observations that
+/// were not replayed do not change.
 std::vector<Eigen::MatrixXcd> truncation_difference(std::span<const ObservationSet> corrected,
-                                                    std::span<const ObservationSet> displaced);
+                                                    std::span<const ObservationSet> replayed,
+                                                    const Eigen::VectorXd& parameters, unsigned threads = 1);
 
 /// The changes of `from` along with the observations of `to`.
 void keep_truncation_change(std::span<ObservationSet> to, std::span<const ObservationSet> from);

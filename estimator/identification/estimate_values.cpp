@@ -99,7 +99,15 @@ std::vector<std::string> near_parameters(const Estimation& e, const std::string&
   return {};
 }
 
-void fill_lump(const Estimation& e, const CaseFit& fit, std::size_t s, std::size_t l, EstimatedValue& value) {
+/// By column of a case's regression.
+struct ColumnQuality {
+  std::vector<std::optional<PartialF>> partial_f;
+  std::vector<std::vector<std::string>> nearly_entangled_with;
+};
+
+void fill_lump(const Estimation& e, std::size_t s, std::size_t l, const ColumnQuality& quality,
+               EstimatedValue& value) {
+  const CaseFit& fit = e.fits[s];
   for (std::size_t c = 0; c < fit.columns.size(); ++c) {
     if (fit.columns[c].kind != CaseColumn::Kind::lump || fit.columns[c].index != l) continue;
     const auto at = static_cast<Index>(c);
@@ -118,8 +126,8 @@ void fill_lump(const Estimation& e, const CaseFit& fit, std::size_t s, std::size
     if (e.hidden[s].cols() > 0) add_misfit(value, e.hidden[s].row(at).norm());
     value.degrees_of_freedom = fit.fit.degrees_of_freedom;
     value.significant = significant(value);
-    value.partial_f = partial_f(fit)[c];
-    value.nearly_entangled_with = nearly_entangled(fit)[c];
+    value.partial_f = quality.partial_f[c];
+    value.nearly_entangled_with = quality.nearly_entangled_with[c];
     if (s < e.bootstrap_lumps.size() && e.bootstrap_lumps[s].cols() > 0)
       value.bootstrap = interval_of(e.bootstrap_lumps[s].row(at).transpose());
   }
@@ -162,7 +170,11 @@ void report_parameters(Estimation& e) {
 
 void report_lumps(Estimation& e) {
   for (const ObservationSet* set : e.all) {
-    const auto fitted = std::find_if(e.fits.begin(), e.fits.end(), [&](const CaseFit& f) { return f.set == set; });
+    const auto fitted = std::find_if(e.fits.begin(), e.fits.end(), [&](const CaseFit& f) {
+      return f.set == set && f.fit.coefficients.size() > 0;
+    });
+    ColumnQuality quality;
+    if (fitted != e.fits.end()) quality = {partial_f(*fitted), nearly_entangled(*fitted)};
     for (std::size_t l = 0; l < set->resonance->lumps.size(); ++l) {
       EstimatedValue value;
       value.name = std::string(set->resonance->lumps[l].name);
@@ -176,8 +188,8 @@ void report_lumps(Estimation& e) {
         value.fixed = value.identifiable = true;
         value.value = given->second;
         value.from = "given";
-      } else if (fitted != e.fits.end() && fitted->fit.coefficients.size() > 0) {
-        fill_lump(e, *fitted, static_cast<std::size_t>(fitted - e.fits.begin()), l, value);
+      } else if (fitted != e.fits.end()) {
+        fill_lump(e, static_cast<std::size_t>(fitted - e.fits.begin()), l, quality, value);
       }
       e.result.lumps.push_back(std::move(value));
     }

@@ -51,10 +51,14 @@ struct Estimation {
   Estimate result;
 };
 
-/// Regresses every case, with the harmonics that say something new and natural frequencies that go together.
-void fit_rounds(Estimation& e);
+/// How far a regression's weights are followed.
+enum class Precision { rough, full };
+
+/// Regresses every case, with the harmonics that say something new and natural frequencies that go together: from
+/// what an earlier estimate ended with, or else roughly, for fit_cases to go on from.
+Precision fit_rounds(Estimation& e);
 /// Regresses every case once.
-void fit_cases(Estimation& e);
+void fit_cases(Estimation& e, Precision precision);
 /// Where damping is of the first order, the second one shifts the frequency by a lump of its own (-mu^2/(2 omega)),
 /// whose column is that of the natural frequency: neither can be told. The lump's symbols are known from elsewhere,
 /// though, and it depends on the natural frequency weakly: it is given its value, and the frequency can be. Whether
@@ -65,8 +69,10 @@ void follow_shifts(Estimation& e);
 /// Which lumps and natural frequencies the fits tell.
 CampaignKnowledge campaign_knowledge(const Estimation& e);
 
-/// Parameters from the lumps of all cases, and what the bootstrap draws of both.
+/// Parameters from the lumps of all cases.
 void share_parameters(Estimation& e);
+/// What resampled conditions give for parameters and lumps.
+void draw_bootstrap(Estimation& e);
 /// Lumps as they would be corrected for the truncation at the parameters found. Of parameters that no lump can
 /// tell, where they are as far as all lumps together tell it moves each lump, too, and what they leave open is part
 /// of its error bar.

@@ -44,11 +44,13 @@ ConditionRows rows_of(const CaseFit& fit, const std::vector<Index>& used) {
   std::vector<Index> rest;
   for (Index c = 0; c < coordinates.cols(); ++c)
     if (std::find(used.begin(), used.end(), c) == used.end()) rest.push_back(c);
+  // What the rows do not see at all is nothing in their coordinates.
+  const Index seen = regression.lost.cols() - (coordinates.cols() - regression.rank);
   ConditionRows rows;
   rows.entries = coordinates(Eigen::all, used);
-  rows.others.resize(coordinates.rows(), static_cast<Index>(rest.size()) + regression.lost.cols());
+  rows.others.resize(coordinates.rows(), static_cast<Index>(rest.size()) + seen);
   rows.others << MatrixXd(coordinates(Eigen::all, rest)),
-      coordinates * regression.scale.asDiagonal() * regression.lost;
+      coordinates * regression.scale.asDiagonal() * regression.lost.rightCols(seen);
   rows.reference = fit.reference(used);
   rows.estimate = coordinates * (regression.coefficients - fit.reference);
   rows.kept = regression.kept;
@@ -93,24 +95,6 @@ void add_resonance_widths(Estimation& e) {
     near.plain = MatrixXd::Constant(1, 1, std::pow(resonance_width * near.values(0), 2));
     near.degrees_of_freedom = std::numeric_limits<double>::infinity();
     e.lump_estimates.push_back(std::move(near));
-  }
-}
-
-void draw_bootstrap(Estimation& e) {
-  const Index count = e.shared.values.size();
-  e.bootstrap = e.shared.values.replicate(1, e.options.bootstrap);
-  for (std::size_t s = 0; s < e.fits.size(); ++s) {
-    if (e.fits[s].fit.coefficients.size() == 0) {
-      e.bootstrap_lumps.emplace_back();
-      continue;
-    }
-    e.bootstrap_lumps.push_back(bootstrap_coefficients(e.fits[s], e.options.bootstrap, e.options.seed + s));
-    MatrixXd change(static_cast<Index>(e.used[s].size()), e.options.bootstrap);
-    for (std::size_t i = 0; i < e.used[s].size(); ++i)
-      change.row(static_cast<Index>(i)) =
-          e.bootstrap_lumps[s].row(e.used[s][i]).array() - e.fits[s].fit.coefficients(e.used[s][i]);
-    if (e.shared.slope[s].rows() == count)
-      e.bootstrap += e.shared.slope[s] * (e.lump_estimates[s].combination * change);
   }
 }
 
@@ -205,7 +189,6 @@ void share_parameters(Estimation& e) {
   add_silent_directions(e);
   e.result.parameter_values = e.shared.values;
   e.result.parameter_sd = e.shared.covariance.diagonal().cwiseMax(0).cwiseSqrt();
-  if (e.options.bootstrap > 0) draw_bootstrap(e);
 }
 
 void place_along_unseen(Estimation& e) {
@@ -239,6 +222,24 @@ void place_along_unseen(Estimation& e) {
     regression.influence = regression.influence * map.transpose();
     regression.covariance = map * regression.covariance * map.transpose() + left;
     regression.plain_covariance = map * regression.plain_covariance * map.transpose() + left;
+  }
+}
+
+void draw_bootstrap(Estimation& e) {
+  const Index count = e.shared.values.size();
+  e.bootstrap = e.shared.values.replicate(1, e.options.bootstrap);
+  for (std::size_t s = 0; s < e.fits.size(); ++s) {
+    if (e.fits[s].fit.coefficients.size() == 0) {
+      e.bootstrap_lumps.emplace_back();
+      continue;
+    }
+    e.bootstrap_lumps.push_back(bootstrap_coefficients(e.fits[s], e.options.bootstrap, e.options.seed + s));
+    MatrixXd change(static_cast<Index>(e.used[s].size()), e.options.bootstrap);
+    for (std::size_t i = 0; i < e.used[s].size(); ++i)
+      change.row(static_cast<Index>(i)) =
+          e.bootstrap_lumps[s].row(e.used[s][i]).array() - e.fits[s].fit.coefficients(e.used[s][i]);
+    if (e.shared.slope[s].rows() == count)
+      e.bootstrap += e.shared.slope[s] * (e.lump_estimates[s].combination * change);
   }
 }
 

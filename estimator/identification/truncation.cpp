@@ -8,6 +8,7 @@
 #include "estimator/identification/estimate.hpp"
 #include "estimator/identification/seen_lumps.hpp"
 #include "estimator/identification/short_list.hpp"
+#include "estimator/in_parallel.hpp"
 #include "estimator/regression/confidence.hpp"
 
 namespace secular {
@@ -15,48 +16,64 @@ namespace secular {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+namespace {
+
+// Observations x blocks: left minus right side of the truncated equations, at motions of the full ones.
+Eigen::MatrixXcd left_by_truncation(const ObservationSet& motions, const VectorXd& parameters, unsigned threads) {
+  const CompiledCase& resonance = *motions.resonance;
+  std::vector<std::size_t> blocks;
+  for (std::size_t b = 0; b < resonance.blocks.size(); ++b)
+    if (resonance.blocks[b].kind == BlockKind::modulation || resonance.blocks[b].order <= 1) blocks.push_back(b);
+  std::vector<double> lumps(resonance.lumps.size());
+  if (!lumps.empty()) resonance.evaluate_lumps(parameters.data(), lumps.data());
+  const std::vector<double> natural(parameters.data(), parameters.data() + motions.model->modes());
+  EquationData data(motions, blocks, EquationData::Errors::none);
+  data.evaluate(natural);
+  Eigen::MatrixXcd left = Eigen::MatrixXcd::Zero(static_cast<Index>(motions.observations.size()),
+                                                 static_cast<Index>(resonance.blocks.size()));
+  in_parallel(motions.observations.size(), threads, [&](std::size_t i) {
+    const EquationData::Rows rows = data.rows(i, {}, lumps, natural, natural);
+    for (Index r = 0; r < rows.response.size(); ++r) {
+      const auto at = static_cast<std::size_t>(r);
+      left(static_cast<Index>(i), static_cast<Index>(rows.block[at])) +=
+          rows.part[at] == EquationPart::in_phase ? std::complex<double>(rows.response(r))
+                                                  : std::complex<double>(0, rows.response(r));
+    }
+  });
+  return left;
+}
+
+}  // namespace
+
 std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets,
-                                            std::span<const ObservationSet> replayed, const VectorXd& parameters) {
+                                            std::span<const ObservationSet> replayed, const VectorXd& parameters,
+                                            unsigned threads) {
   std::vector<ObservationSet> result;
   for (std::size_t s = 0; s < sets.size(); ++s) {
     ObservationSet set = sets[s];
-    const ObservationSet& exact = replayed[s];
-    const CompiledCase& resonance = *set.resonance;
-    std::vector<std::size_t> blocks;
-    for (std::size_t b = 0; b < resonance.blocks.size(); ++b)
-      if (resonance.blocks[b].kind == BlockKind::modulation || resonance.blocks[b].order <= 1) blocks.push_back(b);
-    std::vector<double> lumps(resonance.lumps.size());
-    if (!lumps.empty()) resonance.evaluate_lumps(parameters.data(), lumps.data());
-    const std::vector<double> natural(parameters.data(), parameters.data() + set.model->modes());
-    EquationData data(exact, blocks);
-    data.evaluate(natural);
+    const Eigen::MatrixXcd left = left_by_truncation(replayed[s], parameters, threads);
     std::vector<Observation> kept;
-    set.truncation = Eigen::MatrixXcd::Zero(static_cast<Index>(set.observations.size()),
-                                            static_cast<Index>(resonance.blocks.size()));
-    for_common_observations(set, exact, [&](std::size_t i, std::size_t other) {
-      const EquationData::Rows rows = data.rows(other, {}, lumps, natural, natural);
-      for (Index r = 0; r < rows.response.size(); ++r) {
-        const std::size_t b = rows.block[static_cast<std::size_t>(r)];
-        const bool imaginary = r > 0 && rows.block[static_cast<std::size_t>(r - 1)] == b;
-        const std::complex<double> part = imaginary ? std::complex<double>(0, rows.response(r)) : rows.response(r);
-        set.truncation(static_cast<Index>(kept.size()), static_cast<Index>(b)) += part;
-      }
-      kept.push_back(set.observations[i]);
+    std::vector<Index> from;
+    for_common_observations(set, replayed[s], [&](std::size_t i, std::size_t other) {
+      kept.push_back(std::move(set.observations[i]));
+      from.push_back(static_cast<Index>(other));
     });
     set.observations = std::move(kept);
-    set.truncation.conservativeResize(static_cast<Index>(set.observations.size()), Eigen::NoChange);
+    set.truncation = left(from, Eigen::all);
     result.push_back(std::move(set));
   }
   return result;
 }
 
 std::vector<Eigen::MatrixXcd> truncation_difference(std::span<const ObservationSet> corrected,
-                                                    std::span<const ObservationSet> displaced) {
+                                                    std::span<const ObservationSet> replayed,
+                                                    const VectorXd& parameters, unsigned threads) {
   std::vector<Eigen::MatrixXcd> result;
   for (std::size_t s = 0; s < corrected.size(); ++s) {
-    const Eigen::MatrixXcd &from = corrected[s].truncation, &to = displaced[s].truncation;
+    const Eigen::MatrixXcd &from = corrected[s].truncation,
+                           to = left_by_truncation(replayed[s], parameters, threads);
     Eigen::MatrixXcd difference = Eigen::MatrixXcd::Zero(from.rows(), from.cols());
-    for_common_observations(corrected[s], displaced[s], [&](std::size_t i, std::size_t other) {
+    for_common_observations(corrected[s], replayed[s], [&](std::size_t i, std::size_t other) {
       const auto row = static_cast<Index>(i);
       difference.row(row) = to.row(static_cast<Index>(other)) - from.row(row);
     });

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "estimator/in_parallel.hpp"
@@ -21,27 +22,63 @@ constexpr double well_apart = 1e-8, rounding = 1e-13;
 /// Norm of a combination of scaled columns that is zero, relative to the largest.
 constexpr double zero_combination = 1e-11;
 
-/// Rows of which one thread makes a Gram matrix at a time.
+/// Rows that one thread takes at a time.
 constexpr Index chunk = 1024;
 
-// Lower half; summed in the order of the chunks, whatever number of threads there is.
-MatrixXd gram_of(const Eigen::Ref<const MatrixXd>& design, unsigned threads) {
-  const Index columns = design.cols(), chunks = (design.rows() + chunk - 1) / chunk;
-  std::vector<MatrixXd> parts(static_cast<std::size_t>(chunks), MatrixXd::Zero(columns, columns));
-  in_parallel(parts.size(), threads, [&](std::size_t c) {
-    const Index begin = static_cast<Index>(c) * chunk, count = std::min(chunk, design.rows() - begin);
-    parts[c].selfadjointView<Eigen::Lower>().rankUpdate(design.middleRows(begin, count).transpose());
-  });
-  MatrixXd gram = MatrixXd::Zero(columns, columns);
-  for (const MatrixXd& part : parts) gram += part;
-  return gram;
-}
+// Sums over rows, chunk by chunk and in their order, whatever number of threads there is. Every chunk is still near
+// when its second product is formed.
+class RowSums {
+ public:
+  RowSums(const Eigen::Ref<const MatrixXd>& design, unsigned threads)
+      : design_(design), threads_(threads), chunks_((design.rows() + chunk - 1) / chunk) {}
+
+  // Lower half of the Gram matrix, and the products of columns and response.
+  std::pair<MatrixXd, VectorXd> products(const Eigen::Ref<const VectorXd>& response) const {
+    const Index columns = design_.cols();
+    std::vector<MatrixXd> grams(static_cast<std::size_t>(chunks_), MatrixXd::Zero(columns, columns));
+    const VectorXd with_response = sum([&](Index begin, Index count, std::size_t c) -> VectorXd {
+      const auto rows = design_.middleRows(begin, count);
+      grams[c].selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+      return rows.transpose() * response.segment(begin, count);
+    });
+    MatrixXd gram = MatrixXd::Zero(columns, columns);
+    for (const MatrixXd& part : grams) gram += part;
+    return {std::move(gram), with_response};
+  }
+
+  // Takes the columns times `coefficients` off `left`; products of the columns and what is left.
+  VectorXd take_off(const VectorXd& coefficients, VectorXd& left) const {
+    return sum([&](Index begin, Index count, std::size_t) -> VectorXd {
+      const auto rows = design_.middleRows(begin, count);
+      left.segment(begin, count).noalias() -= rows * coefficients;
+      return rows.transpose() * left.segment(begin, count);
+    });
+  }
+
+ private:
+  template <class Part>
+  VectorXd sum(const Part& part) const {
+    std::vector<VectorXd> parts(static_cast<std::size_t>(chunks_));
+    in_parallel(parts.size(), threads_, [&](std::size_t c) {
+      const Index begin = static_cast<Index>(c) * chunk;
+      parts[c] = part(begin, std::min(chunk, design_.rows() - begin), c);
+    });
+    VectorXd all = VectorXd::Zero(design_.cols());
+    for (const VectorXd& one : parts) all += one;
+    return all;
+  }
+
+  Eigen::Ref<const MatrixXd> design_;
+  unsigned threads_;
+  Index chunks_;
+};
 
 // Gram = V L V' of scaled columns: sqrt(L) V' has the same. False where it is too ill-conditioned for that.
 bool condense_gram(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<const VectorXd>& response,
                    unsigned threads, CondensedRows& result) {
   const Index columns = design.cols();
-  MatrixXd gram = gram_of(design, threads);
+  const RowSums rows(design, threads);
+  auto [gram, with_response] = rows.products(response);
   VectorXd size = gram.diagonal().cwiseSqrt();
   if (!size.allFinite()) return false;
   for (Index c = 0; c < columns; ++c) size(c) = size(c) > 0 ? size(c) : 1;
@@ -60,14 +97,12 @@ bool condense_gram(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<co
   const Index rank = columns - zeros;
   const VectorXd root = value.tail(rank).cwiseSqrt();
   const MatrixXd along = eigen.eigenvectors().rightCols(rank);
-  // The second step takes back what forming the Gram matrix lost.
   const MatrixXd basis = size.cwiseInverse().asDiagonal() * along * root.cwiseInverse().asDiagonal();
-  VectorXd target = VectorXd::Zero(rank), left = response;
-  for (int step = 0; step < 2; ++step) {
-    const VectorXd more = basis.transpose() * (design.transpose() * left);
-    target += more;
-    left -= design * (basis * more);
-  }
+  VectorXd target = basis.transpose() * with_response, left = response;
+  // The second step takes back what forming the Gram matrix lost.
+  const VectorXd more = basis.transpose() * rows.take_off(basis * target, left);
+  target += more;
+  rows.take_off(basis * more, left);
   result.design.topRows(rank) = root.asDiagonal() * along.transpose() * size.asDiagonal();
   result.response.head(rank) = target;
   result.response(columns) = left.norm();

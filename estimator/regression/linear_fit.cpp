@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "estimator/in_parallel.hpp"
 #include "estimator/regression/condensed_rows.hpp"
 #include "estimator/regression/unit_scale.hpp"
 
@@ -24,6 +25,9 @@ constexpr Index fewest_clusters = 5;
 
 /// Of a direction, at least, next to the errors of the columns.
 constexpr double smallest_signal = 0.5;
+
+/// Rows that one thread takes at a time.
+constexpr Index chunk = 1024;
 
 /// A cluster that alone determines a direction leaves nothing to compare it with.
 constexpr double largest_leverage = 0.999;
@@ -46,7 +50,7 @@ Index count_of_noisy(const VectorXd& signal, std::optional<Index> before) {
 
 LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<const VectorXd>& response,
                      std::span<const int> cluster, double tolerance, const ColumnErrors& errors,
-                     std::optional<Index> noisy_before) {
+                     std::optional<Index> noisy_before, unsigned threads) {
   const Index rows = design.rows(), columns = design.cols();
   if (response.size() != rows || static_cast<Index>(cluster.size()) != rows)
     throw std::invalid_argument("rows of design, response and clusters differ");
@@ -58,7 +62,7 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
   MatrixXd core;
   VectorXd target = response;
   if (tall) {
-    const CondensedRows condensed = condensed_rows(design, response);
+    const CondensedRows condensed = condensed_rows(design, response, threads);
     core = condensed.design.topRows(columns) * scale.asDiagonal();
     target = condensed.response.head(columns);
   } else {
@@ -115,10 +119,16 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
   }
   fit.coefficients = fit.basis * coordinates;
   fit.residual = response - design * fit.coefficients;
-  if (tall)
-    fit.orthonormal = design * fit.basis;
-  else
+  if (tall) {
+    fit.orthonormal.resize(rows, rank);
+    const auto chunks = static_cast<std::size_t>((rows + chunk - 1) / chunk);
+    in_parallel(chunks, threads, [&](std::size_t c) {
+      const Index begin = static_cast<Index>(c) * chunk, count = std::min(chunk, rows - begin);
+      fit.orthonormal.middleRows(begin, count).noalias() = design.middleRows(begin, count) * fit.basis;
+    });
+  } else {
     fit.orthonormal = std::move(u);
+  }
   fit.leverage = fit.orthonormal.rowwise().squaredNorm();
   fit.residual_sd = rows > rank ? std::sqrt(fit.residual.squaredNorm() / static_cast<double>(rows - rank))
                                 : std::numeric_limits<double>::quiet_NaN();
@@ -164,31 +174,32 @@ LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<
       }
   }
 
-  std::map<int, std::vector<Index>> members;
-  for (Index r = 0; r < rows; ++r) members[cluster[static_cast<std::size_t>(r)]].push_back(r);
+  std::map<int, std::vector<Index>> by_label;
+  for (Index r = 0; r < rows; ++r) by_label[cluster[static_cast<std::size_t>(r)]].push_back(r);
+  std::vector<std::vector<Index>> members;
+  for (auto& [label, group] : by_label) {
+    fit.cluster_labels.push_back(label);
+    members.push_back(std::move(group));
+  }
   const auto groups = static_cast<Index>(members.size());
   fit.influence = MatrixXd::Zero(groups, columns);
-  bool clustered = groups >= fewest_clusters && rows > rank && rank > 0;
-  Index g = 0;
-  for (const auto& [label, group] : members) {
-    fit.cluster_labels.push_back(label);
-    const auto size = static_cast<Index>(group.size());
-    MatrixXd basis(size, rank);
-    VectorXd residual(size);
-    for (Index i = 0; i < size; ++i) {
-      basis.row(i) = fit.orthonormal.row(group[static_cast<std::size_t>(i)]);
-      residual(i) = fit.residual(group[static_cast<std::size_t>(i)]);
-    }
+  fit.cluster_gram.resize(members.size());
+  fit.cluster_score.resize(members.size());
+  std::vector<char> determines_alone(members.size(), 0);
+  in_parallel(members.size(), threads, [&](std::size_t g) {
+    const MatrixXd basis = fit.orthonormal(members[g], Eigen::all);
     // Leaving rows out changes the coordinates in u by -(I - U_g' U_g)^-1 U_g' e_g.
     const MatrixXd gram = basis.transpose() * basis, kept = MatrixXd::Identity(rank, rank) - gram;
     const Eigen::LDLT<MatrixXd> solver(kept);
-    if (solver.vectorD().minCoeff() < 1 - largest_leverage) clustered = false;
-    const VectorXd score = basis.transpose() * residual;
-    fit.influence.row(g++) = -(spread * solver.solve(score)).transpose();
+    determines_alone[g] = solver.vectorD().minCoeff() < 1 - largest_leverage;
+    const VectorXd score = basis.transpose() * fit.residual(members[g]);
+    fit.influence.row(static_cast<Index>(g)) = -(spread * solver.solve(score)).transpose();
     // With its part of what errors of the columns did, by the weight of its rows.
-    fit.cluster_score.push_back(score + gram * (coordinates - uncorrected));
-    fit.cluster_gram.push_back(gram);
-  }
+    fit.cluster_score[g] = score + gram * (coordinates - uncorrected);
+    fit.cluster_gram[g] = gram;
+  });
+  const bool clustered = groups >= fewest_clusters && rows > rank && rank > 0 &&
+                         std::count(determines_alone.begin(), determines_alone.end(), 1) == 0;
   if (clustered) {
     const auto n = static_cast<double>(groups);
     fit.covariance = (n - 1) / n * fit.influence.transpose() * fit.influence;

@@ -34,8 +34,8 @@ struct LinearFit {
   Eigen::VectorXd variance_inflation;            ///< by column, uncentred
   Eigen::MatrixXd variance_proportions;  ///< [singular value][column]: share of a variance (Belsley, Kuh, Welsch)
   Eigen::VectorXd scale;                 ///< by column: scaled column = scale * column has unit norm
-  /// columns x lost directions, orthonormal, of scaled coefficients: those that the rows do not see, and those of
-  /// columns that are not identifiable because they differ by their own errors.
+  /// columns x lost directions, orthonormal, of scaled coefficients: columns - rank that the rows do not see, then
+  /// those of columns that are not identifiable because they differ by their own errors.
   Eigen::MatrixXd lost;
   /// columns x rank: design*basis has orthonormal columns, coefficients + bias = basis*((design*basis)' response).
   Eigen::MatrixXd basis;
@@ -64,11 +64,11 @@ struct LinearFit {
 /// out: there (G - E[dX'dX]) b = X'y - E[dX'dy] replaces the normal equations (W. A. Fuller, Measurement Error
 /// Models, 1987, section 2.2). `noisy_before`: how many directions an earlier fit of nearly the same rows lost that
 /// way; within a factor of two of `noise_ratio` a direction stays on its side, so that fits that follow one another
-/// do not change what they estimate. Throws std::invalid_argument for sizes that differ.
+/// do not change what they estimate. The result does not depend on `threads`. Throws std::invalid_argument for sizes that differ.
 LinearFit linear_fit(const Eigen::Ref<const Eigen::MatrixXd>& design,
                      const Eigen::Ref<const Eigen::VectorXd>& response, std::span<const int> cluster,
                      double tolerance = 1e-9, const ColumnErrors& errors = ColumnErrors(),
-                     std::optional<Eigen::Index> noisy_before = std::nullopt);
+                     std::optional<Eigen::Index> noisy_before = std::nullopt, unsigned threads = 1);
 
 /// See linear_fit: three parts signal to one part noise.
 inline constexpr double noise_ratio = 4;

@@ -98,6 +98,19 @@ TEST(LackOfFit, InstantsOfTheEnsemblesDoNotMatter) {
   EXPECT_LE(turned.outliers.size(), 1U);
 }
 
+// Columns that are the same but for a factor leave a direction that the rows do not see: what rounding makes of it
+// is no unknown of theirs.
+TEST(LackOfFit, RoundingReachesNoErrorBar) {
+  OneMode one_level;
+  one_level.peak_spread = one_level.amplitude_sd = 0;
+  const auto fixed = options_with({{"mu2", 0}, {"mu3", one_level.mu3}});
+  const Estimate turned = estimate(one_level.set(3, true), "kg^(1/2) m", {"m/s^2"}, fixed);
+  const Estimate still = estimate(one_level.set(3, false), "kg^(1/2) m", {"m/s^2"}, fixed);
+  EXPECT_FALSE(value_of(still, "alpha_e").identifiable);  // is not told from the natural frequency
+  ASSERT_TRUE(value_of(still, "mu1").value);
+  EXPECT_NEAR(value_of(turned, "mu1").sd / value_of(still, "mu1").sd, 1, 1e-5);
+}
+
 // The signed-rank decision: laws by what they predict of left-out conditions.
 TEST(LackOfFit, TheSimplestDampingLawThatPredictsIsChosen) {
   OneMode cubic, drag, both;

@@ -22,7 +22,7 @@ struct OneMode {
                                                 [](const auto& c) { return c.name == "principal_parametric"; });
   int conditions = 16, ensembles = 8;
   double mu1 = 0.222, mu2 = 0, mu3 = 36.87, alpha_e = -10.62e6, eta_e = 1.922;
-  double amplitude_sd = 3e-6, growth_sd = 2e-4, growth_spread = 0, forcing_sd = 0.003;
+  double amplitude_sd = 3e-6, growth_sd = 2e-4, growth_spread = 0, forcing_sd = 0.003, peak_spread = 1.6e-3;
 
   // dB/dt = (i w0 - mu1 - (4/(3 pi)) mu2 w0 2|B| - (3/2) mu3 w0^2 |B|^2 - i (4 alpha_e/w0)|B|^2) B + ..., by the
   // engine's own columns; the excitation's frequency is where the balance of frequency holds.
@@ -76,7 +76,7 @@ struct OneMode {
       for (int e = 0; e < ensembles; ++e) {
         const double share = static_cast<double>(c) / (conditions - 1);
         const double instant = turned ? 2.3 * e + 0.7 * c : 0;
-        Observation o = exact(c, 0.8e-3 + 1.6e-3 * share, 15 + 10 * std::fmod(5 * share, 1.0),
+        Observation o = exact(c, 0.8e-3 + peak_spread * share, 15 + 10 * std::fmod(5 * share, 1.0),
                               0.4 + std::fmod(3 * share, 1.0), instant);
         o.centre_s = e;
         NoiseStream noise(seed, static_cast<std::uint64_t>(c), static_cast<std::uint64_t>(e));
