@@ -58,11 +58,12 @@ std::vector<Index> dissipative_columns(const CaseFit& fit, std::size_t block_ind
   const CompiledCase& resonance = *fit.set->resonance;
   const RegressorBlock& block = resonance.blocks[block_index];
   EquationData data(*fit.set, {block_index});
-  std::vector<double> natural(fit.set->model->modes(), 1.0);
+  EquationPoint point{std::vector<double>(resonance.lumps.size(), 0.0),
+                      std::vector<double>(fit.set->model->modes(), 1.0)};
+  std::vector<double>& natural = point.natural_frequency;
   for (std::size_t k = 0; k < natural.size(); ++k)
     natural[k] = std::max(1.0, fit.set->observations.front().rate[k].imag());
   data.evaluate(natural);
-  const std::vector<double> zero(resonance.lumps.size(), 0.0);
   std::vector<Index> found;
   for (std::size_t c = 0; c < fit.columns.size(); ++c) {
     if (fit.columns[c].kind != CaseColumn::Kind::lump || !fit.fit.identifiable[c]) continue;
@@ -72,7 +73,7 @@ std::vector<Index> dissipative_columns(const CaseFit& fit, std::size_t block_ind
     bool real = true;
     double size = 0;
     for (std::size_t i = 0; i < fit.set->observations.size(); ++i) {
-      const auto rows = data.rows(i, {fit.columns[c]}, zero, natural, natural);
+      const auto rows = data.rows(i, {fit.columns[c]}, point, natural, point);
       if (rows.design.rows() != 2) continue;
       real = real && std::abs(rows.design(1, 0)) <= 1e-9 * std::abs(rows.design(0, 0));
       size = std::max(size, std::abs(rows.design(0, 0)));

@@ -67,8 +67,8 @@ class CaseRegression {
     result_.blocks = blocks;
     result_.weight.assign(set.observations.size(), 1.0);
     result_.distance.assign(set.observations.size(), 0.0);
-    lump_.assign(case_.lumps.size(), 0.0);
-    natural_ = reference_ = known.natural_frequency;
+    at_.lump.assign(case_.lumps.size(), 0.0);
+    at_.natural_frequency = reference_ = known.natural_frequency;
     offset_.assign(set.model->modes(), 0.0);
     std::set<std::size_t> lumps, frequencies, offsets;
     for (const std::size_t b : blocks) {
@@ -82,7 +82,7 @@ class CaseRegression {
     for (const std::size_t l : lumps) {
       const auto given = known.fixed.find(std::string(case_.lumps[l].name));
       if (given != known.fixed.end())
-        lump_[l] = given->second;
+        at_.lump[l] = given->second;
       else
         result_.columns.push_back({CaseColumn::Kind::lump, l});
     }
@@ -94,15 +94,15 @@ class CaseRegression {
         result_.reference(static_cast<Index>(c)) = reference_[result_.columns[c].index];
     values_ = VectorXd::Zero(result_.reference.size());
     const RegressionState* start = reweighting.start;
-    warm_ = start && start->weight.size() == set.observations.size() && start->lump.size() == lump_.size();
+    warm_ = start && start->weight.size() == set.observations.size() && start->at.lump.size() == at_.lump.size();
     if (warm_) take_up(*start);
   }
 
   CaseFit run() {
     if (result_.columns.empty() || set_.observations.empty()) return std::move(result_);
-    const bool keep = warm_ && reweighting_.keep;
-    if (!keep) iterate(roughly_converged);
-    if (!keep && !reweighting_.rough) {
+    keep_ = warm_ && reweighting_.keep;
+    if (!keep_) iterate(roughly_converged);
+    if (!keep_ && !reweighting_.rough) {
       if (case_.excited) weigh_ensembles();
       iterate(converged_change);
       for (int round = 0; round < (known_.errors_in_variables ? adjustment_rounds : 0); ++round) {
@@ -110,7 +110,7 @@ class CaseRegression {
         iterate(converged_change);
       }
     }
-    const bool same_errors = keep && reweighting_.start->errors.gram.rows() == values_.size();
+    const bool same_errors = keep_ && reweighting_.start->errors.gram.rows() == values_.size();
     assemble(same_errors ? Pass::whitened : Pass::last);
     WhitenedSystem& system = result_.system;
     if (same_errors) system.errors = reweighting_.start->errors;
@@ -125,8 +125,8 @@ class CaseRegression {
     result_.truncation_effect = effect_of(set_.truncation_change);
     result_.moves_effect = effect_of(set_.truncation_of_moves);
     if (result_.fit.coefficients.size() > 0) result_.fit.coefficients += result_.reference;
-    result_.state = {lump_,          natural_,         offset_,       scale_,
-                     result_.weight, result_.distance, system.errors, result_.fit.noisy};
+    result_.state = {at_,           offset_,          noise_at_, scale_, result_.weight, result_.distance,
+                     system.errors, result_.fit.noisy};
     return std::move(result_);
   }
 
@@ -141,15 +141,16 @@ class CaseRegression {
   void take_up(const RegressionState& start) {
     for (std::size_t c = 0; c < result_.columns.size(); ++c) {
       const CaseColumn& column = result_.columns[c];
-      const double value = column.kind == CaseColumn::Kind::lump ? start.lump[column.index]
+      const double value = column.kind == CaseColumn::Kind::lump ? start.at.lump[column.index]
                            : column.kind == CaseColumn::Kind::natural_frequency
-                               ? start.natural_frequency[column.index]
+                               ? start.at.natural_frequency[column.index]
                                : start.offset[column.index];
       values_(static_cast<Index>(c)) = value - result_.reference(static_cast<Index>(c));
     }
     take(values_);
     for (auto& [block, scale] : scale_)
       if (const auto known = start.block_scale.find(block); known != start.block_scale.end()) scale = known->second;
+    noise_at_ = start.noise_at;
     result_.weight = start.weight;
     result_.distance = start.distance;
   }
@@ -163,8 +164,8 @@ class CaseRegression {
 
   double& current(std::size_t column) {
     const CaseColumn& c = result_.columns[column];
-    return c.kind == CaseColumn::Kind::lump                ? lump_[c.index]
-           : c.kind == CaseColumn::Kind::natural_frequency ? natural_[c.index]
+    return c.kind == CaseColumn::Kind::lump                ? at_.lump[c.index]
+           : c.kind == CaseColumn::Kind::natural_frequency ? at_.natural_frequency[c.index]
                                                            : offset_[c.index];
   }
 
@@ -242,7 +243,7 @@ class CaseRegression {
     for (const auto& [block, sum] : sums) {
       const double misfit = std::sqrt(sum.first / std::max(1.0, sum.second));
       result_.block_misfit[block] = misfit;
-      if (std::isfinite(misfit)) scale_[block] = std::max(1.0, misfit);
+      if (std::isfinite(misfit) && !keep_) scale_[block] = std::max(1.0, misfit);
     }
   }
 
@@ -276,7 +277,8 @@ class CaseRegression {
 
   void assemble(Pass pass) {
     EquationData& data = adjusted_data_ ? *adjusted_data_ : data_;
-    data.evaluate(natural_);
+    data.evaluate(at_.natural_frequency);
+    if (!keep_) noise_at_ = at_;
     WhitenedSystem& system = result_.system;
     const auto columns = static_cast<Index>(result_.columns.size());
     const std::size_t count = set_.observations.size();
@@ -319,7 +321,7 @@ class CaseRegression {
   void assemble_observation(const EquationData& data, Pass pass, std::size_t i, Index begin, MatrixXd* colouring,
                             ColumnErrors* errors) {
     WhitenedSystem& system = result_.system;
-    EquationData::Rows rows = data.rows(i, result_.columns, lump_, natural_, reference_);
+    EquationData::Rows rows = data.rows(i, result_.columns, at_, reference_, noise_at_);
     const Index count = rows.response.size();
     // From the adjusted values back to the measured ones, along the tangent.
     if (adjusted_data_) rows.response += rows.variants * moved_[i];
@@ -380,10 +382,10 @@ class CaseRegression {
       adjusted_data_.emplace(adjusted_, result_.blocks);
       moved_.assign(set_.observations.size(), VectorXd::Zero(adjusted_data_->quantities()));
     }
-    adjusted_data_->evaluate(natural_);
+    adjusted_data_->evaluate(at_.natural_frequency);
     ObservationSet next = set_;
     for (std::size_t i = 0; i < set_.observations.size(); ++i) {
-      const EquationData::Rows rows = adjusted_data_->rows(i, result_.columns, lump_, natural_, reference_);
+      const EquationData::Rows rows = adjusted_data_->rows(i, result_.columns, at_, reference_, at_);
       if (rows.response.size() == 0) continue;
       const VectorXd misfit = rows.response + rows.variants * moved_[i] - rows.design * values_;
       MatrixXd covariance = rows.variants * rows.variants.transpose();
@@ -450,8 +452,10 @@ class CaseRegression {
   const Reweighting& reweighting_;
   EquationData data_;
   bool warm_ = false;  // coefficients and weights are near the final ones
+  bool keep_ = false;  // weights are those of the start
   CaseFit result_;
-  std::vector<double> lump_, natural_, reference_, offset_;
+  EquationPoint at_, noise_at_;  // the current one, and that with which noise reaches the equations
+  std::vector<double> reference_, offset_;
   ObservationSet adjusted_;                    // measured values moved to where the equations hold
   std::optional<EquationData> adjusted_data_;  // of `adjusted_`; empty: not adjusted
   std::vector<VectorXd> moved_;                // by observation: how far, in standard deviations

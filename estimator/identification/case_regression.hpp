@@ -49,13 +49,20 @@ struct WhitenedSystem {
   ColumnErrors errors;  ///< of whitened columns
 };
 
+/// Coefficients of a case's equations, by lump and by mode.
+struct EquationPoint {
+  std::vector<double> lump, natural_frequency;
+};
+
 /// Where a regression of the same equations at the same observations may start: what another one ended with.
 struct RegressionState {
-  std::vector<double> lump, natural_frequency, offset;  ///< by lump, by mode, by mode
-  std::map<std::size_t, double> block_scale;            ///< by block: residual over noise that it counts with
-  std::vector<double> weight, distance;                 ///< by observation
-  ColumnErrors errors;                                  ///< WhitenedSystem::errors
-  std::optional<Eigen::Index> noisy;                    ///< LinearFit::noisy
+  EquationPoint at;
+  std::vector<double> offset;                 ///< by mode
+  EquationPoint noise_at;                     ///< coefficients that noise reached the equations with
+  std::map<std::size_t, double> block_scale;  ///< by block: residual over noise that it counts with
+  std::vector<double> weight, distance;       ///< by observation
+  ColumnErrors errors;                        ///< WhitenedSystem::errors
+  std::optional<Eigen::Index> noisy;          ///< LinearFit::noisy
 };
 
 /// Linear regression of one case's equations on its lumps and natural frequencies.
@@ -88,11 +95,11 @@ struct CaseKnowledge {
 /// How weights are found.
 struct Reweighting {
   const RegressionState* start = nullptr;  ///< null: from equal weights
-  /// With a start: take its weights as they are, one linear regression. Right where only what is subtracted for the
-  /// truncation has changed a little.
+  /// With a start: take its weights as they are, those between equations and those of the errors of columns among
+  /// them; one linear regression. Right where only what is subtracted for the truncation has changed.
   bool keep = false;
-  /// For a regression that another one goes on from: until no coefficient moves by more than its standard deviation,
-  /// all ensembles with equal weight, nothing adjusted.
+  /// For a regression that another one goes on from: until no coefficient moves by more than its standard
+  /// deviation, all ensembles with equal weight, nothing adjusted.
   bool rough = false;
   unsigned threads = 1;  ///< the result does not depend on it
 };

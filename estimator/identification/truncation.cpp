@@ -24,20 +24,20 @@ Eigen::MatrixXcd left_by_truncation(const ObservationSet& motions, const VectorX
   std::vector<std::size_t> blocks;
   for (std::size_t b = 0; b < resonance.blocks.size(); ++b)
     if (resonance.blocks[b].kind == BlockKind::modulation || resonance.blocks[b].order <= 1) blocks.push_back(b);
-  std::vector<double> lumps(resonance.lumps.size());
-  if (!lumps.empty()) resonance.evaluate_lumps(parameters.data(), lumps.data());
-  const std::vector<double> natural(parameters.data(), parameters.data() + motions.model->modes());
+  EquationPoint at{std::vector<double>(resonance.lumps.size()),
+                   {parameters.data(), parameters.data() + motions.model->modes()}};
+  if (!at.lump.empty()) resonance.evaluate_lumps(parameters.data(), at.lump.data());
   EquationData data(motions, blocks, EquationData::Errors::none);
-  data.evaluate(natural);
+  data.evaluate(at.natural_frequency);
   Eigen::MatrixXcd left = Eigen::MatrixXcd::Zero(static_cast<Index>(motions.observations.size()),
                                                  static_cast<Index>(resonance.blocks.size()));
   in_parallel(motions.observations.size(), threads, [&](std::size_t i) {
-    const EquationData::Rows rows = data.rows(i, {}, lumps, natural, natural);
+    const EquationData::Rows rows = data.rows(i, {}, at, at.natural_frequency, at);
     for (Index r = 0; r < rows.response.size(); ++r) {
-      const auto at = static_cast<std::size_t>(r);
-      left(static_cast<Index>(i), static_cast<Index>(rows.block[at])) +=
-          rows.part[at] == EquationPart::in_phase ? std::complex<double>(rows.response(r))
-                                                  : std::complex<double>(0, rows.response(r));
+      const auto row = static_cast<std::size_t>(r);
+      left(static_cast<Index>(i), static_cast<Index>(rows.block[row])) +=
+          rows.part[row] == EquationPart::in_phase ? std::complex<double>(rows.response(r))
+                                                   : std::complex<double>(0, rows.response(r));
     }
   });
   return left;
