@@ -39,6 +39,8 @@ constexpr double local = 1;
 constexpr int most_slopes = 6;
 /// Those along what lumps tell hold this much further, while the others are seen again.
 constexpr double near_axes = 4;
+/// Weights follow up to here: they may go around in a circle.
+constexpr int last_weights = most_plain_passes + 6;
 /// Motions up to these shares of the largest ones are tried where those grow beyond bounds.
 constexpr double small_shares[] = {0.7, 0.5, 0.35};
 /// Slopes that make standard deviations grow by more say that corrections and numbers hardly determine one another.
@@ -385,6 +387,7 @@ class Correction {
       if (left < before) {
         at_ = std::move(further);
         place_ = next_;
+        if (pass < last_weights) quick_.start = there.state;
         estimate_here();
         if (halvings == 0 && left > slow * before) see_slopes_again();
         halvings = 0;

@@ -73,7 +73,7 @@ std::vector<Index> dissipative_columns(const CaseFit& fit, std::size_t block_ind
     bool real = true;
     double size = 0;
     for (std::size_t i = 0; i < fit.set->observations.size(); ++i) {
-      const auto rows = data.rows(i, {fit.columns[c]}, point, natural, point);
+      const auto rows = data.rows(i, {fit.columns[c]}, point, natural);
       if (rows.design.rows() != 2) continue;
       real = real && std::abs(rows.design(1, 0)) <= 1e-9 * std::abs(rows.design(0, 0));
       size = std::max(size, std::abs(rows.design(0, 0)));

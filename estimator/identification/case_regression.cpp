@@ -100,9 +100,9 @@ class CaseRegression {
 
   CaseFit run() {
     if (result_.columns.empty() || set_.observations.empty()) return std::move(result_);
-    keep_ = warm_ && reweighting_.keep;
-    if (!keep_) iterate(roughly_converged);
-    if (!keep_ && !reweighting_.rough) {
+    const bool keep = warm_ && reweighting_.keep;
+    if (!keep) iterate(roughly_converged);
+    if (!keep && !reweighting_.rough) {
       if (case_.excited) weigh_ensembles();
       iterate(converged_change);
       for (int round = 0; round < (known_.errors_in_variables ? adjustment_rounds : 0); ++round) {
@@ -110,10 +110,8 @@ class CaseRegression {
         iterate(converged_change);
       }
     }
-    const bool same_errors = keep_ && reweighting_.start->errors.gram.rows() == values_.size();
-    assemble(same_errors ? Pass::whitened : Pass::last);
+    assemble(Pass::last);
     WhitenedSystem& system = result_.system;
-    if (same_errors) system.errors = reweighting_.start->errors;
     // Columns at adjusted values have lost their errors already.
     if (known_.errors_in_variables) system.errors.with_response.resize(0);
     if (system.design.rows() > 0) {
@@ -125,8 +123,7 @@ class CaseRegression {
     result_.truncation_effect = effect_of(set_.truncation_change);
     result_.moves_effect = effect_of(set_.truncation_of_moves);
     if (result_.fit.coefficients.size() > 0) result_.fit.coefficients += result_.reference;
-    result_.state = {at_,           offset_,          noise_at_, scale_, result_.weight, result_.distance,
-                     system.errors, result_.fit.noisy};
+    result_.state = {at_, offset_, scale_, result_.weight, result_.distance, result_.fit.noisy};
     return std::move(result_);
   }
 
@@ -150,7 +147,6 @@ class CaseRegression {
     take(values_);
     for (auto& [block, scale] : scale_)
       if (const auto known = start.block_scale.find(block); known != start.block_scale.end()) scale = known->second;
-    noise_at_ = start.noise_at;
     result_.weight = start.weight;
     result_.distance = start.distance;
   }
@@ -243,7 +239,7 @@ class CaseRegression {
     for (const auto& [block, sum] : sums) {
       const double misfit = std::sqrt(sum.first / std::max(1.0, sum.second));
       result_.block_misfit[block] = misfit;
-      if (std::isfinite(misfit) && !keep_) scale_[block] = std::max(1.0, misfit);
+      if (std::isfinite(misfit)) scale_[block] = std::max(1.0, misfit);
     }
   }
 
@@ -278,7 +274,6 @@ class CaseRegression {
   void assemble(Pass pass) {
     EquationData& data = adjusted_data_ ? *adjusted_data_ : data_;
     data.evaluate(at_.natural_frequency);
-    if (!keep_) noise_at_ = at_;
     WhitenedSystem& system = result_.system;
     const auto columns = static_cast<Index>(result_.columns.size());
     const std::size_t count = set_.observations.size();
@@ -321,7 +316,7 @@ class CaseRegression {
   void assemble_observation(const EquationData& data, Pass pass, std::size_t i, Index begin, MatrixXd* colouring,
                             ColumnErrors* errors) {
     WhitenedSystem& system = result_.system;
-    EquationData::Rows rows = data.rows(i, result_.columns, at_, reference_, noise_at_);
+    EquationData::Rows rows = data.rows(i, result_.columns, at_, reference_);
     const Index count = rows.response.size();
     // From the adjusted values back to the measured ones, along the tangent.
     if (adjusted_data_) rows.response += rows.variants * moved_[i];
@@ -385,7 +380,7 @@ class CaseRegression {
     adjusted_data_->evaluate(at_.natural_frequency);
     ObservationSet next = set_;
     for (std::size_t i = 0; i < set_.observations.size(); ++i) {
-      const EquationData::Rows rows = adjusted_data_->rows(i, result_.columns, at_, reference_, at_);
+      const EquationData::Rows rows = adjusted_data_->rows(i, result_.columns, at_, reference_);
       if (rows.response.size() == 0) continue;
       const VectorXd misfit = rows.response + rows.variants * moved_[i] - rows.design * values_;
       MatrixXd covariance = rows.variants * rows.variants.transpose();
@@ -452,9 +447,8 @@ class CaseRegression {
   const Reweighting& reweighting_;
   EquationData data_;
   bool warm_ = false;  // coefficients and weights are near the final ones
-  bool keep_ = false;  // weights are those of the start
   CaseFit result_;
-  EquationPoint at_, noise_at_;  // the current one, and that with which noise reaches the equations
+  EquationPoint at_;
   std::vector<double> reference_, offset_;
   ObservationSet adjusted_;                    // measured values moved to where the equations hold
   std::optional<EquationData> adjusted_data_;  // of `adjusted_`; empty: not adjusted

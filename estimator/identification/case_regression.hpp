@@ -58,10 +58,8 @@ struct EquationPoint {
 struct RegressionState {
   EquationPoint at;
   std::vector<double> offset;                 ///< by mode
-  EquationPoint noise_at;                     ///< coefficients that noise reached the equations with
   std::map<std::size_t, double> block_scale;  ///< by block: residual over noise that it counts with
   std::vector<double> weight, distance;       ///< by observation
-  ColumnErrors errors;                        ///< WhitenedSystem::errors
   std::optional<Eigen::Index> noisy;          ///< LinearFit::noisy
 };
 
@@ -95,8 +93,8 @@ struct CaseKnowledge {
 /// How weights are found.
 struct Reweighting {
   const RegressionState* start = nullptr;  ///< null: from equal weights
-  /// With a start: take its weights as they are, those between equations and those of the errors of columns among
-  /// them; one linear regression. Right where only what is subtracted for the truncation has changed.
+  /// With a start: weights are those that its coefficients make, in one linear regression. Right where only what is
+  /// subtracted for the truncation has changed a little.
   bool keep = false;
   /// For a regression that another one goes on from: until no coefficient moves by more than its standard
   /// deviation, all ensembles with equal weight, nothing adjusted.

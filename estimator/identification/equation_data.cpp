@@ -174,8 +174,8 @@ Index EquationData::row_count(std::size_t observation) const {
 }
 
 EquationData::Rows EquationData::rows(std::size_t observation, const std::vector<CaseColumn>& columns,
-                                      const EquationPoint& given, const std::vector<double>& reference_frequency,
-                                      const EquationPoint& noise_at) const {
+                                      const EquationPoint& point,
+                                      const std::vector<double>& reference_frequency) const {
   const Observation& o = set_.observations[observation];
   const auto count = static_cast<Index>(set_.observations.size());
   const auto at = static_cast<Index>(observation);
@@ -215,14 +215,14 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
     if (frequency_open) put(result.design, frequency_column[mode], Complex(0, 1) * a);
     if (zero && offset_column[mode] >= 0) put(result.design, offset_column[mode], 1);
     if (modulation)
-      target -= Complex(0, (frequency_open ? reference_frequency : given.natural_frequency)[mode]) * a;
+      target -= Complex(0, (frequency_open ? reference_frequency : point.natural_frequency)[mode]) * a;
     if (set_.truncation.size() > 0) target -= set_.truncation(at, static_cast<Index>(b)) * std::conj(frame);
     for (std::size_t j = 0; j < block.lumps.size(); ++j) {
       const auto l = static_cast<std::size_t>(block.lumps[j]);
       if (lump_column[l] >= 0)
         put(result.design, lump_column[l], columns_[p][j](at));
       else
-        target -= given.lump[l] * columns_[p][j](at);
+        target -= point.lump[l] * columns_[p][j](at);
     }
     put(result.response, 0, target);
     // Left minus right side where one measured quantity is off.
@@ -236,7 +236,7 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
         const auto share = static_cast<Index>(quantity.index);
         switch (quantity.kind) {
           case Kind::amplitude:
-            if (quantity.index == mode) change = (rate - Complex(0, noise_at.natural_frequency[mode])) * step;
+            if (quantity.index == mode) change = (rate - Complex(0, point.natural_frequency[mode])) * step;
             break;
           case Kind::growth:
           case Kind::frequency:
@@ -255,7 +255,7 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
       const Index copy = column_variant_[q];
       if (copy > 0)
         for (std::size_t j = 0; j < block.lumps.size(); ++j)
-          change -= noise_at.lump[static_cast<std::size_t>(block.lumps[j])] *
+          change -= point.lump[static_cast<std::size_t>(block.lumps[j])] *
                     (columns_[p][j](copy * count + at) - columns_[p][j](at));
       put(result.variants, static_cast<Index>(q), change);
     }

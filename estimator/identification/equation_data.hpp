@@ -45,11 +45,10 @@ class EquationData {
     std::vector<std::size_t> block;
     std::vector<EquationPart> part;
   };
-  /// `given`: coefficients that are no column. Unknown natural frequencies are counted from `reference_frequency`:
-  /// where something else acts like a change of frequency, both then stay small. `noise_at`: coefficients with
-  /// which errors of what is measured reach the equations.
-  Rows rows(std::size_t observation, const std::vector<CaseColumn>& columns, const EquationPoint& given,
-            const std::vector<double>& reference_frequency, const EquationPoint& noise_at) const;
+  /// `point`: current values, also of what is given. Unknown natural frequencies are counted from
+  /// `reference_frequency`: where something else acts like a change of frequency, both then stay small.
+  Rows rows(std::size_t observation, const std::vector<CaseColumn>& columns, const EquationPoint& point,
+            const std::vector<double>& reference_frequency) const;
 
   /// Number of varied quantities.
   Eigen::Index quantities() const { return static_cast<Eigen::Index>(quantities_.size()); }

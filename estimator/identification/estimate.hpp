@@ -98,8 +98,8 @@ struct EstimateOptions {
   ShiftPlace shift = {};  ///< along the directions of ObservationSet::truncation_change
   /// Parameters' error bars by way of the lumps', which are wider, instead of from the rows: for passes between.
   bool rough_errors = false;
-  /// With a start: the weights stay as they are. For passes between, where only the truncation's correction has
-  /// changed a little.
+  /// With a start: weights are those that its coefficients make, and are not found anew. For passes between, where
+  /// only the truncation's correction has changed a little.
   bool keep_weights = false;
   unsigned threads = 1;  ///< the result does not depend on it
 };

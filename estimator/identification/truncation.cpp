@@ -32,7 +32,7 @@ Eigen::MatrixXcd left_by_truncation(const ObservationSet& motions, const VectorX
   Eigen::MatrixXcd left = Eigen::MatrixXcd::Zero(static_cast<Index>(motions.observations.size()),
                                                  static_cast<Index>(resonance.blocks.size()));
   in_parallel(motions.observations.size(), threads, [&](std::size_t i) {
-    const EquationData::Rows rows = data.rows(i, {}, at, at.natural_frequency, at);
+    const EquationData::Rows rows = data.rows(i, {}, at, at.natural_frequency);
     for (Index r = 0; r < rows.response.size(); ++r) {
       const auto row = static_cast<std::size_t>(r);
       left(static_cast<Index>(i), static_cast<Index>(rows.block[row])) +=

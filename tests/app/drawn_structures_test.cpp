@@ -79,13 +79,17 @@ TEST(SlowDrawnStructures, IntervalsHoldTheTruth) {
       request.model = (place / "model.toml").string();
       request.threads = 2;
       const Estimate estimate = identify(request).estimate;
-      count_values(estimate, truth_of(sealed), here);
       bool misfit = false;
       for (const CaseLackOfFit& of_case : estimate.lack_of_fit)
         for (const LackOfFit& test : of_case.equations) {
           misfit_f.push_back(test.f);
           misfit = misfit || test.significant;
         }
+      const int doubtful = here.doubtful;
+      count_values(estimate, truth_of(sealed), here);
+      if (misfit || here.doubtful > doubtful)
+        std::printf("%s %d: %d doubtful%s\n", family.c_str(), number, here.doubtful - doubtful,
+                    misfit ? ", a significant lack of fit" : "");
       all.misfits += misfit;
     }
     std::printf("%-22s %4d numbers, %5.1f %% of their intervals hold the truth, %d more are doubtful\n",
