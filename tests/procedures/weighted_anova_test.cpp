@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "estimator/procedures/added_last_anova.hpp"
@@ -40,13 +41,17 @@ TEST(StatisticalWeightedAnova, FollowsItsLawUnderUnequalNoise) {
   double weighted_square = 0, equal_square = 0;
   for (int draw = 0; draw < draws; ++draw) {
     const ObservationSet set = truth.set(static_cast<std::uint64_t>(draw) + 1);
-    const Tested weighted = drag(weighted_block_rows(set, block, natural));
+    const BlockRows weighted_rows = weighted_block_rows(set, block, natural);
+    const Tested weighted = drag(weighted_rows);
     const Tested equal = drag(block_rows(set, block, natural));
     below += weighted.p < 0.2;
     weighted_square += weighted.value * weighted.value / draws;
     equal_square += equal.value * equal.value / draws;
-    // One column added last: F is the square of t.
-    EXPECT_NEAR(weighted.f / std::pow(weighted.value / weighted.sd, 2), 1, 1e-6);
+    // One column added last: F is the square of t, but for the rounding of the sums of squares whose difference it
+    // is.
+    const double square = std::pow(weighted.value / weighted.sd, 2);
+    const auto rows = static_cast<double>(weighted_rows.regression.response.size());
+    EXPECT_NEAR(weighted.f, square, 1e-7 * square + rows * rows * std::numeric_limits<double>::epsilon());
   }
   EXPECT_NEAR(below, 0.2 * draws, 4 * std::sqrt(0.16 * draws));
   EXPECT_LT(weighted_square, equal_square);
