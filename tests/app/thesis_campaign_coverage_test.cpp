@@ -145,17 +145,14 @@ void expect_settled(const Estimate& estimate) {
   for (const EstimatedValue& v : estimate.parameters) EXPECT_FALSE(v.doubtful) << v.name;
 }
 
-// A draw whose raw estimate is fourteen standard deviations from where its correction comes to rest: slopes that
-// were seen there lead nowhere, and weights that belong there make good steps look bad.
-TEST(SlowChapterSix, ACorrectionThatBeginsFarAwaySettles) {
+TEST(SlowChapterSix, CorrectionsThatBeginFarAwaySettle) {
   const ThesisCampaign& campaign = ThesisCampaign::chapter_six();
+  // Fourteen standard deviations from the raw estimate to where its correction comes to rest: slopes that were seen
+  // there lead nowhere, and weights that belong there make good steps look bad.
   expect_settled(campaign.identified(59, campaign.true_values({"delta31", "delta33", "delta34", "delta36"})));
-}
-
-// A draw whose second correction has coefficients that make far more noise of the measurement's: the errors of the
-// columns have to follow, or the lumps that they seem to drown are given up.
-TEST(SlowChapterSix, ACorrectionWithCoefficientsThatAreFarOffSettles) {
-  expect_settled(ThesisCampaign::chapter_six().identified(336));
+  // The second correction has coefficients that make far more noise of the measurement's: the errors of the columns
+  // have to follow, or the lumps that they seem to drown are given up.
+  expect_settled(campaign.identified(336));
 }
 
 // Without coupled damping, lumps that it is part of cannot go together.
