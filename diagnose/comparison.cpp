@@ -31,7 +31,7 @@ VectorXd start_of(const CompiledModel& model, const FaultTable& faults, const Gi
   for (std::size_t k = 0; k < model.modes(); ++k)
     if (!(start(static_cast<Index>(k)) > 0))
       throw InputError(std::string(model.name), "[nominal]",
-                       "gives no natural frequency " + std::string(model.symbols[k].name),
+                       "gives no natural frequency above zero, " + std::string(model.symbols[k].name),
                        "a rough one tells which resonance a record excites; or give --parameters");
   start(static_cast<Index>(model.symbols.size() + faults.extra_frequency())) = start(0);
   start(static_cast<Index>(model.symbols.size() + faults.extra_damping())) = 0.01;

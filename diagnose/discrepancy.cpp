@@ -24,6 +24,10 @@ std::string to_string(GapComponent component) {
   return "measurement";
 }
 
+bool has_frequencies(const Eigen::VectorXd& unknowns, std::size_t modes) {
+  return (unknowns.head(static_cast<Index>(modes)).array() > 0).all();
+}
+
 Eigen::MatrixXd Evidence::slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                                  const Eigen::VectorXd& scale, unsigned threads) const {
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(size(), static_cast<Index>(which.size()));

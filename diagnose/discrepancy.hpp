@@ -33,7 +33,11 @@ struct RowLabel {
   double frequency = 0;  ///< of a dwell: of the excitation, rad/s
 };
 
-/// Evidence of one kind: rows of unit variance that vanish where the unknowns explain what was measured.
+/// Whether unknowns can be those of a structure: the first `modes` are natural frequencies, all positive.
+bool has_frequencies(const Eigen::VectorXd& unknowns, std::size_t modes);
+
+/// Evidence of one kind: rows of unit variance that vanish where the unknowns explain what was measured. Where
+/// unknowns have no frequencies (has_frequencies) rows are infinite, so that no fit goes there.
 class Evidence {
  public:
   virtual ~Evidence() = default;

@@ -157,6 +157,10 @@ void LineEvidence::approach(const VectorXd& unknowns) {
 }
 
 void LineEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const {
+  if (!has_frequencies(unknowns, model_.balance().model().modes())) {
+    rows.setConstant(std::numeric_limits<double>::infinity());
+    return;
+  }
   Index first = 0;
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
     const Whitening& w = whitening_[i];

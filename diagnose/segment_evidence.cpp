@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 #include "diagnose/saturation.hpp"
 #include "estimator/hertz.hpp"
@@ -166,7 +167,8 @@ VectorXd SegmentEvidence::guessed_state(const Segment& s, const VectorXd& unknow
   VectorXd state = VectorXd::Zero(2 * modes);
   for (Index k = 0; k < modes; ++k) {
     const double w = unknowns(k);
-    const Index samples = std::min<Index>(s.response.cols(), static_cast<Index>(1.2 * two_pi / w / s.sample_s) + 3);
+    const auto samples = static_cast<Index>(
+        std::min(static_cast<double>(s.response.cols()), std::floor(1.2 * two_pi / w / s.sample_s) + 3));
     const Eigen::ArrayXd phase =
         Eigen::ArrayXd::LinSpaced(samples, 0, static_cast<double>(samples - 1)) * (w * s.sample_s);
     MatrixXd waves(samples, 3);
@@ -323,6 +325,10 @@ void SegmentEvidence::measure_repeatability(const VectorXd& unknowns) {
 }
 
 void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const {
+  if (!has_frequencies(unknowns, model_->modes())) {
+    rows.setConstant(std::numeric_limits<double>::infinity());
+    return;
+  }
   Index first = 0;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const Frozen& f = frozen_[i];

@@ -1,0 +1,102 @@
+// Samples of a record against the full equations of motion.
+#include "diagnose/segment_evidence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "diagnose/line_evidence.hpp"
+#include "diagnose/refit.hpp"
+#include "tests/diagnose/laboratory.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using testing_support::Laboratory;
+using testing_support::natural;
+
+// A free decay of one mode, measured without other error than noise of 1e-4 of its start.
+std::vector<Segment> decay(const Laboratory& lab, const VectorXd& unknowns, std::uint64_t seed) {
+  constexpr Index samples = 64;
+  constexpr int count = 6;
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<Segment> segments;
+  const std::vector<double> parameters(unknowns.data(), unknowns.data() + lab.compiled.symbols.size());
+  VectorXd state(2);
+  state << 1e-3, 0;
+  for (int i = 0; i < count; ++i) {
+    Segment s;
+    s.fold = i;
+    s.sample_s = 2e-3 * 80 / natural;
+    s.time_s = s.in_record_s = i * samples * s.sample_s;
+    DrivingSignal signal;
+    signal.sample_s = s.sample_s;
+    const StretchOfMotion motion =
+        integrate_stretch(lab.compiled, {}, parameters, signal, state, samples + 1, 4, {}, nullptr);
+    s.response = motion.acceleration.leftCols(samples);
+    s.noise_sd = VectorXd::Constant(1, 1e-4 * 1e-3 * natural * natural);
+    for (double& reading : s.response.row(0)) reading += s.noise_sd(0) * normal(random);
+    s.substeps = 4;
+    state << motion.displacement(0, samples), motion.velocity(0, samples);
+    segments.push_back(std::move(s));
+  }
+  return segments;
+}
+
+Discrepancy decay_of(const Laboratory& lab, const VectorXd& truth) {
+  Discrepancy discrepancy;
+  discrepancy.add(std::make_unique<SegmentEvidence>(lab.compiled, std::vector<StateForce>{}, lab.sensors,
+                                                    lab.faults, decay(lab, truth, 7)));
+  return discrepancy;
+}
+
+TEST(SegmentEvidence, ADecayGivesFrequencyAndDampingBack) {
+  const Laboratory lab;
+  const VectorXd truth = lab.unknowns({});
+  Discrepancy discrepancy = decay_of(lab, truth);
+  VectorXd unknowns = lab.unknowns({{"omega0", 1.01 * natural}, {"mu1", 0.5}});
+  const std::vector<std::size_t> free{lab.symbol("omega0"), lab.symbol("mu1")};
+  Refit fit;
+  for (const double coarse : {1e-2, 1e-3, 0.0, 0.0}) {
+    discrepancy.freeze(unknowns, coarse);
+    fit = refit(discrepancy, unknowns, free);
+    unknowns = fit.unknowns;
+  }
+  for (std::size_t f = 0; f < free.size(); ++f) {
+    const auto u = static_cast<Index>(free[f]), i = static_cast<Index>(f);
+    const double sd = std::sqrt(fit.covariance(i, i));
+    // A normal variable exceeds four standard deviations once in 16000 times.
+    EXPECT_NEAR(unknowns(u), truth(u), 4 * sd) << "unknown " << u;
+    EXPECT_LT(sd, 1e-2 * truth(u));
+  }
+}
+
+// Squares of natural frequencies are the same from either side, damping is not: nothing but this keeps a fit of a
+// model that is far off from walking through zero.
+TEST(SegmentEvidence, NoFitPassesTheFrequencyZero) {
+  const Laboratory lab;
+  const VectorXd truth = lab.unknowns({});
+  Discrepancy discrepancy = decay_of(lab, truth);
+  discrepancy.add(std::make_unique<LineEvidence>(
+      lab.model, std::vector{lab.dwell(natural, 3, std::complex<double>(2e-3, -1.5e-3))}, truth));
+  discrepancy.freeze(truth);
+  EXPECT_TRUE(discrepancy(truth).allFinite());
+  for (const double frequency : {0.0, -1e-3, -natural, std::nan("")}) {
+    const VectorXd rows = discrepancy(lab.unknowns({{"omega0", frequency}}));
+    EXPECT_FALSE(rows.array().isFinite().any()) << frequency;
+  }
+  const std::vector<std::size_t> free{lab.symbol("omega0"), lab.symbol("mu1"), lab.symbol("alpha3")};
+  for (const double start : {1e-300, 1e-3, 1.0, 10.0, 1e3, 1e150}) {
+    const VectorXd far = lab.unknowns({{"omega0", start}});
+    discrepancy.freeze(far, 1e-2);
+    const Refit fit = refit(discrepancy, far, free);
+    EXPECT_GT(fit.unknowns(static_cast<Index>(free[0])), 0) << start;
+  }
+}
+
+}  // namespace
+}  // namespace secular
