@@ -19,6 +19,52 @@ constexpr double largest_exponent = 15;
 constexpr double same_stretch = 1e-10, steepest = 0.999;
 constexpr int most_turns = 12;
 
+// Steps of a path that do not turn: a slider goes them as it goes their sum.
+struct Run {
+  Index first = 0, end = 0;
+  double way = 0;
+};
+
+std::vector<Run> runs_of(const RowVectorXd& way) {
+  std::vector<Run> runs;
+  for (Index i = 0; i < way.size(); ++i) {
+    if (runs.empty() || way(i) * runs.back().way < 0) runs.push_back({i, i, 0});
+    runs.back().end = i + 1;
+    runs.back().way += way(i);
+  }
+  return runs;
+}
+
+// A smooth slider without its units. In the direction of the way, u = z/slip and s = |way|/slip: du/ds = 1 + u^2
+// until the spring is slack, u = tan(phase), 1 - u^2 from there on, u = tanh(phase); the phase grows by s.
+double phase_of(double u) {
+  return u < 0 ? std::atan(u) : std::atanh(std::min(u, 1.0));
+}
+
+double stretch_at(double phase) {
+  return phase < 0 ? std::tan(phase) : std::tanh(phase);
+}
+
+// The steps of one run, one after the other.
+class SlidingRun {
+ public:
+  SlidingRun(const Slider& slider, double stretch, double way)
+      : slider_(slider), stretch_(stretch), signed_slip_(std::copysign(slider.slip, way)) {
+    if (slider.smooth && slider.slip != 0) phase_ = phase_of(stretch / signed_slip_);
+  }
+
+  double after(double way) {
+    if (!slider_.smooth || slider_.slip == 0) return stretch_ = slider_.advanced(stretch_, way);
+    phase_ += way / signed_slip_;
+    return signed_slip_ * stretch_at(phase_);
+  }
+
+ private:
+  Slider slider_;
+  double stretch_, signed_slip_;
+  double phase_ = 0;
+};
+
 }  // namespace
 
 double power_law(const StateForce& force, double displacement, double velocity, double exponent) {
@@ -31,19 +77,9 @@ double power_law(const StateForce& force, double displacement, double velocity, 
 
 double Slider::advanced(double stretch, double way) const {
   if (!smooth) return std::clamp(stretch + way, -slip, slip);
-  // In the direction of the way, u = z/slip and s = |way|/slip: du/ds = 1 + u^2 until the spring is slack (tan),
-  // 1 - u^2 from there on (tanh).
-  const double size = std::abs(slip), direction = way < 0 ? -1 : 1;
-  if (!(size > 0)) return 0;
-  double u = direction * stretch / size, s = std::abs(way) / size;
-  if (u < 0) {
-    const double slack = -std::atan(u);
-    if (s < slack) return direction * size * std::tan(s - slack);
-    s -= slack;
-    u = 0;
-  }
-  const double tanh_s = std::tanh(s);
-  return direction * size * (u + tanh_s) / (1 + u * tanh_s);
+  if (slip == 0) return 0;
+  const double signed_slip = std::copysign(slip, way);
+  return signed_slip * stretch_at(phase_of(stretch / signed_slip) + way / signed_slip);
 }
 
 std::vector<Slider> sliders_of(const StateForce& force, double shape) {
@@ -57,14 +93,11 @@ std::vector<Slider> sliders_of(const StateForce& force, double shape) {
 }
 
 RowVectorXd slider_stretch(const RowVectorXd& path, const Slider& slider) {
-  RowVectorXd stretch(path.size());
+  RowVectorXd way(path.size());  // to every point from the one before
+  for (Index i = 0; i < path.size(); ++i) way(i) = path(i) - path(i == 0 ? path.size() - 1 : i - 1);
+  const std::vector<Run> runs = runs_of(way);
   const auto turn_from = [&](double z) {
-    double before = path(path.size() - 1);
-    for (Index i = 0; i < path.size(); ++i) {
-      z = slider.advanced(z, path(i) - before);
-      before = path(i);
-      stretch(i) = z;
-    }
+    for (const Run& run : runs) z = slider.advanced(z, run.way);
     return z;
   };
   // A turn brings different beginnings nearer to one another, but little where a smooth slider hardly gives way:
@@ -74,6 +107,12 @@ RowVectorXd slider_stretch(const RowVectorXd& path, const Slider& slider) {
     const double next = turn_from(end), slope = (next - end) / (end - start);
     start = slope < steepest ? end + (next - end) / (1 - slope) : next;
     end = turn_from(start);
+  }
+  RowVectorXd stretch(path.size());
+  double z = start;
+  for (const Run& run : runs) {
+    SlidingRun sliding(slider, z, run.way);
+    for (Index i = run.first; i < run.end; ++i) stretch(i) = z = sliding.after(way(i));
   }
   return stretch;
 }
