@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulate/balance_sweep.hpp"
 #include "diagnose/saturation.hpp"
+#include "simulate/balance_sweep.hpp"
 
 namespace secular {
 namespace {
@@ -62,9 +62,12 @@ class Evaluation {
   // Parameters at the condition's time.
   std::vector<double> drifted(std::span<const double> parameters) const {
     std::vector<double> values(parameters.begin(), parameters.end());
-    for (std::size_t k = 0; k < faults_.frequency_drift.size(); ++k)
-      values[k] *= 1 + faults_.frequency_drift[k] * c_.time_s;
+    for (std::size_t s = 0; s < values.size(); ++s) values[s] *= drift(s);
     return values;
+  }
+  // What a parameter has become by the condition's time, over what it was.
+  double drift(std::size_t symbol) const {
+    return symbol < faults_.frequency_drift.size() ? 1 + faults_.frequency_drift[symbol] * c_.time_s : 1;
   }
 
   ConditionForecast forecast(const VectorXcd& amplitudes, const Motion* start) const {
@@ -184,9 +187,9 @@ class Evaluation {
         if (c_.excitation_lines[l] == c_.fundamental) {
           fundamental = c_.excitation(j, static_cast<Index>(l));
           if (fault.saturates())
-            fundamental *= unsaturated_amplitude(std::abs(fundamental), fault.level(),
-                                                 noise(c_.excitation_noise, j)) /
-                           std::abs(fundamental);
+            fundamental *=
+                unsaturated_amplitude(std::abs(fundamental), fault.level(), noise(c_.excitation_noise, j)) /
+                std::abs(fundamental);
           fundamental = restored(fundamental, fault, c_.line_rate(c_.fundamental));
         }
       const Complex turned = fundamental == 0.0 ? Complex(1) : fundamental / std::abs(fundamental);
@@ -371,17 +374,35 @@ class HeldLines {
     return values(path, evaluation_.drifted(parameters), slaves);
   }
 
-  // What moves with the slaved lines: rows x entries, steps x entries.
-  struct LineSlopes {
+  // What moves with the slaved lines, or with symbols of the model: rows x entries, steps x entries.
+  struct Slopes {
     MatrixXd rows, steps;
   };
-  LineSlopes line_slopes(const BalanceSweep::Path& path, const std::vector<SlavedLine>& slaves) {
+  Slopes symbol_slopes(const BalanceSweep::Path& path, const std::vector<std::size_t>& symbols, Index rows,
+                       const std::vector<SlavedLine>& slaves) {
+    const std::vector<MatrixXcd> slopes = sweep_.parameter_slopes(path, evaluation_.parameters(), symbols);
+    Slopes result{MatrixXd::Zero(rows, static_cast<Index>(symbols.size())),
+                  MatrixXd(gathered(slaves, path.lines).size(), static_cast<Index>(symbols.size()))};
+    for (std::size_t i = 0; i < symbols.size(); ++i) {
+      const auto column = static_cast<Index>(i);
+      const MatrixXcd slope = slopes[i] * evaluation_.drift(symbols[i]);
+      // A row of the equations of motion is the masters' balance over their amplitudes.
+      const VectorXcd balance = balance_of_masters(setting_, slope).cwiseQuotient(amplitudes_);
+      for (Index m = 0; m < balance.size(); ++m) {
+        result.rows(2 * m, column) = balance(m).real();
+        result.rows(2 * m + 1, column) = balance(m).imag();
+      }
+      result.steps.col(column) = BalanceSweep::steps(slaves, slope);
+    }
+    return result;
+  }
+  Slopes line_slopes(const BalanceSweep::Path& path, const std::vector<SlavedLine>& slaves) {
     const double motion = path.lines.cwiseAbs().maxCoeff();
     const double step = line_step * (motion > 0 ? motion : evaluation_.measured_displacement());
     const MatrixXcd residual = sweep_.residual(path, evaluation_.parameters());
     const MatrixXcd slopes = sweep_.residual_slopes(path, evaluation_.parameters(), slaves, step);
     const VectorXd base = rows(path.lines, residual);
-    LineSlopes result{MatrixXd(base.size(), slopes.cols()), MatrixXd(slopes.cols(), slopes.cols())};
+    Slopes result{MatrixXd(base.size(), slopes.cols()), MatrixXd(slopes.cols(), slopes.cols())};
     for (Index s = 0; s < slopes.cols(); ++s) {
       const MatrixXcd slope = slopes.col(s).reshaped(residual.rows(), residual.cols());
       result.rows.col(s) = (rows(with_step(slaves, path.lines, s, step), residual + step * slope) - base) / step;
@@ -434,11 +455,22 @@ MatrixXd ConditionModel::slopes(const Condition& condition, const VectorXd& unkn
   HeldLines here = held(unknowns);
   const std::vector<SlavedLine> slaves = here.slaves();
   const BalanceSweep::Path path = here.path(displacement);
-  const HeldLines::LineSlopes by_line = here.line_slopes(path, slaves);
+  const HeldLines::Slopes by_line = here.line_slopes(path, slaves);
   const Eigen::PartialPivLU<MatrixXd> to_balance(by_line.steps);
+  const auto followed = [&](VectorXd rows, const VectorXd& steps) {
+    if (!slaves.empty()) rows -= by_line.rows * to_balance.solve(steps);
+    return rows;
+  };
   MatrixXd slopes(by_line.rows.rows(), static_cast<Index>(which.size()));
+  std::vector<std::size_t> in_equations;
+  std::vector<Index> columns;
   for (std::size_t w = 0; w < which.size(); ++w) {
     const auto column = static_cast<Index>(w), u = static_cast<Index>(which[w]);
+    if (which[w] < symbols && !is_shape(which[w])) {
+      in_equations.push_back(which[w]);
+      columns.push_back(column);
+      continue;
+    }
     const auto at = [&](double value) {
       VectorXd moved = unknowns;
       moved(u) = value;
@@ -448,10 +480,20 @@ MatrixXd ConditionModel::slopes(const Condition& condition, const VectorXd& unkn
     };
     const HeldLines::Values up = at(unknowns(u) + 0.5 * scale(column)),
                             down = at(unknowns(u) - 0.5 * scale(column));
-    slopes.col(column) = up.rows - down.rows;
-    if (!slaves.empty()) slopes.col(column) -= by_line.rows * to_balance.solve(up.steps - down.steps);
+    slopes.col(column) = followed(up.rows - down.rows, up.steps - down.steps);
+  }
+  const HeldLines::Slopes by_symbol = here.symbol_slopes(path, in_equations, slopes.rows(), slaves);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto column = static_cast<Index>(i);
+    slopes.col(columns[i]) = scale(columns[i]) * followed(by_symbol.rows.col(column), by_symbol.steps.col(column));
   }
   return slopes;
+}
+
+// Forces whose law the equations of motion do not hold depend on their shapes in ways that these do not show.
+bool ConditionModel::is_shape(std::size_t symbol) const {
+  return std::any_of(balance_.forces().begin(), balance_.forces().end(),
+                     [symbol](const StateForce& force) { return force.shape_symbol == symbol; });
 }
 
 std::vector<RowMeaning> ConditionModel::meanings(const Condition& condition) const {
@@ -492,20 +534,42 @@ MatrixXd ConditionModel::covariance(const Condition& condition, const VectorXd& 
     }
     value = kept;
   };
+  // A line that no motion follows from is in its own rows alone.
+  const std::vector<RowMeaning> meanings = this->meanings(condition);
+  const auto stays_alone = [&](RowMeaning::Kind kind, std::size_t channel, Index line, double sd) {
+    for (std::size_t r = 0; r < meanings.size(); ++r)
+      if (meanings[r].kind == kind && meanings[r].channel == channel && meanings[r].line == line)
+        covariance(static_cast<Index>(r), static_cast<Index>(r)) += sd * sd;
+  };
+  const Faults faults = table_.faults(unknowns.data() + balance_.model().symbols.size());
+  const bool saturates = std::any_of(faults.response.begin(), faults.response.end(),
+                                     [](const ChannelFault& fault) { return fault.saturates(); });
+  const auto is_master = [&](Index line) {
+    return std::any_of(condition.masters.begin(), condition.masters.end(),
+                       [line](const MasterLine& master) { return master.line == line; });
+  };
   for (Index c = 0; c < condition.response.rows(); ++c) {
     const double largest = condition.response.row(c).cwiseAbs().maxCoeff();
     for (std::size_t l = 0; l < condition.lines.size(); ++l) {
       const auto column = static_cast<Index>(l);
-      vary(moved.response(c, column), std::hypot(condition.response_sd(c, column), line_floor * largest),
-           condition.lines[l] == 0);
+      const Index line = condition.lines[l];
+      const double sd = std::hypot(condition.response_sd(c, column), line_floor * largest);
+      if (saturates || is_master(line))
+        vary(moved.response(c, column), sd, line == 0);
+      else
+        stays_alone(RowMeaning::Kind::response, static_cast<std::size_t>(c), line, sd);
     }
   }
   for (Index j = 0; j < condition.excitation.rows(); ++j) {
     const double largest = condition.excitation.row(j).cwiseAbs().maxCoeff();
     for (std::size_t l = 0; l < condition.excitation_lines.size(); ++l) {
       const auto column = static_cast<Index>(l);
-      vary(moved.excitation(j, column), std::hypot(condition.excitation_sd(j, column), line_floor * largest),
-           condition.excitation_lines[l] == 0);
+      const Index line = condition.excitation_lines[l];
+      const double sd = std::hypot(condition.excitation_sd(j, column), line_floor * largest);
+      if (line == 0 || line == condition.fundamental)
+        vary(moved.excitation(j, column), sd, line == 0);
+      else
+        stays_alone(RowMeaning::Kind::excitation, static_cast<std::size_t>(j), line, sd);
     }
   }
   for (std::size_t m = 0; m < condition.creep_sd.size(); ++m) vary(moved.creep[m], condition.creep_sd[m], false);

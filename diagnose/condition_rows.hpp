@@ -43,9 +43,9 @@ class ConditionModel {
       : balance_(balance), sensors_(sensors), table_(table) {}
 
   ConditionRows rows(const Condition& condition, const Eigen::VectorXd& unknowns, const Motion* start) const;
-  /// Change of the rows with some of the unknowns, per `scale` of each (central differences), near a motion in
-  /// balance whose lines are `displacement`. The slaved lines' balance is linearised there, so that a column costs
-  /// two evaluations of the equations and no iteration.
+  /// Change of the rows with some of the unknowns, per `scale` of each, near a motion in balance whose lines are
+  /// `displacement`. The slaved lines' balance is linearised there, so that no column needs an iteration:
+  /// parameters of the equations of motion by their derivatives, all others by central differences.
   Eigen::MatrixXd slopes(const Condition& condition, const Eigen::VectorXd& unknowns,
                          const Eigen::MatrixXcd& displacement, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale) const;
@@ -63,6 +63,8 @@ class ConditionModel {
   const MotionBalance& balance() const { return balance_; }
 
  private:
+  bool is_shape(std::size_t symbol) const;
+
   MotionBalance balance_;
   SensorModel sensors_;
   FaultTable table_;

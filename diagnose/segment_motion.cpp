@@ -40,7 +40,8 @@ class Stretch {
         change_(change),
         side_(side),
         modes_(static_cast<Index>(model.modes())),
-        excitation_(model.excitations.size()) {
+        excitation_(model.excitations.size()),
+        driven_(std::min(signal.half_steps.rows(), static_cast<Index>(excitation_.size()))) {
     for (const StateForce& force : forces) {
       if (parameters[force.strength_symbol] == 0) continue;
       const double shape = parameters[force.shape_symbol];
@@ -52,10 +53,8 @@ class Stretch {
 
   // Derivative of (displacements, velocities, side displacement, side velocity); time in half steps of the samples.
   void derivative(double at, const VectorXd& state, const VectorXd& origin, VectorXd& rate) {
-    for (std::size_t j = 0; j < excitation_.size(); ++j)
-      excitation_[j] = static_cast<Index>(j) < signal_.half_steps.rows()
-                           ? interpolated(signal_.half_steps, static_cast<Index>(j), at, 0.5 * signal_.sample_s)
-                           : ExcitationSample{};
+    for (Index j = 0; j < driven_; ++j)
+      excitation_[static_cast<std::size_t>(j)] = interpolated(signal_.half_steps, j, at, 0.5 * signal_.sample_s);
     for (const ActiveForce& active : active_) {
       const StateForce& force = *active.force;
       const auto mode = static_cast<Index>(force.mode);
@@ -129,7 +128,8 @@ class Stretch {
   const std::vector<LinearChange>& change_;
   const SideOscillator* side_;
   Index modes_;
-  std::vector<ExcitationSample> excitation_;
+  std::vector<ExcitationSample> excitation_;  // zero where neither the signal nor a force drives
+  Index driven_;
   std::vector<ActiveForce> active_;
 };
 

@@ -10,6 +10,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
 std::vector<SlavedLine> slaved_lines(const MotionSetting& setting, const CompiledModel& model,
@@ -67,6 +68,8 @@ BalanceSweep::BalanceSweep(const CompiledModel& model, std::vector<StateForce> f
   force_ = torus_.samples(setting.excitation);
   force_rate_ = torus_.samples(setting.excitation * rates_.asDiagonal());
   force_acceleration_ = torus_.samples(setting.excitation * rates_.cwiseAbs2().asDiagonal() * Complex(-1));
+  for (Index j = 0; j < force_.rows(); ++j)
+    if (!setting.excitation.row(j).isZero(0)) driven_.push_back(j);
 }
 
 BalanceSweep::Path BalanceSweep::path(MatrixXcd displacement) const {
@@ -75,44 +78,69 @@ BalanceSweep::Path BalanceSweep::path(MatrixXcd displacement) const {
   return {std::move(displacement), std::move(position), std::move(velocity)};
 }
 
-const MatrixXd& BalanceSweep::accelerations(const MatrixXd& position, const MatrixXd& velocity,
-                                            std::span<const double> parameters) {
+std::vector<BalanceSweep::Signal> BalanceSweep::signals(const MatrixXd& position, const MatrixXd& velocity,
+                                                        std::span<const double> parameters,
+                                                        const std::vector<std::size_t>& strengths) const {
   std::vector<Signal> signals;
   for (const StateForce& force : forces_)
-    if (parameters[force.strength_symbol] != 0)
-      signals.push_back(
-          {force.excitation, signal_over_turn(force, position, velocity, parameters[force.shape_symbol])});
+    if (parameters[force.strength_symbol] != 0 ||
+        std::find(strengths.begin(), strengths.end(), force.strength_symbol) != strengths.end())
+      signals.push_back({&force, signal_over_turn(force, position, velocity, parameters[force.shape_symbol])});
+  return signals;
+}
+
+void BalanceSweep::excite(Index point, const std::vector<Signal>& signals) {
+  for (const Index j : driven_)
+    excitation_[static_cast<std::size_t>(j)] = {force_(j, point), force_rate_(j, point),
+                                                force_acceleration_(j, point)};
+  for (const Signal& signal : signals) excitation_[signal.force->excitation] = {signal.values(point), 0, 0};
+}
+
+const MatrixXd& BalanceSweep::accelerations(const MatrixXd& position, const MatrixXd& velocity,
+                                            std::span<const double> parameters,
+                                            const std::vector<Signal>& signals) {
   std::fill(excitation_.begin(), excitation_.end(), ExcitationSample{});
   for (Index p = 0; p < position.cols(); ++p) {
-    for (Index j = 0; j < force_.rows(); ++j)
-      excitation_[static_cast<std::size_t>(j)] = {force_(j, p), force_rate_(j, p), force_acceleration_(j, p)};
-    for (const Signal& signal : signals) excitation_[signal.excitation] = {signal.values(p), 0, 0};
+    excite(p, signals);
     model_.acceleration(parameters.data(), excitation_.data(), position.col(p).data(), velocity.col(p).data(),
                         acceleration_.col(p).data());
   }
   return acceleration_;
 }
 
+std::vector<MatrixXcd> BalanceSweep::parameter_slopes(const Path& path, std::span<const double> parameters,
+                                                      const std::vector<std::size_t>& symbols) {
+  if (symbols.empty()) return {};
+  const auto modes = path.position.rows(), points = path.position.cols();
+  const auto count = static_cast<Index>(symbols.size()), all = static_cast<Index>(model_.symbols.size());
+  const std::vector<Signal> signals = this->signals(path.position, path.velocity, parameters, symbols);
+  MatrixXd felt(count * modes, points);
+  VectorXd slope(modes * all);
+  std::fill(excitation_.begin(), excitation_.end(), ExcitationSample{});
+  for (Index p = 0; p < points; ++p) {
+    excite(p, signals);
+    model_.acceleration_by_parameters(parameters.data(), excitation_.data(), path.position.col(p).data(),
+                                      path.velocity.col(p).data(), slope.data());
+    for (Index i = 0; i < count; ++i)
+      for (Index k = 0; k < modes; ++k)
+        felt(i * modes + k, p) = slope(k * all + static_cast<Index>(symbols[static_cast<std::size_t>(i)]));
+  }
+  const MatrixXcd lines = torus_.coefficients(felt);
+  std::vector<MatrixXcd> slopes;
+  for (Index i = 0; i < count; ++i) slopes.push_back(lines.middleRows(i * modes, modes));
+  return slopes;
+}
+
 MatrixXcd BalanceSweep::residual(const Path& path, std::span<const double> parameters) {
-  return torus_.coefficients(accelerations(path.position, path.velocity, parameters)) -
+  return torus_.coefficients(accelerations(path.position, path.velocity, parameters,
+                                           signals(path.position, path.velocity, parameters))) -
          path.lines * rates_.cwiseProduct(rates_).asDiagonal();
 }
 
-bool BalanceSweep::remembers(std::span<const double> parameters) const {
-  return std::any_of(forces_.begin(), forces_.end(), [&](const StateForce& force) {
-    return parameters[force.strength_symbol] != 0 && has_memory(force.law);
-  });
-}
-
+// What a line moves, every point feels through its own displacement and velocity: a pair of evaluations for each of
+// these instead of one for each line. A force with memory, which does not feel where the whole path lies, counts as
+// a signal there; what a line changes of that signal goes through the accelerations' slope by it.
 MatrixXcd BalanceSweep::residual_slopes(const Path& path, std::span<const double> parameters,
-                                        const std::vector<SlavedLine>& slaves, double length) {
-  return remembers(parameters) ? slopes_by_line(path, parameters, slaves, length)
-                               : slopes_by_point(path, parameters, slaves, length);
-}
-
-// What a line moves, every point feels through its own displacement and velocity alone: a pair of evaluations for
-// each of these instead of one for each line.
-MatrixXcd BalanceSweep::slopes_by_point(const Path& path, std::span<const double> parameters,
                                         const std::vector<SlavedLine>& slaves, double length) {
   const auto modes = path.position.rows(), points = path.position.cols();
   double fastest = 0;
@@ -122,13 +150,27 @@ MatrixXcd BalanceSweep::slopes_by_point(const Path& path, std::span<const double
     const auto slope = [&](bool of_velocity, double step) {
       MatrixXd position = path.position, velocity = path.velocity;
       (of_velocity ? velocity : position).row(k).array() += step;
-      MatrixXd change = accelerations(position, velocity, parameters);
+      MatrixXd change = accelerations(position, velocity, parameters, signals(position, velocity, parameters));
       (of_velocity ? velocity : position).row(k).array() -= 2 * step;
-      change -= accelerations(position, velocity, parameters);
+      change -= accelerations(position, velocity, parameters, signals(position, velocity, parameters));
       return MatrixXd(change / (2 * step));
     };
     by_position.push_back(slope(false, length));
     by_velocity.push_back(slope(true, length * fastest));
+  }
+  const std::vector<Signal> signals = this->signals(path.position, path.velocity, parameters);
+  struct Memory {
+    const Signal& signal;
+    MatrixXd felt;  // accelerations by the signal
+  };
+  std::vector<Memory> memories;
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    if (!has_memory(signals[i].force->law)) continue;
+    std::vector<Signal> stronger = signals;
+    stronger[i].values.array() += length;  // which the accelerations are linear in
+    MatrixXd change = accelerations(path.position, path.velocity, parameters, stronger);
+    change -= accelerations(path.position, path.velocity, parameters, signals);
+    memories.push_back({signals[i], change / length});
   }
   struct Entry {
     Index mode, line;
@@ -149,6 +191,16 @@ MatrixXcd BalanceSweep::slopes_by_point(const Path& path, std::span<const double
     const auto k = static_cast<std::size_t>(entry.mode);
     felt.middleRows(e * modes, modes) =
         by_position[k] * moved.position.row(0).asDiagonal() + by_velocity[k] * moved.velocity.row(0).asDiagonal();
+    for (const Memory& memory : memories) {
+      const StateForce& force = *memory.signal.force;
+      if (force.mode != k) continue;
+      MatrixXd position = path.position;
+      position.row(entry.mode) += length * moved.position.row(0);
+      const RowVectorXd change = (signal_over_turn(force, position, path.velocity, parameters[force.shape_symbol]) -
+                                  memory.signal.values) /
+                                 length;
+      felt.middleRows(e * modes, modes) += memory.felt * change.asDiagonal();
+    }
   }
   const MatrixXcd changes = torus_.coefficients(felt);
   MatrixXcd slopes(modes * lines, count);
@@ -158,17 +210,6 @@ MatrixXcd BalanceSweep::slopes_by_point(const Path& path, std::span<const double
     change(entry.mode, entry.line) -= entry.unit * rates_(entry.line) * rates_(entry.line);
     slopes.col(e) = change.reshaped();
   }
-  return slopes;
-}
-
-// Forces with memory: the whole path counts.
-MatrixXcd BalanceSweep::slopes_by_line(const Path& path, std::span<const double> parameters,
-                                       const std::vector<SlavedLine>& slaves, double length) {
-  const MatrixXcd base = residual(path, parameters);
-  MatrixXcd slopes(base.size(), gathered(slaves, path.lines).size());
-  for (Index s = 0; s < slopes.cols(); ++s)
-    slopes.col(s) =
-        ((residual(this->path(with_step(slaves, path.lines, s, length)), parameters) - base) / length).reshaped();
   return slopes;
 }
 

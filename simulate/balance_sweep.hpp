@@ -48,30 +48,37 @@ class BalanceSweep {
   Eigen::MatrixXcd residual_slopes(const Path& path, std::span<const double> parameters,
                                    const std::vector<SlavedLine>& slaves, double length);
 
+  /// Change of the residual with each of some symbols of the model, divided by it: modes x lines. Not for the shape
+  /// of a force, which the equations of motion do not show.
+  std::vector<Eigen::MatrixXcd> parameter_slopes(const Path& path, std::span<const double> parameters,
+                                                 const std::vector<std::size_t>& symbols);
+
   /// The steps that would bring the slaved lines into balance if nothing else depended on them.
   static Eigen::VectorXd steps(const std::vector<SlavedLine>& slaves, const Eigen::MatrixXcd& residual);
 
  private:
-  /// Values of a force that is switched on, over one turn.
+  /// Values of a force over one turn.
   struct Signal {
-    std::size_t excitation;
+    const StateForce* force;
     Eigen::RowVectorXd values;
   };
 
-  bool remembers(std::span<const double> parameters) const;
+  /// Of the forces that are switched on, and of those whose strength is among `strengths`.
+  std::vector<Signal> signals(const Eigen::MatrixXd& position, const Eigen::MatrixXd& velocity,
+                              std::span<const double> parameters,
+                              const std::vector<std::size_t>& strengths = {}) const;
+  /// What excites the model at one point.
+  void excite(Eigen::Index point, const std::vector<Signal>& signals);
   /// Accelerations over one turn: modes x points.
   const Eigen::MatrixXd& accelerations(const Eigen::MatrixXd& position, const Eigen::MatrixXd& velocity,
-                                       std::span<const double> parameters);
-  Eigen::MatrixXcd slopes_by_point(const Path& path, std::span<const double> parameters,
-                                   const std::vector<SlavedLine>& slaves, double length);
-  Eigen::MatrixXcd slopes_by_line(const Path& path, std::span<const double> parameters,
-                                  const std::vector<SlavedLine>& slaves, double length);
+                                       std::span<const double> parameters, const std::vector<Signal>& signals);
 
   const CompiledModel& model_;
   std::vector<StateForce> forces_;
   const Torus& torus_;
   Eigen::RowVectorXcd rates_;
   Eigen::MatrixXd force_, force_rate_, force_acceleration_, acceleration_;
+  std::vector<Eigen::Index> driven_;  ///< excitations that are not zero
   std::vector<ExcitationSample> excitation_;
 };
 
