@@ -20,6 +20,10 @@ enum Guard : std::size_t {
 };
 constexpr double never = std::numeric_limits<double>::infinity();
 
+bool is_finite(const State& state) {
+  return std::all_of(state.begin(), state.end(), [](double x) { return std::isfinite(x); });
+}
+
 int sign_of(double x) {
   return x < 0 ? -1 : 1;
 }
@@ -159,6 +163,11 @@ void Integrator::advance(double step) {
   for (int cuts = 0; cuts < 20; ++cuts) {
     const double left = end - t_;
     const Stepped whole = stepped(left);
+    // A motion that has left for infinity has no branches to find.
+    if (!is_finite(whole.state)) {
+      move(end, whole);
+      return;
+    }
     double first = left;
     std::size_t which = guards;
     for (std::size_t g = 0; g < guards; ++g) {

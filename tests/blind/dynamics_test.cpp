@@ -98,6 +98,21 @@ TEST(BlindIntegrator, FindsTheMomentsOfAContact) {
 
 // Free decay with dry friction: the amplitude falls by 2 fc/omega^2 in each half cycle, and the mass stops where
 // the spring is weaker than friction.
+// A softening spring lets go; what is kinked besides has no moments to be found any more.
+TEST(BlindIntegrator, AMotionThatLeavesForInfinityIsNotFiniteAndNoFailure) {
+  for (const bool contact : {false, true}) {
+    Structure structure = one_mode(1);
+    structure.mode[0].alpha3 = -1;
+    structure.mode[0].friction = 0.01;
+    if (contact) structure.mode[0].bilinear = 0.1;
+    State state{};
+    EXPECT_NO_THROW(state = after(structure, {.frequency = 1}, at_rest_from(2), 50, 500)) << contact;
+    EXPECT_FALSE(std::isfinite(displacement(state, 0))) << contact;
+    EXPECT_NO_THROW(state = after(structure, {.frequency = 1}, at_rest_from(-2), 50, 500)) << contact;
+    EXPECT_FALSE(std::isfinite(displacement(state, 0))) << contact;
+  }
+}
+
 TEST(BlindIntegrator, FrictionStopsTheMotion) {
   Structure structure = one_mode(2);
   structure.mode[0].friction = 0.4;  // 0.1 in displacement
