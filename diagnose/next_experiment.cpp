@@ -255,7 +255,7 @@ ProposedDwell next_experiment(const ConditionModel& model, const std::vector<Con
     dwells[t] = predicted(model, conditions[tests[t].condition], tests[t], hypotheses);
   });
   ProposedDwell best;
-  for (const double length : {1.0, longer_dwell}) {
+  for (const double length : dwell_lengths) {
     best = best_of(model, conditions, tests, dwells, length, hypotheses, dispersion, threads);
     if (best.compared == 0 || best.chance > as_good_as_certain) break;
   }

@@ -40,14 +40,15 @@ struct ProposedDwell {
 /// chi-squared that refitting cannot take back (a discrimination design; Box and Hill 1967, Atkinson and Fedorov
 /// 1975), and exp(-d^2/2) the expected odds. What a dwell adds to the logarithm of the odds is normal with mean
 /// d^2/2 and standard deviation d, which gives its chance. Levels stay within half the lowest and twice the highest
-/// used; where no dwell as long as those measured is as good as certain, one `longer_dwell` times as long is looked
-/// for. Without a proposal (compared = 0) there is no dwell to start from.
+/// used; where no dwell as long as those measured is as good as certain, one of the next of `dwell_lengths` is
+/// looked for. Without a proposal (compared = 0) there is no dwell to start from.
 ProposedDwell next_experiment(const ConditionModel& model, const std::vector<Condition>& conditions,
                               const std::vector<Hypothesis>& hypotheses, double dispersion, unsigned threads);
 
 /// Odds below which an explanation is out.
 inline constexpr double told_apart = 0.05;
 
-inline constexpr double longer_dwell = 4;
+/// Times the number of ensembles of a measured dwell: each halves the errors of the one before.
+inline constexpr double dwell_lengths[] = {1, 4, 16};
 
 }  // namespace secular

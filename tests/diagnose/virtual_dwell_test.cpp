@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "diagnose/next_experiment.hpp"
 #include "tests/diagnose/laboratory.hpp"
@@ -94,15 +95,16 @@ TEST(NextExperiment, GoesWhereTheLawsPart) {
 }
 
 // A dwell four times as long, where one alone is not as good as certain, halves the errors: at most twice the
-// separation (the explanations' own freedom stays).
+// separation (the explanations' own freedom stays). Where that is not enough either, sixteen times as long.
 TEST(NextExperiment, IsLongerWhereItHasToBe) {
   const Laboratory lab;
   const double force = 3, frequency = natural, half = 0.5 * force * std::abs(direct) / (2 * damping * frequency);
   const double peak = 2 * half, rate = 0.75 * std::pow(frequency * peak, 2),
                drag_rate = 8 / (3 * std::numbers::pi) * frequency * peak;
   const Condition measured = lab.dwell(frequency, force, Complex(0, half));
-  double shortest = 0;
-  for (const double share : {0.4, 0.2, 0.1, 0.05, 0.025}) {
+  double length = 1;
+  std::set<double> used;
+  for (const double share : {0.4, 0.01, 0.001, 0.0005, 0.0002, 0.0001}) {
     const double added = share * damping, own = (1 - share / 2) * damping;
     const VectorXd cubic = lab.unknowns({{"mu1", own}, {"mu3", added / rate}}),
                    drag = lab.unknowns({{"mu1", own}, {"mu2", added / drag_rate}});
@@ -112,15 +114,14 @@ TEST(NextExperiment, IsLongerWhereItHasToBe) {
     // Phi((d^2/2 - ln 20)/d) of the closer of the two.
     const double d = next.separation;
     EXPECT_NEAR(next.chance, 0.5 * std::erfc(-(d / 2 - std::log(20) / d) / std::sqrt(2)), 0.1);
-    if (next.length == 1) {
+    EXPECT_GE(next.length, length) << "the harder to tell, the longer";
+    length = next.length;
+    used.insert(length);
+    if (length < 16) {
       EXPECT_GT(next.chance, 0.9);
-      shortest = share;
-    } else {
-      EXPECT_EQ(next.length, longer_dwell);
-      EXPECT_LT(share, shortest);
     }
   }
-  EXPECT_GT(shortest, 0);
+  EXPECT_EQ(used, (std::set<double>{1, 4, 16}));
 }
 
 }  // namespace
