@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
@@ -36,6 +38,7 @@ void print_summary(const ProcedureRun& run, const std::string& folder) {
       std::string line = fmt::format(
           "  {:<40} {:<18}", row.name,
           row.sd ? report::format_uncertain(row.recovered, *row.sd) : report::format_number(row.recovered, 5));
+      if (row.bias) line += "  without bias " + report::format_uncertain(row.best(), row.bias->sd());
       if (row.truth) line += "  true " + number_or_blank(row.truth);
       if (row.as_printed) line += "  as printed " + number_or_blank(row.as_printed);
       if (row.source) line += "  Table " + row.table + ": " + number_or_blank(row.source);
@@ -66,8 +69,10 @@ void add_procedure_command(CLI::App& root, Action& chosen) {
   command->add_option("--model", request.model, "model file, or the name of a shipped model")->required();
   command->add_option("--case", request.resonance, "resonance case; otherwise the one that the methods cover");
   command
-      ->add_option("--method", request.methods,
-                   "saddle_node, harmonic, frequency_response, two_modes, anova; all that apply without it")
+      ->add_option(
+          "--method", request.methods,
+          "saddle_node, harmonic, frequency_response, two_modes, anova (alone: of any case of dwells); all that "
+          "apply without it")
       ->delimiter(',')
       ->check(CLI::IsMember({"saddle_node", "harmonic", "frequency_response", "two_modes", "anova"}));
   command->add_option("--term", options->terms, "NAME,NAME: columns tested together in the analysis of variance")
@@ -80,6 +85,11 @@ void add_procedure_command(CLI::App& root, Action& chosen) {
   command->add_option("--to", options->to, "use every record up to this time, s");
   command->add_option("-o,--output", options->folder, "folder for procedures.json and report.html")->required();
   command->add_flag("--interpret", request.interpret, "no compiled code of the model: slower, same results");
+  command->add_flag("!--no-bias", request.bias,
+                    "leave out what every method does on motions of the full equations, where the truth is known");
+  request.threads = std::max(1U, std::thread::hardware_concurrency());
+  command->add_option("--threads", request.threads, "threads; the result does not depend on it")
+      ->check(CLI::Range(1U, 1024U));
   command->add_flag("--json", options->json, "print procedures.json instead of the summary");
   command->footer(
       "Example: secular procedure campaign --model two_mass_mode1 --true experiments/thesis_chapter5 -o out");

@@ -36,6 +36,10 @@ Json value_json(const EstimatedValue& value, bool lump) {
   entry["significant"] = value.significant;
   entry["from"] = value.from;
   if (value.fixed) entry["fixed"] = true;
+  if (value.value && !value.fixed) {
+    entry["sd_by_noise"] = value.noise_sd;
+    entry["sd_by_open_parameters"] = value.open_sd;
+  }
   if (value.misfit > 0) entry["misfit"] = value.misfit;
   if (value.doubtful) entry["doubtful"] = true;
   if (value.truncation != 0) entry["truncation_correction"] = -value.truncation;

@@ -166,6 +166,8 @@ class StageClock {
       }
     seconds_.emplace_back(stage, passed);
   }
+  /// Time since the last call belongs to none.
+  void skip() { last_ = std::chrono::steady_clock::now(); }
 
  private:
   std::vector<std::pair<std::string, double>>& seconds_;
@@ -195,12 +197,8 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
   result.model = source.load(assignment.names);
   const CompiledModel& model = *result.model;
   clock.done("model");
-  result.coordinate_unit = modal_projection(campaign, model).unit;
   for (std::size_t c = 0; c < assignment.names.size(); ++c) {
     const CompiledCase& resonance = named_case(model, assignment.names[c]);
-    if (resonance.excited && result.excitation_units.empty())
-      for (const std::size_t channel : excitation_channels(campaign, model))
-        result.excitation_units.push_back(campaign.channels[channel].unit);
     Window window = request.window;
     window.chosen = assignment.records[c];
     window.threads = request.threads;
@@ -208,41 +206,10 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
                                                 : observe_free_decays(campaign, read, model, resonance, window));
   }
   clock.done("observation");
-  const MeasuredUnits units{result.coordinate_unit, result.excitation_units};
-  EstimateOptions options;
-  options.fixed = request.fixed;
-  options.bootstrap = request.bootstrap;
-  options.seed = request.seed;
-  options.refine = request.refine;
-  options.threads = request.threads;
-  EstimateOptions first = options;
-  first.judge_fit = first.damping_laws = false;
-  first.rough_errors = true;
-  first.bootstrap = 0;
-  Estimate raw = estimate(result.measured, units, first);
-  clock.done("regression");
-  const auto replay = [&](const ObservationSet& set, const Eigen::VectorXd& parameters) {
-    return observe_replay(campaign, set, parameters, request.threads);
-  };
-  try {
-    TruncationCorrection correction = correct_truncation(result.measured, raw, units, options, replay,
-                                                         [&](const char* stage) { clock.done(stage); });
-    result.estimate = std::move(correction.estimate);
-    result.measured = std::move(correction.measured);
-    result.replayed = std::move(correction.replayed);
-    for (ObservationSet& set : result.replayed)
-      if (set.resonance->excited) to_steady_amplitudes(set, result.estimate.parameter_values);
-  } catch (const InputError& error) {
-    result.replayed = result.measured;
-    for (ObservationSet& set : result.replayed) set.observations.clear();
-    EstimateOptions uncorrected = options;
-    uncorrected.judge_fit = false;
-    uncorrected.start = raw.state;
-    result.estimate = estimate(result.measured, units, uncorrected);
-    result.estimate = with_failed_correction(std::move(result.estimate), error.what());
-  }
+  estimate_observed(request, result);
   result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
                                   assignment.warnings.end());
+  clock.skip();
   try {
     for (const ObservationSet& set : result.measured)
       if (!set.resonance->excited && model.modes() == 1)
@@ -256,6 +223,50 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
   }
   clock.done("held out");
   return result;
+}
+
+void estimate_observed(const IdentificationRequest& request, Identification& id) {
+  StageClock clock(id.seconds);
+  const Campaign& campaign = id.campaign;
+  id.coordinate_unit = modal_projection(campaign, *id.model).unit;
+  id.excitation_units.clear();
+  if (std::any_of(id.measured.begin(), id.measured.end(),
+                  [](const ObservationSet& s) { return s.resonance->excited; }))
+    for (const std::size_t channel : excitation_channels(campaign, *id.model))
+      id.excitation_units.push_back(campaign.channels[channel].unit);
+  const MeasuredUnits units{id.coordinate_unit, id.excitation_units};
+  EstimateOptions options;
+  options.fixed = request.fixed;
+  options.bootstrap = request.bootstrap;
+  options.seed = request.seed;
+  options.refine = request.refine;
+  options.threads = request.threads;
+  EstimateOptions first = options;
+  first.judge_fit = first.damping_laws = false;
+  first.rough_errors = true;
+  first.bootstrap = 0;
+  Estimate raw = estimate(id.measured, units, first);
+  clock.done("regression");
+  const auto replay = [&](const ObservationSet& set, const Eigen::VectorXd& parameters) {
+    return observe_replay(campaign, set, parameters, request.threads);
+  };
+  try {
+    TruncationCorrection correction =
+        correct_truncation(id.measured, raw, units, options, replay, [&](const char* stage) { clock.done(stage); });
+    id.estimate = std::move(correction.estimate);
+    id.measured = std::move(correction.measured);
+    id.replayed = std::move(correction.replayed);
+    for (ObservationSet& set : id.replayed)
+      if (set.resonance->excited) to_steady_amplitudes(set, id.estimate.parameter_values);
+  } catch (const InputError& error) {
+    id.replayed = id.measured;
+    for (ObservationSet& set : id.replayed) set.observations.clear();
+    EstimateOptions uncorrected = options;
+    uncorrected.judge_fit = false;
+    uncorrected.start = raw.state;
+    id.estimate = estimate(id.measured, units, uncorrected);
+    id.estimate = with_failed_correction(std::move(id.estimate), error.what());
+  }
 }
 
 }  // namespace secular::app

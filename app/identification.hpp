@@ -48,4 +48,8 @@ Identification identify(const IdentificationRequest& request);
 /// The same for records that are not in files: `request.campaign` is not read.
 Identification identify(const IdentificationRequest& request, const Campaign& measured, const RecordReader& read);
 
+/// What follows the observations: `id` holds campaign, model and what was measured, and gets the estimate, the
+/// replays and the units.
+void estimate_observed(const IdentificationRequest& request, Identification& id);
+
 }  // namespace secular::app

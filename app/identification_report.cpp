@@ -268,24 +268,29 @@ void add_values(report::HtmlReport& page, const std::vector<EstimatedValue>& val
                    {"Unit", Column::Kind::text, ""},
                    {"95 % interval", Column::Kind::text, ""},
                    {"sd / value", Column::Kind::number, ""},
+                   {"by noise", Column::Kind::number, ""},
+                   {"left open", Column::Kind::number, ""},
                    {"Truncation corrected", Column::Kind::number, ""},
                    {lumps ? "Definition" : "From", Column::Kind::text, ""}};
   for (const EstimatedValue& v : values) {
     if (lumps && v.from == "not used") continue;
     std::vector<std::string> row{v.name};
     if (v.fixed) {
-      row.insert(row.end(), {report::format_number(*v.value, 6), report::pretty_unit(v.unit), "given", "", ""});
+      row.insert(row.end(),
+                 {report::format_number(*v.value, 6), report::pretty_unit(v.unit), "given", "", "", "", ""});
     } else if (v.value) {
       const Interval interval = confidence_interval(*v.value, v.sd, v.degrees_of_freedom);
       row.insert(row.end(), {report::format_uncertain(*v.value, v.sd) + (v.doubtful ? " doubtful" : ""),
                              report::pretty_unit(v.unit), report::format_interval(interval.low, interval.high),
                              report::format_percent(v.sd / std::abs(*v.value)),
+                             report::format_percent(v.noise_sd / std::abs(*v.value)),
+                             report::format_percent(v.open_sd / std::abs(*v.value)),
                              report::format_percent(-v.truncation / std::abs(*v.value))});
     } else {
       std::string with;
       for (const std::string& other : v.entangled_with) with += (with.empty() ? "" : ", ") + other;
       row.insert(row.end(), {"not identifiable", report::pretty_unit(v.unit),
-                             with.empty() ? "" : "entangled with " + with, "", ""});
+                             with.empty() ? "" : "entangled with " + with, "", "", "", ""});
     }
     row.push_back(lumps ? v.definition : v.from);
     table.rows.push_back(std::move(row));
@@ -510,9 +515,11 @@ std::string identification_report(const Identification& id, const std::string& c
       "words "
       "\"not identifiable\" cannot be told apart from those it is entangled with: no number is given for it. "
       "Standard "
-      "deviations come from the scatter between test conditions and include what the correction for the "
-      "expansion's "
-      "truncation leaves open.");
+      "deviations have two parts: by noise, from the scatter between test conditions, and what is left open, the "
+      "bias "
+      "that the expansion's truncation may have where entangled parameters act beyond it (another measurement of "
+      "the "
+      "same kind would not change that part).");
   add_values(page, id.estimate.parameters, false);
   for (std::size_t c = 0; c < id.measured.size(); ++c) {
     const CaseView view = view_of(id, c);

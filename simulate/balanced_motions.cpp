@@ -26,7 +26,7 @@ bool at_rest(const LinePhase& phase) {
 }  // namespace
 
 BalancedMotions::BalancedMotions(const CompiledModel& model, const CompiledCase& resonance)
-    : model_(model), base_(base_phases(model, resonance)) {
+    : model_(model), resonance_(resonance), base_(base_phases(model, resonance)) {
   if (!base_) return;
   const int highest = base_->highest() * (base_->dimensions() == 1 ? multiples_of_one : multiples_of_two);
   torus_ = std::make_shared<const Torus>(base_->dimensions(), highest, points_by_line * highest);
@@ -114,6 +114,17 @@ std::optional<Complex> BalancedMotions::amplitude_of(std::size_t mode, std::span
   const auto line = find(sum);
   if (!line) return std::nullopt;
   return line->of(balanced.motion.displacement(static_cast<Index>(mode), line->line));
+}
+
+void BalancedMotions::show(const Balanced& balanced, Observation& seen) const {
+  for (std::size_t k = 0; k < seen.rate.size(); ++k)
+    if (const auto rate = rate_of(k, balanced)) seen.rate[k] = *rate;
+  for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
+    const RegressorBlock& block = resonance_.blocks[b];
+    if (block.kind != BlockKind::harmonic) continue;
+    if (const auto amplitude = amplitude_of(static_cast<std::size_t>(block.mode), block.phase, balanced))
+      seen.harmonic[b] = *amplitude;
+  }
 }
 
 }  // namespace secular

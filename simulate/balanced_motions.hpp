@@ -39,6 +39,8 @@ class BalancedMotions {
   /// has it); nothing beyond the highest line.
   std::optional<std::complex<double>> amplitude_of(std::size_t mode, std::span<const int> phase,
                                                    const Balanced& balanced) const;
+  /// Gives `seen` the rates of the modes and every harmonic of the case that has a line.
+  void show(const Balanced& balanced, Observation& seen) const;
 
  private:
   /// rate_of less the observed rate; zero of a mode at rest.
@@ -58,6 +60,7 @@ class BalancedMotions {
   std::optional<SignedLine> find(const LinePhase& phase) const;
 
   const CompiledModel& model_;
+  const CompiledCase& resonance_;
   std::optional<BasePhases> base_;
   std::shared_ptr<const Torus> torus_;
 };

@@ -14,18 +14,6 @@ Observation mean_of(std::span<const Observation> observations, const Observation
   return set.resonance->excited ? mean_motion(observations, *set.model, *set.resonance) : observations.front();
 }
 
-void set_motion(const BalancedMotions& motions, const BalancedMotions::Balanced& balanced,
-                const ObservationSet& set, Observation& o) {
-  for (std::size_t k = 0; k < o.rate.size(); ++k)
-    if (const auto rate = motions.rate_of(k, balanced)) o.rate[k] = *rate;
-  const auto& blocks = set.resonance->blocks;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    if (blocks[b].kind != BlockKind::harmonic) continue;
-    const auto mode = static_cast<std::size_t>(blocks[b].mode);
-    if (const auto amplitude = motions.amplitude_of(mode, blocks[b].phase, balanced)) o.harmonic[b] = *amplitude;
-  }
-}
-
 }  // namespace
 
 BalancedSet::BalancedSet(const ObservationSet& set, unsigned threads)
@@ -48,7 +36,7 @@ std::optional<ObservationSet> BalancedSet::at(const Eigen::VectorXd& parameters)
     if (!balanced && group.latest) balanced = motions_.at(parameters, group.mean);
     if (!balanced) return;
     Observation exact = group.mean;
-    set_motion(motions_, *balanced, result, exact);
+    motions_.show(*balanced, exact);
     for (std::size_t i = group.begin; i < group.end; ++i) take_motion(exact, result.observations[i]);
     group.latest = std::move(balanced->motion);
     found[g] = true;

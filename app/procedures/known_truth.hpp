@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "estimator/compiled_model.hpp"
 
@@ -16,6 +17,10 @@ class KnownTruth {
   /// `source`: an experiment or a parameter file that gives every symbol of the model; empty: not known. Throws
   /// InputError.
   KnownTruth(const std::string& source, const CompiledModel& model, const CompiledCase& resonance);
+
+  /// Numbers by symbol of the model.
+  KnownTruth(Eigen::VectorXd parameters, const CompiledModel& model, const CompiledCase& resonance)
+      : model_(&model), resonance_(&resonance), parameters_(std::move(parameters)) {}
 
   bool known() const { return parameters_.size() > 0; }
   const Eigen::VectorXd& parameters() const { return parameters_; }  ///< by symbol of the model; empty: not known

@@ -191,7 +191,7 @@ ProcedureSection response_section(const ProcedureData& test, const LawFit& law_f
 
 void saddle_node_and_response(const ProcedureData& test, const std::vector<const DwellMean*>& points) {
   const LawFit laws[] = {fit_law(test, DampingLaw::quadratic, points), fit_law(test, DampingLaw::cubic, points)};
-  decide_damping(test);
+  if (!test.values_only) decide_damping(test);
   const LawFit& chosen = laws[0].right.residual_sd < laws[1].right.residual_sd ? laws[0] : laws[1];
   for (const LawFit& law : laws) {
     if (test.wants("saddle_node"))

@@ -27,8 +27,9 @@ struct ProcedureData {
   ProcedureRun& run;
   KnownTruth truth;
   std::vector<DwellMean> dwells;
-  double centre = 0;  ///< excitation frequency at exact resonance, rad/s
-  std::string unit;   ///< of a modal displacement
+  double centre = 0;         ///< excitation frequency at exact resonance, rad/s
+  std::string unit;          ///< of a modal displacement
+  bool values_only = false;  ///< no tests: nothing but what the methods recover
 
   bool wants(const std::string& method) const;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +22,21 @@ struct ProcedureRequest {
   std::string truth;                            ///< parameter file or experiment, empty: not known
   Window window;
   bool interpret = false;
+  bool bias = true;      ///< see ProcedureBias
+  unsigned threads = 1;  ///< the result does not depend on it
+};
+
+/// What a method does beside the truth: the equations behind it end at second order, its points are near
+/// saddle-nodes and not on them, exact resonance is known to a bracket. Seen on steady motions that the full
+/// equations of motion make of the parameters that `secular identify` finds in the same campaign, where the truth
+/// is known.
+struct ProcedureBias {
+  double value = 0;               ///< recovered minus true there, mean over draws of the measured noise
+  double noise_sd = 0;            ///< of `recovered` and, by way of the identified parameters, of the bias
+  double open_sd = 0;             ///< by what the campaign leaves open of the parameters
+  double degrees_of_freedom = 0;  ///< of noise_sd
+
+  double sd() const { return std::hypot(noise_sd, open_sd); }
 };
 
 /// One quantity: recovered beside true beside printed.
@@ -32,6 +48,11 @@ struct ProcedureRow {
   std::optional<double> as_printed;  ///< what the printed equation makes of the same data
   std::optional<double> truth, source, source_sd;
   std::string table;
+  std::optional<ProcedureBias> bias;  ///< of `recovered`
+
+  /// `recovered` without its bias, where that is known, and the standard deviation that goes with it.
+  double best() const { return bias ? recovered - bias->value : recovered; }
+  std::optional<double> best_sd() const { return bias ? std::optional(bias->sd()) : sd; }
 };
 
 struct ProcedureSection {
@@ -53,6 +74,9 @@ struct ProcedureRun {
 /// The named methods of the source, chapters 5 and 6 and Appendix D, on a campaign. Throws InputError for a case
 /// they do not cover and for data that are not enough.
 ProcedureRun run_procedures(const ProcedureRequest& request);
+
+/// The same for records that are not in files: `request.campaign` is not read.
+ProcedureRun run_procedures(const ProcedureRequest& request, const Campaign& measured, const RecordReader& read);
 
 /// procedures.json and the report page.
 std::string procedures_json(const ProcedureRun& run);

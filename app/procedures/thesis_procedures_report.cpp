@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/procedures/thesis_procedures.hpp"
+#include "estimator/regression/confidence.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
 
@@ -43,10 +44,30 @@ std::string cell(const std::optional<double>& value, int digits = 4) {
   return value ? report::format_number(*value, digits) : "";
 }
 
+// By how many standard deviations the best value is off.
+std::optional<double> sd_off(const ProcedureRow& row) {
+  const std::optional<double> sd = row.best_sd();
+  if (!row.truth || !sd || !(*sd > 0)) return {};
+  return (row.best() - *row.truth) / *sd;
+}
+
+Json bias_json(const ProcedureRow& row) {
+  if (!row.bias) return nullptr;
+  const Interval interval = confidence_interval(row.best(), row.bias->sd(), row.bias->degrees_of_freedom);
+  return {{"value", row.bias->value},
+          {"sd_by_noise", row.bias->noise_sd},
+          {"sd_by_open_parameters", row.bias->open_sd},
+          {"value_without_bias", row.best()},
+          {"sd", row.bias->sd()},
+          {"ci95", {interval.low, interval.high}}};
+}
+
 Table values_table(const ProcedureSection& section) {
   Table table;
   table.columns = {{"Quantity", Column::Kind::text, ""},
                    {"Recovered", Column::Kind::number, ""},
+                   {"Its bias", Column::Kind::number, ""},
+                   {"Without bias", Column::Kind::number, ""},
                    {"True", Column::Kind::number, ""},
                    {"Off by", Column::Kind::number, "sd"},
                    {"As printed", Column::Kind::number, ""},
@@ -55,15 +76,16 @@ Table values_table(const ProcedureSection& section) {
                    {"Its sd", Column::Kind::number, ""},
                    {"Unit", Column::Kind::text, ""}};
   for (const ProcedureRow& row : section.rows) {
-    const bool judged = row.truth && row.sd && *row.sd > 0;
-    const double off = judged ? (row.recovered - *row.truth) / *row.sd : 0;
+    const std::optional<double> off = sd_off(row);
     table.rows.push_back(
         {row.name,
          row.sd ? report::format_uncertain(row.recovered, *row.sd) : report::format_number(row.recovered, 5),
-         cell(row.truth), judged ? report::format_fixed(off, 1) : "", cell(row.as_printed), cell(row.scatter, 2),
+         row.bias ? report::format_uncertain(row.bias->value, row.bias->sd()) : "",
+         row.bias ? report::format_uncertain(row.best(), row.bias->sd()) : "", cell(row.truth),
+         off ? report::format_fixed(*off, 1) : "", cell(row.as_printed), cell(row.scatter, 2),
          row.source ? cell(row.source) + " (" + row.table + ")" : "", cell(row.source_sd, 3),
          report::pretty_unit(row.unit)});
-    table.row_tones.push_back(judged && std::abs(off) > 3 ? Tone::caution : Tone::neutral);
+    table.row_tones.push_back(off && std::abs(*off) > 3 ? Tone::caution : Tone::neutral);
   }
   return table;
 }
@@ -110,6 +132,7 @@ std::string procedures_json(const ProcedureRun& run) {
                         {"value", row.recovered},
                         {"sd", optional_json(row.sd)},
                         {"scatter", optional_json(row.scatter)},
+                        {"bias", bias_json(row)},
                         {"true", optional_json(row.truth)},
                         {"as_printed", optional_json(row.as_printed)},
                         {"source", optional_json(row.source)},
@@ -133,9 +156,9 @@ std::string procedures_report(const ProcedureRun& run, const std::string& comman
   std::size_t inside = 0, judged = 0;
   for (const ProcedureSection& section : run.sections)
     for (const ProcedureRow& row : section.rows)
-      if (row.truth && row.sd && *row.sd > 0) {
+      if (const std::optional<double> off = sd_off(row)) {
         ++judged;
-        if (std::abs(row.recovered - *row.truth) < 2 * *row.sd) ++inside;
+        if (std::abs(*off) < 2) ++inside;
       }
   if (judged > 0)
     page.card({"Truth within two standard deviations", fmt::format("{} of {}", inside, judged), "",
@@ -144,7 +167,10 @@ std::string procedures_report(const ProcedureRun& run, const std::string& comman
   page.paragraph(
       "Recovered: misprints and wrong signs of the source put right. As printed: what the printed equation makes "
       "of "
-      "the same data. True: what the campaign was simulated with, where that is given. The source's tables are of "
+      "the same data. Its bias: what the method does on motions of the full equations with the parameters that "
+      "`secular identify` finds, where the truth is known; its error bar holds the measured noise and what the "
+      "campaign leaves open of the parameters. True: what the campaign was simulated with, where that is given. "
+      "The source's tables are of "
       "the laboratory's structure: they stand beside for their size and their standard deviations.");
   for (const ProcedureSection& section : run.sections) {
     page.section(section.title);

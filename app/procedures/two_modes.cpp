@@ -171,7 +171,7 @@ void two_mode_procedures(const ProcedureData& test) {
   }
   add_lumps(test, right, printed);
   add_fits(test, data, right);
-  if (test.wants("anova")) thesis_variance(test, right);
+  if (test.wants("anova") && !test.values_only) thesis_variance(test, right);
 }
 
 }  // namespace secular::app

@@ -23,6 +23,10 @@ struct EstimatedValue {
   std::string resonance;   ///< lumps: the case
   std::optional<double> value;
   double sd = 0, degrees_of_freedom = 0;
+  double noise_sd = 0;  ///< the part of `sd` that another measurement would draw anew
+  /// The part that it would not: what entangled parameters do beyond the expansion, as far as the data leave it
+  /// open.
+  double open_sd = 0;
   double truncation = 0;  ///< what was subtracted for the expansion's truncation
   /// By how much an effect that the model lacks may have moved it, judged by what no parameter explains; counts as
   /// two standard deviations in sd. 0: the equations fit as well as repeats of a condition agree.
@@ -73,6 +77,9 @@ struct Estimate {
   Eigen::MatrixXd unseen_coordinate;  ///< directions x symbols: SharedParameters::unseen_coordinate
   /// How far parameters are along the directions of ObservationSet::truncation_change: SharedParameters::shift.
   Eigen::VectorXd shift;
+  /// Symbols x independent directions: how far representative_parameters may be along each, one standard deviation,
+  /// by the noise of the measurement, and by what it leaves open.
+  Eigen::MatrixXd noise, open;
   Eigen::VectorXd parameter_sd;  ///< of `parameter_values` by the noise of the lumps; 0 where they say nothing
   std::vector<std::string> warnings;
   std::shared_ptr<const EstimationState> state;

@@ -26,6 +26,12 @@ bool significant(const EstimatedValue& value) {
   return value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
 }
 
+void set_errors(EstimatedValue& value, double variance, double open_variance) {
+  value.sd = std::sqrt(std::max(0.0, variance));
+  value.open_sd = std::sqrt(std::clamp(open_variance, 0.0, std::max(0.0, variance)));
+  value.noise_sd = std::sqrt(std::max(0.0, variance - open_variance));
+}
+
 // The misfit joins the error bar.
 void add_misfit(EstimatedValue& value, double misfit) {
   if (!(misfit > 0) || !value.value) return;
@@ -122,7 +128,8 @@ void fill_lump(const Estimation& e, std::size_t s, std::size_t l, const ColumnQu
     }
     value.identifiable = true;
     value.value = fit.fit.coefficients(at);
-    value.sd = std::sqrt(std::max(0.0, fit.fit.covariance(at, at)));
+    const bool open = s < e.open_variance.size() && e.open_variance[s].size() > 0;
+    set_errors(value, fit.fit.covariance(at, at), open ? e.open_variance[s](at) : 0);
     if (e.hidden[s].cols() > 0) add_misfit(value, e.hidden[s].row(at).norm());
     value.degrees_of_freedom = fit.fit.degrees_of_freedom;
     value.significant = significant(value);
@@ -151,7 +158,7 @@ void report_parameters(Estimation& e) {
     } else if (what.determined[p] && e.shared.covariance(at, at) > 0) {
       value.identifiable = true;
       value.value = e.shared.values(at);
-      value.sd = std::sqrt(e.shared.covariance(at, at));
+      set_errors(value, e.shared.covariance(at, at), e.shared.open_variance(at));
       add_misfit(value, misfit_of_parameter(e, at));
       value.degrees_of_freedom = e.shared.degrees_of_freedom(at);
       value.from = source_of(e, at);

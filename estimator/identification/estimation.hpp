@@ -44,6 +44,8 @@ struct Estimation {
   std::vector<Eigen::MatrixXd> truncation_slope;  ///< by fit: of the coefficients, by parameters
   std::vector<std::size_t> single;                ///< by fit: how many of `used` are identifiable
   SharedParameters shared;
+  std::vector<Eigen::VectorXd>
+      open_variance;  ///< by fit: of the coefficients, SharedParameters::open_variance's kin
   Eigen::MatrixXd bootstrap;
   std::vector<Eigen::MatrixXd> bootstrap_lumps;
   // Of what does not fit, see test_fit.

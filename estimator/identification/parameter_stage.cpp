@@ -128,6 +128,29 @@ void add_silent_directions(Estimation& e) {
   }
 }
 
+// Estimate::noise and Estimate::open.
+void set_uncertainty(Estimation& e) {
+  const Index symbols = e.shared.values.size(), directions = e.shared.shift.size();
+  MatrixXd map = MatrixXd::Identity(symbols, symbols + directions);
+  e.result.open = e.shared.unseen;
+  if (directions == e.shared.unseen.cols()) {
+    map.rightCols(directions) = e.shared.unseen;
+    e.result.open = e.shared.value_prior + e.shared.unseen * e.shared.shift_prior;
+  }
+  e.result.noise = MatrixXd::Zero(symbols, 0);
+  if (e.shared.noise_covariance.rows() != map.cols()) return;
+  const MatrixXd covariance = map * e.shared.noise_covariance * map.transpose();
+  const VectorXd sd = covariance.diagonal().cwiseMax(0).cwiseSqrt();
+  const VectorXd inverse = (sd.array() > 0).select(sd.cwiseInverse(), 0.0);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> own(
+      MatrixXd(inverse.asDiagonal() * covariance * inverse.asDiagonal()));
+  std::vector<Index> kept;
+  for (Index i = 0; i < symbols; ++i)
+    if (own.eigenvalues()(i) > lost_tolerance) kept.push_back(i);
+  e.result.noise =
+      sd.asDiagonal() * own.eigenvectors()(Eigen::all, kept) * own.eigenvalues()(kept).cwiseSqrt().asDiagonal();
+}
+
 }  // namespace
 
 void share_parameters(Estimation& e) {
@@ -195,6 +218,8 @@ void place_along_unseen(Estimation& e) {
   e.result.unseen = e.shared.unseen;
   e.result.unseen_coordinate = e.shared.unseen_coordinate;
   e.result.shift = e.shared.shift;
+  set_uncertainty(e);
+  e.open_variance.assign(e.fits.size(), VectorXd());
   for (std::size_t s = 0; s < e.fits.size(); ++s) {
     const CaseFit& fit = e.fits[s];
     const Index columns = fit.fit.coefficients.size();
@@ -220,6 +245,7 @@ void place_along_unseen(Estimation& e) {
     const MatrixXd map = MatrixXd::Identity(columns, columns) + back;
     LinearFit& regression = e.fits[s].fit;
     regression.influence = regression.influence * map.transpose();
+    e.open_variance[s] = left.diagonal();
     regression.covariance = map * regression.covariance * map.transpose() + left;
     regression.plain_covariance = map * regression.plain_covariance * map.transpose() + left;
   }

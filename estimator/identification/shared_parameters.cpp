@@ -255,10 +255,12 @@ class SharedFit {
     result_.values = start;
     result_.covariance = result_.plain_covariance = MatrixXd::Zero(count_, count_);
     result_.degrees_of_freedom = VectorXd::Constant(count_, std::numeric_limits<double>::infinity());
+    result_.open_variance = VectorXd::Zero(count_);
     result_.slope.assign(cases.size(), MatrixXd());
     result_.shift_slope.assign(cases.size(), MatrixXd());
     result_.shift = VectorXd::Zero(directions_);
     result_.shift_prior = MatrixXd::Identity(directions_, directions_);
+    result_.value_prior = MatrixXd::Zero(count_, directions_);
     result_.unseen = MatrixXd::Zero(count_, 0);
     result_.unseen_coordinate = MatrixXd::Zero(0, count_);
     // Where no case has a coefficient left, none says anything of the directions.
@@ -360,6 +362,7 @@ class SharedFit {
       r += size;
     }
     result_.shift_prior = inverse_.block(count_, lumps_, directions_, directions_);
+    result_.value_prior = inverse_.block(0, lumps_, count_, directions_);
   }
 
   void set_errors(bool rough_errors) {
@@ -369,33 +372,38 @@ class SharedFit {
             : scatter_at(cases_, seen_from_correction(unknowns_), count_, given_, jacobian_, directions_fitted_);
     VectorXd squares =
         VectorXd::Zero(count_);  // of independent parts of each variance, over their degrees of freedom
+    result_.noise_covariance = MatrixXd::Zero(count_ + directions_, count_ + directions_);
     const auto add = [&](const MatrixXd& covariance, const VectorXd& freedom) {
-      result_.covariance += covariance;
-      squares += covariance.diagonal().cwiseAbs2().cwiseQuotient(freedom);
+      result_.noise_covariance += covariance;
+      squares += covariance.diagonal().head(count_).cwiseAbs2().cwiseQuotient(freedom);
     };
     for (std::size_t c = 0; c < cases_.size(); ++c) {
       const LumpEstimates& part = cases_[c];
       if (part.values.size() == 0) continue;
-      const MatrixXd plain = result_.slope[c] * part.plain * result_.slope[c].transpose();
-      result_.plain_covariance += plain;
+      MatrixXd slope(count_ + directions_, part.values.size());
+      slope << result_.slope[c], result_.shift_slope[c];
+      const MatrixXd plain = slope * part.plain * slope.transpose();
+      result_.plain_covariance += plain.topLeftCorner(count_, count_);
       const VectorXd freedom = VectorXd::Constant(count_, part.degrees_of_freedom);
       if (!part.clustered) {
         add(plain, freedom);
       } else if (!between) {
         const auto n = static_cast<double>(part.influence.rows());
-        const MatrixXd moved = part.influence * result_.slope[c].transpose();
+        const MatrixXd moved = part.influence * slope.transpose();
         add((n - 1) / n * moved.transpose() * moved, freedom);
       }
     }
     if (between)
-      add(between->covariance.topLeftCorner(count_, count_),
+      add(between->covariance,
           between->degrees_of_freedom.head(count_).cwiseMax(std::numeric_limits<double>::min()));
+    result_.covariance = result_.noise_covariance.topLeftCorner(count_, count_);
     // Errors that no noise makes: where parameters may be along what no lump sees, and what that does to the
     // others.
-    const MatrixXd by_shift = inverse_.block(0, lumps_, count_, directions_),
-                   open = by_shift * by_shift.transpose() + result_.unseen * result_.unseen.transpose();
+    const MatrixXd open =
+        result_.value_prior * result_.value_prior.transpose() + result_.unseen * result_.unseen.transpose();
     result_.covariance += open;
     result_.plain_covariance += open;
+    result_.open_variance = open.diagonal();
     for (Index p = 0; p < count_; ++p)
       if (squares(p) > 0) result_.degrees_of_freedom(p) = std::pow(result_.covariance(p, p), 2) / squares(p);
   }

@@ -38,7 +38,10 @@ struct SharedParameters {
   Eigen::VectorXd values;                        ///< by CompiledModel::symbols
   std::vector<Eigen::MatrixXd> slope;            ///< by case: d values/d its lump estimates
   Eigen::MatrixXd covariance, plain_covariance;  ///< the second from the weights alone
-  Eigen::VectorXd degrees_of_freedom;            ///< by symbol (Satterthwaite over the cases)
+  /// By symbol: the part of the variance that no noise makes, where parameters may be along `unseen` and what that
+  /// does to the others by way of the truncation's correction.
+  Eigen::VectorXd open_variance;
+  Eigen::VectorXd degrees_of_freedom;  ///< by symbol (Satterthwaite over the cases)
   /// Directions in which parameters may move without any lump noticing, each as far as is plausible (one standard
   /// deviation): each parameter of an entangled group may do as much as the whole group is seen to do.
   Eigen::MatrixXd unseen;  ///< symbols x directions
@@ -49,6 +52,8 @@ struct SharedParameters {
   Eigen::VectorXd shift;
   std::vector<Eigen::MatrixXd> shift_slope;  ///< by case: d shift/d its lump estimates
   Eigen::MatrixXd shift_prior;  ///< directions x directions: what is left of their own uncertainty, as a factor
+  Eigen::MatrixXd value_prior;  ///< symbols x directions: what that does to `values`
+  Eigen::MatrixXd noise_covariance;  ///< of values and then shifts, by noise alone
   /// What no parameters can give of the lumps (clustered_chi_squared), and how many more lumps than parameters
   /// there are.
   double misfit = 0;

@@ -1,0 +1,107 @@
+#include "app/procedures/procedure_bias.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+
+#include "estimator/identification/seen_lumps.hpp"
+#include "estimator/in_parallel.hpp"
+#include "simulate/observation_noise.hpp"
+#include "simulate/steady_set.hpp"
+
+namespace secular::app {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Draws of the noise: they tell a standard deviation to 7 %.
+constexpr std::uint64_t noise_draws = 100;
+
+/// Rows of the same quantity in the same section.
+using RowKey = std::tuple<std::string, std::string, std::string>;
+using Errors = std::map<RowKey, double>;
+
+RowKey key_of(const ProcedureSection& section, const ProcedureRow& row) {
+  return {section.method, section.title, row.name};
+}
+
+// Recovered minus true. The exact resonance is not among them: it hangs on which dwells respond, and on no
+// amplitude.
+Errors errors_of(const std::vector<ProcedureSection>& sections) {
+  Errors errors;
+  for (const ProcedureSection& section : sections)
+    if (section.method != "jump_frequencies")
+      for (const ProcedureRow& row : section.rows)
+        if (row.truth && std::isfinite(row.recovered)) errors[key_of(section, row)] = row.recovered - *row.truth;
+  return errors;
+}
+
+// By row: sum over independent directions in which the parameters are uncertain, of the square by which the error
+// grows along each.
+std::map<RowKey, double> squares_along(const Eigen::MatrixXd& directions, const VectorXd& parameters,
+                                       SteadySet& motions, const MethodsOn& methods, const Errors& exact,
+                                       unsigned threads) {
+  std::vector<VectorXd> moved;
+  std::vector<std::optional<ObservationSet>> shown;
+  for (const VectorXd direction : directions.colwise()) {
+    moved.push_back(parameters + direction);
+    shown.push_back(motions.at(moved.back()));
+  }
+  std::vector<Errors> along(shown.size());
+  in_parallel(along.size(), threads, [&](std::size_t d) {
+    if (shown[d]) along[d] = errors_of(methods(*shown[d], moved[d]));
+  });
+  std::map<RowKey, double> squares;
+  for (const Errors& errors : along)
+    for (const auto& [key, error] : errors)
+      if (const auto before = exact.find(key); before != exact.end())
+        squares[key] += std::pow(error - before->second, 2);
+  return squares;
+}
+
+}  // namespace
+
+void add_bias(ProcedureRun& run, const MethodsOn& methods, const Estimate& identified, unsigned threads) {
+  const VectorXd parameters = representative_parameters(identified);
+  SteadySet motions(run.measured, threads);
+  const std::optional<ObservationSet> exact = motions.at(parameters);
+  if (!exact) {
+    run.warnings.push_back(
+        "the bias of the methods is not known: the full equations of motion with the identified parameters have no "
+        "steady motion near every dwell");
+    return;
+  }
+  std::vector<Errors> draws(noise_draws);
+  in_parallel(noise_draws, threads, [&](std::size_t draw) {
+    draws[draw] = errors_of(methods(with_observation_noise(*exact, draw + 1), parameters));
+  });
+  std::map<RowKey, std::vector<double>> errors;
+  for (const Errors& draw : draws)
+    for (const auto& [key, error] : draw) errors[key].push_back(error);
+  const Errors without_noise = errors_of(methods(*exact, parameters));
+  const auto along = [&](const Eigen::MatrixXd& directions) {
+    return squares_along(directions, parameters, motions, methods, without_noise, threads);
+  };
+  std::map<RowKey, double> by_noise = along(identified.noise), open = along(identified.open);
+  for (ProcedureSection& section : run.sections)
+    for (ProcedureRow& row : section.rows) {
+      const RowKey key = key_of(section, row);
+      const auto found = errors.find(key);
+      // A law that half of the draws decide against says nothing of its rows.
+      if (found == errors.end() || found->second.size() < noise_draws / 2) continue;
+      const Eigen::Map<const VectorXd> all(found->second.data(), static_cast<Index>(found->second.size()));
+      ProcedureBias bias;
+      bias.value = all.mean();
+      bias.degrees_of_freedom = static_cast<double>(all.size() - 1);
+      bias.noise_sd =
+          std::sqrt((all.array() - bias.value).square().sum() / bias.degrees_of_freedom + by_noise[key]);
+      bias.open_sd = std::sqrt(open[key]);
+      row.bias = bias;
+    }
+}
+
+}  // namespace secular::app
