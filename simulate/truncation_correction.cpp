@@ -241,11 +241,17 @@ class Correction {
     done_(full_equations);
   }
 
-  // In standard deviations, along unseen directions of what is plausible.
+  // In standard deviations.
   double size_of_values(const Eigen::VectorXd& step, const Estimate& by) const {
     return inverse_sd(by).cwiseProduct(values(step)).cwiseAbs().maxCoeff();
   }
   double size_of(const Eigen::VectorXd& step, const Estimate& by) const {
+    const double of_values = size_of_values(step, by);
+    if (unseen_.cols() == 0 || by.shift_sd.size() != unseen_.cols()) return of_values;
+    return std::max(of_values, shift(step).cwiseQuotient(by.shift_sd).cwiseAbs().maxCoeff());
+  }
+  // The same along unseen directions in units of what is plausible.
+  double way_of(const Eigen::VectorXd& step, const Estimate& by) const {
     const double of_values = size_of_values(step, by);
     return unseen_.cols() > 0 ? std::max(of_values, shift(step).cwiseAbs().maxCoeff()) : of_values;
   }
@@ -267,7 +273,7 @@ class Correction {
       estimate_ = estimate(at_.corrected, units_, quick_);
       next_ << acceleration.next(values(place_), estimate_.parameter_values, inverse_sd(estimate_)), shift(place_);
       done_(regression);
-      if (pass >= unseen_pass && move() < near) return;
+      if (pass >= unseen_pass && way_of(next_ - place_, estimate_) < near) return;
     }
   }
 
@@ -375,7 +381,7 @@ class Correction {
           estimate_here();
           continue;
         }
-        const bool settled = halvings == 0 && size_of(place_ - seen_at_, estimate_) < local;
+        const bool settled = halvings == 0 && way_of(place_ - seen_at_, estimate_) < local;
         if (settled || !see_slopes_again()) break;
         continue;
       }

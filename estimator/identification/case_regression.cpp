@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "estimator/identification/equation_data.hpp"
+#include "estimator/identification/shift_evidence.hpp"
 #include "estimator/in_parallel.hpp"
 #include "estimator/median.hpp"
 #include "estimator/regression/condensed_rows.hpp"
@@ -120,8 +121,11 @@ class CaseRegression {
       take(result_.fit.coefficients);
       block_misfits(result_.fit.residual);
     }
-    result_.truncation_effect = effect_of(set_.truncation_change);
-    result_.moves_effect = effect_of(set_.truncation_of_moves);
+    const MatrixXd change = whitened(set_.truncation_change);
+    result_.truncation_effect = effect_of(change);
+    result_.moves_effect = effect_of(whitened(set_.truncation_of_moves));
+    // Stretches of one decay all lack the same of the truncation: they are no conditions that tell its errors.
+    if (case_.excited) result_.shift_evidence = shift_evidence(change, result_.fit, system.condition);
     if (result_.fit.coefficients.size() > 0) result_.fit.coefficients += result_.reference;
     result_.state = {at_, offset_, scale_, result_.weight, result_.distance, result_.fit.noisy};
     return std::move(result_);
@@ -243,13 +247,11 @@ class CaseRegression {
     }
   }
 
-  // How coefficients change with what is subtracted from the equations: it moves the response; errors of columns do
-  // so next to not at all.
-  MatrixXd effect_of(const std::vector<Eigen::MatrixXcd>& changes) const {
+  // How the response changes with what is subtracted from the equations: rows x directions.
+  MatrixXd whitened(const std::vector<Eigen::MatrixXcd>& changes) const {
     const auto directions = static_cast<Index>(changes.size());
-    if (directions == 0 || result_.fit.coefficients.size() == 0)
-      return MatrixXd::Zero(result_.fit.coefficients.size(), directions);
     const WhitenedSystem& system = result_.system;
+    if (directions == 0 || result_.fit.coefficients.size() == 0) return MatrixXd::Zero(0, directions);
     MatrixXd change(system.response.size(), directions);
     std::vector<Index> begin;
     for (Index next = 0; const MatrixXd& colouring : system.colouring) {
@@ -268,6 +270,12 @@ class CaseRegression {
         }
       colouring.triangularView<Eigen::Lower>().solveInPlace(rows);
     });
+    return change;
+  }
+
+  // How coefficients do with it; errors of columns do so next to not at all.
+  MatrixXd effect_of(const MatrixXd& change) const {
+    if (change.rows() == 0) return MatrixXd::Zero(result_.fit.coefficients.size(), change.cols());
     return result_.fit.basis * (result_.fit.orthonormal.transpose() * change);
   }
 

@@ -76,7 +76,7 @@ struct Estimate {
   Eigen::MatrixXd unseen;
   Eigen::MatrixXd unseen_coordinate;  ///< directions x symbols: SharedParameters::unseen_coordinate
   /// How far parameters are along the directions of ObservationSet::truncation_change: SharedParameters::shift.
-  Eigen::VectorXd shift;
+  Eigen::VectorXd shift, shift_sd;
   /// Symbols x independent directions: how far representative_parameters may be along each, one standard deviation,
   /// by the noise of the measurement, and by what it leaves open.
   Eigen::MatrixXd noise, open;

@@ -184,6 +184,7 @@ void share_parameters(Estimation& e) {
       part.plain = part.combination * MatrixXd(fit.fit.plain_covariance(used, used)) * part.combination.transpose();
       part.influence = MatrixXd(fit.fit.influence(Eigen::all, used)) * part.combination.transpose();
       part.truncation_effect = fit.truncation_effect(used, Eigen::all);
+      part.shift_evidence = fit.shift_evidence;
       e.truncation_slope.back() = truncation_slope(e, fit);
       part.truncation_slope = e.truncation_slope.back()(used, Eigen::all);
       part.truncation_at = e.options.corrected_at;
@@ -218,6 +219,7 @@ void place_along_unseen(Estimation& e) {
   e.result.unseen = e.shared.unseen;
   e.result.unseen_coordinate = e.shared.unseen_coordinate;
   e.result.shift = e.shared.shift;
+  e.result.shift_sd = e.shared.shift_sd;
   set_uncertainty(e);
   e.open_variance.assign(e.fits.size(), VectorXd());
   for (std::size_t s = 0; s < e.fits.size(); ++s) {

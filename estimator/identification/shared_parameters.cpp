@@ -241,7 +241,7 @@ std::optional<ConditionScatter> scatter_at(std::span<const LumpEstimates> cases,
 }
 
 // Lumps of all cases on the parameters that they share. Unknowns are parameters, then shifts; after the lumps' rows
-// come those of the shifts' own size.
+// come the cases' evidence of shifts, and then those of the shifts' own size.
 class SharedFit {
  public:
   SharedFit(std::span<const LumpEstimates> cases, const VectorXd& start, const std::vector<bool>& given,
@@ -250,6 +250,7 @@ class SharedFit {
     for (const LumpEstimates& part : cases) {
       lumps_ += part.values.size();
       directions_ = std::max(directions_, part.truncation_effect.cols());
+      evidence_ += part.shift_evidence.target.size();
       whitening_.emplace_back(part.plain);
     }
     result_.values = start;
@@ -259,6 +260,7 @@ class SharedFit {
     result_.slope.assign(cases.size(), MatrixXd());
     result_.shift_slope.assign(cases.size(), MatrixXd());
     result_.shift = VectorXd::Zero(directions_);
+    result_.shift_sd = VectorXd::Ones(directions_);
     result_.shift_prior = MatrixXd::Identity(directions_, directions_);
     result_.value_prior = MatrixXd::Zero(count_, directions_);
     result_.unseen = MatrixXd::Zero(count_, 0);
@@ -280,7 +282,7 @@ class SharedFit {
   }
 
  private:
-  Index rows() const { return lumps_ + directions_; }
+  Index rows() const { return lumps_ + evidence_ + directions_; }
 
   void evaluate(const VectorXd& unknowns, bool with_truncation, VectorXd& residual, MatrixXd& jacobian) const {
     Index r = 0;
@@ -293,8 +295,17 @@ class SharedFit {
       jacobian.middleRows(r, size) = whitening_[c](part.combination * entries.slope);
       r += size;
     }
+    jacobian.bottomRows(evidence_ + directions_).setZero();
+    for (const LumpEstimates& part : cases_) {
+      const ShiftEvidence& evidence = part.shift_evidence;
+      const Index size = evidence.target.size();
+      if (size == 0) continue;
+      residual.segment(r, size) =
+          evidence.design * seen_from_correction(unknowns).tail(directions_) - evidence.target;
+      jacobian.block(r, count_, size, directions_) = evidence.design;
+      r += size;
+    }
     residual.tail(directions_) = unknowns.tail(directions_) - expected_;
-    jacobian.bottomRows(directions_).setZero();
     jacobian.bottomRightCorner(directions_, directions_).setIdentity();
   }
 
@@ -361,8 +372,8 @@ class SharedFit {
       result_.shift_slope[c] = slope.bottomRows(directions_);
       r += size;
     }
-    result_.shift_prior = inverse_.block(count_, lumps_, directions_, directions_);
-    result_.value_prior = inverse_.block(0, lumps_, count_, directions_);
+    result_.shift_prior = inverse_.bottomRightCorner(directions_, directions_);
+    result_.value_prior = inverse_.topRightCorner(count_, directions_);
   }
 
   void set_errors(bool rough_errors) {
@@ -393,6 +404,10 @@ class SharedFit {
         add((n - 1) / n * moved.transpose() * moved, freedom);
       }
     }
+    if (evidence_ > 0) {
+      const MatrixXd slope = inverse_.middleCols(lumps_, evidence_);
+      add(slope * slope.transpose(), VectorXd::Constant(count_, std::numeric_limits<double>::infinity()));
+    }
     if (between)
       add(between->covariance,
           between->degrees_of_freedom.head(count_).cwiseMax(std::numeric_limits<double>::min()));
@@ -404,6 +419,8 @@ class SharedFit {
     result_.covariance += open;
     result_.plain_covariance += open;
     result_.open_variance = open.diagonal();
+    const VectorXd of_shifts = result_.noise_covariance.diagonal().tail(directions_);
+    result_.shift_sd = (of_shifts + result_.shift_prior.rowwise().squaredNorm()).cwiseSqrt();
     for (Index p = 0; p < count_; ++p)
       if (squares(p) > 0) result_.degrees_of_freedom(p) = std::pow(result_.covariance(p, p), 2) / squares(p);
   }
@@ -412,7 +429,7 @@ class SharedFit {
     // What the fit leaves of a change of the lumps.
     const MatrixXd left = MatrixXd::Identity(rows(), rows()) - jacobian_ * inverse_;
     ResidualScatter scatter;
-    scatter.known = left.rightCols(directions_);
+    scatter.known = left.rightCols(evidence_ + directions_);
     Index r = 0;
     for (std::size_t c = 0; c < cases_.size(); ++c) {
       const LumpEstimates& part = cases_[c];
@@ -432,7 +449,7 @@ class SharedFit {
 
   std::span<const LumpEstimates> cases_;
   const std::vector<bool>& given_;
-  Index count_, lumps_ = 0, directions_ = 0;
+  Index count_, lumps_ = 0, evidence_ = 0, directions_ = 0;
   std::vector<Whitening> whitening_;
   VectorXd corrected_at_, expected_;          // by direction
   VectorXd plausible_, unknowns_, residual_;  // at unknowns_

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "estimator/compiled_model.hpp"
+#include "estimator/identification/case_regression.hpp"
 #include "estimator/identification/condition_scatter.hpp"
 
 namespace secular {
@@ -27,9 +28,10 @@ struct LumpEstimates {
   /// columns: not at all.
   Eigen::MatrixXd truncation_slope;
   Eigen::VectorXd truncation_at;
-  Eigen::MatrixXd influence;  ///< [condition][value]: change where the condition is left out
-  ConditionRows rows;         ///< what the lumps were made of; not needed for rough errors
-  bool clustered = false;     ///< error bars from `rows`, else from `plain`
+  ShiftEvidence shift_evidence;  ///< by the same directions as truncation_effect
+  Eigen::MatrixXd influence;     ///< [condition][value]: change where the condition is left out
+  ConditionRows rows;            ///< what the lumps were made of; not needed for rough errors
+  bool clustered = false;        ///< error bars from `rows`, else from `plain`
   double degrees_of_freedom = 0;
 };
 
@@ -48,8 +50,8 @@ struct SharedParameters {
   /// Directions x symbols, times parameters: how far along each these are from where they are likeliest.
   Eigen::MatrixXd unseen_coordinate;
   /// How far along each they are, by directions whose truncation_effect is known. What tells it is that the lumps
-  /// have to go together after the truncation is taken out.
-  Eigen::VectorXd shift;
+  /// have to go together after the truncation is taken out, and each case's ShiftEvidence.
+  Eigen::VectorXd shift, shift_sd;
   std::vector<Eigen::MatrixXd> shift_slope;  ///< by case: d shift/d its lump estimates
   Eigen::MatrixXd shift_prior;  ///< directions x directions: what is left of their own uncertainty, as a factor
   Eigen::MatrixXd value_prior;  ///< symbols x directions: what that does to `values`
