@@ -47,8 +47,8 @@ void print_summary(const Identification& id, const std::string& folder) {
     if (v.fixed)
       fmt::print("  {:<12} {:>20} {:<14} given\n", v.name, report::format_number(*v.value, 6), v.unit);
     else if (v.value)
-      fmt::print("  {:<12} {:>20} {:<14} sd {}{}{}\n", v.name, report::format_uncertain(*v.value, v.sd), v.unit,
-                 report::format_percent(v.sd / std::abs(*v.value)), v.significant ? "" : ", not significant",
+      fmt::print("  {:<12} {:>20} {:<14} sd {} %{}{}\n", v.name, report::format_uncertain(*v.value, v.sd), v.unit,
+                 report::format_number(100 * v.sd / std::abs(*v.value), 2), v.significant ? "" : ", not significant",
                  v.doubtful ? ", doubtful: the model does not fit" : "");
     else {
       std::string with;

@@ -261,6 +261,11 @@ Figure decay_residuals(const CaseView& id, std::size_t own) {
   return figure;
 }
 
+// Two digits of a number beside the value, however small it is.
+std::string share_of(const EstimatedValue& value, double part) {
+  return report::format_number(100 * part / std::abs(*value.value), 2) + " %";
+}
+
 void add_values(report::HtmlReport& page, const std::vector<EstimatedValue>& values, bool lumps) {
   Table table;
   table.columns = {{lumps ? "Lump" : "Parameter", Column::Kind::text, ""},
@@ -282,10 +287,8 @@ void add_values(report::HtmlReport& page, const std::vector<EstimatedValue>& val
       const Interval interval = confidence_interval(*v.value, v.sd, v.degrees_of_freedom);
       row.insert(row.end(), {report::format_uncertain(*v.value, v.sd) + (v.doubtful ? " doubtful" : ""),
                              report::pretty_unit(v.unit), report::format_interval(interval.low, interval.high),
-                             report::format_percent(v.sd / std::abs(*v.value)),
-                             report::format_percent(v.noise_sd / std::abs(*v.value)),
-                             report::format_percent(v.open_sd / std::abs(*v.value)),
-                             report::format_percent(-v.truncation / std::abs(*v.value))});
+                             share_of(v, v.sd), share_of(v, v.noise_sd), share_of(v, v.open_sd),
+                             share_of(v, -v.truncation)});
     } else {
       std::string with;
       for (const std::string& other : v.entangled_with) with += (with.empty() ? "" : ", ") + other;
@@ -498,8 +501,8 @@ std::string identification_report(const Identification& id, const std::string& c
   int cards = 0;
   for (const EstimatedValue& v : id.estimate.parameters)
     if (v.value && !v.fixed && v.significant && !v.doubtful && cards < 6) {
-      page.card({v.name, report::format_quantity(*v.value, v.sd, v.unit),
-                 "sd " + report::format_percent(v.sd / std::abs(*v.value)), Tone::neutral});
+      page.card(
+          {v.name, report::format_quantity(*v.value, v.sd, v.unit), "sd " + share_of(v, v.sd), Tone::neutral});
       ++cards;
     }
   const bool angle = id.coordinate_unit == "rad";

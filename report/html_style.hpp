@@ -26,7 +26,7 @@ nav a { color: var(--accent); text-decoration: none; margin-right: 18px; white-s
 .card { border: 1px solid var(--rule); border-left: 4px solid var(--rule); border-radius: 4px; padding: 11px 14px 12px;
   background: var(--panel); break-inside: avoid; }
 .card .label { font-size: 13px; color: var(--soft); }
-.card .value { font-size: 21px; font-weight: 600; line-height: 1.35; font-variant-numeric: tabular-nums; }
+.card .value { overflow-wrap: anywhere; font-size: 21px; font-weight: 600; line-height: 1.35; font-variant-numeric: tabular-nums; }
 .card .note { font-size: 13px; color: var(--soft); }
 .card.good { border-left-color: var(--good); } .card.caution { border-left-color: var(--caution); }
 .card.bad { border-left-color: var(--bad); }

@@ -6,12 +6,30 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "estimator/hertz.hpp"
 #include "estimator/procedures/jump_frequencies.hpp"
+#include "estimator/procedures/rest_instability.hpp"
 #include "input/input_error.hpp"
 
 namespace secular::app {
+
+namespace {
+
+// Mean excitation amplitude of the dwells of some groups.
+double level_of(const ProcedureData& test, const std::vector<std::string>& groups) {
+  double sum = 0, count = 0;
+  for (const DwellMean& dwell : test.dwells)
+    if (std::find(groups.begin(), groups.end(), dwell.group) != groups.end()) {
+      sum += dwell.forcing;
+      ++count;
+    }
+  return sum / count;
+}
+
+}  // namespace
 
 double exact_resonance(const ProcedureData& test, int modes_in_sum) {
   std::map<std::string, std::vector<std::size_t>> groups;
@@ -22,6 +40,7 @@ double exact_resonance(const ProcedureData& test, int modes_in_sum) {
       groups[entry.group].push_back(r);
   }
   std::optional<Onset> forward, reverse;
+  std::string forward_group, reverse_group;
   for (const auto& [name, records] : groups) {
     std::vector<SweepDwell> sweep;
     for (const std::size_t r : records) {
@@ -32,8 +51,14 @@ double exact_resonance(const ProcedureData& test, int modes_in_sum) {
     const auto rising = [](const SweepDwell& a, const SweepDwell& b) { return a.frequency < b.frequency; };
     const auto falling = [](const SweepDwell& a, const SweepDwell& b) { return a.frequency > b.frequency; };
     if (sweep.size() < 2) continue;
-    if (std::is_sorted(sweep.begin(), sweep.end(), rising) && !forward) forward = onset_of(sweep);
-    if (std::is_sorted(sweep.begin(), sweep.end(), falling) && !reverse) reverse = onset_of(sweep);
+    if (std::is_sorted(sweep.begin(), sweep.end(), rising) && !forward) {
+      forward = onset_of(sweep);
+      forward_group = name;
+    }
+    if (std::is_sorted(sweep.begin(), sweep.end(), falling) && !reverse) {
+      reverse = onset_of(sweep);
+      reverse_group = name;
+    }
   }
   if (forward && reverse) {
     const ResonanceCentre centre = resonance_centre(*forward, *reverse);
@@ -56,6 +81,11 @@ double exact_resonance(const ProcedureData& test, int modes_in_sum) {
     row.as_printed = centre.thesis / modes_in_sum;
     row.truth = modes_in_sum == 2 ? test.truth.symbol("omega0") : test.truth.symbol("omega1");
     if (modes_in_sum == 1 && row.truth) row.truth = *row.truth + *test.truth.symbol("omega2");
+    // Of known parameters: between the jumps that they make, not those of the sweeps.
+    if (test.values_only)
+      row.recovered = most_unstable_excitation(*test.run.model, *test.run.resonance, test.truth.parameters(),
+                                               level_of(test, {forward_group, reverse_group})) /
+                      modes_in_sum;
     section.rows.push_back(row);
     test.run.sections.push_back(std::move(section));
     return centre.bracketed;

@@ -83,10 +83,9 @@ void run_methods(const ProcedureRequest& request, const KnownTruth& truth, Proce
 }
 
 void find_bias(const ProcedureRequest& request, const RecordReader& read, ProcedureRun& run) {
-  const bool judged = std::any_of(run.sections.begin(), run.sections.end(), [](const ProcedureSection& section) {
-    return section.method != "jump_frequencies" && !section.rows.empty();
-  });
-  if (!judged) return;
+  if (std::all_of(run.sections.begin(), run.sections.end(),
+                  [](const auto& section) { return section.rows.empty(); }))
+    return;
   IdentificationRequest everything;
   everything.campaign = request.campaign;
   everything.model = request.model;

@@ -1,7 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/procedures/thesis_procedures.hpp"
 #include "estimator/regression/confidence.hpp"
@@ -62,29 +67,49 @@ Json bias_json(const ProcedureRow& row) {
           {"ci95", {interval.low, interval.high}}};
 }
 
+// Columns that hold something.
 Table values_table(const ProcedureSection& section) {
+  using Cell = std::function<std::string(const ProcedureRow&)>;
+  const std::vector<std::pair<Column, Cell>> columns = {
+      {{"Quantity", Column::Kind::text, ""}, [](const ProcedureRow& row) { return row.name; }},
+      {{"Recovered", Column::Kind::number, ""},
+       [](const ProcedureRow& row) {
+         return row.sd ? report::format_uncertain(row.recovered, *row.sd) : report::format_number(row.recovered, 5);
+       }},
+      {{"Its bias", Column::Kind::number, ""},
+       [](const ProcedureRow& row) {
+         return row.bias ? report::format_uncertain(row.bias->value, row.bias->sd()) : "";
+       }},
+      {{"Without bias", Column::Kind::number, ""},
+       [](const ProcedureRow& row) {
+         return row.bias ? report::format_uncertain(row.best(), row.bias->sd()) : "";
+       }},
+      {{"True", Column::Kind::number, ""}, [](const ProcedureRow& row) { return cell(row.truth); }},
+      {{"Off by", Column::Kind::number, "sd"},
+       [](const ProcedureRow& row) {
+         const std::optional<double> off = sd_off(row);
+         return off ? report::format_fixed(*off, 1) : "";
+       }},
+      {{"As printed", Column::Kind::number, ""}, [](const ProcedureRow& row) { return cell(row.as_printed); }},
+      {{"Scatter", Column::Kind::number, ""}, [](const ProcedureRow& row) { return cell(row.scatter, 2); }},
+      {{"Source's table", Column::Kind::number, ""},
+       [](const ProcedureRow& row) {
+         if (!row.source) return std::string();
+         return cell(row.source) + (row.source_sd ? " \u00b1 " + cell(row.source_sd, 3) : "") + " (" + row.table +
+                ")";
+       }},
+      {{"Unit", Column::Kind::text, ""}, [](const ProcedureRow& row) { return report::pretty_unit(row.unit); }}};
   Table table;
-  table.columns = {{"Quantity", Column::Kind::text, ""},
-                   {"Recovered", Column::Kind::number, ""},
-                   {"Its bias", Column::Kind::number, ""},
-                   {"Without bias", Column::Kind::number, ""},
-                   {"True", Column::Kind::number, ""},
-                   {"Off by", Column::Kind::number, "sd"},
-                   {"As printed", Column::Kind::number, ""},
-                   {"Scatter", Column::Kind::number, ""},
-                   {"Source's table", Column::Kind::number, ""},
-                   {"Its sd", Column::Kind::number, ""},
-                   {"Unit", Column::Kind::text, ""}};
+  table.rows.resize(section.rows.size());
+  for (const auto& [column, text] : columns) {
+    std::vector<std::string> cells;
+    for (const ProcedureRow& row : section.rows) cells.push_back(text(row));
+    if (std::all_of(cells.begin(), cells.end(), [](const std::string& c) { return c.empty(); })) continue;
+    table.columns.push_back(column);
+    for (std::size_t r = 0; r < cells.size(); ++r) table.rows[r].push_back(cells[r]);
+  }
   for (const ProcedureRow& row : section.rows) {
     const std::optional<double> off = sd_off(row);
-    table.rows.push_back(
-        {row.name,
-         row.sd ? report::format_uncertain(row.recovered, *row.sd) : report::format_number(row.recovered, 5),
-         row.bias ? report::format_uncertain(row.bias->value, row.bias->sd()) : "",
-         row.bias ? report::format_uncertain(row.best(), row.bias->sd()) : "", cell(row.truth),
-         off ? report::format_fixed(*off, 1) : "", cell(row.as_printed), cell(row.scatter, 2),
-         row.source ? cell(row.source) + " (" + row.table + ")" : "", cell(row.source_sd, 3),
-         report::pretty_unit(row.unit)});
     table.row_tones.push_back(off && std::abs(*off) > 3 ? Tone::caution : Tone::neutral);
   }
   return table;

@@ -46,6 +46,9 @@ struct Estimation {
   SharedParameters shared;
   std::vector<Eigen::VectorXd>
       open_variance;  ///< by fit: of the coefficients, SharedParameters::open_variance's kin
+  /// How far along EstimateOptions::moves, then along the directions of ObservationSet::truncation_change,
+  /// parameters may be: (moves, directions) x independent unknowns. Empty: not known.
+  Eigen::MatrixXd truncation_unknown;
   Eigen::MatrixXd bootstrap;
   std::vector<Eigen::MatrixXd> bootstrap_lumps;
   // Of what does not fit, see test_fit.

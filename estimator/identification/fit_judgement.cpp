@@ -23,7 +23,7 @@ constexpr double contradiction_alarm = 1e-3;
 void test_fit(Estimation& e) {
   for (std::size_t s = 0; s < e.fits.size(); ++s) {
     const CaseFit& fit = e.fits[s];
-    CaseLackOfFit tests{std::string(fit.set->resonance->name), lack_of_fit(fit, e.shared.shift_sd)};
+    CaseLackOfFit tests{std::string(fit.set->resonance->name), lack_of_fit(fit, e.truncation_unknown)};
     e.hidden[s] = hidden_misfit(fit, tests.equations);
     std::string worst;
     double largest = 0;

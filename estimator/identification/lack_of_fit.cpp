@@ -38,10 +38,9 @@ std::string name_of(const CaseFit& fit, const Equation& equation) {
                                         : (in_phase ? ", in phase" : ", in quadrature"));
 }
 
-// What is not known of the truncation that was subtracted from an equation, over the equation's noise: what it
-// changes by where parameters move by a standard deviation, one entry a move; half of all of it where that is not
-// known.
-VectorXd unknown_truncation(const CaseFit& fit, const VectorXd& shift_sd, Index row) {
+// What is not known of the truncation that was subtracted from an equation, over the equation's noise: what each of
+// the `unknown` ways in which parameters may move changes of it; half of all of it where that is not known.
+VectorXd unknown_truncation(const CaseFit& fit, const MatrixXd& unknown, Index row) {
   const ObservationSet& set = *fit.set;
   const auto at = static_cast<std::size_t>(row);
   if (set.truncation.size() == 0 || !(fit.system.noise_sd[at] > 0)) return VectorXd::Zero(1);
@@ -50,21 +49,17 @@ VectorXd unknown_truncation(const CaseFit& fit, const VectorXd& shift_sd, Index 
                    fit.system.part[at]) /
            fit.system.noise_sd[at];
   };
-  const std::size_t seen = set.truncation_of_moves.size(), unseen = set.truncation_change.size();
-  if (seen == 0) return VectorXd::Constant(1, 0.5 * of(set.truncation));
-  VectorXd unknown(static_cast<Index>(seen + unseen));
-  for (std::size_t m = 0; m < seen; ++m) unknown(static_cast<Index>(m)) = of(set.truncation_of_moves[m]);
-  for (std::size_t m = 0; m < unseen; ++m) {
-    const auto direction = static_cast<Index>(m);
-    const double sd = shift_sd.size() == static_cast<Index>(unseen) ? shift_sd(direction) : 1;
-    unknown(static_cast<Index>(seen) + direction) = sd * of(set.truncation_change[m]);
-  }
-  return unknown;
+  const std::size_t moves = set.truncation_of_moves.size(), directions = set.truncation_change.size();
+  if (moves == 0) return VectorXd::Constant(1, 0.5 * of(set.truncation));
+  VectorXd change(static_cast<Index>(moves + directions));
+  for (std::size_t m = 0; m < moves; ++m) change(static_cast<Index>(m)) = of(set.truncation_of_moves[m]);
+  for (std::size_t m = 0; m < directions; ++m) change(static_cast<Index>(moves + m)) = of(set.truncation_change[m]);
+  return unknown.rows() == change.size() ? VectorXd(unknown.transpose() * change) : change;
 }
 
 }  // namespace
 
-std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const VectorXd& shift_sd) {
+std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) {
   std::vector<LackOfFit> result;
   if (!fit.set->resonance->excited || fit.fit.coefficients.size() == 0) return result;
   struct Group {
@@ -81,8 +76,8 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const VectorXd& shift_sd)
     group.sum += weight * z;
     group.squares += weight * z * z;
     group.count += 1;
-    const VectorXd unknown = weight * unknown_truncation(fit, shift_sd, r);
-    group.truncation = group.truncation.size() == 0 ? unknown : VectorXd(group.truncation + unknown);
+    const VectorXd left = weight * unknown_truncation(fit, unknown, r);
+    group.truncation = group.truncation.size() == 0 ? left : VectorXd(group.truncation + left);
   }
   // What the fit takes of the variance of a condition's mean: n m'Cm for its mean design row m in units of the
   // equation's own noise and the covariance C of the coefficients (the weights of a block that misfits are lower).

@@ -26,9 +26,10 @@ struct LackOfFit {
 
 /// F test of lack of fit for every equation of a case of dwells (nothing for decays, whose windows are no repeats):
 /// residuals in the frame of the motion, over their measured noise, are split into the conditions' means and the
-/// scatter about them. An equation with fewer means than unknowns is left out. `shift_sd`: how well it is known how far
-/// parameters are along the directions of ObservationSet::truncation_change.
-std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const Eigen::VectorXd& shift_sd);
+/// scatter about them. An equation with fewer means than unknowns is left out. `unknown`: how
+/// far parameters may be along the moves of ObservationSet::truncation_of_moves and then along the directions of
+/// truncation_change, by independent unknowns; empty: one standard deviation each.
+std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const Eigen::MatrixXd& unknown);
 
 /// Columns x perturbations: what a misfit as large as the one that is seen, in each equation whose lack of fit is
 /// significant, does to the coefficients where it lies along them. The least-squares residual shows only what no

@@ -60,11 +60,9 @@ ConditionRows rows_of(const CaseFit& fit, const std::vector<Index>& used) {
   return rows;
 }
 
-// Columns x symbols: how a case's coefficients change with the parameters that the truncation was taken out with,
-// along EstimateOptions::moves.
-MatrixXd truncation_slope(const Estimation& e, const CaseFit& fit) {
-  const Index symbols = static_cast<Index>(e.model.symbols.size()), count = e.options.moves.cols();
-  if (count == 0 || fit.moves_effect.cols() != count) return MatrixXd::Zero(fit.fit.coefficients.size(), 0);
+// Moves x symbols: how far along each of EstimateOptions::moves parameters are.
+MatrixXd along_moves(const Estimation& e) {
+  const Index symbols = static_cast<Index>(e.model.symbols.size());
   VectorXd size = e.options.moves.rowwise().norm();
   for (Index p = 0; p < symbols; ++p) size(p) = size(p) > 0 ? 1 / size(p) : 0;
   MatrixXd moves = size.asDiagonal() * e.options.moves;
@@ -73,7 +71,27 @@ MatrixXd truncation_slope(const Estimation& e, const CaseFit& fit) {
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
   solver.setThreshold(dependent_moves);
   solver.compute(moves);
-  return fit.moves_effect * length.cwiseInverse().asDiagonal() * solver.pseudoInverse() * size.asDiagonal();
+  return length.cwiseInverse().asDiagonal() * solver.pseudoInverse() * size.asDiagonal();
+}
+
+// Columns x symbols: how a case's coefficients change with the parameters that the truncation was taken out with,
+// along EstimateOptions::moves.
+MatrixXd truncation_slope(const Estimation& e, const CaseFit& fit) {
+  const Index count = e.options.moves.cols();
+  if (count == 0 || fit.moves_effect.cols() != count) return MatrixXd::Zero(fit.fit.coefficients.size(), 0);
+  return fit.moves_effect * along_moves(e);
+}
+
+// A factor of a covariance of quantities of very different sizes.
+MatrixXd factor_of(const MatrixXd& covariance) {
+  const VectorXd sd = covariance.diagonal().cwiseMax(0).cwiseSqrt();
+  const VectorXd inverse = (sd.array() > 0).select(sd.cwiseInverse(), 0.0);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> own(
+      MatrixXd(inverse.asDiagonal() * covariance * inverse.asDiagonal()));
+  std::vector<Index> kept;
+  for (Index i = 0; i < own.eigenvalues().size(); ++i)
+    if (own.eigenvalues()(i) > lost_tolerance) kept.push_back(i);
+  return sd.asDiagonal() * own.eigenvectors()(Eigen::all, kept) * own.eigenvalues()(kept).cwiseSqrt().asDiagonal();
 }
 
 // A natural frequency that no regression separates from other changes of stiffness is still near the observed
@@ -128,27 +146,25 @@ void add_silent_directions(Estimation& e) {
   }
 }
 
-// Estimate::noise and Estimate::open.
+// Estimate::noise and Estimate::open, and what both leave unknown of the truncation.
 void set_uncertainty(Estimation& e) {
   const Index symbols = e.shared.values.size(), directions = e.shared.shift.size();
-  MatrixXd map = MatrixXd::Identity(symbols, symbols + directions);
+  // Of values and shifts, one standard deviation along independent directions.
+  const MatrixXd noise = factor_of(e.shared.noise_covariance);
+  MatrixXd open(symbols + directions, directions);
+  open << e.shared.value_prior, e.shared.shift_prior;
+  e.result.noise = noise.topRows(symbols);
   e.result.open = e.shared.unseen;
   if (directions == e.shared.unseen.cols()) {
-    map.rightCols(directions) = e.shared.unseen;
-    e.result.open = e.shared.value_prior + e.shared.unseen * e.shared.shift_prior;
+    e.result.noise += e.shared.unseen * noise.bottomRows(directions);
+    e.result.open = open.topRows(symbols) + e.shared.unseen * open.bottomRows(directions);
   }
-  e.result.noise = MatrixXd::Zero(symbols, 0);
-  if (e.shared.noise_covariance.rows() != map.cols()) return;
-  const MatrixXd covariance = map * e.shared.noise_covariance * map.transpose();
-  const VectorXd sd = covariance.diagonal().cwiseMax(0).cwiseSqrt();
-  const VectorXd inverse = (sd.array() > 0).select(sd.cwiseInverse(), 0.0);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> own(
-      MatrixXd(inverse.asDiagonal() * covariance * inverse.asDiagonal()));
-  std::vector<Index> kept;
-  for (Index i = 0; i < symbols; ++i)
-    if (own.eigenvalues()(i) > lost_tolerance) kept.push_back(i);
-  e.result.noise =
-      sd.asDiagonal() * own.eigenvectors()(Eigen::all, kept) * own.eigenvalues()(kept).cwiseSqrt().asDiagonal();
+  e.truncation_unknown.resize(0, 0);
+  if (e.options.moves.cols() == 0) return;
+  MatrixXd both(symbols + directions, noise.cols() + directions);
+  both << noise, open;
+  e.truncation_unknown.resize(e.options.moves.cols() + directions, both.cols());
+  e.truncation_unknown << along_moves(e) * both.topRows(symbols), both.bottomRows(directions);
 }
 
 }  // namespace

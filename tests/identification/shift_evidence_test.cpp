@@ -51,8 +51,8 @@ double mean_square_at_truth(double noise_sd, double condition_sd) {
   const VectorXd shift = (VectorXd(2) << 0.7, -0.4).finished();
   double sum = 0, count = 0;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
-    const ShiftEvidence evidence =
-        shift_evidence(regression.change, regression.fitted(shift, noise_sd, condition_sd, seed), regression.condition);
+    const ShiftEvidence evidence = shift_evidence(
+        regression.change, regression.fitted(shift, noise_sd, condition_sd, seed), regression.condition);
     sum += (evidence.design * shift - evidence.target).squaredNorm();
     count += static_cast<double>(evidence.target.size());
   }
@@ -71,8 +71,8 @@ TEST(ShiftEvidence, FindsTheShiftOfRowsWithoutNoise) {
   EXPECT_NEAR(found(1), shift(1), 1e-5);
 }
 
-// Errors are never said to be smaller than they are, nor twice as large: the larger one of two estimates of them, one
-// of which leaves out a condition at a time, is above one.
+// Errors are never said to be smaller than they are, nor twice as large: the larger one of two estimates of them,
+// one of which leaves out a condition at a time, is above one.
 TEST(ShiftEvidence, ErrorsAreThoseOfTheNoiseOrOfTheConditions) {
   for (const auto& [noise, condition] : {std::pair(1e-4, 0.0), std::pair(1e-4, 5e-4)}) {
     const double square = mean_square_at_truth(noise, condition);
