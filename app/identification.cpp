@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "app/model_loading.hpp"
@@ -179,6 +180,31 @@ const CompiledCase& named_case(const CompiledModel& model, const std::string& na
                        [&](const CompiledCase& resonance) { return resonance.name == name; });
 }
 
+std::size_t count_of_conditions(const std::vector<ObservationSet>& sets) {
+  std::size_t count = 0;
+  for (const ObservationSet& set : sets) {
+    std::set<int> conditions;
+    for (const Observation& o : set.observations) conditions.insert(o.condition);
+    count += conditions.size();
+  }
+  return count;
+}
+
+// Lumps of few conditions may lead to no finite parameters at all.
+Estimate first_estimate(const Identification& id, const MeasuredUnits& units, const EstimateOptions& options) {
+  try {
+    return estimate(id.measured, units, options);
+  } catch (const InputError& error) {
+    const std::size_t conditions = count_of_conditions(id.measured);
+    if (conditions == 0) throw;
+    throw InputError(
+        id.campaign.folder.string(), "",
+        fmt::format("{} condition{} of it determine{} no parameters of {} ({})", conditions,
+                    conditions == 1 ? "" : "s", conditions == 1 ? "s" : "", id.model->name, error.what()),
+        "dwells at several levels and frequencies around the resonance");
+  }
+}
+
 }  // namespace
 
 Identification identify(const IdentificationRequest& request) {
@@ -245,7 +271,7 @@ void estimate_observed(const IdentificationRequest& request, Identification& id)
   first.judge_fit = first.damping_laws = false;
   first.rough_errors = true;
   first.bootstrap = 0;
-  Estimate raw = estimate(id.measured, units, first);
+  Estimate raw = first_estimate(id, units, first);
   clock.done("regression");
   const auto replay = [&](const ObservationSet& set, const Eigen::VectorXd& parameters) {
     return observe_replay(campaign, set, parameters, request.threads);

@@ -253,6 +253,24 @@ TEST(SlowChapterFive, IntervalsHold) {
   expect_intervals_to_hold(ThesisCampaign::chapter_five());
 }
 
+// Four parameters act alike on every lump of this resonance, and not alike beyond the expansion: the rows tell how
+// far they are, so that error bars are those of the noise, and what is still open of the truncation hides no lack
+// of fit.
+TEST(SlowChapterFive, WhatNoLumpTellsIsReadOffTheRows) {
+  const Estimate estimate = ThesisCampaign::chapter_five().identified(0);
+  for (const EstimatedValue& v : estimate.parameters)
+    if (v.value) {
+      EXPECT_LT(v.open_sd, 0.5 * v.noise_sd) << v.name;
+      EXPECT_NEAR(std::hypot(v.open_sd, v.noise_sd), v.sd, 0.2 * v.sd) << v.name;
+    }
+  ASSERT_EQ(estimate.lack_of_fit.size(), 1U);
+  for (const LackOfFit& test : estimate.lack_of_fit.front().equations) {
+    EXPECT_FALSE(test.significant) << test.name;
+    // The root of a mean square has the standard deviation 1/sqrt(2 degrees of freedom).
+    EXPECT_GT(test.misfit, 1 - 4 / std::sqrt(2 * test.numerator_df)) << test.name;
+  }
+}
+
 // The source's procedures are biased, by many of their own error bars in some quantities; the bias that is seen on
 // motions of the full equations with the identified parameters is theirs, and the interval without it holds the
 // truth.
