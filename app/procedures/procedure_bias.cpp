@@ -1,12 +1,16 @@
 #include "app/procedures/procedure_bias.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <string>
 #include <tuple>
 
+#include "app/progress_line.hpp"
 #include "estimator/identification/seen_lumps.hpp"
 #include "estimator/in_parallel.hpp"
 #include "simulate/observation_noise.hpp"
@@ -38,11 +42,14 @@ Errors errors_of(const std::vector<ProcedureSection>& sections) {
   return errors;
 }
 
-// By row: sum over independent directions in which the parameters are uncertain, of the square by which the error
-// grows along each.
-std::map<RowKey, double> squares_along(const Eigen::MatrixXd& directions, const VectorXd& parameters,
-                                       SteadySet& motions, const MethodsOn& methods, const Errors& exact,
-                                       unsigned threads) {
+/// Over independent directions in which the parameters are uncertain.
+struct Uncertainty {
+  std::map<RowKey, double> square;  ///< by row: sum of the squares by which its error grows along each
+  Index lost = 0;                   ///< directions along which a dwell has no steady motion
+};
+
+Uncertainty uncertainty_along(const Eigen::MatrixXd& directions, const VectorXd& parameters, SteadySet& motions,
+                              const MethodsOn& methods, const Errors& exact, unsigned threads) {
   std::vector<VectorXd> moved;
   std::vector<std::optional<ObservationSet>> shown;
   for (const VectorXd direction : directions.colwise()) {
@@ -53,12 +60,13 @@ std::map<RowKey, double> squares_along(const Eigen::MatrixXd& directions, const 
   in_parallel(along.size(), threads, [&](std::size_t d) {
     if (shown[d]) along[d] = errors_of(methods(*shown[d], moved[d]));
   });
-  std::map<RowKey, double> squares;
+  Uncertainty result;
+  result.lost = std::count_if(shown.begin(), shown.end(), [](const auto& set) { return !set; });
   for (const Errors& errors : along)
     for (const auto& [key, error] : errors)
       if (const auto before = exact.find(key); before != exact.end())
-        squares[key] += std::pow(error - before->second, 2);
-  return squares;
+        result.square[key] += std::pow(error - before->second, 2);
+  return result;
 }
 
 }  // namespace
@@ -74,17 +82,26 @@ void add_bias(ProcedureRun& run, const MethodsOn& methods, const Estimate& ident
     return;
   }
   std::vector<Errors> draws(noise_draws);
+  ProgressLine line("noise draws");
+  std::atomic<std::size_t> done{0};
   in_parallel(noise_draws, threads, [&](std::size_t draw) {
     draws[draw] = errors_of(methods(with_observation_noise(*exact, draw + 1), parameters));
+    line(++done, noise_draws);
   });
   std::map<RowKey, std::vector<double>> errors;
   for (const Errors& draw : draws)
     for (const auto& [key, error] : draw) errors[key].push_back(error);
   const Errors without_noise = errors_of(methods(*exact, parameters));
   const auto along = [&](const Eigen::MatrixXd& directions) {
-    return squares_along(directions, parameters, motions, methods, without_noise, threads);
+    return uncertainty_along(directions, parameters, motions, methods, without_noise, threads);
   };
-  std::map<RowKey, double> by_noise = along(identified.noise), open = along(identified.open);
+  Uncertainty by_noise = along(identified.noise), open = along(identified.open);
+  if (const Index lost = by_noise.lost + open.lost; lost > 0)
+    run.warnings.push_back(
+        fmt::format("along {} of the {} directions in which the identified parameters are uncertain a dwell has no "
+                    "steady motion: "
+                    "error bars without the bias do not contain them",
+                    lost, identified.noise.cols() + identified.open.cols()));
   for (ProcedureSection& section : run.sections)
     for (ProcedureRow& row : section.rows) {
       const RowKey key = key_of(section, row);
@@ -96,8 +113,8 @@ void add_bias(ProcedureRun& run, const MethodsOn& methods, const Estimate& ident
       bias.value = all.mean();
       bias.degrees_of_freedom = static_cast<double>(all.size() - 1);
       bias.noise_sd =
-          std::sqrt((all.array() - bias.value).square().sum() / bias.degrees_of_freedom + by_noise[key]);
-      bias.open_sd = std::sqrt(open[key]);
+          std::sqrt((all.array() - bias.value).square().sum() / bias.degrees_of_freedom + by_noise.square[key]);
+      bias.open_sd = std::sqrt(open.square[key]);
       // Which dwells respond is the same in every draw: the brackets of the jumps come on top.
       if (section.method == "jump_frequencies") bias.noise_sd = std::hypot(bias.noise_sd, row.sd.value_or(0));
       row.bias = bias;

@@ -134,7 +134,7 @@ ProcedureRun run_procedures(const ProcedureRequest& request, const Campaign& mea
     throw InputError(request.campaign, "", "no dwell of it responds in case " + name,
                      "dwells with a response near this resonance were expected");
   run_methods(request, KnownTruth(request.truth, *run.model, *run.resonance), run, false);
-  if (request.bias) find_bias(request, read, run);
+  if (request.bias && !is_variance_alone(request)) find_bias(request, read, run);
   return run;
 }
 

@@ -1,9 +1,12 @@
 // `secular procedure` on the virtual chapter 5 campaign: recovered beside true beside printed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "app/procedures/thesis_procedures.hpp"
 #include "estimator/campaign/campaign.hpp"
@@ -58,6 +61,12 @@ TEST_F(SlowProcedure, SetsRecoveredBesideTrueBesidePrinted) {
   EXPECT_EQ(eta1.source, -17.99e-3);
   const ProcedureRow& stiffness = row(run, "frequency_response", "alpha_e");
   EXPECT_NEAR(stiffness.recovered, *stiffness.truth, 0.03 * std::abs(*stiffness.truth));
+  // Without their biases both are where they belong, and the error bars are less than what the biases were.
+  for (const ProcedureRow* r : {&eta1, &stiffness}) {
+    ASSERT_TRUE(r->bias) << r->name;
+    EXPECT_LT(std::abs(r->best() - *r->truth), 4 * r->bias->sd()) << r->name;
+    EXPECT_LT(r->bias->sd(), 0.1 * std::abs(r->bias->value)) << r->name;
+  }
   // The cubic law is chosen: only it gets a frequency response.
   EXPECT_NO_THROW(row(run, "frequency_response", "mu3"));
   EXPECT_THROW(row(run, "frequency_response", "mu2"), std::out_of_range);
@@ -69,6 +78,7 @@ TEST_F(SlowProcedure, SetsRecoveredBesideTrueBesidePrinted) {
 
 TEST_F(SlowProcedure, OneLevelIsNotEnoughForASaddleNodeDiagram) {
   ProcedureRequest one = request();
+  one.bias = false;
   one.window.records = "*001[1-5]*";  // no such pattern: [ ] are plain characters
   EXPECT_THROW(run_procedures(one), InputError);
   one.window.records = "records/001*.csv";
@@ -105,6 +115,7 @@ TEST(SlowTwoModeProcedure, SetsRecoveredBesideTrueBesidePrinted) {
   request.campaign = folder.string();
   request.model = "two_mass";
   request.truth = "experiments/thesis_chapter6";
+  request.bias = false;
   const ProcedureRun run = run_procedures(request);
   EXPECT_EQ(run.measured.observations.size(), 310u);
   const ProcedureRow& frequency = row(run, "jump_frequencies", "omega1 + omega2");
@@ -125,6 +136,27 @@ TEST(SlowTwoModeProcedure, SetsRecoveredBesideTrueBesidePrinted) {
                         "modulation of v1, equal weights", "modulation of v2, weighted by measured noise",
                         "modulation of v2, equal weights"}));
   EXPECT_NE(procedures_report(run, "command").find("Amplitudes of both modes"), std::string::npos);
+  fs::remove_all(folder);
+}
+
+TEST(Procedure, AnyCaseOfDwellsHasAnAnalysisOfVariance) {
+  const fs::path folder = testing_support::process_folder() / "secular_procedure_primary";
+  simulate("primary_resonance", "two_mass_mode1", folder);
+  ProcedureRequest request;
+  request.campaign = folder.string();
+  request.model = "two_mass_mode1";
+  request.resonance = "primary";
+  EXPECT_THROW(run_procedures(request), InputError) << "no case of the source's procedures";
+  request.methods = {"anova"};
+  const ProcedureRun run = run_procedures(request);
+  ASSERT_EQ(run.sections.size(), 1u);
+  ASSERT_EQ(run.sections[0].anova.size(), 2u);
+  std::vector<std::string> terms;
+  for (const AnovaRow& row : run.sections[0].anova[0].second.rows) terms.push_back(row.name);
+  for (const char* term : {"mu1", "mu3", "alpha_e", "eta1", "omega0"})
+    EXPECT_NE(std::find(terms.begin(), terms.end(), term), terms.end()) << term;
+  request.resonance = "nowhere";
+  EXPECT_THROW(run_procedures(request), InputError);
   fs::remove_all(folder);
 }
 
