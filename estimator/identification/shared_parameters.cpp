@@ -23,6 +23,9 @@ using Eigen::VectorXd;
 /// the other belong to nothing.
 constexpr double lost_direction = 1e-9, part_of_group = 1e-8;
 
+/// Evidence of shifts counts where its error is more than this many times smaller than what the lumps alone leave.
+constexpr double far_sharper = 3;
+
 // Whitening of one case's lumps through scaled variables: they differ by many powers of ten.
 struct Whitening {
   VectorXd inverse_sd;
@@ -245,14 +248,14 @@ std::optional<ConditionScatter> scatter_at(std::span<const LumpEstimates> cases,
 class SharedFit {
  public:
   SharedFit(std::span<const LumpEstimates> cases, const VectorXd& start, const std::vector<bool>& given,
-            const ShiftPlace& shift)
-      : cases_(cases), given_(given), count_(start.size()) {
+            const ShiftPlace& shift, std::span<const ShiftEvidence> evidence)
+      : cases_(cases), evidence_of_(evidence), given_(given), count_(start.size()) {
     for (const LumpEstimates& part : cases) {
       lumps_ += part.values.size();
       directions_ = std::max(directions_, part.truncation_effect.cols());
-      evidence_ += part.shift_evidence.target.size();
       whitening_.emplace_back(part.plain);
     }
+    for (const ShiftEvidence& of_case : evidence_of_) evidence_ += of_case.target.size();
     result_.values = start;
     result_.covariance = result_.plain_covariance = MatrixXd::Zero(count_, count_);
     result_.degrees_of_freedom = VectorXd::Constant(count_, std::numeric_limits<double>::infinity());
@@ -296,8 +299,7 @@ class SharedFit {
       r += size;
     }
     jacobian.bottomRows(evidence_ + directions_).setZero();
-    for (const LumpEstimates& part : cases_) {
-      const ShiftEvidence& evidence = part.shift_evidence;
+    for (const ShiftEvidence& evidence : evidence_of_) {
       const Index size = evidence.target.size();
       if (size == 0) continue;
       residual.segment(r, size) =
@@ -448,6 +450,7 @@ class SharedFit {
   }
 
   std::span<const LumpEstimates> cases_;
+  std::span<const ShiftEvidence> evidence_of_;
   const std::vector<bool>& given_;
   Index count_, lumps_ = 0, evidence_ = 0, directions_ = 0;
   std::vector<Whitening> whitening_;
@@ -457,11 +460,41 @@ class SharedFit {
   SharedParameters result_;
 };
 
+// Each case's evidence as far as it tells more than the lumps alone, whose covariance of the shifts is given. Both
+// see the same noise: what the lumps tell nearly as well would count twice. A row counts with the share 1 -
+// (far_sharper/r)^2 of its weight, r times as sharp as the lumps.
+std::vector<ShiftEvidence> beyond_lumps(std::span<const LumpEstimates> cases, const MatrixXd& by_lumps) {
+  std::vector<ShiftEvidence> result;
+  for (const LumpEstimates& part : cases) {
+    const ShiftEvidence& all = part.shift_evidence;
+    std::vector<Index> kept;
+    std::vector<double> share;
+    for (Index row = 0; row < all.target.size(); ++row) {
+      const Eigen::RowVectorXd told = all.design.row(row);  // in standard deviations of the evidence
+      const double square = told * by_lumps * told.transpose();
+      if (!(square > far_sharper * far_sharper)) continue;
+      kept.push_back(row);
+      share.push_back(std::sqrt(1 - far_sharper * far_sharper / square));
+    }
+    if (kept.empty()) continue;
+    const Eigen::Map<const VectorXd> weight(share.data(), static_cast<Index>(share.size()));
+    result.push_back({weight.asDiagonal() * all.design(kept, Eigen::all), weight.cwiseProduct(all.target(kept))});
+  }
+  return result;
+}
+
 }  // namespace
 
 SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const VectorXd& start,
                                    const std::vector<bool>& given, const ShiftPlace& shift, bool rough_errors) {
-  return SharedFit(cases, start, given, shift).run(rough_errors);
+  std::vector<ShiftEvidence> evidence;
+  if (std::any_of(cases.begin(), cases.end(), [](const auto& c) { return c.shift_evidence.target.size() > 0; })) {
+    const SharedParameters by_lumps = SharedFit(cases, start, given, shift, {}).run(true);
+    const Index directions = by_lumps.shift.size();
+    evidence = beyond_lumps(cases, by_lumps.noise_covariance.bottomRightCorner(directions, directions) +
+                                       by_lumps.shift_prior * by_lumps.shift_prior.transpose());
+  }
+  return SharedFit(cases, start, given, shift, evidence).run(rough_errors);
 }
 
 }  // namespace secular
