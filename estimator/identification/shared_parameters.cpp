@@ -23,7 +23,7 @@ using Eigen::VectorXd;
 /// the other belong to nothing.
 constexpr double lost_direction = 1e-9, part_of_group = 1e-8;
 
-/// Evidence of shifts counts where its error is more than this many times smaller than what the lumps alone leave.
+/// Evidence of shifts counts where its error is more than this many times smaller than that of the lumps.
 constexpr double far_sharper = 3;
 
 // Whitening of one case's lumps through scaled variables: they differ by many powers of ten.
@@ -460,21 +460,27 @@ class SharedFit {
   SharedParameters result_;
 };
 
-// Each case's evidence as far as it tells more than the lumps alone, whose covariance of the shifts is given. Both
-// see the same noise: what the lumps tell nearly as well would count twice. A row counts with the share 1 -
-// (far_sharper/r)^2 of its weight, r times as sharp as the lumps.
+// Each case's evidence as far as it tells more than the lumps do, which leave the shifts this covariance. Both see
+// the same noise: what the lumps tell nearly as well would count twice. A row counts with the share 1 -
+// far_sharper^2 q of its weight, q what the lumps tell along it (beyond what is plausible, a variance of one) over
+// what it tells itself.
 std::vector<ShiftEvidence> beyond_lumps(std::span<const LumpEstimates> cases, const MatrixXd& by_lumps) {
+  const Index directions = by_lumps.rows();
+  const MatrixXd told = by_lumps.ldlt().solve(MatrixXd::Identity(directions, directions)) -
+                        MatrixXd::Identity(directions, directions);
   std::vector<ShiftEvidence> result;
   for (const LumpEstimates& part : cases) {
     const ShiftEvidence& all = part.shift_evidence;
     std::vector<Index> kept;
     std::vector<double> share;
     for (Index row = 0; row < all.target.size(); ++row) {
-      const Eigen::RowVectorXd told = all.design.row(row);  // in standard deviations of the evidence
-      const double square = told * by_lumps * told.transpose();
-      if (!(square > far_sharper * far_sharper)) continue;
+      const VectorXd along = all.design.row(row).transpose().normalized();
+      const double by_the_lumps = std::max(0.0, along.dot(told * along)),
+                   by_itself = all.design.row(row).squaredNorm();
+      const double left = 1 - far_sharper * far_sharper * by_the_lumps / by_itself;
+      if (!(left > 0)) continue;
       kept.push_back(row);
-      share.push_back(std::sqrt(1 - far_sharper * far_sharper / square));
+      share.push_back(std::sqrt(left));
     }
     if (kept.empty()) continue;
     const Eigen::Map<const VectorXd> weight(share.data(), static_cast<Index>(share.size()));
