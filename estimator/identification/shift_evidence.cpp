@@ -15,9 +15,8 @@ using Eigen::VectorXd;
 /// Of a change, squared, that coefficients cannot do: less is the error of a change that was found as a difference.
 constexpr double unseen_share = 1e-8;
 
-/// Combinations that the rows tell to this share of what is plausible. What they tell less well rests on the
-/// scatter of a few conditions, and the lumps know more.
-constexpr double sharp_enough = 0.3;
+/// Combinations are told that the rows know better than to this share of what is plausible.
+constexpr double sharp_enough = 1;
 
 /// Conditions for each direction that are needed to tell the scatter between them.
 constexpr Index conditions_by_direction = 3;
