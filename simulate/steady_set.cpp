@@ -170,9 +170,4 @@ bool SteadySet::find(Dwell& dwell, const VectorXd& parameters) const {
   return false;
 }
 
-std::optional<ObservationSet> steady_set(const ObservationSet& measured, const VectorXd& parameters,
-                                         unsigned threads) {
-  return SteadySet(measured, threads).at(parameters);
-}
-
 }  // namespace secular

@@ -39,8 +39,4 @@ class SteadySet {
   std::vector<Dwell> dwells_;
 };
 
-/// SteadySet::at for one vector of parameters.
-std::optional<ObservationSet> steady_set(const ObservationSet& measured, const Eigen::VectorXd& parameters,
-                                         unsigned threads);
-
 }  // namespace secular

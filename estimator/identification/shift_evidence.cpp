@@ -15,9 +15,6 @@ using Eigen::VectorXd;
 /// Of a change, squared, that coefficients cannot do: less is the error of a change that was found as a difference.
 constexpr double unseen_share = 1e-8;
 
-/// Combinations are told that the rows know better than to this share of what is plausible.
-constexpr double sharp_enough = 1;
-
 /// Conditions for each direction that are needed to tell the scatter between them.
 constexpr Index conditions_by_direction = 3;
 
@@ -69,9 +66,10 @@ ShiftEvidence shift_evidence(const MatrixXd& change, const LinearFit& fit, std::
   const MatrixXd design = whitening * own.eigenvalues()(seen).cwiseSqrt().asDiagonal() *
                           own.eigenvectors()(Eigen::all, seen).transpose();
   const Eigen::JacobiSVD<MatrixXd> svd(design, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  // Combinations that the rows know better than what is plausible of them, a standard deviation of one.
   std::vector<Index> sharp;
   for (Index i = 0; i < svd.singularValues().size(); ++i)
-    if (svd.singularValues()(i) * sharp_enough > 1) sharp.push_back(i);
+    if (svd.singularValues()(i) > 1) sharp.push_back(i);
   evidence.design = svd.singularValues()(sharp).asDiagonal() * svd.matrixV()(Eigen::all, sharp).transpose();
   evidence.target = svd.matrixU()(Eigen::all, sharp).transpose() * (whitening * estimate);
   return evidence;

@@ -68,7 +68,7 @@ TEST(SteadySet, IsWhatASettledDwellOfTheParametersShows) {
   const Dwells there(other, "principal_parametric", false);
   ASSERT_FALSE(here.set.observations.empty());
   ASSERT_EQ(here.set.observations.size(), there.set.observations.size());
-  const std::optional<ObservationSet> found = steady_set(here.set, other.parameters, 2);
+  const std::optional<ObservationSet> found = SteadySet(here.set, 2).at(other.parameters);
   ASSERT_TRUE(found);
   double moved = 0;
   for (std::size_t i = 0; i < found->observations.size(); ++i) {
@@ -93,7 +93,7 @@ TEST(SteadySet, IsWhatASettledDwellOfTheParametersShows) {
 TEST(SteadySet, MotionsOfACombinationResonanceStandStill) {
   const Dwells dwells(combination(), "additive_combination", true);
   ASSERT_FALSE(dwells.set.observations.empty());
-  const std::optional<ObservationSet> found = steady_set(dwells.set, dwells.experiment.parameters, 2);
+  const std::optional<ObservationSet> found = SteadySet(dwells.set, 2).at(dwells.experiment.parameters);
   ASSERT_TRUE(found);
   const ObservationSet integrated =
       observe_replay(dwells.simulated.campaign, *found, dwells.experiment.parameters, 2);
@@ -113,7 +113,7 @@ TEST(SteadySet, NothingIsFoundBeyondTheRangeOfAResonance) {
   Eigen::VectorXd damped = dwells.experiment.parameters;
   for (std::size_t p = 0; p < dwells.model->symbols.size(); ++p)
     if (dwells.model->symbols[p].name == "mu1") damped(static_cast<Eigen::Index>(p)) *= 50;
-  EXPECT_FALSE(steady_set(dwells.set, damped, 2));
+  EXPECT_FALSE(SteadySet(dwells.set, 2).at(damped));
 }
 
 TEST(ObservationNoise, IsAsLargeAsEnsemblesSay) {
