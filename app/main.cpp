@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "app/commands.hpp"
+#include "app/shared/commands.hpp"
 #include "input/input_error.hpp"
 
 int main(int argc, char** argv) {

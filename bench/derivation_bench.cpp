@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "codegen/emit_cpp.hpp"
+#include "codegen/cpp/emit_cpp.hpp"
 #include "perturb/certificate.hpp"
 #include "perturb/derivation.hpp"
 

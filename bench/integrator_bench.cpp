@@ -18,9 +18,9 @@
 #include <vector>
 
 #include "generated/registry.hpp"
+#include "motion/simulate/motion.hpp"
 #include "report/figure.hpp"
 #include "report/whole_file.hpp"
-#include "simulate/motion.hpp"
 
 namespace secular {
 namespace {

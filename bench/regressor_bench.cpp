@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "codegen/runtime/interpreted_model.hpp"
-#include "estimator/compiled_model.hpp"
+#include "estimator/model/compiled_model.hpp"
 #include "generated/registry.hpp"
 
 namespace secular {

@@ -12,10 +12,10 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
-#include "estimator/hertz.hpp"
-#include "estimator/signal/decomposition.hpp"
-#include "estimator/signal/exponential_fit.hpp"
-#include "estimator/signal/refine_poles.hpp"
+#include "measure/signal/decomposition.hpp"
+#include "measure/signal/exponential_fit.hpp"
+#include "measure/signal/refine_poles.hpp"
+#include "numerics/hertz.hpp"
 
 namespace secular {
 namespace {

@@ -1,8 +1,27 @@
 # What `cmake --install` puts where: the program, the libraries with their headers, the models, and the files that let
 # another project say find_package(secular). Headers keep their folders, so that generated code includes
-# "estimator/compiled_model.hpp" in the tree and installed alike.
-set(secular_libraries secular_input secular_dense secular_perturb secular_verify secular_codegen secular_estimator secular_generated
-  secular_simulate secular_report)
+# "estimator/model/compiled_model.hpp" in the tree and installed alike.
+set(secular_libraries secular_input secular_dense secular_numerics secular_report secular_perturb secular_generated
+  secular_codegen_canonical secular_codegen_expression secular_codegen_cpp secular_codegen_document
+  secular_codegen_runtime secular_measure_data secular_measure_signal secular_measure_modal secular_measure_observe
+  secular_estimator_model secular_estimator_regression secular_estimator_identification secular_estimator_planning
+  secular_motion_response secular_motion_balance secular_motion_simulate secular_motion_correction
+  secular_thesis_verify secular_thesis_procedures)
+
+# Several folders by one name, for who does not want to choose among them.
+function(secular_component name)
+  add_library(secular_${name} INTERFACE)
+  target_link_libraries(secular_${name} INTERFACE ${ARGN})
+  set(secular_libraries ${secular_libraries} secular_${name} PARENT_SCOPE)
+endfunction()
+secular_component(codegen secular_codegen_canonical secular_codegen_expression secular_codegen_cpp
+  secular_codegen_document secular_codegen_runtime)
+secular_component(estimator secular_numerics secular_measure_data secular_measure_signal secular_measure_modal
+  secular_measure_observe secular_estimator_model secular_estimator_regression secular_estimator_identification
+  secular_estimator_planning secular_motion_response secular_thesis_procedures)
+secular_component(simulate secular_motion_balance secular_motion_simulate secular_motion_correction)
+secular_component(verify secular_thesis_verify)
+
 foreach(library IN LISTS secular_libraries)
   string(REPLACE "secular_" "" short_name ${library})
   set_target_properties(${library} PROPERTIES EXPORT_NAME ${short_name})
@@ -13,7 +32,7 @@ endforeach()
 install(TARGETS ${secular_libraries} EXPORT secularTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/secular)
-foreach(folder input perturb verify codegen estimator generated simulate report)
+foreach(folder input numerics perturb codegen generated measure estimator motion thesis report)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/secular
     FILES_MATCHING PATTERN "*.hpp")
 endforeach()

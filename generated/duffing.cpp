@@ -11,13 +11,13 @@
 // small amplitudes; what is left out is of order eps^2.
 // Case subharmonic_3_second_order: Omega = 3*omega0 + eps*sigma, multiple scales to eps^2. Valid near that
 // resonance for small amplitudes; what is left out is of order eps^3.
-// Units: SI; frequencies in rad/s; amplitudes as in estimator/compiled_model.hpp.
+// Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // Made by: secular generate duffing
 #include "generated/duffing.hpp"
 
 #include <limits>
 
-#include "estimator/generated_table.hpp"
+#include "estimator/model/generated_table.hpp"
 
 namespace secular::generated::duffing {
 

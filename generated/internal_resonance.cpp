@@ -12,13 +12,13 @@
 // Valid near that resonance for small amplitudes; what is left out is of order eps^3.
 // Case free_one_to_two: omega2 = 2*omega1 + eps*sigma1, multiple scales to eps^2. Valid near that resonance for
 // small amplitudes; what is left out is of order eps^3.
-// Units: SI; frequencies in rad/s; amplitudes as in estimator/compiled_model.hpp.
+// Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // Made by: secular generate internal_resonance
 #include "generated/internal_resonance.hpp"
 
 #include <limits>
 
-#include "estimator/generated_table.hpp"
+#include "estimator/model/generated_table.hpp"
 
 namespace secular::generated::internal_resonance {
 

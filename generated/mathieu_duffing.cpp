@@ -5,13 +5,13 @@
 // amplitudes; what is left out is of order eps^3.
 // Case fundamental: Omega = omega0 + eps^2*sigma, multiple scales to eps^2. Valid near that resonance for small
 // amplitudes; what is left out is of order eps^3.
-// Units: SI; frequencies in rad/s; amplitudes as in estimator/compiled_model.hpp.
+// Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // Made by: secular generate mathieu_duffing
 #include "generated/mathieu_duffing.hpp"
 
 #include <limits>
 
-#include "estimator/generated_table.hpp"
+#include "estimator/model/generated_table.hpp"
 
 namespace secular::generated::mathieu_duffing {
 

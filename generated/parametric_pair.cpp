@@ -8,13 +8,13 @@
 // resonance for small amplitudes; what is left out is of order eps^3.
 // Case difference: Omega = omega2 - omega1 + eps*sigma, multiple scales to eps^1. Valid near that resonance for
 // small amplitudes; what is left out is of order eps^2.
-// Units: SI; frequencies in rad/s; amplitudes as in estimator/compiled_model.hpp.
+// Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // Made by: secular generate parametric_pair
 #include "generated/parametric_pair.hpp"
 
 #include <limits>
 
-#include "estimator/generated_table.hpp"
+#include "estimator/model/generated_table.hpp"
 
 namespace secular::generated::parametric_pair {
 

@@ -4,13 +4,13 @@
 // mu2*D(theta)*abs(D(theta)) + D2(theta) + fc*sgn(D(theta))
 // Case free: free vibration, multiple scales to eps^2. Valid near that resonance for small amplitudes; what is
 // left out is of order eps^3.
-// Units: SI; frequencies in rad/s; amplitudes as in estimator/compiled_model.hpp.
+// Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // Made by: secular generate pendulum
 #include "generated/pendulum.hpp"
 
 #include <limits>
 
-#include "estimator/generated_table.hpp"
+#include "estimator/model/generated_table.hpp"
 
 namespace secular::generated::pendulum {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "estimator/compiled_model.hpp"
+#include "estimator/model/compiled_model.hpp"
 
 namespace secular::generated {
 

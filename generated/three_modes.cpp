@@ -11,13 +11,13 @@
 // resonance for small amplitudes; what is left out is of order eps^3.
 // Case free: free vibration, multiple scales to eps^2. Valid near that resonance for small amplitudes; what is
 // left out is of order eps^3.
-// Units: SI; frequencies in rad/s; amplitudes as in estimator/compiled_model.hpp.
+// Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // Made by: secular generate three_modes
 #include "generated/three_modes.hpp"
 
 #include <limits>
 
-#include "estimator/generated_table.hpp"
+#include "estimator/model/generated_table.hpp"
 
 namespace secular::generated::three_modes {
 

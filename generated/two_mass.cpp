@@ -26,13 +26,13 @@
 // left out is of order eps^3.
 // Case free_1: free vibration, multiple scales to eps^2. Valid near that resonance for small amplitudes; what
 // is left out is of order eps^3.
-// Units: SI; frequencies in rad/s; amplitudes as in estimator/compiled_model.hpp.
+// Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // Made by: secular generate two_mass
 #include "generated/two_mass.hpp"
 
 #include <limits>
 
-#include "estimator/generated_table.hpp"
+#include "estimator/model/generated_table.hpp"
 
 namespace secular::generated::two_mass {
 

@@ -6,13 +6,13 @@
 // 2*mu22*D(v2) + mu23*D(v2)^3 + D2(v2)
 // Case additive_combination: Omega = omega1 + omega2 + eps*sigma, multiple scales to eps^1. Valid near that
 // resonance for small amplitudes; what is left out is of order eps^2.
-// Units: SI; frequencies in rad/s; amplitudes as in estimator/compiled_model.hpp.
+// Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // Made by: secular generate two_mass_lumps
 #include "generated/two_mass_lumps.hpp"
 
 #include <limits>
 
-#include "estimator/generated_table.hpp"
+#include "estimator/model/generated_table.hpp"
 
 namespace secular::generated::two_mass_lumps {
 

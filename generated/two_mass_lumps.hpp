@@ -6,20 +6,20 @@
 // 2*mu22*D(v2) + mu23*D(v2)^3 + D2(v2)
 // Case additive_combination: Omega = omega1 + omega2 + eps*sigma, multiple scales to eps^1. Valid near that
 // resonance for small amplitudes; what is left out is of order eps^2.
-// Units: SI; frequencies in rad/s; amplitudes as in estimator/compiled_model.hpp.
+// Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // Made by: secular generate two_mass_lumps
 #pragma once
 
 #include <cstddef>
 #include <numbers>
 
-#include "estimator/batch_arrays.hpp"
-#include "estimator/complex_number.hpp"
-#include "estimator/dense_solve.hpp"
-#include "estimator/dual_number.hpp"
-#include "estimator/excitation_sample.hpp"
-#include "estimator/integer_power.hpp"
-#include "estimator/scalar_functions.hpp"
+#include "estimator/model/batch_arrays.hpp"
+#include "estimator/model/complex_number.hpp"
+#include "estimator/model/dense_solve.hpp"
+#include "estimator/model/dual_number.hpp"
+#include "estimator/model/excitation_sample.hpp"
+#include "estimator/model/integer_power.hpp"
+#include "estimator/model/scalar_functions.hpp"
 
 namespace secular::generated::two_mass_lumps {
 

@@ -9,20 +9,20 @@
 // left out is of order eps^3.
 // Case primary: Omega = omega0 + eps^2*sigma, multiple scales to eps^2. Valid near that resonance for small
 // amplitudes; what is left out is of order eps^3.
-// Units: SI; frequencies in rad/s; amplitudes as in estimator/compiled_model.hpp.
+// Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // Made by: secular generate two_mass_mode1
 #pragma once
 
 #include <cstddef>
 #include <numbers>
 
-#include "estimator/batch_arrays.hpp"
-#include "estimator/complex_number.hpp"
-#include "estimator/dense_solve.hpp"
-#include "estimator/dual_number.hpp"
-#include "estimator/excitation_sample.hpp"
-#include "estimator/integer_power.hpp"
-#include "estimator/scalar_functions.hpp"
+#include "estimator/model/batch_arrays.hpp"
+#include "estimator/model/complex_number.hpp"
+#include "estimator/model/dense_solve.hpp"
+#include "estimator/model/dual_number.hpp"
+#include "estimator/model/excitation_sample.hpp"
+#include "estimator/model/integer_power.hpp"
+#include "estimator/model/scalar_functions.hpp"
 
 namespace secular::generated::two_mass_mode1 {
 

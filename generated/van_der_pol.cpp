@@ -5,13 +5,13 @@
 // left out is of order eps^3.
 // Case free_third_order: no resonance, multiple scales to eps^3. Valid near that resonance for small
 // amplitudes; what is left out is of order eps^4.
-// Units: SI; frequencies in rad/s; amplitudes as in estimator/compiled_model.hpp.
+// Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // Made by: secular generate van_der_pol
 #include "generated/van_der_pol.hpp"
 
 #include <limits>
 
-#include "estimator/generated_table.hpp"
+#include "estimator/model/generated_table.hpp"
 
 namespace secular::generated::van_der_pol {
 

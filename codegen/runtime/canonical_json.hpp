@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "codegen/canonical_model.hpp"
+#include "codegen/canonical/canonical_model.hpp"
 
 namespace secular {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "codegen/canonical_model.hpp"
-#include "codegen/emit_cpp.hpp"
+#include "codegen/canonical/canonical_model.hpp"
+#include "codegen/cpp/emit_cpp.hpp"
 #include "codegen/runtime/model_cache.hpp"
 #include "perturb/effect_catalogue.hpp"
 

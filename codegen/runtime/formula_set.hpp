@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "codegen/rational_function.hpp"
+#include "codegen/canonical/rational_function.hpp"
 
 namespace secular {
 

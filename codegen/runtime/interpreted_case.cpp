@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numbers>
 
-#include "codegen/amplitude_derivative.hpp"
-#include "codegen/emit_cpp.hpp"
-#include "codegen/lump_gradient.hpp"
+#include "codegen/canonical/amplitude_derivative.hpp"
+#include "codegen/canonical/lump_gradient.hpp"
+#include "codegen/cpp/emit_cpp.hpp"
 
 namespace secular {
 

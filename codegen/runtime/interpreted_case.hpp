@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "codegen/canonical_model.hpp"
+#include "codegen/canonical/canonical_model.hpp"
 #include "codegen/runtime/formula_set.hpp"
 #include "codegen/runtime/monomial.hpp"
-#include "estimator/compiled_model.hpp"
+#include "estimator/model/compiled_model.hpp"
 
 namespace secular {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "codegen/cpp_expression.hpp"
+#include "codegen/expression/cpp_expression.hpp"
 #include "codegen/runtime/interpreted_case.hpp"
 #include "codegen/runtime/interpreted_motion.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "codegen/canonical_model.hpp"
-#include "estimator/compiled_model.hpp"
+#include "codegen/canonical/canonical_model.hpp"
+#include "estimator/model/compiled_model.hpp"
 
 namespace secular {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "codegen/emit_cpp.hpp"
-#include "estimator/dense_solve.hpp"
-#include "estimator/integer_power.hpp"
-#include "estimator/scalar_functions.hpp"
+#include "codegen/cpp/emit_cpp.hpp"
+#include "estimator/model/dense_solve.hpp"
+#include "estimator/model/integer_power.hpp"
+#include "estimator/model/scalar_functions.hpp"
 
 namespace secular {
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "codegen/canonical_model.hpp"
-#include "codegen/motion_derivative.hpp"
+#include "codegen/canonical/canonical_model.hpp"
+#include "codegen/canonical/motion_derivative.hpp"
 #include "codegen/runtime/formula_set.hpp"
-#include "estimator/compiled_model.hpp"
+#include "estimator/model/compiled_model.hpp"
 
 namespace secular {
 

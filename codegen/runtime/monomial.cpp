@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "estimator/integer_power.hpp"
+#include "estimator/model/integer_power.hpp"
 
 namespace secular {
 

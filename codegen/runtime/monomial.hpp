@@ -3,7 +3,7 @@
 #include <complex>
 #include <vector>
 
-#include "codegen/canonical_model.hpp"
+#include "codegen/canonical/canonical_model.hpp"
 
 namespace secular {
 

@@ -17,11 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* needed_headers[] = {"estimator/compiled_model.hpp",    "estimator/model_function.hpp",
-                                          "estimator/batch_arrays.hpp",      "estimator/complex_number.hpp",
-                                          "estimator/dense_solve.hpp",       "estimator/dual_number.hpp",
-                                          "estimator/excitation_sample.hpp", "estimator/generated_table.hpp",
-                                          "estimator/integer_power.hpp",     "estimator/scalar_functions.hpp"};
+constexpr const char* needed_headers[] = {
+    "estimator/model/compiled_model.hpp",    "estimator/model/model_function.hpp",
+    "estimator/model/batch_arrays.hpp",      "estimator/model/complex_number.hpp",
+    "estimator/model/dense_solve.hpp",       "estimator/model/dual_number.hpp",
+    "estimator/model/excitation_sample.hpp", "estimator/model/generated_table.hpp",
+    "estimator/model/integer_power.hpp",     "estimator/model/scalar_functions.hpp"};
 
 struct Headers {
   fs::path folder;
@@ -52,7 +53,8 @@ class Compilation {
     const auto compiler = find_cpp_compiler();
     if (!compiler) return failed("no C++ compiler was found ($CXX, c++, g++, clang++)");
     const auto headers = find_headers(options_.header_folders);
-    if (!headers) return failed("the headers of generated code (estimator/compiled_model.hpp) were not found");
+    if (!headers)
+      return failed("the headers of generated code (estimator/model/compiled_model.hpp) were not found");
     const DerivedCode code = derived_code(request_, cache_);
     std::string source;
     for (const GeneratedUnit& unit : code.units) source += unit.file.name + "\n" + unit.file.text;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "estimator/compiled_model.hpp"
+#include "estimator/model/compiled_model.hpp"
 #include "perturb/effect_catalogue.hpp"
 
 namespace secular {
@@ -15,9 +15,10 @@ namespace secular {
 struct RuntimeModelOptions {
   /// Cases to derive, by name; nothing: all that can be emitted. Empty: equations of motion alone.
   std::optional<std::vector<std::string>> cases;
-  std::vector<EffectTerm> effects;                    ///< added to the equations of motion, see with_effects
-  bool interpret = false;                             ///< never start a compiler
-  std::vector<std::filesystem::path> header_folders;  ///< first one that holds estimator/compiled_model.hpp is used
+  std::vector<EffectTerm> effects;  ///< added to the equations of motion, see with_effects
+  bool interpret = false;           ///< never start a compiler
+  /// First one that holds estimator/model/compiled_model.hpp is used.
+  std::vector<std::filesystem::path> header_folders;
   std::optional<std::filesystem::path> cache_folder;  ///< instead of the user's
 };
 

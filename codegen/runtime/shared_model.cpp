@@ -3,7 +3,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include "codegen/cpp_expression.hpp"
+#include "codegen/expression/cpp_expression.hpp"
 
 namespace secular {
 
@@ -28,7 +28,8 @@ const CompiledModel* load_shared_model(const std::filesystem::path& file, std::s
   void* const symbol = dlsym(object, "secular_compiled_model");
   const void* const model = symbol ? reinterpret_cast<Entry>(symbol)(compiled_model_abi()) : nullptr;
   if (model == nullptr) {
-    reason = symbol ? "was compiled against another version of estimator/compiled_model.hpp" : "holds no model";
+    reason =
+        symbol ? "was compiled against another version of estimator/model/compiled_model.hpp" : "holds no model";
     dlclose(object);
     return nullptr;
   }

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "estimator/compiled_model.hpp"
+#include "estimator/model/compiled_model.hpp"
 
 namespace secular {
 

@@ -10,9 +10,10 @@
 #include <set>
 
 #include "estimator/identification/equation_data.hpp"
-#include "estimator/regression/confidence.hpp"
+#include "estimator/model/zero_frequency.hpp"
 #include "estimator/regression/signed_rank.hpp"
-#include "estimator/signal/bispectral_phase.hpp"
+#include "measure/signal/bispectral_phase.hpp"
+#include "numerics/confidence.hpp"
 
 namespace secular {
 namespace {

@@ -10,11 +10,12 @@
 
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/shift_evidence.hpp"
-#include "estimator/in_parallel.hpp"
-#include "estimator/median.hpp"
+#include "estimator/model/zero_frequency.hpp"
 #include "estimator/regression/condensed_rows.hpp"
-#include "estimator/regression/distribution.hpp"
-#include "estimator/regression/unit_scale.hpp"
+#include "numerics/distribution.hpp"
+#include "numerics/in_parallel.hpp"
+#include "numerics/median.hpp"
+#include "numerics/unit_scale.hpp"
 
 namespace secular {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "estimator/identification/mode_frequencies.hpp"
-#include "estimator/identification/observation_set.hpp"
 #include "estimator/regression/linear_fit.hpp"
+#include "measure/observe/mode_frequencies.hpp"
+#include "measure/observe/observation_set.hpp"
 
 namespace secular {
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-#include "estimator/regression/unit_scale.hpp"
+#include "numerics/unit_scale.hpp"
 
 namespace secular {
 namespace {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "estimator/model/zero_frequency.hpp"
+
 namespace secular {
 
 using Complex = std::complex<double>;
@@ -23,11 +25,6 @@ Complex step_from(Complex value, double step, bool across) {
 }
 
 }  // namespace
-
-bool is_zero_frequency(const RegressorBlock& block) {
-  return block.kind == BlockKind::harmonic &&
-         std::all_of(block.phase.begin(), block.phase.end(), [](int p) { return p == 0; });
-}
 
 Complex motion_frame(const RegressorBlock& block, const Observation& o) {
   if (block.kind == BlockKind::modulation)

@@ -5,13 +5,10 @@
 #include <vector>
 
 #include "estimator/identification/case_regression.hpp"
-#include "estimator/identification/mode_frequencies.hpp"
-#include "estimator/identification/observation_set.hpp"
+#include "measure/observe/mode_frequencies.hpp"
+#include "measure/observe/observation_set.hpp"
 
 namespace secular {
-
-/// True for the component at zero frequency, which has no imaginary part and shares it with the sensor's offset.
-bool is_zero_frequency(const RegressorBlock& block);
 
 /// exp(-i*phase) that turns a block's equation into the frame of the observed motion: the modulation equation of
 /// mode k by arg A_k, a harmonic by what its phase makes of the arguments of the amplitudes and forces. There

@@ -11,8 +11,8 @@
 
 #include "estimator/identification/estimate_quality.hpp"
 #include "estimator/identification/lack_of_fit.hpp"
-#include "estimator/identification/observation_set.hpp"
 #include "estimator/identification/shared_parameters.hpp"
+#include "measure/observe/observation_set.hpp"
 
 namespace secular {
 

@@ -7,7 +7,7 @@
 #include "estimator/identification/case_quality.hpp"
 #include "estimator/identification/estimation.hpp"
 #include "estimator/identification/unit_text.hpp"
-#include "estimator/regression/confidence.hpp"
+#include "numerics/confidence.hpp"
 
 namespace secular {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "estimator/identification/estimation.hpp"
 #include "estimator/identification/lack_of_fit.hpp"
-#include "estimator/regression/distribution.hpp"
+#include "numerics/distribution.hpp"
 
 namespace secular {
 

@@ -8,7 +8,7 @@
 #include <functional>
 #include <optional>
 
-#include "estimator/identification/equation_data.hpp"
+#include "estimator/model/zero_frequency.hpp"
 
 namespace secular {
 namespace {

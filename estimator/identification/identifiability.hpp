@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "estimator/compiled_model.hpp"
 #include "estimator/identification/estimate_quality.hpp"
+#include "estimator/model/compiled_model.hpp"
 
 namespace secular {
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "estimator/regression/distribution.hpp"
+#include "numerics/distribution.hpp"
 
 namespace secular {
 namespace {

@@ -4,7 +4,7 @@
 #include <complex>
 #include <vector>
 
-#include "estimator/identification/observation_set.hpp"
+#include "measure/observe/observation_set.hpp"
 
 namespace secular {
 

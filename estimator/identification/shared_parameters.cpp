@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "estimator/regression/clustered_chi_squared.hpp"
-#include "estimator/regression/nonlinear_fit.hpp"
-#include "estimator/regression/unit_scale.hpp"
 #include "input/input_error.hpp"
+#include "numerics/nonlinear_fit.hpp"
+#include "numerics/unit_scale.hpp"
 
 namespace secular {
 namespace {

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "estimator/compiled_model.hpp"
 #include "estimator/identification/case_regression.hpp"
 #include "estimator/identification/condition_scatter.hpp"
+#include "estimator/model/compiled_model.hpp"
 
 namespace secular {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimator/hertz.hpp"
+#include "numerics/hertz.hpp"
 
 namespace secular {
 namespace {

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <complex>
 
-#include "estimator/identification/common_observations.hpp"
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/estimate.hpp"
 #include "estimator/identification/seen_lumps.hpp"
 #include "estimator/identification/short_list.hpp"
-#include "estimator/in_parallel.hpp"
-#include "estimator/regression/confidence.hpp"
+#include "measure/observe/common_observations.hpp"
+#include "numerics/confidence.hpp"
+#include "numerics/in_parallel.hpp"
 
 namespace secular {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "estimator/compiled_model.hpp"
+#include "estimator/model/compiled_model.hpp"
 
 namespace secular {
 

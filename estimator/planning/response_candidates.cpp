@@ -6,8 +6,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "estimator/response/response_curve.hpp"
-#include "estimator/stability/spectrum.hpp"
+#include "motion/response/response_curve.hpp"
+#include "motion/response/spectrum.hpp"
 
 namespace secular {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "estimator/planning/dwell_information.hpp"
-#include "estimator/response/response_field.hpp"
+#include "motion/response/response_field.hpp"
 
 namespace secular {
 

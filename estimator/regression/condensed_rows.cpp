@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "estimator/in_parallel.hpp"
+#include "numerics/in_parallel.hpp"
 
 namespace secular {
 namespace {

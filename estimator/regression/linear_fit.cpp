@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "estimator/in_parallel.hpp"
 #include "estimator/regression/condensed_rows.hpp"
-#include "estimator/regression/unit_scale.hpp"
+#include "numerics/in_parallel.hpp"
+#include "numerics/unit_scale.hpp"
 
 namespace secular {
 namespace {

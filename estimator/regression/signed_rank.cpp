@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "estimator/regression/distribution.hpp"
+#include "numerics/distribution.hpp"
 
 namespace secular {
 namespace {

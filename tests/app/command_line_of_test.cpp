@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.hpp"
+#include "app/shared/command_line.hpp"
 
 namespace secular::app {
 namespace {

@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "app/identification.hpp"
+#include "app/shared/identification.hpp"
 #include "blind/case_files.hpp"
 #include "blind/sealed_case.hpp"
-#include "estimator/regression/confidence.hpp"
+#include "numerics/confidence.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular::app {

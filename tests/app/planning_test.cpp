@@ -1,5 +1,5 @@
 // `secular plan` against the programme in use: predicted quickly, shown by simulation in the statistical suite.
-#include "app/planning.hpp"
+#include "app/plan/planning.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "app/procedures/thesis_procedures.hpp"
-#include "estimator/campaign/campaign.hpp"
+#include "app/procedure/thesis_procedures.hpp"
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
-#include "simulate/virtual_test.hpp"
+#include "measure/data/campaign.hpp"
+#include "motion/simulate/virtual_test.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular::app {

@@ -1,4 +1,4 @@
-#include "app/shipped_models.hpp"
+#include "app/shared/shipped_models.hpp"
 
 #include <gtest/gtest.h>
 

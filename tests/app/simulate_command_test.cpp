@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "app/experiment_loading.hpp"
+#include "app/simulate/experiment_loading.hpp"
 #include "input/input_error.hpp"
-#include "simulate/virtual_test.hpp"
+#include "motion/simulate/virtual_test.hpp"
 #include "tests/app/program_run.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 

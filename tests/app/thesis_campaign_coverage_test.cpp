@@ -15,13 +15,13 @@
 #include <string>
 #include <vector>
 
-#include "app/identification.hpp"
-#include "app/model_loading.hpp"
-#include "app/procedures/thesis_procedures.hpp"
-#include "estimator/regression/confidence.hpp"
-#include "simulate/noise.hpp"
-#include "simulate/observation_noise.hpp"
-#include "simulate/steady_set.hpp"
+#include "app/procedure/thesis_procedures.hpp"
+#include "app/shared/identification.hpp"
+#include "app/shared/model_loading.hpp"
+#include "motion/correction/observation_noise.hpp"
+#include "motion/correction/steady_set.hpp"
+#include "motion/simulate/noise.hpp"
+#include "numerics/confidence.hpp"
 #include "tests/identification/virtual_campaign.hpp"
 
 namespace secular::app {

@@ -78,11 +78,11 @@ class SlowUnseenModel : public testing::Test {
   }
   // The program with its headers as it is installed.
   fs::path installed() const {
-    const fs::path prefix = folder_ / "prefix", headers = prefix / "include" / "secular" / "estimator";
+    const fs::path prefix = folder_ / "prefix", headers = prefix / "include" / "secular" / "estimator" / "model";
     fs::create_directories(prefix / "bin");
     fs::create_directories(headers);
     fs::copy_file(SECULAR_PROGRAM, prefix / "bin" / "secular");
-    for (const auto& entry : fs::directory_iterator(fs::path(SECULAR_SOURCE_DIR) / "estimator"))
+    for (const auto& entry : fs::directory_iterator(fs::path(SECULAR_SOURCE_DIR) / "estimator" / "model"))
       if (entry.path().extension() == ".hpp") fs::copy_file(entry.path(), headers / entry.path().filename());
     return prefix;
   }
@@ -166,7 +166,7 @@ TEST_F(SlowUnseenModel, AnInstalledProgramUsesItsOwnHeaders) {
   EXPECT_EQ(estimates("one"), estimates("two"));
   EXPECT_EQ(cached(".so"), 3u);
   // Headers are part of what an object is made from.
-  std::ofstream(prefix / "include/secular/estimator/compiled_model.hpp", std::ios::app) << "#error marked\n";
+  std::ofstream(prefix / "include/secular/estimator/model/compiled_model.hpp", std::ios::app) << "#error marked\n";
   const std::string note = run("identify campaign --model model.toml -o marked", program);
   EXPECT_NE(note.find("#error marked"), std::string::npos) << note;
 }

@@ -1,4 +1,4 @@
-#include "estimator/campaign/campaign.hpp"
+#include "measure/data/campaign.hpp"
 
 #include <array>
 #include <bit>
@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "estimator/campaign/campaign_writer.hpp"
-#include "estimator/campaign/data_file.hpp"
+#include "measure/data/campaign_writer.hpp"
+#include "measure/data/data_file.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 

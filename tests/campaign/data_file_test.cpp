@@ -1,4 +1,4 @@
-#include "estimator/campaign/data_file.hpp"
+#include "measure/data/data_file.hpp"
 
 #include <zlib.h>
 
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "estimator/campaign/number_table.hpp"
+#include "measure/data/number_table.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "estimator/campaign/data_quality.hpp"
+#include "measure/data/data_quality.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <numbers>
 #include <random>
 
-#include "estimator/campaign/clipping.hpp"
-#include "estimator/campaign/data_file.hpp"
-#include "estimator/campaign/noise_floor.hpp"
-#include "estimator/campaign/resolution.hpp"
+#include "measure/data/clipping.hpp"
+#include "measure/data/data_file.hpp"
+#include "measure/data/noise_floor.hpp"
+#include "measure/data/resolution.hpp"
 
 namespace secular {
 namespace {

@@ -1,7 +1,7 @@
-#include "estimator/campaign/file_bytes.hpp"
+#include "measure/data/file_bytes.hpp"
 
-#include "estimator/campaign/mapped_file.hpp"
-#include "estimator/campaign/stored_numbers.hpp"
+#include "measure/data/mapped_file.hpp"
+#include "measure/data/stored_numbers.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 
 namespace secular {

@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "estimator/campaign/data_file.hpp"
-#include "estimator/campaign/inspection.hpp"
+#include "measure/data/data_file.hpp"
+#include "measure/data/inspection.hpp"
 #include "tests/campaign/hdf5_writer.hpp"
 #include "tests/campaign/mutation.hpp"
 

@@ -2,11 +2,11 @@
 #include <cstdint>
 #include <limits>
 
-#include "estimator/campaign/data_file.hpp"
-#include "estimator/campaign/hdf5_file.hpp"
-#include "estimator/campaign/import_files.hpp"
-#include "estimator/campaign/inspection.hpp"
-#include "estimator/campaign/stored_numbers.hpp"
+#include "measure/data/data_file.hpp"
+#include "measure/data/hdf5_file.hpp"
+#include "measure/data/import_files.hpp"
+#include "measure/data/inspection.hpp"
+#include "measure/data/stored_numbers.hpp"
 #include "tests/campaign/hdf5_writer.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/mutation.hpp"

@@ -1,7 +1,7 @@
 #include <numbers>
 
-#include "estimator/campaign/import_files.hpp"
-#include "estimator/campaign/inspection.hpp"
+#include "measure/data/import_files.hpp"
+#include "measure/data/inspection.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 

@@ -4,9 +4,9 @@
 #include <fstream>
 #include <string>
 
-#include "estimator/campaign/campaign.hpp"
-#include "estimator/campaign/data_file.hpp"
-#include "estimator/campaign/inspection.hpp"
+#include "measure/data/campaign.hpp"
+#include "measure/data/data_file.hpp"
+#include "measure/data/inspection.hpp"
 
 namespace secular {
 

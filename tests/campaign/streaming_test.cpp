@@ -5,11 +5,11 @@
 
 #include <fstream>
 
-#include "estimator/campaign/data_file.hpp"
-#include "estimator/campaign/inspection.hpp"
-#include "estimator/campaign/record_data.hpp"
-#include "estimator/campaign/stored_numbers.hpp"
-#include "estimator/campaign/uff_file.hpp"
+#include "measure/data/data_file.hpp"
+#include "measure/data/inspection.hpp"
+#include "measure/data/record_data.hpp"
+#include "measure/data/stored_numbers.hpp"
+#include "measure/data/uff_file.hpp"
 #include "tests/campaign/hdf5_writer.hpp"
 #include "tests/campaign/largest_allocation.hpp"
 #include "tests/campaign/mat_writer.hpp"

@@ -1,4 +1,4 @@
-#include "estimator/campaign/time_axis.hpp"
+#include "measure/data/time_axis.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Damaged universal and WAV files: whatever the bytes, the outcome is success or an InputError.
 
-#include "estimator/campaign/data_file.hpp"
-#include "estimator/campaign/inspection.hpp"
-#include "estimator/campaign/stored_numbers.hpp"
-#include "estimator/campaign/uff_file.hpp"
+#include "measure/data/data_file.hpp"
+#include "measure/data/inspection.hpp"
+#include "measure/data/stored_numbers.hpp"
+#include "measure/data/uff_file.hpp"
 #include "tests/campaign/mutation.hpp"
 
 namespace secular {

@@ -1,11 +1,11 @@
 #include <cmath>
 
-#include "estimator/campaign/campaign.hpp"
-#include "estimator/campaign/data_file.hpp"
-#include "estimator/campaign/fortran_number.hpp"
-#include "estimator/campaign/import_files.hpp"
-#include "estimator/campaign/inspection.hpp"
-#include "estimator/campaign/uff_file.hpp"
+#include "measure/data/campaign.hpp"
+#include "measure/data/data_file.hpp"
+#include "measure/data/fortran_number.hpp"
+#include "measure/data/import_files.hpp"
+#include "measure/data/inspection.hpp"
+#include "measure/data/uff_file.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 
 namespace secular {

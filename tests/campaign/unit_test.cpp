@@ -1,4 +1,4 @@
-#include "estimator/campaign/unit.hpp"
+#include "measure/data/unit.hpp"
 
 #include <gtest/gtest.h>
 

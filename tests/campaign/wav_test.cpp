@@ -1,6 +1,6 @@
-#include "estimator/campaign/import_files.hpp"
-#include "estimator/campaign/stored_numbers.hpp"
-#include "estimator/campaign/wav_file.hpp"
+#include "measure/data/import_files.hpp"
+#include "measure/data/stored_numbers.hpp"
+#include "measure/data/wav_file.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 
 namespace secular {

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <random>
 
-#include "codegen/amplitude_derivative.hpp"
+#include "codegen/canonical/amplitude_derivative.hpp"
 #include "codegen/runtime/derived_code.hpp"
 #include "codegen/runtime/interpreted_model.hpp"
-#include "estimator/model_residual.hpp"
+#include "estimator/model/model_residual.hpp"
 #include "generated/registry.hpp"
 #include "perturb/model.hpp"
 #include "perturb/observation.hpp"

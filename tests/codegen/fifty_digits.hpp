@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "codegen/canonical_model.hpp"
-#include "codegen/lump_gradient.hpp"
-#include "codegen/motion_derivative.hpp"
+#include "codegen/canonical/canonical_model.hpp"
+#include "codegen/canonical/lump_gradient.hpp"
+#include "codegen/canonical/motion_derivative.hpp"
 #include "tests/runtime/compare_models.hpp"
 
 namespace secular::test {

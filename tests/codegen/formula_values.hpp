@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "codegen/canonical_model.hpp"
-#include "codegen/latex_math.hpp"
-#include "codegen/typeset_equations.hpp"
+#include "codegen/canonical/canonical_model.hpp"
+#include "codegen/document/latex_math.hpp"
+#include "codegen/document/typeset_equations.hpp"
 
 namespace secular {
 

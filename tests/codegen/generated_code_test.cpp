@@ -10,8 +10,8 @@
 #include <sstream>
 #include <vector>
 
-#include "codegen/emit_cpp.hpp"
-#include "codegen/evaluation.hpp"
+#include "codegen/canonical/evaluation.hpp"
+#include "codegen/cpp/emit_cpp.hpp"
 #include "generated/registry.hpp"
 #include "perturb/model.hpp"
 #include "perturb/observation.hpp"

@@ -1,5 +1,5 @@
 // Derivations as LaTeX and as HTML with MathML: the formula layer, and the whole documents of the shipped models.
-#include "codegen/typeset.hpp"
+#include "codegen/document/typeset.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,14 +12,14 @@
 #include <string_view>
 #include <vector>
 
-#include "codegen/generated_lump.hpp"
-#include "codegen/latex_math.hpp"
-#include "codegen/line_pieces.hpp"
-#include "codegen/mathml.hpp"
-#include "codegen/print_html.hpp"
-#include "codegen/print_latex.hpp"
-#include "codegen/print_text.hpp"
-#include "codegen/symbol_name.hpp"
+#include "codegen/canonical/generated_lump.hpp"
+#include "codegen/document/latex_math.hpp"
+#include "codegen/document/line_pieces.hpp"
+#include "codegen/document/mathml.hpp"
+#include "codegen/document/print_html.hpp"
+#include "codegen/document/print_latex.hpp"
+#include "codegen/document/print_text.hpp"
+#include "codegen/document/symbol_name.hpp"
 #include "perturb/model.hpp"
 #include "tests/process_folder.hpp"
 

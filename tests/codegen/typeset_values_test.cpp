@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "codegen/typeset_equations.hpp"
+#include "codegen/document/typeset_equations.hpp"
 #include "formula_values.hpp"
 #include "perturb/model.hpp"
 

@@ -1,5 +1,5 @@
 // Slopes of what harmonic balance leaves, against differences.
-#include "simulate/balance_sweep.hpp"
+#include "motion/balance/balance_sweep.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // One clock for all records of a campaign: what changes slowly is seen by dwells and by free decays.
-#include "diagnose/campaign_clock.hpp"
+#include "diagnose/evidence/campaign_clock.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "diagnose/segment.hpp"
+#include "diagnose/evidence/segment.hpp"
 #include "tests/diagnose/laboratory.hpp"
 
 namespace secular {

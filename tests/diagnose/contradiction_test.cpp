@@ -1,5 +1,5 @@
 // Given numbers against linear data, where everything can be said in closed form.
-#include "diagnose/contradiction.hpp"
+#include "diagnose/inference/contradiction.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Whole diagnoses of simulated campaigns, with one or two terms of a compiled-in model withheld.
-#include "diagnose/diagnosis.hpp"
+#include "diagnose/verdict/diagnosis.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 #include <optional>
 #include <random>
 
-#include "diagnose/held_out.hpp"
+#include "diagnose/inference/held_out.hpp"
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
-#include "simulate/virtual_test.hpp"
+#include "motion/simulate/virtual_test.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {

@@ -1,5 +1,5 @@
 // Shares of a gap, on rows that are made up.
-#include "diagnose/gap_shares.hpp"
+#include "diagnose/verdict/gap_shares.hpp"
 
 #include <gtest/gtest.h>
 

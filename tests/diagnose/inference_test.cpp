@@ -1,5 +1,5 @@
 // The search for explanations, on rows that are a few lines of algebra.
-#include "diagnose/inference.hpp"
+#include "diagnose/inference/inference.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "diagnose/condition_rows.hpp"
+#include "diagnose/evidence/condition_rows.hpp"
 #include "generated/registry.hpp"
 
 namespace secular::testing_support {

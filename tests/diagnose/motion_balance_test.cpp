@@ -1,5 +1,5 @@
 // Harmonic balance with the resonant line given, against what is known in closed form.
-#include "simulate/motion_balance.hpp"
+#include "motion/balance/motion_balance.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "diagnose/segment_motion.hpp"
+#include "diagnose/evidence/segment_motion.hpp"
 #include "generated/registry.hpp"
 
 namespace secular {

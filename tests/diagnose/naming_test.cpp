@@ -1,5 +1,5 @@
 // What is named where several explanations compete, on explanations that are made up.
-#include "diagnose/naming.hpp"
+#include "diagnose/verdict/naming.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What an explanation leaves as a smooth function of the settings, on rows that are made up.
-#include "diagnose/remainder.hpp"
+#include "diagnose/inference/remainder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnose/saturation.hpp"
+#include "diagnose/evidence/saturation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // Samples of a record against the full equations of motion.
-#include "diagnose/segment_evidence.hpp"
+#include "diagnose/evidence/segment_evidence.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "diagnose/line_evidence.hpp"
-#include "diagnose/refit.hpp"
+#include "diagnose/evidence/line_evidence.hpp"
+#include "diagnose/inference/refit.hpp"
 #include "tests/diagnose/laboratory.hpp"
 
 namespace secular {

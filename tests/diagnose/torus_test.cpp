@@ -1,12 +1,12 @@
-#include "simulate/torus.hpp"
+#include "motion/balance/torus.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "simulate/motion_balance.hpp"
-#include "diagnose/resonant_lines.hpp"
-#include "diagnose/sensor_model.hpp"
+#include "diagnose/evidence/resonant_lines.hpp"
+#include "diagnose/evidence/sensor_model.hpp"
+#include "motion/balance/motion_balance.hpp"
 
 namespace secular {
 namespace {

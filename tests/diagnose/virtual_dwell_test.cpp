@@ -1,5 +1,5 @@
 // Dwells predicted under an explanation, against closed forms.
-#include "diagnose/virtual_dwell.hpp"
+#include "diagnose/evidence/virtual_dwell.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <set>
 
-#include "diagnose/next_experiment.hpp"
+#include "diagnose/verdict/next_experiment.hpp"
 #include "tests/diagnose/laboratory.hpp"
 
 namespace secular {

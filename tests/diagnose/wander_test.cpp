@@ -1,5 +1,5 @@
 // Steadiness of dwells: false alarms of the test, and what it sees.
-#include "diagnose/wander.hpp"
+#include "diagnose/evidence/wander.hpp"
 
 #include <gtest/gtest.h>
 

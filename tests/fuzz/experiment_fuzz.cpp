@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "input/input_error.hpp"
-#include "simulate/experiment.hpp"
-#include "simulate/experiment_effects.hpp"
+#include "motion/simulate/experiment.hpp"
+#include "motion/simulate/experiment_effects.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Acceleration of a fixed-point iteration.
-#include "estimator/anderson_acceleration.hpp"
+#include "numerics/anderson_acceleration.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimator/hertz.hpp"
 #include "estimator/identification/identifiability.hpp"
 #include "estimator/regression/linear_fit.hpp"
-#include "simulate/noise.hpp"
-#include "simulate/replay.hpp"
+#include "motion/correction/replay.hpp"
+#include "motion/simulate/noise.hpp"
+#include "numerics/hertz.hpp"
 #include "virtual_campaign.hpp"
 
 namespace secular {

@@ -6,8 +6,8 @@
 #include <complex>
 #include <numbers>
 
-#include "estimator/identification/related_tones.hpp"
-#include "simulate/noise.hpp"
+#include "measure/observe/related_tones.hpp"
+#include "motion/simulate/noise.hpp"
 #include "virtual_campaign.hpp"
 
 namespace secular {

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "estimator/regression/confidence.hpp"
+#include "numerics/confidence.hpp"
 
 namespace secular {
 namespace {

@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "estimator/regression/confidence.hpp"
-#include "simulate/noise.hpp"
-#include "simulate/replay.hpp"
+#include "motion/correction/replay.hpp"
+#include "motion/simulate/noise.hpp"
+#include "numerics/confidence.hpp"
 #include "virtual_campaign.hpp"
 
 namespace secular {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "simulate/replay.hpp"
-#include "simulate/truncation_correction.hpp"
+#include "motion/correction/replay.hpp"
+#include "motion/correction/truncation_correction.hpp"
 #include "virtual_campaign.hpp"
 
 namespace secular {

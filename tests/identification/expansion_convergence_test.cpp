@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "generated/registry.hpp"
-#include "simulate/motion.hpp"
+#include "motion/simulate/motion.hpp"
 
 namespace secular {
 namespace {

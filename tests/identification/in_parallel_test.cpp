@@ -1,5 +1,5 @@
 // Work on several threads.
-#include "estimator/in_parallel.hpp"
+#include "numerics/in_parallel.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "estimator/identification/observation_set.hpp"
 #include "generated/registry.hpp"
-#include "simulate/noise.hpp"
+#include "measure/observe/observation_set.hpp"
+#include "motion/simulate/noise.hpp"
 
 // Observations made from the modulation equations themselves, so that what is wrong with a model is known exactly.
 namespace secular::testing_support {

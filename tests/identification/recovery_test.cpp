@@ -4,15 +4,15 @@
 #include <cmath>
 #include <filesystem>
 
-#include "estimator/campaign/campaign.hpp"
 #include "estimator/identification/estimate.hpp"
-#include "estimator/identification/modal_projection.hpp"
 #include "estimator/identification/unit_text.hpp"
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
-#include "simulate/replay.hpp"
-#include "simulate/truncation_correction.hpp"
-#include "simulate/virtual_test.hpp"
+#include "measure/data/campaign.hpp"
+#include "measure/observe/modal_projection.hpp"
+#include "motion/correction/replay.hpp"
+#include "motion/correction/truncation_correction.hpp"
+#include "motion/simulate/virtual_test.hpp"
 
 namespace secular {
 namespace {

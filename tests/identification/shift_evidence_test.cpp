@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "simulate/noise.hpp"
+#include "motion/simulate/noise.hpp"
 
 namespace secular {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "estimator/identification/estimate.hpp"
-#include "estimator/identification/modal_projection.hpp"
 #include "generated/registry.hpp"
-#include "simulate/virtual_test.hpp"
+#include "measure/observe/modal_projection.hpp"
+#include "motion/simulate/virtual_test.hpp"
 
 // Virtual tests in memory and what is identified from them.
 namespace secular::testing_support {

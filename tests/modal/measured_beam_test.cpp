@@ -10,10 +10,10 @@
 #include <tuple>
 #include <vector>
 
-#include "estimator/campaign/import_files.hpp"
-#include "estimator/campaign/mat_file.hpp"
-#include "estimator/modal/modal_survey.hpp"
-#include "estimator/modal/pole.hpp"
+#include "measure/data/import_files.hpp"
+#include "measure/data/mat_file.hpp"
+#include "measure/modal/modal_survey.hpp"
+#include "measure/modal/pole.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {

@@ -1,5 +1,5 @@
 // A whole survey: simulated impacts and free decays whose truth is known.
-#include "estimator/modal/modal_survey.hpp"
+#include "measure/modal/modal_survey.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <numbers>
 #include <string>
 
-#include "estimator/modal/modal_mass.hpp"
 #include "input/input_error.hpp"
+#include "measure/modal/modal_mass.hpp"
 #include "tests/modal/structure_campaign.hpp"
 #include "tests/process_folder.hpp"
 

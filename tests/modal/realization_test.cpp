@@ -6,11 +6,11 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "estimator/modal/eigensystem_realization.hpp"
-#include "estimator/modal/modal_assurance.hpp"
-#include "estimator/modal/pole.hpp"
-#include "estimator/modal/pole_fit.hpp"
-#include "estimator/modal/stabilisation.hpp"
+#include "measure/modal/eigensystem_realization.hpp"
+#include "measure/modal/modal_assurance.hpp"
+#include "measure/modal/pole.hpp"
+#include "measure/modal/pole_fit.hpp"
+#include "measure/modal/stabilisation.hpp"
 
 namespace secular {
 namespace {

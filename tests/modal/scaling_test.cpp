@@ -6,11 +6,11 @@
 #include <complex>
 #include <stdexcept>
 
-#include "estimator/modal/modal_assurance.hpp"
-#include "estimator/modal/modal_mass.hpp"
-#include "estimator/modal/mode_scaling.hpp"
-#include "estimator/modal/pole.hpp"
-#include "estimator/modal/residue_conversion.hpp"
+#include "measure/modal/modal_assurance.hpp"
+#include "measure/modal/modal_mass.hpp"
+#include "measure/modal/mode_scaling.hpp"
+#include "measure/modal/pole.hpp"
+#include "measure/modal/residue_conversion.hpp"
 
 namespace secular {
 namespace {

@@ -5,10 +5,10 @@
 #include <complex>
 #include <numbers>
 
-#include "estimator/modal/amplitude_dependence.hpp"
-#include "estimator/modal/frequency_response.hpp"
-#include "estimator/modal/pole.hpp"
-#include "estimator/modal/pole_fit.hpp"
+#include "measure/modal/amplitude_dependence.hpp"
+#include "measure/modal/frequency_response.hpp"
+#include "measure/modal/pole.hpp"
+#include "measure/modal/pole_fit.hpp"
 #include "tests/signal/gaussian.hpp"
 
 namespace secular {

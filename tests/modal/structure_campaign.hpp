@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "estimator/campaign/campaign.hpp"
-#include "estimator/modal/pole.hpp"
+#include "measure/data/campaign.hpp"
+#include "measure/modal/pole.hpp"
 #include "tests/modal/two_mass_structure.hpp"
 #include "tests/signal/gaussian.hpp"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "estimator/modal/modal_mass.hpp"
-#include "estimator/modal/pole.hpp"
+#include "measure/modal/modal_mass.hpp"
+#include "measure/modal/pole.hpp"
 #include "tests/modal/two_mass_structure.hpp"
 
 namespace secular {

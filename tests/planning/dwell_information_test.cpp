@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "estimator/planning/response_candidates.hpp"
-#include "estimator/response/response_field.hpp"
 #include "generated/registry.hpp"
+#include "motion/response/response_field.hpp"
 
 namespace secular {
 namespace {

@@ -3,7 +3,7 @@
 #include <complex>
 #include <limits>
 
-#include "estimator/compiled_model.hpp"
+#include "estimator/model/compiled_model.hpp"
 
 // An additive combination resonance Omega = omega1 + omega2 as generated code would offer it, with solutions known
 // by hand: B1' = -mu1 B1 + i alpha |B1|^2 B1 - i F conj(B2) - i (O1 - omega1) B1 and the same for mode 2, each in

@@ -1,4 +1,4 @@
-#include "estimator/response/response_curve.hpp"
+#include "motion/response/response_curve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "simulate/stepped_sweep.hpp"
+#include "motion/simulate/stepped_sweep.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "estimator/response/response_curve.hpp"
 #include "generated/registry.hpp"
+#include "motion/response/response_curve.hpp"
 
 namespace secular {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "estimator/procedures/competing_terms.hpp"
 #include "tests/procedures/noisy_campaign.hpp"
+#include "thesis/procedures/competing_terms.hpp"
 
 namespace secular {
 namespace {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "estimator/identification/modal_projection.hpp"
-#include "estimator/identification/observation_set.hpp"
 #include "generated/registry.hpp"
-#include "simulate/noise.hpp"
-#include "simulate/virtual_test.hpp"
+#include "measure/observe/modal_projection.hpp"
+#include "measure/observe/observation_set.hpp"
+#include "motion/simulate/noise.hpp"
+#include "motion/simulate/virtual_test.hpp"
 
 namespace secular::testing_support {
 

@@ -7,12 +7,12 @@
 #include <complex>
 #include <numbers>
 
-#include "estimator/procedures/frequency_response_regression.hpp"
-#include "estimator/procedures/harmonic_regression.hpp"
-#include "estimator/procedures/jump_frequencies.hpp"
-#include "estimator/procedures/saddle_node_regression.hpp"
-#include "estimator/procedures/thesis_harmonics.hpp"
 #include "generated/registry.hpp"
+#include "thesis/procedures/frequency_response_regression.hpp"
+#include "thesis/procedures/harmonic_regression.hpp"
+#include "thesis/procedures/jump_frequencies.hpp"
+#include "thesis/procedures/saddle_node_regression.hpp"
+#include "thesis/procedures/thesis_harmonics.hpp"
 
 namespace secular {
 namespace {

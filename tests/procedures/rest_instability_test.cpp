@@ -1,12 +1,12 @@
 // Where rest is most unstable, against the lumps that shift it.
-#include "estimator/procedures/rest_instability.hpp"
+#include "thesis/procedures/rest_instability.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "estimator/procedures/engine_lumps.hpp"
 #include "tests/identification/virtual_campaign.hpp"
+#include "thesis/procedures/engine_lumps.hpp"
 
 namespace secular {
 namespace {

@@ -7,11 +7,11 @@
 #include <complex>
 #include <map>
 
-#include "estimator/procedures/added_last_anova.hpp"
-#include "estimator/procedures/engine_lumps.hpp"
-#include "estimator/procedures/two_mode_regression.hpp"
-#include "estimator/response/response_curve.hpp"
 #include "generated/registry.hpp"
+#include "motion/response/response_curve.hpp"
+#include "thesis/procedures/added_last_anova.hpp"
+#include "thesis/procedures/engine_lumps.hpp"
+#include "thesis/procedures/two_mode_regression.hpp"
 
 namespace secular {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <vector>
 
-#include "estimator/procedures/added_last_anova.hpp"
-#include "estimator/procedures/block_rows.hpp"
 #include "tests/identification/modulation_observations.hpp"
+#include "thesis/procedures/added_last_anova.hpp"
+#include "thesis/procedures/block_rows.hpp"
 
 namespace secular {
 namespace {

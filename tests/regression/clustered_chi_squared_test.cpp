@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "simulate/noise.hpp"
+#include "motion/simulate/noise.hpp"
 
 namespace secular {
 namespace {

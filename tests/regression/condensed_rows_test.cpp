@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 
 #include "estimator/regression/linear_fit.hpp"
-#include "simulate/noise.hpp"
+#include "motion/simulate/noise.hpp"
 
 namespace secular {
 namespace {

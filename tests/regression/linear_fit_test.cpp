@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "../signal/gaussian.hpp"
-#include "estimator/regression/confidence.hpp"
-#include "estimator/regression/nonlinear_fit.hpp"
+#include "numerics/confidence.hpp"
+#include "numerics/nonlinear_fit.hpp"
 
 namespace secular {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "estimator/compiled_model.hpp"
-#include "estimator/model_residual.hpp"
+#include "estimator/model/compiled_model.hpp"
+#include "estimator/model/model_residual.hpp"
 
 namespace secular::test {
 

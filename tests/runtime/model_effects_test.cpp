@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "codegen/canonical_model.hpp"
+#include "codegen/canonical/canonical_model.hpp"
 #include "codegen/runtime/interpreted_model.hpp"
 #include "codegen/runtime/runtime_model.hpp"
 #include "perturb/with_effects.hpp"

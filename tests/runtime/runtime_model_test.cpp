@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/canonical_model.hpp"
+#include "codegen/canonical/canonical_model.hpp"
 #include "codegen/runtime/interpreted_model.hpp"
 #include "codegen/runtime/model_cache.hpp"
 #include "generated/registry.hpp"

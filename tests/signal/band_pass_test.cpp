@@ -1,5 +1,5 @@
 // Zero-phase band-pass.
-#include "estimator/signal/band_pass.hpp"
+#include "measure/signal/band_pass.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "estimator/signal/circular_hyperbolic.hpp"
+#include "measure/signal/circular_hyperbolic.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "estimator/signal/circular_moments.hpp"
+#include "measure/signal/circular_moments.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "estimator/signal/folded_window.hpp"
-#include "estimator/signal/narrow_products.hpp"
-#include "estimator/signal/tone_series.hpp"
+#include "measure/signal/folded_window.hpp"
+#include "measure/signal/narrow_products.hpp"
+#include "measure/signal/tone_series.hpp"
 #include "tests/signal/tone_pole.hpp"
 
 namespace secular {

@@ -8,13 +8,13 @@
 #include <optional>
 #include <vector>
 
-#include "estimator/hertz.hpp"
-#include "estimator/signal/arma.hpp"
-#include "estimator/signal/decomposition.hpp"
-#include "estimator/signal/ensembles.hpp"
-#include "estimator/signal/exponential_fit.hpp"
-#include "estimator/signal/refine_poles.hpp"
 #include "gaussian.hpp"
+#include "measure/signal/arma.hpp"
+#include "measure/signal/decomposition.hpp"
+#include "measure/signal/ensembles.hpp"
+#include "measure/signal/exponential_fit.hpp"
+#include "measure/signal/refine_poles.hpp"
+#include "numerics/hertz.hpp"
 
 namespace secular {
 namespace {

@@ -1,5 +1,5 @@
 // Exact truths of the circular-hyperbolic decomposition: no noise, so every number must come back to rounding.
-#include "estimator/signal/decomposition.hpp"
+#include "measure/signal/decomposition.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "estimator/signal/refine_poles.hpp"
 #include "gaussian.hpp"
+#include "measure/signal/refine_poles.hpp"
 
 namespace secular {
 namespace {

@@ -1,5 +1,5 @@
 // What people know beside the circular-hyperbolic decomposition: exact truths of each.
-#include "estimator/signal/exponential_fit.hpp"
+#include "measure/signal/exponential_fit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "estimator/signal/arma.hpp"
-#include "estimator/signal/model_order.hpp"
 #include "gaussian.hpp"
+#include "measure/signal/arma.hpp"
+#include "measure/signal/model_order.hpp"
 
 namespace secular {
 namespace {

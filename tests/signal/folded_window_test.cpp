@@ -1,4 +1,4 @@
-#include "estimator/signal/folded_window.hpp"
+#include "measure/signal/folded_window.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "estimator/signal/refine_poles.hpp"
+#include "measure/signal/refine_poles.hpp"
 #include "tests/signal/tone_pole.hpp"
 
 namespace secular {

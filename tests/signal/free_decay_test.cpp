@@ -1,5 +1,5 @@
 // Where a free decay begins.
-#include "estimator/signal/free_decay.hpp"
+#include "measure/signal/free_decay.hpp"
 
 #include <gtest/gtest.h>
 

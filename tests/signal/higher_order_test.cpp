@@ -10,12 +10,12 @@
 #include <stdexcept>
 #include <vector>
 
-#include "estimator/signal/bispectral_phase.hpp"
-#include "estimator/signal/displacement.hpp"
-#include "estimator/signal/ensembles.hpp"
-#include "estimator/signal/settling.hpp"
-#include "estimator/signal/tone_fit.hpp"
 #include "gaussian.hpp"
+#include "measure/signal/bispectral_phase.hpp"
+#include "measure/signal/displacement.hpp"
+#include "measure/signal/ensembles.hpp"
+#include "measure/signal/settling.hpp"
+#include "measure/signal/tone_fit.hpp"
 
 namespace secular {
 namespace {

@@ -1,5 +1,5 @@
 // Principal components, modal filter and the tests of how many functions and tones there are.
-#include "estimator/signal/principal_components.hpp"
+#include "measure/signal/principal_components.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "estimator/signal/modal_filter.hpp"
-#include "estimator/signal/tone_search.hpp"
 #include "gaussian.hpp"
+#include "measure/signal/modal_filter.hpp"
+#include "measure/signal/tone_search.hpp"
 
 namespace secular {
 namespace {

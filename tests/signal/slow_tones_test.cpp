@@ -1,6 +1,6 @@
 // Tones of slowly changing amplitude in a window: exact where the amplitude is a polynomial, linear in the samples,
 // and biased in the way its Taylor series says.
-#include "estimator/signal/slow_tones.hpp"
+#include "measure/signal/slow_tones.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "estimator/signal/spectral_survey.hpp"
+#include "measure/signal/spectral_survey.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "estimator/hertz.hpp"
+#include "numerics/hertz.hpp"
 #include "tests/signal/gaussian.hpp"
 
 namespace secular {

@@ -1,4 +1,4 @@
-#include "estimator/signal/tone_fit.hpp"
+#include "measure/signal/tone_fit.hpp"
 
 #include <gtest/gtest.h>
 

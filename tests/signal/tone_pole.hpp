@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "estimator/signal/pole.hpp"
+#include "measure/signal/pole.hpp"
 
 namespace secular {
 

@@ -1,4 +1,4 @@
-#include "estimator/signal/transform_length.hpp"
+#include "measure/signal/transform_length.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Slopes of the balance with the lines of the motion.
-#include "simulate/balance_sweep.hpp"
+#include "motion/balance/balance_sweep.hpp"
 
 #include <gtest/gtest.h>
 

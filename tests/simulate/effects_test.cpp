@@ -8,11 +8,11 @@
 
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
-#include "simulate/anti_alias_filter.hpp"
-#include "simulate/experiment.hpp"
-#include "simulate/motion.hpp"
-#include "simulate/sensor_placement.hpp"
-#include "simulate/virtual_test.hpp"
+#include "motion/simulate/anti_alias_filter.hpp"
+#include "motion/simulate/experiment.hpp"
+#include "motion/simulate/motion.hpp"
+#include "motion/simulate/sensor_placement.hpp"
+#include "motion/simulate/virtual_test.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 
 namespace secular {

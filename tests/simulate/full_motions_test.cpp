@@ -1,5 +1,5 @@
 // Motions of the full equations by balance, against the same by integration.
-#include "simulate/full_motions.hpp"
+#include "motion/correction/full_motions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "simulate/replay.hpp"
+#include "motion/correction/replay.hpp"
 #include "tests/identification/virtual_campaign.hpp"
 
 namespace secular {

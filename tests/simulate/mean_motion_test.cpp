@@ -1,5 +1,5 @@
 // What ensembles of one dwell agree on, whatever the phases at which they were taken.
-#include "simulate/mean_motion.hpp"
+#include "motion/correction/mean_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "estimator/identification/mode_frequencies.hpp"
 #include "generated/registry.hpp"
-#include "simulate/noise.hpp"
+#include "measure/observe/mode_frequencies.hpp"
+#include "motion/simulate/noise.hpp"
 
 namespace secular {
 namespace {

@@ -1,4 +1,4 @@
-#include "simulate/motion.hpp"
+#include "motion/simulate/motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "input/input_error.hpp"
-#include "simulate/dormand_prince_87.hpp"
+#include "motion/simulate/dormand_prince_87.hpp"
 
 namespace secular {
 namespace {

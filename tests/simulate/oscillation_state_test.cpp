@@ -1,5 +1,5 @@
 // A motion that has settled is put together again from the amplitudes of its modes alone.
-#include "simulate/oscillation_state.hpp"
+#include "motion/correction/oscillation_state.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <complex>
 #include <string>
 
-#include "estimator/hertz.hpp"
 #include "generated/registry.hpp"
-#include "simulate/motion.hpp"
+#include "motion/simulate/motion.hpp"
+#include "numerics/hertz.hpp"
 
 namespace secular {
 namespace {

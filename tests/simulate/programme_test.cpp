@@ -7,10 +7,10 @@
 
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
-#include "simulate/excitation_signal.hpp"
-#include "simulate/experiment.hpp"
-#include "simulate/sensor_fault.hpp"
-#include "simulate/virtual_test.hpp"
+#include "motion/simulate/excitation_signal.hpp"
+#include "motion/simulate/experiment.hpp"
+#include "motion/simulate/sensor_fault.hpp"
+#include "motion/simulate/virtual_test.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {

@@ -1,5 +1,5 @@
 // Forces that the language of models cannot say.
-#include "simulate/state_force.hpp"
+#include "motion/balance/state_force.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Steady motions of dwells by harmonic balance, against the same by integration; and the noise of ensembles.
-#include "simulate/steady_set.hpp"
+#include "motion/correction/steady_set.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <complex>
 #include <string>
 
-#include "simulate/observation_noise.hpp"
-#include "simulate/replay.hpp"
+#include "motion/correction/observation_noise.hpp"
+#include "motion/correction/replay.hpp"
 #include "tests/identification/virtual_campaign.hpp"
 
 namespace secular {

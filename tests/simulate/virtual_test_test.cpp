@@ -1,4 +1,4 @@
-#include "simulate/virtual_test.hpp"
+#include "motion/simulate/virtual_test.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
-#include "simulate/noise.hpp"
+#include "motion/simulate/noise.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {

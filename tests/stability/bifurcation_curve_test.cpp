@@ -1,4 +1,4 @@
-#include "estimator/stability/bifurcation_curve.hpp"
+#include "motion/response/bifurcation_curve.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "estimator/stability/continuation.hpp"
 #include "fields.hpp"
+#include "motion/response/continuation.hpp"
 
 namespace secular {
 namespace {

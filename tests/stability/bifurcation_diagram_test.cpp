@@ -1,13 +1,13 @@
-#include "estimator/stability/bifurcation_diagram.hpp"
+#include "motion/response/bifurcation_diagram.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "estimator/stability/fixed_points.hpp"
-#include "estimator/stability/spectrum.hpp"
 #include "fields.hpp"
+#include "motion/response/fixed_points.hpp"
+#include "motion/response/spectrum.hpp"
 
 namespace secular {
 namespace {

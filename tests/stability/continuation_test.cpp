@@ -1,4 +1,4 @@
-#include "estimator/stability/continuation.hpp"
+#include "motion/response/continuation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <complex>
 #include <initializer_list>
 
-#include "estimator/stability/equilibrium.hpp"
-#include "estimator/stability/vector_field.hpp"
+#include "motion/response/equilibrium.hpp"
+#include "motion/response/vector_field.hpp"
 
 // Vector fields with solutions known by hand.
 namespace secular::testing_support {

@@ -1,4 +1,4 @@
-#include "estimator/stability/fixed_points.hpp"
+#include "motion/response/fixed_points.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "estimator/stability/vector_field.hpp"
+#include "motion/response/vector_field.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "verify/lagrangian_symmetry.hpp"
+#include "thesis/verify/lagrangian_symmetry.hpp"
 
 #include <gtest/gtest.h>
 

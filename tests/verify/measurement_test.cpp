@@ -3,9 +3,9 @@
 #include <cmath>
 #include <complex>
 
-#include "verify/demodulation.hpp"
-#include "verify/full_equations.hpp"
-#include "verify/table_arithmetic.hpp"
+#include "thesis/verify/demodulation.hpp"
+#include "thesis/verify/full_equations.hpp"
+#include "thesis/verify/table_arithmetic.hpp"
 
 namespace secular::verify {
 namespace {

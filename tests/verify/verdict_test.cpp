@@ -7,7 +7,7 @@
 
 #include "input/input_error.hpp"
 #include "tests/process_folder.hpp"
-#include "verify/verification.hpp"
+#include "thesis/verify/verification.hpp"
 
 namespace secular::verify {
 namespace {

@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "app/shared/commands.hpp"
+#include "app/shared/progress_line.hpp"
+#include "blind/follow_up.hpp"
+#include "blind/leave_out.hpp"
+#include "blind/run_set.hpp"
+#include "blind/score_set.hpp"
+#include "blind/sealed_set.hpp"
+
+namespace secular::app {
+namespace {
+
+struct Options {
+  std::string folder, set = "short", page = "docs/blind_check", program;
+  std::size_t cases = 0;
+  std::uint64_t seed = 1;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  double limit_s = 300;
+};
+
+void generate(const Options& options) {
+  blind::SetOptions set;
+  set.size = options.set == "full" ? blind::SetSize::full_set : blind::SetSize::short_set;
+  set.cases = options.cases > 0 ? options.cases : options.set == "full" ? 1000 : 60;
+  set.seed = options.seed;
+  set.threads = options.threads;
+  ProgressLine line("cases made");
+  blind::generate_set(options.folder, set, [&line](std::size_t done, std::size_t total) { line(done, total); });
+  fmt::print("{} cases in {}, labels sealed\n", set.cases, options.folder);
+}
+
+blind::RunOptions run_options(const Options& options) {
+  blind::RunOptions how;
+  how.program = options.program.empty() ? std::filesystem::read_symlink("/proc/self/exe")
+                                        : std::filesystem::absolute(options.program);
+  how.threads = options.threads;
+  how.limit_s = options.limit_s;
+  return how;
+}
+
+void print_failed(const std::vector<blind::FailedCase>& cases) {
+  for (const blind::FailedCase& failed : cases) fmt::print("  case {:04}: {}\n", failed.number, failed.reason);
+}
+
+void follow(const Options& options) {
+  ProgressLine line("proposals followed");
+  const blind::FollowUpSummary summary = blind::follow_up_set(
+      options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
+  fmt::print("{} verdicts left a set, {} of them with a dwell proposed; {} diagnoses failed\n", summary.sets,
+             summary.proposed, summary.failed.size());
+  print_failed(summary.failed);
+}
+
+void run(const Options& options) {
+  ProgressLine line("cases diagnosed");
+  const blind::RunSummary summary = blind::run_set(
+      options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
+  fmt::print("{} cases, {} diagnosed before, {} failed\n", summary.cases, summary.kept, summary.failed.size());
+  print_failed(summary.failed);
+}
+
+void leave_out(const Options& options) {
+  ProgressLine line("effects left out");
+  const blind::LeaveOutSummary summary = blind::leave_out_of_set(
+      options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
+  fmt::print("{} cases without their effect in the catalogue, {} diagnosed before, {} failed\n", summary.cases,
+             summary.kept, summary.failed.size());
+  print_failed(summary.failed);
+}
+
+void score(const Options& options) {
+  const blind::Score score = blind::score_set(options.folder);
+  blind::write_score(score, blind::name_of_set(options.folder), options.page);
+  for (const blind::Figure& f : score.figures) {
+    if (f.trials == 0) continue;
+    fmt::print("{:72} {:8.3f}  ({} cases)", f.name, f.value, f.trials);
+    if (f.target) fmt::print("  target {} {}", f.at_most ? "at most" : "at least", *f.target);
+    fmt::print("\n");
+  }
+  fmt::print("{} of {} cases went wrong, {} without a diagnosis; see {}/score.md\n", score.wrong.size(),
+             score.cases, score.failed, options.page);
+}
+
+void add_set_options(CLI::App* command, const std::shared_ptr<Options>& options) {
+  command->add_option("--cases", options->cases, "how many; without it 60 (short) or 1000 (full)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{9999}));
+  command->add_option("--seed", options->seed, "of the draw")->capture_default_str();
+  command->add_option("--set", options->set, "short: 20 dwells, 40 and 30 dB; full: 40 dwells, 40 to 10 dB")
+      ->check(CLI::IsMember({"short", "full"}))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->folder, "folder to make or to complete")->required();
+}
+
+void add_threads(CLI::App* command, const std::shared_ptr<Options>& options) {
+  command->add_option("--threads", options->threads, "cases at once; the result does not depend on it")
+      ->check(CLI::Range(1U, 1024U));
+}
+
+void add_run_options(CLI::App* command, const std::shared_ptr<Options>& options) {
+  command->add_option("--limit", options->limit_s, "wall time of a case, s")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--program", options->program, "the secular that is checked; without it this one");
+}
+
+}  // namespace
+
+void add_blind_command(CLI::App& root, Action& chosen) {
+  CLI::App* blind = root.add_subcommand("blind", "Check of the diagnosis on campaigns whose cause it cannot know");
+  blind->require_subcommand(1);
+  blind->footer("Example: secular blind all --set short -o blind_set");
+  const auto add = [&](const char* name, const char* what, auto... steps) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = blind->add_subcommand(name, what);
+    command->callback([options, &chosen, steps...] {
+      chosen = [options, steps...] {
+        (steps(*options), ...);
+        return 0;
+      };
+    });
+    return std::pair(command, options);
+  };
+  const auto [making, make_options] =
+      add("generate", "Draw structures, effects and noise; write campaigns; seal what they are", generate);
+  add_set_options(making, make_options);
+  add_threads(making, make_options);
+  const auto [following, follow_options] =
+      add("follow", "Run the dwell that each open verdict proposes, and a random one; diagnose again", follow);
+  following->add_option("FOLDER", follow_options->folder, "made by generate, diagnosed by run")->required();
+  add_threads(following, follow_options);
+  add_run_options(following, follow_options);
+  const auto [running, running_options] = add("run", "Diagnose every campaign that has no diagnosis yet", run);
+  running->add_option("FOLDER", running_options->folder, "made by generate")->required();
+  add_threads(running, running_options);
+  add_run_options(running, running_options);
+  const auto [leaving, leave_options] =
+      add("leave-out", "Diagnose every case of one effect as if the catalogue did not hold it", leave_out);
+  leaving->add_option("FOLDER", leave_options->folder, "made by generate")->required();
+  add_threads(leaving, leave_options);
+  add_run_options(leaving, leave_options);
+  const auto [scoring, score_options] = add("score", "Open the labels and compare", score);
+  scoring->add_option("FOLDER", score_options->folder, "made by generate, diagnosed by run")->required();
+  scoring->add_option("-o,--output", score_options->page, "folder of score.md, score.json and calibration.svg")
+      ->capture_default_str();
+  const auto [all, all_options] =
+      add("all", "generate, run, follow, leave-out and score", generate, run, follow, leave_out, score);
+  add_set_options(all, all_options);
+  add_threads(all, all_options);
+  add_run_options(all, all_options);
+  all->add_option("--page", all_options->page, "folder of score.md, score.json and calibration.svg")
+      ->capture_default_str();
+}
+
+}  // namespace secular::app

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/shared/commands.hpp"
+#include "app/shared/shipped_models.hpp"
+#include "codegen/document/print_html.hpp"
+#include "codegen/document/print_json.hpp"
+#include "codegen/document/print_latex.hpp"
+#include "codegen/document/print_text.hpp"
+#include "perturb/model.hpp"
+#include "perturb/with_effects.hpp"
+#include "report/whole_file.hpp"
+
+namespace secular::app {
+namespace {
+
+std::string derivation(const CanonicalModel& model, const std::string& format) {
+  if (format == "json") return derivation_json(model);
+  if (format == "latex") return derivation_latex(model);
+  if (format == "html") return derivation_html(model);
+  return derivation_text(model);
+}
+
+Model augmented(const Model& model, const std::vector<std::string>& effects) {
+  std::vector<EffectTerm> terms;
+  for (const std::string& effect : effects) terms.push_back(parse_effect_term(effect, model));
+  return with_effects(model, terms).model;
+}
+
+}  // namespace
+
+void add_derive_command(CLI::App& root, Action& chosen) {
+  struct Options {
+    std::string model, resonance, format = "text", output;
+    std::vector<std::string> effects;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = root.add_subcommand(
+      "derive",
+      "Expansion, solvability, modulation equations, frequency response, lumps and certificate of a model");
+  command->add_option("MODEL", options->model, "model file, or the name of a shipped model")->required();
+  command->add_option("--case", options->resonance, "one resonance case; all without it");
+  command
+      ->add_option("--format", options->format,
+                   "text, json, latex (a document that needs amsmath only) or html (a page by itself)")
+      ->check(CLI::IsMember({"text", "json", "latex", "html"}))
+      ->capture_default_str();
+  command->add_option(
+      "--with-effect", options->effects,
+      "NAME[:MODE[:OTHER]]: add an effect of the catalogue to the equations of motion (repeatable)");
+  command->add_flag("--json", options->json, "same as --format json");
+  command->add_option("-o,--output", options->output, "file to write; standard output without it");
+  command->footer(
+      "Exit status 1 if a certificate does not hold.\n"
+      "Examples: secular derive two_mass_mode1 --case principal_parametric\n"
+      "          secular derive pendulum --format html -o pendulum.html");
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      const CanonicalModel model = canonical_model(
+          augmented(read_model(resolve_model(options->model)), options->effects), options->resonance);
+      const std::string text = derivation(model, options->json ? "json" : options->format);
+      if (options->output.empty())
+        fmt::print("{}", text);
+      else
+        report::write_whole_file(options->output, text);
+      bool certified = true;
+      for (const CanonicalCase& resonance : model.cases) {
+        for (const std::string& warning : resonance.warnings) fmt::print(stderr, "warning: {}\n", warning);
+        certified = certified && resonance.certificate.holds;
+      }
+      return certified ? 0 : 1;
+    };
+  });
+}
+
+}  // namespace secular::app

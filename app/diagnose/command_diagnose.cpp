@@ -1,0 +1,156 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "app/diagnose/diagnosis_json.hpp"
+#include "app/diagnose/diagnosis_report.hpp"
+#include "app/diagnose/diagnosis_run.hpp"
+#include "app/shared/band_option.hpp"
+#include "app/shared/command_line.hpp"
+#include "app/shared/commands.hpp"
+#include "app/shared/result_files.hpp"
+#include "input/input_error.hpp"
+#include "numerics/hertz.hpp"
+#include "report/number_format.hpp"
+
+namespace secular::app {
+namespace {
+
+struct Options {
+  DiagnosisRequest request;
+  std::string folder, band;
+  bool json = false;
+};
+
+void print_next_experiment(const DiagnosisRun& run) {
+  const NextExperiment& next = run.diagnosis.next_experiment;
+  if (!next.proposed) {
+    if (run.diagnosis.gap.detected) fmt::print("next experiment: none proposed; {}\n", next.reason);
+    return;
+  }
+  const ProposedDwell& dwell = *next.dwell;
+  fmt::print("next experiment: a dwell at {:.5g} Hz, {:.3g} times the excitation of {}{} ({})\n",
+             dwell.frequency * to_hz, dwell.level, run.campaign.records[dwell.like].file,
+             dwell.length > 1 ? fmt::format(" and {:.3g} times as long", dwell.length) : "", dwell.resonance);
+  fmt::print(
+      "  to tell {} apart: {:.1f} sd expected, seen in the {}; the right one's probability {} -> {}, chance to "
+      "leave it alone {}\n",
+      fmt::join(next.separates, ", "), dwell.separation, dwell.watch, report::format_percent(dwell.before),
+      report::format_percent(dwell.probability), report::format_percent(dwell.chance));
+}
+
+void print_summary(const DiagnosisRun& run, const std::string& folder) {
+  const Diagnosis& d = run.diagnosis;
+  fmt::print("model {}: {} conditions, {} rows\n", run.model->name, d.conditions, d.labels.size());
+  fmt::print("gap: {} (p = {:.2g}); {:.3g} times the repeatability", d.gap.detected ? "yes" : "none detected",
+             d.gap.p_value, d.gap.before);
+  if (d.gap.judged == Judged::given) fmt::print(" as given");
+  if (d.gap.judged == Judged::within_error_bars)
+    fmt::print(" as given{}",
+               d.gap.detected ? ", more than the given error bars allow" : ", which the given error bars allow");
+  if (d.gap.detected)
+    fmt::print(", {:.3g} after; closed {} [{}, {}]", d.gap.after, report::format_percent(d.gap.closed),
+               report::format_percent(d.gap.closed_low), report::format_percent(d.gap.closed_high));
+  fmt::print("\n");
+  for (std::size_t i = 0; i < std::min<std::size_t>(5, d.where.size()); ++i)
+    fmt::print("  {:>7} {} of {} at {}, {}\n", report::format_percent(d.where[i].share),
+               to_string(d.where[i].component), d.where[i].mode, d.where[i].harmonic, d.where[i].region);
+  if (d.verdict == "cause") fmt::print("cause: {}\n", d.cause);
+  if (d.verdict == "set") fmt::print("one of: {}\n", fmt::join(d.set, ", "));
+  if (d.verdict == "unknown")
+    fmt::print("cause: unknown{}\n", d.set.empty() ? "" : fmt::format("; nearest: {}", fmt::join(d.set, ", ")));
+  if (d.open_law) fmt::print("  {}\n", open_law_sentence(*d.open_law));
+  if (!d.together.empty())
+    fmt::print("  together: {}{}\n", fmt::join(d.together, " and "),
+               d.second_or.empty() ? "" : fmt::format(" (or {})", fmt::join(d.second_or, " or ")));
+  for (std::size_t i = 0; i < std::min<std::size_t>(6, d.causes.size()); ++i) {
+    const CauseReport& c = d.causes[i];
+    fmt::print("  {:>7} {}{}", report::format_percent(c.probability), c.effect,
+               c.subject.empty() ? "" : " (" + c.subject + ")");
+    if (!c.coefficient_name.empty())
+      fmt::print("  {} = {}", c.coefficient_name, report::format_uncertain(c.coefficient, c.sd));
+    if (c.closed) fmt::print(", closes {}", report::format_percent(*c.closed));
+    fmt::print("\n");
+  }
+  for (const ParameterMove& m : d.parameters_moved)
+    fmt::print("  {} moves from {:.6g} to {}\n", m.name, m.from, report::format_uncertain(m.to, m.sd));
+  if (d.simulated)
+    for (const SimulatedError& e : d.simulated->apart)
+      fmt::print(
+          "simulated in the window to check on: {} off by {:.4g} before, {:.4g} after (rms; measured {:.4g})\n",
+          e.channel, e.before, e.after, e.signal);
+  if (d.simulated)
+    for (const SimulatedError& e : d.simulated->apart)
+      if (e.before_fitted && e.after_fitted)
+        fmt::print("  with the numbers that fit it best: {:.4g} before, {:.4g} after\n", *e.before_fitted,
+                   *e.after_fitted);
+  print_next_experiment(run);
+  fmt::print("written: {0}/diagnosis.json, {0}/report.html, {0}/gap.svg\n", folder);
+}
+
+int run(Options& options, const CLI::App& command) {
+  if (!(options.request.window.from_s < options.request.window.to_s))
+    throw InputError("--from, --to", "", "the window is empty", "--from must be before --to");
+  if (options.request.check_from_s && options.request.check_to_s &&
+      !(*options.request.check_from_s < *options.request.check_to_s))
+    throw InputError("--check-from, --check-to", "", "the window is empty",
+                     "--check-from must be before --check-to");
+  if (options.request.fit_check && !options.request.check_from_s && !options.request.check_to_s)
+    throw InputError("--fit-check", "", "has no window", "give --check-from and --check-to");
+  if (!options.band.empty()) options.request.band = parse_band(options.band);
+  const DiagnosisRun result = run_diagnosis(options.request);
+  const std::string json = diagnosis_json(result);
+  const std::string html = diagnosis_report(result, command_line_of(command));
+  const std::string figure =
+      report::render_figure(gap_figure(result.diagnosis), "gap", report::FigureUse::standalone).svg;
+  write_result_files(options.folder, {{"diagnosis.json", json}, {"report.html", html}, {"gap.svg", figure}});
+  for (const std::string& warning : result.diagnosis.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  if (options.json)
+    fmt::print("{}", json);
+  else
+    print_summary(result, options.folder);
+  return 0;
+}
+
+}  // namespace
+
+void add_diagnose_command(CLI::App& root, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  DiagnosisRequest& request = options->request;
+  request.threads = std::max(1U, std::thread::hardware_concurrency());
+  CLI::App* command = root.add_subcommand(
+      "diagnose", "Where model and measurement disagree, which unmodelled effect does it, how far the gap closes");
+  command->add_option("CAMPAIGN", request.campaign, "campaign folder")->required();
+  command->add_option("--model", request.model, "model file, or the name of a shipped model")->required();
+  command->add_option("-o,--output", options->folder, "folder for diagnosis.json and report.html")->required();
+  command->add_option("--parameters", request.parameters,
+                      "numbers whose gap is diagnosed: an estimate.json or an object of symbol to number");
+  command->add_option("--from", request.window.from_s, "use every record from this time on, s");
+  command->add_option("--to", request.window.to_s, "use every record up to this time, s");
+  command->add_option("--check-from", request.check_from_s,
+                      "simulate every decay, sweep and broadband record from this time on, s, in one piece");
+  command->add_option("--check-to", request.check_to_s, "and up to this time, s");
+  command->add_flag("--fit-check", request.fit_check,
+                    "simulate them once more with the numbers that fit them best");
+  command->add_option(
+      "--band", options->band,
+      "LOW:HIGH in Hz: free decays are filtered to it, so that modes beyond the model do not count");
+  command->add_option("--records", request.window.records, "use the records whose file matches this pattern");
+  command
+      ->add_option("--without", request.without,
+                   "an effect of the catalogue that is not to be considered; may be given several times")
+      ->allow_extra_args(false);
+  command->add_flag("--interpret", request.interpret, "no compiled code: slower, same results");
+  command->add_option("--threads", request.threads, "threads; the result does not depend on it")
+      ->check(CLI::Range(1U, 1024U));
+  command->add_flag("--json", options->json, "print diagnosis.json instead of the summary");
+  command->footer("Example: secular diagnose campaign --model two_mass_mode1 -o results");
+  command->callback(
+      [options, command, &chosen] { chosen = [options, command] { return run(*options, *command); }; });
+}
+
+}  // namespace secular::app

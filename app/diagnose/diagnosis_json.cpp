@@ -1,0 +1,128 @@
+#include "app/diagnose/diagnosis_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "numerics/hertz.hpp"
+
+namespace secular::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json next_experiment(const DiagnosisRun& run) {
+  const NextExperiment& next = run.diagnosis.next_experiment;
+  if (!next.dwell) return {{"proposed", false}, {"reason", next.reason}};
+  const ProposedDwell& dwell = *next.dwell;
+  Json json = {{"proposed", next.proposed}};
+  if (!next.proposed) json["reason"] = next.reason;
+  json.update({{"kind", "dwell"},
+               {"resonance", dwell.resonance},
+               {"like", run.campaign.records[dwell.like].file},
+               {"level_factor", dwell.level},
+               {"length_factor", dwell.length},
+               {"excitation_channel", dwell.channel},
+               {"excitation_peak", dwell.excitation},
+               {"frequency_hz", dwell.frequency * to_hz},
+               {"watch", dwell.watch},
+               {"separates", next.separates},
+               {"separation_sigma", dwell.separation},
+               {"probability_before", dwell.before},
+               {"expected_probability", dwell.probability},
+               {"expected_probability_of_a_random_one", dwell.typical},
+               {"chance_to_leave_one", dwell.chance},
+               {"compared", dwell.compared}});
+  return json;
+}
+
+Json simulated_errors(const std::vector<SimulatedError>& errors) {
+  Json list = Json::array();
+  for (const SimulatedError& e : errors) {
+    Json entry = {
+        {"channel", e.channel}, {"signal_rms", e.signal}, {"before_rms", e.before}, {"after_rms", e.after}};
+    if (e.before_fitted) entry["before_fitted_rms"] = *e.before_fitted;
+    if (e.after_fitted) entry["after_fitted_rms"] = *e.after_fitted;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string diagnosis_json(const DiagnosisRun& run) {
+  const Diagnosis& d = run.diagnosis;
+  Json root;
+  root["schema"] = 1;
+  root["model"] = std::string(run.model->name);
+  Json gap;
+  gap["of"] = to_string(d.gap.judged);
+  gap["detected"] = d.gap.detected;
+  gap["p_value"] = d.gap.p_value;
+  gap["before"] = d.gap.before;
+  gap["after"] = d.gap.after;
+  gap["floor"] = d.gap.floor;
+  gap["closed"] = d.gap.closed;
+  gap["closed_ci95"] = {d.gap.closed_low, d.gap.closed_high};
+  gap["metric"] = d.gap.metric;
+  if (!d.gap.wrong_cause.empty())
+    gap["best_other_cause"] = {{"effect", d.gap.wrong_cause}, {"closed", d.gap.wrong_cause_closed}};
+  if (d.gap.placebo_closed) gap["placebo_closed"] = *d.gap.placebo_closed;
+  root["gap"] = std::move(gap);
+  root["unsteady"] = {
+      {"detected", d.unsteady.detected}, {"p_value", d.unsteady.p_value}, {"ratio", d.unsteady.ratio}};
+  if (d.unsteady.detected) root["unsteady"]["record"] = d.unsteady.record;
+  root["where"] = Json::array();
+  for (const GapShare& share : d.where)
+    root["where"].push_back({{"mode", share.mode},
+                             {"component", to_string(share.component)},
+                             {"harmonic", share.harmonic},
+                             {"region", share.region},
+                             {"share", share.share}});
+  root["verdict"] = d.verdict;
+  root["cause"] = d.cause.empty() ? Json(nullptr) : Json(d.cause);
+  root["set"] = d.set;
+  if (!d.together.empty()) root["together"] = d.together;
+  if (!d.second_or.empty()) root["second_or"] = d.second_or;
+  if (d.open_law)
+    root["open_law"] = {{"mode", d.open_law->mode},
+                        {"law", d.open_law->law},
+                        {"exponent", d.open_law->exponent},
+                        {"sd", d.open_law->sd},
+                        {"probability", d.open_law->probability}};
+  root["causes"] = Json::array();
+  for (const CauseReport& cause : d.causes) {
+    Json entry;
+    entry["effect"] = cause.effect;
+    entry["mode"] = cause.subject;
+    entry["probability"] = cause.probability;
+    if (!cause.coefficient_name.empty()) {
+      entry["coefficient"] = cause.coefficient;
+      entry["sd"] = cause.sd;
+      entry["symbol"] = cause.coefficient_name;
+    }
+    if (cause.closed) entry["closed"] = *cause.closed;
+    root["causes"].push_back(std::move(entry));
+  }
+  if (!d.parameters_moved.empty()) {
+    root["parameters_moved"] = Json::array();
+    for (const ParameterMove& move : d.parameters_moved)
+      root["parameters_moved"].push_back(
+          {{"name", move.name}, {"from", move.from}, {"to", move.to}, {"sd", move.sd}});
+  }
+  if (d.simulated) {
+    root["simulated"] = {{"dwells", simulated_errors(d.simulated->dwells)},
+                         {"steady", d.simulated->steady},
+                         {"lost", d.simulated->lost},
+                         {"segments", simulated_errors(d.simulated->segments)}};
+    if (!d.simulated->apart.empty()) root["simulated"]["check"] = simulated_errors(d.simulated->apart);
+  }
+  if (d.gap.detected)
+    root["remainder"] = {{"p_value", d.remainder.p_value},
+                         {"smooth_p_value", d.remainder.smooth_p_value},
+                         {"smooth_share", d.remainder.smooth_share}};
+  root["next_experiment"] = next_experiment(run);
+  root["conditions"] = d.conditions;
+  root["warnings"] = d.warnings;
+  return root.dump(2) + "\n";
+}
+
+}  // namespace secular::app

@@ -1,0 +1,111 @@
+#include "app/diagnose/diagnosis_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/shared/model_loading.hpp"
+#include "app/shared/parameter_file.hpp"
+#include "input/input_error.hpp"
+
+namespace secular::app {
+namespace {
+
+// Of these the diagnosis has descriptions of its own: they are not terms that a line of the motion sees.
+bool described_by_lines(const EffectTerm& term) {
+  return term.effect == "extra_mode" || term.effect == "natural_frequency_drift";
+}
+
+std::string subject_of(const EffectTerm& term, const CompiledModel& model) {
+  std::string subject(model.coordinates[term.mode]);
+  if (term.other != EffectTerm::none) subject += ", " + std::string(model.coordinates[term.other]);
+  return subject;
+}
+
+StateForce::Law law_of(const EffectTerm& term) {
+  switch (find_catalogue_entry(term.effect, term.form)->memory) {
+    case CatalogueEntry::Memory::spread_displacement:
+      return StateForce::Law::spread_slider;
+    case CatalogueEntry::Memory::smooth_displacement:
+      return StateForce::Law::smooth_slider;
+    case CatalogueEntry::Memory::displacement_power:
+      return StateForce::Law::displacement_power;
+    case CatalogueEntry::Memory::velocity_power:
+      return StateForce::Law::velocity_power;
+    case CatalogueEntry::Memory::speed_power:
+      return StateForce::Law::speed_power;
+    case CatalogueEntry::Memory::loss_power:
+      return StateForce::Law::loss_power;
+    default:
+      return StateForce::Law::slider;
+  }
+}
+
+std::size_t symbol_index(const CompiledModel& model, const std::string& name) {
+  const auto found = std::find_if(model.symbols.begin(), model.symbols.end(),
+                                  [&](const CompiledSymbol& symbol) { return symbol.name == name; });
+  return static_cast<std::size_t>(found - model.symbols.begin());
+}
+
+}  // namespace
+
+DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
+  DiagnosisRun run;
+  const ModelSource source(request.model, request.interpret);
+  run.campaign = read_campaign(request.campaign);
+  DiagnosisOptions options;
+  options.window = request.window;
+  options.threads = request.threads;
+  options.band = request.band;
+  options.left_out.insert(request.without.begin(), request.without.end());
+  if (request.check_from_s || request.check_to_s) {
+    options.check = request.window;
+    options.check->from_s = request.check_from_s.value_or(Window{}.from_s);
+    options.check->to_s = request.check_to_s.value_or(Window{}.to_s);
+    options.fit_check = request.fit_check;
+  }
+  if (!request.parameters.empty()) {
+    GivenParameters given = read_parameter_file(request.parameters);
+    options.given.values = std::move(given.values);
+    for (const auto& [name, value] : given.representative)
+      if (options.given.values.emplace(name, value).second) options.given.open.insert(name);
+    options.given.sd = std::move(given.sd);
+  }
+  std::vector<EffectTerm> terms;
+  for (const EffectTerm& term : source.applicable_effects())
+    if (!described_by_lines(term)) terms.push_back(term);
+  for (const EffectTerm& term : source.open_law_terms()) terms.push_back(term);
+  const AugmentedCompiledModel augmented = source.load_with_effects(terms, {});
+  run.model = augmented.model;
+  std::vector<bool> added(run.model->symbols.size(), false);
+  std::vector<EquationEffect> effects;
+  for (const AddedEffect& effect : augmented.effects) {
+    EquationEffect equation;
+    equation.effect = effect.term.effect;
+    equation.open_law = is_open_law(effect.term.effect);
+    equation.mode = effect.term.mode;
+    equation.subject = subject_of(effect.term, *run.model);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
+      const std::size_t symbol = symbol_index(*run.model, effect.parameters[p]);
+      if (symbol >= added.size()) continue;  // a symbol that no equation holds
+      added[symbol] = true;
+      if (p == 0)
+        equation.strength = symbol;
+      else
+        equation.shapes.push_back(symbol);
+    }
+    if (effect.memory != EffectTerm::none) {
+      if (equation.shapes.empty()) continue;
+      options.forces.push_back(
+          {law_of(effect.term), effect.memory, effect.term.mode, equation.strength, equation.shapes.front()});
+    }
+    effects.push_back(std::move(equation));
+  }
+  std::vector<std::size_t> own;
+  for (std::size_t s = 0; s < added.size(); ++s)
+    if (!added[s]) own.push_back(s);
+  const RecordReader read = [&](std::size_t r) { return read_record(run.campaign, run.campaign.records[r]); };
+  run.diagnosis = diagnose(run.campaign, read, *run.model, own, effects, options);
+  return run;
+}
+
+}  // namespace secular::app

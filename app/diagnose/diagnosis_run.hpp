@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnose/verdict/diagnosis.hpp"
+#include "estimator/model/compiled_model.hpp"
+#include "measure/data/campaign.hpp"
+
+namespace secular::app {
+
+struct DiagnosisRequest {
+  std::string campaign, model;
+  std::string parameters;  ///< file or name of shipped numbers; empty: none
+  Window window;
+  /// Window in which the explanation is tried on records in one piece; none: no such trial.
+  std::optional<double> check_from_s, check_to_s;
+  bool fit_check = false;
+  std::optional<Band> band;          ///< free decays pass through it first
+  std::vector<std::string> without;  ///< effects that are not to be considered
+  bool interpret = false;
+  unsigned threads = 1;
+};
+
+/// A diagnosis and what it was made of.
+struct DiagnosisRun {
+  Campaign campaign;
+  std::shared_ptr<const CompiledModel> model;  ///< with all effects that it was tried with
+  Diagnosis diagnosis;
+};
+
+/// Loads the model with every effect of the catalogue that fits it (equations of motion alone: compiled once for
+/// all candidates) and diagnoses the campaign. Throws InputError.
+DiagnosisRun run_diagnosis(const DiagnosisRequest& request);
+
+}  // namespace secular::app

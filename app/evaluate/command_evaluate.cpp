@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "app/shared/commands.hpp"
+#include "app/shared/number_file.hpp"
+#include "app/shared/shipped_models.hpp"
+#include "codegen/canonical/evaluation.hpp"
+#include "perturb/model.hpp"
+
+namespace secular::app {
+
+void add_evaluate_command(CLI::App& root, Action& chosen) {
+  struct Options {
+    std::string model, resonance, values, policy = "nominal";
+    bool json = true;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      root.add_subcommand("evaluate", "Numbers of a derivation: modulation terms and harmonics as JSON");
+  command->add_option("MODEL", options->model, "model file, or the name of a shipped model")->required();
+  command->add_option("--case", options->resonance, "resonance case of the model")->required();
+  command->add_option("--at", options->values, "JSON object: a number for every symbol")->required();
+  command->add_option("--omega-policy", options->policy, "excitation frequency inside coefficients")
+      ->check(CLI::IsMember({"nominal", "kept"}))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "JSON is what it prints in any case");
+  command->footer("Example: secular evaluate two_mass_mode1 --case principal_parametric --at values.json");
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      const Model model = read_model(resolve_model(options->model));
+      const OmegaPolicy policy = options->policy == "kept" ? OmegaPolicy::kept : OmegaPolicy::nominal;
+      const Derivation derivation = derive(model, model.find_case(options->resonance), policy);
+      fmt::print("{}", evaluation_json(derivation, read_numbers(options->values), options->values));
+      return 0;
+    };
+  });
+}
+
+}  // namespace secular::app

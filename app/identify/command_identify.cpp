@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/identify/estimate_json.hpp"
+#include "app/identify/identification_report.hpp"
+#include "app/shared/command_line.hpp"
+#include "app/shared/commands.hpp"
+#include "app/shared/identification.hpp"
+#include "app/shared/result_files.hpp"
+#include "input/input_error.hpp"
+#include "report/number_format.hpp"
+
+namespace secular::app {
+namespace {
+
+struct Options {
+  IdentificationRequest request;
+  std::string folder;
+  std::vector<std::string> fixed;
+  bool json = false, timings = false;
+};
+
+void parse_fixed(Options& options) {
+  for (const std::string& text : options.fixed) {
+    const std::size_t equals = text.find('=');
+    char* end = nullptr;
+    const double value = equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
+    if (equals == std::string::npos || equals == 0 || end == text.c_str() + equals + 1 || *end != '\0')
+      throw InputError("--fix " + text, "", "is not NAME=VALUE", "for example --fix mu2=0");
+    options.request.fixed[text.substr(0, equals)] = value;
+  }
+}
+
+void print_summary(const Identification& id, const std::string& folder) {
+  for (const ObservationSet& set : id.measured)
+    fmt::print("model {}, case {}: {} observations\n", id.model->name, set.resonance->name,
+               set.observations.size());
+  const auto print = [](const EstimatedValue& v) {
+    if (v.fixed)
+      fmt::print("  {:<12} {:>20} {:<14} given\n", v.name, report::format_number(*v.value, 6), v.unit);
+    else if (v.value)
+      fmt::print("  {:<12} {:>20} {:<14} sd {} %{}{}\n", v.name, report::format_uncertain(*v.value, v.sd), v.unit,
+                 report::format_number(100 * v.sd / std::abs(*v.value), 2), v.significant ? "" : ", not significant",
+                 v.doubtful ? ", doubtful: the model does not fit" : "");
+    else {
+      std::string with;
+      for (const std::string& other : v.entangled_with) with += (with.empty() ? "" : ", ") + other;
+      fmt::print("  {:<12} {:>20} {}\n", v.name, "not identifiable", with.empty() ? "" : "entangled with " + with);
+    }
+  };
+  fmt::print("parameters\n");
+  for (const EstimatedValue& v : id.estimate.parameters) print(v);
+  fmt::print("lumps\n");
+  for (const ObservationSet& set : id.measured) {
+    if (id.measured.size() > 1) fmt::print(" case {}\n", set.resonance->name);
+    for (const EstimatedValue& v : id.estimate.lumps)
+      if (v.value && v.resonance == set.resonance->name) print(v);
+  }
+  for (const CaseLackOfFit& tests : id.estimate.lack_of_fit) {
+    const auto worst =
+        std::max_element(tests.equations.begin(), tests.equations.end(),
+                         [](const LackOfFit& a, const LackOfFit& b) { return a.p_value > b.p_value; });
+    fmt::print("fit of case {}: worst equation {} off by {:.2f} times what repeats explain (p = {:.2g}{})\n",
+               tests.resonance, worst->name, worst->misfit, worst->p_value,
+               worst->significant ? "" : ", nothing wrong");
+  }
+  for (const DampingComparison& damping : id.estimate.damping) {
+    std::string terms;
+    for (const std::string& term : damping.laws[damping.chosen].terms) terms += (terms.empty() ? "" : " + ") + term;
+    fmt::print("damping of {}: {}{}\n", damping.mode, terms,
+               damping.decided ? " (decided: laws without these terms predict left-out conditions worse)"
+                               : " (not decided: others predict left-out conditions no worse)");
+  }
+  for (const NullDirection& direction : id.estimate.null_directions) {
+    std::string tests;
+    for (std::size_t i = 0; i < direction.parted_by.size() && i < 3; ++i)
+      tests += (i == 0 ? "" : "; ") + direction.parted_by[i];
+    fmt::print("not separated: {}{}\n", direction.text, tests.empty() ? "" : ". What would part them: " + tests);
+  }
+  for (const HeldOutPrediction& p : id.held_out) {
+    const bool angle = id.coordinate_unit == "rad";
+    fmt::print("held out: {:.1f} s to {:.1f} s predicted within {:.3g} {} RMS\n", p.from_s, p.to_s,
+               angle ? p.rms * 180 / std::numbers::pi : p.rms, angle ? "degrees" : id.coordinate_unit);
+  }
+  fmt::print("written: {0}/estimate.json, {0}/report.html, {0}/response.svg\n", folder);
+}
+
+}  // namespace
+
+void add_identify_command(CLI::App& root, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  options->request.threads = std::max(1U, std::thread::hardware_concurrency());
+  CLI::App* command = root.add_subcommand("identify", "Estimates of a model's parameters from a campaign");
+  command->add_option("CAMPAIGN", options->request.campaign, "campaign folder")->required();
+  command->add_option("--model", options->request.model, "model file, or the name of a shipped model")->required();
+  command->add_option("-o,--output", options->folder, "folder for estimate.json and report.html")->required();
+  command
+      ->add_option("--case", options->request.resonances,
+                   "resonance case, may be given several times; chosen from the records without it")
+      ->allow_extra_args(false);
+  command->add_option("--bootstrap", options->request.bootstrap, "resamples of the conditions, for intervals")
+      ->check(CLI::Range(0, 100000));
+  command->add_option("--seed", options->request.seed, "of the bootstrap");
+  command->add_flag("--refine", options->request.refine,
+                    "maximum likelihood with errors in amplitudes, phases, forces and frequencies");
+  command->add_option("--from", options->request.window.from_s, "use every record from this time on, s");
+  command->add_option("--to", options->request.window.to_s, "use every record up to this time, s");
+  command->add_option("--records", options->request.window.records,
+                      "use the records whose file matches this pattern");
+  command->add_option("--fix", options->fixed, "NAME=VALUE: a parameter that is known");
+  command->add_flag("--interpret", options->request.interpret, "no compiled code: slower, same results");
+  command->add_option("--threads", options->request.threads, "threads; the result does not depend on it")
+      ->check(CLI::Range(1U, 1024U));
+  command->add_flag("--timings", options->timings, "wall time of every stage, on standard error");
+  command->add_flag("--json", options->json, "print estimate.json instead of the summary");
+  command->footer("Example: secular identify campaign --model two_mass_mode1 -o results");
+  command->callback([options, command, &chosen] {
+    chosen = [options, command] {
+      parse_fixed(*options);
+      if (options->request.window.from_s >= options->request.window.to_s)
+        throw InputError("--from, --to", "", "the window is empty", "--from must be before --to");
+      const Identification result = identify(options->request);
+      const std::string json = estimate_json(result);
+      const std::string html = identification_report(result, command_line_of(*command));
+      const std::string figure =
+          report::render_figure(response_figure(result), "response", report::FigureUse::standalone).svg;
+      write_result_files(options->folder,
+                         {{"estimate.json", json}, {"report.html", html}, {"response.svg", figure}});
+      if (options->timings)
+        for (const auto& [stage, seconds] : result.seconds)
+          fmt::print(stderr, "{:<30} {:7.3f} s\n", stage, seconds);
+      for (const std::string& warning : result.estimate.warnings) fmt::print(stderr, "warning: {}\n", warning);
+      if (options->json)
+        fmt::print("{}", json);
+      else
+        print_summary(result, options->folder);
+      return 0;
+    };
+  });
+}
+
+}  // namespace secular::app

@@ -1,0 +1,326 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "app/shared/commands.hpp"
+#include "input/input_error.hpp"
+#include "measure/data/campaign.hpp"
+#include "measure/data/data_file.hpp"
+#include "measure/data/inspection.hpp"
+
+namespace secular::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Rows of cells, the first of them the heading; columns from `first_number` on are aligned to the right.
+std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t first_number) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line = " ";
+    for (std::size_t c = 0; c < row.size(); ++c)
+      line +=
+          c < first_number ? fmt::format(" {:<{}}", row[c], widths[c]) : fmt::format("  {:>{}}", row[c], widths[c]);
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string number(double value) {
+  return fmt::format("{:.5g}", value);
+}
+
+std::string number(const std::optional<double>& value) {
+  return value ? fmt::format("{:.3g}", *value) : "-";
+}
+
+std::string count(std::size_t n, const char* noun) {
+  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
+}
+
+double duration_s(const TimeAxis& axis, std::size_t samples) {
+  return static_cast<double>(samples) / axis.sample_rate_hz;
+}
+
+const std::vector<std::string> level_headings = {"mean", "rms", "peak", "noise", "resolution"};
+
+void append_levels(std::vector<std::string>& row, const ChannelQuality& quality) {
+  for (const double level : {quality.mean, quality.rms, quality.peak}) row.push_back(number(level));
+  row.push_back(number(quality.noise));
+  row.push_back(number(quality.resolution));
+}
+
+constexpr const char* partial_note =
+    " judged by their first samples only, for their size; --whole reads everything.";
+
+constexpr const char* level_note =
+    "rms: about the mean. noise: rms of the white noise that the upper half of the spectrum would allow.\n";
+
+void print_faults(const std::vector<std::string>& faults) {
+  if (faults.empty()) {
+    fmt::print("\nno faults found\n");
+    return;
+  }
+  fmt::print("\n{} found\n", count(faults.size(), "fault"));
+  for (const std::string& fault : faults) fmt::print("  {}\n", fault);
+}
+
+void print_channels(const Campaign& campaign) {
+  std::vector<std::vector<std::string>> rows = {{"name", "role", "quantity", "unit"}};
+  for (const Channel& channel : campaign.channels)
+    rows.push_back({channel.name, to_string(channel.role), to_string(channel.quantity), channel.unit});
+  fmt::print("\n{}\n{}", count(campaign.channels.size(), "channel"), aligned(rows, rows.front().size()));
+  if (campaign.modal_basis)
+    fmt::print("modal basis: {} from {}\n", fmt::join(campaign.modal_basis->modes, ", "),
+               fmt::join(campaign.modal_basis->channels, ", "));
+}
+
+void print_records(const Campaign& campaign, const std::vector<RecordInspection>& records) {
+  std::vector<std::vector<std::string>> rows = {
+      {"file", "kind", "group", "samples", "start (s)", "duration (s)", "frequency (Hz)", "amplitude"}};
+  double total = 0;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const RecordEntry& entry = campaign.records[r];
+    const std::optional<TimeAxis>& axis = records[r].axis;
+    if (axis) total += duration_s(*axis, records[r].samples);
+    const auto given = [](const std::optional<double>& value) { return value ? number(*value) : "-"; };
+    rows.push_back({entry.file, to_string(entry.kind), entry.group.empty() ? "-" : entry.group,
+                    (records[r].estimated ? "about " : "") + std::to_string(records[r].samples),
+                    axis ? number(axis->start_s) : "-", axis ? number(duration_s(*axis, records[r].samples)) : "-",
+                    given(entry.excitation_frequency_hz), given(entry.excitation_amplitude)});
+  }
+  fmt::print("\n{}, {:.6g} s in all\n{}", count(records.size(), "record"), total, aligned(rows, 3));
+}
+
+void print_levels(const Campaign& campaign, const std::vector<RecordInspection>& records) {
+  std::vector<std::vector<std::string>> rows = {{"record", "channel", "unit"}};
+  rows.front().insert(rows.front().end(), level_headings.begin(), level_headings.end());
+  for (std::size_t r = 0; r < records.size(); ++r)
+    for (std::size_t c = 0; c < records[r].channels.size(); ++c) {
+      rows.push_back({campaign.records[r].file, campaign.channels[c].name, campaign.channels[c].unit});
+      append_levels(rows.back(), records[r].channels[c]);
+    }
+  if (rows.size() > 1) fmt::print("\nlevels\n{}{}", aligned(rows, 3), level_note);
+}
+
+void print_campaign(const std::filesystem::path& folder, const InspectionLimit& limit) {
+  const Campaign campaign = read_campaign(folder);
+  const std::vector<RecordInspection> records = inspect_records(campaign, limit);
+  fmt::print("campaign '{}' in {}\nsample rate {} Hz\n", campaign.name, folder.string(), campaign.sample_rate_hz);
+  print_channels(campaign);
+  print_records(campaign, records);
+  print_levels(campaign, records);
+  const auto partly = std::count_if(records.begin(), records.end(),
+                                    [](const RecordInspection& record) { return record.judged < record.samples; });
+  if (partly > 0) fmt::print("{} of {} records{}\n", partly, records.size(), partial_note);
+  std::vector<std::string> faults;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    for (const DataFault& fault : records[r].faults)
+      faults.push_back(fmt::format("{}: {}: {}", campaign.records[r].file, fault.kind, fault.text));
+    for (std::size_t c = 0; c < records[r].channels.size(); ++c)
+      for (const DataFault& fault : records[r].channels[c].faults)
+        faults.push_back(fmt::format("{}, {}: {}: {}", campaign.records[r].file, campaign.channels[c].name,
+                                     fault.kind, fault.text));
+  }
+  print_faults(faults);
+}
+
+// "m/s^2", "m/s^2 (from g)", "EU ?" for a unit that is not known.
+std::string shown_unit(const VariableInspection& variable) {
+  if (variable.unit.empty()) return variable.stated_unit.empty() ? "-" : variable.stated_unit + " ?";
+  if (variable.unit == variable.stated_unit) return variable.unit;
+  return fmt::format("{} (from {})", variable.unit, variable.stated_unit);
+}
+
+void print_file(const std::filesystem::path& path, const InspectionLimit& limit) {
+  const FileInspection file = inspect_file(path, limit);
+  fmt::print("{}: {} with {}\n", path.string(), file.format, count(file.variables.size(), "numeric variable"));
+  if (file.variables.empty()) {
+    fmt::print("nothing in it can be imported\n");
+    return;
+  }
+  if (file.axis)
+    fmt::print("time in {}, from {:.6g} s at {} Hz\n", file.time, file.axis->start_s, file.axis->sample_rate_hz);
+  std::vector<std::vector<std::string>> rows = {{"variable", "shape", "type", "unit"}};
+  rows.front().insert(rows.front().end(), level_headings.begin(), level_headings.end());
+  std::vector<std::string> faults, unusable;
+  for (const DataFault& fault : file.faults)
+    faults.push_back(fmt::format("{}: {}: {}", file.time, fault.kind, fault.text));
+  for (const VariableInspection& variable : file.variables) {
+    rows.push_back(
+        {variable.name, fmt::format("{}", fmt::join(variable.shape, " x ")), variable.type, shown_unit(variable)});
+    if (!variable.fault.empty()) unusable.push_back(variable.name + " " + variable.fault);
+    if (!variable.quality) continue;
+    append_levels(rows.back(), *variable.quality);
+    for (const DataFault& fault : variable.quality->faults)
+      faults.push_back(fmt::format("{}: {}: {}", variable.name, fault.kind, fault.text));
+  }
+  fmt::print("\n{}{}", aligned(rows, 4), level_note);
+  if (file.partial) fmt::print("{}Values are{}\n", file.estimated ? "Lengths are estimated. " : "", partial_note);
+  for (const std::string& variable : unusable) fmt::print("no channel: {}\n", variable);
+  print_faults(faults);
+  const bool stated = std::any_of(file.variables.begin(), file.variables.end(),
+                                  [](const VariableInspection& variable) { return !variable.unit.empty(); });
+  fmt::print("\nTo use it: secular import {} -o CAMPAIGN --kind KIND --channel NAME:ROLE{}{}\n", path.string(),
+             stated ? "" : ":QUANTITY:UNIT", file.time.empty() ? " --sample-rate HZ" : " --time " + file.time);
+}
+
+Json faults_json(const std::vector<DataFault>& faults) {
+  Json list = Json::array();
+  for (const DataFault& fault : faults) list.push_back({{"kind", fault.kind}, {"text", fault.text}});
+  return list;
+}
+
+Json optional_json(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json quality_json(const ChannelQuality& quality) {
+  return {{"samples", quality.samples},
+          {"missing", quality.missing},
+          {"mean", quality.mean},
+          {"rms", quality.rms},
+          {"peak", quality.peak},
+          {"minimum", quality.minimum},
+          {"maximum", quality.maximum},
+          {"noise_rms", optional_json(quality.noise)},
+          {"resolution", optional_json(quality.resolution)},
+          {"faults", faults_json(quality.faults)}};
+}
+
+void put_axis(Json& object, const std::optional<TimeAxis>& axis, std::size_t samples) {
+  object["start_s"] = axis ? Json(axis->start_s) : Json(nullptr);
+  object["sample_rate_hz"] = axis ? Json(axis->sample_rate_hz) : Json(nullptr);
+  object["duration_s"] = axis ? Json(duration_s(*axis, samples)) : Json(nullptr);
+}
+
+Json campaign_json(const std::filesystem::path& folder, const InspectionLimit& limit) {
+  const Campaign campaign = read_campaign(folder);
+  const std::vector<RecordInspection> records = inspect_records(campaign, limit);
+  Json root = {{"campaign", folder.string()}, {"name", campaign.name}, {"sample_rate_hz", campaign.sample_rate_hz}};
+  root["channels"] = Json::array();
+  for (const Channel& channel : campaign.channels)
+    root["channels"].push_back({{"name", channel.name},
+                                {"role", to_string(channel.role)},
+                                {"quantity", to_string(channel.quantity)},
+                                {"unit", channel.unit}});
+  if (campaign.modal_basis)
+    root["modal_basis"] = {{"channels", campaign.modal_basis->channels},
+                           {"modes", campaign.modal_basis->modes},
+                           {"mass_normalised_shapes", campaign.modal_basis->mass_normalised_shapes}};
+  root["records"] = Json::array();
+  std::size_t faults = 0;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const RecordEntry& entry = campaign.records[r];
+    Json record = {{"file", entry.file}, {"kind", to_string(entry.kind)}, {"samples", records[r].samples}};
+    if (records[r].judged < records[r].samples) record["judged_samples"] = records[r].judged;
+    if (records[r].estimated) record["samples_estimated"] = true;
+    put_axis(record, records[r].axis, records[r].samples);
+    if (entry.excitation_frequency_hz) record["excitation_frequency_hz"] = *entry.excitation_frequency_hz;
+    if (entry.excitation_amplitude) record["excitation_amplitude"] = *entry.excitation_amplitude;
+    if (!entry.group.empty()) record["group"] = entry.group;
+    record["faults"] = faults_json(records[r].faults);
+    faults += records[r].faults.size();
+    record["channels"] = Json::array();
+    for (std::size_t c = 0; c < records[r].channels.size(); ++c) {
+      Json levels = {{"name", campaign.channels[c].name}, {"unit", campaign.channels[c].unit}};
+      levels.update(quality_json(records[r].channels[c]));
+      faults += records[r].channels[c].faults.size();
+      record["channels"].push_back(std::move(levels));
+    }
+    root["records"].push_back(std::move(record));
+  }
+  root["faults_found"] = faults;
+  return root;
+}
+
+Json file_json(const std::filesystem::path& path, const InspectionLimit& limit) {
+  const FileInspection file = inspect_file(path, limit);
+  Json root = {{"file", path.string()}, {"format", file.format}};
+  if (file.partial) root["judged"] = "the first samples";
+  if (file.estimated) root["lengths_estimated"] = true;
+  std::size_t faults = file.faults.size();
+  if (!file.time.empty()) {
+    root["time"] = {{"variable", file.time}};
+    std::size_t samples = 1;
+    for (const VariableInspection& variable : file.variables)
+      if (variable.name == file.time)
+        for (const std::size_t length : variable.shape) samples *= length;
+    put_axis(root["time"], file.axis, samples);
+  }
+  root["faults"] = faults_json(file.faults);
+  root["variables"] = Json::array();
+  for (const VariableInspection& variable : file.variables) {
+    Json entry = {{"name", variable.name}, {"shape", variable.shape}, {"type", variable.type}};
+    if (!variable.unit.empty()) entry["unit"] = variable.unit;
+    if (!variable.stated_unit.empty()) entry["stated_unit"] = variable.stated_unit;
+    if (!variable.fault.empty()) entry["fault"] = variable.fault;
+    if (variable.quality) {
+      entry.update(quality_json(*variable.quality));
+      faults += variable.quality->faults.size();
+    }
+    root["variables"].push_back(std::move(entry));
+  }
+  root["faults_found"] = faults;
+  return root;
+}
+
+}  // namespace
+
+void add_inspect_command(CLI::App& root, Action& chosen) {
+  struct Options {
+    std::string path;
+    bool json = false, whole = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = root.add_subcommand(
+      "inspect", "What a campaign or file holds: channels, units, records, levels, noise, faults found");
+  command->add_option("CAMPAIGN_OR_FILE", options->path, "campaign folder, or CSV, MAT, HDF5, UFF 58 or WAV file")
+      ->required();
+  command->add_flag("--whole", options->whole, "read everything, also where data are larger than 64 MB");
+  command->add_flag("--json", options->json, "the same as JSON");
+  command->footer(
+      "Faults are for you to judge: offset, clipping, constant or coarse channels, missing samples, uneven time.\n"
+      "Of more than 64 MB the first samples of every record are judged, at once; --whole reads all, a record at a "
+      "time.\n"
+      "Example: secular inspect out/test");
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      std::error_code ignored;
+      std::filesystem::path path = options->path;
+      if (path.filename() == "campaign.toml") path = path.has_parent_path() ? path.parent_path() : ".";
+      if (!std::filesystem::exists(path, ignored))
+        throw InputError(options->path, "", "does not exist",
+                         fmt::format("a campaign folder or a {} file was expected", data_formats));
+      const bool folder = std::filesystem::is_directory(path, ignored);
+      InspectionLimit limit;
+      if (options->whole) limit.whole_bytes = std::numeric_limits<std::size_t>::max();
+      if (options->json)
+        fmt::print("{}\n", (folder ? campaign_json(path, limit) : file_json(path, limit))
+                               .dump(2, ' ', false, Json::error_handler_t::replace));
+      else if (folder)
+        print_campaign(path, limit);
+      else
+        print_file(path, limit);
+      return 0;
+    };
+  });
+}
+
+}  // namespace secular::app

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/modal/modal_json.hpp"
+#include "app/modal/modal_report.hpp"
+#include "app/shared/band_option.hpp"
+#include "app/shared/command_line.hpp"
+#include "app/shared/commands.hpp"
+#include "app/shared/result_files.hpp"
+#include "input/input_error.hpp"
+#include "measure/modal/modal_survey.hpp"
+#include "report/number_format.hpp"
+#include "report/whole_file.hpp"
+
+namespace secular::app {
+namespace {
+
+struct Options {
+  ModalSurveyOptions survey;
+  std::string campaign, folder, band, basis;
+  std::vector<std::string> driving_points;
+  double response_decay = 0;
+  bool json = false;
+};
+
+void parse_driving_points(Options& options) {
+  for (const std::string& text : options.driving_points) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+      throw InputError("--driving-point " + text, "", "is not GROUP=CHANNEL",
+                       "for example --driving-point uplx-=-uprx+");
+    const bool against = text[equals + 1] == '-';
+    options.survey.driving_points[text.substr(0, equals)] = {text.substr(equals + (against ? 2 : 1)),
+                                                             against ? -1 : 1};
+  }
+}
+
+void check(const Options& options) {
+  const ModalSurveyOptions& survey = options.survey;
+  if (!(survey.from_s < survey.to_s))
+    throw InputError("--from, --to", "", "the window is empty", "--from must be before --to");
+  const auto not_negative = [](double value, const char* name) {
+    if (!(value >= 0) || !std::isfinite(value)) throw InputError(name, "", "is not a positive number");
+  };
+  not_negative(survey.window_s, "--window");
+  not_negative(survey.fit_below, "--fit-below");
+  not_negative(survey.force_window_s, "--force-window");
+  not_negative(options.response_decay, "--exponential-window");
+}
+
+void print_summary(const ModalSurvey& survey, const Options& options) {
+  fmt::print("{} mode{} of {} channels\n", survey.modes.size(), survey.modes.size() == 1 ? "" : "s",
+             survey.channels.size());
+  for (std::size_t r = 0; r < survey.modes.size(); ++r) {
+    const SurveyMode& mode = survey.modes[r];
+    fmt::print("  v{:<3} {:>16} Hz  damping {:>12} %", r + 1,
+               report::format_uncertain(mode.natural_frequency_hz, mode.natural_frequency_sd_hz),
+               report::format_uncertain(100 * mode.damping_ratio, 100 * mode.damping_ratio_sd));
+    if (mode.mass) fmt::print("  modal mass {} kg", report::format_uncertain(*mode.mass, mode.mass_sd));
+    fmt::print("\n");
+    if (mode.amplitude)
+      fmt::print(
+          "       {} windows from {} to {} {}: {} Hz and {} Hz of damping factor per {}\n", mode.amplitude->windows,
+          report::format_number(mode.amplitude->smallest_amplitude, 3),
+          report::format_number(mode.amplitude->largest_amplitude, 3), survey.unit,
+          report::format_uncertain(mode.amplitude->frequency_hz.slope, mode.amplitude->frequency_hz.slope_sd),
+          report::format_uncertain(mode.amplitude->damping_factor_hz.slope,
+                                   mode.amplitude->damping_factor_hz.slope_sd),
+          survey.unit);
+  }
+  fmt::print("written: {0}/modal.json, {0}/report.html{1}\n", options.folder,
+             options.basis.empty() ? "" : ", " + options.basis);
+}
+
+int run(Options& options, const CLI::App& command) {
+  if (!options.band.empty()) {
+    const Band band = parse_band(options.band);
+    options.survey.lowest_hz = band.low_hz;
+    options.survey.highest_hz = band.high_hz;
+  }
+  parse_driving_points(options);
+  check(options);
+  if (command.count("--exponential-window")) options.survey.response_decay = options.response_decay;
+  const ModalSurvey survey = modal_survey(options.campaign, options.survey);
+  const std::string json = modal_json(survey);
+  const std::string html = modal_report(survey, command_line_of(command));
+  const std::string basis = options.basis.empty() ? "" : modal_basis_text(survey);
+  if (!options.basis.empty()) report::write_whole_file(options.basis, basis);
+  write_result_files(options.folder, {{"modal.json", json}, {"report.html", html}});
+  for (const std::string& warning : survey.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  if (options.json)
+    fmt::print("{}", json);
+  else
+    print_summary(survey, options);
+  return 0;
+}
+
+}  // namespace
+
+void add_modal_command(CLI::App& root, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  ModalSurveyOptions& survey = options->survey;
+  CLI::App* command =
+      root.add_subcommand("modal", "Natural frequencies, damping and mode shapes from impacts or free decays");
+  command->add_option("CAMPAIGN", options->campaign, "campaign folder")->required();
+  command->add_option("-o,--output", options->folder, "folder for modal.json and report.html")->required();
+  command->add_option("--band", options->band,
+                      "LOW:HIGH in Hz: where modes are looked for; records are filtered down to it");
+  command->add_option("--order", survey.largest_order, "largest model order of the stabilisation diagram")
+      ->check(CLI::Range(4, 400));
+  command->add_option("--modes", survey.modes, "keep this many modes, the strongest")->check(CLI::Range(1, 200));
+  command->add_option("--window", survey.window_s, "length of the windows of a free decay, s (default: chosen)");
+  command->add_option("--overlap", survey.overlap, "share of a window that the next one sees again")
+      ->check(CLI::Range(0.0, 0.95));
+  command->add_option("--fit-below", survey.fit_below, "regression over windows up to this amplitude");
+  command->add_option("--force-window", survey.force_window_s, "impacts: the force counts for this long, s");
+  command->add_option("--exponential-window", options->response_decay,
+                      "impacts: exp(-D t) on force and responses, D in 1/s (default: chosen)");
+  command
+      ->add_option("--driving-point", options->driving_points,
+                   "GROUP=CHANNEL: impacts of this group strike where this response is; GROUP=-CHANNEL: against it")
+      ->expected(1)
+      ->take_all();
+  command
+      ->add_option("--modal-mass", survey.modal_masses, "M1,M2,... in kg, by mode, where impacts do not tell them")
+      ->delimiter(',')
+      ->expected(1, 200);
+  command->add_option("--basis", options->basis,
+                      "also write the [modal_basis] table for campaign.toml to this file");
+  command->add_option("--from", survey.from_s, "use every record from this time on, s");
+  command->add_option("--to", survey.to_s, "use every record up to this time, s");
+  command->add_option("--records", survey.records, "use the records whose file matches this pattern");
+  command->add_flag("--json", options->json, "print modal.json instead of the summary");
+  command->footer(
+      "Records of kind impact with a force channel give frequency responses (H1), modal masses and mass-normalised "
+      "shapes;\nrecords of kind free_decay (and impacts without a force) give frequency and damping against "
+      "amplitude.\nExample: secular modal beam -o results --band 20:300 --modes 2");
+  command->callback(
+      [options, command, &chosen] { chosen = [options, command] { return run(*options, *command); }; });
+}
+
+}  // namespace secular::app

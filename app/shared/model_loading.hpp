@@ -1,0 +1,76 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "estimator/model/compiled_model.hpp"
+#include "perturb/effect_catalogue.hpp"
+
+namespace secular::app {
+
+/// What tells a case's resonance, known before anything is derived.
+struct CaseOutline {
+  std::string name;
+  bool excited = true;
+  std::size_t active_modes = 0;  ///< not in modes_at_rest
+  /// Integer relations over the natural frequencies and then the excitations' frequencies.
+  std::vector<std::vector<int>> relations;
+};
+
+/// A model with effects added to its equations of motion: code, and what each effect brought.
+struct AugmentedCompiledModel {
+  std::shared_ptr<const CompiledModel> model;
+  std::vector<AddedEffect> effects;
+};
+
+/// A model by name or file, and how to get code for it: a model that is compiled into this program as it is, any
+/// other derived, compiled and loaded at run time (see codegen/runtime/runtime_model.hpp).
+class ModelSource {
+ public:
+  /// `interpret`: never use compiled code.
+  ModelSource(const std::string& name_or_path, bool interpret);
+
+  const std::string& name() const { return name_; }
+  const std::vector<CaseOutline>& cases() const { return cases_; }
+  /// By mode and then by excitation frequency; NaN where the model gives none.
+  const std::vector<double>& nominal_frequencies() const { return nominal_frequencies_; }
+  std::size_t modes() const { return modes_; }
+
+  /// The model with the named cases (at least); notes go to standard error.
+  std::shared_ptr<const CompiledModel> load(const std::vector<std::string>& cases) const;
+
+  /// The model with effects of the catalogue (see with_effects) and the named cases; none: equations of motion
+  /// alone, which compile fast. Always derived at run time from the model's file.
+  AugmentedCompiledModel load_with_effects(std::span<const EffectTerm> effects,
+                                           const std::vector<std::string>& cases) const;
+  /// See secular::applicable_effects and secular::open_law_terms; they read the model's file.
+  std::vector<EffectTerm> applicable_effects() const;
+  std::vector<EffectTerm> open_law_terms() const;
+  /// NAME[:MODE[:OTHER[:FORM]]], see parse_effect_term.
+  EffectTerm effect_term(const std::string& text) const;
+
+ private:
+  void outline(const CompiledModel& model);
+  void outline_file();
+  std::shared_ptr<const CompiledModel> load_file(const std::filesystem::path& file,
+                                                 const std::vector<std::string>& cases,
+                                                 std::span<const EffectTerm> effects) const;
+  std::filesystem::path model_file() const;
+
+  std::string name_;
+  std::filesystem::path file_;
+  const CompiledModel* compiled_in_ = nullptr;
+  bool interpret_ = false;
+  std::size_t modes_ = 0;
+  std::vector<CaseOutline> cases_;
+  std::vector<double> nominal_frequencies_;
+};
+
+/// Folders that may hold the headers of generated code: beside the installed program, in the source tree.
+std::vector<std::filesystem::path> header_folders();
+
+}  // namespace secular::app

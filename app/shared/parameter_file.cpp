@@ -1,0 +1,79 @@
+#include "app/shared/parameter_file.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "app/shared/number_file.hpp"
+#include "app/shared/shipped_models.hpp"
+#include "input/input_error.hpp"
+
+namespace secular::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string resolved(const std::string& path) {
+  std::error_code unreadable;
+  if (fs::is_regular_file(path, unreadable) || path.empty() || fs::path(path).is_absolute()) return path;
+  for (const fs::path& folder : model_folders()) {
+    const fs::path shipped = folder / (path + ".json");
+    if (fs::is_regular_file(shipped, unreadable)) return shipped.string();
+  }
+  return path;
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& place, const std::string& fault,
+                         const std::string& expected = "an estimate.json of `secular identify` was expected") {
+  throw InputError(path, place, fault, expected);
+}
+
+void read_representative(const nlohmann::json& entry, const std::string& path, GivenParameters& given) {
+  const std::string place = "key representative";
+  if (!entry.is_object() || !entry.contains("values") || !entry["values"].is_object() ||
+      !entry.contains("steady_motions_of") || !entry["steady_motions_of"].is_array())
+    refuse(path, place, "has no values and steady_motions_of");
+  for (const auto& [name, value] : entry["values"].items()) {
+    if (!value.is_number() || !std::isfinite(value.get<double>()))
+      refuse(path, place, "has a value that is not a number", "a number was expected for " + name);
+    given.representative[name] = value.get<double>();
+  }
+  for (const nlohmann::json& name : entry["steady_motions_of"]) {
+    if (!name.is_string()) refuse(path, place, "has a case that is no name");
+    given.told_cases.insert(name.get<std::string>());
+  }
+}
+
+}  // namespace
+
+GivenParameters read_parameter_file(const std::string& name) {
+  const std::string path = resolved(name);
+  std::ifstream stream(path, std::ios::binary);
+  const nlohmann::json document = nlohmann::json::parse(stream, nullptr, false);
+  GivenParameters given;
+  if (!stream || !document.is_object() || !document.contains("estimates")) {
+    given.values = read_numbers(path);
+    return given;
+  }
+  const nlohmann::json& estimates = document["estimates"];
+  if (!estimates.is_array()) refuse(path, "key estimates", "is not a list");
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    const nlohmann::json& entry = estimates[i];
+    const std::string place = "estimates, entry " + std::to_string(i + 1);
+    if (!entry.is_object() || !entry.contains("name") || !entry["name"].is_string() || !entry.contains("value"))
+      refuse(path, place, "has no name and value");
+    if (entry["value"].is_null()) continue;
+    if (!entry["value"].is_number() || !std::isfinite(entry["value"].get<double>()))
+      refuse(path, place, "has a value that is not a number", "a number, or null, was expected");
+    const auto symbol = entry["name"].get<std::string>();
+    given.values[symbol] = entry["value"].get<double>();
+    if (entry.contains("sd") && entry["sd"].is_number() && entry["sd"].get<double>() > 0)
+      given.sd[symbol] = entry["sd"].get<double>();
+  }
+  if (document.contains("representative")) read_representative(document["representative"], path, given);
+  return given;
+}
+
+}  // namespace secular::app

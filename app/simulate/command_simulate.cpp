@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <thread>
+
+#include "app/shared/commands.hpp"
+#include "app/shared/progress_line.hpp"
+#include "app/shared/shipped_models.hpp"
+#include "app/simulate/experiment_loading.hpp"
+#include "input/input_error.hpp"
+#include "motion/simulate/virtual_test.hpp"
+
+namespace secular::app {
+
+void add_simulate_command(CLI::App& root, Action& chosen) {
+  struct Options {
+    std::string experiment, folder;
+    std::uint64_t seed = 1;
+    unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+    bool interpret = false, json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = root.add_subcommand("simulate", "Virtual test on the full equations of motion");
+  command->add_option("EXPERIMENT", options->experiment, "experiment file, or experiments/NAME of a shipped one")
+      ->required();
+  command->add_option("-o,--output", options->folder, "campaign folder to make")->required();
+  command->add_option("--seed", options->seed, "of the measurement noise")->capture_default_str();
+  command->add_option("--threads", options->threads, "records computed at once; the result does not depend on it")
+      ->check(CLI::Range(1U, 1024U));
+  command->add_flag("--interpret", options->interpret, "no compiled code of the model: slower, same results");
+  command->add_flag("--json", options->json, "summary as JSON");
+  command->footer("Example: secular simulate experiments/principal_parametric -o campaign");
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      if (std::filesystem::exists(options->folder) && !std::filesystem::is_empty(options->folder))
+        throw InputError(options->folder, "", "exists and is not an empty folder",
+                         "name a new folder or remove this one");
+      const std::filesystem::path path = resolve_model(options->experiment);
+      const auto [model, experiment] = load_experiment(path, options->interpret);
+      ProgressLine line("records");
+      CampaignWriter writer(options->folder);
+      const Campaign campaign = run_virtual_test(
+          experiment, *model, options->seed, options->threads,
+          [&writer](const Campaign& made, const RecordEntry& entry, Record&& record) {
+            writer.write(made, entry, record);
+          },
+          [&line](std::size_t done, std::size_t total) { line(done, total); });
+      writer.finish(campaign);
+      if (options->json)
+        fmt::print("{{\"records\": {}, \"seed\": {}}}\n", campaign.records.size(), options->seed);
+      else
+        fmt::print("{} records of {} in {}\n", campaign.records.size(), experiment.name, options->folder);
+      return 0;
+    };
+  });
+}
+
+}  // namespace secular::app

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "estimator/model/compiled_model.hpp"
+#include "motion/simulate/experiment.hpp"
+
+namespace secular::app {
+
+/// An experiment and the equations of motion it is run on, the terms of its [[effect]] tables included.
+struct LoadedExperiment {
+  std::shared_ptr<const CompiledModel> model;
+  Experiment experiment;
+};
+
+/// The model that the file names is a file beside it, otherwise a path or a shipped model. `interpret`: no compiled
+/// code. Throws InputError.
+LoadedExperiment load_experiment(const std::filesystem::path& path, bool interpret);
+
+}  // namespace secular::app

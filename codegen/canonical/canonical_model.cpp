@@ -1,0 +1,321 @@
+#include "codegen/canonical/canonical_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "codegen/canonical/canonical_form.hpp"
+#include "codegen/canonical/dimensions.hpp"
+#include "input/input_error.hpp"
+#include "perturb/certificate.hpp"
+#include "perturb/observation.hpp"
+#include "perturb/term_sum.hpp"
+
+namespace secular {
+namespace {
+
+// What rounding leaves depends on the order of terms, which changes from run to run.
+constexpr double smallest_nonsmooth_error = 1e-14;
+
+CanonicalRatio ratio(const GiNaC::numeric& value) {
+  return {value.numer().to_int(), value.denom().to_int()};
+}
+
+CanonicalDimension canonical_dimension(const std::optional<Dimension>& dimension) {
+  if (!dimension) return std::nullopt;
+  std::vector<CanonicalRatio> exponents;
+  for (const GiNaC::numeric& exponent : *dimension) exponents.push_back(ratio(exponent));
+  return exponents;
+}
+
+CanonicalPowers powers_of(const FieldKey& key, const Derivation& d) {
+  const FieldLayout& layout = d.layout;
+  CanonicalPowers powers;
+  for (std::size_t k = 0; k < layout.modes; ++k) {
+    powers.amplitude.push_back(key[layout.amplitude(k)]);
+    powers.conjugate.push_back(key[layout.conjugate(k)]);
+    powers.modulus.push_back(key[layout.modulus(k)]);
+  }
+  for (std::size_t j = 0; j < layout.excitations; ++j) powers.forcing.push_back(key[layout.forcing(j)]);
+  powers.phase = d.full_phase(key);
+  for (std::size_t r = 0; r < layout.relations; ++r) powers.slow_phase.push_back(key[layout.slow(r)]);
+  return powers;
+}
+
+// Sums by order and powers, then canonical real and imaginary parts; zeros left out.
+class TermList {
+ public:
+  explicit TermList(const CanonicalForm& form) : form_(form) {}
+  void add(int order, CanonicalPowers powers, const GiNaC::ex& coefficient) {
+    sums_[{order, std::move(powers)}] += coefficient;
+  }
+  std::vector<CanonicalTerm> terms() const {
+    std::vector<CanonicalTerm> result;
+    for (const auto& [key, coefficient] : sums_) {
+      CanonicalTerm term{key.second, key.first, form_.of(coefficient.real_part()),
+                         form_.of(coefficient.imag_part())};
+      if (!term.real.is_zero() || !term.imaginary.is_zero()) result.push_back(std::move(term));
+    }
+    return result;
+  }
+
+ private:
+  const CanonicalForm& form_;
+  std::map<std::pair<int, CanonicalPowers>, GiNaC::ex> sums_;
+};
+
+std::string phase_name(const std::vector<int>& phase, const Model& model) {
+  std::string name;
+  for (std::size_t i = 0; i < phase.size(); ++i) {
+    if (phase[i] == 0) continue;
+    const std::string multiple = std::abs(phase[i]) == 1 ? "" : std::to_string(std::abs(phase[i])) + "*";
+    name += (phase[i] < 0 ? "-" : (name.empty() ? "" : "+")) + multiple + model.frequency_name(i);
+  }
+  return name.empty() ? "0" : name;
+}
+
+CanonicalFactor canonical_factor(const Factor& factor, int power) {
+  CanonicalFactor flat;
+  flat.index = static_cast<std::size_t>(factor.index);
+  flat.derivative = factor.derivative;
+  flat.multiple = factor.multiple;
+  flat.power = power;
+  for (const auto& [name, weight] : factor.argument)
+    flat.argument.emplace_back(name,
+                               CanonicalRatio{static_cast<int>(weight.first), static_cast<int>(weight.second)});
+  static constexpr CanonicalFactor::Kind motion[] = {
+      CanonicalFactor::Kind::displacement, CanonicalFactor::Kind::velocity, CanonicalFactor::Kind::acceleration};
+  switch (factor.kind) {
+    case Factor::Kind::coordinate:
+      flat.kind = motion[factor.derivative];
+      break;
+    case Factor::Kind::excitation:
+      flat.kind = CanonicalFactor::Kind::excitation;
+      break;
+    case Factor::Kind::clock_cos:
+      flat.kind = CanonicalFactor::Kind::clock_cos;
+      break;
+    case Factor::Kind::clock_sin:
+      flat.kind = CanonicalFactor::Kind::clock_sin;
+      break;
+    case Factor::Kind::absolute:
+      flat.kind = CanonicalFactor::Kind::absolute;
+      break;
+    case Factor::Kind::sign:
+      flat.kind = CanonicalFactor::Kind::sign;
+      break;
+  }
+  return flat;
+}
+
+std::vector<CanonicalMotionTerm> motion_terms(const Model& model, const TermSum& equation,
+                                              const CanonicalForm& form, std::size_t mode) {
+  std::vector<CanonicalMotionTerm> terms;
+  for (const auto& [product, coefficient] : equation.terms()) {
+    CanonicalMotionTerm term;
+    term.coefficient = form.of(coefficient);
+    for (const auto& [factor, power] : product) {
+      CanonicalFactor flat = canonical_factor(factor, power);
+      if (flat.kind != CanonicalFactor::Kind::acceleration) {
+        term.factors.push_back(std::move(flat));
+        continue;
+      }
+      if (power > 1 || term.acceleration_of)
+        throw InputError(model.file, "equation of '" + model.modes[mode].coordinate + "'",
+                         "is not linear in the accelerations", "D2 may enter once in every term");
+      term.acceleration_of = flat.index;
+    }
+    terms.push_back(std::move(term));
+  }
+  return terms;
+}
+
+CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance, const CanonicalForm& form,
+                             const SymbolOrder& order, const std::map<std::string, Dimension>& dimensions,
+                             CanonicalContent content) {
+  const Derivation nominal = derive(model, resonance, OmegaPolicy::nominal);
+  const Derivation kept = derive(model, resonance, OmegaPolicy::kept);
+  CanonicalCase result;
+  result.name = resonance.name;
+  result.expand_to = resonance.expand_to;
+  result.excited = resonance.excited;
+  result.mode_at_rest = resonance.mode_at_rest;
+  for (const ResonanceRelation& relation : resonance.relations) {
+    std::vector<int> multiples = relation.multiples;
+    multiples.resize(model.frequency_count(), 0);
+    result.relations.push_back(
+        {multiples, relation.detuning, relation.order, ratio(relation.coefficient), relation.text});
+  }
+  for (std::size_t k = 0; k < model.modes.size(); ++k) {
+    result.slow_derivative.push_back(canonical_modulation(nominal, k, order));
+    result.harmonics.emplace_back();
+    if (content == CanonicalContent::all) result.harmonics.back() = canonical_harmonics(nominal, k, order);
+  }
+  for (const QuadratureTerm& quadrature : nominal.quadratures) {
+    const GiNaC::ex scale = nominal.quadrature_rate(quadrature);
+    CanonicalQuadrature flat{
+        quadrature.mode, quadrature.order, form.of(scale.real_part()), form.of(scale.imag_part()), {}};
+    for (const auto& [factor, power] : quadrature.factors) flat.factors.push_back(canonical_factor(factor, power));
+    result.quadratures.push_back(std::move(flat));
+  }
+  const Certificate certificate = certify(nominal);
+  result.certificate = {certificate.holds,
+                        certificate.order,
+                        certificate.coefficients_checked,
+                        certificate.nonsmooth_harmonics,
+                        std::max(certificate.nonsmooth_error, smallest_nonsmooth_error),
+                        certificate.remainders};
+  result.warnings = nominal.warnings;
+  if (!observed_frequencies(nominal)) return result;
+  const Observations seen = observations(nominal, kept);
+  for (const auto& row : seen.frequencies.of_mode) {
+    std::vector<CanonicalRatio> ratios;
+    for (const GiNaC::numeric& multiple : row) ratios.push_back(ratio(multiple));
+    result.observed_frequency.push_back(std::move(ratios));
+  }
+  for (const Lump& lump : seen.lumps)
+    result.lumps.push_back({lump.name, form.of(lump.definition),
+                            canonical_dimension(dimension_of(lump.definition, dimensions, model))});
+  for (const ObservationBlock& block : seen.blocks) {
+    CanonicalBlock flat;
+    flat.modulation = block.modulation;
+    flat.mode = block.mode;
+    flat.order = block.order;
+    flat.phase = block.phase;
+    flat.name = (block.modulation ? "modulation of " : "harmonic " + phase_name(block.phase, model) + " of ") +
+                model.modes[block.mode].coordinate;
+    for (const ObservationBlock::Column& column : block.columns) {
+      CanonicalBlock::Column terms{column.lump, {}};
+      for (const ColumnTerm& term : column.terms)
+        terms.terms.push_back(
+            {form.of(term.factor), term.imaginary, powers_of(term.key, block.modulation ? nominal : kept)});
+      flat.columns.push_back(std::move(terms));
+    }
+    std::sort(flat.columns.begin(), flat.columns.end(),
+              [](const auto& a, const auto& b) { return a.lump < b.lump; });
+    result.blocks.push_back(std::move(flat));
+  }
+  return result;
+}
+
+// FNV-1a over a plain serialisation: changes whenever equations, cases or their derived rows change.
+class Digest {
+ public:
+  void add(const std::string& text) {
+    for (const char c : text + "\n") hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  }
+  void add(const RationalFunction& f) {
+    for (const auto* part : {&f.numerator, &f.denominator})
+      for (const PolynomialTerm& term : *part)
+        add(term.coefficient + fmt::format(" {}", fmt::join(term.exponents, " ")));
+  }
+  std::string text() const { return fmt::format("{:016x}", hash_); }
+
+ private:
+  std::uint64_t hash_ = 14695981039346656037ULL;
+};
+
+std::string fingerprint(const CanonicalModel& model) {
+  Digest digest;
+  for (const std::string& name : model.order) digest.add(name);
+  for (const auto& equation : model.motion)
+    for (const CanonicalMotionTerm& term : equation) {
+      digest.add(term.coefficient);
+      digest.add(term.acceleration_of ? std::to_string(*term.acceleration_of) : "-");
+      for (const CanonicalFactor& f : term.factors)
+        digest.add(
+            fmt::format("{} {} {} {} {}", static_cast<int>(f.kind), f.index, f.derivative, f.multiple, f.power));
+    }
+  for (const CanonicalCase& c : model.cases) {
+    digest.add(c.name);
+    for (const CanonicalRelation& relation : c.relations) digest.add(relation.text);
+    for (const CanonicalLump& lump : c.lumps) {
+      digest.add(lump.name);
+      digest.add(lump.definition);
+    }
+    for (const auto& terms : c.slow_derivative)
+      for (const CanonicalTerm& term : terms) {
+        digest.add(term.real);
+        digest.add(term.imaginary);
+      }
+  }
+  return digest.text();
+}
+
+}  // namespace
+
+SymbolOrder symbol_order(const Model& model) {
+  SymbolOrder order;
+  for (std::size_t i = 0; i < model.frequency_count(); ++i) order.push_back(model.frequency_name(i));
+  for (const std::string& name : model.symbols.names())
+    if (std::find(order.begin(), order.end(), name) == order.end()) order.push_back(name);
+  order.push_back("pi");
+  return order;
+}
+
+std::vector<CanonicalTerm> canonical_modulation(const Derivation& derivation, std::size_t mode,
+                                                const SymbolOrder& order) {
+  const CanonicalForm form(derivation.model->symbols, order);
+  TermList list(form);
+  for (std::size_t n = 0; n < derivation.slow_derivative[mode].size(); ++n)
+    for (const auto& [key, coefficient] : derivation.slow_derivative[mode][n].terms())
+      list.add(static_cast<int>(n), powers_of(key, derivation), coefficient);
+  return list.terms();
+}
+
+std::vector<CanonicalTerm> canonical_harmonics(const Derivation& derivation, std::size_t mode,
+                                               const SymbolOrder& order) {
+  const CanonicalForm form(derivation.model->symbols, order);
+  TermList list(form);
+  for (std::size_t n = 0; n < derivation.response[mode].size(); ++n)
+    for (const auto& [key, coefficient] : derivation.response[mode][n].terms()) {
+      CanonicalPowers powers = powers_of(key, derivation);
+      std::vector<int> own(powers.phase.size(), 0);
+      own[mode] = 1;
+      Phase oriented = powers.phase;
+      if (orient(oriented, derivation)) continue;  // the conjugate is listed
+      if (n == 0 && powers.phase == own) continue;
+      std::fill(powers.slow_phase.begin(), powers.slow_phase.end(), 0);  // it is part of the true phase
+      list.add(static_cast<int>(n), std::move(powers), coefficient);
+    }
+  return list.terms();
+}
+
+CanonicalModel canonical_model(const Model& model, const std::string& only_case, CanonicalContent content) {
+  if (!only_case.empty()) model.find_case(only_case);
+  CanonicalModel result;
+  result.name = model.name;
+  result.source = model.source;
+  result.order = symbol_order(model);
+  const CanonicalForm form(model.symbols, result.order);
+  const std::vector<TermSum> equations = equations_of_motion(model);
+  const std::map<std::string, Dimension> dimensions = symbol_dimensions(model, equations);
+  for (const Mode& mode : model.modes) {
+    result.coordinates.push_back(mode.coordinate);
+    result.natural_frequencies.push_back(mode.frequency);
+  }
+  for (const Excitation& excitation : model.excitations) {
+    result.excitations.push_back(excitation.amplitude);
+    result.excitation_frequencies.push_back(excitation.frequency);
+  }
+  result.parameters = result.natural_frequencies;
+  result.parameters.insert(result.parameters.end(), model.parameters.begin(), model.parameters.end());
+  for (const std::string& name : result.parameters) {
+    const auto dimension = dimensions.find(name);
+    result.parameter_dimensions.push_back(
+        canonical_dimension(dimension == dimensions.end() ? std::nullopt : std::optional(dimension->second)));
+    const auto value = model.nominal.find(name);
+    result.nominal.push_back(value == model.nominal.end() ? std::nullopt : std::optional(value->second));
+  }
+  for (std::size_t k = 0; k < equations.size(); ++k)
+    result.motion.push_back(motion_terms(model, equations[k], form, k));
+  for (const ResonanceCase& resonance : model.cases)
+    if (only_case.empty() || resonance.name == only_case)
+      result.cases.push_back(canonical_case(model, resonance, form, result.order, dimensions, content));
+  result.fingerprint = fingerprint(result);
+  return result;
+}
+
+}  // namespace secular

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "codegen/canonical/canonical_model.hpp"
+#include "codegen/cpp/code_text.hpp"
+#include "codegen/expression/cpp_expression.hpp"
+
+/// The parts that emit_cpp puts together, each appending functions to one text.
+namespace secular {
+
+class Emitter {
+ public:
+  /// `in_units`: functions of one unit among several, not of a header.
+  explicit Emitter(const CanonicalModel& canonical, bool in_units = false) : model(canonical), units(in_units) {}
+
+  /// Local variables for parameters (and pi) of these names.
+  void unpack(const std::vector<std::string>& names, const std::string& attribute = "");
+  /// Local variables for shared powers.
+  void definitions(const CppWriter& writer);
+  /// "[0] omega0, [1] mu1".
+  std::string parameter_list() const;
+
+  const CanonicalModel& model;
+  bool units = false;
+  CodeText code;
+};
+
+/// mass_matrix, accelerations, acceleration_by_state, acceleration_by_parameters.
+void emit_motion(Emitter& emitter);
+/// evaluate_lumps, evaluate_lumps_jacobian.
+void emit_lumps(Emitter& emitter, const CanonicalCase& resonance);
+/// factors_N, columns_N, column_slopes_N of one block.
+void emit_block(Emitter& emitter, const CanonicalCase& resonance, std::size_t block);
+/// modulation, modulation_jacobian.
+void emit_modulation(Emitter& emitter, const CanonicalCase& resonance);
+/// The tables of estimator/model/compiled_model.hpp.
+void emit_tables(Emitter& emitter);
+void emit_model_table(Emitter& emitter);
+
+}  // namespace secular

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "codegen/canonical/canonical_model.hpp"
+
+namespace secular {
+
+/// Modulation equations in Cartesian form, B = (x + i*y)/2 in the observed frame: regular at zero amplitude.
+std::string cartesian_text(const CanonicalModel& model, const CanonicalCase& resonance);
+
+}  // namespace secular

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "diagnose/evidence/condition.hpp"
+#include "diagnose/evidence/discrepancy.hpp"
+#include "diagnose/evidence/segment.hpp"
+#include "diagnose/evidence/sensor_model.hpp"
+
+namespace secular {
+
+/// An effect of the catalogue that is a term of the augmented model's equations of motion.
+struct EquationEffect {
+  std::string effect;  ///< its name in the catalogue
+  std::size_t mode = 0;
+  std::string subject;              ///< coordinate, or coordinates of a coupling, for people
+  std::size_t strength = 0;         ///< symbol; zero without the effect
+  std::vector<std::size_t> shapes;  ///< symbols of displacements (gap, slip) or of an exponent that shape it
+  bool open_law = false;            ///< stands for a law outside of the catalogue
+};
+
+/// One explanation of a gap: unknowns that are zero without it.
+struct Candidate {
+  std::string effect, subject;
+  GapComponent component = GapComponent::measurement;
+  std::size_t mode = 0;
+  bool equation = false;                      ///< a term of the equations of motion
+  std::vector<std::size_t> strengths;         ///< indices of unknowns
+  std::vector<std::size_t> shapes;            ///< unknowns that matter only with a strength
+  std::vector<Eigen::VectorXd> shape_starts;  ///< values to begin with; one empty entry where there is no shape
+  bool passive = false;                       ///< a force that can only oppose or give way: no negative strength
+  double least_strength = 0;                  ///< a strength that must begin away from zero (saturation)
+  /// Whether unknowns make sense as this explanation; empty: always.
+  std::function<bool(const Eigen::VectorXd& unknowns)> plausible;
+  bool open_law = false;  ///< stands for a law outside of the catalogue: no cause by itself
+};
+
+/// Names of all effects that a campaign can be tried with, in alphabetical order; open laws are not among them.
+std::vector<std::string> effect_names();
+
+/// Component of the equation of motion that an effect of the catalogue changes.
+GapComponent component_of(const std::string& effect);
+
+/// Largest displacement (peak) of every mode over conditions and segments.
+Eigen::VectorXd largest_displacements(const std::vector<Condition>& conditions,
+                                      const std::vector<Segment>& segments, const SensorModel& sensors,
+                                      const std::vector<double>& natural_frequency);
+
+/// Every explanation that the campaign can speak of at all. `largest`: see largest_displacements.
+std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects, const CompiledModel& model,
+                                     const SensorModel& sensors, const FaultTable& faults,
+                                     const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
+                                     const Eigen::VectorXd& largest);
+
+}  // namespace secular

@@ -1,0 +1,212 @@
+#include "diagnose/evidence/line_evidence.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <numeric>
+
+#include "numerics/in_parallel.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A row whose variance, given the rows before it, is below this share of its own is determined by them.
+constexpr double determined = 1e-9;
+
+/// Share of the inertia that a first look at unknown numbers allows.
+constexpr double first_look = 1e-2;
+
+/// Where no motion was found when the errors were taken, rows count this many standard deviations. Where one was
+/// found then and is lost, no fit may go.
+constexpr double no_motion = 1e4;
+
+std::string line_name(const Condition& c, Index line, const CompiledModel& model) {
+  const LinePhase& n = c.torus->phase(line);
+  if (line == 0) return "mean";
+  if (c.torus->dimensions() == 1 && c.fundamental > 0) {
+    const auto divisor = static_cast<int>(c.fundamental);
+    const std::string excitation(model.excitation_frequencies.empty() ? "Omega" : model.excitation_frequencies[0]);
+    const int common = std::gcd(n[0], divisor);
+    const int top = n[0] / common, bottom = divisor / common;
+    return (top == 1 ? "" : std::to_string(top) + " ") + excitation +
+           (bottom == 1 ? "" : "/" + std::to_string(bottom));
+  }
+  std::string name;
+  for (std::size_t j = 0; j < 2; ++j) {
+    if (n[j] == 0) continue;
+    std::string base = "line " + std::to_string(j + 1);
+    for (const MasterLine& m : c.masters)
+      if (c.torus->phase(m.line) == (j == 0 ? LinePhase{1, 0} : LinePhase{0, 1}))
+        base = std::string(model.symbols[m.mode].name);
+    name += (n[j] < 0       ? "-"
+             : name.empty() ? ""
+                            : "+") +
+            (std::abs(n[j]) == 1 ? "" : std::to_string(std::abs(n[j])) + " ") + base;
+  }
+  return name;
+}
+
+}  // namespace
+
+LineEvidence::LineEvidence(ConditionModel model, std::vector<Condition> conditions, const VectorXd& unknowns)
+    : model_(std::move(model)), conditions_(std::move(conditions)) {
+  const CompiledModel& compiled = model_.balance().model();
+  for (std::size_t i = 0; i < conditions_.size(); ++i) {
+    const Condition& c = conditions_[i];
+    Whitening w;
+    whiten(i, unknowns, first_look, w);
+    const std::vector<RowMeaning> meanings = model_.meanings(c);
+    double amplitude = 0;
+    for (const MasterLine& m : c.masters)
+      amplitude = std::max(amplitude, std::abs(w.motion.displacement(static_cast<Index>(m.mode), m.line)));
+    for (const Index row : w.kept) {
+      const RowMeaning& meaning = meanings[static_cast<std::size_t>(row)];
+      RowLabel label;
+      label.record = c.record;
+      label.fold = c.fold;
+      label.harmonic = line_name(c, meaning.line, compiled);
+      label.time_s = c.time_s;
+      label.level = c.excitation_level();
+      label.frequency = c.excitation_frequency();
+      label.amplitude = amplitude;
+      label.balance = meaning.kind == RowMeaning::Kind::balance;
+      if (label.balance) {
+        label.mode = meaning.mode;
+        label.place = std::string(compiled.coordinates[meaning.mode]);
+        label.component = meaning.imaginary ? GapComponent::dissipative : GapComponent::conservative;
+      } else {
+        const SensorModel& sensors = model_.sensors();
+        label.place = meaning.kind == RowMeaning::Kind::response ? sensors.response_names[meaning.channel]
+                                                                 : sensors.excitation_names[meaning.channel];
+      }
+      labels_.push_back(std::move(label));
+    }
+    whitening_.push_back(std::move(w));
+  }
+}
+
+void LineEvidence::whiten(std::size_t condition, const VectorXd& unknowns, double coarse, Whitening& w) const {
+  const Condition& c = conditions_[condition];
+  w.motion = model_.rows(c, unknowns, w.motion.converged ? &w.motion : nullptr).motion;
+  MatrixXd covariance = model_.covariance(c, unknowns, w.motion.converged ? &w.motion : nullptr);
+  for (std::size_t m = 0; m < c.masters.size(); ++m) {
+    const double inertia = std::norm(c.line_rate(c.masters[m].line));
+    covariance.diagonal().segment<2>(static_cast<Index>(2 * m)).array() += coarse * inertia * coarse * inertia;
+  }
+  const bool first = w.kept.empty();
+  std::vector<Index> rows = w.kept;
+  if (first)
+    for (Index i = 0; i < covariance.rows(); ++i) rows.push_back(i);
+  // Numbers so far off that no motion is found: errors stay what they were; without any, every row counts alike
+  // until the numbers are nearer.
+  if (!covariance.allFinite()) {
+    if (!first) return;
+    covariance.setIdentity();
+  }
+  // A row of a channel has at least its line's error of its own, unless the amplitudes were taken from it.
+  const std::vector<RowMeaning> meanings = model_.meanings(c);
+  const auto own_variance = [&](Index row) {
+    const RowMeaning& meaning = meanings[static_cast<std::size_t>(row)];
+    if (meaning.kind != RowMeaning::Kind::response) return 0.0;
+    const auto column = std::find(c.lines.begin(), c.lines.end(), meaning.line) - c.lines.begin();
+    const double sd = c.response_sd(static_cast<Index>(meaning.channel), column);
+    return sd * sd;
+  };
+  // Cholesky in the rows' own order.
+  std::vector<Index> order;
+  MatrixXd root = MatrixXd::Zero(static_cast<Index>(rows.size()), static_cast<Index>(rows.size()));
+  for (const Index row : rows) {
+    const auto n = static_cast<Index>(order.size());
+    VectorXd line(n);
+    for (Index j = 0; j < n; ++j) {
+      double sum = covariance(row, order[static_cast<std::size_t>(j)]);
+      for (Index k = 0; k < j; ++k) sum -= line(k) * root(j, k);
+      line(j) = sum / root(j, j);
+    }
+    const double least = determined * std::max(covariance(row, row), own_variance(row));
+    double left = covariance(row, row) - line.squaredNorm();
+    if (!(left > least)) {
+      if (first) continue;
+      left = least > 0 ? least : 1;
+    }
+    root.row(n).head(n) = line.transpose();
+    root(n, n) = std::sqrt(left);
+    order.push_back(row);
+  }
+  w.kept = order;
+  const auto n = static_cast<Index>(order.size());
+  w.inverse_root = root.topLeftCorner(n, n).triangularView<Eigen::Lower>().solve(MatrixXd::Identity(n, n));
+}
+
+void LineEvidence::freeze(const VectorXd& unknowns, double coarse) {
+  for (std::size_t i = 0; i < conditions_.size(); ++i) whiten(i, unknowns, coarse, whitening_[i]);
+}
+
+void LineEvidence::approach(const VectorXd& unknowns) {
+  for (std::size_t i = 0; i < conditions_.size(); ++i) {
+    Motion& known = whitening_[i].motion;
+    Motion motion = model_.rows(conditions_[i], unknowns, known.converged ? &known : nullptr).motion;
+    if (motion.converged) known = std::move(motion);
+  }
+}
+
+void LineEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const {
+  if (!has_frequencies(unknowns, model_.balance().model().modes())) {
+    rows.setConstant(std::numeric_limits<double>::infinity());
+    return;
+  }
+  Index first = 0;
+  for (std::size_t i = 0; i < conditions_.size(); ++i) {
+    const Whitening& w = whitening_[i];
+    const auto count = static_cast<Index>(w.kept.size());
+    const ConditionRows raw = model_.rows(conditions_[i], unknowns, w.motion.converged ? &w.motion : nullptr);
+    VectorXd kept(count);
+    for (Index r = 0; r < count; ++r) kept(r) = raw.values(w.kept[static_cast<std::size_t>(r)]);
+    if (kept.allFinite())
+      rows.segment(first, count) = w.inverse_root * kept;
+    else
+      rows.segment(first, count)
+          .setConstant(w.motion.converged ? std::numeric_limits<double>::infinity() : no_motion);
+    first += count;
+  }
+}
+
+MatrixXd LineEvidence::slopes(const VectorXd& unknowns, const std::vector<std::size_t>& which,
+                              const VectorXd& scale, unsigned threads) const {
+  MatrixXd columns = MatrixXd::Zero(size(), static_cast<Index>(which.size()));
+  std::vector<Index> first(conditions_.size(), 0);
+  for (std::size_t i = 1; i < conditions_.size(); ++i)
+    first[i] = first[i - 1] + static_cast<Index>(whitening_[i - 1].kept.size());
+  in_parallel(conditions_.size(), threads, [&](std::size_t i) {
+    const Whitening& w = whitening_[i];
+    const Condition& c = conditions_[i];
+    const ConditionRows raw = model_.rows(c, unknowns, w.motion.converged ? &w.motion : nullptr);
+    if (!raw.values.allFinite()) return;
+    const MatrixXd slopes = model_.slopes(c, unknowns, raw.motion.displacement, which, scale);
+    if (!slopes.allFinite()) return;
+    MatrixXd kept(static_cast<Index>(w.kept.size()), slopes.cols());
+    for (Index r = 0; r < kept.rows(); ++r) kept.row(r) = slopes.row(w.kept[static_cast<std::size_t>(r)]);
+    columns.middleRows(first[i], kept.rows()) = w.inverse_root.triangularView<Eigen::Lower>() * kept;
+  });
+  return columns;
+}
+
+VectorXd LineEvidence::unmixed(const VectorXd& rows) const {
+  VectorXd all(rows.size());
+  Index first = 0;
+  for (const Whitening& w : whitening_) {
+    const auto count = static_cast<Index>(w.kept.size());
+    all.segment(first, count) =
+        w.inverse_root.triangularView<Eigen::Lower>().solve(rows.segment(first, count).eval());
+    first += count;
+  }
+  return all;
+}
+
+}  // namespace secular

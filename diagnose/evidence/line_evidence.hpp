@@ -1,0 +1,37 @@
+#pragma once
+
+#include "diagnose/evidence/condition_rows.hpp"
+#include "diagnose/evidence/discrepancy.hpp"
+
+namespace secular {
+
+/// Evidence of dwells and decay windows: their rows, whitened one after the other, balances first. A row that the
+/// rows before it determine (the line from which an amplitude was taken) drops out.
+class LineEvidence : public Evidence {
+ public:
+  LineEvidence(ConditionModel model, std::vector<Condition> conditions, const Eigen::VectorXd& unknowns);
+
+  Eigen::Index size() const override { return static_cast<Eigen::Index>(labels_.size()); }
+  const std::vector<RowLabel>& labels() const override { return labels_; }
+  void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
+  void approach(const Eigen::VectorXd& unknowns) override;
+  void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
+  Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
+                         const Eigen::VectorXd& scale, unsigned threads) const override;
+  Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const override;
+
+ private:
+  struct Whitening {
+    std::vector<Eigen::Index> kept;
+    Eigen::MatrixXd inverse_root;  // kept x kept, lower triangle
+    Motion motion;
+  };
+  void whiten(std::size_t condition, const Eigen::VectorXd& unknowns, double coarse, Whitening& whitening) const;
+
+  ConditionModel model_;
+  std::vector<Condition> conditions_;
+  std::vector<Whitening> whitening_;
+  std::vector<RowLabel> labels_;
+};
+
+}  // namespace secular

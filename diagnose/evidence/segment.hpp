@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnose/evidence/segment_motion.hpp"
+#include "diagnose/evidence/sensor_model.hpp"
+#include "measure/observe/observation_set.hpp"
+#include "measure/signal/band_pass.hpp"
+
+namespace secular {
+
+/// A stretch of a record that is compared sample by sample with the full equations of motion, from a state of its
+/// own.
+struct Segment {
+  std::size_t record = 0;
+  int fold = 0;
+  double time_s = 0, in_record_s = 0;  ///< of its middle: of record_times, since the record began
+  double sample_s = 0;
+  Eigen::MatrixXd excitation;  ///< excitation channels x (2*samples - 1), every half sample; empty: none
+  Eigen::MatrixXd response;    ///< response channels x samples
+  Eigen::VectorXd noise_sd;    ///< response channels
+  int substeps = 1;
+};
+
+enum class SegmentLength {
+  turns,  ///< some turns of the lowest mode
+  whole   ///< all that the window holds of a record
+};
+
+/// How segments are cut.
+struct SegmentCut {
+  Window window;
+  SegmentLength length = SegmentLength::turns;
+  Eigen::Index most_samples = 0;  ///< in all; of no effect on whole ones
+  std::optional<Band> band;       ///< free decays pass through it first
+};
+
+/// Free decays, impacts, sweeps and broadband records as segments, evenly spread over the record where it holds
+/// more samples than are needed. Decays begin where the structure swings freely (with a band: as much later as its
+/// filter reaches). Samples are thinned where the record is much faster than the highest mode. Throws InputError
+/// for driven records with a band: their excitation would have to pass too, and what is nonlinear answers to all of
+/// it.
+std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& read, const SensorModel& sensors,
+                                  const std::vector<double>& natural_frequency, const SegmentCut& cut,
+                                  std::vector<std::string>& warnings);
+
+}  // namespace secular

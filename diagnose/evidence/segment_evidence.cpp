@@ -1,0 +1,385 @@
+#include "diagnose/evidence/segment_evidence.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "diagnose/evidence/saturation.hpp"
+#include "numerics/hertz.hpp"
+
+namespace secular {
+namespace {
+
+/// Fewest segments of one decay that tell a repeatability.
+constexpr std::size_t fewest_segments = 8;
+
+/// What remains of a decay's segments changes by this factor's logarithm from one to the next, beyond any smooth
+/// law, where the record itself is disturbed (slips of its clock, knocks).
+constexpr double irregular = 0.3;
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Orthonormal columns that span what `columns` adds to `basis`.
+MatrixXd beyond(const MatrixXd& basis, MatrixXd columns) {
+  for (int pass = 0; pass < 2; ++pass)
+    if (basis.cols() > 0) columns -= basis * (basis.transpose() * columns);
+  for (Index i = 0; i < columns.cols(); ++i) {
+    for (int pass = 0; pass < 2; ++pass)
+      for (Index j = 0; j < i; ++j) columns.col(i) -= columns.col(j) * columns.col(j).dot(columns.col(i));
+    const double length = columns.col(i).norm();
+    if (length > 1e-12)
+      columns.col(i) /= length;
+    else
+      columns.col(i).setZero();
+  }
+  return columns;
+}
+
+// Standard deviation of what is independent from one value to the next: third differences of that have 20 times its
+// variance, those of a smooth law next to none. By the median of |normal|, 0.6745.
+double roughness(const std::vector<double>& values) {
+  std::vector<double> third;
+  for (std::size_t i = 0; i + 3 < values.size(); ++i)
+    third.push_back(std::abs(values[i + 3] - 3 * values[i + 2] + 3 * values[i + 1] - values[i]));
+  const auto middle = third.begin() + static_cast<std::ptrdiff_t>(third.size() / 2);
+  std::nth_element(third.begin(), middle, third.end());
+  return *middle / (0.6745 * std::sqrt(20.0));
+}
+
+// Variance of what is white in a series, channel after channel: third differences of it have 20 times its variance,
+// those of anything sampled this densely have next to none.
+double third_difference_variance(const VectorXd& error, Index samples) {
+  double sum = 0, count = 0;
+  for (Index first = 0; first + samples <= error.size(); first += samples)
+    for (Index i = first; i + 3 < first + samples; ++i) {
+      const double third = error(i + 3) - 3 * error(i + 2) + 3 * error(i + 1) - error(i);
+      sum += third * third / 20;
+      count += 1;
+    }
+  return count > 0 ? sum / count : 1;
+}
+
+}  // namespace
+
+SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateForce> forces, SensorModel sensors,
+                                 FaultTable table, std::vector<Segment> segments)
+    : model_(&model),
+      forces_(std::move(forces)),
+      sensors_(std::move(sensors)),
+      table_(std::move(table)),
+      segments_(std::move(segments)),
+      frozen_(segments_.size()) {
+  for (const Segment& s : segments_) {
+    RowLabel label;
+    label.record = s.record;
+    label.fold = s.fold;
+    label.time_s = s.time_s;
+    label.amplitude = 0.5 * s.response.row(0).cwiseAbs().maxCoeff();
+    label.balance = true;
+    for (std::size_t k = 0; k < model.modes(); ++k)
+      for (const GapComponent component : {GapComponent::conservative, GapComponent::dissipative}) {
+        label.mode = k;
+        label.place = std::string(model.coordinates[k]);
+        label.component = component;
+        label.harmonic = std::string(model.symbols[k].name);
+        labels_.push_back(label);
+      }
+    label.balance = false;
+    label.component = GapComponent::measurement;
+    label.harmonic = "rest of the signal";
+    for (Index c = 0; c < s.response.rows(); ++c) {
+      label.place = sensors_.response_names[static_cast<std::size_t>(c)];
+      labels_.insert(labels_.end(), static_cast<std::size_t>(s.response.cols()), label);
+    }
+  }
+}
+
+Index SegmentEvidence::freedom() const {
+  return size() - static_cast<Index>(4 * model_->modes() * segments_.size());
+}
+
+VectorXd SegmentEvidence::errors(const Segment& s, const VectorXd& unknowns, const VectorXd& state, Index samples,
+                                 const std::vector<LinearChange>& change) const {
+  const std::size_t symbols = model_->symbols.size();
+  const Faults faults = table_.faults(unknowns.data() + symbols);
+  std::vector<double> parameters(unknowns.data(), unknowns.data() + symbols);
+  for (std::size_t k = 0; k < model_->modes(); ++k) parameters[k] *= 1 + faults.frequency_drift[k] * s.time_s;
+  DrivingSignal signal;
+  signal.sample_s = s.sample_s;
+  signal.half_steps = s.excitation;
+  for (Index j = 0; j < signal.half_steps.rows(); ++j) {
+    const ChannelFault& fault = faults.excitation[static_cast<std::size_t>(j)];
+    if (fault.offset != 0) signal.half_steps.row(j).array() -= fault.offset;
+    if (fault.gain != 0) signal.half_steps.row(j) /= 1 + fault.gain;
+    if (fault.delay != 0) {
+      // Measured late: the true signal is ahead by the delay.
+      const Eigen::RowVectorXd late = signal.half_steps.row(j);
+      const double shift = fault.delay / (0.5 * s.sample_s);
+      for (Index i = 0; i < late.size(); ++i) {
+        const double at = std::clamp(static_cast<double>(i) + shift, 0.0, static_cast<double>(late.size() - 1));
+        const auto low = std::min<Index>(static_cast<Index>(at), late.size() - 2);
+        signal.half_steps(j, i) = late(low) + (at - static_cast<double>(low)) * (late(low + 1) - late(low));
+      }
+    }
+  }
+  const bool extra =
+      signal.half_steps.rows() > 0 &&
+      std::any_of(faults.extra.amplitude.begin(), faults.extra.amplitude.end(), [](double a) { return a != 0; });
+  const SideOscillator side{faults.extra.frequency, faults.extra.damping};
+  const StretchOfMotion motion = integrate_stretch(*model_, forces_, parameters, signal, state, samples, s.substeps,
+                                                   change, extra ? &side : nullptr);
+  MatrixXd shapes = sensors_.shapes;
+  if (!faults.mixing.isZero(0)) shapes += sensors_.shapes * faults.mixing;
+  MatrixXd seen = shapes * (sensors_.derivatives == 2   ? motion.acceleration
+                            : sensors_.derivatives == 1 ? motion.velocity
+                                                        : motion.displacement);
+  VectorXd all(seen.rows() * samples);
+  for (Index c = 0; c < seen.rows(); ++c) {
+    const ChannelFault& fault = faults.response[static_cast<std::size_t>(c)];
+    if (extra) seen.row(c) += faults.extra.amplitude[static_cast<std::size_t>(c)] * motion.side;
+    if (fault.cross != 0 && signal.half_steps.rows() > 0)
+      for (Index i = 0; i < samples; ++i) seen(c, i) += fault.cross * signal.half_steps(0, 2 * i);
+    if (fault.delay != 0) {
+      const Eigen::RowVectorXd prompt = seen.row(c);
+      const double shift = fault.delay / s.sample_s;
+      for (Index i = 0; i < samples; ++i) {
+        const Index low = std::clamp<Index>(i, 1, samples - 2);
+        seen(c, i) = prompt(i) - shift * 0.5 * (prompt(low + 1) - prompt(low - 1));
+      }
+    }
+    seen.row(c) *= 1 + fault.gain;
+    if (fault.saturates())
+      for (double& reading : seen.row(c)) reading = saturated(reading, fault.level(), s.noise_sd(c));
+    seen.row(c).array() += fault.offset;
+    all.segment(c * samples, samples) = (s.response.row(c).head(samples) - seen.row(c)).transpose() / s.noise_sd(c);
+  }
+  return all;
+}
+
+// Displacements and velocities at the first sample by a sinusoid at every natural frequency over the first turns.
+VectorXd SegmentEvidence::guessed_state(const Segment& s, const VectorXd& unknowns) const {
+  const auto modes = static_cast<Index>(model_->modes());
+  const MatrixXd modal = sensors_.filter * s.response;
+  VectorXd state = VectorXd::Zero(2 * modes);
+  for (Index k = 0; k < modes; ++k) {
+    const double w = unknowns(k);
+    const auto samples = static_cast<Index>(
+        std::min(static_cast<double>(s.response.cols()), std::floor(1.2 * two_pi / w / s.sample_s) + 3));
+    const Eigen::ArrayXd phase =
+        Eigen::ArrayXd::LinSpaced(samples, 0, static_cast<double>(samples - 1)) * (w * s.sample_s);
+    MatrixXd waves(samples, 3);
+    waves.col(0) = phase.cos();
+    waves.col(1) = phase.sin();
+    waves.col(2).setOnes();
+    const VectorXd fit = waves.colPivHouseholderQr().solve(modal.row(k).head(samples).transpose());
+    // Of the measured quantity; divided by i w as often as it is differentiated.
+    std::complex<double> amplitude(fit(0), -fit(1));
+    for (int d = 0; d < sensors_.derivatives; ++d) amplitude /= std::complex<double>(0, w);
+    state(k) = amplitude.real();
+    state(modes + k) = (amplitude * std::complex<double>(0, w)).real();
+  }
+  return state;
+}
+
+double SegmentEvidence::improve_state(const Segment& s, const VectorXd& unknowns, VectorXd& state,
+                                      Index samples) const {
+  const auto size = static_cast<Index>(2 * model_->modes());
+  const std::vector<LinearChange> unchanged;
+  // Scales of displacement and velocity from the channels.
+  const double frequency = unknowns(0);
+  const double largest = s.response.cwiseAbs().maxCoeff() /
+                         std::max(1e-300, sensors_.shapes.cwiseAbs().maxCoeff()) /
+                         std::pow(frequency, sensors_.derivatives);
+  VectorXd step(size);
+  step.head(size / 2).setConstant(1e-4 * largest);
+  step.tail(size / 2).setConstant(1e-4 * largest * frequency);
+  VectorXd error = errors(s, unknowns, state, samples, unchanged);
+  for (int i = 0; i < 10; ++i) {
+    MatrixXd slope(error.size(), size);
+    for (Index k = 0; k < size; ++k) {
+      VectorXd moved = state;
+      moved(k) += step(k);
+      slope.col(k) = errors(s, unknowns, moved, samples, unchanged) - error;
+    }
+    const VectorXd change = -slope.colPivHouseholderQr().solve(error);
+    if (!change.allFinite()) break;
+    double factor = 1, gain = -1;
+    for (int half = 0; half < 5 && gain < 0; ++half, factor *= 0.3) {
+      const VectorXd moved = state + factor * change.cwiseProduct(step);
+      const VectorXd next = errors(s, unknowns, moved, samples, unchanged);
+      if (!(next.squaredNorm() < error.squaredNorm())) continue;
+      gain = error.squaredNorm() - next.squaredNorm();
+      state = moved;
+      error = next;
+    }
+    if (gain < 1e-3 + 1e-6 * error.squaredNorm()) break;
+  }
+  return error.squaredNorm();
+}
+
+void SegmentEvidence::find_state(const Segment& s, const VectorXd& unknowns, VectorXd& state) const {
+  const Index samples = s.response.cols();
+  // A long stretch has many minima: a new state is found from its beginning on, and the better one stays.
+  VectorXd fresh = guessed_state(s, unknowns);
+  for (const Index part : {samples / 8, samples / 3})
+    if (part > 8) improve_state(s, unknowns, fresh, part);
+  const double fresh_error = improve_state(s, unknowns, fresh, samples);
+  if (state.size() > 0 && improve_state(s, unknowns, state, samples) <= fresh_error) return;
+  state = fresh;
+}
+
+void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
+  const std::vector<LinearChange> unchanged;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const Segment& s = segments_[i];
+    Frozen& f = frozen_[i];
+    find_state(s, unknowns, f.state);
+    const Index samples = s.response.cols();
+    const VectorXd error = errors(s, unknowns, f.state, samples, unchanged);
+    f.widening = 1;
+    if (coarse > 0) {
+      const double size = (s.response.rowwise().norm().array() / s.noise_sd.array()).maxCoeff() /
+                          std::sqrt(static_cast<double>(samples));
+      f.widening = std::hypot(1.0, std::sqrt(coarse) * size);
+    }
+    const auto modes = static_cast<Index>(model_->modes());
+    MatrixXd slope(error.size(), 2 * modes);
+    const VectorXd size = f.state.cwiseAbs().cwiseMax(1e-3 * f.state.cwiseAbs().maxCoeff() + 1e-30);
+    for (Index k = 0; k < 2 * modes; ++k) {
+      VectorXd moved = f.state;
+      moved(k) += 1e-4 * size(k);
+      slope.col(k) = (errors(s, unknowns, moved, samples, unchanged) - error) / (1e-4 * size(k));
+      slope.col(k) *= size(k);
+    }
+    f.state_basis = beyond(MatrixXd(error.size(), 0), slope);
+    MatrixXd changes(error.size(), 2 * modes);
+    for (Index k = 0; k < modes; ++k) {
+      const double w = unknowns(k);
+      std::vector<LinearChange> change(static_cast<std::size_t>(modes));
+      change[static_cast<std::size_t>(k)].stiffness = 1e-6 * w * w;
+      changes.col(2 * k) = (errors(s, unknowns, f.state, samples, change) - error) * 1e6;
+      change[static_cast<std::size_t>(k)] = {0, 1e-6 * w};
+      changes.col(2 * k + 1) = (errors(s, unknowns, f.state, samples, change) - error) * 1e6;
+    }
+    f.change_basis = beyond(f.state_basis, changes);
+    // Far from the data there is no repeatability to measure: the channels' noise, widened, is the error.
+    if (coarse > 0 || !f.measured) {
+      const double start = coarse > 0 ? 1 : 1e-3;
+      f.change_sd = VectorXd::Constant(2 * modes, start);
+      f.rest_sd = start;
+      f.measured = coarse == 0;
+    }
+  }
+  if (coarse == 0) measure_repeatability(unknowns);
+}
+
+void SegmentEvidence::measure_repeatability(const VectorXd& unknowns) {
+  std::vector<VectorXd> changes;
+  std::vector<double> rest, white;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const Frozen& f = frozen_[i];
+    const VectorXd error = errors(segments_[i], unknowns, f.state, segments_[i].response.cols(), {});
+    changes.push_back(f.change_basis.transpose() * error);
+    white.push_back(third_difference_variance(error, segments_[i].response.cols()));
+    const double squares =
+        error.squaredNorm() - (f.state_basis.transpose() * error).squaredNorm() - changes.back().squaredNorm();
+    rest.push_back(std::sqrt(std::max(0.0, squares) /
+                             static_cast<double>(error.size() - f.state_basis.cols() - f.change_basis.cols())));
+  }
+  for (std::size_t first = 0; first < segments_.size();) {
+    std::size_t end = first + 1;
+    while (end < segments_.size() && segments_[end].record == segments_[first].record) ++end;
+    // What is white in the errors, whatever the channel's noise floor was taken for.
+    double variance = 0;
+    for (std::size_t i = first; i < end; ++i) variance += white[i] / static_cast<double>(end - first);
+    const double level = std::max(1e-3, std::sqrt(variance));
+    for (std::size_t i = first; i < end; ++i) {
+      // A repeatability is not taken back by an explanation that fits better.
+      frozen_[i].rest_sd = std::max(level, frozen_[i].rest_sd);
+      frozen_[i].change_sd = frozen_[i].change_sd.cwiseMax(level);
+    }
+    if (segments_[first].excitation.cols() == 0 && end - first >= fewest_segments) {
+      const auto begin = rest.begin() + static_cast<std::ptrdiff_t>(first);
+      std::vector<double> quiet(begin, begin + static_cast<std::ptrdiff_t>(end - first)), logarithm;
+      for (const double r : quiet) logarithm.push_back(std::log(std::max(r, level)));
+      const bool disturbed = roughness(logarithm) > irregular;
+      std::nth_element(quiet.begin(), quiet.begin() + static_cast<std::ptrdiff_t>(quiet.size() / 4), quiet.end());
+      for (std::size_t i = first; i < end; ++i) {
+        frozen_[i].rest_sd = std::max(frozen_[i].rest_sd, quiet[quiet.size() / 4]);
+        frozen_[i].disturbance = disturbed ? rest[i] : 0;
+      }
+      for (Index row = 0; row < changes[first].size(); ++row) {
+        std::vector<double> series;
+        for (std::size_t i = first; i < end; ++i) series.push_back(changes[i](row));
+        const double sd = roughness(series);
+        for (std::size_t i = first; i < end; ++i)
+          frozen_[i].change_sd(row) = std::max(frozen_[i].change_sd(row), sd);
+      }
+    }
+    first = end;
+  }
+}
+
+void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const {
+  if (!has_frequencies(unknowns, model_->modes())) {
+    rows.setConstant(std::numeric_limits<double>::infinity());
+    return;
+  }
+  Index first = 0;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const Frozen& f = frozen_[i];
+    VectorXd error = errors(segments_[i], unknowns, f.state, segments_[i].response.cols(), {}) / f.widening;
+    error -= f.state_basis * (f.state_basis.transpose() * error);
+    const VectorXd changes = f.change_basis.transpose() * error;
+    rows.segment(first, changes.size()) = changes.cwiseQuotient(f.change_sd);
+    rows.segment(first + changes.size(), error.size()) =
+        (error - f.change_basis * changes) / std::max(f.rest_sd, f.disturbance);
+    first += changes.size() + error.size();
+  }
+}
+
+std::vector<SegmentEvidence::Disturbed> SegmentEvidence::disturbed() const {
+  std::vector<Disturbed> records;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    if (frozen_[i].disturbance == 0) continue;
+    if (records.empty() || records.back().record != segments_[i].record)
+      records.push_back({segments_[i].record, 0, {}});
+    Disturbed& record = records.back();
+    ++record.segments;
+    if (frozen_[i].disturbance > 2 * frozen_[i].rest_sd) record.worst_s.push_back(segments_[i].in_record_s);
+  }
+  return records;
+}
+
+VectorXd SegmentEvidence::mean_square_error(const VectorXd& unknowns) const {
+  const auto channels = static_cast<Index>(sensors_.response_names.size());
+  VectorXd sum = VectorXd::Zero(channels);
+  double count = 0;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const Segment& s = segments_[i];
+    VectorXd state = frozen_[i].state;
+    find_state(s, unknowns, state);
+    const Index samples = s.response.cols();
+    const VectorXd error = errors(s, unknowns, state, samples, {});
+    for (Index c = 0; c < channels; ++c)
+      sum(c) += error.segment(c * samples, samples).squaredNorm() * s.noise_sd(c) * s.noise_sd(c);
+    count += static_cast<double>(samples);
+  }
+  return sum / count;
+}
+
+VectorXd SegmentEvidence::mean_square_signal() const {
+  VectorXd sum = VectorXd::Zero(static_cast<Index>(sensors_.response_names.size()));
+  double count = 0;
+  for (const Segment& s : segments_) {
+    sum += s.response.rowwise().squaredNorm();
+    count += static_cast<double>(s.response.cols());
+  }
+  return sum / count;
+}
+
+}  // namespace secular

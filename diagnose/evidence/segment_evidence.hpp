@@ -1,0 +1,70 @@
+#pragma once
+
+#include "diagnose/evidence/discrepancy.hpp"
+#include "diagnose/evidence/segment.hpp"
+
+namespace secular {
+
+/// Evidence of free decays, impacts, sweeps and broadband records: what the full equations of motion do from a
+/// state of each segment's own, sample by sample. The state is eliminated to first order about its best value. The
+/// first rows of a segment are the errors that a change of every mode's stiffness and damping would make, the
+/// conservative and the dissipative part of the discrepancy; the others hold the rest. Over a long decay those
+/// first rows follow a smooth law of the amplitude, whatever the model lacks: how rough they are from segment to
+/// segment is their repeatability (a clock that is not even, a knock), where that is more than the noise explains.
+/// That of the other rows is what a quarter of the segments stays below: what a model lacks grows and falls with
+/// the amplitude. Where they come and go from segment to segment by no law of the amplitude, the record is
+/// disturbed, and no segment's other rows count for more than they hold.
+class SegmentEvidence : public Evidence {
+ public:
+  SegmentEvidence(const CompiledModel& model, std::vector<StateForce> forces, SensorModel sensors, FaultTable table,
+                  std::vector<Segment> segments);
+
+  Eigen::Index size() const override { return static_cast<Eigen::Index>(labels_.size()); }
+  Eigen::Index freedom() const override;
+  const std::vector<RowLabel>& labels() const override { return labels_; }
+  void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
+  void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
+
+  /// A decay whose segments depart from any smooth law of the amplitude: how many it has, and the middles of those
+  /// that depart by more than twice the quiet ones, in seconds of the record.
+  struct Disturbed {
+    std::size_t record = 0, segments = 0;
+    std::vector<double> worst_s;
+  };
+  std::vector<Disturbed> disturbed() const;
+
+  /// Mean square of the error over all samples, by response channel, in the square of its unit; every segment from
+  /// its best state.
+  Eigen::VectorXd mean_square_error(const Eigen::VectorXd& unknowns) const;
+  /// That of the channels themselves.
+  Eigen::VectorXd mean_square_signal() const;
+
+ private:
+  struct Frozen {
+    Eigen::VectorXd state;
+    Eigen::MatrixXd state_basis, change_basis;  // samples*channels x 2 modes, orthonormal
+    Eigen::VectorXd change_sd;                  // repeatability of the first rows
+    double rest_sd = 1;                         // and of the others
+    bool measured = false;                      // whether these two come from the segments
+    double disturbance = 0;                     // what the others hold in a disturbed record; else 0
+    double widening = 1;                        // errors times this
+  };
+  Eigen::VectorXd errors(const Segment& segment, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& state,
+                         Eigen::Index samples, const std::vector<LinearChange>& change) const;
+  void measure_repeatability(const Eigen::VectorXd& unknowns);
+  Eigen::VectorXd guessed_state(const Segment& segment, const Eigen::VectorXd& unknowns) const;
+  /// Gauss-Newton over the first `samples`; returns the sum of squared errors.
+  double improve_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state,
+                       Eigen::Index samples) const;
+  void find_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state) const;
+
+  const CompiledModel* model_;
+  std::vector<StateForce> forces_;
+  SensorModel sensors_;
+  FaultTable table_;
+  std::vector<Segment> segments_;
+  std::vector<Frozen> frozen_;
+  std::vector<RowLabel> labels_;
+};
+
+}  // namespace secular

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "estimator/model/compiled_model.hpp"
+#include "motion/balance/motion_balance.hpp"
+
+namespace secular {
+
+/// A small change of every mode's equation of motion: acceleration -stiffness*q - damping*dq/dt (1/s^2, 1/s).
+struct LinearChange {
+  double stiffness = 0, damping = 0;
+};
+
+/// An equation beside the model: x'' + 2 damping frequency x' + frequency^2 x = first excitation.
+struct SideOscillator {
+  double frequency = 1, damping = 0;
+};
+
+/// What drives a stretch of motion: values at even steps of half a sample, model's excitations x (2*samples - 1).
+struct DrivingSignal {
+  Eigen::MatrixXd half_steps;
+  double sample_s = 0;
+};
+
+/// A stretch of motion at its samples.
+struct StretchOfMotion {
+  Eigen::MatrixXd displacement, velocity, acceleration;  ///< modes x samples
+  Eigen::RowVectorXd side;                               ///< x'' of the side oscillator (empty without)
+};
+
+/// Integrates the full equations of motion over evenly spaced samples: fourth-order Runge-Kutta with `substeps`
+/// equal steps from sample to sample, the driving signal interpolated by parabolas. `state`: displacements, then
+/// velocities. Sliders among `forces` start unstretched. Samples after a state beyond 1e6 times its start stay
+/// zero.
+StretchOfMotion integrate_stretch(const CompiledModel& model, const std::vector<StateForce>& forces,
+                                  std::span<const double> parameters, const DrivingSignal& signal,
+                                  const Eigen::VectorXd& state, Eigen::Index samples, int substeps,
+                                  const std::vector<LinearChange>& change, const SideOscillator* side);
+
+}  // namespace secular

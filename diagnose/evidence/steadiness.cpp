@@ -1,0 +1,29 @@
+#include "diagnose/evidence/steadiness.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace secular {
+
+Unsteadiness judge_steadiness(const std::vector<Wander>& wander, const Campaign& campaign) {
+  const WanderTest test = test_wander(wander);
+  Unsteadiness unsteady{test.p_value < unsteady_alarm, test.p_value, test.ratio, ""};
+  if (unsteady.detected) unsteady.record = campaign.records[test.record].file;
+  return unsteady;
+}
+
+std::vector<std::string> leave_out_unsteady(std::vector<Condition>& conditions, const std::vector<Wander>& wander,
+                                            const Campaign& campaign) {
+  std::set<std::size_t> records;
+  for (const Wander& w : wander)
+    if (is_unsteady(w)) records.insert(w.record);
+  const auto unsteady = [&](const Condition& c) { return records.contains(c.record); };
+  const auto count = std::count_if(conditions.begin(), conditions.end(), unsteady);
+  if (count == 0 || 2 * static_cast<std::size_t>(count) > conditions.size()) return {};
+  std::erase_if(conditions, unsteady);
+  std::vector<std::string> files;
+  for (const std::size_t record : records) files.push_back(campaign.records[record].file);
+  return files;
+}
+
+}  // namespace secular

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "diagnose/inference/refit.hpp"
+
+namespace secular {
+
+/// Rows of every fold as predicted by a fit that never saw that fold.
+struct HeldOut {
+  Eigen::VectorXd rows;
+  bool possible = false;  ///< false: fewer than three folds; rows are then those of the fit itself
+};
+
+/// Folds are gathered into at most `groups` groups that mix them; each is predicted from the others by two
+/// Gauss-Newton steps from the fit to everything.
+HeldOut predict_held_out(const Discrepancy& discrepancy, const Refit& fit, const std::vector<RowLabel>& labels,
+                         int groups = 8);
+
+/// Shares of the gap closed and its spread when conditions are drawn again (bootstrap, seeded).
+struct ClosedShare {
+  double before = 0, after = 0, closed = 0, low = 0, high = 0;
+};
+ClosedShare closed_share(const Eigen::VectorXd& before, const Eigen::VectorXd& after,
+                         const std::vector<RowLabel>& labels, double floor);
+
+/// Share of the gap of `null` that a column closes which means nothing, as a control on what is said of those that
+/// mean something: `signature`, the change of the rows by an explanation, with a sign drawn for every condition
+/// (seeded; mean over several draws), fitted to first order with all of the null's unknowns beside it and judged on
+/// conditions that were held out. Zero but for chance. Nothing with fewer than three folds.
+std::optional<double> placebo_closed(const Refit& null, const Eigen::VectorXd& signature,
+                                     const std::vector<RowLabel>& labels, double floor, int groups = 8);
+
+}  // namespace secular

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/effects/candidate.hpp"
+#include "diagnose/inference/refit.hpp"
+
+namespace secular {
+
+/// One or more candidates together, with everything of the model's own fitted beside them.
+struct Explanation {
+  std::vector<std::size_t> members;  ///< indices of candidates; empty: the model as it is
+  Refit fit;
+  std::size_t unknowns = 0;  ///< that it has beyond the model's own
+  double log_evidence = 0;
+};
+
+/// An explanation's unknowns with these candidates switched off.
+Eigen::VectorXd switched_off(Eigen::VectorXd unknowns, const std::vector<std::size_t>& members,
+                             const std::vector<Candidate>& candidates);
+
+/// What the candidates explain.
+struct Inference {
+  Explanation null;                       ///< own parameters alone
+  std::vector<Explanation> explanations;  ///< singles and pairs that were fitted, likeliest first; null is not here
+  double dispersion = 1;                  ///< variance of the rows about the best explanation
+  double degrees_of_freedom = 0;          ///< of the rows about the null
+  std::vector<double> linear_gain;        ///< by candidate: fall of chi-squared to first order at the null
+};
+
+struct InferenceOptions {
+  unsigned threads = 1;
+  /// Unknowns whose start is trusted more than a model that is far from the data: held until one explanation is
+  /// near.
+  std::vector<std::size_t> anchors;
+  double prior_second = 1e-3;    ///< prior odds of a second effect beside a first
+  double prior_open_law = 1e-3;  ///< of a single law outside of the catalogue instead of one in it
+};
+
+/// Fits every candidate that shows at first order, with all `own` unknowns free beside it, and pairs of the best
+/// with the rest. Evidence: Schwarz's approximation with rows of the dispersion that the best explanation leaves,
+/// and equal prior odds for every candidate of the catalogue. Open laws compete alone only: a single law that the
+/// catalogue lacks looks like two that it holds.
+Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidates, const Eigen::VectorXd& start,
+                const std::vector<std::size_t>& own, const InferenceOptions& options);
+
+/// Expected fall of chi-squared if `truth` (a fitted explanation) is right and `rival` is fitted in its place, to
+/// first order: |(1 - P) C theta|^2 with P on the columns of rival and own unknowns. Below about six, data like
+/// these cannot tell the two apart.
+double expected_separation(const Explanation& truth, const Explanation& rival, const Explanation& null);
+
+}  // namespace secular

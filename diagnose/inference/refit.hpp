@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "diagnose/evidence/discrepancy.hpp"
+
+namespace secular {
+
+/// Least squares over some of the unknowns.
+struct Refit {
+  Eigen::VectorXd unknowns;
+  Eigen::VectorXd rows;  ///< at the end
+  double chi_squared = 0;
+  std::vector<std::size_t> free;  ///< unknowns that were fitted
+  Eigen::VectorXd scale;          ///< by free unknown: a change of it that moves the rows by about one
+  Eigen::MatrixXd jacobian;       ///< rows x free, per scaled unknown
+  Eigen::Index rank = 0;
+  Eigen::MatrixXd covariance;  ///< of the free unknowns, for rows of unit variance; identifiable directions only
+  std::vector<bool> identifiable;  ///< by free unknown
+  bool converged = false;
+};
+
+struct RefitOptions {
+  int iterations = 25;
+  unsigned threads = 1;
+  double damping = 0;           ///< at first: holds back what the rows hardly see, far from the goal
+  Eigen::VectorXd scale_guess;  ///< of unit_slopes
+};
+
+/// Slopes of the rows, per change of each unknown that moves them by one standard deviation in all.
+struct UnitSlopes {
+  Eigen::VectorXd scale;    ///< that change; 0 where nothing moves the rows
+  Eigen::MatrixXd columns;  ///< rows x unknowns, of unit length
+};
+
+/// `guess`: scales to begin with, by unknown of the discrepancy, 0 where none is known; or empty.
+UnitSlopes unit_slopes(const Discrepancy& discrepancy, const Eigen::VectorXd& unknowns,
+                       const std::vector<std::size_t>& which, const Eigen::VectorXd& guess, unsigned threads);
+
+/// Levenberg-Marquardt with differences. Directions that the rows do not see stay where they start.
+Refit refit(const Discrepancy& discrepancy, const Eigen::VectorXd& start, const std::vector<std::size_t>& free,
+            const RefitOptions& options = {});
+
+}  // namespace secular

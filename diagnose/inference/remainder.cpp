@@ -1,0 +1,117 @@
+#include "diagnose/inference/remainder.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "diagnose/inference/screening.hpp"
+#include "numerics/distribution.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Balances with fewer rows say nothing of how they change.
+constexpr std::size_t fewest_rows = 8;
+
+/// A function of which the fitted unknowns leave no more than this share is theirs.
+constexpr double rounding = 1e-6;
+
+/// Settings that differ by this share were meant to be the same.
+constexpr double same_setting = 1e-3;
+
+/// The best explanation leaves structure where noise alone would leave as much less often than this.
+constexpr double remainder_alarm = 1e-4;
+
+/// An explanation that leaves structure is still the cause if what it leaves beyond repeatability is this share of
+/// what was there,
+constexpr double small_remainder = 0.1;
+
+/// and if held-out conditions show that at least this share was closed (the lower end of its interval).
+constexpr double least_closing = 0.5;
+
+/// One row counts with no more standard deviations than this: outliers are no smooth function.
+constexpr double largest_row = 3;
+
+// Ranks from -1 to 1, equal ones alike: one dwell far from all others has no more weight than they.
+VectorXd ranks(const VectorXd& x) {
+  std::vector<double> sorted(x.begin(), x.end());
+  std::sort(sorted.begin(), sorted.end());
+  const double most = std::max(1.0, static_cast<double>(x.size() - 1));
+  return x.unaryExpr([&](double value) {
+    const double close = same_setting * std::abs(value);
+    const auto first = std::lower_bound(sorted.begin(), sorted.end(), value - close),
+               last = std::upper_bound(sorted.begin(), sorted.end(), value + close);
+    return static_cast<double>((first - sorted.begin()) + (last - sorted.begin()) - 1) / most - 1;
+  });
+}
+
+using Balance = std::tuple<std::string, std::string, GapComponent>;
+
+}  // namespace
+
+SmoothRemainder smooth_remainder(const Refit& fit, const std::vector<RowLabel>& labels) {
+  std::map<Balance, std::vector<Index>> balances;
+  for (std::size_t r = 0; r < labels.size(); ++r) {
+    const RowLabel& label = labels[r];
+    if (label.balance && label.amplitude > 0)
+      balances[{label.place, label.harmonic, label.component}].push_back(static_cast<Index>(r));
+  }
+  MatrixXd functions(fit.rows.size(), 0);
+  for (const auto& [balance, rows] : balances) {
+    if (rows.size() < fewest_rows) continue;
+    const auto count = static_cast<Index>(rows.size());
+    VectorXd amplitude(count), level(count), frequency(count), time(count);
+    for (Index i = 0; i < count; ++i) {
+      const RowLabel& label = labels[static_cast<std::size_t>(rows[static_cast<std::size_t>(i)])];
+      amplitude(i) = label.amplitude;
+      level(i) = label.level;
+      frequency(i) = label.frequency;
+      time(i) = label.time_s;
+    }
+    const VectorXd a = ranks(amplitude), l = ranks(level), f = ranks(frequency), t = ranks(time);
+    MatrixXd columns(count, 9);
+    columns << VectorXd::Ones(count), a, a.cwiseAbs2(), a.cwiseProduct(a.cwiseAbs2()), l, l.cwiseAbs2(), f,
+        f.cwiseAbs2(), t;
+    const Index before = functions.cols();
+    functions.conservativeResize(Eigen::NoChange, before + columns.cols());
+    functions.rightCols(columns.cols()).setZero();
+    functions(rows, Eigen::seqN(before, columns.cols())) = columns;
+  }
+  SmoothRemainder result;
+  if (functions.cols() == 0) return result;
+  MatrixXd beside = without_span(basis_of(fit.jacobian), functions);
+  for (Index c = 0; c < beside.cols(); ++c)
+    if (!(beside.col(c).norm() > rounding * functions.col(c).norm())) beside.col(c).setZero();
+  const MatrixXd basis = basis_of(beside);
+  result.squares = (basis.transpose() * fit.rows.cwiseMin(largest_row).cwiseMax(-largest_row)).squaredNorm();
+  result.freedom = static_cast<double>(basis.cols());
+  if (basis.cols() > 0) result.p_value = chi_squared_upper_tail(result.squares, result.freedom);
+  return result;
+}
+
+Remainder remainder_of(const Refit& fit, const std::vector<RowLabel>& labels, double freedom, double explained) {
+  const SmoothRemainder smooth = smooth_remainder(fit, labels);
+  Remainder left;
+  left.p_value = chi_squared_upper_tail(fit.chi_squared, freedom - static_cast<double>(fit.rank));
+  left.smooth_p_value = smooth.p_value;
+  left.smooth_share = smooth.excess() > 0 ? std::sqrt(smooth.excess() / (smooth.excess() + explained)) : 0;
+  return left;
+}
+
+bool leaves_structure(const Remainder& remainder, const ClosedShare& closing, double floor) {
+  const auto beyond_floor = [&](double rms) { return std::sqrt(std::max(0.0, rms * rms - floor * floor)); };
+  const bool is_shown = closing.low >= least_closing;
+  const bool little = is_shown && beyond_floor(closing.after) <= small_remainder * beyond_floor(closing.before);
+  const bool little_smooth = is_shown && remainder.smooth_share <= small_remainder;
+  return (remainder.p_value < remainder_alarm && !little) ||
+         (remainder.smooth_p_value < remainder_alarm && !little_smooth);
+}
+
+}  // namespace secular

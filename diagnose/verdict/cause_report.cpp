@@ -1,0 +1,69 @@
+#include "diagnose/verdict/cause_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+
+/// Predicting what was held out takes longer than all else that a report says.
+constexpr std::size_t most_closed_shares = 6;
+
+double sd_of(const Refit& fit, std::size_t unknown, double dispersion) {
+  const auto at = static_cast<Index>(std::find(fit.free.begin(), fit.free.end(), unknown) - fit.free.begin());
+  return std::sqrt(std::max(0.0, fit.covariance(at, at) * dispersion));
+}
+
+}  // namespace
+
+std::vector<CauseReport> CauseReporter::causes(const std::vector<Rival>& rivals) const {
+  std::vector<CauseReport> found;
+  std::map<std::string, std::size_t> places;
+  for (const Rival& r : rivals) {
+    const Refit& fit = r.explanation->fit;
+    for (std::size_t m = 0; m < r.effects.size(); ++m) {
+      const bool own = r.explanation->members.empty();
+      const Candidate* candidate = own ? nullptr : &candidates[r.explanation->members[m]];
+      const std::string key = r.effects[m] + "\n" + (candidate ? candidate->subject : "");
+      const auto [place, fresh] = places.emplace(key, found.size());
+      if (!fresh) {
+        found[place->second].probability += r.probability;
+        continue;
+      }
+      CauseReport cause;
+      cause.effect = r.effects[m];
+      cause.probability = r.probability;
+      if (candidate) {
+        const std::size_t strength = candidate->strengths.front();
+        cause.subject = candidate->subject;
+        cause.coefficient = fit.unknowns(static_cast<Index>(strength));
+        cause.coefficient_name = unknown_names[strength];
+        cause.sd = sd_of(fit, strength, dispersion);
+      }
+      if (r.effects.size() == 1 && found.size() < most_closed_shares) cause.closed = closed_share(*r.explanation);
+      found.push_back(std::move(cause));
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const CauseReport& a, const CauseReport& b) { return a.probability > b.probability; });
+  return found;
+}
+
+OpenLaw CauseReporter::open_law(const Rival& rival) const {
+  const Candidate& law = candidates[rival.explanation->members.front()];
+  const Refit& fit = rival.explanation->fit;
+  const std::size_t exponent = law.shapes.front();
+  return {law.subject, law.effect, fit.unknowns(static_cast<Index>(exponent)), sd_of(fit, exponent, dispersion),
+          rival.probability};
+}
+
+const Rival* best_wrong_cause(const std::vector<Rival>& rivals, const std::vector<std::string>& set) {
+  for (const Rival& r : rivals)
+    if (r.effects.size() == 1 && std::find(set.begin(), set.end(), r.effects.front()) == set.end()) return &r;
+  return nullptr;
+}
+
+}  // namespace secular

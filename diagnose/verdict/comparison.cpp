@@ -1,0 +1,155 @@
+#include "diagnose/verdict/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "diagnose/evidence/line_evidence.hpp"
+#include "diagnose/evidence/observe_conditions.hpp"
+#include "estimator/identification/short_list.hpp"
+#include "input/input_error.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Samples of decays, sweeps and broadband records that are compared, in all.
+constexpr Index most_samples = 6000;
+
+VectorXd start_of(const CompiledModel& model, const FaultTable& faults, const GivenNumbers& given) {
+  VectorXd start = VectorXd::Zero(static_cast<Index>(model.symbols.size() + faults.size()));
+  for (std::size_t s = 0; s < model.symbols.size(); ++s) {
+    const double nominal = s < model.nominal.size() ? model.nominal[s] : NAN;
+    if (std::isfinite(nominal)) start(static_cast<Index>(s)) = nominal;
+    const auto found = given.values.find(std::string(model.symbols[s].name));
+    if (found != given.values.end()) start(static_cast<Index>(s)) = found->second;
+  }
+  for (std::size_t k = 0; k < model.modes(); ++k)
+    if (!(start(static_cast<Index>(k)) > 0))
+      throw InputError(std::string(model.name), "[nominal]",
+                       "gives no natural frequency above zero, " + std::string(model.symbols[k].name),
+                       "a rough one tells which resonance a record excites; or give --parameters");
+  start(static_cast<Index>(model.symbols.size() + faults.extra_frequency())) = start(0);
+  start(static_cast<Index>(model.symbols.size() + faults.extra_damping())) = 0.01;
+  return start;
+}
+
+// Laws with an exponent: a strength then has much the same size whatever the exponent.
+void set_scales(std::vector<StateForce>& forces, const VectorXd& largest, const std::vector<double>& natural) {
+  for (StateForce& force : forces) {
+    const double displacement = std::max(0.5 * largest(static_cast<Index>(force.mode)), 1e-300);
+    force.scale = is_of_velocity(force.law) ? displacement * natural[force.mode] : displacement;
+  }
+}
+
+void check_left_out(const std::set<std::string>& left_out) {
+  const std::vector<std::string> names = effect_names();
+  for (const std::string& name : left_out)
+    if (!std::binary_search(names.begin(), names.end(), name))
+      throw InputError("--without " + name, "", "is no effect of the catalogue",
+                       fmt::format("one of {} is expected", fmt::join(names, ", ")));
+}
+
+std::string unsteady_warning(const Unsteadiness& unsteady) {
+  return fmt::format(
+      "motion varies within dwells by {:.2g} times what the noise beside it explains (p = {:.1g}, "
+      "most in {}) though the excitation is steady: a force that no channel records, or a structure "
+      "that changes from minute to minute, which no effect of the catalogue does",
+      unsteady.ratio, unsteady.p_value, unsteady.record);
+}
+
+}  // namespace
+
+ConditionModel Comparison::condition_model(const CompiledModel& model) const {
+  return ConditionModel(MotionBalance(model, forces), sensors, faults);
+}
+
+std::vector<std::string> Comparison::unknown_names(const CompiledModel& model) const {
+  std::vector<std::string> names;
+  for (const auto& symbol : model.symbols) names.emplace_back(symbol.name);
+  names.insert(names.end(), faults.names().begin(), faults.names().end());
+  return names;
+}
+
+Comparison compare(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+                   const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+                   const DiagnosisOptions& options) {
+  const SensorModel sensors = sensor_model(campaign, model, model.excitations.size() - options.forces.size());
+  const FaultTable faults(model, sensors);
+  check_given(options.given, model, own);
+  Comparison result{.forces = options.forces,
+                    .sensors = sensors,
+                    .faults = faults,
+                    .start = start_of(model, faults, options.given),
+                    .conditions = {},
+                    .candidates = {},
+                    .discrepancy = {},
+                    .apart = {},
+                    .unsteady = {},
+                    .warnings = {}};
+  std::vector<double> natural;
+  for (std::size_t k = 0; k < model.modes(); ++k) natural.push_back(result.start(static_cast<Index>(k)));
+  ObservedConditions observed = observe_conditions(campaign, read, model, sensors, natural, options.window);
+  result.warnings = std::move(observed.warnings);
+  const auto cut = [&](const Window& window, SegmentLength length) {
+    return cut_segments(campaign, read, sensors, natural, {window, length, most_samples, options.band},
+                        result.warnings);
+  };
+  std::vector<Segment> segments = cut(options.window, SegmentLength::turns);
+  if (observed.conditions.empty() && segments.empty())
+    throw InputError(campaign.folder.string(), "",
+                     "holds no record that model " + std::string(model.name) + " can be compared with" +
+                         (result.warnings.empty() ? "" : " (" + result.warnings.front() + ")"),
+                     "settled dwells, free decays, sweeps or broadband records near the model's resonances are "
+                     "expected");
+  result.conditions = std::move(observed.conditions);
+  result.segments = segments.size();
+  result.unsteady = judge_steadiness(observed.wander, campaign);
+  if (result.unsteady.detected) result.warnings.push_back(unsteady_warning(result.unsteady));
+  const std::vector<std::string> left_out = leave_out_unsteady(result.conditions, observed.wander, campaign);
+  if (!left_out.empty())
+    result.warnings.push_back(fmt::format("left out because their motion is not steady: {}", short_list(left_out)));
+  const VectorXd largest = largest_displacements(result.conditions, segments, sensors, natural);
+  set_scales(result.forces, largest, natural);
+  result.candidates = candidates_of(effects, model, sensors, faults, result.conditions, segments, largest);
+  check_left_out(options.left_out);
+  std::erase_if(result.candidates, [&](const Candidate& c) { return options.left_out.contains(c.effect); });
+  if (!result.conditions.empty())
+    result.discrepancy.add(
+        std::make_unique<LineEvidence>(result.condition_model(model), result.conditions, result.start));
+  if (!segments.empty()) {
+    auto evidence = std::make_unique<SegmentEvidence>(model, result.forces, sensors, faults, std::move(segments));
+    result.segment_evidence = evidence.get();
+    result.discrepancy.add(std::move(evidence));
+  }
+  if (options.check) {
+    std::vector<Segment> apart = cut(*options.check, SegmentLength::whole);
+    if (apart.empty())
+      throw InputError("--check-from, --check-to", "",
+                       "hold no part of a free decay, sweep or broadband record of " + campaign.folder.string(),
+                       "a window in seconds of the records' own time is expected");
+    result.apart.emplace(model, result.forces, sensors, faults, std::move(apart));
+  }
+  return result;
+}
+
+std::vector<std::string> disturbed_records(const Comparison& comparison, const Campaign& campaign) {
+  std::vector<std::string> warnings;
+  if (!comparison.segment_evidence) return warnings;
+  for (const SegmentEvidence::Disturbed& d : comparison.segment_evidence->disturbed()) {
+    std::vector<std::string> times;
+    for (const double t : d.worst_s) times.push_back(fmt::format("{:.1f} s", t));
+    warnings.push_back(
+        fmt::format("{}: what the model leaves in its {} segments follows no law of the amplitude (slips of the "
+                    "clock, knocks?){}; it counts as disturbance of the record",
+                    campaign.records[d.record].file, d.segments,
+                    times.empty() ? "" : fmt::format(", most of it about {}", fmt::join(times, ", "))));
+  }
+  return warnings;
+}
+
+}  // namespace secular

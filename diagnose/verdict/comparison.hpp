@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnose/effects/candidate.hpp"
+#include "diagnose/evidence/condition_rows.hpp"
+#include "diagnose/evidence/discrepancy.hpp"
+#include "diagnose/evidence/segment_evidence.hpp"
+#include "diagnose/evidence/steadiness.hpp"
+#include "diagnose/verdict/diagnosis_options.hpp"
+#include "measure/observe/observation_set.hpp"
+
+namespace secular {
+
+/// A campaign made comparable with a model: everything that was measured, as rows that are functions of the
+/// unknowns (symbols of the augmented model, then the faults of the table), and what may explain them.
+struct Comparison {
+  std::vector<StateForce> forces;  ///< with scales from the data
+  SensorModel sensors;
+  FaultTable faults;
+  Eigen::VectorXd start;  ///< given or nominal values; zero where there is neither
+  std::vector<Condition> conditions;
+  std::size_t segments = 0;
+  std::vector<Candidate> candidates;
+  Discrepancy discrepancy;
+  const SegmentEvidence* segment_evidence = nullptr;  ///< part of `discrepancy`; null: there is none
+  std::optional<SegmentEvidence> apart;               ///< of the window to check on
+  Unsteadiness unsteady;
+  std::vector<std::string> warnings;
+
+  ConditionModel condition_model(const CompiledModel& model) const;
+  std::vector<std::string> unknown_names(const CompiledModel& model) const;
+};
+
+/// Throws InputError where options name what is not there, where the model has no rough natural frequency, and
+/// where the campaign holds nothing that the model can be compared with. See diagnose() for the arguments.
+Comparison compare(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+                   const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+                   const DiagnosisOptions& options);
+
+/// Records whose segments depart from every law of the amplitude, a warning each.
+std::vector<std::string> disturbed_records(const Comparison& comparison, const Campaign& campaign);
+
+}  // namespace secular

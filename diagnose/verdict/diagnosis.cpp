@@ -1,0 +1,236 @@
+#include "diagnose/verdict/diagnosis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/inference/held_out.hpp"
+#include "diagnose/verdict/comparison.hpp"
+#include "diagnose/verdict/naming.hpp"
+#include "numerics/distribution.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::VectorXd;
+
+/// A gap is there where noise alone would look like it less often than this.
+constexpr double false_alarm = 0.003;
+
+constexpr const char* metric =
+    "root mean square over held-out rows (balance of every resonant line, lines of every channel) in units "
+    "of measured repeatability";
+
+class Diagnoser {
+ public:
+  Diagnoser(const Campaign& campaign, const CompiledModel& model, const std::vector<std::size_t>& own,
+            Comparison comparison, const DiagnosisOptions& options)
+      : campaign_(campaign), model_(model), own_(own), options_(options), comparison_(std::move(comparison)) {}
+
+  Diagnosis run() {
+    result_.labels = discrepancy().labels();
+    result_.conditions = comparison_.conditions.size() + comparison_.segments;
+    result_.unsteady = comparison_.unsteady;
+    result_.gap.judged = whose_gap(options_.given);
+    result_.gap.metric = metric;
+    InferenceOptions inference_options;
+    inference_options.threads = options_.threads;
+    for (const std::size_t s : own_)
+      if (s < model_.modes()) inference_options.anchors.push_back(s);  // natural frequencies
+    inference_ = infer(comparison_.discrepancy, comparison_.candidates, comparison_.start, own_, inference_options);
+    if (options_.given)
+      judged_ = judge_given(options_.given, model_, own_, discrepancy(), comparison_.start, options_.threads);
+    result_.warnings = comparison_.warnings;
+    for (std::string& warning : disturbed_records(comparison_, campaign_))
+      result_.warnings.push_back(std::move(warning));
+    detect();
+    result_.rows_before = options_.given ? judged_.rows : inference_.null.fit.rows;
+    result_.rows_after = result_.rows_before;
+    if (!result_.gap.detected) {
+      close_without_gap();
+      return std::move(result_);
+    }
+    const std::vector<Rival> all = rivals();
+    std::vector<Rival> named;
+    for (const Rival& r : all)
+      if (!r.open_law) named.push_back(r);
+    const Naming naming = name_cause(all, named);
+    share_out();
+    result_.next_experiment = propose_experiment(named, naming, comparison_.condition_model(model_),
+                                                 comparison_.conditions, inference_.dispersion, options_.threads);
+    if (best_) simulate();
+    return std::move(result_);
+  }
+
+ private:
+  const Discrepancy& discrepancy() const { return comparison_.discrepancy; }
+
+  VectorXd held_out_rows(const Explanation& explanation) const {
+    return predict_held_out(discrepancy(), explanation.fit, result_.labels).rows;
+  }
+
+  void detect() {
+    GapReport& gap = result_.gap;
+    // With error bars the sum of all squares is that of the numbers that fit best: how far these are is another
+    // question.
+    const bool exactly = gap.judged == Judged::given;
+    const double chi_squared = exactly ? judged_.rows.squaredNorm() : inference_.null.fit.chi_squared;
+    const double freedom =
+        exactly ? static_cast<double>(discrepancy().freedom() - judged_.rank) : inference_.degrees_of_freedom;
+    const double omnibus = chi_squared_upper_tail(chi_squared, freedom);
+    // The best single candidate on its own, corrected for having been looked for.
+    double targeted = 1;
+    const std::vector<Candidate>& candidates = comparison_.candidates;
+    for (std::size_t c = 0; c < candidates.size(); ++c)
+      targeted = std::min(targeted, chi_squared_upper_tail(inference_.linear_gain[c],
+                                                           static_cast<double>(candidates[c].strengths.size() +
+                                                                               candidates[c].shapes.size())));
+    targeted = std::min(1.0, targeted * static_cast<double>(std::max<std::size_t>(1, candidates.size())));
+    double moved = 1;
+    if (options_.given)
+      moved = moved_p_value(options_.given, judged_, model_, comparison_.start, inference_.null.fit);
+    gap.p_value = std::min(1.0, (options_.given ? 3 : 2) * std::min({omnibus, targeted, moved}));
+    gap.detected = gap.p_value < false_alarm;
+  }
+
+  // Mean motions agree with the model; what varies within dwells may not.
+  void close_without_gap() {
+    GapReport& gap = result_.gap;
+    gap.before = gap.after =
+        std::sqrt(result_.rows_before.squaredNorm() / static_cast<double>(discrepancy().freedom()));
+    if (result_.unsteady.detected) {
+      result_.verdict = "unknown";
+      gap.detected = true;
+      gap.p_value = result_.unsteady.p_value;
+      result_.next_experiment.reason = "the mean motions agree with the model; what varies is not the excitation";
+    } else {
+      result_.verdict = "no_gap";
+      result_.next_experiment.reason = "there is no gap to explain";
+    }
+  }
+
+  // The model's own numbers moved: an explanation when numbers were given.
+  std::vector<Rival> rivals() const {
+    std::vector<Rival> all;
+    if (options_.given) all.push_back({&inference_.null, inference_.null.log_evidence, 0, {"parameters"}, false});
+    for (const Explanation& e : inference_.explanations) {
+      Rival rival{&e, e.log_evidence, 0, {}, false};
+      for (const std::size_t m : e.members) {
+        rival.effects.push_back(comparison_.candidates[m].effect);
+        rival.open_law = rival.open_law || comparison_.candidates[m].open_law;
+      }
+      all.push_back(std::move(rival));
+    }
+    if (!all.empty()) rank(all);
+    return all;
+  }
+
+  // `named`: those of `all` that the catalogue holds.
+  Naming name_cause(const std::vector<Rival>& all, const std::vector<Rival>& named) {
+    result_.verdict = "unknown";
+    const VectorXd before = options_.given ? judged_.rows : held_out_rows(inference_.null);
+    if (all.empty()) {
+      fill_gap(closed_share(before, before, result_.labels, result_.gap.floor));
+      return {};
+    }
+    // An exponent of its own that is credibly no better than a law of the catalogue stands for that law.
+    const bool catalogue_will_do =
+        all.front().open_law && !named.empty() && is_credible(named.front(), all.front());
+    const Rival& best = catalogue_will_do ? named.front() : all.front();
+    best_ = best.explanation;
+    const ClosedShare closing = closed_share(before, held_out_rows(*best_), result_.labels, result_.gap.floor);
+    fill_gap(closing);
+    result_.rows_after = best_->fit.rows;
+    if (!best_->members.empty())
+      result_.gap.placebo_closed = placebo_closed(inference_.null.fit, best_->fit.rows - inference_.null.fit.rows,
+                                                  result_.labels, result_.gap.floor);
+    const double there_was = options_.given ? judged_.rows.squaredNorm() : inference_.null.fit.chi_squared;
+    result_.remainder = remainder_of(best_->fit, result_.labels, static_cast<double>(discrepancy().freedom()),
+                                     std::max(0.0, there_was - best_->fit.chi_squared));
+    const CauseReporter reporter{
+        comparison_.candidates, comparison_.unknown_names(model_), inference_.dispersion,
+        [&](const Explanation& e) { return closed_share(before, held_out_rows(e), result_.labels, 1).closed; }};
+    if (best.open_law) result_.open_law = reporter.open_law(best);
+    Naming naming;
+    if (!named.empty()) {
+      result_.causes = reporter.causes(named);
+      naming = name_effects(named, inference_);
+      result_.set = naming.set;
+      result_.together = naming.together;
+      result_.second_or = naming.second_or;
+      if (const Rival* wrong = best_wrong_cause(named, naming.set)) {
+        result_.gap.wrong_cause = wrong->effects.front();
+        result_.gap.wrong_cause_closed = reporter.closed_share(*wrong->explanation);
+      }
+      if (!leaves_structure(result_.remainder, closing, result_.gap.floor) && !is_restless() && !best.open_law) {
+        result_.verdict = naming.set.size() == 1 ? "cause" : "set";
+        result_.cause = naming.set.size() == 1 ? naming.set.front() : "";
+      }
+    }
+    if (options_.given) result_.parameters_moved = moved_parameters(model_, comparison_.start, inference_.null.fit);
+    return naming;
+  }
+
+  void fill_gap(const ClosedShare& share) {
+    GapReport& gap = result_.gap;
+    gap.before = share.before;
+    gap.after = share.after;
+    gap.closed = share.closed;
+    gap.closed_low = share.low;
+    gap.closed_high = share.high;
+  }
+
+  // What varies within dwells counts against an explanation of their means that is worth less.
+  bool is_restless() const {
+    const auto squares = [](double rms) { return rms * rms; };
+    return result_.unsteady.detected &&
+           squares(result_.unsteady.ratio) - 1 > squares(result_.gap.before) - squares(result_.gap.after);
+  }
+
+  // The gap row by row: what the named effect does to the rows, all else as it is; without a name, what is left.
+  VectorXd gap_rows() const {
+    if (result_.verdict != "cause" && result_.verdict != "set") return result_.rows_before;
+    if (!best_ || best_->members.empty()) return result_.rows_before - result_.rows_after;
+    return discrepancy()(switched_off(best_->fit.unknowns, best_->members, comparison_.candidates)) -
+           best_->fit.rows;
+  }
+
+  // Where the cause says which force is missing, the balances are its own.
+  void share_out() {
+    const Candidate* named = nullptr;
+    if (result_.verdict == "cause" && best_)
+      for (const std::size_t m : best_->members)
+        if (comparison_.candidates[m].effect == result_.cause) named = &comparison_.candidates[m];
+    const VectorXd rows = gap_rows();
+    result_.where = gap_shares(rows, discrepancy().unmixed(rows), result_.labels, named);
+  }
+
+  void simulate() {
+    const Refit& null = inference_.null.fit;
+    const SegmentEvidence* apart = comparison_.apart ? &*comparison_.apart : nullptr;
+    result_.simulated = simulated_check(
+        comparison_.condition_model(model_), comparison_.conditions, comparison_.segment_evidence, apart,
+        options_.given ? judged_.unknowns : null.unknowns, best_->fit.unknowns, options_.threads);
+    if (apart && options_.fit_check)
+      fit_window(*apart, null, best_->fit, options_.threads, result_.simulated->apart);
+  }
+
+  const Campaign& campaign_;
+  const CompiledModel& model_;
+  const std::vector<std::size_t>& own_;
+  const DiagnosisOptions& options_;
+  Comparison comparison_;
+  JudgedNumbers judged_;  // where numbers were given
+  Inference inference_;
+  const Explanation* best_ = nullptr;
+  Diagnosis result_;
+};
+
+}  // namespace
+
+Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+                   const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+                   const DiagnosisOptions& options) {
+  return Diagnoser(campaign, model, own, compare(campaign, read, model, own, effects, options), options).run();
+}
+
+}  // namespace secular

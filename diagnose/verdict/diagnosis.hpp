@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnose/evidence/steadiness.hpp"
+#include "diagnose/inference/remainder.hpp"
+#include "diagnose/verdict/cause_report.hpp"
+#include "diagnose/verdict/diagnosis_options.hpp"
+#include "diagnose/verdict/gap_shares.hpp"
+#include "diagnose/verdict/proposal.hpp"
+#include "diagnose/verdict/simulated_check.hpp"
+#include "measure/observe/observation_set.hpp"
+
+namespace secular {
+
+struct GapReport {
+  Judged judged = Judged::fitted;
+  bool detected = false;
+  double p_value = 1;
+  double before = 0, after = 0, floor = 1;
+  double closed = 0, closed_low = 0, closed_high = 0;
+  std::string metric;
+  double wrong_cause_closed = 0;  ///< by the best explanation outside the set
+  std::string wrong_cause;
+  std::optional<double> placebo_closed;  ///< see secular::placebo_closed
+};
+
+struct Diagnosis {
+  GapReport gap;
+  Unsteadiness unsteady;
+  std::vector<GapShare> where;
+  std::string verdict, cause;
+  std::vector<std::string> set;
+  std::vector<std::string> together;   ///< two effects that act at once, each by name, the leading one first
+  std::vector<std::string> second_or;  ///< effects that the data cannot tell from the second of them
+  std::optional<OpenLaw> open_law;  ///< where it is a better explanation than any effect or pair of the catalogue
+  std::vector<CauseReport> causes;
+  std::vector<ParameterMove> parameters_moved;
+  Remainder remainder;
+  NextExperiment next_experiment;
+  std::optional<SimulatedCheck> simulated;  ///< where a gap was found
+  std::vector<std::string> warnings;
+  // For figures and later questions:
+  std::vector<RowLabel> labels;
+  Eigen::VectorXd rows_before, rows_after;
+  std::size_t conditions = 0;
+};
+
+/// Diagnoses the gap between a model and a campaign. `model` is the augmented model, `own` lists the symbols of the
+/// model as it was. Throws InputError where the campaign holds nothing that the model can be compared with.
+Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+                   const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+                   const DiagnosisOptions& options);
+
+}  // namespace secular

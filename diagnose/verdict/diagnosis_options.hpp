@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "diagnose/evidence/segment.hpp"
+#include "diagnose/verdict/given_numbers.hpp"
+#include "measure/observe/observation_set.hpp"
+#include "motion/balance/state_force.hpp"
+
+namespace secular {
+
+struct DiagnosisOptions {
+  Window window;
+  GivenNumbers given;              ///< the gap of these is diagnosed
+  std::vector<StateForce> forces;  ///< scales are set from the data
+  std::set<std::string> left_out;  ///< effects that are not to be considered
+  std::optional<Band> band;        ///< free decays pass through it, so that other modes do not count as a gap
+  std::optional<Window> check;     ///< part of the records on which the explanation is tried, whatever was fitted
+  bool fit_check = false;          ///< and once more with the numbers that fit that part best
+  unsigned threads = 1;
+};
+
+}  // namespace secular

@@ -1,0 +1,110 @@
+#include "diagnose/verdict/given_numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagnose/inference/contradiction.hpp"
+#include "input/input_error.hpp"
+#include "numerics/distribution.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// A parameter counts as moved from so many standard deviations on.
+constexpr double moved_by = 3;
+
+std::string name_of(const CompiledModel& model, std::size_t symbol) {
+  return std::string(model.symbols[symbol].name);
+}
+
+// Of the given numbers' error bars by the free unknowns of a fit.
+VectorXd given_sd(const GivenNumbers& given, const CompiledModel& model, const Refit& fit) {
+  VectorXd sd(static_cast<Index>(fit.free.size()));
+  for (Index f = 0; f < sd.size(); ++f) {
+    const std::string name = name_of(model, fit.free[static_cast<std::size_t>(f)]);
+    const auto found = given.sd.find(name);
+    sd(f) = given.open.contains(name) ? std::numeric_limits<double>::infinity()
+            : found == given.sd.end() ? 0
+                                      : found->second;
+  }
+  return sd;
+}
+
+}  // namespace
+
+Judged whose_gap(const GivenNumbers& given) {
+  if (!given) return Judged::fitted;
+  return given.sd.empty() ? Judged::given : Judged::within_error_bars;
+}
+
+std::string to_string(Judged judged) {
+  switch (judged) {
+    case Judged::fitted:
+      return "fitted parameters";
+    case Judged::given:
+      return "given numbers";
+    case Judged::within_error_bars:
+      return "given numbers within their error bars";
+  }
+  return "";
+}
+
+void check_given(const GivenNumbers& given, const CompiledModel& model, const std::vector<std::size_t>& own) {
+  if (!given) return;
+  for (const auto& [name, value] : given.values) {
+    const bool known =
+        std::any_of(own.begin(), own.end(), [&](std::size_t s) { return name_of(model, s) == name; });
+    if (!known)
+      throw InputError("--parameters", "symbol " + name, "is no symbol of model " + std::string(model.name), "");
+  }
+  for (const std::size_t s : own) {
+    const std::string name = name_of(model, s);
+    const bool nominal = s < model.nominal.size() && std::isfinite(model.nominal[s]);
+    if (!given.values.contains(name) && !nominal)
+      throw InputError(
+          "--parameters", "symbol " + name, "has no value",
+          "the gap of given numbers is that of all of them; leave --parameters out to have them fitted");
+  }
+}
+
+JudgedNumbers judge_given(const GivenNumbers& given, const CompiledModel& model,
+                          const std::vector<std::size_t>& own, const Discrepancy& discrepancy,
+                          const VectorXd& start, unsigned threads) {
+  std::vector<std::size_t> open;
+  for (const std::size_t s : own)
+    if (given.open.contains(name_of(model, s))) open.push_back(s);
+  if (open.empty()) return {start, discrepancy(start), 0};
+  RefitOptions options;
+  options.threads = threads;
+  const Refit fit = refit(discrepancy, start, open, options);
+  return {fit.unknowns, fit.rows, fit.rank};
+}
+
+double moved_p_value(const GivenNumbers& given, const JudgedNumbers& judged, const CompiledModel& model,
+                     const VectorXd& start, const Refit& fit) {
+  if (given.sd.empty())
+    return chi_squared_upper_tail(judged.rows.squaredNorm() - fit.chi_squared,
+                                  static_cast<double>(fit.rank - judged.rank));
+  VectorXd numbers(static_cast<Index>(fit.free.size()));
+  for (Index f = 0; f < numbers.size(); ++f)
+    numbers(f) = start(static_cast<Index>(fit.free[static_cast<std::size_t>(f)]));
+  const Contradiction found = contradiction(fit, numbers, given_sd(given, model, fit));
+  return chi_squared_upper_tail(found.chi_squared, static_cast<double>(found.rank));
+}
+
+std::vector<ParameterMove> moved_parameters(const CompiledModel& model, const VectorXd& start, const Refit& fit) {
+  std::vector<ParameterMove> moved;
+  for (std::size_t f = 0; f < fit.free.size(); ++f) {
+    const auto u = static_cast<Index>(fit.free[f]);
+    const double sd = std::sqrt(std::max(0.0, fit.covariance(static_cast<Index>(f), static_cast<Index>(f))));
+    if (fit.identifiable[f] && std::abs(fit.unknowns(u) - start(u)) > moved_by * sd)
+      moved.push_back({name_of(model, fit.free[f]), start(u), fit.unknowns(u), sd});
+  }
+  return moved;
+}
+
+}  // namespace secular

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "diagnose/inference/refit.hpp"
+#include "estimator/model/compiled_model.hpp"
+
+namespace secular {
+
+/// Numbers of a model's own parameters that somebody claims. No values: every parameter is the campaign's to
+/// choose.
+struct GivenNumbers {
+  std::map<std::string, double> values;  ///< by symbol
+  std::map<std::string, double> sd;      ///< where they came with error bars
+  std::set<std::string> open;            ///< of `values`: only starts, nothing was said of these
+  explicit operator bool() const { return !values.empty(); }
+};
+
+/// Whose gap it is.
+enum class Judged {
+  fitted,            ///< the model with whatever parameters fit best
+  given,             ///< the numbers that were given
+  within_error_bars  ///< the numbers that were given, as far as their error bars reach
+};
+
+Judged whose_gap(const GivenNumbers& given);
+std::string to_string(Judged judged);
+
+/// Throws InputError where a number belongs to no symbol of `own`, or where numbers are given and a symbol of `own`
+/// has neither one nor a nominal value. `own`: indices of the model's own symbols.
+void check_given(const GivenNumbers& given, const CompiledModel& model, const std::vector<std::size_t>& own);
+
+/// The given numbers against a campaign.
+struct JudgedNumbers {
+  Eigen::VectorXd unknowns;  ///< of the discrepancy, what was left open fitted
+  Eigen::VectorXd rows;
+  Eigen::Index rank = 0;  ///< of what was left open
+};
+
+/// Rows of the numbers in `start`; the open ones are the campaign's to choose.
+JudgedNumbers judge_given(const GivenNumbers& given, const CompiledModel& model,
+                          const std::vector<std::size_t>& own, const Discrepancy& discrepancy,
+                          const Eigen::VectorXd& start, unsigned threads);
+
+/// p that the given numbers, within their error bars if they have any, are those that fit best (`fit`).
+double moved_p_value(const GivenNumbers& given, const JudgedNumbers& judged, const CompiledModel& model,
+                     const Eigen::VectorXd& start, const Refit& fit);
+
+struct ParameterMove {
+  std::string name;
+  double from = 0, to = 0, sd = 0;
+};
+
+/// Free unknowns of `fit` that lie more than three of its standard deviations from `start`.
+std::vector<ParameterMove> moved_parameters(const CompiledModel& model, const Eigen::VectorXd& start,
+                                            const Refit& fit);
+
+}  // namespace secular

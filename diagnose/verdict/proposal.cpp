@@ -1,0 +1,63 @@
+#include "diagnose/verdict/proposal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace secular {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// A dwell is proposed if it has this chance of leaving one explanation, and leaves no more than this share of the
+/// probability that another one is right.
+constexpr double worth_a_test = 0.5, most_doubt = 0.5;
+
+/// Explanations that a next experiment is planned for, and the least probability that each counts with there.
+constexpr std::size_t most_hypotheses = 4;
+constexpr double least_rival = 0.05;
+
+}  // namespace
+
+NextExperiment propose_experiment(const std::vector<Rival>& rivals, const Naming& naming,
+                                  const ConditionModel& model, const std::vector<Condition>& conditions,
+                                  double dispersion, unsigned threads) {
+  NextExperiment next;
+  std::vector<Hypothesis> hypotheses;
+  std::vector<Names> taken;
+  for (const Rival& r : rivals) {
+    const bool in_set = std::all_of(r.effects.begin(), r.effects.end(),
+                                    [&](const std::string& effect) { return naming.names(effect); });
+    const bool wanted = hypotheses.empty() || in_set || (naming.set.size() < 2 && hypotheses.size() < 2);
+    if (!wanted || std::find(taken.begin(), taken.end(), r.effects) != taken.end()) continue;
+    hypotheses.push_back({r.explanation, std::max(r.probability, least_rival)});
+    taken.push_back(r.effects);
+    if (hypotheses.size() == most_hypotheses) break;
+  }
+  if (conditions.empty()) {
+    next.reason = "dwells are proposed by changing measured ones, and the campaign has none that has settled";
+    return next;
+  }
+  if (hypotheses.size() < 2) {
+    next.reason = "nothing competes with the explanation";
+    return next;
+  }
+  const ProposedDwell dwell = next_experiment(model, conditions, hypotheses, dispersion, threads);
+  if (dwell.compared == 0) {
+    next.reason = "no steady motion near the measured ones could be predicted under every explanation";
+    return next;
+  }
+  for (const Names& effects : taken) next.separates.push_back(fmt::format("{}", fmt::join(effects, " + ")));
+  next.dwell = dwell;
+  next.proposed = dwell.chance >= worth_a_test && 1 - dwell.probability <= most_doubt * (1 - dwell.before);
+  if (!next.proposed)
+    next.reason = fmt::format(
+        "no dwell between half the lowest and twice the highest level used would part {}: the best has a chance "
+        "of {:.0f} % and takes the right one's probability from {:.1f} to {:.1f} %; it takes another kind of "
+        "test, for example a second sensor, a calibration of the excitation, or a resonance that was not "
+        "measured yet",
+        fmt::join(next.separates, ", "), 100 * dwell.chance, 100 * dwell.before, 100 * dwell.probability);
+  return next;
+}
+
+}  // namespace secular

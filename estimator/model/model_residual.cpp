@@ -1,0 +1,165 @@
+#include "estimator/model/model_residual.hpp"
+
+#include <algorithm>
+
+namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr std::size_t observations_at_once = 256;
+
+Complex times_i(const Complex& z) {
+  return {-z.imag(), z.real()};
+}
+
+// The observations from `first` on, at most observations_at_once of them, with natural frequencies from parameters.
+class Part {
+ public:
+  Part(const CompiledModel& model, const ObservationBatch& data, const double* parameters, std::size_t first) {
+    batch_.count = std::min(observations_at_once, data.count - first);
+    batch_.natural_frequency = parameters;
+    for (std::size_t k = 0; k < model.modes(); ++k) amplitude_.push_back(data.amplitude[k] + first);
+    for (std::size_t j = 0; j < model.excitations.size(); ++j) {
+      if (data.forcing) forcing_.push_back(data.forcing[j] + first);
+      if (data.excitation_frequency) frequency_.push_back(data.excitation_frequency[j] + first);
+    }
+    batch_.amplitude = amplitude_.data();
+    if (data.forcing) batch_.forcing = forcing_.data();
+    if (data.excitation_frequency) batch_.excitation_frequency = frequency_.data();
+  }
+  const ObservationBatch& batch() const { return batch_; }
+
+ private:
+  ObservationBatch batch_;
+  std::vector<const Complex*> amplitude_, forcing_;
+  std::vector<const double*> frequency_;
+};
+
+// Columns of a block for up to observations_at_once observations.
+class Columns {
+ public:
+  explicit Columns(const RegressorBlock& block) : values_(block.lumps.size() * observations_at_once) {
+    for (std::size_t j = 0; j < block.lumps.size(); ++j)
+      pointers_.push_back(values_.data() + j * observations_at_once);
+  }
+  Complex* const* data() const { return pointers_.data(); }
+  const Complex* operator[](std::size_t j) const { return pointers_[j]; }
+
+ private:
+  std::vector<Complex> values_;
+  std::vector<Complex*> pointers_;
+};
+
+std::vector<double> lumps_of(const CompiledCase& resonance, const double* parameters) {
+  std::vector<double> lumps(resonance.lumps.size());
+  resonance.evaluate_lumps(parameters, lumps.data());
+  return lumps;
+}
+
+// sum[i] += weight * column[i]
+void add(Complex* sum, double weight, const Complex* column, std::size_t count) {
+  if (weight == 0) return;
+  for (std::size_t i = 0; i < count; ++i) sum[i] += weight * column[i];
+}
+
+// sum[p * stride + i] += d(columns * lumps)/dp of the observations of one part.
+void add_right_side_by_parameters(const CompiledModel& model, const RegressorBlock& block, const Part& part,
+                                  const std::vector<double>& lumps, const std::vector<double>& lump_jacobian,
+                                  double sign, Columns& columns, Complex* sum, std::size_t stride) {
+  const std::size_t symbols = model.symbols.size(), count = part.batch().count;
+  block.columns(part.batch(), columns.data());
+  for (std::size_t j = 0; j < block.lumps.size(); ++j)
+    for (std::size_t p = 0; p < symbols; ++p)
+      add(sum + p * stride, sign * lump_jacobian[static_cast<std::size_t>(block.lumps[j]) * symbols + p],
+          columns[j], count);
+  for (std::size_t mode = 0; mode < model.modes(); ++mode) {
+    block.column_slopes(part.batch(), mode, columns.data());
+    for (std::size_t j = 0; j < block.lumps.size(); ++j)
+      add(sum + mode * stride, sign * lumps[static_cast<std::size_t>(block.lumps[j])], columns[j], count);
+  }
+}
+
+std::vector<double> lump_jacobian_of(const CompiledModel& model, const CompiledCase& resonance,
+                                     const double* parameters) {
+  std::vector<double> jacobian(resonance.lumps.size() * model.symbols.size());
+  resonance.evaluate_lumps_jacobian(parameters, jacobian.data());
+  return jacobian;
+}
+
+}  // namespace
+
+void block_residual(const CompiledModel& model, const CompiledCase& resonance, const RegressorBlock& block,
+                    const double* parameters, const ObservationBatch& data, const Complex* observed,
+                    Complex* residual) {
+  const std::vector<double> lumps = lumps_of(resonance, parameters);
+  const Columns columns(block);
+  const auto mode = static_cast<std::size_t>(block.mode);
+  for (std::size_t first = 0; first < data.count; first += observations_at_once) {
+    const Part part(model, data, parameters, first);
+    const std::size_t count = part.batch().count;
+    Complex* const out = residual + first;
+    std::copy_n(observed + first, count, out);
+    if (block.kind == BlockKind::modulation)
+      for (std::size_t i = 0; i < count; ++i) out[i] -= parameters[mode] * times_i(data.amplitude[mode][first + i]);
+    block.columns(part.batch(), columns.data());
+    for (std::size_t j = 0; j < block.lumps.size(); ++j)
+      add(out, -lumps[static_cast<std::size_t>(block.lumps[j])], columns[j], count);
+  }
+}
+
+void block_residual_by_parameters(const CompiledModel& model, const CompiledCase& resonance,
+                                  const RegressorBlock& block, const double* parameters,
+                                  const ObservationBatch& data, Complex* jacobian) {
+  const std::vector<double> lumps = lumps_of(resonance, parameters);
+  const std::vector<double> lump_jacobian = lump_jacobian_of(model, resonance, parameters);
+  const auto mode = static_cast<std::size_t>(block.mode);
+  Columns columns(block);
+  std::fill_n(jacobian, model.symbols.size() * data.count, Complex());
+  for (std::size_t first = 0; first < data.count; first += observations_at_once) {
+    const Part part(model, data, parameters, first);
+    add_right_side_by_parameters(model, block, part, lumps, lump_jacobian, -1, columns, jacobian + first,
+                                 data.count);
+    if (block.kind == BlockKind::modulation)
+      for (std::size_t i = first; i < first + part.batch().count; ++i)
+        jacobian[mode * data.count + i] -= times_i(data.amplitude[mode][i]);
+  }
+}
+
+void modulation_by_parameters(const CompiledModel& model, const CompiledCase& resonance, const double* parameters,
+                              const double* excitation_frequency, const Complex* amplitude, const Complex* forcing,
+                              double* jacobian) {
+  const std::size_t modes = model.modes(), symbols = model.symbols.size(), excitations = model.excitations.size();
+  const std::vector<double> lumps = lumps_of(resonance, parameters);
+  const std::vector<double> lump_jacobian = lump_jacobian_of(model, resonance, parameters);
+  std::vector<const Complex*> amplitudes, forcings;
+  std::vector<const double*> frequencies;
+  for (std::size_t k = 0; k < modes; ++k) amplitudes.push_back(amplitude + k);
+  for (std::size_t j = 0; j < excitations; ++j) {
+    forcings.push_back(forcing + j);
+    frequencies.push_back(excitation_frequency + j);
+  }
+  const Part point(model, {1, parameters, frequencies.data(), amplitudes.data(), forcings.data()}, parameters, 0);
+  std::vector<Complex> rate(modes * symbols);
+  for (const RegressorBlock& block : resonance.blocks) {
+    const auto mode = static_cast<std::size_t>(block.mode);
+    if (block.kind != BlockKind::modulation || resonance.mode_at_rest[mode]) continue;
+    Columns columns(block);
+    add_right_side_by_parameters(model, block, point, lumps, lump_jacobian, 1, columns,
+                                 rate.data() + mode * symbols, 1);
+  }
+  // The frame turns with w_k - omega_k, w_k = sum of observed_frequency * (natural and excitation frequencies).
+  for (std::size_t k = 0; k < modes; ++k)
+    for (std::size_t m = 0; m < modes && !resonance.mode_at_rest[k]; ++m) {
+      const Ratio share = resonance.observed_frequency[k * (modes + excitations) + m];
+      const double turning = static_cast<double>(share.numerator) / share.denominator - (m == k ? 1 : 0);
+      rate[k * symbols + m] -= turning * times_i(amplitude[k]);
+    }
+  for (std::size_t k = 0; k < modes; ++k)
+    for (std::size_t p = 0; p < symbols; ++p) {
+      jacobian[2 * k * symbols + p] = rate[k * symbols + p].real();
+      jacobian[(2 * k + 1) * symbols + p] = rate[k * symbols + p].imag();
+    }
+}
+
+}  // namespace secular

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "measure/data/campaign.hpp"
+
+namespace secular {
+
+/// Takes records as they are made; the campaign's channels and sample rate stand by then.
+using RecordSink = std::function<void(const Campaign& campaign, const RecordEntry& entry, Record&& record)>;
+
+/// write_campaign for campaigns larger than memory: a record is written as soon as it is there. The folder appears
+/// when all is written, and nothing is left behind by a writer that goes without finish().
+class CampaignWriter {
+ public:
+  explicit CampaignWriter(const std::filesystem::path& folder);
+  ~CampaignWriter();
+  /// Writes the samples of a record; from any thread. The entry belongs into the campaign that finish() gets.
+  void write(const Campaign& campaign, const RecordEntry& entry, const Record& record);
+  void finish(const Campaign& campaign);
+
+ private:
+  struct Building;
+  std::unique_ptr<Building> building_;
+};
+
+}  // namespace secular

@@ -1,0 +1,160 @@
+#include "measure/data/data_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include "input/input_error.hpp"
+#include "measure/data/hdf5_file.hpp"
+#include "measure/data/mat_file.hpp"
+#include "measure/data/uff_file.hpp"
+#include "measure/data/uff_variables.hpp"
+#include "measure/data/wav_file.hpp"
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lower_extension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return extension;
+}
+
+enum class Format { csv, mat, hdf5, uff, wav };
+
+Format format_of(const fs::path& path) {
+  const std::string expected = fmt::format("a {} file was expected", data_formats);
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) throw InputError(path.string(), "", "does not exist", expected);
+  if (!fs::is_regular_file(path, ignored)) throw InputError(path.string(), "", "is not a regular file", expected);
+  if (looks_like_hdf5(path)) return Format::hdf5;  // MAT v7.3 among them
+  if (looks_like_mat(path)) return Format::mat;
+  if (looks_like_uff(path)) return Format::uff;
+  if (looks_like_wav(path)) return Format::wav;
+  const std::string extension = lower_extension(path);
+  for (const char* hierarchical : {".h5", ".hdf5", ".hdf"})
+    if (extension == hierarchical) return Format::hdf5;
+  if (extension == ".mat") return Format::mat;
+  for (const char* universal : {".uff", ".unv", ".uf", ".bunv"})
+    if (extension == universal) return Format::uff;
+  if (extension == ".wav") return Format::wav;
+  return Format::csv;
+}
+
+DataFile with_variables(const fs::path& path, const char* format, std::vector<MatVariable> variables,
+                        std::size_t limit) {
+  DataFile data{path.string(), format, {}, {"element", 1}};
+  for (MatVariable& variable : variables) {
+    std::size_t count = 1;
+    for (const std::size_t length : variable.shape) count *= length;
+    data.partial = data.partial || (variable.fault.empty() && count > limit);
+    data.variables.push_back({std::move(variable.path), std::move(variable.shape), std::move(variable.type),
+                              std::move(variable.values), std::move(variable.fault)});
+  }
+  return data;
+}
+
+DataFile read_csv_file(const fs::path& path, const std::vector<std::string>& wanted, MissingNumbers missing,
+                       std::size_t limit) {
+  NumberTable table = read_csv(path, wanted, missing, limit);
+  DataFile data{path.string(), "CSV", {}, {"line", table.first_line}};
+  data.partial = table.rows() < table.total_rows;
+  data.last_row = std::move(table.last_row);
+  for (std::size_t c = 0; c < table.names.size(); ++c) {
+    std::vector<double>& values = table.columns[c];
+    const bool any = std::any_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+    data.variables.push_back(
+        {table.names[c], {table.total_rows}, any ? "number" : "text", {}, any ? "" : "holds no number"});
+    if (any) data.variables.back().values = std::move(values);
+  }
+  return data;
+}
+
+DataFile read_variables(const fs::path& path, Format format, const std::vector<std::string>& wanted,
+                        std::size_t limit) {
+  switch (format) {
+    case Format::hdf5:
+      return with_variables(path, looks_like_mat(path) ? "MAT v7.3" : "HDF5", read_hdf5(path, wanted, limit),
+                            limit);
+    case Format::uff:
+      return read_uff_variables(path, wanted, limit);
+    case Format::wav:
+      return read_wav(path, wanted, limit);
+    default:
+      return with_variables(path, "MAT v5", read_mat(path, wanted, limit), limit);
+  }
+}
+
+}  // namespace
+
+std::string quantity_fault(const DataVariable& variable, Quantity quantity) {
+  if (!variable.quantity || *variable.quantity == quantity) return {};
+  return fmt::format("measures {} in {}", to_string(*variable.quantity), variable.stated_unit);
+}
+
+std::string DataFile::names() const {
+  std::string list;
+  std::size_t listed = 0;
+  for (const DataVariable& variable : variables) {
+    if (++listed > 20) return list + fmt::format(" and {} more", variables.size() - 20);
+    list += (list.empty() ? "" : ", ") + variable.name;
+  }
+  return list;
+}
+
+std::size_t DataFile::index_of(const std::string& name) const {
+  const auto found =
+      std::find_if(variables.begin(), variables.end(), [&](const DataVariable& v) { return v.name == name; });
+  if (found == variables.end())
+    throw InputError(file, "", "has no numeric variable '" + name + "'",
+                     variables.empty() ? "it holds no numeric variables" : "its variables are " + names());
+  if (!found->fault.empty())
+    throw InputError(file, "variable " + name, found->fault, "a row or a column of real numbers was expected");
+  return static_cast<std::size_t>(found - variables.begin());
+}
+
+const DataVariable& DataFile::vector(const std::string& name) const {
+  return variables[index_of(name)];
+}
+
+DataVariable& DataFile::vector(const std::string& name) {
+  return variables[index_of(name)];
+}
+
+DataFile read_data_file(const fs::path& path, const std::vector<std::string>& wanted, MissingNumbers missing,
+                        std::size_t limit) {
+  const Format format = format_of(path);
+  if (format == Format::csv) return read_csv_file(path, wanted, missing, limit);
+  DataFile data = read_variables(path, format, wanted, limit);
+  if (missing == MissingNumbers::keep_as_nan) return data;
+  for (const DataVariable& variable : data.variables)
+    for (std::size_t i = 0; i < variable.values.size(); ++i)
+      if (!std::isfinite(variable.values[i]))
+        throw InputError(data.file, fmt::format("variable {}, {}", variable.name, data.place.of(i)),
+                         "is not a finite number", "cut the record around missing samples");
+  return data;
+}
+
+std::vector<DataVariable> describe_data_file(const fs::path& path) {
+  if (format_of(path) != Format::csv) {
+    return read_data_file(path, {}, MissingNumbers::keep_as_nan, 0).variables;
+  }
+  std::vector<DataVariable> variables;
+  for (std::string& name : read_csv_names(path)) variables.push_back({std::move(name), {}, "number", {}, {}});
+  return variables;
+}
+
+std::vector<std::string> data_variable_names(const fs::path& path) {
+  std::vector<std::string> names;
+  for (const DataVariable& variable : describe_data_file(path)) names.push_back(variable.name);
+  return names;
+}
+
+}  // namespace secular

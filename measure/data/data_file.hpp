@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "measure/data/campaign.hpp"
+#include "measure/data/number_table.hpp"
+#include "measure/data/time_axis.hpp"
+
+namespace secular {
+
+/// A named variable of a data file: a column of a CSV, a numeric variable of a MAT or HDF5 file, a channel of a UFF
+/// or WAV file.
+struct DataVariable {
+  std::string name;
+  std::vector<std::size_t> shape;
+  std::string type;                    ///< "double", "int16", ...; "text" for a CSV column without any number
+  std::vector<double> values;          ///< NaN where no number stands (MissingNumbers::keep_as_nan)
+  std::string fault;                   ///< why it has no values: "is a matrix", ...; empty if it has
+  std::optional<Quantity> quantity{};  ///< what it measures, where the file says so in terms that are known
+  std::string unit{};                  ///< of `values` where `quantity` is known: its SI unit
+  std::string stated_unit{};  ///< as the file spells it; values were converted from it if `unit` is not empty
+};
+
+/// Why a variable is no channel of that quantity: its file says that it measures another one. Else empty.
+std::string quantity_fault(const DataVariable& variable, Quantity quantity);
+
+/// What a data file holds.
+struct DataFile {
+  std::string file;
+  std::string format;  ///< "CSV", "MAT v5", "MAT v7.3", "HDF5", "UFF 58", "WAV"
+  std::vector<DataVariable> variables;
+  RowPlace place;
+  bool partial = false;            ///< only the first values were read; the length of a CSV is estimated then
+  std::vector<double> last_row{};  ///< of a CSV read in part: by variable, empty if its end is damaged
+
+  /// The variable of that name, which must be a vector of numbers. Throws InputError that names the variables there
+  /// are.
+  const DataVariable& vector(const std::string& name) const;
+  DataVariable& vector(const std::string& name);
+  /// Its place in `variables`, by the same rules.
+  std::size_t index_of(const std::string& name) const;
+  /// Their names, as messages list them.
+  std::string names() const;
+};
+
+/// Reads the variables (values of `wanted` only; empty: of all; at most `limit` of each, and then nothing is read
+/// of the rest where the format lets it be skipped). The format is told by content, then by name. Throws InputError
+/// for a file of another format, a damaged one, and (MissingNumbers::refuse) a value that is no finite number.
+DataFile read_data_file(const std::filesystem::path& path, const std::vector<std::string>& wanted = {},
+                        MissingNumbers missing = MissingNumbers::refuse, std::size_t limit = all_values);
+
+/// The formats, as messages name them.
+inline constexpr const char* data_formats = "CSV, MAT, HDF5, UFF 58 or WAV";
+
+/// The variables that `read_data_file` would find, without their values.
+std::vector<DataVariable> describe_data_file(const std::filesystem::path& path);
+
+/// Their names.
+std::vector<std::string> data_variable_names(const std::filesystem::path& path);
+
+}  // namespace secular

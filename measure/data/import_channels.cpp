@@ -1,0 +1,132 @@
+#include "measure/data/import_channels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "input/input_error.hpp"
+#include "measure/data/names.hpp"
+#include "measure/data/unit.hpp"
+
+namespace secular {
+namespace {
+
+// Takes ":LAST" off the end of `text`; false if there is no colon.
+bool take_last_field(std::string& text, std::string& field) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos) return false;
+  field = text.substr(colon + 1);
+  text.resize(colon);
+  return true;
+}
+
+// NAME may hold colons and, where the file has such a variable, equals signs: the fields behind it are fixed.
+DescribedChannel named_channel(const std::string& option, const std::string& name, const Variables& variables,
+                               const std::string& file) {
+  DescribedChannel described{{name, ChannelRole::response, Quantity::acceleration, ""}, name};
+  const std::size_t equals = name.find('=');
+  if (!find_variable(variables, name) && equals != std::string::npos) {
+    described.channel.name = name.substr(0, equals);
+    described.variable = name.substr(equals + 1);
+  }
+  if (!find_variable(variables, described.variable))
+    throw InputError(option, "", fmt::format("{} has no variable '{}'", file, described.variable),
+                     "its variables are " + listed_names(variables));
+  if (const std::string fault = channel_name_fault(described.channel.name); !fault.empty())
+    throw InputError(option, "name", fault, "write NEWNAME=VARIABLE:ROLE:QUANTITY:UNIT to rename it");
+  return described;
+}
+
+// NAME:ROLE, where the file itself says quantity and unit.
+DescribedChannel short_channel(const std::string& text, ChannelRole role, const std::string& name,
+                               const Variables& variables, const std::string& file) {
+  const std::string option = "--channel " + text;
+  DescribedChannel described = named_channel(option, name, variables, file);
+  const DataVariable& variable = *find_variable(variables, described.variable);
+  if (!variable.quantity)
+    throw InputError(option, "",
+                     variable.stated_unit.empty()
+                         ? fmt::format("{} does not say what '{}' measures and in which unit", file, variable.name)
+                         : fmt::format("{} gives '{}' the unit '{}', which does not say what it measures", file,
+                                       variable.name, variable.stated_unit),
+                     std::string("give ") + channel_form);
+  described.channel.role = role;
+  described.channel.quantity = *variable.quantity;
+  described.channel.unit = variable.unit;
+  described.stated_by_files = true;
+  return described;
+}
+
+DescribedChannel parse_channel(const std::string& text, const Variables& variables, const std::string& file) {
+  const std::string option = "--channel " + text;
+  std::string name = text, role_text, quantity_text, unit;
+  if (std::string last, before = text; take_last_field(before, last))
+    if (const auto role = parse_role(last)) return short_channel(text, *role, before, variables, file);
+  int fields = 1;
+  for (std::string* field : {&unit, &quantity_text, &role_text}) {
+    if (!take_last_field(name, *field))
+      throw InputError(option, "", fmt::format("has {} of four fields", fields), channel_form);
+    ++fields;
+  }
+  DescribedChannel described = named_channel(option, name, variables, file);
+  const auto role = parse_role(role_text);
+  if (!role) throw InputError(option, "role", "is '" + role_text + "'", "excitation or response was expected");
+  const auto quantity = parse_quantity(quantity_text);
+  if (!quantity)
+    throw InputError(option, "quantity", "is '" + quantity_text + "'",
+                     std::string(quantity_list) + " was expected");
+  described.channel.role = *role;
+  described.channel.quantity = *quantity;
+  described.channel.unit = unit;
+  if (const std::string fault = unit_fault(*quantity, unit); !fault.empty())
+    throw InputError(option, "unit", fault);
+  return described;
+}
+
+// What the files say of their channels, and how to say the rest.
+[[noreturn]] void ask_for_channels(const std::string& file, const Variables& variables) {
+  const auto stated = std::find_if(variables.begin(), variables.end(),
+                                   [](const DataVariable& v) { return v.quantity.has_value(); });
+  const std::string wrong = "no channel of it is described: its variables are " + listed_names(variables);
+  if (stated == variables.end())
+    throw InputError(file, "", wrong, std::string("give for each channel ") + channel_form);
+  throw InputError(
+      file, "", wrong,
+      fmt::format("give for each channel --channel NAME:ROLE, for example {}:response ({} in {}, as the "
+                  "file says), or --channel NAME:ROLE:QUANTITY:UNIT where the file does not say it",
+                  stated->name, to_string(*stated->quantity), stated->unit));
+}
+
+}  // namespace
+
+std::string listed_names(const Variables& variables) {
+  std::string list;
+  for (std::size_t i = 0; i < variables.size() && i < 20; ++i) list += (i ? ", " : "") + variables[i].name;
+  return list + (variables.size() > 20 ? fmt::format(" and {} more", variables.size() - 20) : "");
+}
+
+const DataVariable* find_variable(const Variables& variables, const std::string& name) {
+  const auto found =
+      std::find_if(variables.begin(), variables.end(), [&](const DataVariable& v) { return v.name == name; });
+  return found == variables.end() ? nullptr : &*found;
+}
+
+std::vector<DescribedChannel> describe_channels(const ImportOptions& options, const Variables& variables) {
+  const std::string file = options.files.front().string();
+  if (options.channels.empty()) ask_for_channels(file, variables);
+  std::vector<DescribedChannel> described;
+  std::set<std::string> names;
+  bool any_response = false;
+  for (const std::string& text : options.channels) {
+    described.push_back(parse_channel(text, variables, file));
+    any_response = any_response || described.back().channel.role == ChannelRole::response;
+    if (!names.insert(described.back().channel.name).second)
+      throw InputError("--channel " + text, "name", "is described twice", "every channel has a name of its own");
+  }
+  if (!any_response)
+    throw InputError("--channel", "", "no channel is a response", "describe at least one with the role response");
+  return described;
+}
+
+}  // namespace secular

@@ -1,0 +1,175 @@
+#include "measure/data/import_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "input/input_error.hpp"
+#include "measure/data/data_file.hpp"
+#include "measure/data/import_channels.hpp"
+#include "measure/data/names.hpp"
+#include "measure/data/time_axis.hpp"
+
+namespace secular {
+namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// The variable that holds time, or empty where --sample-rate stands for it.
+std::string time_variable(const ImportOptions& options, const Variables& variables, const std::string& file) {
+  if (!options.time.empty()) {
+    if (find_variable(variables, options.time)) return options.time;
+    throw InputError("--time " + options.time, "", fmt::format("{} has no such variable", file),
+                     "its variables are " + listed_names(variables));
+  }
+  if (options.sample_rate_hz) return {};
+  if (find_variable(variables, "t")) return "t";
+  throw InputError(file, "", "what its time is, is not known: its variables are " + listed_names(variables),
+                   "name the variable with --time NAME, or give --sample-rate HZ");
+}
+
+RecordKind record_kind(const std::string& text) {
+  if (text.empty())
+    throw InputError("--kind", "", "what kind of records these are, is not known",
+                     "give --kind " + std::string(record_kind_list));
+  const auto kind = parse_record_kind(text);
+  if (!kind)
+    throw InputError("--kind " + text, "", "is no kind of record", std::string(record_kind_list) + " was expected");
+  return *kind;
+}
+
+// Value of an option that is given once for all files or once a file.
+std::optional<double> of_file(const std::vector<double>& values, std::size_t file, std::size_t files,
+                              const char* option) {
+  if (values.empty()) return std::nullopt;
+  if (values.size() != 1 && values.size() != files)
+    throw InputError(option, "", fmt::format("has {} values for {} files", values.size(), files),
+                     "one for all files or one for each was expected");
+  const double value = values.size() == 1 ? values.front() : values[file];
+  if (!std::isfinite(value) || value <= 0)
+    throw InputError(option, "", fmt::format("is {}", value), "a positive number was expected");
+  return value;
+}
+
+// A file name that says where the record came from, in characters every system knows.
+std::string record_file(const std::filesystem::path& source, std::set<std::string>& taken) {
+  std::string stem;
+  for (const char c : source.stem().string()) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+                       c == '-' || c == '.';
+    stem += plain ? c : '_';
+  }
+  // The writer puts .csv in place of an extension: a point of the name must not look like one.
+  std::string name = "records/" + stem + ".csv";
+  for (int copy = 2; !taken.insert(name).second; ++copy) name = fmt::format("records/{}-{}.csv", stem, copy);
+  return name;
+}
+
+Record read_file(const std::filesystem::path& path, const std::vector<DescribedChannel>& channels,
+                 const std::string& time, std::optional<double> sample_rate_hz, const char* rate_from) {
+  std::vector<std::string> wanted;
+  for (const DescribedChannel& described : channels)
+    if (!contains(wanted, described.variable)) wanted.push_back(described.variable);
+  if (!time.empty() && !contains(wanted, time)) wanted.push_back(time);
+  DataFile data = read_data_file(path, wanted);
+  Record record;
+  if (time.empty()) {
+    record.sample_rate_hz = *sample_rate_hz;
+  } else {
+    const TimeAxis axis = even_time_axis(data.vector(time).values, data.file, data.place, sample_rate_hz);
+    if (sample_rate_hz && !(std::abs(axis.sample_rate_hz / *sample_rate_hz - 1) <= 1e-3))
+      throw InputError(data.file, "variable " + time, fmt::format("is sampled at {} Hz", axis.sample_rate_hz),
+                       fmt::format("{} {}", rate_from, *sample_rate_hz));
+    record.start_s = axis.start_s;
+    record.sample_rate_hz = axis.sample_rate_hz;
+  }
+  const std::string& first = time.empty() ? channels.front().variable : time;
+  const std::size_t count = data.vector(first).values.size();
+  for (auto described_at = channels.begin(); described_at != channels.end(); ++described_at) {
+    const DescribedChannel& described = *described_at;
+    DataVariable& variable = data.vector(described.variable);
+    if (const std::string fault = quantity_fault(variable, described.channel.quantity); !fault.empty())
+      throw InputError(
+          data.file, "variable " + variable.name, fault,
+          fmt::format("--channel {} says {}", described.channel.name, to_string(described.channel.quantity)));
+    if (described.stated_by_files && !variable.quantity)
+      throw InputError(data.file, "variable " + variable.name,
+                       "does not say quantity and unit, as the first file does",
+                       std::string("give ") + channel_form);
+    const bool last = std::none_of(described_at + 1, channels.end(), [&](const DescribedChannel& later) {
+      return later.variable == described.variable;
+    });
+    record.channels.push_back(last ? std::move(variable.values) : variable.values);
+    if (record.channels.back().size() != count)
+      throw InputError(data.file, "variable " + described.variable,
+                       fmt::format("has {} samples, {} has {}", record.channels.back().size(), first, count),
+                       "all channels of a record have one length");
+  }
+  if (count < 2) throw InputError(data.file, "", "has fewer than two samples", "a record needs many samples");
+  return record;
+}
+
+}  // namespace
+
+ImportedCampaign import_files(const ImportOptions& options) {
+  std::vector<Record> samples;
+  ImportedCampaign imported = import_files(
+      options, [&](const Campaign&, const RecordEntry&, Record&& record) { samples.push_back(std::move(record)); });
+  imported.samples = std::move(samples);
+  return imported;
+}
+
+ImportedCampaign import_files(const ImportOptions& options, const RecordSink& sink) {
+  if (options.files.empty()) throw InputError("FILE", "", "no file is named", "name the files to import");
+  if (options.sample_rate_hz && (!std::isfinite(*options.sample_rate_hz) || *options.sample_rate_hz <= 0))
+    throw InputError("--sample-rate", "", "is not positive", "a rate in Hz was expected");
+  if (options.ensemble_s && (!std::isfinite(*options.ensemble_s) || *options.ensemble_s <= 0))
+    throw InputError("--ensemble", "", "is not positive", "a duration in seconds was expected");
+  const Variables variables = describe_data_file(options.files.front());
+  const std::vector<DescribedChannel> channels = describe_channels(options, variables);
+  const std::string time = time_variable(options, variables, options.files.front().string());
+  const RecordKind kind = record_kind(options.kind);
+
+  ImportedCampaign imported;
+  Campaign& campaign = imported.campaign;
+  campaign.name = options.name.empty() ? options.files.front().stem().string() : options.name;
+  for (const DescribedChannel& described : channels) campaign.channels.push_back(described.channel);
+  for (const DataVariable& variable : variables) {
+    const auto channel = std::find_if(channels.begin(), channels.end(),
+                                      [&](const DescribedChannel& d) { return d.variable == variable.name; });
+    if (channel == channels.end()) {
+      if (variable.name != time) imported.left_out.push_back(variable.name);
+    } else if (!variable.unit.empty() && variable.stated_unit != variable.unit) {
+      imported.converted.push_back({channel->channel.name, variable.stated_unit, variable.unit});
+    }
+  }
+  std::set<std::string> taken;
+  for (std::size_t f = 0; f < options.files.size(); ++f) {
+    // Files after the first are expected at the first one's rate.
+    const std::optional<double> expected = f == 0 ? options.sample_rate_hz : std::optional(campaign.sample_rate_hz);
+    Record record = read_file(options.files[f], channels, time, expected,
+                              options.sample_rate_hz ? "--sample-rate says" : "the first file's rate is");
+    if (f == 0) campaign.sample_rate_hz = record.sample_rate_hz;
+    RecordEntry entry;
+    entry.file = record_file(options.files[f], taken);
+    entry.kind = kind;
+    entry.excitation_frequency_hz = of_file(options.frequencies_hz, f, options.files.size(), "--frequency");
+    if (entry.excitation_frequency_hz && *entry.excitation_frequency_hz >= 0.5 * campaign.sample_rate_hz)
+      throw InputError("--frequency", "",
+                       fmt::format("is {}, not below half the sample rate", *entry.excitation_frequency_hz),
+                       "check the unit (Hz)");
+    entry.excitation_amplitude = of_file(options.amplitudes, f, options.files.size(), "--amplitude");
+    entry.ensemble_s = options.ensemble_s;
+    entry.group = options.group;
+    sink(campaign, entry, std::move(record));
+    campaign.records.push_back(std::move(entry));
+  }
+  return imported;
+}
+
+}  // namespace secular

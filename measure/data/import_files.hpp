@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "measure/data/campaign.hpp"
+#include "measure/data/campaign_writer.hpp"
+
+namespace secular {
+
+/// What the user says about files of other origin; the comments name the options of `secular import`.
+struct ImportOptions {
+  std::vector<std::filesystem::path> files;  ///< one record each
+  std::string kind;                          ///< --kind
+  std::vector<std::string> channels;         ///< --channel NAME[=VARIABLE]:ROLE[:QUANTITY:UNIT]
+  std::string time;                          ///< --time; empty: a variable named "t" if there is one
+  std::optional<double> sample_rate_hz;  ///< --sample-rate; checked against the time stamps where both are given
+  std::string name;                      ///< --name; empty: the first file's name without extension
+  std::string group;                     ///< --group
+  std::vector<double> frequencies_hz;    ///< --frequency: none, one for all files or one a file
+  std::vector<double> amplitudes;        ///< --amplitude: the same
+  std::optional<double> ensemble_s;      ///< --ensemble
+};
+
+struct ConvertedChannel {
+  std::string name, from_unit, to_unit;
+};
+
+struct ImportedCampaign {
+  Campaign campaign;
+  std::vector<Record> samples;
+  std::vector<std::string> left_out;        ///< variables that no --channel or --time names, each once
+  std::vector<ConvertedChannel> converted;  ///< channels whose unit the first file spells in another way or scales
+};
+
+/// Reads the files as records of one campaign; samples keep their bits, but for units that a file
+/// states and that are not SI: those are converted. Throws InputError that names the option for
+/// everything the files cannot say, and the file's variables where it helps.
+ImportedCampaign import_files(const ImportOptions& options);
+
+/// The same for files that do not fit into memory together: `sink` takes the records one after another, and
+/// ImportedCampaign::samples stays empty.
+ImportedCampaign import_files(const ImportOptions& options, const RecordSink& sink);
+
+}  // namespace secular

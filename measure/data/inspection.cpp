@@ -1,0 +1,149 @@
+#include "measure/data/inspection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+#include "input/input_error.hpp"
+#include "measure/data/data_file.hpp"
+#include "measure/data/record_data.hpp"
+
+namespace secular {
+namespace {
+
+std::string without_file(const InputError& error) {
+  std::string text = error.place();
+  text += (text.empty() ? "" : ": ") + error.wrong();
+  return text + (error.right().empty() ? "" : "; " + error.right());
+}
+
+// The time axis, or a fault that says why there is none.
+std::optional<TimeAxis> judged_axis(const std::vector<double>& stamps, const RowPlace& place,
+                                    std::optional<double> expected_rate, std::vector<DataFault>& faults) {
+  const auto missing = std::find_if(stamps.begin(), stamps.end(), [](double t) { return !std::isfinite(t); });
+  if (missing != stamps.end()) {
+    faults.push_back({"time", fmt::format("{}: the time stamp is missing or not finite",
+                                          place.of(static_cast<std::size_t>(missing - stamps.begin())))});
+    return std::nullopt;
+  }
+  try {
+    return even_time_axis(stamps, "", place, expected_rate);
+  } catch (const InputError& error) {
+    faults.push_back({"time", without_file(error)});
+    return std::nullopt;
+  }
+}
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+// "HIdata.time" -> "time".
+std::string last_part(const std::string& path) {
+  return path.substr(path.rfind('.') + 1);
+}
+
+// Samples of a channel that the limit leaves to each of `channels`.
+std::size_t share_of(const InspectionLimit& limit, std::uintmax_t bytes, std::size_t channels) {
+  if (bytes <= limit.whole_bytes) return all_values;
+  return std::max(limit.least_samples, limit.values / std::max<std::size_t>(1, channels));
+}
+
+std::uintmax_t size_of(const std::filesystem::path& file) {
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(file, unknown);
+  return unknown ? 0 : size;
+}
+
+// Samples up to the last stamp of a CSV of about `rows` rows that goes on as it begins; a fault if it does not.
+std::optional<std::size_t> samples_until(std::optional<double> last, const std::optional<TimeAxis>& axis,
+                                         std::size_t rows, std::vector<DataFault>& faults) {
+  if (!last || !axis) return std::nullopt;
+  const double samples = std::round((*last - axis->start_s) * axis->sample_rate_hz) + 1;
+  if (!(std::abs(samples / static_cast<double>(rows) - 1) < 0.2)) {
+    faults.push_back(
+        {"time", fmt::format("the last stamp, {} s, does not belong to about {} rows at {} Hz from {} s", *last,
+                             rows, axis->sample_rate_hz, axis->start_s)});
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(samples);
+}
+
+RecordInspection inspect_record(const Campaign& campaign, const RecordEntry& entry, std::size_t limit) {
+  RecordInspection inspection;
+  try {
+    const RecordData data = read_record_data(campaign, entry, MissingNumbers::keep_as_nan, limit);
+    inspection.judged = data.stamps_s.size();
+    inspection.samples = data.total;
+    inspection.axis = judged_axis(data.stamps_s, data.place, campaign.sample_rate_hz, inspection.faults);
+    if (inspection.axis && !(std::abs(inspection.axis->sample_rate_hz / campaign.sample_rate_hz - 1) <= 1e-3))
+      inspection.faults.push_back({"time", fmt::format("is sampled at {:.6g} Hz; campaign.toml says {}",
+                                                       inspection.axis->sample_rate_hz, campaign.sample_rate_hz)});
+    if (data.partial && data.csv) {
+      const std::optional<std::size_t> counted =
+          samples_until(data.last_stamp_s, inspection.axis, data.total, inspection.faults);
+      inspection.samples = counted.value_or(inspection.samples);
+      inspection.estimated = !counted;
+    }
+    for (const std::vector<double>& samples : data.channels) inspection.channels.push_back(check_channel(samples));
+  } catch (const InputError& error) {
+    inspection.faults.push_back({"unreadable", without_file(error)});
+  }
+  return inspection;
+}
+
+}  // namespace
+
+std::vector<RecordInspection> inspect_records(const Campaign& campaign, const InspectionLimit& limit) {
+  std::uintmax_t bytes = 0;
+  for (const RecordEntry& entry : campaign.records) bytes += size_of(campaign.folder / entry.file);
+  const std::size_t share = share_of(limit, bytes, campaign.records.size() * (campaign.channels.size() + 1));
+  std::vector<RecordInspection> inspections;
+  for (const RecordEntry& entry : campaign.records) inspections.push_back(inspect_record(campaign, entry, share));
+  return inspections;
+}
+
+FileInspection inspect_file(const std::filesystem::path& path, const InspectionLimit& limit) {
+  const std::uintmax_t bytes = size_of(path);
+  const std::size_t channels = bytes <= limit.whole_bytes ? 1 : describe_data_file(path).size();
+  const DataFile data = read_data_file(path, {}, MissingNumbers::keep_as_nan, share_of(limit, bytes, channels));
+  FileInspection inspection;
+  inspection.format = data.format;
+  inspection.partial = data.partial;
+  for (const DataVariable& variable : data.variables) {
+    inspection.variables.push_back({variable.name, variable.shape, variable.type, variable.unit,
+                                    variable.stated_unit, variable.fault, std::nullopt});
+    if (!variable.fault.empty()) continue;
+    const std::string name = lower(last_part(variable.name));
+    if (inspection.time.empty() && (name == "t" || name == "time") && variable.values.size() > 1) {
+      inspection.time = variable.name;
+      inspection.axis = judged_axis(variable.values, data.place, std::nullopt, inspection.faults);
+    }
+    inspection.variables.back().quality = check_channel(variable.values);
+    if (variable.name == inspection.time) {  // neither an offset nor a ramp is a fault of time
+      inspection.variables.back().quality->faults.clear();
+      inspection.variables.back().quality->noise.reset();
+      inspection.variables.back().quality->resolution.reset();
+    }
+  }
+  if (!data.partial || data.last_row.empty()) {
+    inspection.estimated = data.partial && data.format == "CSV";
+    return inspection;
+  }
+  std::optional<std::size_t> counted;
+  if (!inspection.time.empty()) {
+    const std::size_t column = data.index_of(inspection.time);
+    counted = samples_until(data.last_row[column], inspection.axis, data.variables[column].shape.front(),
+                            inspection.faults);
+  }
+  inspection.estimated = !counted;
+  if (counted)
+    for (VariableInspection& variable : inspection.variables) variable.shape = {*counted};
+  return inspection;
+}
+
+}  // namespace secular

@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <set>
+#include <system_error>
+
+#include "input/input_error.hpp"
+#include "input/toml_table.hpp"
+#include "measure/data/campaign.hpp"
+#include "measure/data/names.hpp"
+#include "measure/data/unit.hpp"
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+
+Channel read_channel(const TomlTable& table) {
+  table.refuse_unknown_keys({"name", "role", "quantity", "unit"});
+  Channel channel;
+  channel.name = table.string("name");
+  if (const std::string fault = channel_name_fault(channel.name); !fault.empty()) table.fail("name", fault);
+  const auto role = parse_role(table.string("role"));
+  if (!role) table.fail("role", "is '" + table.string("role") + "'", "excitation or response was expected");
+  channel.role = *role;
+  const auto quantity = parse_quantity(table.string("quantity"));
+  if (!quantity)
+    table.fail("quantity", "is '" + table.string("quantity") + "'", std::string(quantity_list) + " was expected");
+  channel.quantity = *quantity;
+  channel.unit = table.string("unit");
+  const std::string fault = unit_fault(channel.quantity, channel.unit);
+  if (!fault.empty()) table.fail("unit", fault);
+  return channel;
+}
+
+ModalBasis read_basis(const TomlTable& table, const std::vector<Channel>& channels) {
+  table.refuse_unknown_keys({"channels", "modes", "mass_normalised_shapes"});
+  ModalBasis basis;
+  basis.channels = table.strings("channels");
+  basis.modes = table.strings("modes");
+  basis.mass_normalised_shapes = table.number_rows("mass_normalised_shapes");
+  if (basis.channels.empty()) table.fail("channels", "is empty", "name the response channels of the modal basis");
+  if (basis.modes.empty()) table.fail("modes", "is empty", "name the model's coordinates");
+  const Quantity* quantity = nullptr;
+  for (const std::string& name : basis.channels) {
+    const auto channel =
+        std::find_if(channels.begin(), channels.end(), [&](const Channel& c) { return c.name == name; });
+    if (channel == channels.end())
+      table.fail("channels", "'" + name + "' is no channel of this campaign", "name a [[channel]]");
+    if (channel->role != ChannelRole::response)
+      table.fail("channels", "'" + name + "' is an excitation", "mode shapes belong to response channels");
+    if (quantity && *quantity != channel->quantity)
+      table.fail("channels", "'" + name + "' measures another quantity than the channels before it",
+                 "one modal basis has channels of one quantity");
+    quantity = &channel->quantity;
+  }
+  for (const char* const key : {"channels", "modes"}) {
+    const std::vector<std::string> listed = table.strings(key);
+    if (std::set<std::string>(listed.begin(), listed.end()).size() != listed.size())
+      table.fail(key, "names something twice", "every name once");
+  }
+  if (basis.channels.size() < basis.modes.size())
+    table.fail("modes", "names more modes than there are channels", "at least one channel for every mode");
+  if (basis.mass_normalised_shapes.size() != basis.channels.size())
+    table.fail("mass_normalised_shapes",
+               "has " + std::to_string(basis.mass_normalised_shapes.size()) + " rows for " +
+                   std::to_string(basis.channels.size()) + " channels",
+               "one row for every channel");
+  for (const std::vector<double>& row : basis.mass_normalised_shapes)
+    if (row.size() != basis.modes.size())
+      table.fail(
+          "mass_normalised_shapes",
+          "has a row of " + std::to_string(row.size()) + " for " + std::to_string(basis.modes.size()) + " modes",
+          "one number for every mode");
+  return basis;
+}
+
+std::optional<double> positive(const TomlTable& table, std::string_view key) {
+  const auto value = table.optional_number(key);
+  if (value && *value <= 0) table.fail(key, "is not positive", "a positive number was expected");
+  return value;
+}
+
+RecordEntry read_entry(const TomlTable& table, const Campaign& campaign) {
+  table.refuse_unknown_keys({"file", "kind", "excitation_frequency_hz", "excitation_amplitude", "ensemble_s",
+                             "started_s", "group", "variables"});
+  RecordEntry entry;
+  entry.line = table.line();
+  entry.file = table.string("file");
+  const fs::path relative(entry.file);
+  if (entry.file.find('\0') != std::string::npos) table.fail("file", "holds a zero byte", "a path was expected");
+  const bool leaves = relative.is_absolute() || std::any_of(relative.begin(), relative.end(),
+                                                            [](const fs::path& part) { return part == ".."; });
+  if (leaves) table.fail("file", "'" + entry.file + "' leaves the campaign folder", "give a path inside it");
+  std::error_code ignored;
+  if (entry.file.empty() || !fs::is_regular_file(campaign.folder / relative, ignored))
+    table.fail("file", "'" + entry.file + "' does not exist", "a file inside the campaign folder was expected");
+  const auto kind = parse_record_kind(table.string("kind"));
+  if (!kind)
+    table.fail("kind", "is '" + table.string("kind") + "'", std::string(record_kind_list) + " was expected");
+  entry.kind = *kind;
+  entry.excitation_frequency_hz = positive(table, "excitation_frequency_hz");
+  if (entry.excitation_frequency_hz && *entry.excitation_frequency_hz >= 0.5 * campaign.sample_rate_hz)
+    table.fail("excitation_frequency_hz", "is not below half the sample rate",
+               "check the unit (Hz) and sample_rate_hz");
+  entry.excitation_amplitude = positive(table, "excitation_amplitude");
+  entry.ensemble_s = positive(table, "ensemble_s");
+  entry.started_s = table.optional_number("started_s");
+  entry.group = table.string_or("group", "");
+  if (table.has("variables")) {
+    const TomlTable variables = table.table("variables");
+    for (const std::string& key : variables.keys()) {
+      const bool known = key == "t" || std::any_of(campaign.channels.begin(), campaign.channels.end(),
+                                                   [&](const Channel& c) { return c.name == key; });
+      if (!known) variables.fail(key, "is no channel", "map 't' and channel names to variables of the file");
+      entry.variables[key] = variables.string(key);
+    }
+  }
+  return entry;
+}
+
+}  // namespace
+
+Campaign read_campaign(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored))
+    throw InputError(folder.string(), "", "does not exist", "a campaign folder was expected");
+  if (!fs::is_directory(folder, ignored))
+    throw InputError(folder.string(), "", "is a file",
+                     "a campaign folder was expected: make one with `secular import`");
+  if (!fs::exists(folder / "campaign.toml", ignored))
+    throw InputError(folder.string(), "",
+                     fs::is_empty(folder, ignored) ? "is an empty folder" : "has no campaign.toml",
+                     "make a campaign from its files with `secular import`");
+  const TomlTable root = TomlTable::from_file(folder / "campaign.toml");
+  root.refuse_unknown_keys({"schema", "name", "sample_rate_hz", "channel", "modal_basis", "record"});
+  if (root.integer("schema") != 1) root.fail("schema", "is not 1", "this program reads schema 1");
+  Campaign campaign;
+  campaign.folder = folder;
+  campaign.name = root.string_or("name", folder.filename().string());
+  campaign.sample_rate_hz = root.number("sample_rate_hz");
+  if (campaign.sample_rate_hz <= 0) root.fail("sample_rate_hz", "is not positive", "a rate in Hz was expected");
+  std::set<std::string> names;
+  for (const TomlTable& table : root.tables("channel")) {
+    campaign.channels.push_back(read_channel(table));
+    if (!names.insert(campaign.channels.back().name).second)
+      table.fail("name", "'" + campaign.channels.back().name + "' is used twice", "every channel has its own name");
+  }
+  const bool any_response = std::any_of(campaign.channels.begin(), campaign.channels.end(),
+                                        [](const Channel& c) { return c.role == ChannelRole::response; });
+  if (!any_response) root.fail("channel", "no channel is a response", "describe at least one response [[channel]]");
+  if (root.has("modal_basis")) campaign.modal_basis = read_basis(root.table("modal_basis"), campaign.channels);
+  for (const TomlTable& table : root.tables("record")) campaign.records.push_back(read_entry(table, campaign));
+  if (campaign.records.empty()) root.fail("record", "there are no records", "add a [[record]] for every file");
+  return campaign;
+}
+
+}  // namespace secular

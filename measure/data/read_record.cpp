@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "input/input_error.hpp"
+#include "measure/data/campaign.hpp"
+#include "measure/data/data_file.hpp"
+#include "measure/data/record_data.hpp"
+#include "measure/data/time_axis.hpp"
+
+namespace secular {
+
+RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, MissingNumbers missing,
+                            std::size_t limit) {
+  std::vector<std::string> names;  // of t and of every channel
+  for (std::size_t c = 0; c <= campaign.channels.size(); ++c) {
+    const std::string channel = c == 0 ? "t" : campaign.channels[c - 1].name;
+    const auto renamed = entry.variables.find(channel);
+    names.push_back(renamed == entry.variables.end() ? channel : renamed->second);
+  }
+  DataFile data = read_data_file(campaign.folder / entry.file, names, missing, limit);
+  // Values move to their last reader: a record is held once.
+  const auto take = [&](std::size_t column) {
+    DataVariable& variable = data.vector(names[column]);
+    const bool again = std::find(names.begin() + static_cast<std::ptrdiff_t>(column) + 1, names.end(),
+                                 names[column]) != names.end();
+    return again ? variable.values : std::exchange(variable.values, {});
+  };
+  RecordData record{data.file, data.place, take(0), {}, 1, data.partial, data.format == "CSV", {}};
+  for (const std::size_t length : data.vector(names.front()).shape) record.total *= length;
+  if (!data.last_row.empty()) record.last_stamp_s = data.last_row[data.index_of(names.front())];
+  for (std::size_t c = 0; c < campaign.channels.size(); ++c) {
+    const DataVariable& variable = data.vector(names[c + 1]);
+    const Quantity quantity = campaign.channels[c].quantity;
+    if (const std::string fault = quantity_fault(variable, quantity); !fault.empty())
+      throw InputError(data.file, "variable " + variable.name, fault,
+                       fmt::format("campaign.toml says {}", to_string(quantity)));
+    record.channels.push_back(take(c + 1));
+    if (record.channels.back().size() != record.stamps_s.size())
+      throw InputError(
+          data.file, "channel " + campaign.channels[c].name,
+          fmt::format("has {} samples for {} time stamps", record.channels.back().size(), record.stamps_s.size()),
+          "all variables of a record have one length");
+  }
+  return record;
+}
+
+Record read_record(const Campaign& campaign, const RecordEntry& entry) {
+  RecordData data = read_record_data(campaign, entry, MissingNumbers::refuse);
+  const TimeAxis axis = even_time_axis(data.stamps_s, data.file, data.place, campaign.sample_rate_hz);
+  if (!(std::abs(axis.sample_rate_hz / campaign.sample_rate_hz - 1) <= 1e-3))
+    throw InputError(data.file, "", fmt::format("is sampled at {} Hz", axis.sample_rate_hz),
+                     fmt::format("campaign.toml says sample_rate_hz = {}", campaign.sample_rate_hz));
+  return {axis.start_s, axis.sample_rate_hz, std::move(data.channels)};
+}
+
+}  // namespace secular

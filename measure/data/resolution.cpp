@@ -1,0 +1,39 @@
+#include "measure/data/resolution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace secular {
+
+ValueGrid value_grid(std::span<const double> samples) {
+  ValueGrid grid;
+  if (samples.empty()) return grid;
+  std::vector<double> sorted(samples.begin(), samples.end());
+  std::sort(sorted.begin(), sorted.end());
+  // Differences below this come from arithmetic on the quantised values (a factor, an offset).
+  const double same = 1e-9 * (sorted.back() - sorted.front());
+  std::vector<double> gaps;
+  double level = sorted.front();
+  for (const double value : sorted) {
+    if (!(value - level > same)) continue;
+    gaps.push_back(value - level);
+    level = value;
+  }
+  grid.levels = gaps.size() + 1;
+  if (gaps.empty()) return grid;
+  const double smallest = *std::min_element(gaps.begin(), gaps.end());
+  const auto on_grid = std::count_if(gaps.begin(), gaps.end(), [&](double gap) {
+    const double multiple = gap / smallest;
+    return std::abs(multiple - std::round(multiple)) < 0.05;
+  });
+  // Unquantised values hit a multiple by chance in one of ten gaps; three levels are too few to tell.
+  if (gaps.size() < 3 || static_cast<double>(on_grid) < 0.95 * static_cast<double>(gaps.size())) return grid;
+  grid.step = smallest;
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+  std::nth_element(gaps.begin(), middle, gaps.end());
+  grid.visited = *middle < 8.5 * smallest;
+  return grid;
+}
+
+}  // namespace secular

@@ -1,0 +1,524 @@
+#include "measure/modal/modal_survey.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <unsupported/Eigen/FFT>
+
+#include "input/input_error.hpp"
+#include "measure/data/campaign_text.hpp"
+#include "measure/modal/modal_assurance.hpp"
+#include "measure/modal/modal_mass.hpp"
+#include "measure/modal/mode_scaling.hpp"
+#include "measure/modal/pole.hpp"
+#include "measure/modal/pole_fit.hpp"
+#include "measure/modal/survey_records.hpp"
+#include "measure/signal/transform_length.hpp"
+#include "numerics/hertz.hpp"
+
+namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+std::string toml_of(const ModalSurvey& survey) {
+  return (survey.campaign.folder / "campaign.toml").string();
+}
+
+StabilisationDiagram diagram_of(const ModalSurvey& survey, const ResponseSequence& responses, double rate,
+                                bool feedthrough) {
+  StabilisationOptions options;
+  options.largest_order = survey.options.largest_order;
+  options.lowest_hz = survey.options.lowest_hz;
+  options.highest_hz = survey.options.highest_hz;
+  const auto samples = static_cast<Index>(responses.size());
+  const HankelSize size =
+      hankel_size(samples, responses.front().rows(), responses.front().cols(), options.largest_order, feedthrough);
+  return stabilisation_diagram(EigensystemRealization(responses, rate, feedthrough, size), options);
+}
+
+void keep_strongest(StabilisationDiagram& diagram, int count) {
+  std::vector<StableMode>& modes = diagram.modes;
+  if (count <= 0 || static_cast<int>(modes.size()) <= count) return;
+  std::vector<double> strengths;
+  for (const StableMode& mode : modes) strengths.push_back(mode.strength);
+  std::sort(strengths.rbegin(), strengths.rend());
+  const double least = strengths[static_cast<std::size_t>(count - 1)];
+  for (const StableMode& mode : modes)
+    if (mode.strength < least) diagram.others.push_back(mode);
+  std::erase_if(modes, [&](const StableMode& mode) { return mode.strength < least; });
+}
+
+SurveyMode begin_mode(const StableMode& stable) {
+  SurveyMode mode;
+  mode.diagram = stable;
+  mode.pole = stable.pole;
+  mode.natural_frequency_hz = natural_frequency(stable.pole) * to_hz;
+  mode.damping_ratio = damping_ratio(stable.pole);
+  mode.natural_frequency_sd_hz = stable.frequency_spread * to_hz;
+  mode.damping_ratio_sd = stable.damping_spread;
+  mode.from = "stabilisation diagram, spread over orders";
+  mode.shape = mean_shape(std::vector<VectorXcd>{scale_shape(stable.shape).shape});
+  return mode;
+}
+
+// ---- impacts
+
+// The decay that an exponential window needs so that the responses end three decades below their largest value.
+double chosen_decay(SurveyRecords& records) {
+  double decay = 0;
+  for (const SurveyImpacts& group : records.impacts())
+    for (const ImpactPlace& place : group.places) {
+      const ImpactBlock block = records.impact(place);
+      const Index tail = std::max<Index>(1, block.responses.rows() / 20);
+      const double duration = static_cast<double>(block.responses.rows()) / records.impact_rate_hz();
+      for (Index c = 0; c < block.responses.cols(); ++c) {
+        const double largest = block.responses.col(c).cwiseAbs().maxCoeff();
+        if (!(largest > 0)) continue;
+        const double left = std::sqrt(block.responses.col(c).tail(tail).squaredNorm() / static_cast<double>(tail));
+        decay = std::max(decay, std::log(1e3 * left / largest) / duration);
+      }
+    }
+  return decay;
+}
+
+// Lines x (responses of every reference side by side).
+MatrixXcd side_by_side(const std::vector<SurveyReference>& references) {
+  const Index p = references.front().response.h1.cols();
+  MatrixXcd all(references.front().response.h1.rows(), p * static_cast<Index>(references.size()));
+  for (std::size_t q = 0; q < references.size(); ++q)
+    all.middleCols(static_cast<Index>(q) * p, p) = references[q].response.h1;
+  return all;
+}
+
+// What the lines of the band say of the modes: poles (windows' decay taken off), shapes, masses.
+struct ImpactModes {
+  VectorXcd poles;
+  std::vector<VectorXcd> shapes;
+  std::vector<std::vector<MassEstimate>> masses;
+  std::vector<std::optional<double>> mass;
+};
+
+ImpactModes modes_of_lines(const std::vector<SurveyReference>& references, ResponseForm form,
+                           const VectorXcd& start, double lowest_hz, double highest_hz) {
+  const FrequencyResponse& first = references.front().response;
+  const double decay = first.windows.decay;
+  const Index lines = first.frequency_hz.size();
+  const double spacing = first.frequency_hz(1);
+  const double top = highest_hz > 0 ? highest_hz : 0.8 * first.frequency_hz(lines - 1);
+  const Index low = std::max<Index>(1, static_cast<Index>(std::ceil(lowest_hz / spacing)));
+  const Index high = std::min<Index>(lines - 1, static_cast<Index>(std::floor(top / spacing)));
+  const MatrixXcd all = side_by_side(references).middleRows(low, high - low + 1);
+  const VectorXd omega = first.frequency_hz.segment(low, high - low + 1) / to_hz;
+  const PoleFit fit = refine_poles(omega, all, form, (start.array() - decay).matrix());
+  ImpactModes result;
+  result.poles = (fit.poles.array() + decay).matrix();
+  const Index p = first.h1.cols(), q = static_cast<Index>(references.size());
+  for (Index r = 0; r < fit.poles.size(); ++r) {
+    const Complex pole = result.poles(r);
+    MatrixXcd residue(p, q);  // of the receptance, A_pqr
+    for (Index j = 0; j < q; ++j)
+      for (Index c = 0; c < p; ++c)
+        residue(c, j) = convert_residue(fit.residues(r, j * p + c), pole, form, ResponseForm::receptance);
+    const Eigen::JacobiSVD<MatrixXcd> svd(residue, Eigen::ComputeThinU);
+    const VectorXcd leading = svd.matrixU().col(0);
+    const VectorXcd shape = scale_shape(leading).shape;
+    result.shapes.push_back(shape);
+    std::vector<MassEstimate> estimates;
+    double largest = 0;
+    for (const SurveyReference& reference : references)
+      if (reference.driving_channel >= 0)
+        largest = std::max(largest, std::abs(shape(reference.driving_channel).real()));
+    double sum = 0;
+    int used = 0;
+    for (Index j = 0; j < q; ++j) {
+      const SurveyReference& reference = references[static_cast<std::size_t>(j)];
+      if (reference.driving_channel < 0) continue;
+      const Complex amplitude = shape.dot(residue.col(j)) / shape.squaredNorm();  // B(r, q) for C = shape
+      const Complex driving = static_cast<double>(reference.sign) * shape(reference.driving_channel);
+      const double mass = modal_mass(pole, driving, amplitude).real();
+      // Eq. (2.7) divides by what the blow does to the mode: a point near a node tells nothing.
+      const bool moves = std::abs(driving.real()) >= 0.3 * largest && mass > 0;
+      estimates.push_back({reference.group, mass, moves});
+      if (!moves) continue;
+      sum += mass;
+      ++used;
+    }
+    result.masses.push_back(std::move(estimates));
+    result.mass.push_back(used > 0 ? std::optional<double>(sum / used) : std::nullopt);
+  }
+  return result;
+}
+
+// Sums over the impacts of every group.
+std::vector<ImpactSpectra> sums_of(SurveyRecords& records, const ImpactWindows& windows) {
+  std::vector<ImpactSpectra> sums(records.impacts().size());
+  for (std::size_t g = 0; g < sums.size(); ++g)
+    for (const ImpactPlace& place : records.impacts()[g].places)
+      sums[g].add(impact_spectra(records.impact(place), records.impact_rate_hz(), windows));
+  return sums;
+}
+
+std::vector<SurveyReference> references_of(const ModalSurvey& survey, const SurveyRecords& records,
+                                           const std::vector<ImpactSpectra>& sums, const ImpactWindows& windows) {
+  std::vector<SurveyReference> references;
+  for (std::size_t g = 0; g < sums.size(); ++g) {
+    SurveyReference reference;
+    reference.group = records.impacts()[g].group;
+    std::string channel = reference.group;
+    if (const auto given = survey.options.driving_points.find(reference.group);
+        given != survey.options.driving_points.end()) {
+      channel = given->second.channel;
+      reference.sign = given->second.sign;
+    }
+    for (std::size_t c = 0; c < survey.channels.size(); ++c)
+      if (survey.campaign.channels[survey.channels[c]].name == channel)
+        reference.driving_channel = static_cast<Index>(c);
+    reference.response = frequency_response(sums[g], records.impact_rate_hz(), windows);
+    references.push_back(std::move(reference));
+  }
+  return references;
+}
+
+void check_driving_points(const ModalSurvey& survey, const SurveyRecords& records) {
+  for (const auto& [group, point] : survey.options.driving_points) {
+    const bool known =
+        std::any_of(records.impacts().begin(), records.impacts().end(),
+                    [&, &name = group](const SurveyImpacts& impacts) { return impacts.group == name; });
+    if (!known)
+      throw InputError("--driving-point " + group + "=" + point.channel, "", "no impact record has this group",
+                       "the `group` of [[record]], or 'impacts' where it has none");
+    const bool response =
+        std::any_of(survey.channels.begin(), survey.channels.end(),
+                    [&, &at = point](std::size_t c) { return survey.campaign.channels[c].name == at.channel; });
+    if (!response)
+      throw InputError("--driving-point " + group + "=" + point.channel, "",
+                       "'" + point.channel + "' is no response channel",
+                       "name one, with - before it for a blow "
+                       "against its positive sense");
+  }
+}
+
+void survey_impacts(ModalSurvey& survey, SurveyRecords& records) {
+  check_driving_points(survey, records);
+  const double decay = survey.options.response_decay ? *survey.options.response_decay : chosen_decay(records);
+  const ImpactWindows impact_windows{survey.options.force_window_s, decay};
+  std::vector<ImpactSpectra> sums = sums_of(records, impact_windows);
+  survey.references = references_of(survey, records, sums, impact_windows);
+  const FrequencyResponse& first = survey.references.front().response;
+  const double nyquist = records.impact_rate_hz() / 2;
+  const double top =
+      survey.options.highest_hz > 0 ? std::min(nyquist, survey.options.highest_hz * 1.25) : 0.8 * nyquist;
+  std::vector<MatrixXcd> lines;
+  for (const SurveyReference& reference : survey.references) lines.push_back(reference.response.h1);
+  const PulseResponse pulse = pulse_response(first.frequency_hz, lines, top);
+  survey.diagram = diagram_of(survey, pulse.samples, pulse.sample_rate_hz, true);
+  keep_strongest(survey.diagram, survey.options.modes);
+  const MatrixXcd all = side_by_side(survey.references);
+  survey.spectrum_hz = first.frequency_hz;
+  survey.spectrum = (all.cwiseAbs2().rowwise().sum() / static_cast<double>(all.cols())).cwiseSqrt();
+  if (survey.diagram.modes.empty()) return;
+  for (StableMode& stable : survey.diagram.modes) stable.pole += decay;
+  for (StableMode& stable : survey.diagram.others) stable.pole += decay;
+  // Modes that nobody asked for are fitted too where their resonance lies on the lines.
+  std::vector<Complex> fitted;
+  for (const StableMode& stable : survey.diagram.modes) fitted.push_back(stable.pole);
+  for (const StableMode& stable : survey.diagram.others) {
+    const double hz = natural_frequency(stable.pole) * to_hz;
+    if (hz >= survey.options.lowest_hz && hz <= (survey.options.highest_hz > 0 ? survey.options.highest_hz : top))
+      fitted.push_back(stable.pole);
+  }
+  const VectorXcd start = Eigen::Map<const VectorXcd>(fitted.data(), static_cast<Index>(fitted.size()));
+  for (StabilisationPole& pole : survey.diagram.poles) pole.pole += decay;
+  const auto modes_from = [&](const std::vector<SurveyReference>& references, const VectorXcd& poles) {
+    return modes_of_lines(references, survey.form, poles, survey.options.lowest_hz, survey.options.highest_hz);
+  };
+  const ImpactModes found = modes_from(survey.references, start);
+  // Leaving out one impact at a time; a reference struck once cannot spare it.
+  std::vector<ImpactModes> without;
+  for (std::size_t g = 0; g < sums.size(); ++g) {
+    const std::vector<ImpactPlace>& places = records.impacts()[g].places;
+    if (places.size() < 3) continue;
+    const ImpactSpectra all_of_group = sums[g];
+    for (const ImpactPlace& place : places) {
+      sums[g].remove(impact_spectra(records.impact(place), records.impact_rate_hz(), impact_windows));
+      without.push_back(modes_from(references_of(survey, records, sums, impact_windows), found.poles));
+      sums[g] = all_of_group;
+    }
+  }
+  const auto n = static_cast<double>(without.size());
+  const auto jackknife = [&](const auto& value, double whole) {
+    double square = 0;
+    for (const ImpactModes& other : without) square += std::pow(value(other) - whole, 2);
+    return n > 0 ? std::sqrt((n - 1) / n * square) : 0.0;
+  };
+  for (std::size_t r = 0; r < survey.diagram.modes.size(); ++r) {
+    const auto row = static_cast<Index>(r);
+    SurveyMode mode = begin_mode(survey.diagram.modes[r]);
+    mode.pole = found.poles(row);
+    mode.natural_frequency_hz = natural_frequency(mode.pole) * to_hz;
+    mode.damping_ratio = damping_ratio(mode.pole);
+    mode.from = without.empty() ? "frequency responses; spread over model orders"
+                                : "frequency responses; leaving out one impact at a time";
+    mode.shape = mean_shape(std::vector<VectorXcd>{found.shapes[r]});
+    mode.masses = found.masses[r];
+    mode.mass = found.mass[r];
+    if (!without.empty()) {
+      mode.natural_frequency_sd_hz = jackknife(
+          [&](const ImpactModes& m) { return natural_frequency(m.poles(row)) * to_hz; }, mode.natural_frequency_hz);
+      mode.damping_ratio_sd =
+          jackknife([&](const ImpactModes& m) { return damping_ratio(m.poles(row)); }, mode.damping_ratio);
+      mode.shape.windows = without.size();
+      for (Index c = 0; c < mode.shape.mean.size(); ++c) {
+        mode.shape.real_sd(c) =
+            jackknife([&](const ImpactModes& m) { return m.shapes[r](c).real(); }, mode.shape.mean(c).real());
+        mode.shape.imaginary_sd(c) =
+            jackknife([&](const ImpactModes& m) { return m.shapes[r](c).imag(); }, mode.shape.mean(c).imag());
+      }
+      if (mode.mass)
+        mode.mass_sd = jackknife([&](const ImpactModes& m) { return m.mass[r].value_or(*mode.mass); }, *mode.mass);
+    }
+    survey.modes.push_back(std::move(mode));
+  }
+}
+
+// ---- free decays
+
+// Adds up the power spectra of the decays as they come.
+class DecaySpectrum {
+ public:
+  explicit DecaySpectrum(const std::vector<DecaySummary>& decays) : rate_(decays.front().sample_rate_hz) {
+    for (const DecaySummary& decay : decays) samples_ = std::min(samples_, cut_transform_length(decay.rows));
+    power_ = VectorXd::Zero(samples_ / 2 + 1);
+    transform_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  }
+
+  void add(const MatrixXd& decay) {
+    for (Index c = 0; c < decay.cols(); ++c) {
+      VectorXd column = decay.col(c).head(samples_);
+      column.array() -= column.mean();
+      for (Index i = 0; i < samples_; ++i)
+        column(i) *= 1 - std::cos(two_pi * (static_cast<double>(i) + 0.5) / static_cast<double>(samples_));
+      VectorXcd spectrum;
+      transform_.fwd(spectrum, column);
+      power_ += spectrum.cwiseAbs2();
+      ++count_;
+    }
+  }
+
+  void store(ModalSurvey& survey) const {
+    const Index lines = power_.size();
+    survey.spectrum_hz =
+        VectorXd::LinSpaced(lines, 0, static_cast<double>(lines - 1)) * (rate_ / static_cast<double>(samples_));
+    survey.spectrum = (power_ / count_).cwiseSqrt() * (2 / static_cast<double>(samples_));
+  }
+
+ private:
+  Index samples_ = std::numeric_limits<Index>::max();
+  double rate_, count_ = 0;
+  VectorXd power_;
+  Eigen::FFT<double> transform_;
+};
+
+void diagram_of_decays(ModalSurvey& survey, const SurveyRecords& records) {
+  Index samples = std::numeric_limits<Index>::max();
+  for (const DecaySummary& decay : records.decays()) samples = std::min(samples, decay.head.rows());
+  // Decays of one structure resemble each other: many of them would fill the Hankel matrix with repetitions in the
+  // place of delays. A few, spread over the campaign, show every mode.
+  constexpr Index most_decays = 8;
+  const auto p = static_cast<Index>(survey.channels.size()), all = static_cast<Index>(records.decays().size());
+  const Index q = std::min(all, most_decays);
+  ResponseSequence responses(static_cast<std::size_t>(samples), MatrixXd(p, q));
+  for (Index k = 0; k < samples; ++k)
+    for (Index j = 0; j < q; ++j)
+      responses[static_cast<std::size_t>(k)].col(j) =
+          records.decays()[static_cast<std::size_t>(j * all / q)].head.row(k).transpose();
+  survey.diagram = diagram_of(survey, responses, records.decays().front().sample_rate_hz, false);
+  keep_strongest(survey.diagram, survey.options.modes);
+  for (const StableMode& stable : survey.diagram.modes) survey.modes.push_back(begin_mode(stable));
+}
+
+// Long enough that the slowest mode loses a fifth and the lowest swings eight times; a quarter of the shortest
+// decay at most.
+double chosen_window(const ModalSurvey& survey, const SurveyRecords& records) {
+  double periods = 0, loss = 0, limit = std::numeric_limits<double>::infinity();
+  for (const SurveyMode& mode : survey.modes) {
+    periods = std::max(periods, 8 / mode.natural_frequency_hz);
+    loss = std::max(loss, 0.25 / std::max(1e-12, -mode.pole.real()));
+  }
+  double least = 0;
+  for (const DecaySummary& decay : records.decays()) {
+    limit = std::min(limit, 0.25 * static_cast<double>(decay.rows) / decay.sample_rate_hz);
+    least = static_cast<double>(12 + 8 * survey.modes.size()) / decay.sample_rate_hz;
+  }
+  return std::max(least, std::min(limit, std::max(periods, loss)));
+}
+
+// Modes that stand but were not asked for move in the windows all the same: the strongest of them are fitted along,
+// as many as a third of the window's samples determines.
+void add_others(const ModalSurvey& survey, double rate, std::vector<Complex>& poles) {
+  std::vector<StableMode> others = survey.diagram.others;
+  std::sort(others.begin(), others.end(),
+            [](const StableMode& a, const StableMode& b) { return a.strength > b.strength; });
+  const double fits = survey.window_s * rate / 12;
+  for (const StableMode& mode : others)
+    if (static_cast<double>(poles.size()) + 1 < fits) poles.push_back(mode.pole);
+}
+
+void survey_decays(ModalSurvey& survey, SurveyRecords& records) {
+  const bool alone = survey.references.empty();
+  if (alone) diagram_of_decays(survey, records);
+  if (survey.modes.empty()) return;
+  ModeWindowOptions options;
+  options.length_s = survey.options.window_s > 0 ? survey.options.window_s : chosen_window(survey, records);
+  options.overlap = survey.options.overlap;
+  survey.window_s = options.length_s;
+  std::vector<Complex> poles;
+  for (const SurveyMode& mode : survey.modes) poles.push_back(mode.pole);
+  if (alone) add_others(survey, records.decays().front().sample_rate_hz, poles);
+  DecaySpectrum spectrum(records.decays());
+  for (std::size_t i = 0; i < records.decays().size(); ++i) {
+    const SurveyDecay& decay = records.decay(i);
+    const std::size_t record = records.decays()[i].record;
+    if (alone) spectrum.add(decay.samples);
+    std::vector<ModeWindow> windows;
+    try {
+      windows = mode_windows(decay.samples, decay.sample_rate_hz, poles, options);
+    } catch (const std::invalid_argument&) {
+      throw InputError(
+          (survey.campaign.folder / survey.campaign.records[record].file).string(), "",
+          fmt::format("a window of {:.4g} s does not fit {} modes and the record", options.length_s, poles.size()),
+          "choose another --window, or fewer --modes");
+    }
+    for (ModeWindow& window : windows) {
+      if (window.mode >= static_cast<Index>(survey.modes.size())) continue;
+      window.record = record;
+      window.centre_s += decay.start_s;
+      survey.windows.push_back(std::move(window));
+    }
+  }
+  if (alone) spectrum.store(survey);
+  for (std::size_t r = 0; r < survey.modes.size(); ++r) {
+    SurveyMode& mode = survey.modes[r];
+    const AmplitudeDependence dependence =
+        amplitude_dependence(survey.windows, static_cast<Index>(r), options.overlap, survey.options.fit_below);
+    if (dependence.windows < 3) {
+      survey.warnings.push_back(fmt::format(
+          "mode {} ({:.4g} Hz) is seen in {} windows of {:.3g} s only: its values are those of the stabilisation "
+          "diagram, their spread over orders is no error bar; a narrower --band or another --window may help",
+          r + 1, mode.natural_frequency_hz, dependence.windows, options.length_s));
+      continue;
+    }
+    mode.amplitude = dependence;
+    if (!alone) continue;
+    const MeanShape shape = mean_shape(survey.windows, static_cast<Index>(r));
+    mode.shape = shape;
+    mode.natural_frequency_hz = dependence.natural_frequency_hz;
+    mode.natural_frequency_sd_hz = dependence.natural_frequency_sd_hz;
+    mode.damping_ratio = dependence.damping_ratio;
+    mode.damping_ratio_sd = dependence.damping_ratio_sd;
+    mode.pole = {dependence.damping_factor_hz.intercept / to_hz, dependence.frequency_hz.intercept / to_hz};
+    mode.from = "regression over windows to zero amplitude";
+    if (dependence.frequency_hz.curvature_p < 0.05 || dependence.damping_factor_hz.curvature_p < 0.05)
+      survey.warnings.push_back(fmt::format(
+          "mode {} ({:.4g} Hz): {} against amplitude is no straight line (p = {:.1g}); use --fit-below to "
+          "keep to small amplitudes",
+          r + 1, mode.natural_frequency_hz, dependence.frequency_hz.curvature_p < 0.05 ? "frequency" : "damping",
+          std::min(dependence.frequency_hz.curvature_p, dependence.damping_factor_hz.curvature_p)));
+  }
+}
+
+void give_masses(ModalSurvey& survey) {
+  const std::vector<double>& masses = survey.options.modal_masses;
+  if (masses.empty()) return;
+  if (masses.size() != survey.modes.size())
+    throw InputError("--modal-mass", "", fmt::format("{} masses for {} modes", masses.size(), survey.modes.size()),
+                     "one for every mode, in order of frequency; --band and --modes choose the modes");
+  for (std::size_t r = 0; r < masses.size(); ++r) {
+    if (!(masses[r] > 0) || !std::isfinite(masses[r]))
+      throw InputError("--modal-mass", "", fmt::format("{} is not positive", masses[r]), "a mass in kg");
+    survey.modes[r].mass = masses[r];
+    survey.modes[r].mass_sd = 0;
+  }
+}
+
+}  // namespace
+
+std::optional<MatrixXd> ModalSurvey::mass_normalised() const {
+  if (modes.empty()) return std::nullopt;
+  MatrixXd shapes(static_cast<Index>(channels.size()), static_cast<Index>(modes.size()));
+  VectorXd masses(static_cast<Index>(modes.size()));
+  for (std::size_t r = 0; r < modes.size(); ++r) {
+    if (!modes[r].mass) return std::nullopt;
+    shapes.col(static_cast<Index>(r)) = modes[r].shape.mean.real();
+    masses(static_cast<Index>(r)) = *modes[r].mass;
+  }
+  return mass_normalised_shapes(shapes, masses);
+}
+
+std::string ModalSurvey::channel_name(Index channel) const {
+  return campaign.channels[channels[static_cast<std::size_t>(channel)]].name;
+}
+
+ModalSurvey modal_survey(const std::filesystem::path& folder, const ModalSurveyOptions& options) {
+  ModalSurvey survey;
+  survey.campaign = read_campaign(folder);
+  survey.options = options;
+  if (options.highest_hz > 0 && options.highest_hz >= 0.5 * survey.campaign.sample_rate_hz)
+    throw InputError("--band", "", fmt::format("{} Hz is not below half the sample rate", options.highest_hz),
+                     fmt::format("{} samples/s allow less than {} Hz", survey.campaign.sample_rate_hz,
+                                 0.5 * survey.campaign.sample_rate_hz));
+  SurveyRecords records(survey);
+  if (!records.impacts().empty()) survey_impacts(survey, records);
+  if (!records.decays().empty()) survey_decays(survey, records);
+  if (survey.modes.empty())
+    throw InputError(toml_of(survey), "", "no mode stands in the stabilisation diagram",
+                     "try another --band, a larger --order, or a part with less noise (--from, --to)");
+  MatrixXcd shapes(static_cast<Index>(survey.channels.size()), static_cast<Index>(survey.modes.size()));
+  for (std::size_t r = 0; r < survey.modes.size(); ++r) {
+    shapes.col(static_cast<Index>(r)) = survey.modes[r].shape.mean;
+    survey.modes[r].phase_collinearity = phase_collinearity(survey.modes[r].shape.mean);
+    if (survey.modes[r].phase_collinearity < 0.9)
+      survey.warnings.push_back(
+          fmt::format("mode {} ({:.4g} Hz) is complex (phase collinearity {:.2f}): its real part "
+                      "is no normal mode",
+                      r + 1, survey.modes[r].natural_frequency_hz, survey.modes[r].phase_collinearity));
+  }
+  survey.mac = modal_assurance_matrix(shapes, shapes);
+  give_masses(survey);
+  return survey;
+}
+
+std::string modal_basis_text(const ModalSurvey& survey) {
+  const std::optional<MatrixXd> shapes = survey.mass_normalised();
+  if (!shapes)
+    throw InputError("--basis", "", "the modal masses are not known",
+                     "impacts with a force channel, struck where a response is measured (--driving-point), or "
+                     "--modal-mass M1,M2,...");
+  if (shapes->cols() > shapes->rows())
+    throw InputError(
+        "--basis", "",
+        fmt::format("{} modes seen by {} channels cannot be told apart", shapes->cols(), shapes->rows()),
+        "keep no more modes than channels: --modes, --band");
+  Campaign carrier;
+  ModalBasis basis;
+  for (Index c = 0; c < shapes->rows(); ++c) {
+    basis.channels.push_back(survey.channel_name(c));
+    basis.mass_normalised_shapes.emplace_back();
+    for (Index r = 0; r < shapes->cols(); ++r) basis.mass_normalised_shapes.back().push_back((*shapes)(c, r));
+  }
+  for (Index r = 0; r < shapes->cols(); ++r) basis.modes.push_back(fmt::format("v{}", r + 1));
+  carrier.modal_basis = basis;
+  const std::string text = campaign_text(carrier);
+  return text.substr(text.find("[modal_basis]"));
+}
+
+}  // namespace secular

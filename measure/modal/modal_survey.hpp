@@ -1,0 +1,99 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "measure/data/campaign.hpp"
+#include "measure/modal/amplitude_dependence.hpp"
+#include "measure/modal/frequency_response.hpp"
+#include "measure/modal/residue_conversion.hpp"
+#include "measure/modal/stabilisation.hpp"
+
+namespace secular {
+
+/// Where a reference (a group of impact records) strikes: a response channel, and the sense of the blow along it.
+struct DrivingPoint {
+  std::string channel;
+  int sign = 1;
+};
+
+struct ModalSurveyOptions {
+  std::string records = "*";  ///< shell pattern on the record's file
+  double from_s = -std::numeric_limits<double>::infinity(), to_s = std::numeric_limits<double>::infinity();
+  double lowest_hz = 0, highest_hz = 0;  ///< band of the modes; no upper limit where it is zero
+  int largest_order = 40;
+  int modes = 0;                                       ///< keep this many, the strongest; zero: all that stand
+  double window_s = 0;                                 ///< of free decays; zero: chosen
+  double overlap = 0.33;                               ///< of the windows
+  double fit_below = 0;                                ///< regression over windows up to this amplitude; zero: all
+  double force_window_s = 0;                           ///< of impacts; zero: none
+  std::optional<double> response_decay;                ///< exponential window of impacts, 1/s; chosen without it
+  std::map<std::string, DrivingPoint> driving_points;  ///< by group
+  std::vector<double> modal_masses;                    ///< kg, by mode, where the records do not tell them
+};
+
+/// Impacts at one point: the records of one group.
+struct SurveyReference {
+  std::string group;
+  Eigen::Index driving_channel = -1;  ///< index into ModalSurvey::channels; -1: no response is measured there
+  int sign = 1;
+  FrequencyResponse response;
+};
+
+struct MassEstimate {
+  std::string group;
+  double mass = 0;    ///< kg, real part of Eq. (2.7)
+  bool used = false;  ///< false: the reference hardly moves in this mode
+};
+
+struct SurveyMode {
+  double natural_frequency_hz = 0, natural_frequency_sd_hz = 0;
+  double damping_ratio = 0, damping_ratio_sd = 0;
+  std::string from;           ///< where these four come from
+  std::complex<double> pole;  ///< rad/s
+  StableMode diagram;         ///< what stood in the stabilisation diagram
+  MeanShape shape;            ///< scaled by Eq. (2.2)
+  double phase_collinearity = 0;
+  std::optional<AmplitudeDependence> amplitude;
+  std::vector<MassEstimate> masses;
+  std::optional<double> mass;  ///< kg
+  double mass_sd = 0;          ///< kg; zero where it was given or cannot be told
+};
+
+/// Modal parameters of a campaign of impacts or free decays.
+struct ModalSurvey {
+  Campaign campaign;
+  ModalSurveyOptions options;
+  std::vector<std::size_t> channels;  ///< the responses, indices into campaign.channels
+  ResponseForm form = ResponseForm::accelerance;
+  std::string unit;  ///< of the responses
+  StabilisationDiagram diagram;
+  std::vector<SurveyMode> modes;            ///< by frequency
+  Eigen::MatrixXd mac;                      ///< of the modes' shapes
+  std::vector<SurveyReference> references;  ///< empty without measured forces
+  std::vector<ModeWindow> windows;          ///< of the free decays; centre_s in record time
+  double window_s = 0;                      ///< length used
+  Eigen::VectorXd spectrum_hz, spectrum;    ///< root-mean-square over channels (and references), for the diagram
+  std::vector<std::string> warnings;
+
+  /// Mass-normalised shapes, real parts (p x modes), Eq. (2.13); nothing unless every mode has its mass.
+  std::optional<Eigen::MatrixXd> mass_normalised() const;
+  std::string channel_name(Eigen::Index channel) const;
+};
+
+/// Modes from the impacts where the campaign has records of kind `impact` with a force channel (H1, realization
+/// with feed-through, poles and residues refined on the lines of the band, error bars by leaving out one impact at
+/// a time); otherwise from the free decays (an impact without a force channel is one). Frequency and damping
+/// against amplitude from the free decays where there are any. Throws InputError for a campaign with neither,
+/// responses of different quantities, options that do not fit the campaign, records too short.
+ModalSurvey modal_survey(const std::filesystem::path& campaign, const ModalSurveyOptions& options);
+
+/// The [modal_basis] table of campaign.toml, mode names v1, v2, ... Throws InputError where a mass is missing.
+std::string modal_basis_text(const ModalSurvey& survey);
+
+}  // namespace secular

@@ -1,0 +1,110 @@
+#include "measure/modal/mode_windows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "measure/modal/eigensystem_realization.hpp"
+#include "measure/modal/mode_scaling.hpp"
+#include "measure/modal/pole.hpp"
+#include "measure/modal/pole_fit.hpp"
+
+namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+
+ResponseSequence single_reference(const Eigen::Ref<const MatrixXd>& samples) {
+  ResponseSequence sequence(static_cast<std::size_t>(samples.rows()));
+  for (Index k = 0; k < samples.rows(); ++k) sequence[static_cast<std::size_t>(k)] = samples.row(k).transpose();
+  return sequence;
+}
+
+// The modes' poles in this window: the realization's nearest ones, or where it has none the expected one.
+VectorXcd starting_poles(const Eigen::Ref<const MatrixXd>& samples, double rate, const VectorXcd& expected,
+                         double search) {
+  const int order = static_cast<int>(2 * expected.size() + 4);
+  const HankelSize size = hankel_size(samples.rows(), samples.cols(), 1, order, false, 1200);
+  const EigensystemRealization era(single_reference(samples), rate, false, size);
+  const Realization realization = era.realize(std::min<Index>(order, era.rank()));
+  VectorXcd start = expected;
+  std::vector<bool> taken(static_cast<std::size_t>(realization.poles.size()), false);
+  for (Index r = 0; r < expected.size(); ++r) {
+    Index best = -1;
+    for (Index i = 0; i < realization.poles.size(); ++i) {
+      const Complex pole = realization.poles(i);
+      if (taken[static_cast<std::size_t>(i)] || !(pole.imag() > 0) ||
+          std::abs(pole.imag() / expected(r).imag() - 1) > search || std::abs(damping_ratio(pole)) > 0.2)
+        continue;
+      if (best < 0 || std::abs(pole - expected(r)) < std::abs(realization.poles(best) - expected(r))) best = i;
+    }
+    if (best < 0) continue;
+    taken[static_cast<std::size_t>(best)] = true;
+    start(r) = realization.poles(best);
+  }
+  return start;
+}
+
+bool audible(const PoleFit& fit, Index mode, double level) {
+  for (Index c = 0; c < fit.noise_sd.size(); ++c)
+    if (2 * std::abs(fit.residues(mode, c)) >= level * fit.noise_sd(c)) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<ModeWindow> mode_windows(const Eigen::Ref<const MatrixXd>& samples, double sample_rate_hz,
+                                     const std::vector<Complex>& poles, const ModeWindowOptions& options) {
+  const auto length = static_cast<Index>(std::lround(options.length_s * sample_rate_hz));
+  const auto modes = static_cast<Index>(poles.size());
+  if (length < 8 + 4 * modes || length > samples.rows())
+    throw std::invalid_argument("mode_windows: the window does not fit");
+  const auto step = std::max<Index>(
+      1, static_cast<Index>(std::lround((1 - options.overlap) * options.length_s * sample_rate_hz)));
+  std::vector<Index> followed;
+  for (Index r = 0; r < modes; ++r) followed.push_back(r);
+  std::vector<Complex> expected = poles;
+  std::vector<ModeWindow> windows;
+  for (Index first = 0; first + length <= samples.rows() && !followed.empty(); first += step) {
+    VectorXcd near(static_cast<Index>(followed.size()));
+    for (Index i = 0; i < near.size(); ++i)
+      near(i) = expected[static_cast<std::size_t>(followed[static_cast<std::size_t>(i)])];
+    const MatrixXd window = samples.middleRows(first, length);
+    VectorXcd start = starting_poles(window, sample_rate_hz, near, options.search);
+    // Poles that are not refined yet leave more than noise: only what is lost for good is left out here.
+    const PoleFit first_fit = fit_residues(window, sample_rate_hz, start);
+    std::vector<Index> heard, left;
+    for (Index i = 0; i < near.size(); ++i)
+      if (audible(first_fit, i, 0.1 * options.end_at_noise)) heard.push_back(i);
+    if (heard.empty()) break;
+    for (const Index i : heard) left.push_back(followed[static_cast<std::size_t>(i)]);
+    followed = std::move(left);
+    start = start(heard).eval();
+    near = near(heard).eval();
+    const PoleFit fit = refine_poles(window, sample_rate_hz, start);
+    std::vector<Index> still;
+    for (Index i = 0; i < near.size(); ++i) {
+      const Index mode = followed[static_cast<std::size_t>(i)];
+      const Complex pole = fit.poles(i);
+      // A pole that has run away has no mode left to follow.
+      if (!audible(fit, i, options.end_at_noise) || std::abs(pole.imag() / near(i).imag() - 1) > options.search ||
+          std::abs(damping_ratio(pole)) > 0.2 || !std::isfinite(fit.omega_sd(i)))
+        continue;
+      still.push_back(mode);
+      const ScaledShape scaled = scale_shape(fit.residues.row(i).transpose());
+      const double gained = pole.real() * static_cast<double>(length) / sample_rate_hz;
+      const double mean = std::abs(gained) > 1e-12 ? std::expm1(gained) / gained : 1;
+      windows.push_back(
+          {0, mode, (static_cast<double>(first) + 0.5 * static_cast<double>(length - 1)) / sample_rate_hz, pole,
+           fit.growth_sd(i), fit.omega_sd(i), 2 * std::abs(scaled.factor) * mean, scaled.shape});
+      expected[static_cast<std::size_t>(mode)] = pole;
+    }
+    followed = std::move(still);
+  }
+  return windows;
+}
+
+}  // namespace secular

@@ -1,0 +1,250 @@
+#include "measure/modal/pole_fit.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
+namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+constexpr Complex imaginary(0, 1);
+
+// Real columns that multiply (Re R, Im R) of one pole, and their derivatives by the pole's real part. Those by its
+// imaginary part are the same two columns turned, (d2, -d1): the functions are analytic in the pole.
+struct PoleColumns {
+  MatrixXd columns, derivatives;  // rows x 2
+};
+
+// A separable problem: data = [pole columns, fixed columns] * real coefficients.
+struct Separable {
+  MatrixXd data;   // rows x signals
+  MatrixXd fixed;  // rows x terms that no pole changes
+  std::function<PoleColumns(Complex)> columns;
+};
+
+MatrixXd design_of(const Separable& problem, const VectorXcd& poles) {
+  MatrixXd design(problem.data.rows(), 2 * poles.size() + problem.fixed.cols());
+  for (Index r = 0; r < poles.size(); ++r) design.middleCols(2 * r, 2) = problem.columns(poles(r)).columns;
+  design.rightCols(problem.fixed.cols()) = problem.fixed;
+  return design;
+}
+
+void check(const Separable& problem, const VectorXcd& poles) {
+  const Index unknowns = 2 * poles.size() + problem.fixed.cols();
+  if (poles.size() == 0 || problem.data.cols() == 0)
+    throw std::invalid_argument("pole fit: no poles or no signals");
+  if (problem.data.rows() <= unknowns + 1) throw std::invalid_argument("pole fit: fewer samples than unknowns");
+  if (!problem.data.allFinite() || !poles.allFinite()) throw std::invalid_argument("pole fit: not finite");
+  for (const Complex pole : poles)
+    if (!(pole.imag() > 0)) throw std::invalid_argument("pole fit: a pole is not in the upper half plane");
+}
+
+PoleFit residues_of(const Separable& problem, const VectorXcd& poles) {
+  check(problem, poles);
+  MatrixXd design = design_of(problem, poles);
+  const VectorXd scale = design.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
+  design = design * scale.asDiagonal();
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(design);
+  const MatrixXd coefficients = qr.solve(problem.data);
+  const MatrixXd left = problem.data - design * coefficients;
+  PoleFit fit;
+  fit.status = FitStatus::converged;
+  fit.poles = poles;
+  fit.growth_sd = VectorXd::Zero(poles.size());
+  fit.omega_sd = VectorXd::Zero(poles.size());
+  fit.residues.resize(poles.size(), problem.data.cols());
+  for (Index r = 0; r < poles.size(); ++r)
+    for (Index s = 0; s < problem.data.cols(); ++s)
+      fit.residues(r, s) = {coefficients(2 * r, s) * scale(2 * r), coefficients(2 * r + 1, s) * scale(2 * r + 1)};
+  const auto freedom = static_cast<double>(problem.data.rows() - design.cols());
+  fit.noise_sd = (left.colwise().squaredNorm() / freedom).cwiseSqrt().transpose();
+  return fit;
+}
+
+// Variable projection with Kaufman's Jacobian J. Its rows (samples x signals) are never formed: all of them are
+// combinations of the projected derivatives, whose moments give J^T J = H and J^T r = g. The fit sees the shorter
+// problem of the same H, g and |r|: with H = V S^2 V^T the rows S V^T, the residual S^-1 V^T g, and one entry more
+// for the rest of |r|.
+FitReport refine_once(const Separable& problem, const VectorXd& weight, const VectorXcd& start) {
+  const Index n = start.size(), rows = problem.data.rows(), signals = problem.data.cols();
+  const MatrixXd data = problem.data * weight.asDiagonal();
+  // In units of each pole's modulus, so that steps compare.
+  const VectorXd unit = start.cwiseAbs();
+  const ResidualFunction function = [&](const VectorXd& x, VectorXd& residual, MatrixXd& jacobian) {
+    MatrixXd design(rows, 2 * n + problem.fixed.cols()), derivatives(rows, 2 * n);
+    design.rightCols(problem.fixed.cols()) = problem.fixed;
+    for (Index r = 0; r < n; ++r) {
+      const Complex pole = start(r) + unit(r) * Complex(x(2 * r), x(2 * r + 1));
+      if (!(pole.imag() > 0) || std::abs(pole.real()) > pole.imag()) {
+        residual.setConstant(std::nan(""));  // a step too far, turned back
+        jacobian.setZero();
+        return;
+      }
+      const PoleColumns columns = problem.columns(pole);
+      design.middleCols(2 * r, 2) = columns.columns;
+      derivatives.middleCols(2 * r, 2) = columns.derivatives;
+    }
+    const VectorXd scale = design.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
+    design = design * scale.asDiagonal();
+    const Eigen::HouseholderQR<MatrixXd> qr(design);
+    const MatrixXd orthogonal = qr.householderQ() * MatrixXd::Identity(rows, design.cols());
+    const MatrixXd shadow = orthogonal.transpose() * data;
+    const MatrixXd coefficients =
+        scale.asDiagonal() * qr.matrixQR().topRows(design.cols()).triangularView<Eigen::Upper>().solve(shadow);
+    const MatrixXd left = data - orthogonal * shadow;
+    derivatives -= orthogonal * (orthogonal.transpose() * derivatives);
+    const MatrixXd moments = derivatives.transpose() * derivatives, slopes = derivatives.transpose() * left;
+    MatrixXd hessian = MatrixXd::Zero(2 * n, 2 * n);
+    VectorXd gradient = VectorXd::Zero(2 * n);
+    for (Index s = 0; s < signals; ++s) {
+      MatrixXd turn = MatrixXd::Zero(2 * n, 2 * n);  // unknowns to amplitudes of the derivatives
+      for (Index r = 0; r < n; ++r) {
+        const double p = -unit(r) * coefficients(2 * r, s), q = -unit(r) * coefficients(2 * r + 1, s);
+        turn.block<2, 2>(2 * r, 2 * r) << p, -q, q, p;
+      }
+      hessian += turn.transpose() * (moments * turn);
+      gradient += turn.transpose() * slopes.col(s);
+    }
+    const VectorXd length = hessian.diagonal().cwiseMax(1e-300).cwiseSqrt(), shorten = length.cwiseInverse();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(
+        MatrixXd(shorten.asDiagonal() * hessian * shorten.asDiagonal()));
+    const VectorXd singular = spectrum.eigenvalues().cwiseMax(0).cwiseSqrt();
+    VectorXd along = spectrum.eigenvectors().transpose() * shorten.cwiseProduct(gradient);
+    for (Index i = 0; i < 2 * n; ++i)
+      along(i) = singular(i) > 1e-7 * singular(2 * n - 1) ? along(i) / singular(i) : 0;  // below: rounding
+    jacobian.topRows(2 * n) = singular.asDiagonal() * spectrum.eigenvectors().transpose() * length.asDiagonal();
+    jacobian.row(2 * n).setZero();
+    residual.head(2 * n) = along;
+    residual(2 * n) = std::sqrt(std::max(0.0, left.squaredNorm() - along.squaredNorm()));
+  };
+  FitReport report = nonlinear_fit(function, 2 * n + 1, VectorXd::Zero(2 * n), 60);
+  for (Index r = 0; r < n; ++r) {
+    report.parameters.segment(2 * r, 2) *= unit(r);
+    report.covariance.middleRows(2 * r, 2) *= unit(r);
+    report.covariance.middleCols(2 * r, 2) *= unit(r);
+  }
+  return report;
+}
+
+PoleFit refined(const Separable& problem, const VectorXcd& start) {
+  PoleFit fit = residues_of(problem, start);
+  const double floor = 1e-14 * problem.data.cwiseAbs().maxCoeff() + 1e-300;
+  for (int pass = 0; pass < 2; ++pass) {
+    const VectorXd weight = fit.noise_sd.cwiseMax(floor).cwiseInverse();
+    const FitReport report = refine_once(problem, weight, fit.poles);
+    VectorXcd poles = fit.poles;
+    for (Index r = 0; r < poles.size(); ++r)
+      poles(r) += Complex(report.parameters(2 * r), report.parameters(2 * r + 1));
+    fit = residues_of(problem, poles);
+    fit.status = report.status;
+    const Index points = problem.data.size();
+    const Index unknowns = 2 * poles.size() + (2 * poles.size() + problem.fixed.cols()) * problem.data.cols();
+    const double variance = 2 * report.cost / static_cast<double>(std::max<Index>(1, points - unknowns));
+    for (Index r = 0; r < poles.size(); ++r) {
+      fit.growth_sd(r) = std::sqrt(variance * report.covariance(2 * r, 2 * r));
+      fit.omega_sd(r) = std::sqrt(variance * report.covariance(2 * r + 1, 2 * r + 1));
+    }
+  }
+  return fit;
+}
+
+Separable in_time(const Eigen::Ref<const MatrixXd>& samples, double rate) {
+  if (!(rate > 0)) throw std::invalid_argument("pole fit: the sample rate is not positive");
+  // 2 Re(R e) = Re R * 2 Re e - Im R * 2 Im e with e = exp(pole t): exact at every 32nd sample and for the offsets
+  // in between, so that rounding does not grow along the record.
+  return {samples, MatrixXd::Ones(samples.rows(), 1), [rows = samples.rows(), rate](Complex pole) {
+            constexpr Index block = 32;
+            Complex offset[block];
+            for (Index j = 0; j < block; ++j) offset[j] = std::exp(pole * (static_cast<double>(j) / rate));
+            PoleColumns c{MatrixXd(rows, 2), MatrixXd(rows, 2)};
+            Complex start = 0;
+            for (Index i = 0; i < rows; ++i) {
+              const double t = static_cast<double>(i) / rate;
+              if (i % block == 0) start = 2.0 * std::exp(pole * t);
+              const Complex factor = offset[i % block];
+              const double real = start.real() * factor.real() - start.imag() * factor.imag();
+              const double imaginary_part = start.real() * factor.imag() + start.imag() * factor.real();
+              c.columns(i, 0) = real;
+              c.columns(i, 1) = -imaginary_part;
+              c.derivatives(i, 0) = t * real;
+              c.derivatives(i, 1) = -t * imaginary_part;
+            }
+            return c;
+          }};
+}
+
+MatrixXd stacked(const MatrixXcd& values) {
+  MatrixXd rows(2 * values.rows(), values.cols());
+  rows << values.real(), values.imag();
+  return rows;
+}
+
+MatrixXcd outside_terms(const Eigen::Ref<const VectorXd>& omega, ResponseForm form) {
+  MatrixXcd terms(omega.size(), 3);
+  const double unit = omega.cwiseAbs().maxCoeff();  // powers of w/unit: columns of like size
+  for (Index i = 0; i < omega.size(); ++i)
+    for (int j = 0; j < 3; ++j) terms(i, j) = std::pow(imaginary * omega(i) / unit, j + static_cast<int>(form) - 2);
+  return terms;
+}
+
+Separable in_frequency(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref<const MatrixXcd>& responses,
+                       ResponseForm form) {
+  if (omega.size() != responses.rows()) throw std::invalid_argument("pole fit: lines and responses differ");
+  if (omega.size() > 0 && !(omega.minCoeff() > 0))
+    throw std::invalid_argument("pole fit: the frequencies are not positive");
+  const VectorXcd s = imaginary * omega.cast<Complex>();
+  return {stacked(responses), stacked(outside_terms(omega, form)), [s](Complex pole) {
+            const VectorXcd up = (s.array() - pole).inverse(), down = (s.array() - std::conj(pole)).inverse();
+            const VectorXcd du = up.cwiseProduct(up), dd = down.cwiseProduct(down);
+            MatrixXcd c(s.size(), 2), d(s.size(), 2);
+            c << up + down, imaginary * (up - down);
+            d << du + dd, imaginary * (du - dd);
+            return PoleColumns{stacked(c), stacked(d)};
+          }};
+}
+
+}  // namespace
+
+PoleFit fit_residues(const Eigen::Ref<const MatrixXd>& samples, double sample_rate_hz,
+                     const Eigen::Ref<const VectorXcd>& poles) {
+  return residues_of(in_time(samples, sample_rate_hz), poles);
+}
+
+PoleFit refine_poles(const Eigen::Ref<const MatrixXd>& samples, double sample_rate_hz,
+                     const Eigen::Ref<const VectorXcd>& start) {
+  return refined(in_time(samples, sample_rate_hz), start);
+}
+
+PoleFit fit_residues(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref<const MatrixXcd>& responses,
+                     ResponseForm form, const Eigen::Ref<const VectorXcd>& poles) {
+  return residues_of(in_frequency(omega, responses, form), poles);
+}
+
+PoleFit refine_poles(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref<const MatrixXcd>& responses,
+                     ResponseForm form, const Eigen::Ref<const VectorXcd>& start) {
+  return refined(in_frequency(omega, responses, form), start);
+}
+
+MatrixXcd synthesise(const PoleFit& fit, const Eigen::Ref<const VectorXd>& omega,
+                     const Eigen::Ref<const MatrixXcd>& responses, ResponseForm form) {
+  const Separable problem = in_frequency(omega, responses, form);
+  const MatrixXd design = design_of(problem, fit.poles);
+  const VectorXd scale = design.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
+  const MatrixXd scaled = design * scale.asDiagonal();
+  const MatrixXd values = scaled * scaled.colPivHouseholderQr().solve(problem.data);
+  MatrixXcd result(omega.size(), responses.cols());
+  result.real() = values.topRows(omega.size());
+  result.imag() = values.bottomRows(omega.size());
+  return result;
+}
+
+}  // namespace secular

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "measure/modal/frequency_response.hpp"
+#include "measure/modal/modal_survey.hpp"
+
+namespace secular {
+
+/// One free decay, filtered down to the band, from where the structure swings freely.
+struct SurveyDecay {
+  double start_s = 0;       ///< record time of the first row
+  Eigen::MatrixXd samples;  ///< rows x responses
+  double sample_rate_hz = 0;
+};
+
+/// What is kept of a decay while others are looked at.
+struct DecaySummary {
+  std::size_t record = 0;
+  Eigen::Index rows = 0;
+  double sample_rate_hz = 0;
+  Eigen::MatrixXd head;  ///< its first rows, as many as a realization takes
+};
+
+struct ImpactPlace {
+  std::size_t record = 0;
+  Eigen::Index begin = 0;  ///< sample of the part between --from and --to
+};
+
+/// Impacts at one point.
+struct SurveyImpacts {
+  std::string group;
+  std::vector<ImpactPlace> places;
+};
+
+/// The records of a survey, one of them in memory at a time: samples are read when they are asked for, and the
+/// record read last is kept.
+class SurveyRecords {
+ public:
+  /// Reads the records that the options choose once. Fills channels, form, unit and warnings of the survey, which
+  /// must outlive this. Throws InputError.
+  explicit SurveyRecords(ModalSurvey& survey);
+  ~SurveyRecords();
+  SurveyRecords(const SurveyRecords&) = delete;
+  SurveyRecords& operator=(const SurveyRecords&) = delete;
+
+  const std::vector<DecaySummary>& decays() const { return decays_; }
+  const std::vector<SurveyImpacts>& impacts() const { return impacts_; }
+  double impact_rate_hz() const { return impact_rate_hz_; }
+
+  /// Samples of a decay by its place in decays(); valid until the next call.
+  const SurveyDecay& decay(std::size_t i);
+  ImpactBlock impact(const ImpactPlace& place);
+
+ private:
+  struct Part;
+  const Part& part(std::size_t record);
+  SurveyDecay cut_decay(std::size_t record);
+  void find_places(const std::vector<std::size_t>& records);
+
+  ModalSurvey& survey_;
+  std::optional<std::size_t> force_;  // channel
+  std::vector<DecaySummary> decays_;
+  std::vector<SurveyImpacts> impacts_;
+  double impact_rate_hz_ = 0;
+  Eigen::Index impact_length_ = 0;
+  std::unique_ptr<Part> part_;  // of the record read last
+  std::size_t part_record_ = 0;
+  SurveyDecay decay_;
+  std::optional<std::size_t> decay_at_;
+};
+
+}  // namespace secular

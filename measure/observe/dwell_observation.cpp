@@ -1,0 +1,475 @@
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "estimator/model/zero_frequency.hpp"
+#include "input/input_error.hpp"
+#include "measure/observe/mode_frequencies.hpp"
+#include "measure/observe/observation_set.hpp"
+#include "measure/observe/record_window.hpp"
+#include "measure/observe/related_tones.hpp"
+#include "measure/signal/bispectral_phase.hpp"
+#include "measure/signal/free_decay.hpp"
+#include "measure/signal/tone_fit.hpp"
+#include "numerics/hertz.hpp"
+#include "numerics/in_parallel.hpp"
+
+namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Below this many standard deviations a mode counts as at rest.
+constexpr double trivial_branch_sd = 8;
+
+/// Share of an excitation channel's power that its tone must have.
+constexpr double excitation_purity = 0.5;
+
+/// Relative difference of measured and nominal excitation amplitude that is worth a warning.
+constexpr double level_tolerance = 0.2;
+
+/// Free frequencies are searched this far from where the nominal values put them, relative to the lowest mode.
+constexpr double dwell_search_range = 0.1;
+
+/// Fewer ensembles cannot tell phases that stand still from independent ones at the one percent that is asked for.
+constexpr std::size_t lock_ensembles = 6;
+
+/// Amplitudes of a motion that has not settled, over one ensemble: they settle within a few ensembles, so that the
+/// rates that a quadratic finds would be wrong by several percent.
+constexpr int transient_degree = 4;
+
+/// Bins between a weak harmonic and every other tone, for it to be fitted.
+constexpr double separate_tone_bins = 2;
+
+double strongest_frequency(const Eigen::Ref<const VectorXd>& y, double rate) {
+  // Mean distance of upward crossings of the mean: enough as a start for one dominant tone.
+  const double mean = y.mean();
+  Index first = -1, last = -1, crossings = 0;
+  for (Index i = 0; i + 1 < y.size(); ++i)
+    if (y(i) < mean && y(i + 1) >= mean) {
+      if (first < 0) first = i;
+      last = i;
+      ++crossings;
+    }
+  return crossings > 1 ? two_pi * rate * static_cast<double>(crossings - 1) / static_cast<double>(last - first)
+                       : two_pi * rate / static_cast<double>(y.size());
+}
+
+class DwellObserver {
+ public:
+  DwellObserver(const Campaign& campaign, const RecordReader& read_samples, const CompiledModel& model,
+                const CompiledCase& resonance, const Window& window, DwellMotion motion)
+      : campaign_(campaign),
+        read_(read_samples),
+        model_(model),
+        resonance_(resonance),
+        window_(window),
+        motion_(motion),
+        projection_(modal_projection(campaign, model)),
+        excitations_(excitation_channels(campaign, model)),
+        modes_(mode_frequencies(model, resonance)) {}
+
+  ObservationSet run() const {
+    std::vector<std::size_t> dwells;
+    for (std::size_t r = 0; r < campaign_.records.size(); ++r)
+      if (campaign_.records[r].kind == RecordKind::dwell && window_.takes(r, campaign_.records[r].file))
+        dwells.push_back(r);
+    std::vector<ObservationSet> results(dwells.size());
+    in_parallel(dwells.size(), window_.threads,
+                [&](std::size_t i) { observe(dwells[i], static_cast<int>(i), results[i]); });
+    ObservationSet all;
+    all.model = &model_;
+    all.resonance = &resonance_;
+    for (std::size_t i = 0; i < dwells.size(); ++i) {
+      std::move(results[i].observations.begin(), results[i].observations.end(),
+                std::back_inserter(all.observations));
+      std::move(results[i].at_rest.begin(), results[i].at_rest.end(), std::back_inserter(all.at_rest));
+      std::move(results[i].warnings.begin(), results[i].warnings.end(), std::back_inserter(all.warnings));
+    }
+    return all;
+  }
+
+ private:
+  void observe(std::size_t r, int condition, ObservationSet& result) const {
+    const RecordEntry& entry = campaign_.records[r];
+    const Record record = read_(r);
+    const SampleRange range = range_of(record, window_);
+    const Index ensemble =
+        entry.ensemble_s ? static_cast<Index>(std::lround(*entry.ensemble_s * record.sample_rate_hz)) : range.count;
+    const auto leave_out = [&](const std::string& why) {
+      result.warnings.push_back(fmt::format("{}: {}, left out", entry.file, why));
+    };
+    if (ensemble < 32 || range.count < ensemble) return leave_out("shorter than one ensemble");
+    if (const std::string why = not_an_excitation(record, entry, range); !why.empty()) return leave_out(why);
+    std::vector<Observation> found;
+    VectorXd free;  // of the ensemble before
+    for (Index begin = range.first; begin + ensemble <= range.first + range.count; begin += ensemble)
+      found.push_back(observe_ensemble(record, r, condition, begin, ensemble, free));
+    if (motion_ == DwellMotion::steady) {
+      if (at_rest(found)) {
+        result.at_rest = std::move(found);
+        return leave_out("the motion is on the trivial branch (its amplitude is not above the noise)");
+      }
+      if (const double drift = largest_drift(found); drift > 0)
+        return leave_out(
+            fmt::format("has not settled (the amplitude changes by {:.1f} % over the dwell)", 100 * drift));
+      if (!locked(found))
+        return leave_out("the modes are not locked to the excitation (their phases wander against it)");
+      warn_of_level(entry, found, result);
+    }
+    result.observations = std::move(found);
+  }
+
+  // What an excitation channel holds if it is not mainly its tone.
+  std::string not_an_excitation(const Record& record, const RecordEntry& entry, SampleRange range) const {
+    if (motion_ != DwellMotion::steady || !entry.excitation_frequency_hz || excitations_.size() != 1) return {};
+    const double frequency = two_pi * *entry.excitation_frequency_hz;
+    const auto share = [&](std::size_t channel) {
+      const MatrixXd samples = samples_of(record, {channel}, range.first, std::min<Index>(range.count, 4096));
+      const KnownFrequencyFit fit =
+          known_frequency_components(samples, record.sample_rate_hz, std::span(&frequency, 1), true);
+      const double tone = 2 * std::norm(fit.amplitude(0, 0)), rest = fit.noise_sd(0) * fit.noise_sd(0);
+      return tone + rest > 0 ? tone / (tone + rest) : 0.0;
+    };
+    const std::size_t named = excitations_.front();
+    const double own = share(named);
+    if (own > excitation_purity) return {};
+    std::string text = fmt::format("channel {}, named excitation, has only {:.0f} % of its power at {:.4g} Hz",
+                                   campaign_.channels[named].name, 100 * own, *entry.excitation_frequency_hz);
+    std::size_t best = named;
+    for (std::size_t c = 0; c < campaign_.channels.size(); ++c)
+      if (share(c) > share(best)) best = c;
+    if (best != named && share(best) > excitation_purity)
+      text += fmt::format(" and channel {} has {:.0f} %: are they swapped?", campaign_.channels[best].name,
+                          100 * share(best));
+    return text;
+  }
+
+  // Of the frequency that was asked for and what the decomposition finds near it, which noise may lead astray, the one
+  // with more power.
+  static double tone_near(const MatrixXd& samples, double rate, double guess) {
+    const double decomposed = decomposed_frequency(samples.col(0), rate, guess);
+    const auto power = [&](double w) { return tone_power(samples, rate, VectorXd::Constant(1, w)); };
+    return power(guess) > power(decomposed) ? guess : decomposed;
+  }
+
+  void warn_of_level(const RecordEntry& entry, const std::vector<Observation>& found,
+                     ObservationSet& result) const {
+    if (!entry.excitation_amplitude || !(*entry.excitation_amplitude > 0) || excitations_.size() != 1) return;
+    const double ratio = std::abs(found.front().forcing[0]) / *entry.excitation_amplitude;
+    if (std::abs(ratio - 1) > level_tolerance)
+      result.warnings.push_back(fmt::format(
+          "{}: channel {} holds {:.3g} times the nominal excitation amplitude: wrong channel, unit or sensitivity?",
+          entry.file, campaign_.channels[excitations_.front()].name, ratio));
+  }
+
+  Observation observe_ensemble(const Record& record, std::size_t r, int condition, Index begin, Index count,
+                               VectorXd& free) const {
+    const RecordEntry& entry = campaign_.records[r];
+    Observation o;
+    o.condition = condition;
+    o.record = r;
+    o.centre_s = record.start_s +
+                 (static_cast<double>(begin) + 0.5 * static_cast<double>(count - 1)) / record.sample_rate_hz;
+    for (std::size_t j = 0; j < excitations_.size(); ++j) {
+      const MatrixXd samples = samples_of(record, {excitations_[j]}, begin, count);
+      const double guess = entry.excitation_frequency_hz
+                               ? two_pi * *entry.excitation_frequency_hz
+                               : strongest_frequency(samples.col(0), record.sample_rate_hz);
+      const double start = tone_near(samples, record.sample_rate_hz, guess);
+      ToneOptions tone;
+      tone.harmonics = {1};
+      ToneFit fit = fit_harmonic_tone(samples, record.sample_rate_hz, start, tone);
+      if (fit.status == ToneStatus::ill_conditioned || std::abs(fit.frequency / guess - 1) > 0.2)
+        throw InputError(
+            (campaign_.folder / entry.file).string(), "channel " + campaign_.channels[excitations_[j]].name,
+            "no steady excitation tone is found in it", "check excitation_frequency_hz and the channel's role");
+      o.excitation_frequency.push_back(fit.frequency);
+      o.excitation_frequency_sd.push_back(fit.frequency_sd);
+      o.forcing.push_back(2.0 * fit.amplitude(0, 0));
+      o.forcing_sd.push_back(2 * fit.amplitude_sd(0, 0));
+    }
+    fit_responses(samples_of(record, projection_.channels, begin, count), record.sample_rate_hz, o, free);
+    return o;
+  }
+
+  // Where the free frequencies are, from the nominal natural frequencies or, without them, the strongest lines.
+  VectorXd search_free(const MatrixXd& samples, double rate, const std::vector<double>& excitation) const {
+    const MatrixXd modal = samples * projection_.matrix.transpose();
+    const double resolution = two_pi * rate / static_cast<double>(samples.rows());
+    const auto modes = static_cast<Index>(model_.modes());
+    VectorXd expected = VectorXd::Zero(modes);
+    double lowest = INFINITY;
+    for (Index k = 0; k < modes; ++k) {
+      if (!modes_.oscillates[static_cast<std::size_t>(k)]) continue;
+      expected(k) = model_.nominal[static_cast<std::size_t>(k)];
+      if (!std::isfinite(expected(k))) {
+        double best = 0;
+        for (double w = 2 * resolution; w < 0.9 * std::numbers::pi * rate; w += 0.5 * resolution) {
+          const bool excited = std::any_of(excitation.begin(), excitation.end(),
+                                           [&](double e) { return std::abs(e - w) < 2 * resolution; });
+          const double power = excited ? 0 : tone_power(modal.col(k), rate, VectorXd::Constant(1, w));
+          if (power > best) {
+            best = power;
+            expected(k) = w;
+          }
+        }
+      }
+      lowest = std::min(lowest, expected(k));
+    }
+    VectorXd offset = expected;
+    for (std::size_t j = 0; j < excitation.size(); ++j)
+      offset -= excitation[j] * modes_.forced.col(static_cast<Index>(j));
+    for (Index k = 0; k < modes; ++k)
+      if (!modes_.oscillates[static_cast<std::size_t>(k)]) offset(k) = 0;
+    const VectorXd centre = modes_.coupling.colPivHouseholderQr().solve(offset);
+    VectorXd best = centre;
+    double highest = -1;
+    if (centre.size() == 1)
+      for (double shift = -dwell_search_range * lowest; shift <= dwell_search_range * lowest;
+           shift += 0.25 * resolution) {
+        const VectorXd u = centre.array() + shift;
+        const double power = tone_power(modal, rate, modes_.observed(u, excitation));
+        if (power > highest) {
+          highest = power;
+          best = u;
+        }
+      }
+    return best;
+  }
+
+  void fit_responses(const MatrixXd& samples, double rate, Observation& o, VectorXd& free) const {
+    const std::size_t modes = model_.modes();
+    const double resolution = two_pi * rate / static_cast<double>(samples.rows());
+    const double nyquist = std::numbers::pi * rate;
+    const auto unknowns = static_cast<Index>(modes_.free.size());
+    if (unknowns > 0 && free.size() == 0) free = search_free(samples, rate, o.excitation_frequency);
+    if (unknowns == 0) free.resize(0);
+
+    // Every tone as (coupling to u, fixed part); a block whose frequency is negative is seen by its conjugate.
+    struct Tone {
+      Eigen::RowVectorXd coupling;
+      double fixed = 0;
+    };
+    std::vector<Tone> tones;
+    const auto frequency = [&](const Tone& t) { return t.fixed + (unknowns > 0 ? t.coupling.dot(free) : 0.0); };
+    // `apart`: bins from every other tone that a tone of its own needs; -1 where it is too close to one.
+    const auto index_of = [&](const Tone& tone, double apart) -> std::ptrdiff_t {
+      const double f = frequency(tone);
+      if (f < 2 * resolution || f > nyquist - 2 * resolution) return -1;
+      for (std::size_t i = 0; i < tones.size(); ++i)
+        if (std::abs(frequency(tones[i]) - f) < 0.5 * resolution) return static_cast<std::ptrdiff_t>(i);
+      for (const Tone& other : tones)
+        if (std::abs(frequency(other) - f) < apart * resolution) return -1;
+      tones.push_back(tone);
+      return static_cast<std::ptrdiff_t>(tones.size() - 1);
+    };
+    std::vector<Tone> of_mode(modes, Tone{Eigen::RowVectorXd::Zero(unknowns), 0});
+    std::vector<std::ptrdiff_t> mode_index(modes, -1), block_index;
+    for (std::size_t k = 0; k < modes; ++k) {
+      if (!modes_.oscillates[k]) continue;
+      of_mode[k].coupling = modes_.coupling.row(static_cast<Index>(k));
+      for (std::size_t j = 0; j < excitations_.size(); ++j)
+        of_mode[k].fixed += modes_.forced(static_cast<Index>(k), static_cast<Index>(j)) * o.excitation_frequency[j];
+      mode_index[k] = index_of(of_mode[k], 0);
+    }
+    const std::size_t main_tones = tones.size();
+    std::vector<bool> reversed;
+    std::vector<Tone> block_tone;
+    for (const RegressorBlock& block : resonance_.blocks) {
+      Tone tone{Eigen::RowVectorXd::Zero(unknowns), 0};
+      for (std::size_t i = 0; i < block.phase.size(); ++i) {
+        if (i < modes) {
+          tone.coupling += block.phase[i] * of_mode[i].coupling;
+          tone.fixed += block.phase[i] * of_mode[i].fixed;
+        } else {
+          tone.fixed += block.phase[i] * o.excitation_frequency[i - modes];
+        }
+      }
+      reversed.push_back(frequency(tone) < 0);
+      if (reversed.back()) {
+        tone.coupling = -tone.coupling;
+        tone.fixed = -tone.fixed;
+      }
+      block_tone.push_back(tone);
+    }
+    // Harmonics of first order are regressed; weaker ones are fitted where they cost the others nothing.
+    block_index.assign(resonance_.blocks.size(), -1);
+    for (const int order : {1, 2})
+      for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
+        const RegressorBlock& block = resonance_.blocks[b];
+        if (block.kind == BlockKind::harmonic && !is_zero_frequency(block) && (block.order <= 1) == (order == 1))
+          block_index[b] = index_of(block_tone[b], order == 1 ? 0 : separate_tone_bins);
+      }
+    // Whatever else is likely to be there must not count as noise: combinations of up to three frequencies.
+    const std::size_t sources = modes + excitations_.size();
+    std::vector<int> multiple(sources, 0);
+    const auto combine = [&](const auto& self, std::size_t from, int left) -> void {
+      if (from == sources) {
+        Tone tone{Eigen::RowVectorXd::Zero(unknowns), 0};
+        for (std::size_t i = 0; i < sources; ++i) {
+          if (i < modes) {
+            tone.coupling += multiple[i] * of_mode[i].coupling;
+            tone.fixed += multiple[i] * of_mode[i].fixed;
+          } else {
+            tone.fixed += multiple[i] * o.excitation_frequency[i - modes];
+          }
+        }
+        index_of(tone, separate_tone_bins);
+        return;
+      }
+      const bool there = from >= modes || modes_.oscillates[from];
+      for (int n = there ? -left : 0; n <= (there ? left : 0); ++n) {
+        multiple[from] = n;
+        self(self, from + 1, left - std::abs(n));
+      }
+      multiple[from] = 0;
+    };
+    combine(combine, 0, 3);
+    const auto related = [&](std::size_t count) {
+      RelatedTones list{VectorXd(static_cast<Index>(count)), MatrixXd(static_cast<Index>(count), unknowns), 0};
+      for (std::size_t i = 0; i < count; ++i) {
+        list.fixed(static_cast<Index>(i)) = tones[i].fixed;
+        if (unknowns > 0) list.coupling.row(static_cast<Index>(i)) = tones[i].coupling;
+      }
+      return list;
+    };
+    VectorXd free_sd;
+    if (unknowns > 0) {
+      const RelatedToneFit main = fit_related_tones(samples, rate, related(main_tones), free);
+      free = main.free;
+      free_sd = main.free_sd;
+    }
+    RelatedTones list = related(tones.size());
+    if (motion_ == DwellMotion::transient) {
+      // A slope of an amplitude is what turns it, too: frequencies near the tones' are as good as any.
+      if (unknowns > 0) list.fixed += list.coupling * free;
+      list.coupling.resize(list.fixed.size(), 0);
+      list.varying = static_cast<int>(main_tones);
+      list.degree = transient_degree;
+    }
+    const RelatedToneFit fit = fit_related_tones(samples, rate, list, free);
+    if (list.coupling.cols() > 0) {
+      free = fit.free;
+      free_sd = fit.free_sd;
+    }
+
+    const auto seen_frequency = [&](std::ptrdiff_t at) { return frequency(tones[static_cast<std::size_t>(at)]); };
+    for (std::size_t k = 0; k < modes; ++k) {
+      const std::ptrdiff_t at = mode_index[k];
+      Complex rate_of_mode(0, at >= 0 ? seen_frequency(at) : 0.0), value = 0;
+      double sd = 0, frequency_sd = 0;
+      if (at >= 0) {
+        SlowAmplitude slow{project(projection_, k, fit.amplitude.row(at)), 0, 0};
+        if (motion_ == DwellMotion::transient) {
+          slow.slope = project(projection_, k, fit.slope.row(at));
+          slow.curvature = project(projection_, k, fit.curvature.row(at));
+        }
+        slow = to_displacement(slow, seen_frequency(at), projection_.derivatives);
+        value = slow.value;
+        rate_of_mode += slow.slope / value;
+        sd = project_sd(projection_, k, fit.amplitude_sd.row(at)) /
+             std::pow(seen_frequency(at), projection_.derivatives);
+        if (unknowns > 0) frequency_sd = of_mode[k].coupling.transpose().cwiseProduct(free_sd).norm();
+      }
+      o.amplitude.push_back(value);
+      o.amplitude_sd.push_back(sd);
+      o.rate.push_back(rate_of_mode);
+      // A locked mode's frame is the excitation's: its frequency error is counted there.
+      o.growth_sd.push_back(0);
+      o.frequency_sd.push_back(frequency_sd);
+    }
+    for (Index i = 0; i < unknowns; ++i) o.free_frequency_sd.push_back(free_sd(i));
+    for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
+      const RegressorBlock& block = resonance_.blocks[b];
+      const auto mode = static_cast<std::size_t>(block.mode);
+      const std::ptrdiff_t at = block_index[b];
+      Complex value = 0;
+      double sd = -1;
+      if (at >= 0) {
+        const double f = seen_frequency(at);
+        value =
+            to_displacement({project(projection_, mode, fit.amplitude.row(at))}, f, projection_.derivatives).value;
+        if (reversed[b]) value = std::conj(value);
+        sd = project_sd(projection_, mode, fit.amplitude_sd.row(at)) / std::pow(f, projection_.derivatives);
+      } else if (is_zero_frequency(block) && projection_.derivatives == 0) {
+        value = project(projection_, mode, fit.offset.transpose().cast<Complex>());
+        sd = project_sd(projection_, mode, fit.offset_sd.transpose());
+      }
+      o.harmonic.push_back(value);
+      o.harmonic_sd.push_back(sd);
+    }
+  }
+
+  bool at_rest(const std::vector<Observation>& found) const {
+    for (std::size_t k = 0; k < model_.modes(); ++k) {
+      if (!modes_.oscillates[k]) continue;
+      double largest = 0;
+      for (const Observation& o : found) largest = std::max(largest, std::abs(o.amplitude[k]) / o.amplitude_sd[k]);
+      if (largest < trivial_branch_sd) return true;
+    }
+    return false;
+  }
+
+  // Relative change of amplitude over the dwell where it is beyond four standard deviations and one percent.
+  double largest_drift(const std::vector<Observation>& found) const {
+    double drift = 0;
+    if (found.size() < 3) return drift;
+    for (std::size_t k = 0; k < model_.modes(); ++k) {
+      if (!modes_.oscillates[k]) continue;
+      const double first = std::abs(found.front().amplitude[k]), last = std::abs(found.back().amplitude[k]);
+      const double sd = std::hypot(found.front().amplitude_sd[k], found.back().amplitude_sd[k]);
+      if (std::abs(last - first) > 4 * sd && std::abs(last - first) > 0.01 * first)
+        drift = std::max(drift, std::abs(last - first) / first);
+    }
+    return drift;
+  }
+
+  // Two modes with one free frequency, Omega = omega1 + omega2: gamma = arg(F conj(A1) conj(A2)) stands still
+  // (thesis section 6.5); a mode that enters the relation with the other sign enters gamma unconjugated.
+  bool locked(const std::vector<Observation>& found) const {
+    std::vector<std::size_t> pair;
+    for (std::size_t k = 0; k < model_.modes(); ++k)
+      if (modes_.oscillates[k]) pair.push_back(k);
+    if (modes_.free.size() != 1 || pair.size() != 2 || found.size() < lock_ensembles ||
+        model_.excitations.size() != 1)
+      return true;
+    const int drive = resonance_.relations[model_.modes()];
+    const int sign[] = {resonance_.relations[pair[0]] * drive, resonance_.relations[pair[1]] * drive};
+    if (std::abs(sign[0]) != 1 || std::abs(sign[1]) != 1) return true;
+    Eigen::VectorXcd force(static_cast<Index>(found.size())), first = force, second = force;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const auto at = static_cast<Index>(i);
+      force(at) = found[i].forcing[0];
+      first(at) = sign[0] < 0 ? found[i].amplitude[pair[0]] : std::conj(found[i].amplitude[pair[0]]);
+      second(at) = sign[1] < 0 ? found[i].amplitude[pair[1]] : std::conj(found[i].amplitude[pair[1]]);
+    }
+    return bispectral_phase(force, first, second, ensemble_layout(force.size(), 1, 0)).locked;
+  }
+
+  const Campaign& campaign_;
+  const RecordReader& read_;
+  const CompiledModel& model_;
+  const CompiledCase& resonance_;
+  const Window& window_;
+  DwellMotion motion_;
+  ModalProjection projection_;
+  std::vector<std::size_t> excitations_;
+  ModeFrequencies modes_;
+};
+
+}  // namespace
+
+ObservationSet observe_dwells(const Campaign& campaign, const RecordReader& read_samples,
+                              const CompiledModel& model, const CompiledCase& resonance, const Window& window,
+                              DwellMotion motion) {
+  return DwellObserver(campaign, read_samples, model, resonance, window, motion).run();
+}
+
+}  // namespace secular

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "estimator/model/compiled_model.hpp"
+#include "measure/data/campaign.hpp"
+
+namespace secular {
+
+/// One ensemble of a dwell or one window of a decay, ready for the generated rows. Amplitudes are of modal
+/// displacements, half of the peak, with phases at the window's centre.
+struct Observation {
+  int condition = 0;       ///< what repeats of one test condition share; the clusters of the regression
+  std::size_t record = 0;  ///< index into Campaign::records
+  double centre_s = 0;     ///< in the record's time
+  double length_s = 0;     ///< of a decay's window
+  std::vector<double> excitation_frequency;  ///< [excitation] rad/s
+  std::vector<double> excitation_frequency_sd;
+  std::vector<std::complex<double>> forcing;    ///< [excitation] F exp(i*phase)
+  std::vector<double> forcing_sd;               ///< of real and imaginary part
+  std::vector<std::complex<double>> amplitude;  ///< [mode]
+  std::vector<double> amplitude_sd;
+  std::vector<std::complex<double>> rate;  ///< [mode] growth + i*(observed frequency)
+  /// [mode]. A negative growth_sd: the mode is not seen here, and its equation says nothing.
+  std::vector<double> growth_sd, frequency_sd;
+  /// Dwells, of frequencies that the case leaves free (ModeFrequencies::free): what the modes' frequencies share.
+  std::vector<double> free_frequency_sd;
+  std::vector<std::complex<double>> harmonic;  ///< [block] measured harmonic, 0 where not measured
+  std::vector<double> harmonic_sd;             ///< [block], negative where not measured
+};
+
+struct ObservationSet {
+  const CompiledModel* model = nullptr;
+  const CompiledCase* resonance = nullptr;
+  std::vector<Observation> observations;
+  std::vector<Observation> at_rest;  ///< ensembles of dwells left out because nothing moves
+  /// observations x blocks: what the truncated equations leave (left minus right side) where they should leave
+  /// nothing, by motion_frame; taken out of them before they are fitted. Empty: not known.
+  Eigen::MatrixXcd truncation;
+  /// By direction in which parameters may move without any lump noticing (SharedParameters::unseen): how much
+  /// larger `truncation` is where they have moved along it. Empty: not known.
+  std::vector<Eigen::MatrixXcd> truncation_change;
+  /// The same by column of EstimateOptions::moves.
+  std::vector<Eigen::MatrixXcd> truncation_of_moves;
+  std::vector<std::string> warnings;
+};
+
+/// The part of each record to use, and which records.
+struct Window {
+  double from_s = -1e300, to_s = 1e300;
+  std::string records = "*";  ///< shell pattern on the record's file
+  std::vector<bool> chosen;   ///< by record: those of one case; empty: all
+  unsigned threads = 1;       ///< for reading and observing; the result does not depend on it
+
+  bool takes(std::size_t record, const std::string& file) const;
+};
+
+/// Samples of one of a campaign's records by its index: read from its file, or replayed on a model. Called from any
+/// thread.
+using RecordReader = std::function<Record(std::size_t record)>;
+
+/// How an ensemble of a dwell is taken.
+enum class DwellMotion {
+  steady,     ///< amplitudes stand still; dwells that do not are left out
+  transient,  ///< amplitudes may change slowly: their rate is observed too. For noise-free records of a model
+};
+
+/// Ensembles of every dwell: excitation by circular-hyperbolic decomposition and maximum likelihood, responses by
+/// maximum likelihood at frequencies related to it as the case says; where the resonance leaves a frequency free
+/// (Omega = omega1 + omega2: only the sum of the response frequencies is known), that is estimated with them.
+/// Dwells on the trivial branch, records that have not settled, combination resonances whose modes are not locked
+/// to the excitation and records whose excitation channel holds something else are reported and left out.
+ObservationSet observe_dwells(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+                              const CompiledCase& resonance, const Window& window,
+                              DwellMotion motion = DwellMotion::steady);
+
+/// Windows over every free decay, from its start (found) to where its last mode sinks into the noise: amplitudes
+/// and rates of all modes that ring, together. They are a twenty-fourth of the decay long, shorter where amplitudes
+/// change fast, but separate the tones. A condition is a stretch of two windows' length, with windows a quarter of
+/// theirs apart. What their length does to rates (of the order of the rate times the square of the change of
+/// amplitude in one) the replayed motion has too: it comes out with the truncation.
+ObservationSet observe_free_decays(const Campaign& campaign, const RecordReader& read_samples,
+                                   const CompiledModel& model, const CompiledCase& resonance, const Window& window);
+
+/// True if `file` matches a shell pattern with * and ?.
+bool matches_pattern(const std::string& pattern, const std::string& file);
+
+}  // namespace secular

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+#include "measure/observe/modal_projection.hpp"
+#include "measure/observe/observation_set.hpp"
+
+// Small steps shared by the observations of dwells and of decays.
+namespace secular {
+
+/// samples x channels from sample `first` on.
+Eigen::MatrixXd samples_of(const Record& record, const std::vector<std::size_t>& channels, Eigen::Index first,
+                           Eigen::Index count);
+
+/// Samples of the record inside the window.
+struct SampleRange {
+  Eigen::Index first = 0, count = 0;
+};
+SampleRange range_of(const Record& record, const Window& window);
+
+/// Complex amplitude of a tone that changes slowly, and what changes it, at one instant.
+struct SlowAmplitude {
+  std::complex<double> value, slope = 0, curvature = 0;
+};
+
+/// A tone of the measured quantity, the displacement's derivative, as displacement: (i*frequency +
+/// d/dt)^-derivatives by its series to second order.
+SlowAmplitude to_displacement(const SlowAmplitude& measured, double frequency, int derivatives);
+
+/// Modal value of channel amplitudes, and the standard deviation of its real (or imaginary) part.
+std::complex<double> project(const ModalProjection& projection, std::size_t mode,
+                             const Eigen::RowVectorXcd& amplitudes);
+double project_sd(const ModalProjection& projection, std::size_t mode, const Eigen::RowVectorXd& sds);
+
+}  // namespace secular

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "measure/signal/pole.hpp"
+#include "measure/signal/pole_covariance.hpp"
+#include "measure/signal/tone_fit.hpp"
+
+namespace secular {
+
+/// Maximum-likelihood poles and amplitudes. Origin of time: the centre of the window, where the estimates of
+/// frequency and phase are least correlated.
+struct RefinedPoles {
+  ToneStatus status = ToneStatus::ill_conditioned;
+  int iterations = 0;
+  std::vector<Pole> poles;
+  Eigen::MatrixXd amplitudes;  ///< [function][channel]
+  Eigen::MatrixXd residual;    ///< samples x channels
+  Eigen::VectorXd noise_sd;    ///< [channel], corrected for the unknowns
+  double cost = 0;             ///< sum over channels of the log of the residual variance
+
+  PoleCovariance covariance;  ///< of pole parameters and amplitudes
+};
+
+/// Maximum likelihood in white Gaussian noise of an unknown level per channel, the poles shared by all channels
+/// (samples x channels): variable projection, Gauss-Newton with Levenberg steps from `start`; circular poles go the
+/// first steps on a series (follow_series). All derivatives of
+/// Eq. (4.3) are time times rotated functions, so the normal equations come from three moment matrices common to
+/// all channels. Throws std::invalid_argument for fewer samples than unknowns.
+RefinedPoles refine_poles(const Eigen::Ref<const Eigen::MatrixXd>& channels, double sample_rate_hz,
+                          std::span<const Pole> start, int iteration_limit = 40);
+
+/// Cramer-Rao bound in the same order as PoleCovariance::matrix: poles and amplitudes ([function][channel],
+/// origin at the centre of the window) taken as true, noise_sd per channel.
+Eigen::MatrixXd cramer_rao_bound(std::span<const Pole> poles, const Eigen::Ref<const Eigen::MatrixXd>& amplitudes,
+                                 const Eigen::Ref<const Eigen::VectorXd>& noise_sd, Eigen::Index samples,
+                                 double sample_rate_hz);
+
+}  // namespace secular

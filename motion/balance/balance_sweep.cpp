@@ -1,0 +1,222 @@
+#include "motion/balance/balance_sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace secular {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+using Eigen::VectorXd;
+
+std::vector<SlavedLine> slaved_lines(const MotionSetting& setting, const CompiledModel& model,
+                                     std::span<const double> parameters) {
+  std::vector<SlavedLine> slaves;
+  for (Index l = 0; l < setting.torus->lines(); ++l)
+    for (Index k = 0; k < static_cast<Index>(model.modes()); ++k) {
+      const auto is_this = [&](const MasterLine& m) { return static_cast<Index>(m.mode) == k && m.line == l; };
+      const bool known = std::any_of(setting.masters.begin(), setting.masters.end(), is_this) ||
+                         std::any_of(setting.resting.begin(), setting.resting.end(), is_this);
+      const double frequency = parameters[static_cast<std::size_t>(k)], stiffness = frequency * frequency;
+      const Complex rate = setting.line_rate(l), dynamic = stiffness + rate * rate;
+      if (!known && std::abs(dynamic) >= resonant_band * stiffness) slaves.push_back({k, l, 1.0 / dynamic});
+    }
+  return slaves;
+}
+
+VectorXd gathered(const std::vector<SlavedLine>& slaves, const MatrixXcd& all) {
+  Index size = 0;
+  for (const SlavedLine& s : slaves) size += s.line == 0 ? 1 : 2;
+  VectorXd values(size);
+  Index at = 0;
+  for (const SlavedLine& s : slaves) {
+    const Complex value = all(s.mode, s.line);
+    values(at++) = value.real();
+    if (s.line != 0) values(at++) = value.imag();
+  }
+  return values;
+}
+
+void scattered(const std::vector<SlavedLine>& slaves, const VectorXd& values, MatrixXcd& all) {
+  Index at = 0;
+  for (const SlavedLine& s : slaves) {
+    const double real = values(at++);
+    all(s.mode, s.line) = Complex(real, s.line == 0 ? 0 : values(at++));
+  }
+}
+
+MatrixXcd with_step(const std::vector<SlavedLine>& slaves, const MatrixXcd& all, Index entry, double step) {
+  VectorXd values = gathered(slaves, all);
+  values(entry) += step;
+  MatrixXcd moved = all;
+  scattered(slaves, values, moved);
+  return moved;
+}
+
+BalanceSweep::BalanceSweep(const CompiledModel& model, std::vector<StateForce> forces, const MotionSetting& setting)
+    : model_(model),
+      forces_(std::move(forces)),
+      torus_(*setting.torus),
+      rates_(torus_.lines()),
+      acceleration_(static_cast<Index>(model.modes()), torus_.points()),
+      excitation_(model.excitations.size()) {
+  for (Index l = 0; l < rates_.size(); ++l) rates_(l) = setting.line_rate(l);
+  force_ = torus_.samples(setting.excitation);
+  force_rate_ = torus_.samples(setting.excitation * rates_.asDiagonal());
+  force_acceleration_ = torus_.samples(setting.excitation * rates_.cwiseAbs2().asDiagonal() * Complex(-1));
+  for (Index j = 0; j < force_.rows(); ++j)
+    if (!setting.excitation.row(j).isZero(0)) driven_.push_back(j);
+}
+
+BalanceSweep::Path BalanceSweep::path(MatrixXcd displacement) const {
+  MatrixXd position = torus_.samples(displacement);
+  MatrixXd velocity = torus_.samples(displacement * rates_.asDiagonal());
+  return {std::move(displacement), std::move(position), std::move(velocity)};
+}
+
+std::vector<BalanceSweep::Signal> BalanceSweep::signals(const MatrixXd& position, const MatrixXd& velocity,
+                                                        std::span<const double> parameters,
+                                                        const std::vector<std::size_t>& strengths) const {
+  std::vector<Signal> signals;
+  for (const StateForce& force : forces_)
+    if (parameters[force.strength_symbol] != 0 ||
+        std::find(strengths.begin(), strengths.end(), force.strength_symbol) != strengths.end())
+      signals.push_back({&force, signal_over_turn(force, position, velocity, parameters[force.shape_symbol])});
+  return signals;
+}
+
+void BalanceSweep::excite(Index point, const std::vector<Signal>& signals) {
+  for (const Index j : driven_)
+    excitation_[static_cast<std::size_t>(j)] = {force_(j, point), force_rate_(j, point),
+                                                force_acceleration_(j, point)};
+  for (const Signal& signal : signals) excitation_[signal.force->excitation] = {signal.values(point), 0, 0};
+}
+
+const MatrixXd& BalanceSweep::accelerations(const MatrixXd& position, const MatrixXd& velocity,
+                                            std::span<const double> parameters,
+                                            const std::vector<Signal>& signals) {
+  std::fill(excitation_.begin(), excitation_.end(), ExcitationSample{});
+  for (Index p = 0; p < position.cols(); ++p) {
+    excite(p, signals);
+    model_.acceleration(parameters.data(), excitation_.data(), position.col(p).data(), velocity.col(p).data(),
+                        acceleration_.col(p).data());
+  }
+  return acceleration_;
+}
+
+std::vector<MatrixXcd> BalanceSweep::parameter_slopes(const Path& path, std::span<const double> parameters,
+                                                      const std::vector<std::size_t>& symbols) {
+  if (symbols.empty()) return {};
+  const auto modes = path.position.rows(), points = path.position.cols();
+  const auto count = static_cast<Index>(symbols.size()), all = static_cast<Index>(model_.symbols.size());
+  const std::vector<Signal> signals = this->signals(path.position, path.velocity, parameters, symbols);
+  MatrixXd felt(count * modes, points);
+  VectorXd slope(modes * all);
+  std::fill(excitation_.begin(), excitation_.end(), ExcitationSample{});
+  for (Index p = 0; p < points; ++p) {
+    excite(p, signals);
+    model_.acceleration_by_parameters(parameters.data(), excitation_.data(), path.position.col(p).data(),
+                                      path.velocity.col(p).data(), slope.data());
+    for (Index i = 0; i < count; ++i)
+      for (Index k = 0; k < modes; ++k)
+        felt(i * modes + k, p) = slope(k * all + static_cast<Index>(symbols[static_cast<std::size_t>(i)]));
+  }
+  const MatrixXcd lines = torus_.coefficients(felt);
+  std::vector<MatrixXcd> slopes;
+  for (Index i = 0; i < count; ++i) slopes.push_back(lines.middleRows(i * modes, modes));
+  return slopes;
+}
+
+MatrixXcd BalanceSweep::residual(const Path& path, std::span<const double> parameters) {
+  return torus_.coefficients(accelerations(path.position, path.velocity, parameters,
+                                           signals(path.position, path.velocity, parameters))) -
+         path.lines * rates_.cwiseProduct(rates_).asDiagonal();
+}
+
+// What a line moves, every point feels through its own displacement and velocity: a pair of evaluations for each of
+// these instead of one for each line. A force with memory, which does not feel where the whole path lies, counts as
+// a signal there; what a line changes of that signal goes through the accelerations' slope by it.
+MatrixXcd BalanceSweep::residual_slopes(const Path& path, std::span<const double> parameters,
+                                        const std::vector<SlavedLine>& slaves, double length) {
+  const auto modes = path.position.rows(), points = path.position.cols();
+  double fastest = 0;
+  for (Index l = 0; l < rates_.size(); ++l) fastest = std::max(fastest, std::abs(rates_(l)));
+  std::vector<MatrixXd> by_position, by_velocity;  // [coordinate]: accelerations x points
+  for (Index k = 0; k < modes; ++k) {
+    const auto slope = [&](bool of_velocity, double step) {
+      MatrixXd position = path.position, velocity = path.velocity;
+      (of_velocity ? velocity : position).row(k).array() += step;
+      MatrixXd change = accelerations(position, velocity, parameters, signals(position, velocity, parameters));
+      (of_velocity ? velocity : position).row(k).array() -= 2 * step;
+      change -= accelerations(position, velocity, parameters, signals(position, velocity, parameters));
+      return MatrixXd(change / (2 * step));
+    };
+    by_position.push_back(slope(false, length));
+    by_velocity.push_back(slope(true, length * fastest));
+  }
+  const std::vector<Signal> signals = this->signals(path.position, path.velocity, parameters);
+  struct Memory {
+    const Signal& signal;
+    MatrixXd felt;  // accelerations by the signal
+  };
+  std::vector<Memory> memories;
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    if (!has_memory(signals[i].force->law)) continue;
+    std::vector<Signal> stronger = signals;
+    stronger[i].values.array() += length;  // which the accelerations are linear in
+    MatrixXd change = accelerations(path.position, path.velocity, parameters, stronger);
+    change -= accelerations(path.position, path.velocity, parameters, signals);
+    memories.push_back({signals[i], change / length});
+  }
+  struct Entry {
+    Index mode, line;
+    Complex unit;
+  };
+  std::vector<Entry> entries;
+  for (const SlavedLine& s : slaves) {
+    entries.push_back({s.mode, s.line, Complex(1, 0)});
+    if (s.line != 0) entries.push_back({s.mode, s.line, Complex(0, 1)});
+  }
+  const Index lines = torus_.lines(), count = static_cast<Index>(entries.size());
+  MatrixXd felt(count * modes, points);
+  for (Index e = 0; e < count; ++e) {
+    const Entry& entry = entries[static_cast<std::size_t>(e)];
+    MatrixXcd alone = MatrixXcd::Zero(1, lines);
+    alone(0, entry.line) = entry.unit;
+    const Path moved = this->path(std::move(alone));
+    const auto k = static_cast<std::size_t>(entry.mode);
+    felt.middleRows(e * modes, modes) =
+        by_position[k] * moved.position.row(0).asDiagonal() + by_velocity[k] * moved.velocity.row(0).asDiagonal();
+    for (const Memory& memory : memories) {
+      const StateForce& force = *memory.signal.force;
+      if (force.mode != k) continue;
+      MatrixXd position = path.position;
+      position.row(entry.mode) += length * moved.position.row(0);
+      const RowVectorXd change = (signal_over_turn(force, position, path.velocity, parameters[force.shape_symbol]) -
+                                  memory.signal.values) /
+                                 length;
+      felt.middleRows(e * modes, modes) += memory.felt * change.asDiagonal();
+    }
+  }
+  const MatrixXcd changes = torus_.coefficients(felt);
+  MatrixXcd slopes(modes * lines, count);
+  for (Index e = 0; e < count; ++e) {
+    const Entry& entry = entries[static_cast<std::size_t>(e)];
+    MatrixXcd change = changes.middleRows(e * modes, modes);
+    change(entry.mode, entry.line) -= entry.unit * rates_(entry.line) * rates_(entry.line);
+    slopes.col(e) = change.reshaped();
+  }
+  return slopes;
+}
+
+VectorXd BalanceSweep::steps(const std::vector<SlavedLine>& slaves, const MatrixXcd& residual) {
+  MatrixXcd steps = MatrixXcd::Zero(residual.rows(), residual.cols());
+  for (const SlavedLine& s : slaves) steps(s.mode, s.line) = residual(s.mode, s.line) * s.compliance;
+  return gathered(slaves, steps);
+}
+
+}  // namespace secular

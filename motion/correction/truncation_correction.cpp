@@ -1,0 +1,501 @@
+#include "motion/correction/truncation_correction.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "estimator/identification/seen_lumps.hpp"
+#include "input/input_error.hpp"
+#include "numerics/anderson_acceleration.hpp"
+
+namespace secular {
+namespace {
+
+/// Stages.
+constexpr const char *full_equations = "motions of the full equations", *regression = "corrected regressions";
+/// The correction is evaluated at the estimate, at the corrected one, and so on: first as it comes, until that
+/// moves numbers by no more than a few error bars, then with how it depends on the parameters, until they rest.
+constexpr int most_plain_passes = 5, most_passes = 18;
+constexpr double near = 2, settled_share = 0.1;
+/// The pass that sees how the correction depends on what no lump tells: near enough to where it is used.
+constexpr int unseen_pass = 2;
+constexpr std::size_t remembered_passes = 6;
+/// Values of a pass have errors of this share: differences that depend on one another so far say nothing.
+constexpr double dependent_passes = 1e-3;
+/// Of what is plausible, or of a standard deviation: all of it may lead to quite another motion.
+constexpr double displaced_share = 0.02;
+/// A step after which motions grow beyond bounds is halved so often; none goes further along what no lump tells, of
+/// what is plausible.
+constexpr int most_returns = 8;
+constexpr double longest_shift = 8;
+constexpr int most_halvings = 5;
+/// Slopes hold this far around, in standard deviations (of what is plausible, along what no lump tells); they are
+/// seen so often.
+constexpr double local = 1;
+constexpr int most_slopes = 6;
+/// Those along what lumps tell hold this much further, while the others are seen again.
+constexpr double near_axes = 4;
+/// Weights follow up to here: they may go around in a circle.
+constexpr int last_weights = most_plain_passes + 6;
+/// Motions up to these shares of the largest ones are tried where those grow beyond bounds.
+constexpr double small_shares[] = {0.7, 0.5, 0.35};
+/// Slopes that make standard deviations grow by more say that corrections and numbers hardly determine one another.
+constexpr double most_growth = 1000;
+/// A step that leaves more than this share of the way to go tells of slopes that no longer hold.
+constexpr double slow = 0.5;
+
+// By symbol: one over the standard deviation, 0 where there is no estimate.
+Eigen::VectorXd inverse_sd(const Estimate& estimate) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(estimate.parameter_values.size());
+  for (Eigen::Index p = 0; p < result.size(); ++p) {
+    const EstimatedValue& value = estimate.parameters[static_cast<std::size_t>(p)];
+    if (value.value && value.sd > 0) result(p) = 1 / value.sd;
+  }
+  return result;
+}
+
+// Largest factor by which standard deviations are more than those in `sd`.
+double growth(const Estimate& estimate, const Eigen::VectorXd& sd) {
+  double largest = 1;
+  for (Eigen::Index p = 0; p < sd.size(); ++p)
+    if (sd(p) > 0 && estimate.parameters[static_cast<std::size_t>(p)].value)
+      largest = std::max(largest, estimate.parameters[static_cast<std::size_t>(p)].sd / sd(p));
+  return largest;
+}
+
+/// Changes of the correction, by direction and set, and the number of directions in which nothing is known of them.
+struct Slopes {
+  std::vector<std::vector<Eigen::MatrixXcd>> change;
+  int unknown = 0;
+};
+
+/// Parameters that share of a direction away.
+using Displaced = std::function<Eigen::VectorXd(Eigen::Index direction, double share)>;
+
+// How the correction of `corrected` sets changes along each direction, from motions a part of the way, or back
+// where there are none; zero where both are missing.
+Slopes slopes_along(Eigen::Index directions, const Displaced& displaced_to,
+                    std::span<const ObservationSet> corrected, FullMotions& motions, unsigned threads) {
+  Slopes slopes;
+  for (Eigen::Index d = 0; d < directions; ++d) {
+    std::vector<Eigen::MatrixXcd> change;
+    for (const double share : {displaced_share, -displaced_share}) {
+      const Eigen::VectorXd displaced = displaced_to(d, share);
+      try {
+        const auto moved = motions.at(displaced);
+        if (!moved) continue;
+        change = truncation_difference(corrected, *moved, displaced, threads);
+        for (Eigen::MatrixXcd& part : change) part /= share;
+        break;
+      } catch (const InputError&) {
+      }
+    }
+    if (change.empty()) {
+      ++slopes.unknown;
+      for (const ObservationSet& set : corrected)
+        change.push_back(Eigen::MatrixXcd::Zero(set.truncation.rows(), set.truncation.cols()));
+    }
+    slopes.change.push_back(std::move(change));
+  }
+  return slopes;
+}
+
+// Symbols x axes: all directions that parameters can take without moving along the unseen ones, each a standard
+// deviation long.
+Eigen::MatrixXd axes_beside(const Eigen::MatrixXd& unseen, const Eigen::VectorXd& sd) {
+  std::vector<Eigen::Index> moving;
+  for (Eigen::Index p = 0; p < sd.size(); ++p)
+    if (sd(p) > 0) moving.push_back(p);
+  const auto size = static_cast<Eigen::Index>(moving.size());
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(size, size);
+  Eigen::Index lost = 0;
+  if (unseen.cols() > 0 && size > 0) {
+    const Eigen::VectorXd own = sd(moving);
+    Eigen::MatrixXd directions = own.cwiseInverse().asDiagonal() * unseen(moving, Eigen::all);
+    directions.colwise().normalize();
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(directions);
+    lost = qr.rank();
+    basis = qr.householderQ();
+  }
+  Eigen::MatrixXd axes = Eigen::MatrixXd::Zero(sd.size(), size - lost);
+  for (Eigen::Index m = 0; m < size; ++m)
+    axes.row(moving[static_cast<std::size_t>(m)]) =
+        sd(moving[static_cast<std::size_t>(m)]) * basis.row(m).rightCols(size - lost);
+  return axes;
+}
+
+class Correction {
+ public:
+  /// From the parameters of `begin` on; what the correction does is shown beside `raw`.
+  Correction(std::span<const ObservationSet> measured, const Estimate& raw, const Estimate& begin,
+             const MeasuredUnits& units, const EstimateOptions& options, const ReplaySet& replay,
+             const StageDone& done)
+      : measured_(measured),
+        raw_(raw),
+        units_(units),
+        quick_(options),
+        full_(options),
+        motions_(measured, replay, options.threads),
+        done_(done),
+        estimate_(begin),
+        place_(begin.parameter_values),
+        next_(place_) {
+    quick_.bootstrap = 0;
+    quick_.damping_laws = quick_.judge_fit = false;
+    quick_.keep_weights = !options.refine;
+    quick_.rough_errors = true;
+  }
+
+  TruncationCorrection run() {
+    go_around();
+    next_ = found(estimate_);
+    at_ = correct(true);
+    place_ = next_;
+    try {
+      replay();
+    } catch (const InputError&) {  // there is a balance, and later perhaps a replay
+    }
+    choose_unseen();
+    sd_ = estimate_.parameter_sd;
+    axes_ = axes_beside(unseen_, sd_);
+    see_slopes();
+    follow_slopes();
+    full_.start = estimate_.state;
+    const Eigen::VectorXd further = values(found(estimate_));  // not next_: a step may have been cut
+    estimate_ = estimate(at_.corrected, units_, full_);
+    estimate_ = with_correction_shown(std::move(estimate_), raw_);
+    estimate_ = with_unsettled_correction(std::move(estimate_), values(place_), further);
+    if (unknown_unseen_ + unknown_axes_ > 0)
+      estimate_.warnings.emplace_back(
+          "the correction for the expansion's truncation depends on parameters that are not well known, and "
+          "motions with other values of them grow beyond bounds: error bars do not contain that");
+    done_(regression);
+    return {std::move(estimate_), {measured_.begin(), measured_.end()}, motions_.replays()};
+  }
+
+ private:
+  struct Pass {
+    Eigen::VectorXd parameters;
+    std::vector<ObservationSet> corrected;
+    bool replayed = false;
+  };
+
+  // A place is the values of all symbols, then how far beyond them along each unseen direction: lumps tell the
+  // first, what the truncation does to them the second.
+  Eigen::VectorXd values(const Eigen::VectorXd& place) const { return place.head(raw_.parameter_values.size()); }
+  Eigen::VectorXd shift(const Eigen::VectorXd& place) const { return place.tail(unseen_.cols()); }
+  Eigen::VectorXd parameters(const Eigen::VectorXd& place) const {
+    if (unseen_.cols() == 0) return place;
+    return seen_.returned(values(place) + unseen_ * shift(place), values(place), unseen_);
+  }
+  Eigen::VectorXd found(const Estimate& by) const {
+    Eigen::VectorXd place = Eigen::VectorXd::Zero(by.parameter_values.size() + unseen_.cols());
+    place.head(by.parameter_values.size()) = by.parameter_values;
+    place.tail(by.shift.size()) = by.shift;
+    return place;
+  }
+
+  // At next_, or on the way back to place_ where that is very far, and at the first on that way where there are
+  // motions.
+  Pass correct(bool may_return) {
+    if (unseen_.cols() > 0) {
+      const double far = shift(next_ - place_).cwiseAbs().maxCoeff();
+      if (far > longest_shift) next_ = place_ + longest_shift / far * (next_ - place_);
+    }
+    for (int step = 0;; ++step) {
+      const Eigen::VectorXd at = parameters(next_);
+      const bool last = !may_return || step == most_returns;
+      try {
+        if (const auto motions = motions_.at(at))
+          if (Pass pass = corrected_by(*motions, at); is_finite(pass)) return pass;
+      } catch (const InputError&) {
+        if (last) throw;
+      }
+      if (last)
+        throw InputError("the correction for the truncation", "",
+                         "harmonics of a measured motion are not found by the full equations", "");
+      next_ = 0.5 * (next_ + place_);
+    }
+  }
+
+  Pass corrected_by(const std::vector<ObservationSet>& motions, const Eigen::VectorXd& at) const {
+    Pass pass{at, with_truncation(measured_, motions, at, quick_.threads)};
+    if (!at_.corrected.empty()) keep_truncation_change(pass.corrected, at_.corrected);
+    return pass;
+  }
+
+  static bool is_finite(const Pass& pass) {
+    return std::all_of(pass.corrected.begin(), pass.corrected.end(),
+                       [](const ObservationSet& set) { return set.truncation.allFinite(); });
+  }
+
+  void replay() {
+    motions_.replay(at_.parameters);
+    next_ = place_;
+    at_ = correct(false);
+    at_.replayed = true;
+    done_(full_equations);
+  }
+
+  // In standard deviations.
+  double size_of_values(const Eigen::VectorXd& step, const Estimate& by) const {
+    return inverse_sd(by).cwiseProduct(values(step)).cwiseAbs().maxCoeff();
+  }
+  double size_of(const Eigen::VectorXd& step, const Estimate& by) const {
+    const double of_values = size_of_values(step, by);
+    if (unseen_.cols() == 0 || by.shift_sd.size() != unseen_.cols()) return of_values;
+    return std::max(of_values, shift(step).cwiseQuotient(by.shift_sd).cwiseAbs().maxCoeff());
+  }
+  // The same along unseen directions in units of what is plausible.
+  double way_of(const Eigen::VectorXd& step, const Estimate& by) const {
+    const double of_values = size_of_values(step, by);
+    return unseen_.cols() > 0 ? std::max(of_values, shift(step).cwiseAbs().maxCoeff()) : of_values;
+  }
+  double move() const { return size_of(next_ - place_, estimate_); }
+
+  void go_around() {
+    AndersonAcceleration acceleration(remembered_passes, dependent_passes);
+    for (int pass = 1; pass <= most_plain_passes; ++pass) {
+      at_ = correct(pass > 1);
+      place_ = next_;
+      if (pass == unseen_pass) {
+        choose_unseen();
+        see_unseen();
+        // With what no lump tells as an unknown it is another map: what was learnt of the first says nothing of it.
+        acceleration = AndersonAcceleration(remembered_passes, dependent_passes);
+      }
+      done_(full_equations);
+      quick_.start = estimate_.state;
+      estimate_ = estimate(at_.corrected, units_, quick_);
+      next_ << acceleration.next(values(place_), estimate_.parameter_values, inverse_sd(estimate_)), shift(place_);
+      done_(regression);
+      if (pass >= unseen_pass && way_of(next_ - place_, estimate_) < near) return;
+    }
+  }
+
+  void take_place(const Eigen::VectorXd& place, EstimateOptions& options) const {
+    options.corrected_at = values(place);
+    options.shift = {shift(place), -unseen_coordinate_ * values(place)};
+  }
+
+  // What no lump tells of the parameters, and how much of it is plausible: as much as they are seen to do, which
+  // may have been far off before the correction.
+  void choose_unseen() {
+    const Eigen::VectorXd beyond = at_.parameters - values(place_), own = values(place_);
+    unseen_ = estimate_.unseen;
+    unseen_coordinate_ = estimate_.unseen_coordinate;
+    seen_ = SeenLumps(estimate_);
+    place_.resize(own.size() + unseen_.cols());
+    place_ << own, estimate_.unseen_coordinate * beyond;
+    next_ = place_;
+    take_place(place_, quick_);
+    // What is along none of these directions now is not beyond the values any longer.
+    if (parameters(place_) != at_.parameters) at_ = correct(false);
+  }
+
+  // How the correction depends on it.
+  void see_unseen() {
+    const Displaced displaced = [&](Eigen::Index direction, double share) {
+      Eigen::VectorXd place = place_;
+      place(values(place_).size() + direction) += share;
+      return parameters(place);
+    };
+    const Slopes slopes = slopes_along(unseen_.cols(), displaced, at_.corrected, motions_, quick_.threads);
+    unknown_unseen_ = slopes.unknown;
+    for (std::size_t s = 0; s < at_.corrected.size(); ++s) {
+      at_.corrected[s].truncation_change.clear();
+      for (const auto& change : slopes.change) at_.corrected[s].truncation_change.push_back(change[s]);
+    }
+  }
+
+  // The same of what lumps tell, too. Unseen directions are unknowns of their own (SharedParameters::shift), along
+  // which nothing is said here. Axes stay as they are, so that a fit that holds slopes, and knows less along some
+  // of them, does not lead too far away.
+  void see_slopes() {
+    see_unseen_beside_axes();
+    const Displaced displaced = [&](Eigen::Index axis, double share) {
+      return Eigen::VectorXd(parameters(place_) + share * axes_.col(axis));
+    };
+    const Slopes slopes = slopes_along(axes_.cols(), displaced, at_.corrected, motions_, quick_.threads);
+    unknown_axes_ = slopes.unknown;
+    for (std::size_t s = 0; s < at_.corrected.size(); ++s) {
+      ObservationSet& set = at_.corrected[s];
+      set.truncation_of_moves.clear();
+      for (const auto& change : slopes.change) set.truncation_of_moves.push_back(change[s]);
+      set.truncation_of_moves.resize(static_cast<std::size_t>(quick_.moves.cols()),
+                                     Eigen::MatrixXcd::Zero(set.truncation.rows(), set.truncation.cols()));
+    }
+    axes_seen_at_ = place_;
+    ++times_seen_;
+    done_(full_equations);
+  }
+
+  void see_unseen_beside_axes() {
+    see_unseen();
+    quick_.moves.resize(axes_.rows(), axes_.cols() + unseen_.cols());
+    quick_.moves << axes_, unseen_;
+    full_.moves = quick_.moves;
+    seen_at_ = place_;
+  }
+
+  // Where what lumps tell has hardly moved, at first only along what they do not: there corrections bend most, and
+  // directions are few.
+  bool see_slopes_again() {
+    if (place_ == axes_seen_at_) return false;
+    const bool everything = place_ == seen_at_ || size_of_values(place_ - axes_seen_at_, estimate_) > near_axes;
+    if (everything ? times_seen_ == most_slopes : times_unseen_ == most_slopes) return false;
+    const Eigen::Index directions = unseen_.cols();
+    choose_unseen();
+    if (everything || unseen_.cols() != directions) {
+      see_slopes();
+    } else {
+      see_unseen_beside_axes();
+      ++times_unseen_;
+      done_(full_equations);
+    }
+    estimate_here();
+    return true;
+  }
+
+  // Newton's method for the place that fits the lumps corrected there, from the sets corrected at place_ on. A step
+  // is halved unless what is left to go from its end, by the same weights and slopes and in the same measure, is
+  // less than it was (P. Deuflhard, Newton Methods for Nonlinear Problems, 2011, section 3.3: the natural
+  // monotonicity test). Slopes are seen again where they lead no further, and where it ends far from where they
+  // were seen.
+  void follow_slopes() {
+    quick_.start = estimate_.state;
+    // Weights of the first estimates took what the expansion leaves for noise.
+    const bool kept = std::exchange(quick_.keep_weights, false);
+    estimate_here();
+    quick_.keep_weights = kept;
+    quick_.start = estimate_.state;
+    int halvings = 0;
+    for (int pass = most_plain_passes; pass < most_passes && halvings <= most_halvings; ++pass) {
+      if (move() < settled_share) {
+        if (!at_.replayed) {
+          replay();
+          estimate_here();
+          continue;
+        }
+        const bool settled = halvings == 0 && way_of(place_ - seen_at_, estimate_) < local;
+        if (settled || !see_slopes_again()) break;
+        continue;
+      }
+      Pass further = correct(true);
+      done_(full_equations);
+      const Estimate there = estimate_corrected(further.corrected, next_);
+      const double before = size_of(found(estimate_) - place_, estimate_);
+      const double left = size_of(found(there) - next_, estimate_);
+      if (left < before) {
+        at_ = std::move(further);
+        place_ = next_;
+        if (pass < last_weights) quick_.start = there.state;
+        estimate_here();
+        if (halvings == 0 && left > slow * before) see_slopes_again();
+        halvings = 0;
+      } else if (!see_slopes_again()) {
+        ++halvings;
+        next_ = 0.5 * (next_ + place_);
+      }
+    }
+    if (!at_.replayed) {
+      replay();
+      estimate_here();
+    }
+    take_place(place_, full_);
+  }
+
+  void estimate_here() {
+    estimate_ = estimate_corrected(at_.corrected, place_);
+    next_ = found(estimate_);
+  }
+
+  Estimate estimate_corrected(const std::vector<ObservationSet>& corrected, const Eigen::VectorXd& at) {
+    take_place(at, quick_);
+    Estimate result = estimate(corrected, units_, quick_);
+    done_(regression);
+    if (!(growth(result, sd_) < most_growth))
+      throw InputError("the correction for the truncation", "",
+                       "depends so much on the numbers that it is made for that neither is determined", "");
+    return result;
+  }
+
+  std::span<const ObservationSet> measured_;
+  const Estimate& raw_;
+  const MeasuredUnits& units_;
+  EstimateOptions quick_, full_;
+  FullMotions motions_;
+  const StageDone& done_;
+  Pass at_;
+  Estimate estimate_;             // from at_
+  Eigen::VectorXd place_, next_;  // of at_, and where to go from there
+  Eigen::VectorXd sd_;            // before any slopes
+  Eigen::MatrixXd unseen_, unseen_coordinate_, axes_;
+  SeenLumps seen_;
+  Eigen::VectorXd seen_at_, axes_seen_at_;  // places of the latest slopes, and of the latest along the axes
+  int times_seen_ = 0, times_unseen_ = 0, unknown_unseen_ = 0, unknown_axes_ = 0;
+};
+
+// Observations whose modes move no more than this share of what they do at most.
+std::vector<ObservationSet> small_motions(std::span<const ObservationSet> measured, double share) {
+  std::vector<ObservationSet> small(measured.begin(), measured.end());
+  for (ObservationSet& set : small) {
+    std::vector<double> most(set.model->modes(), 0.0);
+    for (const Observation& o : set.observations)
+      for (std::size_t k = 0; k < most.size(); ++k) most[k] = std::max(most[k], std::abs(o.amplitude[k]));
+    std::erase_if(set.observations, [&](const Observation& o) {
+      for (std::size_t k = 0; k < most.size(); ++k)
+        if (std::abs(o.amplitude[k]) > share * most[k]) return true;
+      return false;
+    });
+  }
+  return small;
+}
+
+std::size_t count_of_observations(std::span<const ObservationSet> sets) {
+  std::size_t count = 0;
+  for (const ObservationSet& set : sets) count += set.observations.size();
+  return count;
+}
+
+}  // namespace
+
+TruncationCorrection correct_truncation(std::span<const ObservationSet> measured, const Estimate& raw,
+                                        const MeasuredUnits& units, const EstimateOptions& options,
+                                        const ReplaySet& replay, const StageDone& done) {
+  try {
+    return Correction(measured, raw, raw, units, options, replay, done).run();
+  } catch (const InputError& beyond_bounds) {
+    const std::string reason = beyond_bounds.what();
+    const std::size_t all = count_of_observations(measured);
+    EstimateOptions quick = options;
+    quick.judge_fit = quick.damping_laws = false;
+    quick.rough_errors = true;
+    quick.bootstrap = 0;
+    for (const double share : small_shares) {
+      const std::vector<ObservationSet> small = small_motions(measured, share);
+      const std::size_t left_out = all - count_of_observations(small);
+      if (2 * left_out > all) break;  // it is the model that does not hold
+      std::optional<TruncationCorrection> of_small;
+      try {
+        const Estimate first = estimate(small, units, quick);
+        of_small = Correction(small, first, first, units, options, replay, done).run();
+        return Correction(measured, raw, of_small->estimate, units, options, replay, done).run();
+      } catch (const InputError&) {
+        if (!of_small) continue;
+        of_small->estimate.warnings.push_back(fmt::format(
+            "{} of {} observations, which move more than {:.0f} % of the largest one, are left out: the full "
+            "equations do not make them ({})",
+            left_out, all, 100 * share, reason));
+        return std::move(*of_small);
+      }
+    }
+    throw;
+  }
+}
+
+}  // namespace secular

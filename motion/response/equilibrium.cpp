@@ -1,0 +1,27 @@
+#include "motion/response/equilibrium.hpp"
+
+namespace secular {
+
+std::string_view name_of(SpecialKind kind) {
+  switch (kind) {
+    case SpecialKind::saddle_node:
+      return "saddle-node";
+    case SpecialKind::pitchfork:
+      return "pitchfork";
+    case SpecialKind::transcritical:
+      return "transcritical";
+    case SpecialKind::branch_point:
+      return "branch point";
+    case SpecialKind::hopf:
+      return "Hopf";
+    case SpecialKind::double_zero:
+      return "double zero";
+  }
+  return "";
+}
+
+bool is_crossing(SpecialKind kind) {
+  return kind == SpecialKind::pitchfork || kind == SpecialKind::transcritical || kind == SpecialKind::branch_point;
+}
+
+}  // namespace secular

@@ -1,0 +1,208 @@
+#include "motion/simulate/experiment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "motion/simulate/experiment_parts.hpp"
+
+namespace secular {
+namespace {
+
+Eigen::VectorXd read_parameters(const TomlTable& table, const Target& target) {
+  const CompiledModel& model = target.model;
+  std::map<std::string_view, double> of_effects;
+  each_motion_effect(target, [&](const ExperimentEffect& effect, const InstalledEffect& installed) {
+    for (std::size_t i = 0; i < installed.parameters.size(); ++i)
+      of_effects[installed.parameters[i]] = i == 0 ? effect.strength : effect.shape.at(i - 1);
+  });
+  std::vector<std::string_view> known;
+  for (const CompiledSymbol& symbol : model.symbols)
+    if (!of_effects.contains(symbol.name)) known.push_back(symbol.name);
+  table.refuse_unknown_keys(known);
+  Eigen::VectorXd values(static_cast<Eigen::Index>(model.symbols.size()));
+  for (std::size_t p = 0; p < model.symbols.size(); ++p) {
+    const auto index = static_cast<Eigen::Index>(p);
+    const std::string_view name = model.symbols[p].name;
+    if (const auto found = of_effects.find(name); found != of_effects.end()) {
+      values(index) = found->second;
+      continue;
+    }
+    values(index) = table.has(name) ? table.number(name) : model.nominal[p];
+    if (std::isnan(values(index))) table.fail(name, "is missing", "this model's symbols are " + listed(known));
+    if (p < model.modes() && values(index) <= 0)
+      table.fail(name, "is not positive", "a natural frequency in rad/s");
+  }
+  for (const ExperimentEffect& effect : target.effects) {
+    if (effect.kind != ExperimentEffect::Kind::parameters) continue;
+    const auto at = std::find(known.begin(), known.end(), effect.symbol);
+    if (at == known.end())
+      throw InputError(effect.file, "line " + std::to_string(effect.line) + ", key symbol",
+                       "'" + effect.symbol + "' is no symbol of the model", "its symbols are " + listed(known));
+    for (std::size_t p = 0; p < model.symbols.size(); ++p)
+      if (model.symbols[p].name == effect.symbol) values(static_cast<Eigen::Index>(p)) *= 1 + effect.strength;
+  }
+  return values;
+}
+
+SignalProgramme read_sweep(const TomlTable& table, double sample_rate_hz) {
+  table.refuse_unknown_keys(
+      {"from_hz", "to_hz", "rate_hz_per_s", "amplitude", "settle_s", "initial_displacement", "group"});
+  SignalProgramme sweep;
+  sweep.kind = SignalProgramme::Kind::sweep;
+  sweep.low_hz = frequency(table, "from_hz", sample_rate_hz);
+  sweep.high_hz = frequency(table, "to_hz", sample_rate_hz);
+  if (sweep.low_hz == sweep.high_hz) table.fail("to_hz", "equals from_hz", "a sweep goes somewhere");
+  sweep.rate_hz_per_s = std::copysign(positive(table, "rate_hz_per_s"), sweep.high_hz - sweep.low_hz);
+  sweep.duration_s = (sweep.high_hz - sweep.low_hz) / sweep.rate_hz_per_s;
+  sweep.amplitude = positive(table, "amplitude");
+  sweep.settle_s = positive(table, "settle_s", 60.0);
+  return sweep;
+}
+
+SignalProgramme read_impact(const TomlTable& table) {
+  table.refuse_unknown_keys({"peak", "at_s", "width_s", "duration_s", "initial_displacement", "group"});
+  SignalProgramme impact;
+  impact.kind = SignalProgramme::Kind::impact;
+  impact.amplitude = positive(table, "peak");
+  impact.at_s = not_negative(table, "at_s");
+  impact.width_s = positive(table, "width_s");
+  impact.duration_s = positive(table, "duration_s");
+  return impact;
+}
+
+SignalProgramme read_broadband(const TomlTable& table, double sample_rate_hz) {
+  table.refuse_unknown_keys(
+      {"low_hz", "high_hz", "lines", "rms", "seed", "settle_s", "duration_s", "initial_displacement", "group"});
+  SignalProgramme broadband;
+  broadband.kind = SignalProgramme::Kind::broadband;
+  broadband.low_hz = frequency(table, "low_hz", sample_rate_hz);
+  broadband.high_hz = frequency(table, "high_hz", sample_rate_hz);
+  if (broadband.high_hz <= broadband.low_hz) table.fail("high_hz", "is not above low_hz", "a band was expected");
+  const std::int64_t lines = table.has("lines") ? table.integer("lines") : 200;
+  if (lines < 2 || lines > 10000) table.fail("lines", "is out of range", "2 to 10000 cosines");
+  broadband.lines = static_cast<std::size_t>(lines);
+  const std::int64_t seed = table.has("seed") ? table.integer("seed") : 1;
+  if (seed < 0) table.fail("seed", "is negative", "zero or a positive integer");
+  broadband.seed = static_cast<std::uint64_t>(seed);
+  broadband.amplitude = positive(table, "rms");
+  broadband.settle_s = not_negative(table, "settle_s");
+  broadband.duration_s = positive(table, "duration_s");
+  return broadband;
+}
+
+void read_signals(const TomlTable& root, const Target& target, Experiment& experiment) {
+  const auto add = [&](const TomlTable& table, const SignalProgramme& programme) {
+    if (!experiment.excitation)
+      table.fail("group", "an excited record needs an excitation channel", "describe it in [excitation]");
+    if (target.excitations != 1)
+      table.fail("group", "the model has several excitations", "records are simulated for one excitation");
+    experiment.signals.push_back(programme);
+    experiment.signals.back().initial_displacement = by_mode(table, "initial_displacement", target);
+    experiment.signals.back().group = table.string_or("group", "");
+  };
+  for (const TomlTable& table : root.tables("sweep")) add(table, read_sweep(table, experiment.sample_rate_hz));
+  for (const TomlTable& table : root.tables("impact")) add(table, read_impact(table));
+  for (const TomlTable& table : root.tables("broadband"))
+    add(table, read_broadband(table, experiment.sample_rate_hz));
+}
+
+void read_integrator(const TomlTable& root, Experiment& experiment) {
+  if (!root.has("integrator")) return;
+  static const std::map<std::string, Integrator> methods = {{"dormand_prince", Integrator::dormand_prince},
+                                                            {"bulirsch_stoer", Integrator::bulirsch_stoer},
+                                                            {"runge_kutta_4", Integrator::runge_kutta_4},
+                                                            {"dormand_prince_87", Integrator::dormand_prince_87}};
+  const TomlTable table = root.table("integrator");
+  table.refuse_unknown_keys({"method", "relative_tolerance", "absolute_tolerance", "steps_per_sample"});
+  const auto method = methods.find(table.string_or("method", "dormand_prince"));
+  if (method == methods.end())
+    table.fail("method", "is '" + table.string("method") + "'",
+               "dormand_prince, bulirsch_stoer, dormand_prince_87 or runge_kutta_4 was expected");
+  MotionSettings& motion = experiment.motion;
+  motion.method = method->second;
+  const bool fixed = motion.method == Integrator::runge_kutta_4;
+  for (const char* const key : {"relative_tolerance", "absolute_tolerance"})
+    if (fixed && table.has(key)) table.fail(key, "means nothing to a fixed step", "give steps_per_sample");
+  if (!fixed && table.has("steps_per_sample"))
+    table.fail("steps_per_sample", "is for runge_kutta_4", "give relative_tolerance");
+  motion.relative_tolerance = positive(table, "relative_tolerance", motion.relative_tolerance);
+  motion.absolute_tolerance = positive(table, "absolute_tolerance", motion.absolute_tolerance);
+  motion.fixed_step = 1 / (experiment.sample_rate_hz * positive(table, "steps_per_sample", 16.0));
+}
+
+}  // namespace
+
+std::string experiment_model(const std::filesystem::path& path) {
+  return TomlTable::from_file(path).string("model");
+}
+
+Experiment read_experiment(const std::filesystem::path& path, const CompiledModel& model,
+                           std::span<const InstalledEffect> installed) {
+  const TomlTable root = TomlTable::from_file(path);
+  root.refuse_unknown_keys({"schema",     "name",       "source",      "model", "parameters", "sample_rate_hz",
+                            "excitation", "response",   "modal_basis", "dwell", "free_decay", "sweep",
+                            "impact",     "broadband",  "shaker",      "fault", "effect",     "structure",
+                            "body",       "integrator", "anti_alias"});
+  if (root.integer("schema") != 1) root.fail("schema", "is not 1", "this program reads schema 1");
+  const Target target = target_of(root, model, installed);
+  Experiment experiment;
+  experiment.file = path.string();
+  experiment.name = root.string("name");
+  experiment.model = root.string("model");
+  experiment.parameters = read_parameters(root.table("parameters"), target);
+  experiment.sample_rate_hz = positive(root, "sample_rate_hz");
+  if (root.has("excitation")) {
+    const TomlTable table = root.table("excitation");
+    table.refuse_unknown_keys({"name", "quantity", "unit", "noise_sd", "quantisation", "high_pass_hz"});
+    if (target.excitations == 0) root.fail("excitation", "the model has no excitation", "remove this table");
+    experiment.excitation = read_channel(table, ChannelRole::excitation);
+  }
+  read_integrator(root, experiment);
+  read_anti_alias(root, experiment);
+  read_responses(root, target, experiment);
+  for (const TomlTable& table : root.tables("dwell")) {
+    table.refuse_unknown_keys({"frequencies_hz", "amplitudes", "ensembles", "ensemble_s", "settle_s", "carry_state",
+                               "initial_displacement", "group"});
+    if (!experiment.excitation)
+      table.fail("frequencies_hz", "a dwell needs an excitation channel", "describe it in [excitation]");
+    if (target.excitations != 1)
+      table.fail("frequencies_hz", "the model has several excitations", "dwells are simulated for one excitation");
+    DwellProgramme dwell;
+    dwell.frequencies_hz = table.numbers("frequencies_hz");
+    dwell.amplitudes = table.numbers("amplitudes");
+    for (const double f : dwell.frequencies_hz)
+      if (f <= 0 || f >= 0.5 * experiment.sample_rate_hz)
+        table.fail("frequencies_hz", "holds a frequency outside (0, half the sample rate)", "correct it");
+    for (const double a : dwell.amplitudes)
+      if (a <= 0) table.fail("amplitudes", "holds an amplitude that is not positive", "correct it");
+    if (dwell.frequencies_hz.empty() || dwell.amplitudes.empty())
+      table.fail("amplitudes", "nothing to run", "give at least one frequency and amplitude");
+    dwell.ensembles = static_cast<int>(table.has("ensembles") ? table.integer("ensembles") : 1);
+    if (dwell.ensembles < 1 || dwell.ensembles > 10000) table.fail("ensembles", "is out of range", "1 to 10000");
+    dwell.ensemble_s = positive(table, "ensemble_s", 4.0);
+    dwell.settle_s = positive(table, "settle_s", 60.0);
+    dwell.carry_state = table.boolean_or("carry_state", false);
+    dwell.initial_displacement = by_mode(table, "initial_displacement", target);
+    dwell.group = table.string_or("group", "");
+    experiment.dwells.push_back(std::move(dwell));
+  }
+  for (const TomlTable& table : root.tables("free_decay")) {
+    table.refuse_unknown_keys({"initial_displacement", "initial_velocity", "duration_s", "group"});
+    FreeDecayProgramme decay;
+    decay.initial_displacement = by_mode(table, "initial_displacement", target);
+    decay.initial_velocity = by_mode(table, "initial_velocity", target);
+    decay.duration_s = positive(table, "duration_s");
+    decay.group = table.string_or("group", "");
+    experiment.free_decays.push_back(std::move(decay));
+  }
+  read_signals(root, target, experiment);
+  read_shaker(root, target, experiment);
+  read_faults_and_effects(root, target, experiment);
+  for (SimulatedChannel& response : experiment.responses) response.shape.resize(model.modes(), 0.0);
+  if (experiment.dwells.empty() && experiment.free_decays.empty() && experiment.signals.empty())
+    root.fail("dwell", "nothing to run", "add a [[dwell]], [[free_decay]], [[sweep]], [[impact]] or [[broadband]]");
+  return experiment;
+}
+
+}  // namespace secular

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "estimator/model/compiled_model.hpp"
+#include "measure/data/campaign.hpp"
+#include "motion/simulate/anti_alias_filter.hpp"
+#include "motion/simulate/experiment_effects.hpp"
+#include "motion/simulate/motion.hpp"
+
+namespace secular {
+
+/// A sensor of the virtual test.
+struct SimulatedChannel {
+  Channel channel;
+  double noise_sd = 0;        ///< white Gaussian, channel units
+  double high_pass_hz = 0;    ///< corner of the AC coupling; 0: none
+  double quantisation = 0;    ///< step, 0: none
+  std::string coordinate;     ///< measures this coordinate directly; empty with mode shapes or for the excitation
+  std::vector<double> shape;  ///< of a response: what it sees of every mode, those that effects add included
+  double base = 0;            ///< of an acceleration: what it sees of the base acceleration
+};
+
+/// Steady sinusoidal excitation at every combination of frequency and amplitude, in the order listed.
+struct DwellProgramme {
+  std::vector<double> frequencies_hz, amplitudes;
+  int ensembles = 1;
+  double ensemble_s = 4;
+  double settle_s = 60;
+  bool carry_state = false;  ///< goes on from the state in which the dwell before ended, as a laboratory sweep does
+  std::vector<double> initial_displacement;  ///< by mode; a small kick lets a parametric resonance leave rest
+  std::string group;
+};
+
+struct FreeDecayProgramme {
+  std::vector<double> initial_displacement, initial_velocity;  ///< by mode
+  double duration_s = 0;
+  std::string group;
+};
+
+/// One record with an excitation that is not a steady sinusoid.
+struct SignalProgramme {
+  enum class Kind { sweep, impact, broadband };
+  Kind kind = Kind::sweep;
+  double amplitude = 0;            ///< sweep: of the sinusoid; impact: peak; broadband: root mean square
+  double low_hz = 0, high_hz = 0;  ///< sweep: from, to (may fall); broadband: band
+  double rate_hz_per_s = 0;        ///< sweep
+  double at_s = 0, width_s = 0;    ///< impact: start and length of the half-sine pulse
+  std::size_t lines = 0;           ///< broadband
+  std::uint64_t seed = 0;          ///< broadband
+  double settle_s = 0;             ///< sweep: at its first frequency; broadband: before recording
+  double duration_s = 0;
+  std::vector<double> initial_displacement;
+  std::string group;
+};
+
+/// What is wrong with one channel, by its name in the catalogue of effects.
+struct SensorFault {
+  enum class Kind {
+    gain,        ///< sensor_gain: the channel times `strength`
+    offset,      ///< sensor_offset: plus `strength`
+    cross_axis,  ///< sensor_cross_axis: plus `strength` times the excitation
+    skew,        ///< channel_skew: late by `strength` seconds
+    clipping,    ///< clipping: saturates at +-`strength`
+  };
+  Kind kind = Kind::gain;
+  std::string channel;
+  double strength = 0;
+};
+
+/// A virtual vibration test: model with numbers, sensors, programme.
+struct Experiment {
+  std::string file, name;
+  std::string model;
+  Eigen::VectorXd parameters;  ///< by CompiledModel::symbols
+  double sample_rate_hz = 0;
+  std::optional<SimulatedChannel> excitation;
+  std::vector<SimulatedChannel> responses;
+  std::optional<ModalBasis> modal_basis;  ///< what the campaign states, right or wrong
+  std::optional<AntiAliasFilter> anti_alias;
+  MotionSettings motion;  ///< integrator, armature, and what effects with memory need
+  std::vector<DwellProgramme> dwells;
+  std::vector<FreeDecayProgramme> free_decays;
+  std::vector<SignalProgramme> signals;
+  std::vector<double> shaker_harmonics;  ///< of dwells and sweeps: amplitudes at 2, 3, ... times the frequency over
+                                         ///< the first
+  std::vector<SensorFault> faults;
+};
+
+/// Name of the model that an experiment file asks for.
+std::string experiment_model(const std::filesystem::path& path);
+
+/// Reads an experiment file (schema 1, see docs/simulating.md for its keys) for `model`, which holds the file's
+/// motion effects: `installed`, one for each in file order (see read_experiment_effects). Throws InputError with
+/// line and key.
+Experiment read_experiment(const std::filesystem::path& path, const CompiledModel& model,
+                           std::span<const InstalledEffect> installed = {});
+
+}  // namespace secular

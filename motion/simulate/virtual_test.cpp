@@ -1,0 +1,325 @@
+#include "motion/simulate/virtual_test.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include "motion/simulate/anti_alias_filter.hpp"
+#include "motion/simulate/excitation_signal.hpp"
+#include "motion/simulate/motion.hpp"
+#include "motion/simulate/noise.hpp"
+#include "motion/simulate/sensor_fault.hpp"
+#include "numerics/hertz.hpp"
+#include "numerics/in_parallel.hpp"
+
+namespace secular {
+namespace {
+
+// One record to compute; a chain is computed in order by one thread.
+struct Task {
+  std::size_t record = 0;
+  const DwellProgramme* dwell = nullptr;
+  const FreeDecayProgramme* decay = nullptr;
+  const SignalProgramme* signal = nullptr;
+  double frequency_hz = 0, amplitude = 0;
+  double started_s = 0;
+};
+using Chain = std::vector<Task>;
+
+class VirtualTest {
+ public:
+  VirtualTest(const Experiment& experiment, const CompiledModel& model, std::uint64_t seed)
+      : experiment_(experiment), model_(model), seed_(seed) {
+    describe_channels();
+    plan();
+  }
+
+  Campaign run(unsigned threads, const RecordSink& sink, const Progress& progress) {
+    sink_ = sink;
+    std::atomic<std::size_t> done{0};
+    in_parallel(chains_.size(), threads, [&](std::size_t c) {
+      run_chain(chains_[c], [&] {
+        const std::size_t finished = ++done;
+        if (progress) progress(finished, campaign_.records.size());
+      });
+    });
+    return std::move(campaign_);
+  }
+
+ private:
+  void describe_channels() {
+    campaign_.name = experiment_.name;
+    campaign_.sample_rate_hz = experiment_.sample_rate_hz;
+    if (experiment_.excitation) campaign_.channels.push_back(experiment_.excitation->channel);
+    for (const SimulatedChannel& response : experiment_.responses) campaign_.channels.push_back(response.channel);
+    campaign_.modal_basis = experiment_.modal_basis;
+  }
+
+  void plan() {
+    double clock = 0;
+    const auto add = [&](RecordEntry entry, Task task, bool carries) {
+      task.record = campaign_.records.size();
+      task.started_s = clock;
+      entry.file = fmt::format("records/{:04}.csv", task.record + 1);
+      entry.started_s = clock;
+      campaign_.records.push_back(std::move(entry));
+      if (carries && !chains_.empty())
+        chains_.back().push_back(task);
+      else
+        chains_.push_back({task});
+    };
+    for (const DwellProgramme& dwell : experiment_.dwells) {
+      bool first = true;
+      for (const double amplitude : dwell.amplitudes)
+        for (const double frequency : dwell.frequencies_hz) {
+          clock += dwell.settle_s;
+          RecordEntry entry;
+          entry.kind = RecordKind::dwell;
+          entry.excitation_frequency_hz = frequency;
+          entry.excitation_amplitude = amplitude;
+          entry.ensemble_s = dwell.ensemble_s;
+          entry.group = dwell.group;
+          add(std::move(entry), {0, &dwell, nullptr, nullptr, frequency, amplitude, 0},
+              dwell.carry_state && !first);
+          clock += dwell.ensembles * dwell.ensemble_s;
+          first = false;
+        }
+    }
+    for (const FreeDecayProgramme& decay : experiment_.free_decays) {
+      RecordEntry entry;
+      entry.kind = RecordKind::free_decay;
+      entry.group = decay.group;
+      add(std::move(entry), {0, nullptr, &decay, nullptr, 0, 0, 0}, false);
+      clock += decay.duration_s;
+    }
+    for (const SignalProgramme& signal : experiment_.signals) {
+      static constexpr RecordKind kinds[] = {RecordKind::sweep, RecordKind::impact, RecordKind::broadband};
+      clock += signal.settle_s;
+      RecordEntry entry;
+      entry.kind = kinds[static_cast<std::size_t>(signal.kind)];
+      entry.group = signal.group;
+      add(std::move(entry), {0, nullptr, nullptr, &signal, 0, 0, 0}, false);
+      clock += signal.duration_s;
+    }
+  }
+
+  // State that one record hands to the next of its chain.
+  struct Course {
+    std::vector<double> displacement, velocity;
+    MotionMemory memory;
+    double phase = 0;  // of the excitation
+  };
+
+  template <class Finished>
+  void run_chain(const Chain& chain, const Finished& finished) {
+    Course course;
+    bool first = true;
+    for (const Task& task : chain) {
+      if (task.decay) {
+        course.displacement = task.decay->initial_displacement;
+        course.velocity = task.decay->initial_velocity;
+        run_decay(task, course);
+      } else if (task.signal) {
+        course.displacement = task.signal->initial_displacement;
+        course.velocity.assign(model_.modes(), 0.0);
+        run_signal(task, course);
+      } else {
+        if (first) {
+          course.displacement = task.dwell->initial_displacement;
+          course.velocity.assign(model_.modes(), 0.0);
+        }
+        run_dwell(task, course);
+      }
+      first = false;
+      finished();
+    }
+  }
+
+  void run_decay(const Task& task, Course& course) {
+    const auto count =
+        static_cast<std::size_t>(std::floor(task.decay->duration_s * experiment_.sample_rate_hz)) + 1;
+    const ExcitationSignal silent = [&](double, ExcitationSample* samples) {
+      for (std::size_t j = 0; j < model_.excitations.size(); ++j) samples[j] = {};
+    };
+    store(task, recorded(task, silent, 0, course, 0, count));
+  }
+
+  // Moves the excitation's phase on, so that the next dwell goes on without a jump.
+  void run_dwell(const Task& task, Course& course) {
+    const double omega = two_pi * task.frequency_hz;
+    const ExcitationSignal signal =
+        harmonic_wave(omega, task.amplitude, course.phase, experiment_.shaker_harmonics);
+    const double rate = experiment_.sample_rate_hz;
+    const auto count = static_cast<std::size_t>(task.dwell->ensembles) *
+                       static_cast<std::size_t>(std::lround(task.dwell->ensemble_s * rate));
+    store(task, recorded(task, signal, 0, course, task.dwell->settle_s, count));
+    const double end = task.dwell->settle_s + static_cast<double>(count - 1) / rate;
+    course.phase = std::remainder(omega * end + course.phase, two_pi);
+  }
+
+  void run_signal(const Task& task, Course& course) {
+    const SignalProgramme& p = *task.signal;
+    const auto count = static_cast<std::size_t>(std::floor(p.duration_s * experiment_.sample_rate_hz)) + 1;
+    if (p.kind == SignalProgramme::Kind::sweep) {
+      // Steady at the first frequency until time 0, with phase 0 there.
+      const std::vector<double>& harmonics = experiment_.shaker_harmonics;
+      const ExcitationSignal steady = harmonic_wave(two_pi * p.low_hz, p.amplitude, 0, harmonics);
+      const ExcitationSignal sweep = linear_sweep(p.low_hz, p.rate_hz_per_s, p.amplitude, harmonics);
+      const ExcitationSignal signal = [&](double time, ExcitationSample* samples) {
+        (time < 0 ? steady : sweep)(time, samples);
+      };
+      store(task, recorded(task, signal, -p.settle_s, course, 0, count));
+      return;
+    }
+    const bool impact = p.kind == SignalProgramme::Kind::impact;
+    const ExcitationSignal signal = impact
+                                        ? half_sine_pulse(p.amplitude, p.at_s, p.width_s)
+                                        : random_phase_multisine(p.low_hz, p.high_hz, p.lines, p.amplitude, p.seed);
+    store(task, recorded(task, signal, 0, course, p.settle_s, count, impact ? p.width_s / 8 : 0));
+  }
+
+  // Integrates from `from` and records `count` samples from `first` on: what the sensors see, filtered, at the
+  // recorded rate.
+  Record recorded(const Task& task, const ExcitationSignal& signal, double from, Course& course, double first,
+                  std::size_t count, double largest_step = 0) const {
+    const bool excited = experiment_.excitation.has_value();
+    const std::size_t oversampling = experiment_.anti_alias ? experiment_.anti_alias->oversampling : 1;
+    const double rate = experiment_.sample_rate_hz * static_cast<double>(oversampling);
+    // Samples before the first, on which the filters settle.
+    const auto lead = static_cast<std::size_t>(std::floor(std::min(first - from, filter_memory_s()) * rate));
+    MotionSettings settings = experiment_.motion;
+    settings.largest_step = largest_step;
+    settings.clock_origin = task.started_s - first;
+    settings.label = fmt::format("{}, record {}", experiment_.file, task.record + 1);
+    std::vector<ChannelChain> chains;
+    if (excited) chains.emplace_back(*experiment_.excitation, experiment_.anti_alias, rate);
+    for (const SimulatedChannel& response : experiment_.responses)
+      chains.emplace_back(response, experiment_.anti_alias, rate);
+    Record record;
+    record.sample_rate_hz = experiment_.sample_rate_hz;
+    record.channels.assign(chains.size(), std::vector<double>(count));
+    std::size_t i = 0;
+    integrate_motion(
+        model_, experiment_.parameters.data(), signal, from, course.displacement, course.velocity,
+        first - static_cast<double>(lead) / rate, 1 / rate, lead + (count - 1) * oversampling + 1, settings,
+        [&](const MotionSample& sample) {
+          const bool keep = i >= lead && (i - lead) % oversampling == 0;
+          for (std::size_t c = 0; c < chains.size(); ++c) {
+            const bool base = excited && c == 0;
+            const double seen =
+                base ? sample.excitation[0].value : measured(experiment_.responses[c - (excited ? 1 : 0)], sample);
+            const double value = chains[c](seen);
+            if (keep) record.channels[c][(i - lead) / oversampling] = value;
+          }
+          ++i;
+        },
+        &course.memory);
+    return record;
+  }
+
+  // Time after which the filters have forgotten how they began, to 1e-8 or so.
+  double filter_memory_s() const {
+    double longest = experiment_.anti_alias ? 40 / experiment_.anti_alias->cut_off_hz : 0;
+    const auto coupling = [&](const SimulatedChannel& channel) {
+      if (channel.high_pass_hz > 0) longest = std::max(longest, 3 / channel.high_pass_hz);
+    };
+    if (experiment_.excitation) coupling(*experiment_.excitation);
+    for (const SimulatedChannel& response : experiment_.responses) coupling(response);
+    return longest;
+  }
+
+  // Filters between one sensor and its samples. What is measured before the first sample: rest, or the displacement
+  // that the motion starts with.
+  class ChannelChain {
+   public:
+    ChannelChain(const SimulatedChannel& channel, const std::optional<AntiAliasFilter>& anti_alias, double rate)
+        : held_(
+              channel.channel.role == ChannelRole::response &&
+              (channel.channel.quantity == Quantity::displacement || channel.channel.quantity == Quantity::angle)) {
+      if (channel.high_pass_hz > 0) filters_.push_back(FilterCascade::high_pass(channel.high_pass_hz, rate));
+      if (anti_alias) filters_.emplace_back(*anti_alias, rate);
+    }
+    double operator()(double value) {
+      for (FilterCascade& filter : filters_) {
+        if (!started_ && held_) filter.settle(value);
+        value = filter(value);
+      }
+      started_ = true;
+      return value;
+    }
+
+   private:
+    std::vector<FilterCascade> filters_;
+    bool held_ = false, started_ = false;
+  };
+
+  static double measured(const SimulatedChannel& response, const MotionSample& sample) {
+    const Quantity quantity = response.channel.quantity;
+    const std::vector<double>& modal = quantity == Quantity::acceleration ? sample.acceleration
+                                       : quantity == Quantity::velocity   ? sample.velocity
+                                                                          : sample.displacement;
+    double sum = 0;
+    for (std::size_t k = 0; k < modal.size(); ++k) sum += response.shape[k] * modal[k];
+    if (response.base != 0) sum += response.base * sample.excitation[0].value;
+    return sum;
+  }
+
+  // Faults of the sensors, noise and quantisation, then into the campaign.
+  void store(const Task& task, Record record) {
+    std::vector<std::string> names;
+    for (const Channel& channel : campaign_.channels) names.push_back(channel.name);
+    apply_sensor_faults(experiment_.faults, names, experiment_.excitation.has_value(), record);
+    for (std::size_t c = 0; c < record.channels.size(); ++c) {
+      const bool excitation = experiment_.excitation && c == 0;
+      const SimulatedChannel& sensor =
+          excitation ? *experiment_.excitation : experiment_.responses[c - (experiment_.excitation ? 1 : 0)];
+      NoiseStream noise(seed_, task.record, c);
+      for (double& x : record.channels[c]) {
+        if (sensor.noise_sd > 0) x += sensor.noise_sd * noise.gaussian();
+      }
+      clip(experiment_.faults, campaign_.channels[c].name, record.channels[c]);
+      for (double& x : record.channels[c]) {
+        if (sensor.quantisation > 0) x = sensor.quantisation * std::round(x / sensor.quantisation);
+      }
+    }
+    sink_(campaign_, campaign_.records[task.record], std::move(record));
+  }
+
+  const Experiment& experiment_;
+  const CompiledModel& model_;
+  std::uint64_t seed_;
+  std::vector<Chain> chains_;
+  Campaign campaign_;
+  RecordSink sink_;
+};
+
+}  // namespace
+
+Campaign run_virtual_test(const Experiment& experiment, const CompiledModel& model, std::uint64_t seed,
+                          unsigned threads, const RecordSink& sink, const Progress& progress) {
+  return VirtualTest(experiment, model, seed).run(threads, sink, progress);
+}
+
+SimulatedCampaign run_virtual_test(const Experiment& experiment, const CompiledModel& model, std::uint64_t seed,
+                                   unsigned threads, const Progress& progress) {
+  std::mutex guard;
+  std::map<std::string, Record> finished;
+  SimulatedCampaign result;
+  result.campaign = run_virtual_test(
+      experiment, model, seed, threads,
+      [&](const Campaign&, const RecordEntry& entry, Record&& record) {
+        const std::lock_guard lock(guard);
+        finished[entry.file] = std::move(record);
+      },
+      progress);
+  for (const RecordEntry& entry : result.campaign.records)
+    result.samples.push_back(std::move(finished.at(entry.file)));
+  return result;
+}
+
+}  // namespace secular

@@ -1,0 +1,14 @@
+#include "numerics/median.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace secular {
+
+double upper_median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace secular

@@ -1,0 +1,326 @@
+#include "thesis/verify/printed_formula.hpp"
+
+#include <array>
+
+#include "perturb/formula_value.hpp"
+
+namespace secular::verify {
+namespace {
+
+using GiNaC::ex;
+
+constexpr std::array<FormulaFunction, 9> printed_functions = {
+    {{"E", 1}, {"conj", 1}, {"cc", 1}, {"D0", 1}, {"D1", 1}, {"D2", 1}, {"abs", 1}, {"cos", 1}, {"sin", 1}}};
+
+ex real_symbol(const std::string& name) {
+  return GiNaC::realsymbol(name);
+}
+
+// Swaps what is conjugate to one another, and turns i.
+class Conjugation : public GiNaC::map_function {
+ public:
+  explicit Conjugation(GiNaC::exmap swapped) : swapped_(std::move(swapped)) {}
+  ex operator()(const ex& e) override {
+    const auto found = swapped_.find(e);
+    if (found != swapped_.end()) return found->second;
+    if (GiNaC::is_a<GiNaC::numeric>(e)) return GiNaC::ex_to<GiNaC::numeric>(e).conjugate();
+    return e.nops() == 0 ? e : e.map(*this);
+  }
+
+ private:
+  GiNaC::exmap swapped_;
+};
+
+}  // namespace
+
+PrintedFormula::PrintedFormula(const PrintedChapter& chapter, const Derivation& derivation)
+    : chapter_(chapter), derivation_(derivation) {
+  const Model& model = *derivation.model;
+  if (chapter.suffixes.size() != model.modes.size() || chapter.unknowns.size() != model.modes.size())
+    fail_at(chapter.gamma, {chapter.gamma.first_line, 1}, "the chapter does not name every mode of " + model.name,
+            "one entry of `suffixes` and of `unknowns` for each mode");
+  for (const std::string& name : model.symbols.names()) names_[name] = model.symbols.at(name);
+  names_["i"] = GiNaC::I;
+  names_["Pi"] = GiNaC::Pi;
+  names_["eps"] = real_symbol("eps");
+  names_["t"] = real_symbol("t");
+  names_["ghat"] = real_symbol("ghat");
+  names_["det"] = real_symbol("det");
+  names_["F_min"] = real_symbol("F_min");
+  for (std::size_t k = 0; k < model.modes.size(); ++k) {
+    const std::string& s = chapter.suffixes[k];
+    const auto add = [&](std::vector<ex>& list, const std::string& name, bool named) {
+      list.push_back(real_symbol(name));
+      if (named) names_[name] = list.back();
+    };
+    add(amplitude_, "A" + s, true);
+    add(conjugate_, "conj_A" + s, false);
+    add(modulus_, "abs_A" + s, false);
+    add(polar_, "a" + s, true);
+    add(polar_rate_, "da" + s, true);
+    add(phase_rate_, "dbeta" + s, true);
+    add(wave_, "wave" + s, false);
+    add(phase_factor_, "exp_i_beta" + s, false);
+    slow_derivative_.emplace_back();
+    slow_derivative_conjugate_.emplace_back();
+    for (int n = 0; n <= derivation.resonance->expand_to; ++n) {
+      add(slow_derivative_.back(), "D" + std::to_string(n) + "A" + s, n > 0);
+      add(slow_derivative_conjugate_.back(), "conj_D" + std::to_string(n) + "A" + s, false);
+    }
+  }
+  for (std::size_t r = 0; r < derivation.layout.relations; ++r) {
+    slow_.push_back(real_symbol("slow_wave" + std::to_string(r)));
+    detuning_.push_back(model.symbols.at(derivation.resonance->relations[r].detuning));
+  }
+  // gamma as integers over slow phases and beta.
+  GiNaC::exmap zero;
+  std::map<std::string, ex> betas;
+  for (const std::string& s : chapter.suffixes) betas["beta" + s] = real_symbol("beta" + s);
+  const Expression parsed = parse_expression(chapter.gamma, printed_functions);
+  const ex gamma = formula_value(parsed, chapter.gamma, [&](const Expression& e) -> ex {
+                     const auto beta = betas.find(e.text);
+                     if (beta != betas.end()) return beta->second;
+                     if (model.symbols.contains(e.text)) return model.symbols.at(e.text);
+                     fail_at(chapter.gamma, e.place, "unknown symbol '" + e.text + "'", "detunings and phases");
+                   }).expand();
+  const auto integer = [&](const ex& coefficient) {
+    if (!GiNaC::is_a<GiNaC::numeric>(coefficient) || !GiNaC::ex_to<GiNaC::numeric>(coefficient).is_integer())
+      fail_at(chapter.gamma, parsed.place, "is not an integer combination of detunings and phases");
+    return GiNaC::ex_to<GiNaC::numeric>(coefficient).to_int();
+  };
+  gamma_rate_ = 0;
+  for (std::size_t r = 0; r < detuning_.size(); ++r) {
+    gamma_slow_.push_back(integer(gamma.coeff(detuning_[r], 1)));
+    gamma_rate_ += gamma_slow_.back() * detuning_[r];
+  }
+  for (std::size_t k = 0; k < model.modes.size(); ++k) {
+    gamma_phases_.push_back(integer(gamma.coeff(betas["beta" + chapter.suffixes[k]], 1)));
+    gamma_rate_ += gamma_phases_.back() * phase_rate_[k];
+  }
+  names_["dgamma"] = real_symbol("dgamma");
+  for (const auto& [name, source] : chapter.definitions) names_[name] = read(source);
+}
+
+ex PrintedFormula::read(const FormulaSource& source) const {
+  return value(parse_expression(source, printed_functions), source);
+}
+
+ex PrintedFormula::difference(const FormulaSource& source) const {
+  const std::size_t at = source.text.find('=');
+  if (at == std::string::npos) return read(source);
+  return read({source.text.substr(0, at), source.file, source.first_line}) -
+         read({source.text.substr(at + 1), source.file, source.first_line});
+}
+
+ex PrintedFormula::value(const Expression& e, const FormulaSource& source) const {
+  switch (e.kind) {
+    case Expression::Kind::number:
+      return exact_number(e.text);
+    case Expression::Kind::symbol: {
+      for (std::size_t k = 0; k < chapter_.unknowns.size(); ++k)
+        for (std::size_t n = 0; n < chapter_.unknowns[k].size(); ++n)
+          if (chapter_.unknowns[k][n] == e.text) return unknown(k, n, {0, 0, 0});
+      const auto found = names_.find(e.text);
+      if (found == names_.end())
+        fail_at(source, e.place, "unknown symbol '" + e.text + "'", "a symbol of the model or of the chapter");
+      return found->second;
+    }
+    case Expression::Kind::sum: {
+      ex sum = 0;
+      for (const Expression& operand : e.operands) sum += value(operand, source);
+      return sum;
+    }
+    case Expression::Kind::product: {
+      ex product = 1;
+      for (const Expression& operand : e.operands) product *= value(operand, source);
+      return product;
+    }
+    case Expression::Kind::quotient:
+      return value(e.operands[0], source) / value(e.operands[1], source);
+    case Expression::Kind::power:
+      return GiNaC::pow(value(e.operands[0], source), integer_exponent(e, source));
+    case Expression::Kind::negation:
+      return -value(e.operands[0], source);
+    case Expression::Kind::call:
+      return call(e, source);
+  }
+  return 0;
+}
+
+ex PrintedFormula::call(const Expression& e, const FormulaSource& source) const {
+  const Expression& argument = e.operands[0];
+  if (e.text == "E") return exponential(argument, source, false);
+  if (e.text == "cos" || e.text == "sin") {
+    // cos(gamma) has no time in it, cos(Omega*t + beta) has.
+    const ex forward = exponential(argument, source, true);
+    return e.text == "cos" ? (forward + 1 / forward) / 2 : (forward - 1 / forward) / (2 * GiNaC::I);
+  }
+  const ex inside = value(argument, source);
+  if (e.text == "conj") return conjugated(inside);
+  if (e.text == "cc") return inside + conjugated(inside);
+  if (e.text == "abs") return absolute(inside);
+  return slow_scale_derivative(inside, static_cast<std::size_t>(e.text[1] - '0'));
+}
+
+ex PrintedFormula::exponential(const Expression& angle, const FormulaSource& source, bool timed) const {
+  const Model& model = *derivation_.model;
+  std::map<std::string, ex> betas;
+  for (const std::string& s : chapter_.suffixes) betas["beta" + s] = real_symbol("beta" + s);
+  const ex gamma = real_symbol("gamma");
+  const ex form = formula_value(angle, source, [&](const Expression& e) -> ex {
+                    const auto beta = betas.find(e.text);
+                    if (beta != betas.end()) return beta->second;
+                    if (e.text == "gamma") return gamma;
+                    const auto found = names_.find(e.text);
+                    if (found == names_.end())
+                      fail_at(source, e.place, "unknown symbol '" + e.text + "' in an angle");
+                    return found->second;
+                  }).expand();
+  const ex moving = timed ? form.coeff(names_.at("t"), 1).expand() : form;
+  const ex resting = timed ? form.coeff(names_.at("t"), 0).expand() : ex(0);
+  std::vector<GiNaC::numeric> waves(wave_.size(), 0), slow(slow_.size(), 0), phases(wave_.size(), 0);
+  const auto number = [&](const ex& coefficient) {
+    if (!GiNaC::is_a<GiNaC::numeric>(coefficient))
+      fail_at(source, angle.place, "is not a linear combination of frequencies and phases");
+    return GiNaC::ex_to<GiNaC::numeric>(coefficient);
+  };
+  for (std::size_t k = 0; k < waves.size(); ++k) {
+    waves[k] = waves[k] + number(moving.coeff(model.frequency(k), 1));
+    phases[k] = phases[k] + number(resting.coeff(betas["beta" + chapter_.suffixes[k]], 1));
+  }
+  for (std::size_t r = 0; r < slow.size(); ++r) slow[r] = slow[r] + number(moving.coeff(detuning_[r], 1));
+  for (std::size_t j = 0; j < model.excitations.size(); ++j) {
+    const GiNaC::numeric multiple = number(moving.coeff(model.frequency(waves.size() + j), 1));
+    if (multiple.is_zero()) continue;
+    const ex resonant = derivation_.lattice.resonant_frequency(j);
+    for (std::size_t k = 0; k < waves.size(); ++k)
+      waves[k] = waves[k] + multiple * number(resonant.expand().coeff(model.frequency(k), 1));
+    for (std::size_t r = 0; r < slow.size(); ++r)
+      slow[r] = slow[r] + multiple * derivation_.lattice.resonant_offset(j)[r];
+  }
+  const GiNaC::numeric turns = number(resting.coeff(gamma, 1));
+  for (std::size_t r = 0; r < slow.size(); ++r) slow[r] = slow[r] + turns * gamma_slow_[r];
+  for (std::size_t k = 0; k < phases.size(); ++k) phases[k] = phases[k] + turns * gamma_phases_[k];
+  ex product = 1;
+  const auto multiply = [&](const ex& base, const GiNaC::numeric& exponent) {
+    if (!exponent.is_integer()) fail_at(source, angle.place, "is a fraction of the frequencies that occur");
+    product *= GiNaC::pow(base, exponent);
+  };
+  for (std::size_t k = 0; k < waves.size(); ++k) {
+    multiply(wave_[k], waves[k]);
+    multiply(phase_factor_[k], phases[k]);
+  }
+  for (std::size_t r = 0; r < slow.size(); ++r) multiply(slow_[r], slow[r]);
+  return product;
+}
+
+ex PrintedFormula::excitation_wave(std::size_t index, int multiple) const {
+  const Model& model = *derivation_.model;
+  const ex resonant = derivation_.lattice.resonant_frequency(index).expand();
+  ex product = 1;
+  for (std::size_t k = 0; k < wave_.size(); ++k)
+    product *= GiNaC::pow(wave_[k], multiple * resonant.coeff(model.frequency(k), 1));
+  for (std::size_t r = 0; r < slow_.size(); ++r)
+    product *= GiNaC::pow(slow_[r], derivation_.lattice.resonant_offset(index)[r] * multiple);
+  return product;
+}
+
+ex PrintedFormula::clock(std::size_t index, int multiple, bool cosine) const {
+  const ex forward = excitation_wave(index, multiple);
+  return cosine ? (forward + 1 / forward) / 2 : (forward - 1 / forward) / (2 * GiNaC::I);
+}
+
+ex PrintedFormula::excitation(std::size_t index, int derivative) const {
+  const Model& model = *derivation_.model;
+  const ex forward = excitation_wave(index, 1), rate = GiNaC::I * model.frequency(wave_.size() + index);
+  return model.symbols.at(model.excitations[index].amplitude) *
+         (GiNaC::pow(rate, derivative) * forward + GiNaC::pow(-rate, derivative) / forward) / 2;
+}
+
+ex PrintedFormula::unknown(std::size_t mode, std::size_t order, const std::vector<int>& derivatives) const {
+  std::string name = "v_" + std::to_string(mode) + "_" + std::to_string(order);
+  for (const int d : derivatives) name += "_" + std::to_string(d);
+  const auto found = jets_.find(name);
+  if (found != jets_.end()) return found->second.first;
+  const ex symbol = real_symbol(name);
+  jets_[name] = {symbol, {mode, order, derivatives}};
+  return symbol;
+}
+
+ex PrintedFormula::absolute(const ex& inside) const {
+  for (const auto& [name, jet] : jets_)
+    if (jet.first.is_equal(inside)) {
+      const auto [entry, added] = absolutes_.try_emplace("abs_" + name, real_symbol("abs_" + name));
+      return entry->second;
+    }
+  return GiNaC::abs(inside);
+}
+
+ex PrintedFormula::slow_scale_derivative(const ex& expression, std::size_t scale) const {
+  ex sum = 0;
+  const std::map<std::string, std::pair<ex, Jet>> known = jets_;
+  for (const auto& [name, jet] : known) {
+    const ex partial = expression.diff(GiNaC::ex_to<GiNaC::symbol>(jet.first));
+    if (partial.is_zero()) continue;
+    std::vector<int> derivatives = jet.second.derivatives;
+    ++derivatives[scale];
+    sum += partial * unknown(jet.second.mode, jet.second.order, derivatives);
+  }
+  return sum;
+}
+
+ex PrintedFormula::conjugated(const ex& expression) const {
+  GiNaC::exmap swapped;
+  const auto pair = [&](const ex& a, const ex& b) {
+    swapped[a] = b;
+    swapped[b] = a;
+  };
+  for (std::size_t k = 0; k < wave_.size(); ++k) {
+    pair(amplitude_[k], conjugate_[k]);
+    swapped[wave_[k]] = 1 / wave_[k];
+    swapped[phase_factor_[k]] = 1 / phase_factor_[k];
+    for (std::size_t n = 0; n < slow_derivative_[k].size(); ++n)
+      pair(slow_derivative_[k][n], slow_derivative_conjugate_[k][n]);
+  }
+  for (const ex& wave : slow_) swapped[wave] = 1 / wave;
+  return Conjugation(std::move(swapped))(expression);
+}
+
+ex PrintedFormula::field(const Field& field) const {
+  const FieldLayout& layout = derivation_.layout;
+  const Model& model = *derivation_.model;
+  ex sum = 0;
+  for (const auto& [key, coefficient] : field.terms()) {
+    ex product = coefficient;
+    for (std::size_t k = 0; k < layout.modes; ++k)
+      product *= GiNaC::pow(wave_[k], key[k]) * GiNaC::pow(amplitude_[k], key[layout.amplitude(k)]) *
+                 GiNaC::pow(conjugate_[k], key[layout.conjugate(k)]) *
+                 GiNaC::pow(modulus_[k], key[layout.modulus(k)]);
+    for (std::size_t j = 0; j < layout.excitations; ++j)
+      product *= excitation_wave(j, key[layout.modes + j]) *
+                 GiNaC::pow(model.symbols.at(model.excitations[j].amplitude), key[layout.forcing(j)]);
+    for (std::size_t r = 0; r < layout.relations; ++r) product *= GiNaC::pow(slow_[r], key[layout.slow(r)]);
+    sum += product;
+  }
+  return sum;
+}
+
+ex PrintedFormula::in_polar_form(const ex& expression) const {
+  GiNaC::exmap polar;
+  for (std::size_t k = 0; k < wave_.size(); ++k) {
+    polar[amplitude_[k]] = polar_[k] * phase_factor_[k] / 2;
+    polar[conjugate_[k]] = polar_[k] / phase_factor_[k] / 2;
+    polar[modulus_[k]] = polar_[k] / 2;
+  }
+  return expression.subs(polar, GiNaC::subs_options::no_pattern);
+}
+
+ex PrintedFormula::at_resonance(const ex& expression) const {
+  const Model& model = *derivation_.model;
+  GiNaC::exmap values;
+  for (std::size_t j = 0; j < model.excitations.size(); ++j)
+    values[model.frequency(wave_.size() + j)] = derivation_.lattice.resonant_frequency(j);
+  return expression.subs(values, GiNaC::subs_options::no_pattern);
+}
+
+}  // namespace secular::verify

@@ -1,0 +1,126 @@
+#include "thesis/verify/verification.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <list>
+#include <memory>
+
+#include "input/input_error.hpp"
+#include "thesis/verify/convergence_proof.hpp"
+#include "thesis/verify/lagrangian_symmetry.hpp"
+#include "thesis/verify/statement_check.hpp"
+#include "thesis/verify/table_arithmetic.hpp"
+
+namespace secular::verify {
+namespace {
+
+// A chapter with its derivation and the check that uses both.
+struct OpenChapter {
+  const PrintedChapter* chapter = nullptr;
+  std::unique_ptr<Model> model;
+  std::unique_ptr<Derivation> derivation;
+  std::unique_ptr<StatementCheck> check;
+  std::unique_ptr<Laboratory> laboratory;
+};
+
+std::string one_line(const std::string& text) {
+  std::string result;
+  for (const char c : text)
+    if (c != '\n')
+      result += c;
+    else if (!result.empty() && result.back() != ' ')
+      result += ' ';
+  return result;
+}
+
+Verdict judged(const PrintedStatement& statement, const OpenChapter& open, const PrintedSource& source,
+               bool proofs) {
+  Verdict verdict;
+  verdict.equation = statement.equation;
+  verdict.part = statement.part;
+  verdict.kind = statement.kind;
+  verdict.recorded = statement.verdict;
+  verdict.remark = statement.remark;
+  if (open.check->holds(statement, statement.printed)) {
+    verdict.verdict = "confirmed";
+    return verdict;
+  }
+  if (!statement.corrected || !open.check->holds(statement, *statement.corrected)) {
+    verdict.verdict = "unresolved";
+    return verdict;
+  }
+  verdict.verdict = statement.verdict == "convention" ? "convention" : "misprint";
+  verdict.reason = statement.reason;
+  verdict.corrected = one_line(statement.corrected->text);
+  if (verdict.verdict != "misprint" || !proofs || !can_be_measured(statement)) return verdict;
+  const auto inside = std::find_if(
+      source.statements.begin(), source.statements.end(),
+      [&](const PrintedStatement& s) { return s.equation == statement.inside && s.kind == "modulation"; });
+  if (statement.kind == "definition" && inside == source.statements.end())
+    throw InputError(source.file, "line " + std::to_string(statement.line), "`inside` names no modulation equation",
+                     "give the equation that the definition stands in");
+  const ConvergenceProof proof =
+      prove(*open.laboratory, statement, inside == source.statements.end() ? nullptr : &*inside);
+  verdict.proof = proof.text();
+  verdict.proved = proof.decides_for_correction;
+  return verdict;
+}
+
+Verdict judged(const PrintedArithmetic& arithmetic) {
+  const ArithmeticCheck check = check_arithmetic(arithmetic);
+  Verdict verdict;
+  verdict.equation = "Table " + arithmetic.table;
+  verdict.part = arithmetic.entry;
+  verdict.kind = "arithmetic";
+  verdict.recorded = arithmetic.verdict;
+  verdict.verdict = check.agrees ? "agrees" : "disagrees";
+  verdict.reason =
+      fmt::format("{} from the rounded entries is {:.4g} to {:.4g}, printed {}", arithmetic.formula.text,
+                  check.expected.low, check.expected.high, arithmetic.printed);
+  if (!arithmetic.reason.empty()) verdict.reason += "; " + arithmetic.reason;
+  return verdict;
+}
+
+Verdict judged(const PrintedSymmetry& symmetry, const Model& model) {
+  Verdict verdict;
+  verdict.equation = symmetry.equations;
+  verdict.part = "follow from a Lagrangian (Helmholtz's conditions)";
+  verdict.kind = "symmetry";
+  verdict.recorded = symmetry.verdict;
+  const std::vector<std::string> broken = broken_lagrangian_symmetries(model, symmetry.without);
+  verdict.verdict = broken.empty() ? "confirmed" : "misprint";
+  for (const std::string& one : broken) verdict.reason += (verdict.reason.empty() ? "" : "; ") + one;
+  return verdict;
+}
+
+}  // namespace
+
+std::vector<Verdict> verify_source(const PrintedSource& source,
+                                   const std::function<Model(const std::string&)>& find_model,
+                                   const VerificationSettings& settings) {
+  std::list<OpenChapter> chapters;
+  for (const PrintedChapter& chapter : source.chapters) {
+    OpenChapter open;
+    open.chapter = &chapter;
+    open.model = std::make_unique<Model>(find_model(chapter.model));
+    open.derivation = std::make_unique<Derivation>(derive(*open.model, open.model->find_case(chapter.resonance)));
+    open.check = std::make_unique<StatementCheck>(chapter, *open.derivation);
+    open.laboratory = std::make_unique<Laboratory>(*open.derivation, open.check->formula());
+    chapters.push_back(std::move(open));
+  }
+  std::vector<Verdict> verdicts;
+  std::size_t done = 0;
+  for (const PrintedStatement& statement : source.statements) {
+    const auto open = std::find_if(chapters.begin(), chapters.end(),
+                                   [&](const OpenChapter& c) { return c.chapter->number == statement.chapter; });
+    verdicts.push_back(judged(statement, *open, source, settings.proofs));
+    if (settings.progress) settings.progress(++done, source.statements.size());
+  }
+  for (const PrintedSymmetry& symmetry : source.symmetries)
+    verdicts.push_back(judged(symmetry, find_model(symmetry.model)));
+  for (const PrintedArithmetic& arithmetic : source.arithmetic) verdicts.push_back(judged(arithmetic));
+  return verdicts;
+}
+
+}  // namespace secular::verify
