@@ -146,6 +146,21 @@ void add_silent_directions(Estimation& e) {
   }
 }
 
+// By LumpEstimates: covariance of what was estimated of the case, as its regression has it.
+std::vector<MatrixXd> noise_of_lumps(const Estimation& e) {
+  std::vector<MatrixXd> noise;
+  for (std::size_t c = 0; c < e.lump_estimates.size(); ++c) {
+    const LumpEstimates& part = e.lump_estimates[c];
+    if (c >= e.fits.size() || part.values.size() == 0) {
+      noise.push_back(part.plain);
+      continue;
+    }
+    const MatrixXd& all = e.fits[c].fit.covariance;
+    noise.emplace_back(part.combination * MatrixXd(all(e.used[c], e.used[c])) * part.combination.transpose());
+  }
+  return noise;
+}
+
 // Estimate::noise and Estimate::open, and what both leave unknown of the truncation.
 void set_uncertainty(Estimation& e) {
   const Index symbols = e.shared.values.size(), directions = e.shared.shift.size();
@@ -238,34 +253,45 @@ void place_along_unseen(Estimation& e) {
   e.result.shift_sd = e.shared.shift_sd;
   set_uncertainty(e);
   e.open_variance.assign(e.fits.size(), VectorXd());
+  const std::vector<MatrixXd> noise = noise_of_lumps(e);
   for (std::size_t s = 0; s < e.fits.size(); ++s) {
     const CaseFit& fit = e.fits[s];
     const Index columns = fit.fit.coefficients.size();
     if (columns == 0 || e.shared.slope[s].size() == 0) continue;
     const MatrixXd& effect = fit.truncation_effect;
     const MatrixXd& by_values = e.truncation_slope[s];
-    // Of a change of the coefficients by noise, what comes back by way of the values.
-    MatrixXd back = MatrixXd::Zero(columns, columns), left = MatrixXd::Zero(columns, columns);
-    const auto add = [&](const MatrixXd& moves, const MatrixXd& slope) {
-      back(Eigen::all, e.used[s]) += moves * (slope * e.lump_estimates[s].combination);
+    const bool follows_values = by_values.cols() > 0;
+    const bool follows_shifts = effect.cols() > 0 && e.shared.shift_slope[s].size() > 0;
+    // Coefficients are corrected at the parameters found: c + by_values*(values - corrected_at) + effect*(shift -
+    // from). What makes values and shifts uncertain therefore makes these uncertain, too.
+    const auto followed = [&](const MatrixXd& of_values, const MatrixXd& of_shifts) {
+      MatrixXd change = MatrixXd::Zero(columns, of_values.cols());
+      if (follows_values) change += by_values * of_values;
+      if (follows_shifts) change += effect * of_shifts;
+      return change;
     };
-    if (by_values.cols() > 0) {
-      add(by_values, e.shared.slope[s]);
-      move(e, s, by_values * (e.shared.values - e.options.corrected_at));
-    }
-    if (effect.cols() > 0 && e.shared.shift_slope[s].size() > 0) {
-      add(effect, e.shared.shift_slope[s]);
-      const MatrixXd open = effect * e.shared.shift_prior;
-      left = open * open.transpose();
+    if (follows_values) move(e, s, by_values * (e.shared.values - e.options.corrected_at));
+    if (follows_shifts) {
       const VectorXd& from = e.options.shift.corrected_at;
       move(e, s, effect * (from.size() > 0 ? VectorXd(e.shared.shift - from) : e.shared.shift));
     }
-    const MatrixXd map = MatrixXd::Identity(columns, columns) + back;
+    MatrixXd map = MatrixXd::Identity(columns, columns);  // of the coefficients' own noise
+    map(Eigen::all, e.used[s]) +=
+        followed(e.shared.slope[s], e.shared.shift_slope[s]) * e.lump_estimates[s].combination;
+    const MatrixXd open = followed(e.shared.value_prior, e.shared.shift_prior);
+    e.open_variance[s] = open.rowwise().squaredNorm();
+    const MatrixXd told = followed(e.shared.value_evidence, e.shared.shift_evidence);
+    MatrixXd further = open * open.transpose() + told * told.transpose(), plain_further = further;
+    for (std::size_t other = 0; other < noise.size(); ++other) {
+      if (other == s || e.shared.slope[other].size() == 0) continue;
+      const MatrixXd by_other = followed(e.shared.slope[other], e.shared.shift_slope[other]);
+      further += by_other * noise[other] * by_other.transpose();
+      plain_further += by_other * e.lump_estimates[other].plain * by_other.transpose();
+    }
     LinearFit& regression = e.fits[s].fit;
     regression.influence = regression.influence * map.transpose();
-    e.open_variance[s] = left.diagonal();
-    regression.covariance = map * regression.covariance * map.transpose() + left;
-    regression.plain_covariance = map * regression.plain_covariance * map.transpose() + left;
+    regression.covariance = map * regression.covariance * map.transpose() + further;
+    regression.plain_covariance = map * regression.plain_covariance * map.transpose() + plain_further;
   }
 }
 

@@ -117,9 +117,10 @@ Unseen unseen_directions(const MatrixXd& jacobian, const MatrixXd& slopes, const
         basis * given.eigenvectors() * given.eigenvalues().cwiseSqrt().cwiseInverse().asDiagonal();
     // Either sense is as good; the same one each time, since corrections are not quite linear.
     for (auto direction : directions.colwise()) {
-      Index largest = 0;
-      direction.cwiseQuotient(size).cwiseAbs().maxCoeff(&largest);
-      if (direction(largest) < 0) direction = -direction;
+      const VectorXd share = direction.cwiseQuotient(size);
+      Index clear = 0;  // the first that is at least half of the largest: equals may differ by rounding
+      while (std::abs(share(clear)) < 0.5 * share.cwiseAbs().maxCoeff()) ++clear;
+      if (share(clear) < 0) direction = -direction;
     }
     for (Index i = 0; i < directions.cols(); ++i, ++found)
       for (std::size_t g = 0; g < symbols.size(); ++g) {
@@ -266,6 +267,8 @@ class SharedFit {
     result_.shift_sd = VectorXd::Ones(directions_);
     result_.shift_prior = MatrixXd::Identity(directions_, directions_);
     result_.value_prior = MatrixXd::Zero(count_, directions_);
+    result_.value_evidence = MatrixXd::Zero(count_, evidence_);
+    result_.shift_evidence = MatrixXd::Zero(directions_, evidence_);
     result_.unseen = MatrixXd::Zero(count_, 0);
     result_.unseen_coordinate = MatrixXd::Zero(0, count_);
     // Where no case has a coefficient left, none says anything of the directions.
@@ -376,6 +379,8 @@ class SharedFit {
     }
     result_.shift_prior = inverse_.bottomRightCorner(directions_, directions_);
     result_.value_prior = inverse_.topRightCorner(count_, directions_);
+    result_.value_evidence = inverse_.block(0, lumps_, count_, evidence_);
+    result_.shift_evidence = inverse_.block(count_, lumps_, directions_, evidence_);
   }
 
   void set_errors(bool rough_errors) {

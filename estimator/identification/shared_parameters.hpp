@@ -55,6 +55,8 @@ struct SharedParameters {
   std::vector<Eigen::MatrixXd> shift_slope;  ///< by case: d shift/d its lump estimates
   Eigen::MatrixXd shift_prior;  ///< directions x directions: what is left of their own uncertainty, as a factor
   Eigen::MatrixXd value_prior;  ///< symbols x directions: what that does to `values`
+  /// By rows of ShiftEvidence, of unit variance: d values and d shift/d their targets.
+  Eigen::MatrixXd value_evidence, shift_evidence;
   Eigen::MatrixXd noise_covariance;  ///< of values and then shifts, by noise alone
   /// What no parameters can give of the lumps (clustered_chi_squared), and how many more lumps than parameters
   /// there are.

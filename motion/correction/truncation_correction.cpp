@@ -45,6 +45,9 @@ constexpr int last_weights = most_plain_passes + 6;
 constexpr double small_shares[] = {0.7, 0.5, 0.35};
 /// Slopes that make standard deviations grow by more say that corrections and numbers hardly determine one another.
 constexpr double most_growth = 1000;
+/// A unit vector that unseen directions leave less than this of has no direction beside them (rounding, of lengths
+/// about 1e-16).
+constexpr double no_direction = 1e-6;
 /// A step that leaves more than this share of the way to go tells of slopes that no longer hold.
 constexpr double slow = 0.5;
 
@@ -76,55 +79,67 @@ struct Slopes {
 /// Parameters that share of a direction away.
 using Displaced = std::function<Eigen::VectorXd(Eigen::Index direction, double share)>;
 
-// How the correction of `corrected` sets changes along each direction, from motions a part of the way, or back
-// where there are none; zero where both are missing.
+// What of the correction of `corrected` sets changes from where it was made to `displaced`; nothing where motions
+// grow beyond bounds.
+std::optional<std::vector<Eigen::MatrixXcd>> change_towards(const Eigen::VectorXd& displaced,
+                                                            std::span<const ObservationSet> corrected,
+                                                            FullMotions& motions, unsigned threads) {
+  try {
+    if (const auto moved = motions.at(displaced))
+      return truncation_difference(corrected, *moved, displaced, threads);
+  } catch (const InputError&) {
+  }
+  return std::nullopt;
+}
+
+// How the correction of `corrected` sets changes along each direction: central differences of motions a part of the
+// way there and back. (One-sided ones would book the second derivative as slope, on one direction or another
+// according to how directions happen to be chosen.) One-sided where one of the two is missing; zero where both are.
 Slopes slopes_along(Eigen::Index directions, const Displaced& displaced_to,
                     std::span<const ObservationSet> corrected, FullMotions& motions, unsigned threads) {
   Slopes slopes;
   for (Eigen::Index d = 0; d < directions; ++d) {
+    const auto ahead = change_towards(displaced_to(d, displaced_share), corrected, motions, threads);
+    const auto back = change_towards(displaced_to(d, -displaced_share), corrected, motions, threads);
+    if (!ahead && !back) ++slopes.unknown;
+    const double between = displaced_share * ((ahead ? 1 : 0) + (back ? 1 : 0));
     std::vector<Eigen::MatrixXcd> change;
-    for (const double share : {displaced_share, -displaced_share}) {
-      const Eigen::VectorXd displaced = displaced_to(d, share);
-      try {
-        const auto moved = motions.at(displaced);
-        if (!moved) continue;
-        change = truncation_difference(corrected, *moved, displaced, threads);
-        for (Eigen::MatrixXcd& part : change) part /= share;
-        break;
-      } catch (const InputError&) {
-      }
-    }
-    if (change.empty()) {
-      ++slopes.unknown;
-      for (const ObservationSet& set : corrected)
-        change.push_back(Eigen::MatrixXcd::Zero(set.truncation.rows(), set.truncation.cols()));
+    for (std::size_t s = 0; s < corrected.size(); ++s) {
+      change.push_back(Eigen::MatrixXcd::Zero(corrected[s].truncation.rows(), corrected[s].truncation.cols()));
+      if (ahead) change.back() += (*ahead)[s] / between;
+      if (back) change.back() -= (*back)[s] / between;
     }
     slopes.change.push_back(std::move(change));
   }
   return slopes;
 }
 
-// Symbols x axes: all directions that parameters can take without moving along the unseen ones, each a standard
-// deviation long.
+// Symbols x axes: one for each parameter that has an error bar, a standard deviation long: the direction nearest to
+// its own that is orthogonal, in standard deviations, to the unseen ones (those keep slopes of their own). For a
+// parameter that no unseen direction moves this is the parameter itself. Entangled ones have more axes than they
+// have dimensions: a basis would have to be chosen, and a choice between equals would hang on rounding.
 Eigen::MatrixXd axes_beside(const Eigen::MatrixXd& unseen, const Eigen::VectorXd& sd) {
   std::vector<Eigen::Index> moving;
   for (Eigen::Index p = 0; p < sd.size(); ++p)
     if (sd(p) > 0) moving.push_back(p);
   const auto size = static_cast<Eigen::Index>(moving.size());
-  Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(size, size);
-  Eigen::Index lost = 0;
+  const Eigen::VectorXd own = sd(moving);
+  Eigen::MatrixXd beside = Eigen::MatrixXd::Identity(size, size);
   if (unseen.cols() > 0 && size > 0) {
-    const Eigen::VectorXd own = sd(moving);
     Eigen::MatrixXd directions = own.cwiseInverse().asDiagonal() * unseen(moving, Eigen::all);
     directions.colwise().normalize();
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(directions);
-    lost = qr.rank();
-    basis = qr.householderQ();
+    const Eigen::MatrixXd span = Eigen::MatrixXd(qr.householderQ()).leftCols(qr.rank());
+    beside -= span * span.transpose();
   }
-  Eigen::MatrixXd axes = Eigen::MatrixXd::Zero(sd.size(), size - lost);
-  for (Eigen::Index m = 0; m < size; ++m)
-    axes.row(moving[static_cast<std::size_t>(m)]) =
-        sd(moving[static_cast<std::size_t>(m)]) * basis.row(m).rightCols(size - lost);
+  Eigen::MatrixXd axes = Eigen::MatrixXd::Zero(sd.size(), size);
+  Eigen::Index count = 0;
+  for (Eigen::Index m = 0; m < size; ++m) {
+    const double length = beside.col(m).norm();
+    if (length < no_direction) continue;
+    axes(moving, count++) = own.cwiseProduct(beside.col(m)) / length;
+  }
+  axes.conservativeResize(Eigen::NoChange, count);
   return axes;
 }
 

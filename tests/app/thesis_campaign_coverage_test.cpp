@@ -22,6 +22,7 @@
 #include "motion/correction/steady_set.hpp"
 #include "motion/simulate/noise.hpp"
 #include "numerics/confidence.hpp"
+#include "tests/identification/continuity.hpp"
 #include "tests/identification/virtual_campaign.hpp"
 
 namespace secular::app {
@@ -46,6 +47,11 @@ class ThesisCampaign {
     IdentificationRequest asked = request();
     asked.fixed = fixed;
     return identify(asked, exact_.campaign, reader(draw));
+  }
+  Estimate identified_with_jitter(int draw) const {
+    const RecordReader read = reader(draw);
+    const RecordReader moved = [&](std::size_t r) { return testing_support::jittered(read(r), r); };
+    return identify(request(), exact_.campaign, moved).estimate;
   }
   ProcedureRun procedures(int draw) const {
     ProcedureRequest asked;
@@ -333,6 +339,16 @@ TEST(SlowChapterSix, CorrectionsThatBeginFarAwaySettle) {
   // The second correction has coefficients that make far more noise of the measurement's: the errors of the columns
   // have to follow, or the lumps that they seem to drown are given up.
   expect_settled(campaign.identified(336));
+}
+
+TEST(SlowChapterFive, EstimatesAreContinuous) {
+  const ThesisCampaign& campaign = ThesisCampaign::chapter_five();
+  testing_support::expect_continuous(campaign.identified(0), campaign.identified_with_jitter(0));
+}
+
+TEST(SlowChapterSix, EstimatesAreContinuous) {
+  const ThesisCampaign& campaign = ThesisCampaign::chapter_six();
+  testing_support::expect_continuous(campaign.identified(0), campaign.identified_with_jitter(0));
 }
 
 // Without coupled damping, lumps that it is part of cannot go together.

@@ -2,70 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 
-#include "estimator/identification/estimate.hpp"
 #include "estimator/identification/unit_text.hpp"
-#include "generated/registry.hpp"
 #include "input/input_error.hpp"
-#include "measure/data/campaign.hpp"
-#include "measure/observe/modal_projection.hpp"
-#include "motion/correction/replay.hpp"
-#include "motion/correction/truncation_correction.hpp"
-#include "motion/simulate/virtual_test.hpp"
+#include "recovered_campaign.hpp"
 
 namespace secular {
 namespace {
 
-namespace fs = std::filesystem;
-const fs::path root = SECULAR_SOURCE_DIR;
-
-struct Recovered {
-  Experiment experiment;
-  const CompiledModel* model = nullptr;
-  const CompiledCase* resonance = nullptr;
-  ObservationSet measured;
-  Estimate estimate;
-
-  const EstimatedValue& value(const std::string& name) const {
-    for (const auto* list : {&estimate.parameters, &estimate.lumps})
-      for (const EstimatedValue& v : *list)
-        if (v.name == name) return v;
-    throw std::out_of_range(name);
-  }
-  double truth(const std::string& name) const {
-    for (std::size_t p = 0; p < model->symbols.size(); ++p)
-      if (model->symbols[p].name == name) return experiment.parameters(static_cast<Eigen::Index>(p));
-    std::vector<double> lumps(resonance->lumps.size());
-    resonance->evaluate_lumps(experiment.parameters.data(), lumps.data());
-    for (std::size_t l = 0; l < lumps.size(); ++l)
-      if (resonance->lumps[l].name == name) return lumps[l];
-    throw std::out_of_range(name);
-  }
-};
-
-Recovered recover(const std::string& name, std::uint64_t seed, const EstimateOptions& options = {}) {
-  Recovered r;
-  const fs::path path = root / "models/experiments" / (name + ".toml");
-  r.model = generated::find_compiled_model(experiment_model(path));
-  r.experiment = read_experiment(path, *r.model);
-  SimulatedCampaign simulated = run_virtual_test(r.experiment, *r.model, seed, 2);
-  const bool dwells = simulated.campaign.records.front().kind == RecordKind::dwell;
-  for (const CompiledCase& candidate : r.model->cases)
-    if (candidate.excited == dwells && !r.resonance) r.resonance = &candidate;
-  const RecordReader read = [&](std::size_t i) { return simulated.samples[i]; };
-  const std::string unit = modal_projection(simulated.campaign, *r.model).unit;
-  r.measured = dwells ? observe_dwells(simulated.campaign, read, *r.model, *r.resonance, {})
-                      : observe_free_decays(simulated.campaign, read, *r.model, *r.resonance, {});
-  const Estimate raw = estimate(r.measured, unit, {"m/s^2"}, options);
-  const auto replay = [&](const ObservationSet& measured, const Eigen::VectorXd& parameters) {
-    return observe_replay(simulated.campaign, measured, parameters, 2);
-  };
-  r.estimate =
-      correct_truncation(std::span(&r.measured, 1), raw, {unit, {"m/s^2"}}, options, replay, [](const char*) {
-      }).estimate;
-  return r;
-}
+using testing_support::recover;
+using testing_support::Recovered;
 
 TEST(Recovery, PrincipalParametricCampaignWithTheThesisValues) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
