@@ -1,0 +1,152 @@
+#include "folder_rules.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+namespace secular::architecture {
+
+namespace fs = std::filesystem;
+
+const FolderTable& folder_table() {
+  static const FolderTable table = {
+      {"input", {}},
+      {"numerics", {}},
+      {"report", {"input"}},
+      {"perturb", {"input"}},
+      {"estimator/model", {}},
+      {"generated", {"estimator/model"}},
+      {"codegen/canonical", {"input", "perturb"}},
+      {"codegen/expression", {"codegen/canonical"}},
+      {"codegen/document", {"perturb", "codegen/canonical", "codegen/expression"}},
+      {"codegen/cpp", {"input", "estimator/model", "codegen/canonical", "codegen/expression", "codegen/document"}},
+      {"codegen/runtime",
+       {"input", "perturb", "estimator/model", "codegen/canonical", "codegen/expression", "codegen/cpp"}},
+      {"codegen", {"input", "perturb", "codegen/cpp"}},
+      {"measure/data", {"input", "numerics"}},
+      {"measure/signal", {"numerics"}},
+      {"estimator/regression", {"numerics"}},
+      {"measure/modal", {"input", "numerics", "measure/data", "measure/signal", "estimator/regression"}},
+      {"measure/observe", {"input", "numerics", "estimator/model", "measure/data", "measure/signal"}},
+      {"estimator/identification",
+       {"input", "numerics", "estimator/model", "measure/signal", "estimator/regression", "measure/observe"}},
+      {"motion/response", {"estimator/model"}},
+      {"estimator/planning", {"estimator/model", "motion/response"}},
+      {"motion/balance", {"numerics", "estimator/model"}},
+      {"motion/simulate", {"input", "numerics", "estimator/model", "measure/data"}},
+      {"motion/correction",
+       {"input", "numerics", "estimator/model", "measure/observe", "estimator/identification", "motion/balance",
+        "motion/simulate"}},
+      {"diagnose/evidence",
+       {"input", "numerics", "estimator/model", "measure/data", "measure/signal", "measure/observe",
+        "motion/balance"}},
+      {"diagnose/effects", {"diagnose/evidence"}},
+      {"diagnose/inference", {"numerics", "diagnose/evidence", "diagnose/effects"}},
+      {"diagnose/verdict",
+       {"input", "numerics", "estimator/model", "measure/observe", "estimator/identification", "motion/balance",
+        "diagnose/evidence", "diagnose/effects", "diagnose/inference"}},
+      {"thesis/verify", {"input", "perturb"}},
+      {"thesis/procedures",
+       {"input", "numerics", "estimator/model", "measure/signal", "estimator/regression", "measure/observe",
+        "estimator/identification", "motion/response"}},
+      {"blind", {"input"}},
+      {"app/shared",
+       {"input", "numerics", "report", "perturb", "estimator/model", "generated", "codegen/canonical",
+        "codegen/runtime", "measure/data", "measure/signal", "measure/observe", "estimator/identification",
+        "motion/correction"}},
+      {"app/blind", {"blind", "app/shared"}},
+      {"app/derive", {"report", "perturb", "codegen/document", "app/shared"}},
+      {"app/diagnose",
+       {"input", "numerics", "report", "estimator/model", "measure/data", "diagnose/verdict", "app/shared"}},
+      {"app/evaluate", {"perturb", "codegen/canonical", "app/shared"}},
+      {"app/generate", {"input", "perturb", "codegen/cpp", "app/shared"}},
+      {"app/identify",
+       {"input", "numerics", "report", "measure/observe", "estimator/identification", "app/shared"}},
+      {"app/import", {"measure/data", "app/shared"}},
+      {"app/inspect", {"input", "measure/data", "app/shared"}},
+      {"app/modal", {"input", "numerics", "report", "measure/modal", "app/shared"}},
+      {"app/plan",
+       {"input", "numerics", "report", "measure/data", "measure/observe", "estimator/identification",
+        "estimator/planning", "motion/simulate", "app/shared"}},
+      {"app/predict",
+       {"input", "numerics", "report", "measure/observe", "motion/response", "motion/simulate", "app/shared"}},
+      {"app/procedure",
+       {"input", "numerics", "report", "estimator/model", "measure/data", "measure/signal", "measure/observe",
+        "estimator/identification", "motion/simulate", "motion/correction", "thesis/procedures", "app/shared"}},
+      {"app/simulate", {"input", "estimator/model", "motion/simulate", "app/shared"}},
+      {"app/spectrum",
+       {"input", "numerics", "report", "measure/data", "measure/signal", "measure/observe", "app/shared"}},
+      {"app/verify", {"report", "perturb", "thesis/verify", "app/shared"}},
+      {"app", {"input", "app/shared"}},
+  };
+  return table;
+}
+
+std::string first_part(const std::string& path) {
+  return path.substr(0, path.find('/'));
+}
+
+std::string folder_of(const std::string& path) {
+  return path.substr(0, std::min(path.rfind('/'), path.size()));
+}
+
+bool is_build_folder(const fs::path& folder) {
+  return folder.filename() == "build" || fs::exists(folder / "CMakeCache.txt");
+}
+
+std::string read(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::vector<fs::path> sources_of(const fs::path& root, const std::string& folder) {
+  static const std::set<std::string> extensions = {".cpp", ".hpp", ".h", ".cc", ".in"};
+  std::vector<fs::path> files;
+  if (!fs::exists(root / folder)) return files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(root / folder))
+    if (entry.is_regular_file() && extensions.count(entry.path().extension().string()) == 1)
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<Include> includes_in(const std::string& text) {
+  static const std::regex directive(R"(^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"])");
+  std::vector<Include> found;
+  std::size_t line_number = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    ++line_number;
+    std::smatch match;
+    const std::string line = text.substr(begin, end - begin);
+    if (std::regex_search(line, match, directive)) found.push_back({match[1], line_number});
+    begin = end + 1;
+  }
+  return found;
+}
+
+bool is_of_project(const std::string& target) {
+  static const std::set<std::string> top_folders = [] {
+    std::set<std::string> names;
+    for (const auto& [folder, allowed] : folder_table()) names.insert(first_part(folder));
+    return names;
+  }();
+  return target.find('/') != std::string::npos && top_folders.count(first_part(target)) == 1;
+}
+
+FolderGraph included_folders(const fs::path& root) {
+  const auto shown = [](const std::string& folder) { return first_part(folder) == "app" ? "app" : folder; };
+  FolderGraph graph;
+  for (const auto& [folder, allowed] : folder_table())
+    for (const fs::path& file : sources_of(root, folder)) {
+      std::set<std::string>& targets = graph[shown(folder)];
+      for (const Include& include : includes_in(read(file))) {
+        const std::string target = shown(folder_of(include.target));
+        if (is_of_project(include.target) && target != shown(folder)) targets.insert(target);
+      }
+    }
+  return graph;
+}
+
+}  // namespace secular::architecture
