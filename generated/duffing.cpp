@@ -428,7 +428,7 @@ extern const CompiledModel model;
 const CompiledModel model = {
   .name = "duffing",
   .source = "Duffing oscillator with a quadratic term",
-  .fingerprint = "c1caf4a03c2ccfe9",
+  .fingerprint = "25129ff8993c71f5",
   .coordinates = coordinates,
   .excitations = excitations,
   .excitation_frequencies = excitation_frequencies,

@@ -550,7 +550,7 @@ extern const CompiledModel model;
 const CompiledModel model = {
   .name = "internal_resonance",
   .source = "Two coupled modes with a potential of fourth degree",
-  .fingerprint = "26afd4f498979396",
+  .fingerprint = "ad77337389fe8025",
   .coordinates = coordinates,
   .excitations = excitations,
   .excitation_frequencies = excitation_frequencies,

@@ -129,7 +129,7 @@ extern const CompiledModel model;
 const CompiledModel model = {
   .name = "mathieu_duffing",
   .source = "E. Mathieu, Journal de Mathematiques 13, 137 (1868), with a cubic term",
-  .fingerprint = "38f0e7d2cba383ba",
+  .fingerprint = "e680e01aa2e92911",
   .coordinates = coordinates,
   .excitations = excitations,
   .excitation_frequencies = excitation_frequencies,

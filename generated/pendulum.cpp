@@ -90,7 +90,7 @@ extern const CompiledModel model;
 const CompiledModel model = {
   .name = "pendulum",
   .source = "Rigid pendulum; damping laws as in A. H. Nayfeh and D. T. Mook, Nonlinear Oscillations, section 3.3",
-  .fingerprint = "7f1a9312b7d4dc8d",
+  .fingerprint = "aee7dd2248566524",
   .coordinates = coordinates,
   .excitations = {},
   .excitation_frequencies = {},

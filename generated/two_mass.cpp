@@ -1299,7 +1299,7 @@ extern const CompiledModel model;
 const CompiledModel model = {
   .name = "two_mass",
   .source = "S. O'F. Fahey, dissertation, Virginia Tech, 2000, Eqs. (6.1)-(6.2)",
-  .fingerprint = "04cc7360d4c062ef",
+  .fingerprint = "78345c6c0c7ccab2",
   .coordinates = coordinates,
   .excitations = excitations,
   .excitation_frequencies = excitation_frequencies,

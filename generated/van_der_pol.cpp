@@ -106,7 +106,7 @@ extern const CompiledModel model;
 const CompiledModel model = {
   .name = "van_der_pol",
   .source = "B. van der Pol, Philosophical Magazine 2, 978 (1926)",
-  .fingerprint = "ed2fe9738dc5bebe",
+  .fingerprint = "b21618c490121297",
   .coordinates = coordinates,
   .excitations = {},
   .excitation_frequencies = {},

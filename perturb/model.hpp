@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct ResonanceCase {
   std::string name;
   std::vector<ResonanceRelation> relations;
   std::map<std::string, int> order;  ///< power of eps a coefficient symbol brings
+  /// Coefficients of added effects: what the expansion does not reach still acts in the full equations.
+  std::set<std::string> may_act_nowhere;
   bool degree_ordering = false;
   int expand_to = 2;
   std::vector<bool> mode_at_rest;

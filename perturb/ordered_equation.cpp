@@ -121,8 +121,49 @@ std::string to_string(const FactorProduct& product, const Model& model) {
   return text.empty() ? "constant" : text;
 }
 
+namespace {
+
+// By symbol with an entry in the case's order table: the lowest order of the terms that it is part of.
+class LowestOrders {
+ public:
+  LowestOrders(const Model& model, const ResonanceCase& resonance) : model_(model), resonance_(resonance) {}
+
+  void add(const GiNaC::ex& monomial, int order, const std::string& term) {
+    for (GiNaC::const_preorder_iterator it = monomial.preorder_begin(); it != monomial.preorder_end(); ++it) {
+      if (!GiNaC::is_a<GiNaC::symbol>(*it)) continue;
+      const std::string name = GiNaC::ex_to<GiNaC::symbol>(*it).get_name();
+      if (resonance_.order.count(name) == 0 || resonance_.may_act_nowhere.count(name) == 1) continue;
+      const auto [entry, first] = lowest_.try_emplace(name, order, term);
+      if (!first && order < entry->second.first) entry->second = {order, term};
+    }
+  }
+
+  // A coefficient whose terms are all beyond the expansion acts nowhere: the derivation would be that of another
+  // model, and its certificate would hold.
+  void require_within_expansion() const {
+    for (const auto& [name, lowest] : lowest_) {
+      const auto& [order, term] = lowest;
+      if (order <= resonance_.expand_to) continue;
+      throw InputError(model_.file, "line " + std::to_string(resonance_.line) + ", case " + resonance_.name,
+                       "coefficient '" + name + "' acts nowhere: its lowest term, " + term + ", is of order eps^" +
+                           std::to_string(order) + ", and the case expands to eps^" +
+                           std::to_string(resonance_.expand_to),
+                       "lower the order of " + name + ", set expand_to = " + std::to_string(order) +
+                           ", or take the term out of the equation");
+    }
+  }
+
+ private:
+  const Model& model_;
+  const ResonanceCase& resonance_;
+  std::map<std::string, std::pair<int, std::string>> lowest_;
+};
+
+}  // namespace
+
 std::vector<OrderedEquation> ordered_equations(const Model& model, const ResonanceCase& resonance) {
   const CoefficientOrder coefficient_order(model, resonance);
+  LowestOrders lowest(model, resonance);
   const std::vector<TermSum> equations = equations_of_motion(model);
   std::vector<OrderedEquation> ordered(equations.size());
   for (std::size_t k = 0; k < equations.size(); ++k) {
@@ -141,6 +182,7 @@ std::vector<OrderedEquation> ordered_equations(const Model& model, const Resonan
                            "term " + where + " would be of order eps^" + std::to_string(order),
                            "raise the order of its coefficient symbols");
         by_order[product][order] += monomial;
+        lowest.add(monomial, order, where);
       }
     }
     const Factor position{Factor::Kind::coordinate, static_cast<int>(k), 0, 1};
@@ -166,6 +208,7 @@ std::vector<OrderedEquation> ordered_equations(const Model& model, const Resonan
         ordered[k].right_hand_side.push_back({product, order, (-coefficient).expand()});
       }
   }
+  lowest.require_within_expansion();
   return ordered;
 }
 

@@ -66,8 +66,10 @@ class Augmentation {
       const int order = added.parameters.empty() ? -1 : 0;
       added.parameters.push_back(add_parameter(stem + suffix));
       values[std::to_string(added.parameters.size() - 1)] = added.parameters.back();
-      for (ResonanceCase& resonance : model_.cases)
+      for (ResonanceCase& resonance : model_.cases) {
         resonance.order[added.parameters.back()] = order == 0 ? 0 : strength_order(*entry, term, resonance);
+        resonance.may_act_nowhere.insert(added.parameters.back());
+      }
     }
     append(model_.modes[term.mode], filled(entry->term, values));
     if (!entry->other_term.empty()) append(model_.modes[term.other], filled(entry->other_term, values));

@@ -200,16 +200,92 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
   return result;
 }
 
-// FNV-1a over a plain serialisation: changes whenever equations, cases or their derived rows change.
+// FNV-1a over a plain serialisation of everything that code is made from: whatever of the file changes what the
+// compiled model does changes it.
 class Digest {
  public:
   void add(const std::string& text) {
     for (const char c : text + "\n") hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
   }
+  void add(const std::vector<std::string>& texts) { add(fmt::format("{}", fmt::join(texts, "\n"))); }
+  void add(const std::vector<int>& numbers) { add(fmt::format("{}", fmt::join(numbers, " "))); }
+  void add(const CanonicalRatio& ratio) { add(fmt::format("{}/{}", ratio.numerator, ratio.denominator)); }
+  void add(const CanonicalDimension& dimension) {
+    add(std::string(dimension ? "dimension" : "none"));
+    if (!dimension) return;
+    for (const CanonicalRatio& power : *dimension) add(power);
+  }
   void add(const RationalFunction& f) {
     for (const auto* part : {&f.numerator, &f.denominator})
       for (const PolynomialTerm& term : *part)
         add(term.coefficient + fmt::format(" {}", fmt::join(term.exponents, " ")));
+  }
+  void add(const CanonicalPowers& p) {
+    for (const auto* part : {&p.amplitude, &p.conjugate, &p.modulus, &p.forcing, &p.phase, &p.slow_phase})
+      add(*part);
+  }
+  void add(const CanonicalFactor& f) {
+    add(fmt::format("{} {} {} {} {}", static_cast<int>(f.kind), f.index, f.derivative, f.multiple, f.power));
+    for (const auto& [name, weight] : f.argument) {
+      add(name);
+      add(weight);
+    }
+  }
+  void add(const CanonicalBlock& block) {
+    add(fmt::format("{} {} {} {}", block.modulation, block.mode, block.order, block.name));
+    add(block.phase);
+    for (const CanonicalBlock::Column& column : block.columns) {
+      add(std::to_string(column.lump));
+      for (const CanonicalColumnTerm& term : column.terms) {
+        add(term.factor);
+        add(std::string(term.imaginary ? "i" : "1"));
+        add(term.powers);
+      }
+    }
+  }
+  void add(const CanonicalCase& c) {
+    add(fmt::format("{} {} {}", c.name, c.expand_to, c.excited));
+    for (const bool rest : c.mode_at_rest) add(std::string(rest ? "at rest" : "moves"));
+    for (const CanonicalRelation& relation : c.relations) {
+      add(relation.text);
+      add(relation.multiples);
+      add(fmt::format("{} {}", relation.detuning, relation.order));
+    }
+    for (const CanonicalLump& lump : c.lumps) {
+      add(lump.name);
+      add(lump.definition);
+      add(lump.dimension);
+    }
+    for (const auto& terms : c.slow_derivative)
+      for (const CanonicalTerm& term : terms) {
+        add(term.powers);
+        add(std::to_string(term.order));
+        add(term.real);
+        add(term.imaginary);
+      }
+    for (const CanonicalQuadrature& q : c.quadratures) {
+      add(fmt::format("{} {}", q.mode, q.order));
+      add(q.real);
+      add(q.imaginary);
+      for (const CanonicalFactor& f : q.factors) add(f);
+    }
+    for (const auto& ratios : c.observed_frequency)
+      for (const CanonicalRatio& ratio : ratios) add(ratio);
+    for (const CanonicalBlock& block : c.blocks) add(block);
+  }
+  void add(const CanonicalModel& model) {
+    for (const auto* names : {&model.coordinates, &model.natural_frequencies, &model.excitations,
+                              &model.excitation_frequencies, &model.parameters, &model.order})
+      add(*names);
+    for (const CanonicalDimension& dimension : model.parameter_dimensions) add(dimension);
+    for (const std::optional<double>& value : model.nominal) add(value ? fmt::format("{:a}", *value) : "none");
+    for (const auto& equation : model.motion)
+      for (const CanonicalMotionTerm& term : equation) {
+        add(term.coefficient);
+        add(term.acceleration_of ? std::to_string(*term.acceleration_of) : "-");
+        for (const CanonicalFactor& f : term.factors) add(f);
+      }
+    for (const CanonicalCase& c : model.cases) add(c);
   }
   std::string text() const { return fmt::format("{:016x}", hash_); }
 
@@ -219,28 +295,7 @@ class Digest {
 
 std::string fingerprint(const CanonicalModel& model) {
   Digest digest;
-  for (const std::string& name : model.order) digest.add(name);
-  for (const auto& equation : model.motion)
-    for (const CanonicalMotionTerm& term : equation) {
-      digest.add(term.coefficient);
-      digest.add(term.acceleration_of ? std::to_string(*term.acceleration_of) : "-");
-      for (const CanonicalFactor& f : term.factors)
-        digest.add(
-            fmt::format("{} {} {} {} {}", static_cast<int>(f.kind), f.index, f.derivative, f.multiple, f.power));
-    }
-  for (const CanonicalCase& c : model.cases) {
-    digest.add(c.name);
-    for (const CanonicalRelation& relation : c.relations) digest.add(relation.text);
-    for (const CanonicalLump& lump : c.lumps) {
-      digest.add(lump.name);
-      digest.add(lump.definition);
-    }
-    for (const auto& terms : c.slow_derivative)
-      for (const CanonicalTerm& term : terms) {
-        digest.add(term.real);
-        digest.add(term.imaginary);
-      }
-  }
+  digest.add(model);
   return digest.text();
 }
 

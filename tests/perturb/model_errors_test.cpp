@@ -69,6 +69,24 @@ TEST(ModelErrors, OrdersAndResonances) {
                    "below the order of expansion");
 }
 
+TEST(ModelErrors, ACoefficientThatActsNowhereIsNamed) {
+  const std::string equation = "D2(x) + w^2*x = -2*m*D(x) - g*x^3 + k*F*cos(Omega*t)";
+  const std::string relation = "\nrelations = [\"Omega = w + eps^2*s\"]\nexpand_to = ";
+  expect_complaint(
+      equation, "order = { m = 3, g = 2, k = 2 }" + relation + "2",
+      "coefficient 'm' acts nowhere: its lowest term, D(x), is of order eps^3, and the case expands to eps^2");
+  expect_complaint(equation, "order = { m = 2, g = 2, k = 2 }" + relation + "1", "acts nowhere");
+  expect_complaint("D2(x) + w^2*x = -g*x^3 - h*x^5",
+                   "ordering = \"degree\"\norder = { h = 1 }\nexpand_to = 2\nexcitation = false",
+                   "coefficient 'h' acts nowhere: its lowest term, x^5, is of order eps^5");
+  // Beyond the expansion in one term and within it in another: the expansion only cuts it off.
+  EXPECT_EQ(complaint(textbook::one_mode("D2(x) + w^2*x = -g*x^3 - g^2*x^5",
+                                         "order = { g = 2 }\nexpand_to = 2\nexcitation = false")),
+            "no complaint");
+  EXPECT_EQ(complaint(textbook::one_mode(equation, "order = { m = 2, g = 2, k = 2 }" + relation + "2")),
+            "no complaint");
+}
+
 TEST(ModelErrors, KeysAndNames) {
   EXPECT_NE(complaint("schema = 2\nname = \"a\"").find("schema"), std::string::npos);
   EXPECT_NE(complaint("schema = 1\nname = \"a\"").find("no [[mode]]"), std::string::npos);

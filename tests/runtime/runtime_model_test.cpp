@@ -48,19 +48,19 @@ name = "nonsmooth"
 [[mode]]
 coordinate = "x"
 frequency = "w1"
-equation = "D2(x) + w1^2*x = -g*abs(D(x) - D(y))*(D(x) - D(y))"
+equation = "D2(x) + w1^2*x = -g*D(x) - k*x^3 - g*k*abs(D(x) - D(y))*(D(x) - D(y))"
 [[mode]]
 coordinate = "y"
 frequency = "w2"
 equation = "D2(y) + w2^2*y = 0"
 [[case]]
 name = "both"
-order = { g = 1 }
-expand_to = 1
+order = { g = 1, k = 1 }
+expand_to = 2
 excitation = false
 [[case]]
 name = "small"
-order = { g = 2 }
+order = { g = 1, k = 1 }
 expand_to = 1
 excitation = false
 )toml";
