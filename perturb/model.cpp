@@ -301,6 +301,10 @@ Model read(const TomlTable& root) {
 
 }  // namespace
 
+std::string ResonanceCase::place() const {
+  return "line " + std::to_string(line) + ", case " + name;
+}
+
 const ResonanceCase& Model::find_case(const std::string& wanted) const {
   std::string names;
   for (const ResonanceCase& resonance : cases) {

@@ -50,6 +50,8 @@ struct ResonanceCase {
   std::vector<bool> mode_at_rest;
   bool excited = true;
   std::uint32_t line = 0;
+
+  std::string place() const;  ///< "line 12, case primary", for messages
 };
 
 /// A named combination of symbols, so that printed results read like the source.

@@ -79,7 +79,7 @@ class CoefficientOrder {
     const auto entry = resonance_.order.find(name);
     if (entry != resonance_.order.end()) return entry->second;
     if (resonance_.degree_ordering) return 0;
-    throw InputError(model_.file, "line " + std::to_string(resonance_.line) + ", case " + resonance_.name,
+    throw InputError(model_.file, resonance_.place(),
                      "coefficient symbol '" + name + "' (term " + where + ") has no order",
                      "add " + name + " = 1 (or another power of eps) to this case's order table");
   }
@@ -178,7 +178,7 @@ std::vector<OrderedEquation> ordered_equations(const Model& model, const Resonan
         const GiNaC::ex monomial = is_sum ? expanded.op(i) : expanded;
         const int order = base + coefficient_order.of(monomial, where);
         if (order < 0)
-          throw InputError(model.file, "line " + std::to_string(resonance.line) + ", case " + resonance.name,
+          throw InputError(model.file, resonance.place(),
                            "term " + where + " would be of order eps^" + std::to_string(order),
                            "raise the order of its coefficient symbols");
         by_order[product][order] += monomial;
@@ -198,7 +198,7 @@ std::vector<OrderedEquation> ordered_equations(const Model& model, const Resonan
               return entry.first.kind != Factor::Kind::coordinate && !entry.first.nonsmooth();
             });
         if (order == 0 && !hard_forcing)
-          throw InputError(model.file, "line " + std::to_string(resonance.line) + ", case " + resonance.name,
+          throw InputError(model.file, resonance.place(),
                            "equation of '" + model.modes[k].coordinate + "': term " + to_string(product, model) +
                                " at order eps^0 is not part of the linear oscillator D2(" +
                                model.modes[k].coordinate + ") + " + model.modes[k].frequency + "^2*" +

@@ -68,7 +68,7 @@ ResonanceLattice::ResonanceLattice(const Model& model, const ResonanceCase& reso
     row.resize(model.frequency_count(), 0);
     relations_.push_back(std::move(row));
   }
-  const std::string place = "line " + std::to_string(resonance.line) + ", case " + resonance.name;
+  const std::string place = resonance.place();
   if (!independent(relations_))
     throw InputError(model.file, place, "its relations repeat or contradict one another",
                      "list every resonance once, each with its own detuning");
@@ -132,8 +132,7 @@ std::optional<std::vector<int>> ResonanceLattice::slow_multipliers(const Phase& 
   std::vector<int> multipliers;
   for (const Fraction& x : *solution) {
     if (x.denominator() != 1)
-      throw InputError(model_->file, "line " + std::to_string(case_->line) + ", case " + case_->name,
-                       "a relation is a multiple of the resonance that occurs",
+      throw InputError(model_->file, case_->place(), "a relation is a multiple of the resonance that occurs",
                        "divide the relation by its common factor");
     multipliers.push_back(static_cast<int>(x.numerator()));
   }
