@@ -12,6 +12,14 @@ namespace secular {
 template <class Number>
 using EpsSeries = std::vector<Number>;
 
+/// value*eps^order, truncated to `size` powers of eps.
+template <class Number>
+EpsSeries<Number> eps_power(const Number& value, std::size_t order, std::size_t size) {
+  EpsSeries<Number> result(size);
+  if (order < size) result[order] = value;
+  return result;
+}
+
 template <class Number>
 EpsSeries<Number> product(const EpsSeries<Number>& a, const EpsSeries<Number>& b) {
   EpsSeries<Number> result(a.size());

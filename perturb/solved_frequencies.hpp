@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "perturb/graded_polynomial.hpp"
+#include "perturb/model.hpp"
+#include "perturb/substitution_arithmetic.hpp"
+
+namespace secular {
+
+/// Every frequency of a case, natural ones and then excitations, as a series in eps on which all relations
+///   sum_j multiples_j f_j = coefficient * eps^n * detuning
+/// hold: each relation gives one frequency, the last that no other relation gives, in terms of the others. Those
+/// are random values, as are the detunings. For ExactArithmetic and FloatingArithmetic.
+template <class Arithmetic>
+std::vector<EpsSeries<typename Arithmetic::Number>> solved_frequencies(const Model& model,
+                                                                       const ResonanceCase& resonance,
+                                                                       const Arithmetic& arithmetic);
+
+}  // namespace secular
