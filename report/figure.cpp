@@ -441,7 +441,7 @@ class ScriptWriter {
 
 std::string box_with_message(const Figure& figure, const std::string& message, FigureUse use) {
   constexpr int height = 120;
-  return svg_head(figure.title, figure.width_px, height, use) +
+  return svg_head({figure.title, figure.width_px, height, use}) +
          fmt::format(
              "<rect x=\"1\" y=\"1\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"currentColor\" "
              "stroke-dasharray=\"6,4\"/>\n"
@@ -459,7 +459,7 @@ RenderedFigure render_figure(const Figure& figure, const std::string& id, Figure
   ScriptWriter writer(figure, texts);
   const GnuplotOutput drawn = run_gnuplot(writer.script());
   if (!drawn.problem.empty()) return {box_with_message(figure, drawn.problem, use), drawn.problem};
-  return {clean_svg(drawn.svg, texts, figure.title, figure.width_px, writer.height(), id, use), ""};
+  return {clean_svg(drawn.svg, texts, id, {figure.title, figure.width_px, writer.height(), use}), ""};
 }
 
 }  // namespace secular::report

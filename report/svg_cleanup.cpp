@@ -66,7 +66,8 @@ const std::string* PlaceHolders::find(std::string_view word) const {
   return &escaped_[index];
 }
 
-std::string svg_head(std::string_view title, int width, int height, FigureUse use) {
+std::string svg_head(const SvgFrame& frame) {
+  const auto& [title, width, height, use] = frame;
   const std::string name = escape_markup_line(title);
   std::string head = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 {0} "
@@ -83,9 +84,9 @@ std::string svg_head(std::string_view title, int width, int height, FigureUse us
   return head;
 }
 
-std::string clean_svg(std::string_view gnuplot_svg, const PlaceHolders& texts, std::string_view title, int width,
-                      int height, std::string_view id, FigureUse use) {
-  std::string svg = svg_head(title, width, height, use);
+std::string clean_svg(std::string_view gnuplot_svg, const PlaceHolders& texts, std::string_view id,
+                      const SvgFrame& frame) {
+  std::string svg = svg_head(frame);
   const auto append_lines = [&](std::string_view part) {
     std::string pending;  // an opened group of which nothing has been written yet
     while (!part.empty()) {

@@ -24,12 +24,19 @@ class PlaceHolders {
 inline constexpr std::string_view ink_color = "#010203";
 inline constexpr std::string_view grid_color = "#010204";
 
+/// The element that a figure becomes.
+struct SvgFrame {
+  std::string_view title;
+  int width = 0, height = 0;
+  FigureUse use = FigureUse::inline_html;
+};
+
 /// From what gnuplot's svg terminal writes to the figure's <svg> element: texts put in, ids prefixed, colours of
 /// ink and grid resolved, gnuplot's version and empty groups left out.
-std::string clean_svg(std::string_view gnuplot_svg, const PlaceHolders& texts, std::string_view title, int width,
-                      int height, std::string_view id, FigureUse use);
+std::string clean_svg(std::string_view gnuplot_svg, const PlaceHolders& texts, std::string_view id,
+                      const SvgFrame& frame);
 
 /// The opening tag, name and (standalone) background of a figure's SVG.
-std::string svg_head(std::string_view title, int width, int height, FigureUse use);
+std::string svg_head(const SvgFrame& frame);
 
 }  // namespace secular::report

@@ -27,8 +27,7 @@ class ModulationCode {
       if (!block.modulation) continue;
       for (const CanonicalBlock::Column& column : block.columns)
         for (const CanonicalColumnTerm& term : column.terms)
-          add(sums[block.mode],
-              term_code(column.lump, term.factor, "", term.powers, term.imaginary, writer, monomials));
+          add(sums[block.mode], term_code(column.lump, term, "", writer, monomials));
     }
     bool rotates = false;
     for (std::size_t k = 0; k < modes; ++k) {
@@ -117,19 +116,19 @@ class ModulationCode {
 
   static void add(std::string& sum, const std::string& product) { sum += (sum.empty() ? "" : "\n + ") + product; }
 
-  std::string term_code(std::size_t lump, const RationalFunction& factor, const std::string& weight,
-                        const CanonicalPowers& powers, bool imaginary, CppWriter& writer, MonomialCode& monomials) {
+  std::string term_code(std::size_t lump, const CanonicalColumnTerm& term, const std::string& weight,
+                        CppWriter& writer, MonomialCode& monomials) {
     std::string product = fmt::format("lumps[{}]", lump);
-    if (!factor.is_one()) {
-      const std::string value = writer.expression(factor);
-      product += " * " + (factor.numerator.size() > 1 || value.front() == '-' ? "(" + value + ")" : value);
+    if (!term.factor.is_one()) {
+      const std::string value = writer.expression(term.factor);
+      product += " * " + (term.factor.numerator.size() > 1 || value.front() == '-' ? "(" + value + ")" : value);
     }
     product += weight;
     bool real = false;
-    const std::string monomial = monomials.product(powers, real);
+    const std::string monomial = monomials.product(term.powers, real);
     if (!monomial.empty()) product += " * (" + monomial + ")";
     if (real) product = "Complex(" + product + ")";
-    return imaginary ? "times_i(" + product + ")" : product;
+    return term.imaginary ? "times_i(" + product + ")" : product;
   }
 
   // Sum of the terms of dB_mode/dt, derived by B_along or its conjugate.
@@ -146,7 +145,8 @@ class ModulationCode {
           if (derived->weight.denominator != 1 || derived->weight.numerator != 1)
             weight = fmt::format(" * Scalar({})",
                                  static_cast<double>(derived->weight.numerator) / derived->weight.denominator);
-          add(sum, term_code(column.lump, term.factor, weight, derived->powers, term.imaginary, writer, monomials));
+          const CanonicalColumnTerm of_derivative{term.factor, term.imaginary, derived->powers};
+          add(sum, term_code(column.lump, of_derivative, weight, writer, monomials));
         }
     }
     return sum;
