@@ -90,10 +90,11 @@ Run integrate(const CompiledModel& model, const MotionSettings& settings) {
     if (model.symbols[p].name == "alpha3") parameters[p] = stiffness;
   }
   const auto still = [](double, ExcitationSample* samples) { samples[0] = {}; };
-  std::vector<double> displacement = {amplitude}, velocity = {0}, seen;
+  MotionState state{{amplitude}, {0}};
+  std::vector<double> seen;
   const std::clock_t begin = std::clock();
-  integrate_motion(model, parameters.data(), still, 0, displacement, velocity, 0, 1 / sample_rate,
-                   static_cast<std::size_t>(duration_s * sample_rate), settings,
+  integrate_motion({model, parameters.data(), still},
+                   {0, 0, 1 / sample_rate, static_cast<std::size_t>(duration_s * sample_rate)}, settings, state,
                    [&](const MotionSample& sample) { seen.push_back(sample.displacement[0]); });
   Run run;
   run.cpu_s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;

@@ -46,10 +46,10 @@ std::optional<HeldOutPrediction> predict_held_out_decay(const Campaign& campaign
   };
   const auto motion = [&](double q, double v, Index count) {
     VectorXd values(count);
-    std::vector<double> displacement{q}, velocity{v};
+    MotionState state{{q}, {v}};
     Index i = 0;
-    integrate_motion(*measured.model, parameters.data(), silent, 0, displacement, velocity, 0, 1 / rate,
-                     static_cast<std::size_t>(count), {}, [&](const MotionSample& sample) {
+    integrate_motion({*measured.model, parameters.data(), silent},
+                     {0, 0, 1 / rate, static_cast<std::size_t>(count)}, {}, state, [&](const MotionSample& sample) {
                        values(i++) = projection.derivatives == 2   ? sample.acceleration[0]
                                      : projection.derivatives == 1 ? sample.velocity[0]
                                                                    : sample.displacement[0];

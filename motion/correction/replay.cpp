@@ -111,11 +111,12 @@ class Replay {
       }
     };
     const double begin = -0.5 * static_cast<double>(count - 1) / rate;  // phases count from the centre
-    OscillationState state = states_.at(parameters_, o, begin);
+    const OscillationState state = states_.at(parameters_, o, begin);
+    MotionState moving{state.displacement, state.velocity};
     Record record = empty(count, 0);
     std::size_t i = 0;
-    integrate_motion(model_, parameters_.data(), signal, begin, state.displacement, state.velocity, begin, 1 / rate,
-                     count, settings(o, index), [&](const MotionSample& sample) { store(sample, i++, record); });
+    integrate_motion({model_, parameters_.data(), signal}, {begin, begin, 1 / rate, count}, settings(o, index),
+                     moving, [&](const MotionSample& sample) { store(sample, i++, record); });
     ExcitationSample sample[8];
     for (std::size_t n = 0; n < count; ++n) {
       signal(begin + static_cast<double>(n) / rate, sample);
@@ -133,13 +134,13 @@ class Replay {
     const ExcitationSignal silent = [&](double, ExcitationSample* s) {
       for (std::size_t j = 0; j < model_.excitations.size(); ++j) s[j] = {};
     };
-    const auto motion = [&](OscillationState state, double seconds) {
+    const auto motion = [&](const OscillationState& state, double seconds) {
+      MotionState moving{state.displacement, state.velocity};
       const auto count = static_cast<std::size_t>(std::lround(seconds * rate)) + 1;
       Record record = empty(count, begin);
       std::size_t i = 0;
-      integrate_motion(model_, parameters_.data(), silent, 0, state.displacement, state.velocity, 0, 1 / rate,
-                       count, settings(first, index),
-                       [&](const MotionSample& sample) { store(sample, i++, record); });
+      integrate_motion({model_, parameters_.data(), silent}, {0, 0, 1 / rate, count}, settings(first, index),
+                       moving, [&](const MotionSample& sample) { store(sample, i++, record); });
       return record;
     };
     OscillationState start = states_.at(parameters_, first, -half(first)), possible = at_rest(model_);

@@ -23,17 +23,16 @@ struct SlipPhase {
 
 class Motion {
  public:
-  Motion(const CompiledModel& model, const double* parameters, const ExcitationSignal& excitation,
-         const MotionSettings& settings)
-      : model_(model),
-        parameters_(parameters),
-        excitation_(excitation),
+  Motion(const MotionEquations& equations, const MotionSettings& settings)
+      : model_(equations.model),
+        parameters_(equations.parameters),
+        excitation_(equations.excitation),
         settings_(settings),
-        modes_(model.modes()),
+        modes_(model_.modes()),
         held_(modes_, false),
         side_(modes_, 0),
         phases_(settings.slip_elements.size()),
-        samples_(std::max<std::size_t>(1, model.excitations.size())),
+        samples_(std::max<std::size_t>(1, model_.excitations.size())),
         reaction_(modes_) {
     if (settings.armature)
       feeds_back_ = std::any_of(settings.armature->feedback.begin(), settings.armature->feedback.end(),
@@ -279,107 +278,149 @@ class EventSearch {
   Event event_;
 };
 
-}  // namespace
-
-void integrate_motion(const CompiledModel& model, const double* parameters, const ExcitationSignal& excitation,
-                      double from, std::vector<double>& displacement, std::vector<double>& velocity, double first,
-                      double step, std::size_t count, const MotionSettings& settings,
-                      const std::function<void(const MotionSample&)>& sample, MotionMemory* memory) {
-  Motion motion(model, parameters, excitation, settings);
-  const OdeRate rate = std::ref(motion);
-  const std::size_t modes = motion.modes();
-  State x = displacement;
-  x.insert(x.end(), velocity.begin(), velocity.end());
-  if (settings.armature) {
-    x.push_back(memory ? memory->base : 0.0);
-    x.push_back(memory ? memory->base_rate : 0.0);
-  }
-  for (std::size_t e = 0; e < motion.elements(); ++e) {
-    const bool loaded = memory && e < memory->elastic_displacement.size();
-    motion.place(x, e, loaded ? memory->elastic_displacement[e] : x[motion.element_mode(e)]);
-  }
+StepperSettings stepper_settings(const MotionSettings& settings, double sample_step) {
   const bool fixed = settings.method == Integrator::runge_kutta_4;
   const double longest =
-      fixed ? (settings.fixed_step > 0 ? settings.fixed_step : step / 16) : settings.largest_step;
-  const std::unique_ptr<Stepper> stepper =
-      make_stepper({settings.method, settings.relative_tolerance, settings.absolute_tolerance,
-                    settings.largest_step > 0 ? std::min(settings.largest_step, 0.1 * step) : 0.1 * step,
-                    fixed && settings.largest_step > 0 ? std::min(longest, settings.largest_step) : longest});
-  std::vector<bool> jumps(modes);
-  for (std::size_t k = 0; k < modes; ++k) jumps[k] = motion.has_dry_friction(x, from, k);
-  const bool dry = std::find(jumps.begin(), jumps.end(), true) != jumps.end();
-  const auto settle_friction = [&] {
-    for (std::size_t k = 0; dry && k < modes; ++k)
-      if (jumps[k]) motion.take_side(x, stepper->time(), k);
-  };
-  stepper->start(x, from);
-  if (dry) settle_friction();
-  State at(x.size()), previous(x.size());
-  MotionSample out;
-  MotionMemory remembered;
-  remembered.elastic_displacement.resize(motion.elements());
-  std::vector<double> acceleration(modes);
-  const auto emit = [&](const State& state, double when) {
-    motion.accelerations(state, when, acceleration.data());
-    out.time = when;
-    out.displacement.assign(state.begin(), state.begin() + static_cast<std::ptrdiff_t>(modes));
-    out.velocity.assign(state.begin() + static_cast<std::ptrdiff_t>(modes),
-                        state.begin() + static_cast<std::ptrdiff_t>(2 * modes));
-    out.acceleration = acceleration;
-    out.excitation = motion.excitation();
-    for (std::size_t e = 0; e < motion.elements(); ++e)
-      remembered.elastic_displacement[e] = motion.elastic(state, e);
-    if (settings.armature) {
-      remembered.base = state[2 * modes];
-      remembered.base_rate = state[2 * modes + 1];
-    }
-    sample(out);
-  };
-  const auto any_held = [&] {
-    for (std::size_t k = 0; k < modes; ++k)
-      if (motion.held(k)) return true;
-    return false;
-  };
-  std::size_t next = 0, steps_taken = 0;
-  double checked_time = from;
-  const auto due = [&] { return first + static_cast<double>(next) * step; };
-  while (next < count) {
-    if (due() <= stepper->time()) {
-      if (due() == stepper->time()) {
-        at = stepper->state();
-      } else {
-        stepper->state_at(due(), at);
+      fixed ? (settings.fixed_step > 0 ? settings.fixed_step : sample_step / 16) : settings.largest_step;
+  return {settings.method, settings.relative_tolerance, settings.absolute_tolerance,
+          settings.largest_step > 0 ? std::min(settings.largest_step, 0.1 * sample_step) : 0.1 * sample_step,
+          fixed && settings.largest_step > 0 ? std::min(longest, settings.largest_step) : longest};
+}
+
+// One integration: steps of a stepper, samples as they fall due, and the events at which a step is cut short.
+class Integration {
+ public:
+  Integration(const MotionEquations& equations, const SampleTimes& times, const MotionSettings& settings,
+              const std::function<void(const MotionSample&)>& sample)
+      : times_(times),
+        settings_(settings),
+        sample_(sample),
+        motion_(equations, settings),
+        rate_(std::ref(motion_)),
+        stepper_(make_stepper(stepper_settings(settings, times.step))),
+        acceleration_(motion_.modes()) {}
+
+  void run(MotionState& state) {
+    start(state);
+    std::size_t steps_taken = 0;
+    double checked_time = times_.from;
+    State at(x_.size());
+    while (next_ < times_.count) {
+      if (due() <= stepper_->time()) {
+        if (due() == stepper_->time())
+          at = stepper_->state();
+        else
+          stepper_->state_at(due(), at);
+        emit(at);
+        continue;
       }
-      emit(at, due());
-      ++next;
-      continue;
+      if (++steps_taken % most_steps_in_a_sample_interval == 0) {
+        if (stepper_->time() - checked_time < times_.step)
+          throw InputError(settings_.label, fmt::format("t = {:.6g} s", stepper_->time()),
+                           "the integration makes no progress",
+                           "the equations may be stiff or discontinuous there");
+        checked_time = stepper_->time();
+      }
+      previous_ = stepper_->state();
+      stepper_->advance(rate_, due());
+      if (dry_ || motion_.elements() > 0) pass_event();
     }
-    if (++steps_taken % most_steps_in_a_sample_interval == 0) {
-      if (stepper->time() - checked_time < step)
-        throw InputError(settings.label, fmt::format("t = {:.6g} s", stepper->time()),
-                         "the integration makes no progress", "the equations may be stiff or discontinuous there");
-      checked_time = stepper->time();
+    state = last_;
+  }
+
+ private:
+  double due() const { return times_.first + static_cast<double>(next_) * times_.step; }
+
+  void start(const MotionState& begin) {
+    x_ = begin.displacement;
+    x_.insert(x_.end(), begin.velocity.begin(), begin.velocity.end());
+    if (settings_.armature) {
+      x_.push_back(begin.base);
+      x_.push_back(begin.base_rate);
     }
-    previous = stepper->state();
-    stepper->advance(rate, due());
-    if (!dry && motion.elements() == 0) continue;
-    const Event event = EventSearch(motion, *stepper, previous).first(dry);
-    if (!event.found() && !any_held()) continue;
-    const double time = event.found() ? event.when : stepper->time();
-    while (next < count && due() <= time) {  // these samples still come from this step
-      stepper->state_at(due(), at);
-      emit(at, due());
-      ++next;
+    for (std::size_t e = 0; e < motion_.elements(); ++e) {
+      const bool loaded = e < begin.elastic_displacement.size();
+      motion_.place(x_, e, loaded ? begin.elastic_displacement[e] : x_[motion_.element_mode(e)]);
     }
-    stepper->state_at(time, x);
-    if (event.stopped != none) x[modes + event.stopped] = 0;
-    if (event.element != none) motion.change_phase(x, event.element);
-    stepper->start(x, time);
+    for (std::size_t k = 0; k < motion_.modes(); ++k)
+      jumps_.push_back(motion_.has_dry_friction(x_, times_.from, k));
+    dry_ = std::find(jumps_.begin(), jumps_.end(), true) != jumps_.end();
+    stepper_->start(x_, times_.from);
     settle_friction();
   }
-  displacement = out.displacement;
-  velocity = out.velocity;
-  if (memory) *memory = remembered;
+
+  void settle_friction() {
+    for (std::size_t k = 0; dry_ && k < motion_.modes(); ++k)
+      if (jumps_[k]) motion_.take_side(x_, stepper_->time(), k);
+  }
+
+  // The sample that is due, of the state then.
+  void emit(const State& state) {
+    const auto part = [&](std::size_t n) {
+      return state.begin() + static_cast<std::ptrdiff_t>(n * motion_.modes());
+    };
+    out_.time = due();
+    motion_.accelerations(state, out_.time, acceleration_.data());
+    out_.displacement.assign(part(0), part(1));
+    out_.velocity.assign(part(1), part(2));
+    out_.acceleration = acceleration_;
+    out_.excitation = motion_.excitation();
+    last_.displacement = out_.displacement;
+    last_.velocity = out_.velocity;
+    last_.elastic_displacement.resize(motion_.elements());
+    for (std::size_t e = 0; e < motion_.elements(); ++e) last_.elastic_displacement[e] = motion_.elastic(state, e);
+    if (settings_.armature) {
+      last_.base = state[2 * motion_.modes()];
+      last_.base_rate = state[2 * motion_.modes() + 1];
+    }
+    sample_(out_);
+    ++next_;
+  }
+
+  bool any_held() const {
+    for (std::size_t k = 0; k < motion_.modes(); ++k)
+      if (motion_.held(k)) return true;
+    return false;
+  }
+
+  // Goes on from the first event within the last step, if there is one; a mode that is held is looked at anew after
+  // every step.
+  void pass_event() {
+    const Event event = EventSearch(motion_, *stepper_, previous_).first(dry_);
+    if (!event.found() && !any_held()) return;
+    const double time = event.found() ? event.when : stepper_->time();
+    State at(x_.size());
+    while (next_ < times_.count && due() <= time) {  // these samples still come from this step
+      stepper_->state_at(due(), at);
+      emit(at);
+    }
+    stepper_->state_at(time, x_);
+    if (event.stopped != none) x_[motion_.modes() + event.stopped] = 0;
+    if (event.element != none) motion_.change_phase(x_, event.element);
+    stepper_->start(x_, time);
+    settle_friction();
+  }
+
+  const SampleTimes times_;
+  const MotionSettings& settings_;
+  const std::function<void(const MotionSample&)>& sample_;
+  Motion motion_;
+  OdeRate rate_;
+  std::unique_ptr<Stepper> stepper_;
+  std::vector<bool> jumps_;  // by mode: whether dry friction acts on it
+  bool dry_ = false;
+  State x_, previous_;
+  std::size_t next_ = 0;  // sample
+  std::vector<double> acceleration_;
+  MotionSample out_;
+  MotionState last_;
+};
+
+}  // namespace
+
+void integrate_motion(const MotionEquations& equations, const SampleTimes& times, const MotionSettings& settings,
+                      MotionState& state, const std::function<void(const MotionSample&)>& sample) {
+  Integration(equations, times, settings, sample).run(state);
 }
 
 }  // namespace secular

@@ -53,22 +53,36 @@ struct MotionSettings {
   std::optional<Armature> armature;  ///< of the first excitation
 };
 
-/// What a motion remembers besides displacement and velocity.
-struct MotionMemory {
-  std::vector<double> elastic_displacement;  ///< by MotionSettings::slip_elements; empty: first loaded from z = 0
-  double base = 0, base_rate = 0;            ///< displacement and velocity of the armature
+/// Equations of motion with all that they depend on.
+struct MotionEquations {
+  const CompiledModel& model;
+  const double* parameters;  ///< by CompiledModel::symbols
+  const ExcitationSignal& excitation;
 };
 
-/// Integrates the full equations of motion from `displacement`, `velocity` at time `from` and hands over samples at
-/// first, first + step, ... (count of them), by a method of Boost.Odeint with dense output. Where the velocity of a
-/// mode comes to zero and its acceleration changes sign with it (dry friction), that mode is held until the force
-/// exceeds the friction. Slip elements are exact: z is the displacement from an anchor while the element sticks and
-/// +-slip while it slides, and the instants between are located to rounding. At the end displacement, velocity and
-/// `memory` hold the state at the last sample. Throws InputError for a motion that grows beyond bounds, with its
-/// time.
-void integrate_motion(const CompiledModel& model, const double* parameters, const ExcitationSignal& excitation,
-                      double from, std::vector<double>& displacement, std::vector<double>& velocity, double first,
-                      double step, std::size_t count, const MotionSettings& settings,
-                      const std::function<void(const MotionSample&)>& sample, MotionMemory* memory = nullptr);
+/// A motion from `from` on, with samples at first, first + step, ... (count of them).
+struct SampleTimes {
+  double from = 0;
+  double first = 0;
+  double step = 0;
+  std::size_t count = 0;
+};
+
+/// All that the rest of a motion depends on.
+struct MotionState {
+  std::vector<double> displacement, velocity;
+  /// By MotionSettings::slip_elements; empty: first loaded from z = 0.
+  std::vector<double> elastic_displacement = {};
+  double base = 0, base_rate = 0;  ///< displacement and velocity of the armature
+};
+
+/// Integrates the full equations of motion from `state` and hands over samples, by a method of Boost.Odeint with
+/// dense output. Where the velocity of a mode comes to zero and its acceleration changes sign with it (dry
+/// friction), that mode is held until the force exceeds the friction. Slip elements are exact: z is the
+/// displacement from an anchor while the element sticks and +-slip while it slides, and the instants between are
+/// located to rounding. At the end `state` is that of the last sample. Throws InputError for a motion that grows
+/// beyond bounds, with its time.
+void integrate_motion(const MotionEquations& equations, const SampleTimes& times, const MotionSettings& settings,
+                      MotionState& state, const std::function<void(const MotionSample&)>& sample);
 
 }  // namespace secular

@@ -20,14 +20,13 @@ class Sweep {
       : model_(model),
         case_(resonance),
         sweep_(sweep),
-        displacement_(model.modes(), 0.0),
-        velocity_(model.modes(), 0.0),
+        state_{std::vector<double>(model.modes(), 0.0), std::vector<double>(model.modes(), 0.0)},
         phase_(model.excitations.size(), 0.0) {}
 
   SweepPoint dwell(const SweepStep& step) {
     for (std::size_t k = 0; k < model_.modes(); ++k)
-      if (!case_.mode_at_rest[k] && std::abs(displacement_[k]) < sweep_.disturbance)
-        displacement_[k] = std::copysign(sweep_.disturbance, displacement_[k]);
+      if (!case_.mode_at_rest[k] && std::abs(state_.displacement[k]) < sweep_.disturbance)
+        state_.displacement[k] = std::copysign(sweep_.disturbance, state_.displacement[k]);
     SweepPoint point;
     for (int w = 0; w < sweep_.window_limit && !point.settled; ++w) {
       const std::vector<double> before = std::move(point.amplitude);
@@ -76,8 +75,8 @@ class Sweep {
     settings.relative_tolerance = 1e-8;
     settings.absolute_tolerance = 1e-12 + 1e-6 * sweep_.disturbance;
     std::vector<Complex> sum(model_.modes());
-    integrate_motion(model_, sweep_.parameters.data(), signal, 0, displacement_, velocity_, interval, interval,
-                     count, settings, [&](const MotionSample& sample) {
+    integrate_motion({model_, sweep_.parameters.data(), signal}, {0, interval, interval, count}, settings, state_,
+                     [&](const MotionSample& sample) {
                        const double weight = 1 - std::cos(two_pi * sample.time / length);
                        for (std::size_t k = 0; k < sum.size(); ++k)
                          sum[k] += weight * sample.displacement[k] * std::polar(1.0, -frequency[k] * sample.time);
@@ -92,7 +91,8 @@ class Sweep {
   const CompiledModel& model_;
   const CompiledCase& case_;
   const SteppedSweep& sweep_;
-  std::vector<double> displacement_, velocity_, phase_;
+  MotionState state_;
+  std::vector<double> phase_;
 };
 
 }  // namespace

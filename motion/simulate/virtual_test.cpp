@@ -110,8 +110,7 @@ class VirtualTest {
 
   // State that one record hands to the next of its chain.
   struct Course {
-    std::vector<double> displacement, velocity;
-    MotionMemory memory;
+    MotionState state;
     double phase = 0;  // of the excitation
   };
 
@@ -121,17 +120,17 @@ class VirtualTest {
     bool first = true;
     for (const Task& task : chain) {
       if (task.decay) {
-        course.displacement = task.decay->initial_displacement;
-        course.velocity = task.decay->initial_velocity;
+        course.state.displacement = task.decay->initial_displacement;
+        course.state.velocity = task.decay->initial_velocity;
         run_decay(task, course);
       } else if (task.signal) {
-        course.displacement = task.signal->initial_displacement;
-        course.velocity.assign(model_.modes(), 0.0);
+        course.state.displacement = task.signal->initial_displacement;
+        course.state.velocity.assign(model_.modes(), 0.0);
         run_signal(task, course);
       } else {
         if (first) {
-          course.displacement = task.dwell->initial_displacement;
-          course.velocity.assign(model_.modes(), 0.0);
+          course.state.displacement = task.dwell->initial_displacement;
+          course.state.velocity.assign(model_.modes(), 0.0);
         }
         run_dwell(task, course);
       }
@@ -146,7 +145,7 @@ class VirtualTest {
     const ExcitationSignal silent = [&](double, ExcitationSample* samples) {
       for (std::size_t j = 0; j < model_.excitations.size(); ++j) samples[j] = {};
     };
-    store(task, recorded(task, silent, 0, course, 0, count));
+    store(task, recorded(task, silent, course, {.count = count}));
   }
 
   // Moves the excitation's phase on, so that the next dwell goes on without a jump.
@@ -157,7 +156,7 @@ class VirtualTest {
     const double rate = experiment_.sample_rate_hz;
     const auto count = static_cast<std::size_t>(task.dwell->ensembles) *
                        static_cast<std::size_t>(std::lround(task.dwell->ensemble_s * rate));
-    store(task, recorded(task, signal, 0, course, task.dwell->settle_s, count));
+    store(task, recorded(task, signal, course, {.first = task.dwell->settle_s, .count = count}));
     const double end = task.dwell->settle_s + static_cast<double>(count - 1) / rate;
     course.phase = std::remainder(omega * end + course.phase, two_pi);
   }
@@ -173,20 +172,28 @@ class VirtualTest {
       const ExcitationSignal signal = [&](double time, ExcitationSample* samples) {
         (time < 0 ? steady : sweep)(time, samples);
       };
-      store(task, recorded(task, signal, -p.settle_s, course, 0, count));
+      store(task, recorded(task, signal, course, {.from = -p.settle_s, .count = count}));
       return;
     }
     const bool impact = p.kind == SignalProgramme::Kind::impact;
     const ExcitationSignal signal = impact
                                         ? half_sine_pulse(p.amplitude, p.at_s, p.width_s)
                                         : random_phase_multisine(p.low_hz, p.high_hz, p.lines, p.amplitude, p.seed);
-    store(task, recorded(task, signal, 0, course, p.settle_s, count, impact ? p.width_s / 8 : 0));
+    store(task, recorded(task, signal, course,
+                         {.first = p.settle_s, .count = count, .largest_step = impact ? p.width_s / 8 : 0}));
   }
 
-  // Integrates from `from` and records `count` samples from `first` on: what the sensors see, filtered, at the
-  // recorded rate.
-  Record recorded(const Task& task, const ExcitationSignal& signal, double from, Course& course, double first,
-                  std::size_t count, double largest_step = 0) const {
+  // Integration from `from`, `count` samples at the recorded rate from `first` on.
+  struct Recording {
+    double from = 0, first = 0;
+    std::size_t count = 0;
+    double largest_step = 0;  // MotionSettings::largest_step
+  };
+
+  // What the sensors see, filtered.
+  Record recorded(const Task& task, const ExcitationSignal& signal, Course& course,
+                  const Recording& recording) const {
+    const auto& [from, first, count, largest_step] = recording;
     const bool excited = experiment_.excitation.has_value();
     const std::size_t oversampling = experiment_.anti_alias ? experiment_.anti_alias->oversampling : 1;
     const double rate = experiment_.sample_rate_hz * static_cast<double>(oversampling);
@@ -205,9 +212,9 @@ class VirtualTest {
     record.channels.assign(chains.size(), std::vector<double>(count));
     std::size_t i = 0;
     integrate_motion(
-        model_, experiment_.parameters.data(), signal, from, course.displacement, course.velocity,
-        first - static_cast<double>(lead) / rate, 1 / rate, lead + (count - 1) * oversampling + 1, settings,
-        [&](const MotionSample& sample) {
+        {model_, experiment_.parameters.data(), signal},
+        {from, first - static_cast<double>(lead) / rate, 1 / rate, lead + (count - 1) * oversampling + 1}, settings,
+        course.state, [&](const MotionSample& sample) {
           const bool keep = i >= lead && (i - lead) % oversampling == 0;
           for (std::size_t c = 0; c < chains.size(); ++c) {
             const bool base = excited && c == 0;
@@ -217,8 +224,7 @@ class VirtualTest {
             if (keep) record.channels[c][(i - lead) / oversampling] = value;
           }
           ++i;
-        },
-        &course.memory);
+        });
     return record;
   }
 

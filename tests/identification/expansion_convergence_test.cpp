@@ -58,11 +58,11 @@ class Scaled {
     Eigen::Vector2d state(2 * b.real(), -omega_ * b.imag());
     const auto after = [&](const Eigen::Vector2d& start, std::vector<double>* samples) {
       constexpr int count = 512;
-      std::vector<double> q{start(0)}, v{start(1)};
+      MotionState moving{{start(0)}, {start(1)}};
       int i = 0;
       Eigen::Vector2d end;
-      integrate_motion(model(), parameters_.data(), signal(), 0, q, v, 0, period / count, count + 1, settings(),
-                       [&](const MotionSample& s) {
+      integrate_motion({model(), parameters_.data(), signal()}, {0, 0, period / count, count + 1}, settings(),
+                       moving, [&](const MotionSample& s) {
                          if (samples && i < count) samples->push_back(s.displacement[0]);
                          ++i;
                          end << s.displacement[0], s.velocity[0];

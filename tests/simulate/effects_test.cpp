@@ -62,9 +62,9 @@ TEST(Hysteresis, LoopAreaIsThatOfTheJenkinsElement) {
     for (const double slip : {0.05, 0.2, 0.29, 0.4}) {
       MotionSettings settings = with_element(method, slip);
       settings.fixed_step = period / 400;
-      std::vector<double> q{amplitude}, v{0};
+      MotionState state{{amplitude}, {0}};
       double area = 0;
-      integrate_motion(free_point(), nullptr, prescribed, 0, q, v, 2 * period, h, n, settings,
+      integrate_motion({free_point(), nullptr, prescribed}, {0, 2 * period, h, n}, settings, state,
                        [&](const MotionSample& s) { area += s.excitation[1].value * s.velocity[0] * h; });
       const double expected = slip < amplitude ? 4 * slip * (amplitude - slip) : 0;
       EXPECT_NEAR(area, expected, 1e-6) << static_cast<int>(method) << " slip " << slip;
@@ -76,9 +76,9 @@ TEST(Hysteresis, ElasticDisplacementIsExactAtEverySample) {
   const double period = 2 * pi / omega, slip = 0.1;
   for (const Integrator method :
        {Integrator::dormand_prince, Integrator::bulirsch_stoer, Integrator::dormand_prince_87}) {
-    std::vector<double> q{amplitude}, v{0};
-    integrate_motion(free_point(), nullptr, prescribed, 0, q, v, period, period / 97, 200,
-                     with_element(method, slip), [&](const MotionSample& s) {
+    MotionState state{{amplitude}, {0}};
+    integrate_motion({free_point(), nullptr, prescribed}, {0, period, period / 97, 200}, with_element(method, slip),
+                     state, [&](const MotionSample& s) {
                        const double x = amplitude * std::cos(omega * s.time);
                        const bool down = std::fmod(s.time, period) < period / 2;
                        const double z =
@@ -94,15 +94,13 @@ TEST(Hysteresis, MemoryIsCarriedOn) {
     const CompiledModel model = model_of([](const double*, const ExcitationSample* u, const double* x,
                                             const double*, double* a) { a[0] = -x[0] - 2 * u[1].value; });
     const ExcitationSignal silent = [](double, ExcitationSample* s) { s[0] = s[1] = {}; };
-    std::vector<double> q{1}, v{0}, seen;
-    MotionMemory memory;
+    MotionState state{{1}, {0}};
+    std::vector<double> seen;
     for (const std::size_t count : parts)
-      integrate_motion(
-          model, nullptr, silent, 0, q, v, 0, 0.05, count + 1, with_element(Integrator::dormand_prince, 0.3),
-          [&](const MotionSample& s) {
-            if (s.time > 0) seen.push_back(s.displacement[0]);
-          },
-          &memory);
+      integrate_motion({model, nullptr, silent}, {0, 0, 0.05, count + 1},
+                       with_element(Integrator::dormand_prince, 0.3), state, [&](const MotionSample& s) {
+                         if (s.time > 0) seen.push_back(s.displacement[0]);
+                       });
     return seen;
   };
   const std::vector<double> whole = run({200}), parts = run({17, 50, 3, 130});
@@ -123,10 +121,10 @@ TEST(Drift, MovesTheFrequencyByTheStatedAmount) {
     MotionSettings settings;
     settings.clocks = {1};
     settings.clock_origin = started;
-    std::vector<double> q{1}, v{0};
+    MotionState state{{1}, {0}};
     double last = 1, before = 0, first_crossing = 0, last_crossing = 0;
     int crossings = 0;
-    integrate_motion(model, parameters, silent, 0, q, v, 0, 1e-3, 1000, settings, [&](const MotionSample& s) {
+    integrate_motion({model, parameters, silent}, {0, 0, 1e-3, 1000}, settings, state, [&](const MotionSample& s) {
       const double x = s.displacement[0];
       if (last > 0 && x <= 0) {
         last_crossing = before + 1e-3 * last / (last - x);
@@ -158,18 +156,20 @@ TEST(Armature, IsASecondOrderSystemWithTheStructureOnIt) {
       };
       MotionSettings settings;
       settings.armature = Armature{suspension, damping, {feedback}};
-      std::vector<double> q{0}, v{0};
+      MotionState state{{0}, {0}};
       const std::complex<double> s(0, command), mode = s * s + 2 * m * s + w * w;
       const std::complex<double> free = (s * s + 2 * damping * suspension * s + suspension * suspension) / (s * s);
       const std::complex<double> u = 1.0 / (free - feedback * s * s / mode);
       double worst = 0;
-      integrate_motion(model, parameters, wave, 0, q, v, 40, 0.003, 100, settings, [&](const MotionSample& sample) {
-        const std::complex<double> turned = u * std::polar(1.0, command * sample.time);
-        worst = std::max({worst, std::abs(sample.excitation[0].value - turned.real()),
-                          w * w * std::abs(sample.displacement[0] + (turned / mode).real())});
-        if (feedback == 0)
-          worst = std::max(worst, std::abs(sample.excitation[0].first_derivative - (s * turned).real()) / command);
-      });
+      integrate_motion(
+          {model, parameters, wave}, {0, 40, 0.003, 100}, settings, state, [&](const MotionSample& sample) {
+            const std::complex<double> turned = u * std::polar(1.0, command * sample.time);
+            worst = std::max({worst, std::abs(sample.excitation[0].value - turned.real()),
+                              w * w * std::abs(sample.displacement[0] + (turned / mode).real())});
+            if (feedback == 0)
+              worst =
+                  std::max(worst, std::abs(sample.excitation[0].first_derivative - (s * turned).real()) / command);
+          });
       EXPECT_LT(worst, 1e-6 * std::abs(u)) << command << " " << feedback;
     }
 }

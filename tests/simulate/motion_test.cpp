@@ -41,9 +41,9 @@ TEST(Motion, ForcedLinearOscillatorReachesItsClosedForm) {
        {Integrator::dormand_prince, Integrator::bulirsch_stoer, Integrator::dormand_prince_87}) {
     MotionSettings settings;
     settings.method = method;
-    std::vector<double> q{0}, v{0};
+    MotionState state{{0}, {0}};
     double worst = 0;
-    integrate_motion(model, parameters, wave, 0, q, v, 80, 0.01, 500, settings, [&](const MotionSample& s) {
+    integrate_motion({model, parameters, wave}, {0, 80, 0.01, 500}, settings, state, [&](const MotionSample& s) {
       const std::complex<double> response =
           std::polar(1.0, omega * s.time) / std::complex<double>(100 - omega * omega, omega);
       worst = std::max(
@@ -66,10 +66,10 @@ TEST(Motion, HighOrderNeedsFewerEvaluationsForTheSameTolerance) {
         &calls};
     MotionSettings settings;
     settings.method = method;
-    std::vector<double> q{2}, v{0};
+    MotionState state{{2}, {0}};
     double last = 0;
     const double period = 4 * boost::math::ellint_1(std::sin(1.0));
-    integrate_motion(model, nullptr, silent, 0, q, v, 0, period / 10, 501, settings,
+    integrate_motion({model, nullptr, silent}, {0, 0, period / 10, 501}, settings, state,
                      [&](const MotionSample& s) { last = s.velocity[0]; });
     return std::abs(last);  // at rest after whole periods
   };
@@ -85,10 +85,10 @@ TEST(Motion, PendulumPeriodIsTheEllipticIntegralAndEnergyStays) {
                                           double* a) { a[0] = -std::sin(x[0]); });
   const double angle = 2;
   const double period = 4 * boost::math::ellint_1(std::sin(angle / 2));
-  std::vector<double> q{angle}, v{0};
+  MotionState state{{angle}, {0}};
   double energy_change = 0;
   const double energy = 1 - std::cos(angle);
-  integrate_motion(model, nullptr, silent, 0, q, v, 0, period, 51, {}, [&](const MotionSample& s) {
+  integrate_motion({model, nullptr, silent}, {0, 0, period, 51}, {}, state, [&](const MotionSample& s) {
     EXPECT_NEAR(s.displacement[0], angle, 1e-7);
     energy_change = std::max(
         energy_change, std::abs(0.5 * s.velocity[0] * s.velocity[0] + 1 - std::cos(s.displacement[0]) - energy));
@@ -104,15 +104,14 @@ TEST(Motion, DryFrictionDecaysByEqualStepsAndComesToRest) {
       });
   const double parameters[] = {2, 0.1};
   const double period = std::numbers::pi, step = 4 * 0.1 / 4;
-  std::vector<double> q{1}, v{0};
+  MotionState state{{1}, {0}};
   int cycle = 0;
-  integrate_motion(model, parameters, silent, 0, q, v, 0, period, 9, {}, [&](const MotionSample& s) {
+  integrate_motion({model, parameters, silent}, {0, 0, period, 9}, {}, state, [&](const MotionSample& s) {
     EXPECT_NEAR(s.displacement[0], 1 - cycle * step, 1e-6) << cycle;
     ++cycle;
   });
-  q = {1};
-  v = {0};
-  integrate_motion(model, parameters, silent, 0, q, v, 100, 1, 3, {}, [&](const MotionSample& s) {
+  state = {{1}, {0}};
+  integrate_motion({model, parameters, silent}, {0, 100, 1, 3}, {}, state, [&](const MotionSample& s) {
     EXPECT_EQ(s.velocity[0], 0);
     EXPECT_EQ(s.acceleration[0], 0);
     EXPECT_LE(std::abs(s.displacement[0]), 0.1 / 4 + 1e-9);
@@ -133,9 +132,9 @@ TEST(Motion, DecaysUnderDryFrictionComeToRestWhateverTheTolerance) {
       const double parameters[] = {5.77, 0.03 + 2e-3 * variant};
       MotionSettings settings;
       settings.relative_tolerance = tolerance;
-      std::vector<double> q{0.02}, v{0};
+      MotionState state{{0.02}, {0}};
       double energy = INFINITY, last_velocity = 1;
-      ASSERT_NO_THROW(integrate_motion(model, parameters, silent, 100, q, v, 100, 0.01, 1500, settings,
+      ASSERT_NO_THROW(integrate_motion({model, parameters, silent}, {100, 100, 0.01, 1500}, settings, state,
                                        [&](const MotionSample& s) {
                                          const double now = s.velocity[0] * s.velocity[0] +
                                                             5.77 * 5.77 * s.displacement[0] * s.displacement[0];
@@ -145,7 +144,7 @@ TEST(Motion, DecaysUnderDryFrictionComeToRestWhateverTheTolerance) {
                                        }))
           << tolerance << " " << variant;
       EXPECT_EQ(last_velocity, 0) << variant;
-      EXPECT_LE(std::abs(q[0]), parameters[1] / (5.77 * 5.77) + 1e-9) << variant;
+      EXPECT_LE(std::abs(state.displacement[0]), parameters[1] / (5.77 * 5.77) + 1e-9) << variant;
     }
 }
 
@@ -170,9 +169,9 @@ TEST(DormandPrince87, CoefficientsFulfilTheConditionsOfOrder) {
 TEST(Motion, GrowthBeyondBoundsIsReportedWithItsTime) {
   const CompiledModel model = model_of([](const double*, const ExcitationSample*, const double* x, const double*,
                                           double* a) { a[0] = x[0] * x[0] * x[0]; });
-  std::vector<double> q{1}, v{0};
+  MotionState state{{1}, {0}};
   try {
-    integrate_motion(model, nullptr, silent, 0, q, v, 0, 0.01, 10000, {}, [](const MotionSample&) {});
+    integrate_motion({model, nullptr, silent}, {0, 0, 0.01, 10000}, {}, state, [](const MotionSample&) {});
     FAIL() << "no complaint";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("t = "), std::string::npos) << error.what();

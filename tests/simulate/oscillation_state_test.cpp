@@ -50,11 +50,11 @@ double missed(const Driven& d) {
     const double w = d.frequency, angle = w * (t - centre);
     s[0] = {d.force * std::cos(angle), -w * d.force * std::sin(angle), -w * w * d.force * std::cos(angle)};
   };
-  std::vector<double> q = d.start, v(d.model.modes(), 0.0);
+  MotionState moving{d.start, std::vector<double>(d.model.modes(), 0.0)};
   std::vector<MotionSample> samples;
   MotionSettings settings;
   settings.relative_tolerance = 1e-11;
-  integrate_motion(d.model, d.parameters.data(), wave, 0, q, v, settled, step, count, settings,
+  integrate_motion({d.model, d.parameters.data(), wave}, {0, settled, step, count}, settings, moving,
                    [&](const MotionSample& s) { samples.push_back(s); });
 
   Observation o;
