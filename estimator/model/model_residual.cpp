@@ -63,29 +63,37 @@ void add(Complex* sum, double weight, const Complex* column, std::size_t count) 
   for (std::size_t i = 0; i < count; ++i) sum[i] += weight * column[i];
 }
 
-// sum[p * stride + i] += d(columns * lumps)/dp of the observations of one part.
-void add_right_side_by_parameters(const CompiledModel& model, const RegressorBlock& block, const Part& part,
-                                  const std::vector<double>& lumps, const std::vector<double>& lump_jacobian,
-                                  double sign, Columns& columns, Complex* sum, std::size_t stride) {
-  const std::size_t symbols = model.symbols.size(), count = part.batch().count;
-  block.columns(part.batch(), columns.data());
-  for (std::size_t j = 0; j < block.lumps.size(); ++j)
-    for (std::size_t p = 0; p < symbols; ++p)
-      add(sum + p * stride, sign * lump_jacobian[static_cast<std::size_t>(block.lumps[j]) * symbols + p],
-          columns[j], count);
-  for (std::size_t mode = 0; mode < model.modes(); ++mode) {
-    block.column_slopes(part.batch(), mode, columns.data());
-    for (std::size_t j = 0; j < block.lumps.size(); ++j)
-      add(sum + mode * stride, sign * lumps[static_cast<std::size_t>(block.lumps[j])], columns[j], count);
+// d(columns * lumps)/d parameter of the blocks of a case.
+class RightSideSlopes {
+ public:
+  RightSideSlopes(const CompiledModel& model, const CompiledCase& resonance, const double* parameters)
+      : modes_(model.modes()),
+        symbols_(model.symbols.size()),
+        lumps_(lumps_of(resonance, parameters)),
+        lump_jacobian_(lumps_.size() * symbols_) {
+    resonance.evaluate_lumps_jacobian(parameters, lump_jacobian_.data());
   }
-}
 
-std::vector<double> lump_jacobian_of(const CompiledModel& model, const CompiledCase& resonance,
-                                     const double* parameters) {
-  std::vector<double> jacobian(resonance.lumps.size() * model.symbols.size());
-  resonance.evaluate_lumps_jacobian(parameters, jacobian.data());
-  return jacobian;
-}
+  // sum[p * stride + i] += sign * slope by parameter p of the observations i of one part.
+  void add_to(Complex* sum, std::size_t stride, double sign, const RegressorBlock& block, const Part& part) const {
+    const std::size_t count = part.batch().count;
+    const Columns columns(block);
+    block.columns(part.batch(), columns.data());
+    for (std::size_t j = 0; j < block.lumps.size(); ++j)
+      for (std::size_t p = 0; p < symbols_; ++p)
+        add(sum + p * stride, sign * lump_jacobian_[static_cast<std::size_t>(block.lumps[j]) * symbols_ + p],
+            columns[j], count);
+    for (std::size_t mode = 0; mode < modes_; ++mode) {
+      block.column_slopes(part.batch(), mode, columns.data());
+      for (std::size_t j = 0; j < block.lumps.size(); ++j)
+        add(sum + mode * stride, sign * lumps_[static_cast<std::size_t>(block.lumps[j])], columns[j], count);
+    }
+  }
+
+ private:
+  std::size_t modes_, symbols_;
+  std::vector<double> lumps_, lump_jacobian_;
+};
 
 }  // namespace
 
@@ -111,15 +119,12 @@ void block_residual(const CompiledModel& model, const CompiledCase& resonance, c
 void block_residual_by_parameters(const CompiledModel& model, const CompiledCase& resonance,
                                   const RegressorBlock& block, const double* parameters,
                                   const ObservationBatch& data, Complex* jacobian) {
-  const std::vector<double> lumps = lumps_of(resonance, parameters);
-  const std::vector<double> lump_jacobian = lump_jacobian_of(model, resonance, parameters);
+  const RightSideSlopes slopes(model, resonance, parameters);
   const auto mode = static_cast<std::size_t>(block.mode);
-  Columns columns(block);
   std::fill_n(jacobian, model.symbols.size() * data.count, Complex());
   for (std::size_t first = 0; first < data.count; first += observations_at_once) {
     const Part part(model, data, parameters, first);
-    add_right_side_by_parameters(model, block, part, lumps, lump_jacobian, -1, columns, jacobian + first,
-                                 data.count);
+    slopes.add_to(jacobian + first, data.count, -1, block, part);
     if (block.kind == BlockKind::modulation)
       for (std::size_t i = first; i < first + part.batch().count; ++i)
         jacobian[mode * data.count + i] -= times_i(data.amplitude[mode][i]);
@@ -130,8 +135,7 @@ void modulation_by_parameters(const CompiledModel& model, const CompiledCase& re
                               const double* excitation_frequency, const Complex* amplitude, const Complex* forcing,
                               double* jacobian) {
   const std::size_t modes = model.modes(), symbols = model.symbols.size(), excitations = model.excitations.size();
-  const std::vector<double> lumps = lumps_of(resonance, parameters);
-  const std::vector<double> lump_jacobian = lump_jacobian_of(model, resonance, parameters);
+  const RightSideSlopes slopes(model, resonance, parameters);
   std::vector<const Complex*> amplitudes, forcings;
   std::vector<const double*> frequencies;
   for (std::size_t k = 0; k < modes; ++k) amplitudes.push_back(amplitude + k);
@@ -144,9 +148,7 @@ void modulation_by_parameters(const CompiledModel& model, const CompiledCase& re
   for (const RegressorBlock& block : resonance.blocks) {
     const auto mode = static_cast<std::size_t>(block.mode);
     if (block.kind != BlockKind::modulation || resonance.mode_at_rest[mode]) continue;
-    Columns columns(block);
-    add_right_side_by_parameters(model, block, point, lumps, lump_jacobian, 1, columns,
-                                 rate.data() + mode * symbols, 1);
+    slopes.add_to(rate.data() + mode * symbols, 1, 1, block, point);
   }
   // The frame turns with w_k - omega_k, w_k = sum of observed_frequency * (natural and excitation frequencies).
   for (std::size_t k = 0; k < modes; ++k)

@@ -107,8 +107,10 @@ struct ImpactModes {
   std::vector<std::optional<double>> mass;
 };
 
-ImpactModes modes_of_lines(const std::vector<SurveyReference>& references, ResponseForm form,
-                           const VectorXcd& start, double lowest_hz, double highest_hz) {
+ImpactModes modes_of_lines(const ModalSurvey& survey, const std::vector<SurveyReference>& references,
+                           const VectorXcd& start) {
+  const ResponseForm form = survey.form;
+  const double lowest_hz = survey.options.lowest_hz, highest_hz = survey.options.highest_hz;
   const FrequencyResponse& first = references.front().response;
   const double decay = first.windows.decay;
   const Index lines = first.frequency_hz.size();
@@ -207,6 +209,63 @@ void check_driving_points(const ModalSurvey& survey, const SurveyRecords& record
   }
 }
 
+// Modes from all impacts but one, each in turn; a reference struck once or twice cannot spare one. `sums`: of all.
+std::vector<ImpactModes> leaving_one_out(const ModalSurvey& survey, SurveyRecords& records,
+                                         std::vector<ImpactSpectra> sums, const ImpactWindows& windows,
+                                         const VectorXcd& poles) {
+  std::vector<ImpactModes> without;
+  for (std::size_t g = 0; g < sums.size(); ++g) {
+    const std::vector<ImpactPlace>& places = records.impacts()[g].places;
+    if (places.size() < 3) continue;
+    const ImpactSpectra all_of_group = sums[g];
+    for (const ImpactPlace& place : places) {
+      sums[g].remove(impact_spectra(records.impact(place), records.impact_rate_hz(), windows));
+      without.push_back(modes_of_lines(survey, references_of(survey, records, sums, windows), poles));
+      sums[g] = all_of_group;
+    }
+  }
+  return without;
+}
+
+// Standard deviation by the jackknife of what `value` says of the modes, `whole` for all impacts; 0 where none
+// could be left out.
+template <class Value>
+double jackknife_sd(const std::vector<ImpactModes>& without, const Value& value, double whole) {
+  const auto n = static_cast<double>(without.size());
+  double square = 0;
+  for (const ImpactModes& other : without) square += std::pow(value(other) - whole, 2);
+  return n > 0 ? std::sqrt((n - 1) / n * square) : 0.0;
+}
+
+SurveyMode impact_mode(const StableMode& stable, const ImpactModes& found, std::size_t r,
+                       const std::vector<ImpactModes>& without) {
+  const auto row = static_cast<Index>(r);
+  SurveyMode mode = begin_mode(stable);
+  mode.pole = found.poles(row);
+  mode.natural_frequency_hz = natural_frequency(mode.pole) * to_hz;
+  mode.damping_ratio = damping_ratio(mode.pole);
+  mode.from = without.empty() ? "frequency responses; spread over model orders"
+                              : "frequency responses; leaving out one impact at a time";
+  mode.shape = mean_shape(std::vector<VectorXcd>{found.shapes[r]});
+  mode.masses = found.masses[r];
+  mode.mass = found.mass[r];
+  if (without.empty()) return mode;
+  const auto sd = [&](const auto& value, double whole) { return jackknife_sd(without, value, whole); };
+  mode.natural_frequency_sd_hz =
+      sd([&](const ImpactModes& m) { return natural_frequency(m.poles(row)) * to_hz; }, mode.natural_frequency_hz);
+  mode.damping_ratio_sd = sd([&](const ImpactModes& m) { return damping_ratio(m.poles(row)); }, mode.damping_ratio);
+  mode.shape.windows = without.size();
+  for (Index c = 0; c < mode.shape.mean.size(); ++c) {
+    mode.shape.real_sd(c) =
+        sd([&](const ImpactModes& m) { return m.shapes[r](c).real(); }, mode.shape.mean(c).real());
+    mode.shape.imaginary_sd(c) =
+        sd([&](const ImpactModes& m) { return m.shapes[r](c).imag(); }, mode.shape.mean(c).imag());
+  }
+  if (mode.mass)
+    mode.mass_sd = sd([&](const ImpactModes& m) { return m.mass[r].value_or(*mode.mass); }, *mode.mass);
+  return mode;
+}
+
 void survey_impacts(ModalSurvey& survey, SurveyRecords& records) {
   check_driving_points(survey, records);
   const double decay = survey.options.response_decay ? *survey.options.response_decay : chosen_decay(records);
@@ -238,56 +297,11 @@ void survey_impacts(ModalSurvey& survey, SurveyRecords& records) {
   }
   const VectorXcd start = Eigen::Map<const VectorXcd>(fitted.data(), static_cast<Index>(fitted.size()));
   for (StabilisationPole& pole : survey.diagram.poles) pole.pole += decay;
-  const auto modes_from = [&](const std::vector<SurveyReference>& references, const VectorXcd& poles) {
-    return modes_of_lines(references, survey.form, poles, survey.options.lowest_hz, survey.options.highest_hz);
-  };
-  const ImpactModes found = modes_from(survey.references, start);
-  // Leaving out one impact at a time; a reference struck once cannot spare it.
-  std::vector<ImpactModes> without;
-  for (std::size_t g = 0; g < sums.size(); ++g) {
-    const std::vector<ImpactPlace>& places = records.impacts()[g].places;
-    if (places.size() < 3) continue;
-    const ImpactSpectra all_of_group = sums[g];
-    for (const ImpactPlace& place : places) {
-      sums[g].remove(impact_spectra(records.impact(place), records.impact_rate_hz(), impact_windows));
-      without.push_back(modes_from(references_of(survey, records, sums, impact_windows), found.poles));
-      sums[g] = all_of_group;
-    }
-  }
-  const auto n = static_cast<double>(without.size());
-  const auto jackknife = [&](const auto& value, double whole) {
-    double square = 0;
-    for (const ImpactModes& other : without) square += std::pow(value(other) - whole, 2);
-    return n > 0 ? std::sqrt((n - 1) / n * square) : 0.0;
-  };
-  for (std::size_t r = 0; r < survey.diagram.modes.size(); ++r) {
-    const auto row = static_cast<Index>(r);
-    SurveyMode mode = begin_mode(survey.diagram.modes[r]);
-    mode.pole = found.poles(row);
-    mode.natural_frequency_hz = natural_frequency(mode.pole) * to_hz;
-    mode.damping_ratio = damping_ratio(mode.pole);
-    mode.from = without.empty() ? "frequency responses; spread over model orders"
-                                : "frequency responses; leaving out one impact at a time";
-    mode.shape = mean_shape(std::vector<VectorXcd>{found.shapes[r]});
-    mode.masses = found.masses[r];
-    mode.mass = found.mass[r];
-    if (!without.empty()) {
-      mode.natural_frequency_sd_hz = jackknife(
-          [&](const ImpactModes& m) { return natural_frequency(m.poles(row)) * to_hz; }, mode.natural_frequency_hz);
-      mode.damping_ratio_sd =
-          jackknife([&](const ImpactModes& m) { return damping_ratio(m.poles(row)); }, mode.damping_ratio);
-      mode.shape.windows = without.size();
-      for (Index c = 0; c < mode.shape.mean.size(); ++c) {
-        mode.shape.real_sd(c) =
-            jackknife([&](const ImpactModes& m) { return m.shapes[r](c).real(); }, mode.shape.mean(c).real());
-        mode.shape.imaginary_sd(c) =
-            jackknife([&](const ImpactModes& m) { return m.shapes[r](c).imag(); }, mode.shape.mean(c).imag());
-      }
-      if (mode.mass)
-        mode.mass_sd = jackknife([&](const ImpactModes& m) { return m.mass[r].value_or(*mode.mass); }, *mode.mass);
-    }
-    survey.modes.push_back(std::move(mode));
-  }
+  const ImpactModes found = modes_of_lines(survey, survey.references, start);
+  const std::vector<ImpactModes> without =
+      leaving_one_out(survey, records, std::move(sums), impact_windows, found.poles);
+  for (std::size_t r = 0; r < survey.diagram.modes.size(); ++r)
+    survey.modes.push_back(impact_mode(survey.diagram.modes[r], found, r, without));
 }
 
 // ---- free decays
