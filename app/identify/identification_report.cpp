@@ -285,10 +285,10 @@ void add_values(report::HtmlReport& page, const std::vector<EstimatedValue>& val
                  {report::format_number(*v.value, 6), report::pretty_unit(v.unit), "given", "", "", "", ""});
     } else if (v.value) {
       const Interval interval = confidence_interval(*v.value, v.sd, v.degrees_of_freedom);
-      row.insert(row.end(), {report::format_uncertain(*v.value, v.sd) + (v.doubtful ? " doubtful" : ""),
-                             report::pretty_unit(v.unit), report::format_interval(interval.low, interval.high),
-                             share_of(v, v.sd), share_of(v, v.noise_sd), share_of(v, v.open_sd),
-                             share_of(v, -v.truncation)});
+      row.insert(row.end(),
+                 {report::format_uncertain(*v.value, v.sd) + (v.doubtful ? " doubtful" : ""),
+                  report::pretty_unit(v.unit), report::format_interval(interval.low, interval.high),
+                  share_of(v, v.sd), share_of(v, v.noise_sd), share_of(v, v.open_sd), share_of(v, -v.truncation)});
     } else {
       std::string with;
       for (const std::string& other : v.entangled_with) with += (with.empty() ? "" : ", ") + other;
@@ -483,6 +483,49 @@ void add_nearly_alike(report::HtmlReport& page, const Estimate& estimate) {
     page.details("Lumps that act nearly alike on these conditions", [&] { page.preformatted(text); });
 }
 
+void add_response(report::HtmlReport& page, const Identification& id, const CaseView& view) {
+  page.section(id.measured.size() > 1 ? "Response, case " + std::string(view.resonance->name) : "Response");
+  if (view.resonance->excited) {
+    page.figure(dwell_response(view),
+                "Peak amplitude of the modal displacement (mean over the ensembles of a dwell, bars: two standard "
+                "deviations) and what the full equations of motion do with the estimated parameters.");
+    if (view.replayed.observations.size() == view.measured.observations.size())
+      page.figure(dwell_differences(view),
+                  "What is left: amplitude and phase of every dwell against the full equations.");
+  } else {
+    for (const std::size_t mode : modes_seen(view)) {
+      page.figure(
+          decay_response(view, mode),
+          "Every window of the decay (bars: two standard deviations) and the same windows on the full equations "
+          "with the estimated parameters.");
+      if (id.held_out.empty() && view.replayed.observations.size() == view.measured.observations.size())
+        page.figure(decay_residuals(view, mode), "What is left of frequency and growth rate in every window.");
+    }
+    for (const HeldOutPrediction& p : id.held_out)
+      page.figure(held_out_figure(view, p),
+                  "The part of the record after the fitted window, integrated from the state at the window's end.");
+  }
+}
+
+void add_regression_quality(report::HtmlReport& page, const Estimate& estimate) {
+  page.section("Quality of the regression");
+  Table table;
+  table.columns = {{"Equation", Column::Kind::text, ""},          {"Rows", Column::Kind::number, ""},
+                   {"Conditions", Column::Kind::number, ""},      {"Residual over noise", Column::Kind::number, ""},
+                   {"Condition index", Column::Kind::number, ""}, {"Error bars", Column::Kind::text, ""}};
+  for (const BlockQuality& block : estimate.blocks)
+    table.rows.push_back({block.name, std::to_string(block.equations), std::to_string(block.conditions),
+                          report::format_number(block.normalised_residual, 3),
+                          report::format_number(block.condition_index, 3),
+                          block.clustered ? "clustered by condition (jackknife)" : "from residuals"});
+  page.table(table);
+  page.paragraph(
+      "Residual over noise is one where measurement noise explains everything. It grows where the expansion is "
+      "truncated "
+      "or the model lacks an effect. A condition index above about 30 warns of parameters that the data separate "
+      "poorly.");
+}
+
 }  // namespace
 
 Figure response_figure(const Identification& id) {
@@ -526,52 +569,14 @@ std::string identification_report(const Identification& id, const std::string& c
   add_values(page, id.estimate.parameters, false);
   for (std::size_t c = 0; c < id.measured.size(); ++c) {
     const CaseView view = view_of(id, c);
-    if (view.measured.observations.empty()) continue;
-    page.section(id.measured.size() > 1 ? "Response, case " + std::string(view.resonance->name) : "Response");
-    if (view.resonance->excited) {
-      page.figure(
-          dwell_response(view),
-          "Peak amplitude of the modal displacement (mean over the ensembles of a dwell, bars: two standard "
-          "deviations) and what the full equations of motion do with the estimated parameters.");
-      if (view.replayed.observations.size() == view.measured.observations.size())
-        page.figure(dwell_differences(view),
-                    "What is left: amplitude and phase of every dwell against the full equations.");
-    } else {
-      for (const std::size_t mode : modes_seen(view)) {
-        page.figure(
-            decay_response(view, mode),
-            "Every window of the decay (bars: two standard deviations) and the same windows on the full equations "
-            "with the estimated parameters.");
-        if (id.held_out.empty() && view.replayed.observations.size() == view.measured.observations.size())
-          page.figure(decay_residuals(view, mode), "What is left of frequency and growth rate in every window.");
-      }
-      for (const HeldOutPrediction& p : id.held_out)
-        page.figure(
-            held_out_figure(view, p),
-            "The part of the record after the fitted window, integrated from the state at the window's end.");
-    }
+    if (!view.measured.observations.empty()) add_response(page, id, view);
   }
   if (!id.estimate.null_directions.empty()) add_null_directions(page, id.estimate);
   if (!id.estimate.damping.empty()) add_damping(page, id.estimate);
   page.section("Lumps");
   page.paragraph("The parameter combinations that the regression sees near this resonance.");
   add_values(page, id.estimate.lumps, true);
-  page.section("Quality of the regression");
-  Table table;
-  table.columns = {{"Equation", Column::Kind::text, ""},          {"Rows", Column::Kind::number, ""},
-                   {"Conditions", Column::Kind::number, ""},      {"Residual over noise", Column::Kind::number, ""},
-                   {"Condition index", Column::Kind::number, ""}, {"Error bars", Column::Kind::text, ""}};
-  for (const BlockQuality& block : id.estimate.blocks)
-    table.rows.push_back({block.name, std::to_string(block.equations), std::to_string(block.conditions),
-                          report::format_number(block.normalised_residual, 3),
-                          report::format_number(block.condition_index, 3),
-                          block.clustered ? "clustered by condition (jackknife)" : "from residuals"});
-  page.table(table);
-  page.paragraph(
-      "Residual over noise is one where measurement noise explains everything. It grows where the expansion is "
-      "truncated "
-      "or the model lacks an effect. A condition index above about 30 warns of parameters that the data separate "
-      "poorly.");
+  add_regression_quality(page, id.estimate);
   add_lack_of_fit(page, id.estimate);
   add_tests(page, id.estimate);
   add_nearly_alike(page, id.estimate);

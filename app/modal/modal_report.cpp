@@ -225,6 +225,54 @@ void add_masses(report::HtmlReport& page, const ModalSurvey& survey) {
   page.table(table);
 }
 
+void add_amplitude_dependence(report::HtmlReport& page, const ModalSurvey& survey) {
+  page.section("Frequency and damping against amplitude");
+  Table table;
+  table.columns = {{"Mode", Column::Kind::text, ""},
+                   {"Frequency intercept", Column::Kind::number, "Hz"},
+                   {"Frequency slope", Column::Kind::number, "Hz/(" + survey.unit + ")"},
+                   {"Frequency scatter", Column::Kind::number, "Hz"},
+                   {"Damping intercept", Column::Kind::number, "Hz"},
+                   {"Damping slope", Column::Kind::number, "Hz/(" + survey.unit + ")"},
+                   {"Damping scatter", Column::Kind::number, "Hz"},
+                   {"Windows", Column::Kind::number, ""}};
+  for (std::size_t r = 0; r < survey.modes.size(); ++r) {
+    if (!survey.modes[r].amplitude) continue;
+    const AmplitudeDependence& a = *survey.modes[r].amplitude;
+    const auto value = [](double v, double sd) { return report::format_uncertain(v, sd); };
+    table.rows.push_back({mode_name(r), value(a.frequency_hz.intercept, a.frequency_hz.intercept_sd),
+                          value(a.frequency_hz.slope, a.frequency_hz.slope_sd),
+                          report::format_number(a.frequency_hz.scatter, 3),
+                          value(a.damping_factor_hz.intercept, a.damping_factor_hz.intercept_sd),
+                          value(a.damping_factor_hz.slope, a.damping_factor_hz.slope_sd),
+                          report::format_number(a.damping_factor_hz.scatter, 3), std::to_string(a.windows)});
+  }
+  page.table(table);
+  page.paragraph(
+      fmt::format("Windows of {} s; frequency and damping factor are imaginary and real part of the pole "
+                  "over 2 pi.",
+                  report::format_number(survey.window_s, 4)));
+  int figures = 0;
+  for (std::size_t r = 0; r < survey.modes.size(); ++r)
+    if (survey.modes[r].amplitude && figures++ < 6)
+      page.figure(amplitude_figure(survey, r), "Every window of the decays (bars: two standard deviations).");
+}
+
+void add_responses(report::HtmlReport& page, const ModalSurvey& survey) {
+  page.section("Frequency responses");
+  for (const SurveyReference& reference : survey.references)
+    page.figure(
+        response_figure(survey, reference),
+        fmt::format("{} impacts. Force window: {}. Exponential window: exp(-{} t), its damping taken off the "
+                    "poles.",
+                    reference.response.impacts,
+                    reference.response.windows.force_s > 0
+                        ? report::format_number(reference.response.windows.force_s, 4) + " s"
+                        : "none",
+                    report::format_number(reference.response.windows.decay, 4)));
+  add_masses(page, survey);
+}
+
 }  // namespace
 
 std::string modal_report(const ModalSurvey& survey, const std::string& command) {
@@ -258,52 +306,9 @@ std::string modal_report(const ModalSurvey& survey, const std::string& command) 
   page.figure(shape_figure(survey), "Normal modes lie on the real axis. Bars: two standard deviations.");
   add_matrix(page, survey.mac, modes, modes, "Modal assurance criterion between the modes");
   if (std::any_of(survey.modes.begin(), survey.modes.end(),
-                  [](const SurveyMode& m) { return m.amplitude.has_value(); })) {
-    page.section("Frequency and damping against amplitude");
-    Table table;
-    table.columns = {{"Mode", Column::Kind::text, ""},
-                     {"Frequency intercept", Column::Kind::number, "Hz"},
-                     {"Frequency slope", Column::Kind::number, "Hz/(" + survey.unit + ")"},
-                     {"Frequency scatter", Column::Kind::number, "Hz"},
-                     {"Damping intercept", Column::Kind::number, "Hz"},
-                     {"Damping slope", Column::Kind::number, "Hz/(" + survey.unit + ")"},
-                     {"Damping scatter", Column::Kind::number, "Hz"},
-                     {"Windows", Column::Kind::number, ""}};
-    for (std::size_t r = 0; r < survey.modes.size(); ++r) {
-      if (!survey.modes[r].amplitude) continue;
-      const AmplitudeDependence& a = *survey.modes[r].amplitude;
-      const auto value = [](double v, double sd) { return report::format_uncertain(v, sd); };
-      table.rows.push_back({mode_name(r), value(a.frequency_hz.intercept, a.frequency_hz.intercept_sd),
-                            value(a.frequency_hz.slope, a.frequency_hz.slope_sd),
-                            report::format_number(a.frequency_hz.scatter, 3),
-                            value(a.damping_factor_hz.intercept, a.damping_factor_hz.intercept_sd),
-                            value(a.damping_factor_hz.slope, a.damping_factor_hz.slope_sd),
-                            report::format_number(a.damping_factor_hz.scatter, 3), std::to_string(a.windows)});
-    }
-    page.table(table);
-    page.paragraph(
-        fmt::format("Windows of {} s; frequency and damping factor are imaginary and real part of the pole "
-                    "over 2 pi.",
-                    report::format_number(survey.window_s, 4)));
-    int figures = 0;
-    for (std::size_t r = 0; r < survey.modes.size(); ++r)
-      if (survey.modes[r].amplitude && figures++ < 6)
-        page.figure(amplitude_figure(survey, r), "Every window of the decays (bars: two standard deviations).");
-  }
-  if (!survey.references.empty()) {
-    page.section("Frequency responses");
-    for (const SurveyReference& reference : survey.references)
-      page.figure(
-          response_figure(survey, reference),
-          fmt::format("{} impacts. Force window: {}. Exponential window: exp(-{} t), its damping taken off the "
-                      "poles.",
-                      reference.response.impacts,
-                      reference.response.windows.force_s > 0
-                          ? report::format_number(reference.response.windows.force_s, 4) + " s"
-                          : "none",
-                      report::format_number(reference.response.windows.decay, 4)));
-    add_masses(page, survey);
-  }
+                  [](const SurveyMode& m) { return m.amplitude.has_value(); }))
+    add_amplitude_dependence(page, survey);
+  if (!survey.references.empty()) add_responses(page, survey);
   if (const std::optional<Eigen::MatrixXd> shapes = survey.mass_normalised()) {
     page.section("Mass-normalised shapes and matrices");
     add_matrix(page, *shapes, channels, modes, "Mass-normalised shapes, kg^(-1/2)");

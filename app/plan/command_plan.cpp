@@ -53,12 +53,8 @@ void print_summary(const PlanResult& plan, const std::string& folder) {
   fmt::print("written: {0}/plan.json, {0}/plan.toml, {0}/report.html\n", folder);
 }
 
-}  // namespace
-
-void add_plan_command(CLI::App& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+void declare_options(CLI::App* command, Options* options) {
   PlanRequest& request = options->request;
-  CLI::App* command = root.add_subcommand("plan", "Levels and frequencies that best determine chosen parameters");
   command->add_option("MODEL", request.model, "model file, or the name of a shipped model")->required();
   command->add_option("--case", request.resonance, "resonance case; may be left out where there is only one");
   command->add_option("--parameters", request.parameters, "rough values: estimate.json or a JSON object")
@@ -114,27 +110,36 @@ void add_plan_command(CLI::App& root, Action& chosen) {
       "Example: secular plan two_mass_mode1 --case principal_parametric --parameters predictions/table_5_4 "
       "--for mu1,mu3,alpha_e,eta_e --range-frequency 24.4:25.1 --range-amplitude 10:30 "
       "--against experiments/thesis_chapter5 -o out");
-  command->callback([options, command, &chosen] {
-    chosen = [options, command] {
-      static const std::map<std::string, DesignCriterion> criteria = {
-          {"D", DesignCriterion::d}, {"A", DesignCriterion::a}, {"c", DesignCriterion::c}};
-      PlanRequest& asked = options->request;
-      asked.criterion = criteria.at(options->criterion);
-      std::tie(asked.lowest_hz, asked.highest_hz) = range_of(options->frequency, "--range-frequency");
-      std::tie(asked.lowest_amplitude, asked.highest_amplitude) = range_of(options->amplitude, "--range-amplitude");
-      const PlanResult plan = plan_test(asked);
-      const std::string json = plan_json(asked, plan);
-      const std::string html = plan_report(asked, plan, command_line_of(*command));
-      write_result_files(options->folder,
-                         {{"plan.json", json}, {"plan.toml", plan_experiment(asked, plan)}, {"report.html", html}});
-      for (const std::string& warning : plan.warnings) fmt::print(stderr, "warning: {}\n", warning);
-      if (options->json)
-        fmt::print("{}", json);
-      else
-        print_summary(plan, options->folder);
-      return 0;
-    };
-  });
+}
+
+int run(Options& options, const CLI::App& command) {
+  static const std::map<std::string, DesignCriterion> criteria = {
+      {"D", DesignCriterion::d}, {"A", DesignCriterion::a}, {"c", DesignCriterion::c}};
+  PlanRequest& asked = options.request;
+  asked.criterion = criteria.at(options.criterion);
+  std::tie(asked.lowest_hz, asked.highest_hz) = range_of(options.frequency, "--range-frequency");
+  std::tie(asked.lowest_amplitude, asked.highest_amplitude) = range_of(options.amplitude, "--range-amplitude");
+  const PlanResult plan = plan_test(asked);
+  const std::string json = plan_json(asked, plan);
+  const std::string html = plan_report(asked, plan, command_line_of(command));
+  write_result_files(options.folder,
+                     {{"plan.json", json}, {"plan.toml", plan_experiment(asked, plan)}, {"report.html", html}});
+  for (const std::string& warning : plan.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  if (options.json)
+    fmt::print("{}", json);
+  else
+    print_summary(plan, options.folder);
+  return 0;
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& root, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = root.add_subcommand("plan", "Levels and frequencies that best determine chosen parameters");
+  declare_options(command, options.get());
+  command->callback(
+      [options, command, &chosen] { chosen = [options, command] { return run(*options, *command); }; });
 }
 
 }  // namespace secular::app

@@ -118,8 +118,8 @@ void add_harmonic(const ProcedureData& test, const ThesisHarmonic& equation, std
   for (std::size_t j = 0; j < equation.unknowns.size(); ++j) {
     const auto at = static_cast<Index>(j);
     ProcedureRow r = procedure_row(std::string(equation.unknowns[j]), "", std::string(equation.equation),
-                                   right.pooled.coefficients(at), std::sqrt(right.pooled.covariance(at, at)),
-                                   fits[1].mean(at), harmonic_truth(test.truth, equation.unknowns[j]));
+                                   {right.pooled.coefficients(at), std::sqrt(right.pooled.covariance(at, at)),
+                                    fits[1].mean(at), harmonic_truth(test.truth, equation.unknowns[j])});
     r.scatter = right.sd(at);
     section.rows.push_back(std::move(r));
   }

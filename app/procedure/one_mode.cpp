@@ -138,12 +138,12 @@ ProcedureSection saddle_node_section(const ProcedureData& test, const LawFit& fi
       cubic ? "(5.36), (5.37)" : "(5.34), (5.35)", points.size(), fit.right.residual_sd,
       chosen ? "this" : "the other", fit.right.linear - fit.right.shifted_linear,
       fit.printed.linear - fit.printed.shifted_linear);
-  section.rows.push_back(procedure_row("mu1/|eta_e|", "m/s", equation, fit.right.shifted_linear,
-                                       std::sqrt(fit.right.covariance(0, 0)), fit.printed.shifted_linear,
-                                       truth_over("mu1")));
-  section.rows.push_back(procedure_row(nonlinear + "/|eta_e|", cubic ? "s/(kg m)" : "", equation,
-                                       fit.right.nonlinear, std::sqrt(fit.right.covariance(1, 1)),
-                                       fit.printed.nonlinear, truth_over(nonlinear)));
+  section.rows.push_back(procedure_row("mu1/|eta_e|", "m/s", equation,
+                                       {fit.right.shifted_linear, std::sqrt(fit.right.covariance(0, 0)),
+                                        fit.printed.shifted_linear, truth_over("mu1")}));
+  section.rows.push_back(procedure_row(
+      nonlinear + "/|eta_e|", cubic ? "s/(kg m)" : "", equation,
+      {fit.right.nonlinear, std::sqrt(fit.right.covariance(1, 1)), fit.printed.nonlinear, truth_over(nonlinear)}));
   section.figures.emplace_back(saddle_node_figure(test, points, fit.right, fit.printed, cubic),
                                "Points close to the saddle-nodes (bars: two standard deviations of one "
                                "ensemble) and the fitted lines after the shift.");
@@ -165,24 +165,26 @@ ProcedureSection response_section(const ProcedureData& test, const LawFit& law_f
       "more force than there was). As printed every point takes the plus sign of the radicand; recovered with "
       "the side of the peak that the measured phase tells (sign of cos gamma).",
       cubic ? "cubic" : "quadratic", fit.residual.size(), law_fit.right_response.left_out);
-  section.rows.push_back(procedure_row("alpha_e", "1/(kg m^2 s^2)", "5.40", law_fit.right_response.stiffness,
-                                       std::sqrt(fit.covariance(0, 0)), law_fit.printed_response.stiffness,
-                                       test.truth.lump("alpha_e")));
+  section.rows.push_back(procedure_row("alpha_e", "1/(kg m^2 s^2)", "5.40",
+                                       {law_fit.right_response.stiffness, std::sqrt(fit.covariance(0, 0)),
+                                        law_fit.printed_response.stiffness, test.truth.lump("alpha_e")}));
   auto excitation = test.truth.lump("eta_e");
   if (excitation) excitation = std::abs(*excitation);
-  section.rows.push_back(procedure_row("|eta_e|", "1/m", "5.40", eta, std::sqrt(fit.covariance(1, 1)),
-                                       law_fit.printed_response.excitation, excitation));
+  section.rows.push_back(
+      procedure_row("|eta_e|", "1/m", "5.40",
+                    {eta, std::sqrt(fit.covariance(1, 1)), law_fit.printed_response.excitation, excitation}));
   const double eta_share = std::sqrt(fit.covariance(1, 1)) / eta;
   const auto product_sd = [&](double ratio, double ratio_sd) {
     return std::hypot(ratio_sd * eta, ratio * eta * eta_share);
   };
-  section.rows.push_back(procedure_row("mu1", "1/s", "5.40", right.shifted_linear * eta,
-                                       product_sd(right.shifted_linear, std::sqrt(right.covariance(0, 0))),
-                                       printed.shifted_linear * eta_printed, test.truth.symbol("mu1")));
-  section.rows.push_back(procedure_row(nonlinear, cubic ? "s/(kg m^2)" : "1/(kg^(1/2) m)", "5.40",
-                                       right.nonlinear * eta,
-                                       product_sd(right.nonlinear, std::sqrt(right.covariance(1, 1))),
-                                       printed.nonlinear * eta_printed, test.truth.symbol(nonlinear)));
+  section.rows.push_back(procedure_row(
+      "mu1", "1/s", "5.40",
+      {right.shifted_linear * eta, product_sd(right.shifted_linear, std::sqrt(right.covariance(0, 0))),
+       printed.shifted_linear * eta_printed, test.truth.symbol("mu1")}));
+  section.rows.push_back(
+      procedure_row(nonlinear, cubic ? "s/(kg m^2)" : "1/(kg^(1/2) m)", "5.40",
+                    {right.nonlinear * eta, product_sd(right.nonlinear, std::sqrt(right.covariance(1, 1))),
+                     printed.nonlinear * eta_printed, test.truth.symbol(nonlinear)}));
   section.figures.emplace_back(response_figure(test, right, law_fit.right_response, law_fit.law),
                                "Frequency response: measured, and Eq. (5.25) with the recovered numbers at the "
                                "level of most dwells.");

@@ -38,16 +38,15 @@ bool ProcedureData::wants(const std::string& method) const {
 }
 
 ProcedureRow procedure_row(const std::string& name, const std::string& unit, const std::string& equation,
-                           double recovered, std::optional<double> sd, std::optional<double> as_printed,
-                           std::optional<double> truth) {
+                           const RecoveredValue& recovered) {
   ProcedureRow r;
   r.name = name;
   r.unit = unit;
   r.equation = equation;
-  r.recovered = recovered;
-  r.sd = sd;
-  r.as_printed = as_printed;
-  r.truth = truth;
+  r.recovered = recovered.value;
+  r.sd = recovered.sd;
+  r.as_printed = recovered.as_printed;
+  r.truth = recovered.truth;
   if (const auto printed = printed_value(equation, name)) {
     r.source = printed->value;
     r.source_sd = printed->sd;

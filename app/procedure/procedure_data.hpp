@@ -34,9 +34,14 @@ struct ProcedureData {
   bool wants(const std::string& method) const;
 };
 
+/// What a method makes of a campaign, and what is true where that is known.
+struct RecoveredValue {
+  double value = 0;
+  std::optional<double> sd, as_printed, truth;
+};
+
 /// A row with what the source's tables print for it, by equation and name.
 ProcedureRow procedure_row(const std::string& name, const std::string& unit, const std::string& equation,
-                           double recovered, std::optional<double> sd, std::optional<double> as_printed,
-                           std::optional<double> truth);
+                           const RecoveredValue& recovered);
 
 }  // namespace secular::app

@@ -67,8 +67,8 @@ void add_lumps(const ProcedureData& test, const TwoModeFit& right, const TwoMode
                                           "1/m", "1/s^3", "1/(kg m^2 s^3)", "1/(kg m^2 s^3)", "s/m^2"};
   for (Index l = 0; l < right.lumps.size(); ++l)
     section.rows.push_back(procedure_row(std::string(name_of(static_cast<TwoModeLump>(l))), units[l], "6.51",
-                                         right.lumps(l), right.sd(l), printed.lumps(l),
-                                         truth ? std::optional<double>((*truth)(l)) : std::nullopt));
+                                         {right.lumps(l), right.sd(l), printed.lumps(l),
+                                          truth ? std::optional<double>((*truth)(l)) : std::nullopt}));
   test.run.sections.push_back(std::move(section));
   for (Index l = 0; l < right.lumps.size(); ++l)
     if (right.sd(l) > std::abs(right.lumps(l)))
