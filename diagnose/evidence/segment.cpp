@@ -5,6 +5,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "diagnose/evidence/campaign_clock.hpp"
 #include "diagnose/evidence/record_window.hpp"
@@ -34,126 +36,179 @@ constexpr double end_at_noise = 8;
 /// Nothing measured is trusted beyond this share of the record's largest value.
 constexpr double floor_share = 1e-5;
 
+// The part of a record that segments are cut from.
+struct Movement {
+  RecordPart part;
+  bool driven = false;
+  double rate_hz = 0;
+  Index first = 0;     // sample: of a decay, where it starts
+  Index thinning = 1;  // every so many samples one is taken
+  double thinned_rate() const { return rate_hz / static_cast<double>(thinning); }
+  Index available() const { return (part.samples.rows() - first - 1) / thinning; }
+};
+
+class Cutter {
+ public:
+  Cutter(const SensorModel& sensors, const std::vector<double>& natural_frequency, const SegmentCut& cut,
+         std::vector<std::string>& warnings)
+      : sensors_(sensors),
+        cut_(cut),
+        warnings_(warnings),
+        lowest_(*std::min_element(natural_frequency.begin(), natural_frequency.end())),
+        highest_(*std::max_element(natural_frequency.begin(), natural_frequency.end())),
+        responses_(static_cast<Index>(sensors.responses.size())),
+        channels_(sensors.responses) {
+    channels_.insert(channels_.end(), sensors.excitations.begin(), sensors.excitations.end());
+  }
+
+  // Nothing, with a warning that says why, of a record that cannot be used.
+  std::optional<Movement> movement(const RecordEntry& entry, const Record& record) {
+    Movement m{part_of(record, channels_, cut_.window), false, record.sample_rate_hz};
+    if (m.part.samples.rows() < 64) return left_out(entry, "too short");
+    m.driven = entry.kind == RecordKind::sweep || entry.kind == RecordKind::broadband;
+    const Index inputs = m.part.samples.cols() - responses_;
+    const bool excited = inputs > 0 && m.part.samples.rightCols(inputs).norm() > 0;
+    if (entry.kind == RecordKind::impact && excited) m.driven = true;
+    if (m.driven && !excited) return left_out(entry, "nothing excites it");
+    if (m.driven && cut_.band)
+      throw InputError("--band", "", "cannot be applied to " + entry.file + ", which is driven",
+                       "only free decays are filtered; choose them with --records");
+    return m.driven ? m : decay(entry, std::move(m));
+  }
+
+  // Samples of a segment; 0, with a warning, where there is too little for one.
+  Index length(const RecordEntry& entry, const Movement& m) {
+    const double turns = m.driven ? driven_turns : decay_turns;
+    const Index wanted = cut_.length == SegmentLength::whole
+                             ? m.available()
+                             : static_cast<Index>(std::ceil(turns * two_pi / lowest_ * m.thinned_rate()));
+    const auto length = std::min<Index>(m.available(), std::max(fewest_samples, wanted));
+    if (length >= fewest_samples) return length;
+    left_out(entry, "shorter than a few turns of the lowest mode");
+    return 0;
+  }
+
+  // By response channel.
+  Eigen::VectorXd noise(const Movement& m) const {
+    Eigen::VectorXd noise(responses_);
+    for (Index c = 0; c < responses_; ++c) {
+      const Eigen::VectorXd channel = m.part.samples.col(c);
+      const auto floor = noise_floor({channel.data(), static_cast<std::size_t>(channel.size())});
+      const double largest = channel.cwiseAbs().maxCoeff();
+      noise(c) = std::hypot(floor.value_or(1e-3 * largest), floor_share * largest);
+    }
+    return noise;
+  }
+
+  // Thinned samples at which segments begin: of a driven record no more than its share, spread over it.
+  std::vector<Index> starts(const Movement& m, Index length, std::size_t records) const {
+    const Index pieces = m.available() / length;
+    const Index share = std::max<Index>(1, cut_.most_samples / static_cast<Index>(records) / length);
+    std::vector<Index> starts;
+    if (m.driven && pieces > share)
+      for (Index s = 0; s < share; ++s) starts.push_back(s * pieces / share * length);
+    else
+      for (Index s = 0; s < pieces; ++s) starts.push_back(s * length);
+    return starts;
+  }
+
+  // The measured motion from one of the starts, times within `record`, and what drives it.
+  Segment segment(const Movement& m, const Record& record, Index begin, Index length) const {
+    Segment segment;
+    segment.sample_s = 1 / m.thinned_rate();
+    segment.substeps =
+        std::max(1, static_cast<int>(std::ceil(wanted_steps * highest_ / two_pi / m.thinned_rate())));
+    segment.response.resize(responses_, length);
+    const Index offset = m.first + begin * m.thinning;
+    for (Index i = 0; i < length; ++i)
+      segment.response.col(i) = m.part.samples.row(offset + i * m.thinning).head(responses_).transpose();
+    segment.in_record_s =
+        m.part.start_s - record.start_s + static_cast<double>(offset + length * m.thinning / 2) / m.rate_hz;
+    if (m.driven) segment.excitation = excitation(m, offset, length);
+    return segment;
+  }
+
+ private:
+  std::nullopt_t left_out(const RecordEntry& entry, const std::string& why) {
+    warnings_.push_back(entry.file + ": " + why + ", left out");
+    return std::nullopt;
+  }
+
+  // Of a free decay: from its start on, filtered to the band, thinned to what its modes need.
+  std::optional<Movement> decay(const RecordEntry& entry, Movement m) {
+    const Eigen::VectorXd modal = m.part.samples.leftCols(responses_) * sensors_.filter.row(0).transpose();
+    const auto start = find_decay_start(modal, m.rate_hz);
+    if (!start) return left_out(entry, "no free decay is found in it");
+    m.first = start->sample;
+    if (cut_.band) {
+      // Sample i of what has passed is sample i + reach of the record: free of what was before the decay's start
+      // from the sample with the start's own number on.
+      if (!(cut_.band->high_hz < m.rate_hz / 2))
+        throw InputError("--band", "", "ends above half the sample rate of " + entry.file,
+                         fmt::format("below {:.6g} Hz there", m.rate_hz / 2));
+      m.part.samples = band_pass(m.part.samples, m.rate_hz, *cut_.band);
+      m.part.start_s += static_cast<double>(band_pass_reach(*cut_.band, m.rate_hz)) / m.rate_hz;
+      if (m.part.samples.rows() <= m.first + fewest_samples)
+        return left_out(entry, "shorter than the response of the band's filter");
+    }
+    m.thinning = std::max<Index>(1, static_cast<Index>(std::floor(two_pi * m.rate_hz / highest_ / wanted_samples)));
+    return m;
+  }
+
+  // Samples and half samples: cubic interpolation of the measured excitation.
+  MatrixXd excitation(const Movement& m, Index offset, Index length) const {
+    const MatrixXd& samples = m.part.samples;
+    MatrixXd excitation(samples.cols() - responses_, 2 * length - 1);
+    const auto at = [&](Index i, Index j) {
+      return samples(std::clamp<Index>(i, 0, samples.rows() - 1), responses_ + j);
+    };
+    for (Index j = 0; j < excitation.rows(); ++j)
+      for (Index i = 0; i < length; ++i) {
+        excitation(j, 2 * i) = at(offset + i, j);
+        if (i + 1 < length)
+          excitation(j, 2 * i + 1) =
+              (9 * (at(offset + i, j) + at(offset + i + 1, j)) - at(offset + i - 1, j) - at(offset + i + 2, j)) /
+              16;
+      }
+    return excitation;
+  }
+
+  const SensorModel& sensors_;
+  const SegmentCut& cut_;
+  std::vector<std::string>& warnings_;
+  double lowest_, highest_;
+  Index responses_;
+  std::vector<std::size_t> channels_;
+};
+
 }  // namespace
 
 std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& read, const SensorModel& sensors,
                                   const std::vector<double>& natural_frequency, const SegmentCut& cut,
                                   std::vector<std::string>& warnings) {
-  const double lowest = *std::min_element(natural_frequency.begin(), natural_frequency.end());
-  const double highest = *std::max_element(natural_frequency.begin(), natural_frequency.end());
-  std::vector<std::size_t> channels = sensors.responses;
-  channels.insert(channels.end(), sensors.excitations.begin(), sensors.excitations.end());
-  const auto responses = static_cast<Index>(sensors.responses.size());
   std::vector<std::size_t> records;
   for (std::size_t r = 0; r < campaign.records.size(); ++r)
     if (campaign.records[r].kind != RecordKind::dwell &&
         matches_pattern(cut.window.records, campaign.records[r].file))
       records.push_back(r);
   const std::vector<double> began = record_times(campaign);
+  Cutter cutter(sensors, natural_frequency, cut, warnings);
   std::vector<Segment> segments;
   for (const std::size_t r : records) {
     const RecordEntry& entry = campaign.records[r];
     const Record record = read(r);
-    RecordPart part = part_of(record, channels, cut.window);
-    if (part.samples.rows() < 64) {
-      warnings.push_back(entry.file + ": too short, left out");
-      continue;
-    }
-    bool driven = entry.kind == RecordKind::sweep || entry.kind == RecordKind::broadband;
-    const bool excited =
-        part.samples.cols() > responses && part.samples.rightCols(part.samples.cols() - responses).norm() > 0;
-    if (entry.kind == RecordKind::impact && excited) driven = true;
-    if (driven && !excited) {
-      warnings.push_back(entry.file + ": nothing excites it, left out");
-      continue;
-    }
-    if (driven && cut.band)
-      throw InputError("--band", "", "cannot be applied to " + entry.file + ", which is driven",
-                       "only free decays are filtered; choose them with --records");
-    const double rate = record.sample_rate_hz;
-    const Eigen::VectorXd modal = part.samples.leftCols(responses) * sensors.filter.row(0).transpose();
-    Index first = 0;
-    if (!driven) {
-      const auto start = find_decay_start(modal, rate);
-      if (!start) {
-        warnings.push_back(entry.file + ": no free decay is found in it, left out");
-        continue;
-      }
-      first = start->sample;
-      if (cut.band) {
-        // Sample i of what has passed is sample i + reach of the record: free of what was before the decay's start
-        // from the sample with the start's own number on.
-        if (!(cut.band->high_hz < rate / 2))
-          throw InputError("--band", "", "ends above half the sample rate of " + entry.file,
-                           fmt::format("below {:.6g} Hz there", rate / 2));
-        part.samples = band_pass(part.samples, rate, *cut.band);
-        part.start_s += static_cast<double>(band_pass_reach(*cut.band, rate)) / rate;
-        if (part.samples.rows() <= first + fewest_samples) {
-          warnings.push_back(entry.file + ": shorter than the response of the band's filter, left out");
-          continue;
-        }
-      }
-    }
-    const auto thinning =
-        driven ? Index{1}
-               : std::max<Index>(1, static_cast<Index>(std::floor(two_pi * rate / highest / wanted_samples)));
-    const double thinned_rate = rate / static_cast<double>(thinning);
-    const Index available = (part.samples.rows() - first - 1) / thinning;
-    const double turns = driven ? driven_turns : decay_turns;
-    const Index wanted = cut.length == SegmentLength::whole
-                             ? available
-                             : static_cast<Index>(std::ceil(turns * two_pi / lowest * thinned_rate));
-    const auto length = std::min<Index>(available, std::max(fewest_samples, wanted));
-    if (length < fewest_samples) {
-      warnings.push_back(entry.file + ": shorter than a few turns of the lowest mode, left out");
-      continue;
-    }
-    Eigen::VectorXd noise(responses);
-    for (Index c = 0; c < responses; ++c) {
-      const Eigen::VectorXd channel = part.samples.col(c);
-      const auto floor = noise_floor({channel.data(), static_cast<std::size_t>(channel.size())});
-      const double largest = channel.cwiseAbs().maxCoeff();
-      noise(c) = std::hypot(floor.value_or(1e-3 * largest), floor_share * largest);
-    }
-    Index pieces = available / length;
-    const Index share = std::max<Index>(1, cut.most_samples / static_cast<Index>(records.size()) / length);
-    std::vector<Index> starts;
-    if (driven && pieces > share)
-      for (Index s = 0; s < share; ++s) starts.push_back(s * pieces / share * length);
-    else
-      for (Index s = 0; s < pieces; ++s) starts.push_back(s * length);
+    const std::optional<Movement> movement = cutter.movement(entry, record);
+    const Index length = movement ? cutter.length(entry, *movement) : 0;
+    if (length == 0) continue;
+    const Eigen::VectorXd noise = cutter.noise(*movement);
     int number = 0;
-    for (const Index begin : starts) {
-      Segment segment;
+    for (const Index begin : cutter.starts(*movement, length, records.size())) {
+      Segment segment = cutter.segment(*movement, record, begin, length);
+      if (!movement->driven && segment.response.row(0).cwiseAbs().maxCoeff() < end_at_noise * noise(0)) break;
       segment.record = r;
       segment.fold = static_cast<int>(r) + 1000 * (1 + number++ % 10);
-      segment.sample_s = 1 / thinned_rate;
-      segment.substeps = std::max(1, static_cast<int>(std::ceil(wanted_steps * highest / two_pi / thinned_rate)));
-      segment.response.resize(responses, length);
-      segment.noise_sd = noise;
-      const Index offset = first + begin * thinning;
-      for (Index i = 0; i < length; ++i)
-        segment.response.col(i) = part.samples.row(offset + i * thinning).head(responses).transpose();
-      segment.in_record_s =
-          part.start_s - record.start_s + static_cast<double>(offset + length * thinning / 2) / rate;
       segment.time_s = began[r] + segment.in_record_s;
-      if (!driven && segment.response.row(0).cwiseAbs().maxCoeff() < end_at_noise * noise(0)) break;
-      if (driven) {
-        // Half samples: cubic interpolation of the measured excitation.
-        const Index inputs = part.samples.cols() - responses;
-        segment.excitation.resize(inputs, 2 * length - 1);
-        const auto at = [&](Index i, Index j) {
-          return part.samples(std::clamp<Index>(i, 0, part.samples.rows() - 1), responses + j);
-        };
-        for (Index j = 0; j < inputs; ++j)
-          for (Index i = 0; i < length; ++i) {
-            segment.excitation(j, 2 * i) = at(offset + i, j);
-            if (i + 1 < length)
-              segment.excitation(j, 2 * i + 1) = (9 * (at(offset + i, j) + at(offset + i + 1, j)) -
-                                                  at(offset + i - 1, j) - at(offset + i + 2, j)) /
-                                                 16;
-          }
-      }
+      segment.noise_sd = noise;
       segments.push_back(std::move(segment));
     }
   }

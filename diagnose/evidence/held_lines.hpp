@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "diagnose/evidence/condition_evaluation.hpp"
+#include "motion/balance/balance_sweep.hpp"
+
+namespace secular {
+
+/// Rows of a condition, and what its slaved lines lack to their balance, where these lines are held near
+/// `displacement` instead of solved for. What they change of the cut of a channel that saturates is left out.
+class HeldLines {
+ public:
+  struct Values {
+    Eigen::VectorXd rows, steps;
+  };
+  /// What moves with the slaved lines, or with symbols of the model: rows x entries, steps x entries.
+  struct Slopes {
+    Eigen::MatrixXd rows, steps;
+  };
+
+  HeldLines(const Condition& condition, const MotionBalance& balance, const SensorModel& sensors,
+            const Faults& faults, std::span<const double> parameters, const Eigen::MatrixXcd& displacement);
+  HeldLines(const HeldLines&) = delete;
+  HeldLines& operator=(const HeldLines&) = delete;
+
+  std::vector<SlavedLine> slaves() const;
+  /// The motion with the masters at their measured amplitudes.
+  BalanceSweep::Path path(Eigen::MatrixXcd displacement) const;
+
+  Values at(const BalanceSweep::Path& path, const std::vector<SlavedLine>& slaves);
+  /// With other parameters of the model.
+  Values at(const BalanceSweep::Path& path, std::span<const double> parameters,
+            const std::vector<SlavedLine>& slaves);
+
+  Slopes symbol_slopes(const BalanceSweep::Path& path, const std::vector<std::size_t>& symbols, Eigen::Index rows,
+                       const std::vector<SlavedLine>& slaves);
+  Slopes line_slopes(const BalanceSweep::Path& path, const std::vector<SlavedLine>& slaves);
+
+ private:
+  Eigen::VectorXd rows(const Eigen::MatrixXcd& displacement, const Eigen::MatrixXcd& residual) const;
+  Values values(const BalanceSweep::Path& path, std::span<const double> parameters,
+                const std::vector<SlavedLine>& slaves);
+
+  const MotionBalance& balance_;
+  Faults faults_;
+  ConditionEvaluation evaluation_;
+  MotionSetting setting_;
+  BalanceSweep sweep_;
+  Eigen::VectorXcd amplitudes_;
+};
+
+}  // namespace secular
