@@ -185,8 +185,9 @@ class Planner {
   }
 
   MatrixXd information(const DwellState& state, int ensembles) const {
-    return dwell_information(*result_.model, *result_.resonance, result_.parameters, state, symmetry(),
-                             result_.unknowns, result_.noise, ensembles);
+    return dwell_information(
+        {*result_.model, *result_.resonance, result_.parameters, result_.unknowns, result_.noise}, state,
+        symmetry(), ensembles);
   }
 
   void find_candidates() {

@@ -14,7 +14,8 @@
 ///   d residual/d parameter_p = -columns * d lumps/d p  - [p is omega_m] d columns/d omega_m * lumps
 ///                              - [modulation and p is omega_k] i*B_k.
 /// They are therefore written once, here, and not emitted for every case: one function for compiled and interpreted
-/// models. Observations are handled in blocks that stay in the cache.
+/// models. Observations are handled in blocks that stay in the cache. The functions take plain arrays one by one,
+/// as those of CompiledCase do, which is why they have up to seven parameters.
 namespace secular {
 
 /// residual[observation] of one block; `parameters` in the order of CompiledModel::symbols (their first modes()

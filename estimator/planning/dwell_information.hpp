@@ -41,14 +41,21 @@ PlanUnknowns plan_unknowns(const CompiledModel& model, const CompiledCase& reson
                            const Eigen::Ref<const Eigen::VectorXd>& parameters,
                            const std::vector<std::string>& fixed);
 
+/// What a dwell is planned for.
+struct PlannedTest {
+  const CompiledModel& model;
+  const CompiledCase& resonance;
+  const Eigen::VectorXd& parameters;  ///< rough values, by CompiledModel::symbols
+  const PlanUnknowns& unknowns;
+  const PlanningNoise& noise;
+};
+
 /// Fisher information about the unknowns of `ensembles` ensembles at one dwell. The modulation equations' columns
 /// (RegressorBlock::columns) are whitened by what the noise of the amplitudes, of the force, of the frequencies of
 /// modes that the excitation does not lock, and the repeatability make of the equations' misfit, first order;
 /// harmonics by their own noise. `symmetry`: rows n of ResponseField::symmetries() over all modes (0 at rest),
 /// empty where every phase is locked. [unknown][unknown], in 1/unit^2.
-Eigen::MatrixXd dwell_information(const CompiledModel& model, const CompiledCase& resonance,
-                                  const Eigen::Ref<const Eigen::VectorXd>& parameters, const DwellState& state,
-                                  const Eigen::Ref<const Eigen::MatrixXd>& symmetry, const PlanUnknowns& unknowns,
-                                  const PlanningNoise& noise, int ensembles);
+Eigen::MatrixXd dwell_information(const PlannedTest& test, const DwellState& state,
+                                  const Eigen::Ref<const Eigen::MatrixXd>& symmetry, int ensembles);
 
 }  // namespace secular

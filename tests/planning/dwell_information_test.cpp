@@ -95,7 +95,8 @@ TEST(DwellInformation, IsThatOfTheSteadyResponse) {
   ASSERT_EQ(unknowns.names.size(), 3u);
   PlanningNoise noise;
   noise.response_sd = {0.05};
-  const MatrixXd information = dwell_information(model(), resonance(), p, c.state, MatrixXd(), unknowns, noise, 10);
+  const MatrixXd information =
+      dwell_information({model(), resonance(), p, unknowns, noise}, c.state, MatrixXd(), 10);
   MatrixXd slope(2, 3);
   for (Index u = 0; u < 3; ++u) {
     const Index s = symbol(unknowns.names[static_cast<std::size_t>(u)]);
@@ -126,7 +127,7 @@ TEST(DwellInformation, RepeatabilityLimitsWhatEnsemblesBring) {
   noise.excitation_sd = 0.05;
   const auto mu3 = std::find(unknowns.names.begin(), unknowns.names.end(), "mu3") - unknowns.names.begin();
   const auto at = [&](int ensembles) {
-    return dwell_information(model(), resonance(), p, candidates()[1].state, MatrixXd(), unknowns, noise,
+    return dwell_information({model(), resonance(), p, unknowns, noise}, candidates()[1].state, MatrixXd(),
                              ensembles)(mu3, mu3);
   };
   EXPECT_NEAR(at(40), 4 * at(10), 1e-6 * at(40));
