@@ -48,8 +48,8 @@ void print_summary(const Identification& id, const std::string& folder) {
       fmt::print("  {:<12} {:>20} {:<14} given\n", v.name, report::format_number(*v.value, 6), v.unit);
     else if (v.value)
       fmt::print("  {:<12} {:>20} {:<14} sd {} %{}{}\n", v.name, report::format_uncertain(*v.value, v.sd), v.unit,
-                 report::format_number(100 * v.sd / std::abs(*v.value), 2), v.significant ? "" : ", not significant",
-                 v.doubtful ? ", doubtful: the model does not fit" : "");
+                 report::format_number(100 * v.sd / std::abs(*v.value), 2),
+                 v.significant ? "" : ", not significant", v.doubtful ? ", doubtful: the model does not fit" : "");
     else {
       std::string with;
       for (const std::string& other : v.entangled_with) with += (with.empty() ? "" : ", ") + other;
@@ -115,7 +115,10 @@ void add_identify_command(CLI::App& root, Action& chosen) {
   command->add_option("--to", options->request.window.to_s, "use every record up to this time, s");
   command->add_option("--records", options->request.window.records,
                       "use the records whose file matches this pattern");
-  command->add_option("--fix", options->fixed, "NAME=VALUE: a parameter that is known");
+  command->add_option(
+      "--fix", options->fixed,
+      "NAME=VALUE: a symbol of the model that is known, in every case. No lump: what its name stands for "
+      "differs from case to case (CASE:NAME)");
   command->add_flag("--interpret", options->request.interpret, "no compiled code: slower, same results");
   command->add_option("--threads", options->request.threads, "threads; the result does not depend on it")
       ->check(CLI::Range(1U, 1024U));

@@ -266,7 +266,7 @@ std::string share_of(const EstimatedValue& value, double part) {
   return report::format_number(100 * part / std::abs(*value.value), 2) + " %";
 }
 
-void add_values(report::HtmlReport& page, const std::vector<EstimatedValue>& values, bool lumps) {
+void add_values(report::HtmlReport& page, const Estimate& estimate, bool lumps) {
   Table table;
   table.columns = {{lumps ? "Lump" : "Parameter", Column::Kind::text, ""},
                    {"Estimate", Column::Kind::number, ""},
@@ -277,9 +277,9 @@ void add_values(report::HtmlReport& page, const std::vector<EstimatedValue>& val
                    {"left open", Column::Kind::number, ""},
                    {"Truncation corrected", Column::Kind::number, ""},
                    {lumps ? "Definition" : "From", Column::Kind::text, ""}};
-  for (const EstimatedValue& v : values) {
+  for (const EstimatedValue& v : lumps ? estimate.lumps : estimate.parameters) {
     if (lumps && v.from == "not used") continue;
-    std::vector<std::string> row{v.name};
+    std::vector<std::string> row{lumps && estimate.cases.size() > 1 ? v.resonance + ":" + v.name : v.name};
     if (v.fixed) {
       row.insert(row.end(),
                  {report::format_number(*v.value, 6), report::pretty_unit(v.unit), "given", "", "", "", ""});
@@ -475,7 +475,7 @@ void add_nearly_alike(report::HtmlReport& page, const Estimate& estimate) {
   std::string text;
   for (const EstimatedValue& v : estimate.lumps) {
     if (v.nearly_entangled_with.empty()) continue;
-    text += v.name + ":";
+    text += label_of(v, estimate) + ":";
     for (const std::string& other : v.nearly_entangled_with) text += " " + other;
     text += "\n";
   }
@@ -566,7 +566,7 @@ std::string identification_report(const Identification& id, const std::string& c
       "that the expansion's truncation may have where entangled parameters act beyond it (another measurement of "
       "the "
       "same kind would not change that part).");
-  add_values(page, id.estimate.parameters, false);
+  add_values(page, id.estimate, false);
   for (std::size_t c = 0; c < id.measured.size(); ++c) {
     const CaseView view = view_of(id, c);
     if (!view.measured.observations.empty()) add_response(page, id, view);
@@ -575,7 +575,7 @@ std::string identification_report(const Identification& id, const std::string& c
   if (!id.estimate.damping.empty()) add_damping(page, id.estimate);
   page.section("Lumps");
   page.paragraph("The parameter combinations that the regression sees near this resonance.");
-  add_values(page, id.estimate.lumps, true);
+  add_values(page, id.estimate, true);
   add_regression_quality(page, id.estimate);
   add_lack_of_fit(page, id.estimate);
   add_tests(page, id.estimate);

@@ -82,7 +82,7 @@ class CaseRegression {
       scale_[b] = 1;
     }
     for (const std::size_t l : lumps) {
-      const auto given = known.fixed.find(std::string(case_.lumps[l].name));
+      const auto given = known.fixed.find(key_of(case_, l));
       if (given != known.fixed.end())
         at_.lump[l] = given->second;
       else

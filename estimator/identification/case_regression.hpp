@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "estimator/identification/lump_key.hpp"
 #include "estimator/regression/linear_fit.hpp"
 #include "measure/observe/mode_frequencies.hpp"
 #include "measure/observe/observation_set.hpp"
@@ -94,7 +95,7 @@ struct CaseFit {
 struct CaseKnowledge {
   std::vector<double> natural_frequency;  ///< by mode: start, and value where the case does not estimate it
   std::set<std::size_t> fixed_frequency;  ///< modes whose natural frequency is given
-  std::map<std::string, double> fixed;    ///< lumps that are given, by name
+  LumpValues fixed;                       ///< lumps that are given
   /// Maximum likelihood with errors in everything measured: amplitudes, phases, forces and frequencies are adjusted
   /// to the equations (Gauss-Helmert), which takes out the bias that noise in the regression's columns makes.
   bool errors_in_variables = false;

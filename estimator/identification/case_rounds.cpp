@@ -15,6 +15,22 @@ using Eigen::VectorXd;
 /// Cases are fitted again with the natural frequencies of all of them; the columns depend on those weakly.
 constexpr int case_rounds = 2;
 
+// What is no symbol may be a lump. The name alone does not say which one: each case that has it is named with what
+// it stands for there.
+std::string what_else_it_is(const CompiledModel& model, const std::string& name) {
+  std::string lumps;
+  int count = 0;
+  for (const CompiledCase& resonance : model.cases)
+    for (std::size_t l = 0; l < resonance.lumps.size(); ++l) {
+      const LumpKey key = key_of(resonance, l);
+      if (key.name != name && key.resonance + ":" + key.name != name) continue;
+      lumps += (++count == 1 ? "" : "; ") + key.resonance + ":" + key.name + " = " +
+               std::string(resonance.lumps[l].definition);
+    }
+  if (count == 0) return "";
+  return (count == 1 ? ", but a lump: " : ", but a lump of each of several cases: ") + lumps;
+}
+
 void check_fixed(Estimation& e) {
   for (const auto& [name, value] : e.options.fixed) {
     std::string known;
@@ -23,9 +39,11 @@ void check_fixed(Estimation& e) {
       known += (known.empty() ? "" : ", ") + std::string(symbol.name);
       found = found || symbol.name == name;
     }
-    if (!found)
-      throw InputError("--fix " + name, "", "is no symbol of model " + std::string(e.model.name),
-                       "its symbols are " + known);
+    if (found) continue;
+    const std::string lump = what_else_it_is(e.model, name);
+    throw InputError(
+        "--fix " + name, "", "is no symbol of model " + std::string(e.model.name) + lump,
+        (lump.empty() ? "" : "the parameters that make it can be given; ") + ("its symbols are " + known));
   }
   e.given.assign(e.model.symbols.size(), false);
   for (std::size_t p = 0; p < e.given.size(); ++p)
@@ -34,7 +52,10 @@ void check_fixed(Estimation& e) {
 
 // A locked mode's frequency is the excitation's: close to the natural one by the resonance relation.
 void start_frequencies(Estimation& e) {
-  e.knowledge.fixed = e.options.fixed;
+  for (const ObservationSet* set : e.all)
+    for (std::size_t l = 0; l < set->resonance->lumps.size(); ++l)
+      if (const auto value = given_value(e, set->resonance->lumps[l]))
+        e.knowledge.fixed[key_of(*set->resonance, l)] = *value;
   e.knowledge.errors_in_variables = e.options.refine;
   for (std::size_t k = 0; k < e.model.modes(); ++k) {
     const std::string name(e.model.symbols[k].name);
@@ -117,6 +138,12 @@ Estimation::Estimation(std::span<const ObservationSet> measured, const MeasuredU
   start_frequencies(*this);
 }
 
+std::optional<double> given_value(const Estimation& e, const CompiledLump& lump) {
+  const auto given = e.options.fixed.find(std::string(lump.name));
+  if (given == e.options.fixed.end() || !is_symbol(lump, given->first)) return std::nullopt;
+  return given->second;
+}
+
 Precision fit_rounds(Estimation& e) {
   // One case alone finds its own natural frequencies.
   const int rounds = e.sets.size() > 1 ? case_rounds : 1;
@@ -125,7 +152,7 @@ Precision fit_rounds(Estimation& e) {
     e.blocks = start->blocks;
     e.states = start->regressions;
     e.shifts = start->shifts;
-    for (const auto& [name, value] : e.shifts) e.knowledge.fixed[name] = value;
+    for (const auto& [lump, value] : e.shifts) e.knowledge.fixed[lump] = value;
     for (std::size_t k = 0; k < e.model.modes(); ++k)
       if (!e.given[k]) e.knowledge.natural_frequency[k] = start->natural_frequency[k];
     for (int round = 0; round < (e.options.keep_weights ? 1 : rounds); ++round) fit_cases(e, Precision::full);
@@ -188,8 +215,8 @@ bool know_shifts(Estimation& e) {
       for (std::size_t p = 0; p < symbols; ++p)
         if (slope[l * symbols + p] != 0 && !what.determined[p]) follows = false;
       if (!follows) continue;
-      e.shifts[std::string(resonance.lumps[l].name)] = e.knowledge.fixed[std::string(resonance.lumps[l].name)] =
-          lumps[l];
+      const LumpKey key = key_of(resonance, l);
+      e.shifts[key] = e.knowledge.fixed[key] = lumps[l];
       found = true;
     }
   }
@@ -202,8 +229,7 @@ void follow_shifts(Estimation& e) {
     std::vector<double> lumps(resonance.lumps.size());
     if (!lumps.empty()) resonance.evaluate_lumps(e.shared.values.data(), lumps.data());
     for (std::size_t l = 0; l < lumps.size(); ++l)
-      if (const auto shift = e.shifts.find(std::string(resonance.lumps[l].name)); shift != e.shifts.end())
-        shift->second = lumps[l];
+      if (const auto shift = e.shifts.find(key_of(resonance, l)); shift != e.shifts.end()) shift->second = lumps[l];
   }
 }
 
@@ -214,7 +240,7 @@ CampaignKnowledge campaign_knowledge(const Estimation& e) {
   for (const CaseFit& fit : e.fits) {
     KnownLumps part{fit.set->resonance, std::vector<bool>(fit.set->resonance->lumps.size(), false)};
     for (std::size_t l = 0; l < part.lumps.size(); ++l)
-      part.lumps[l] = e.options.fixed.count(std::string(part.resonance->lumps[l].name)) != 0;
+      part.lumps[l] = given_value(e, part.resonance->lumps[l]).has_value();
     for (std::size_t c = 0; c < fit.columns.size(); ++c) {
       if (fit.fit.coefficients.size() == 0 || !fit.fit.identifiable[c]) continue;
       if (fit.columns[c].kind == CaseColumn::Kind::lump) part.lumps[fit.columns[c].index] = true;

@@ -7,6 +7,11 @@
 
 namespace secular {
 
+std::string label_of(const EstimatedValue& value, const Estimate& estimate) {
+  const bool lump = !value.resonance.empty() && value.definition != value.name;
+  return lump && estimate.cases.size() > 1 ? value.resonance + ":" + value.name : value.name;
+}
+
 Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& units,
                   const EstimateOptions& options) {
   const bool any =

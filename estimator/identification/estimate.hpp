@@ -86,7 +86,7 @@ struct Estimate {
 };
 
 struct EstimateOptions {
-  std::map<std::string, double> fixed;  ///< parameters that are not estimated
+  std::map<std::string, double> fixed;  ///< by symbol: parameters that are not estimated
   int bootstrap = 0;                    ///< resamples of the conditions; 0: none
   std::uint64_t seed = 1;               ///< of the bootstrap
   bool damping_laws = true;             ///< compare them
@@ -110,6 +110,10 @@ struct EstimateOptions {
   bool keep_weights = false;
   unsigned threads = 1;  ///< the result does not depend on it
 };
+
+/// What a value is called in a list of several. CASE:NAME where the name alone does not say which one: a lump that
+/// is no symbol, of one of several cases.
+std::string label_of(const EstimatedValue& value, const Estimate& estimate);
 
 /// Units of what was measured, for the units of what is estimated.
 struct MeasuredUnits {

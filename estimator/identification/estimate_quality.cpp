@@ -66,8 +66,9 @@ void report_quality(Estimation& e) {
   std::vector<std::string> doubtful;
   for (const auto* list : {&e.result.parameters, &e.result.lumps})
     for (const EstimatedValue& value : *list)
-      if (value.doubtful && std::find(doubtful.begin(), doubtful.end(), value.name) == doubtful.end())
-        doubtful.push_back(value.name);
+      if (const std::string label = label_of(value, e.result);
+          value.doubtful && std::find(doubtful.begin(), doubtful.end(), label) == doubtful.end())
+        doubtful.push_back(label);
   if (!doubtful.empty())
     e.result.warnings.push_back("doubtful because the model does not fit: " + short_list(doubtful));
   warn_of_outliers(e);

@@ -100,7 +100,9 @@ std::vector<std::string> near_parameters(const Estimation& e, const std::string&
   if (e.fits.size() != 1) return {};
   const auto near = nearly_entangled(e.fits.front());
   for (std::size_t c = 0; c < near.size(); ++c)
-    if (e.fits.front().columns[c].kind == CaseColumn::Kind::lump && column_name(e.fits.front(), c) == name)
+    if (const CaseColumn& column = e.fits.front().columns[c];
+        column.kind == CaseColumn::Kind::lump &&
+        is_symbol(e.fits.front().set->resonance->lumps[column.index], name))
       return near[c];
   return {};
 }
@@ -189,11 +191,11 @@ void report_lumps(Estimation& e) {
       value.resonance = std::string(set->resonance->name);
       value.unit = unit_text(set->resonance->lumps[l].dimension,
                              std::vector<std::string>(e.model.modes(), e.units.coordinate), e.units.excitation);
-      value.from = e.knowledge.fixed.count(value.name) != 0 ? "follows from its symbols" : "not used";
-      const auto given = e.options.fixed.find(value.name);
-      if (given != e.options.fixed.end()) {
+      value.from =
+          e.knowledge.fixed.count(key_of(*set->resonance, l)) != 0 ? "follows from its symbols" : "not used";
+      if (const auto given = given_value(e, set->resonance->lumps[l])) {
         value.fixed = value.identifiable = true;
-        value.value = given->second;
+        value.value = given;
         value.from = "given";
       } else if (fitted != e.fits.end()) {
         fill_lump(e, static_cast<std::size_t>(fitted - e.fits.begin()), l, quality, value);

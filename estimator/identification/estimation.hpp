@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +10,7 @@
 #include "estimator/identification/case_regression.hpp"
 #include "estimator/identification/estimate.hpp"
 #include "estimator/identification/identifiability.hpp"
+#include "estimator/identification/lump_key.hpp"
 #include "estimator/identification/shared_parameters.hpp"
 
 namespace secular {
@@ -18,7 +19,7 @@ struct EstimationState {
   std::vector<std::vector<std::size_t>> blocks;  ///< by case with observations
   std::vector<RegressionState> regressions;
   std::vector<double> natural_frequency;
-  std::map<std::string, double> shifts;  ///< lumps that were given what their symbols make of them
+  LumpValues shifts;  ///< lumps that were given what their symbols make of them
 };
 
 /// An estimate on its way: what each stage has found for the next ones.
@@ -34,7 +35,7 @@ struct Estimation {
   std::vector<bool> given;                       ///< by symbol
   // Of the cases, see fit_rounds.
   CaseKnowledge knowledge;
-  std::map<std::string, double> shifts;          ///< see know_shifts
+  LumpValues shifts;                             ///< see know_shifts
   std::vector<std::vector<std::size_t>> blocks;  ///< by fit: equations that are regressed
   std::vector<CaseFit> fits;
   std::vector<RegressionState> states;  ///< by fit; without weights: none yet
@@ -71,6 +72,8 @@ void fit_cases(Estimation& e, Precision precision);
 bool know_shifts(Estimation& e);
 /// Shifts as they are at the parameters that were found with them, for the next estimate.
 void follow_shifts(Estimation& e);
+/// The value of a lump that is a given symbol.
+std::optional<double> given_value(const Estimation& e, const CompiledLump& lump);
 /// Which lumps and natural frequencies the fits tell.
 CampaignKnowledge campaign_knowledge(const Estimation& e);
 

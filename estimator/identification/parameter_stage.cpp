@@ -236,7 +236,7 @@ void share_parameters(Estimation& e) {
     for (std::size_t s = 0; s < e.fits.size(); ++s)
       for (std::size_t i = 0; i < e.single[s]; ++i)
         if (const LumpEstimates& part = e.lump_estimates[s];
-            part.index[i] >= 0 && part.resonance->lumps[static_cast<std::size_t>(part.index[i])].name == name)
+            part.index[i] >= 0 && is_symbol(part.resonance->lumps[static_cast<std::size_t>(part.index[i])], name))
           start(p) = part.values(static_cast<Index>(i));
     if (e.given[static_cast<std::size_t>(p)]) start(p) = e.options.fixed.at(name);
   }

@@ -119,7 +119,8 @@ Estimate with_unsettled_correction(Estimate latest, const VectorXd& before, cons
     if (!value.value || value.fixed || !(change > 0)) return;
     if (change > value.sd) {
       value.doubtful = true;
-      if (std::find(moved.begin(), moved.end(), value.name) == moved.end()) moved.push_back(value.name);
+      const std::string label = label_of(value, latest);
+      if (std::find(moved.begin(), moved.end(), label) == moved.end()) moved.push_back(label);
     }
     value.sd = std::hypot(value.sd, change);
     value.significant = value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;

@@ -77,7 +77,7 @@ BlockRows weighted_block_rows(const ObservationSet& set, std::size_t b,
                               const std::vector<double>& natural_frequency, const std::vector<std::string>& fixed) {
   CaseKnowledge known;
   known.natural_frequency = natural_frequency;
-  for (const std::string& name : fixed) known.fixed[name] = 0;
+  for (const std::string& name : fixed) known.fixed[{std::string(set.resonance->name), name}] = 0;
   CaseFit fit = fit_case(set, {b}, known);
   if (fit.fit.coefficients.size() == 0) throw std::invalid_argument("no observation has this equation");
   BlockRows rows;
