@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "blind/case_files.hpp"
-#include "blind/child_process.hpp"
 #include "blind/random.hpp"
 
 namespace secular::blind {
@@ -57,7 +56,7 @@ fs::path follow_up_folder(const fs::path& place, const std::string& which) {
 
 FollowUpSummary follow_up_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
   const SetOptions set = options_of(folder);
-  const Diagnoser diagnoser(folder, options);
+  const Diagnoser diagnoser(options);
   const std::vector<CasePlan> plans = draw_plans(set.cases, set.seed, set.size);
   FollowUpSummary summary;
   Failures failures;

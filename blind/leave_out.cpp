@@ -21,7 +21,7 @@ fs::path look_alikes_file(const fs::path& place) {
 
 LeaveOutSummary leave_out_of_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
   const SetOptions set = options_of(folder);
-  const Diagnoser diagnoser(folder, options);
+  const Diagnoser diagnoser(options);
   const std::vector<CasePlan> plans = draw_plans(set.cases, set.seed, set.size);
   LeaveOutSummary summary;
   Failures failures;

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "blind/case_files.hpp"
-#include "blind/child_process.hpp"
+#include "input/child_process.hpp"
 #include "input/input_error.hpp"
 
 namespace secular::blind {
@@ -27,8 +27,8 @@ std::string last_line(const std::string& text) {
 }
 
 // Threads that each diagnosis may use, where the command knows that option.
-std::vector<std::string> thread_arguments(const fs::path& folder, const RunOptions& options) {
-  const std::optional<std::string> help = help_of_diagnose(options.program, folder / "help.log");
+std::vector<std::string> thread_arguments(const RunOptions& options) {
+  const std::optional<std::string> help = help_of_diagnose(options.program);
   if (!help)
     throw InputError(options.program.string(), "", "has no command 'diagnose'", "a program that lists its options");
   if (help->find("--threads") == std::string::npos) return {};
@@ -38,18 +38,14 @@ std::vector<std::string> thread_arguments(const fs::path& folder, const RunOptio
 
 }  // namespace
 
-std::optional<std::string> help_of_diagnose(const fs::path& program, const fs::path& log) {
-  const Ended ended = run_child({program.string(), "diagnose", "--help"}, log, 60);
-  const std::string text = ended.status == 0 ? read_text(log) : std::string();
-  std::error_code ignored;
-  fs::remove(log, ignored);
+std::optional<std::string> help_of_diagnose(const fs::path& program) {
+  ProcessEnd ended = run_process({.arguments = {program.string(), "diagnose", "--help"}, .limit_s = 60});
   // A program without that command prints its own help and ends with status 0 as well.
-  if (text.find("--model") == std::string::npos) return std::nullopt;
-  return text;
+  if (ended.status != 0 || ended.output.find("--model") == std::string::npos) return std::nullopt;
+  return std::move(ended.output);
 }
 
-Diagnoser::Diagnoser(const fs::path& folder, const RunOptions& options)
-    : options_(options), threads_(thread_arguments(folder, options)) {}
+Diagnoser::Diagnoser(const RunOptions& options) : options_(options), threads_(thread_arguments(options)) {}
 
 std::optional<std::string> Diagnoser::run(const fs::path& place, const fs::path& campaign, const fs::path& out,
                                           const std::vector<std::string>& without) const {
@@ -63,7 +59,7 @@ std::optional<std::string> Diagnoser::run(const fs::path& place, const fs::path&
   arguments.insert(arguments.end(), {"-o", result.string()});
   for (const std::string& effect : without) arguments.insert(arguments.end(), {"--without", effect});
   arguments.insert(arguments.end(), threads_.begin(), threads_.end());
-  const Ended ended = run_child(arguments, log, options_.limit_s);
+  const ProcessEnd ended = run_process({.arguments = arguments, .log = log, .limit_s = options_.limit_s});
   const nlohmann::ordered_json how = {
       {"status", ended.status}, {"out_of_time", ended.out_of_time}, {"seconds", ended.seconds}};
   write_text(out / "run.json", how.dump() + "\n");
@@ -88,7 +84,7 @@ std::vector<FailedCase> Failures::by_number() {
 
 RunSummary run_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
   const std::size_t cases = count_of_cases(folder);
-  const Diagnoser diagnoser(folder, options);
+  const Diagnoser diagnoser(options);
   RunSummary summary;
   summary.cases = cases;
   Failures failures;

@@ -38,14 +38,14 @@ struct RunSummary {
   std::vector<FailedCase> failed;
 };
 
-/// What `PROGRAM diagnose --help` prints, by way of a file `log`; nothing where the program has no such command.
-std::optional<std::string> help_of_diagnose(const std::filesystem::path& program, const std::filesystem::path& log);
+/// What `PROGRAM diagnose --help` prints; nothing where the program has no such command.
+std::optional<std::string> help_of_diagnose(const std::filesystem::path& program);
 
 /// `secular diagnose` as a process of its own.
 class Diagnoser {
  public:
-  /// Throws InputError where the program has no such command. `folder`: where files may be written for a moment.
-  Diagnoser(const std::filesystem::path& folder, const RunOptions& options);
+  /// Throws InputError where the program has no such command.
+  explicit Diagnoser(const RunOptions& options);
 
   /// Diagnoses `campaign` with model and numbers of the case at `place`: OUT/diagnosis/, what it printed in
   /// OUT/diagnosis.log, how it ended in OUT/run.json. Returns what went wrong, if anything did.

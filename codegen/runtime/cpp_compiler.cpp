@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "codegen/runtime/process.hpp"
+#include "input/child_process.hpp"
 
 namespace secular {
 namespace {
@@ -28,6 +28,11 @@ std::string first_complaint(const std::string& output) {
   return first.empty() ? "it ended without a message" : first;
 }
 
+// Standard input is empty, messages are not translated.
+ProcessEnd run_in_english(const std::vector<std::string>& command) {
+  return run_process({.arguments = command, .hidden = {"LC_ALL="}, .settings = {"LC_ALL=C"}});
+}
+
 }  // namespace
 
 std::optional<CppCompiler> find_cpp_compiler() {
@@ -41,7 +46,7 @@ std::optional<CppCompiler> find_cpp_compiler() {
     command.front() = program->string();
     std::vector<std::string> question = command;
     question.emplace_back("--version");
-    const ProcessResult answer = run_process(question);
+    const ProcessEnd answer = run_in_english(question);
     if (answer.status != 0 || answer.output.empty()) continue;
     std::string identity = answer.output;
     for (const std::string& word : command) identity += word + "\n";
@@ -67,7 +72,7 @@ std::optional<std::string> compile_shared_object(const CppCompiler& compiler,
                                                  const std::vector<std::filesystem::path>& include_folders,
                                                  const std::filesystem::path& target) {
   const auto run = [](const std::vector<std::string>& command) -> std::optional<std::string> {
-    const ProcessResult result = run_process(command);
+    const ProcessEnd result = run_in_english(command);
     if (result.status != 0) return first_complaint(result.output);
     return std::nullopt;
   };

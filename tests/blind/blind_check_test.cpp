@@ -40,7 +40,7 @@ TEST(SlowBlindCheck, AShortSetKeepsItsTargetsWithinChance) {
   const fs::path folder = testing_support::process_folder() / "secular_blind_check";
   fs::remove_all(folder);
   fs::create_directories(folder);
-  if (!help_of_diagnose(SECULAR_PROGRAM, folder / "help.log")) GTEST_SKIP() << "there is no `secular diagnose`";
+  if (!help_of_diagnose(SECULAR_PROGRAM)) GTEST_SKIP() << "there is no `secular diagnose`";
   const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   generate_set(folder, {.cases = 6, .seed = 2024, .size = SetSize::short_set, .threads = threads}, {});
   const RunSummary run = run_set(folder, {.program = SECULAR_PROGRAM, .threads = threads, .limit_s = 600}, {});

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "blind/case_files.hpp"
-#include "blind/child_process.hpp"
 #include "blind/random.hpp"
 #include "blind/sha256.hpp"
 #include "blind/signature.hpp"
@@ -244,17 +243,6 @@ TEST_F(SlowBlindSet, IsTheSameForAnyThreadsAndKeepsWhatIsThere) {
   EXPECT_EQ(fs::last_write_time(folder / "one" / "labels.json"), written);
   options.seed = 22;
   EXPECT_THROW(generate_set(folder / "one", options, {}), InputError);
-}
-
-TEST_F(BlindFolder, ChildrenAreJudgedByHowTheyEnd) {
-  EXPECT_EQ(run_child({"/bin/sh", "-c", "echo said; exit 3"}, folder / "log", 20).status, 3);
-  EXPECT_EQ(read_text(folder / "log"), "said\n");
-  EXPECT_EQ(run_child({"/bin/sh", "-c", "kill -9 $$"}, folder / "log", 20).status, -1);
-  EXPECT_EQ(run_child({(folder / "missing").string()}, folder / "log", 20).status, -1);
-  const Ended slow = run_child({"/bin/sh", "-c", "sleep 30"}, folder / "log", 0.05);
-  EXPECT_TRUE(slow.out_of_time);
-  EXPECT_EQ(slow.status, -1);
-  EXPECT_LT(slow.seconds, 20);
 }
 
 }  // namespace
