@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "input/markup.hpp"
 #include "report/axis_ticks.hpp"
 #include "report/gnuplot.hpp"
-#include "report/markup.hpp"
 #include "report/number_format.hpp"
 #include "report/series_look.hpp"
 #include "report/svg_cleanup.hpp"

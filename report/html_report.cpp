@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "input/markup.hpp"
 #include "report/html_style.hpp"
-#include "report/markup.hpp"
 #include "report/number_format.hpp"
 
 namespace secular::report {

@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-#include "report/markup.hpp"
+#include "input/markup.hpp"
 
 namespace secular::report {
 namespace {

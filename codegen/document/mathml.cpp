@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "codegen/document/symbol_name.hpp"
+#include "input/markup.hpp"
 
 namespace secular::typeset {
 namespace {
@@ -26,14 +27,14 @@ std::string base_mathml(const NamePart& part, bool subscript) {
     case NamePart::Kind::number:
       return element("mn", part.text);
     case NamePart::Kind::word:
-      return subscript ? element("mi", xml_text(part.text))
-                       : fmt::format("<mi class=\"word\">{}</mi>", xml_text(part.text));
+      return subscript ? element("mi", escape_markup(part.text))
+                       : fmt::format("<mi class=\"word\">{}</mi>", escape_markup(part.text));
     case NamePart::Kind::verbatim:
-      return fmt::format("<mi class=\"verbatim\">{}</mi>", xml_text(part.text));
+      return fmt::format("<mi class=\"verbatim\">{}</mi>", escape_markup(part.text));
     case NamePart::Kind::letter:
       break;
   }
-  return element("mi", xml_text(part.text));
+  return element("mi", escape_markup(part.text));
 }
 
 // Base with what its subscripts and power make of it.
@@ -136,35 +137,6 @@ std::string function_mathml(const Expression& formula, std::string_view name) {
 
 }  // namespace
 
-std::string xml_text(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      case '\'':
-        safe += "&#39;";
-        break;
-      default:
-        if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7F)
-          safe += "\uFFFD";
-        else
-          safe += c;
-    }
-  }
-  return safe;
-}
-
 std::string mathml_symbol(std::string_view identifier) {
   return scripted(symbol_name(identifier), false).text();
 }
@@ -181,7 +153,7 @@ std::string mathml(const Expression& formula) {
       return fmt::format("<mi mathvariant=\"normal\">{}</mi>",
                          formula.text == "partial" ? std::string("\u2202") : formula.text);
     case Kind::words:
-      return element("mtext", xml_text(formula.text));
+      return element("mtext", escape_markup(formula.text));
     case Kind::product:
       return product_mathml(formula.parts);
     case Kind::fraction:

@@ -16,7 +16,4 @@ std::string mathml(const Piece& piece, bool first);
 /// <msub> and the like for a model's symbol.
 std::string mathml_symbol(std::string_view identifier);
 
-/// & < > " ' as character references; control characters, which XML forbids, as U+FFFD.
-std::string xml_text(std::string_view text);
-
 }  // namespace secular::typeset

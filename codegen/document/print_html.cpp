@@ -9,6 +9,7 @@
 #include "codegen/document/derivation_document.hpp"
 #include "codegen/document/line_pieces.hpp"
 #include "codegen/document/mathml.hpp"
+#include "input/markup.hpp"
 
 namespace secular {
 namespace typeset {
@@ -73,8 +74,8 @@ class HtmlPrinter {
     std::size_t cases = 0;
     for (const Block& block : document.blocks)
       if (const Heading* heading = std::get_if<Heading>(&block); heading != nullptr && heading->of_case)
-        contents += fmt::format("<li><a href=\"#case-{}\">{}</a></li>\n", ++cases, xml_text(heading->text));
-    const std::string title = xml_text(document.title);
+        contents += fmt::format("<li><a href=\"#case-{}\">{}</a></li>\n", ++cases, escape_markup(heading->text));
+    const std::string title = escape_markup(document.title);
     text_ =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
@@ -87,7 +88,7 @@ class HtmlPrinter {
 
  private:
   void print(const Heading& heading) {
-    const std::string text = xml_text(heading.text);
+    const std::string text = escape_markup(heading.text);
     text_ += heading.of_case ? fmt::format("<h2 id=\"case-{}\">{}</h2>\n", ++cases_, text)
                              : fmt::format("<h3>{}</h3>\n", text);
   }
@@ -99,8 +100,8 @@ class HtmlPrinter {
     for (const Run& run : paragraph.runs) text_ += std::visit([](const auto& r) { return run_html(r); }, run);
     text_ += "</p>\n";
   }
-  static std::string run_html(const std::string& text) { return xml_text(text); }
-  static std::string run_html(const Code& code) { return "<code>" + xml_text(code.text) + "</code>"; }
+  static std::string run_html(const std::string& text) { return escape_markup(text); }
+  static std::string run_html(const Code& code) { return "<code>" + escape_markup(code.text) + "</code>"; }
   static std::string run_html(const Expression& formula) { return "<math>" + mathml(formula) + "</math>"; }
 
   void print(const EquationList& list) {
@@ -111,7 +112,7 @@ class HtmlPrinter {
 
   void print(const Table& table) {
     text_ += "<div class=\"scroll\"><table>\n<thead><tr>";
-    for (const std::string& heading : table.headings) text_ += "<th>" + xml_text(heading) + "</th>";
+    for (const std::string& heading : table.headings) text_ += "<th>" + escape_markup(heading) + "</th>";
     text_ += "</tr></thead>\n<tbody>\n";
     for (const std::vector<Expression>& row : table.rows) {
       text_ += "<tr>";

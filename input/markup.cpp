@@ -1,8 +1,8 @@
-#include "report/markup.hpp"
+#include "input/markup.hpp"
 
 #include <cstdint>
 
-namespace secular::report {
+namespace secular {
 namespace {
 
 constexpr std::string_view replacement_character = "\xEF\xBF\xBD";
@@ -98,4 +98,4 @@ std::size_t code_points(std::string_view text) {
   return count;
 }
 
-}  // namespace secular::report
+}  // namespace secular
