@@ -9,38 +9,13 @@
 #include "input/input_error.hpp"
 #include "perturb/formula_value.hpp"
 #include "perturb/prime_field.hpp"
+#include "perturb/row_reduction.hpp"
 
 namespace secular {
 namespace {
 
 using GiNaC::ex;
 using GiNaC::numeric;
-
-// Reduced row echelon form; free unknowns are zero. Nothing if inconsistent. Rows hold coefficients and right side.
-std::optional<std::vector<numeric>> solve(std::vector<std::vector<numeric>> rows, std::size_t unknowns) {
-  std::vector<std::size_t> pivot_column;
-  std::size_t rank = 0;
-  for (std::size_t column = 0; column < unknowns && rank < rows.size(); ++column) {
-    std::size_t pivot = rank;
-    while (pivot < rows.size() && rows[pivot][column].is_zero()) ++pivot;
-    if (pivot == rows.size()) continue;
-    std::swap(rows[pivot], rows[rank]);
-    const numeric lead = rows[rank][column];
-    for (numeric& entry : rows[rank]) entry = entry / lead;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      if (r == rank || rows[r][column].is_zero()) continue;
-      const numeric scale = rows[r][column];
-      for (std::size_t c = 0; c <= unknowns; ++c) rows[r][c] = rows[r][c] - scale * rows[rank][c];
-    }
-    pivot_column.push_back(column);
-    ++rank;
-  }
-  for (std::size_t r = rank; r < rows.size(); ++r)
-    if (!rows[r][unknowns].is_zero()) return std::nullopt;
-  std::vector<numeric> solution(unknowns, 0);
-  for (std::size_t r = 0; r < rank; ++r) solution[pivot_column[r]] = rows[r][unknowns];
-  return solution;
-}
 
 class LumpFinder {
  public:
@@ -303,7 +278,7 @@ std::optional<ObservedFrequencies> observed_frequencies(const Derivation& d) {
         rows.push_back(std::move(row));
       }
     }
-    const auto solution = solve(std::move(rows), layout.modes);
+    const auto solution = solve_exactly(std::move(rows), layout.modes);
     if (!solution) return std::nullopt;
     for (std::size_t k = 0; k < layout.modes; ++k) shifts[k][r] = (*solution)[k];
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "input/input_error.hpp"
+#include "perturb/row_reduction.hpp"
 
 namespace secular {
 namespace {
@@ -16,32 +17,13 @@ using Row = std::vector<Fraction>;
 
 // Solves sum_r x_r * rows[r] = target; nothing if there is no solution. Rows are independent.
 std::optional<Row> solve(const std::vector<Phase>& rows, const Phase& target) {
-  const std::size_t unknowns = rows.size(), equations = target.size();
-  std::vector<Row> system(equations, Row(unknowns + 1));
-  for (std::size_t e = 0; e < equations; ++e) {
-    for (std::size_t r = 0; r < unknowns; ++r) system[e][r] = rows[r][e];
-    system[e][unknowns] = target[e];
+  std::vector<Row> equations;
+  for (std::size_t e = 0; e < target.size(); ++e) {
+    Row& equation = equations.emplace_back();
+    for (const Phase& row : rows) equation.emplace_back(row[e]);
+    equation.emplace_back(target[e]);
   }
-  std::size_t rank = 0;
-  for (std::size_t column = 0; column < unknowns; ++column) {
-    std::size_t pivot = rank;
-    while (pivot < equations && system[pivot][column] == Fraction(0)) ++pivot;
-    if (pivot == equations) return std::nullopt;
-    std::swap(system[pivot], system[rank]);
-    const Fraction lead = system[rank][column];
-    for (Fraction& entry : system[rank]) entry /= lead;
-    for (std::size_t e = 0; e < equations; ++e) {
-      if (e == rank || system[e][column] == Fraction(0)) continue;
-      const Fraction scale = system[e][column];
-      for (std::size_t c = 0; c <= unknowns; ++c) system[e][c] -= scale * system[rank][c];
-    }
-    ++rank;
-  }
-  for (std::size_t e = rank; e < equations; ++e)
-    if (system[e][unknowns] != Fraction(0)) return std::nullopt;
-  Row solution(unknowns);
-  for (std::size_t r = 0; r < unknowns; ++r) solution[r] = system[r][unknowns];
-  return solution;
+  return solve_exactly(std::move(equations), rows.size());
 }
 
 std::string shown(double value) {
@@ -156,30 +138,16 @@ void ResonanceLattice::solve_excitation_frequencies(const Model& model) {
     row[all + r] = 1;  // remembers which relations were combined
     rows.push_back(std::move(row));
   }
-  std::vector<int> pivot_row(all, -1);
-  std::size_t rank = 0;
-  for (std::size_t column = natural; column < all; ++column) {
-    std::size_t pivot = rank;
-    while (pivot < rows.size() && rows[pivot][column] == Fraction(0)) ++pivot;
-    if (pivot >= rows.size()) continue;
-    std::swap(rows[pivot], rows[rank]);
-    const Fraction lead = rows[rank][column];
-    for (Fraction& entry : rows[rank]) entry /= lead;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      if (r == rank || rows[r][column] == Fraction(0)) continue;
-      const Fraction scale = rows[r][column];
-      for (std::size_t c = 0; c < rows[r].size(); ++c) rows[r][c] -= scale * rows[rank][c];
-    }
-    pivot_row[column] = static_cast<int>(rank++);
-  }
+  std::vector<const Row*> solved(all, nullptr);
+  for (const Pivot& pivot : reduce_rows(rows, natural, all)) solved[pivot.column] = &rows[pivot.row];
   const auto number = [](const Fraction& f) {
     return GiNaC::numeric(static_cast<long>(f.numerator()), static_cast<long>(f.denominator()));
   };
   for (std::size_t column = natural; column < all; ++column) {
     GiNaC::ex value = model.frequency(column);
     std::vector<GiNaC::numeric> offset(relations_.size(), 0);
-    if (pivot_row[column] >= 0) {
-      const Row& row = rows[static_cast<std::size_t>(pivot_row[column])];
+    if (solved[column]) {
+      const Row& row = *solved[column];
       value = 0;
       for (std::size_t c = 0; c < all; ++c)
         if (c != column && row[c] != Fraction(0)) value -= number(row[c]) * model.frequency(c);
