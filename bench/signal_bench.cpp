@@ -12,10 +12,11 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
+#include "bench/rival_methods.hpp"
 #include "measure/signal/decomposition.hpp"
 #include "measure/signal/exponential_fit.hpp"
-#include "measure/signal/refine_poles.hpp"
 #include "numerics/hertz.hpp"
+#include "tests/signal/cramer_rao_bound.hpp"
 
 namespace secular {
 namespace {
@@ -143,7 +144,8 @@ void signal_efficiency(benchmark::State& state) {
       std::mt19937_64 random(7);
       std::normal_distribution<double> normal;
       const double noise = std::sqrt(0.5) * std::pow(10, -db / 20);
-      const double bound = cramer_rao_bound(pole, amplitude, VectorXd::Constant(1, noise), samples, rate)(0, 0);
+      const double bound =
+          testing_support::cramer_rao_bound(pole, amplitude, VectorXd::Constant(1, noise), samples, rate)(0, 0);
       double error[7] = {};
       for (int d = 0; d < draws; ++d) {
         VectorXd y = clean;
@@ -159,8 +161,8 @@ void signal_efficiency(benchmark::State& state) {
         options.method = PolynomialMethod::noise_eigenvector;
         options.refine = true;
         estimate[0] = decompose(y, rate, options).poles[0].frequency;
-        estimate[4] = complex_exponential(y, rate, 1).poles.imag().cwiseAbs().maxCoeff();
-        estimate[5] = pisarenko(y, rate, 1).frequencies(0);
+        estimate[4] = complex_exponential_frequency(y, rate);
+        estimate[5] = pisarenko_frequency(y, rate);
         estimate[6] = spectrum_peak(y, rate, frequency).frequency;
         for (int k = 0; k < 7; ++k) error[k] += std::pow(estimate[k] - frequency, 2) / draws;
       }

@@ -177,10 +177,6 @@ std::span<const CatalogueEntry> effect_catalogue() {
   return catalogue;
 }
 
-std::span<const CatalogueEntry> open_laws() {
-  return laws;
-}
-
 bool is_open_law(const std::string& effect) {
   return find_among(laws, effect, 0) != nullptr;
 }

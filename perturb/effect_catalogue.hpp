@@ -82,7 +82,6 @@ std::span<const CatalogueEntry> effect_catalogue();
 /// Forces of one mode with an exponent of their own, open_stiffness, open_damping, open_loss and
 /// open_one_sided_damping: what stands for single laws that the catalogue does not hold. They enter no experiment
 /// and are never a cause.
-std::span<const CatalogueEntry> open_laws();
 bool is_open_law(const std::string& effect);
 
 /// The entry of an effect and form, open laws among them; nullptr if there is none (extra_mode has none).

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -200,28 +199,6 @@ class Augmentation {
   std::set<std::string> taken_;
 };
 
-// What a symbol multiplies: equation and factors -> derivative of the coefficient. Zeros left out.
-using Derivative = std::map<std::pair<std::size_t, FactorProduct>, GiNaC::ex>;
-
-Derivative derivative(const std::vector<TermSum>& equations, const GiNaC::ex& symbol) {
-  Derivative result;
-  for (std::size_t k = 0; k < equations.size(); ++k)
-    for (const auto& [product, coefficient] : equations[k].terms()) {
-      const GiNaC::ex slope = coefficient.diff(GiNaC::ex_to<GiNaC::symbol>(symbol)).expand();
-      if (!slope.is_zero()) result[{k, product}] = slope;
-    }
-  return result;
-}
-
-bool proportional(const Derivative& a, const Derivative& b) {
-  if (a.empty() || a.size() != b.size()) return false;
-  const GiNaC::ex factor = (a.begin()->second / b.begin()->second).normal();
-  return GiNaC::is_a<GiNaC::numeric>(factor) &&
-         std::equal(a.begin(), a.end(), b.begin(), [&](const auto& left, const auto& right) {
-           return left.first == right.first && (left.second - factor * right.second).expand().is_zero();
-         });
-}
-
 }  // namespace
 
 AugmentedModel with_effects(const Model& model, std::span<const EffectTerm> effects) {
@@ -230,16 +207,6 @@ AugmentedModel with_effects(const Model& model, std::span<const EffectTerm> effe
   for (const EffectTerm& effect : effects) result.effects.push_back(augmentation.add(effect));
   result.model = augmentation.take();
   return result;
-}
-
-std::optional<std::string> parameter_of_effect(const Model& model, const EffectTerm& effect) {
-  const AugmentedModel augmented = with_effects(model, {&effect, 1});
-  const std::vector<TermSum> equations = equations_of_motion(augmented.model);
-  const SymbolTable& symbols = augmented.model.symbols;
-  const Derivative of_effect = derivative(equations, symbols.at(augmented.effects[0].parameters[0]));
-  for (const std::string& parameter : model.parameters)
-    if (proportional(derivative(equations, symbols.at(parameter)), of_effect)) return parameter;
-  return std::nullopt;
 }
 
 }  // namespace secular

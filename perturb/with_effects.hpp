@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,9 +24,5 @@ struct AugmentedModel {
 /// With a strength of 0 the equations of motion are those of the model. Throws InputError for an effect that is not
 /// in the catalogue or does not fit the model.
 AugmentedModel with_effects(const Model& model, std::span<const EffectTerm> effects);
-
-/// The model's own parameter whose terms are a multiple of the effect's in every equation (alpha31 of the two-mass
-/// model is the cubic_stiffness of v1): such an effect is nothing new to the model. Nothing if there is none.
-std::optional<std::string> parameter_of_effect(const Model& model, const EffectTerm& effect);
 
 }  // namespace secular

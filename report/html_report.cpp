@@ -99,10 +99,6 @@ void HtmlReport::section(std::string_view heading) {
   body_ += fmt::format("<h2 id=\"{}\">{}</h2>\n", sections_.back().first, escape_markup(heading));
 }
 
-void HtmlReport::subsection(std::string_view heading) {
-  body_ += element("h3", heading);
-}
-
 void HtmlReport::paragraph(std::string_view text) {
   body_ += element("p", text);
 }

@@ -55,7 +55,6 @@ class HtmlReport {
 
   // The body, in the order of the calls:
   void section(std::string_view heading);
-  void subsection(std::string_view heading);
   void paragraph(std::string_view text);
   void bullets(const std::vector<std::string>& items);
   /// Equations, commands, file contents: fixed pitch, line breaks kept.

@@ -188,7 +188,7 @@ RecordSpectrum analysed(const Options& options, const Columns& columns) {
     }
     if (all) {
       record.modes = columns.modes;
-      record.modal = amplitude_spectrum(modal_filter(columns.shapes).responses(basis), record.sample_rate_hz,
+      record.modal = amplitude_spectrum(basis * modal_filter(columns.shapes).transpose(), record.sample_rate_hz,
                                         record.survey.layout.length);
     }
   }

@@ -137,10 +137,6 @@ std::string function_mathml(const Expression& formula, std::string_view name) {
 
 }  // namespace
 
-std::string mathml_symbol(std::string_view identifier) {
-  return scripted(symbol_name(identifier), false).text();
-}
-
 std::string mathml(const Expression& formula) {
   switch (formula.kind) {
     case Kind::number:

@@ -13,7 +13,4 @@ std::string mathml(const Expression& formula);
 /// A piece of a formula, without the <math> element; `first` of its formula or further on.
 std::string mathml(const Piece& piece, bool first);
 
-/// <msub> and the like for a model's symbol.
-std::string mathml_symbol(std::string_view identifier);
-
 }  // namespace secular::typeset

@@ -21,7 +21,7 @@ struct CauseReport {
 /// A force outside of the catalogue that explains the gap.
 struct OpenLaw {
   std::string mode;
-  std::string law;  ///< see secular::open_laws
+  std::string law;  ///< see secular::is_open_law
   double exponent = 0, sd = 0;
   double probability = 0;
 };

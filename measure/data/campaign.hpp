@@ -70,12 +70,4 @@ Campaign read_campaign(const std::filesystem::path& folder);
 /// by more than 0.1 %.
 Record read_record(const Campaign& campaign, const RecordEntry& entry);
 
-/// Writes a whole campaign folder, records as CSV (whatever the extension of RecordEntry::file): all of it or
-/// nothing (built beside the target, then renamed). samples[r] belongs to campaign.records[r]. What is written is
-/// what read_campaign and read_record restore bit by bit. Throws InputError if `folder` exists and is not empty,
-/// for samples that are not finite and for whatever read_campaign would refuse; std::invalid_argument if samples
-/// and campaign do not fit together.
-void write_campaign(const Campaign& campaign, const std::vector<Record>& samples,
-                    const std::filesystem::path& folder);
-
 }  // namespace secular

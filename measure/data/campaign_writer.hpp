@@ -11,8 +11,11 @@ namespace secular {
 /// Takes records as they are made; the campaign's channels and sample rate stand by then.
 using RecordSink = std::function<void(const Campaign& campaign, const RecordEntry& entry, Record&& record)>;
 
-/// write_campaign for campaigns larger than memory: a record is written as soon as it is there. The folder appears
-/// when all is written, and nothing is left behind by a writer that goes without finish().
+/// Writes a campaign folder, records as CSV (whatever the extension of RecordEntry::file), each as soon as it is
+/// there. The folder appears when all is written, and nothing is left behind by a writer that goes without
+/// finish(). What is written is what read_campaign and read_record restore bit by bit. Throws InputError if
+/// `folder` exists and is not empty, for samples that are not finite and for whatever read_campaign would refuse;
+/// std::invalid_argument if samples and campaign do not fit together.
 class CampaignWriter {
  public:
   explicit CampaignWriter(const std::filesystem::path& folder);

@@ -151,10 +151,4 @@ std::vector<DataVariable> describe_data_file(const fs::path& path) {
   return variables;
 }
 
-std::vector<std::string> data_variable_names(const fs::path& path) {
-  std::vector<std::string> names;
-  for (const DataVariable& variable : describe_data_file(path)) names.push_back(variable.name);
-  return names;
-}
-
 }  // namespace secular

@@ -59,7 +59,4 @@ inline constexpr const char* data_formats = "CSV, MAT, HDF5, UFF 58 or WAV";
 /// The variables that `read_data_file` would find, without their values.
 std::vector<DataVariable> describe_data_file(const std::filesystem::path& path);
 
-/// Their names.
-std::vector<std::string> data_variable_names(const std::filesystem::path& path);
-
 }  // namespace secular

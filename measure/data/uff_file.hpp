@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "measure/data/number_table.hpp"
@@ -9,17 +8,11 @@
 
 namespace secular {
 
-enum class UffEncoding { ascii, little_endian, big_endian };
-
 /// The data sets 58 and 58b of a universal file, in file order, with the first `limit` values of each; other data
 /// sets are skipped. Accepts CRLF, trailing
 /// blanks, Fortran's D exponents and numbers that are not aligned to their columns. Throws InputError with the line
 /// (behind binary data: the byte) for everything that is not as the format says and for a file that is cut short.
 std::vector<UffFunction> read_uff(const std::filesystem::path& path, std::size_t limit = all_values);
-
-/// A universal file of data sets 58 (ASCII) or 58b. ASCII keeps six digits of single and thirteen of double
-/// numbers; the abscissa of ASCII data and the interval of even data have six.
-std::string uff_text(const std::vector<UffFunction>& functions, UffEncoding encoding);
 
 /// True if the file begins with the delimiter of a universal file: -1 in columns 5 and 6, nothing else.
 bool looks_like_uff(const std::filesystem::path& path);

@@ -201,12 +201,4 @@ void CampaignWriter::finish(const Campaign& campaign) {
   building_->folder.finish();
 }
 
-void write_campaign(const Campaign& campaign, const std::vector<Record>& samples, const fs::path& folder) {
-  if (samples.size() != campaign.records.size())
-    throw std::invalid_argument("write_campaign: as many sample sets as records were expected");
-  CampaignWriter writer(folder);
-  for (std::size_t r = 0; r < samples.size(); ++r) writer.write(campaign, campaign.records[r], samples[r]);
-  writer.finish(campaign);
-}
-
 }  // namespace secular

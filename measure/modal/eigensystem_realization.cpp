@@ -47,15 +47,6 @@ void check(const ResponseSequence& responses, double rate, bool feedthrough, Han
 
 }  // namespace
 
-MatrixXd Realization::response(Index k) const {
-  Eigen::VectorXcd power(z.size());
-  for (Index i = 0; i < z.size(); ++i) power(i) = std::pow(z(i), static_cast<double>(k));
-  const MatrixXcd sum = C * power.asDiagonal() * B;
-  MatrixXd y = sum.real();
-  if (k == 0) y += D;
-  return y;
-}
-
 HankelSize hankel_size(Index samples, Index responses, Index references, int largest_order, bool feedthrough,
                        Index row_limit) {
   const Index usable = samples - (feedthrough ? 1 : 0);

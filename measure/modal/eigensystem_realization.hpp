@@ -16,9 +16,6 @@ struct Realization {
   Eigen::MatrixXcd C;      ///< p x 2n, mode shapes of arbitrary scale
   Eigen::MatrixXcd B;      ///< 2n x q, initial modal amplitudes
   Eigen::MatrixXd D;       ///< p x q, initial pulse amplitudes; zero without feed-through
-
-  /// Y(k) of Eq. (A.4).
-  Eigen::MatrixXd response(Eigen::Index k) const;
 };
 
 struct HankelSize {

@@ -234,17 +234,4 @@ PoleFit refine_poles(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref<c
   return refined(in_frequency(omega, responses, form), start);
 }
 
-MatrixXcd synthesise(const PoleFit& fit, const Eigen::Ref<const VectorXd>& omega,
-                     const Eigen::Ref<const MatrixXcd>& responses, ResponseForm form) {
-  const Separable problem = in_frequency(omega, responses, form);
-  const MatrixXd design = design_of(problem, fit.poles);
-  const VectorXd scale = design.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
-  const MatrixXd scaled = design * scale.asDiagonal();
-  const MatrixXd values = scaled * scaled.colPivHouseholderQr().solve(problem.data);
-  MatrixXcd result(omega.size(), responses.cols());
-  result.real() = values.topRows(omega.size());
-  result.imag() = values.bottomRows(omega.size());
-  return result;
-}
-
 }  // namespace secular

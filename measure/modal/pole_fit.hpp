@@ -41,8 +41,4 @@ PoleFit refine_poles(const Eigen::Ref<const Eigen::VectorXd>& omega,
                      const Eigen::Ref<const Eigen::MatrixXcd>& responses, ResponseForm form,
                      const Eigen::Ref<const Eigen::VectorXcd>& start);
 
-/// The frequency-response model of a fit over `responses` at the same lines, for plots: lines x signals.
-Eigen::MatrixXcd synthesise(const PoleFit& fit, const Eigen::Ref<const Eigen::VectorXd>& omega,
-                            const Eigen::Ref<const Eigen::MatrixXcd>& responses, ResponseForm form);
-
 }  // namespace secular

@@ -27,8 +27,4 @@ Complex convert_residue(Complex residue, Complex pole, ResponseForm from, Respon
   return residue;
 }
 
-Complex direct_pulse(Complex residue, Complex pole, ResponseForm from) {
-  return Complex(0, 2 * pole.imag()) * convert_residue(residue, pole, from, ResponseForm::receptance);
-}
-
 }  // namespace secular

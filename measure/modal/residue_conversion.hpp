@@ -17,9 +17,4 @@ ResponseForm response_form(Quantity quantity);
 std::complex<double> convert_residue(std::complex<double> residue, std::complex<double> pole, ResponseForm from,
                                      ResponseForm to);
 
-/// The pulse D that a mode with this residue leaves in the accelerance at t = 0, Table B.1's last rows: from the
-/// receptance residue A of a normal mode (A = 1/(2i omega_d m) imaginary) D = 2i omega_d A = 1/m. The table prints
-/// the factor without its i.
-std::complex<double> direct_pulse(std::complex<double> residue, std::complex<double> pole, ResponseForm from);
-
 }  // namespace secular

@@ -27,21 +27,6 @@ MatrixXd paired_hankel(const Eigen::Ref<const VectorXd>& input, const Eigen::Ref
 
 }  // namespace
 
-ArmaFit arma(const Eigen::Ref<const VectorXd>& input, const Eigen::Ref<const VectorXd>& output, int ar_order,
-             int ma_order) {
-  const MatrixXd paired = paired_hankel(input, output, ar_order, ma_order);
-  const Index rest = paired.cols() - 1;
-  const VectorXd solution = -paired.rightCols(rest).colPivHouseholderQr().solve(paired.col(0));
-  const VectorXd error = paired.col(0) + paired.rightCols(rest) * solution;
-  ArmaFit fit;
-  fit.alpha.resize(ar_order + 1);
-  fit.alpha(0) = 1;
-  fit.alpha.tail(ar_order) = solution.head(ar_order);
-  fit.beta = -solution.tail(ma_order + 1);
-  fit.residual = error.norm() / std::max(paired.col(0).norm(), std::numeric_limits<double>::min());
-  return fit;
-}
-
 MatrixXd delayed_correlation(const Eigen::Ref<const VectorXd>& input, const Eigen::Ref<const VectorXd>& output,
                              int ar_order, int ma_order) {
   MatrixXd paired = paired_hankel(input, output, ar_order, ma_order);

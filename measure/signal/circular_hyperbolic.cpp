@@ -5,36 +5,9 @@
 #include "measure/signal/decomposition.hpp"
 
 namespace secular {
-namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-struct PolesAndAmplitudes {
-  std::vector<Pole> poles;
-  std::vector<double> amplitudes;
-};
-
-PolesAndAmplitudes listed(const CircularHyperbolicFit& fit) {
-  PolesAndAmplitudes all;
-  const auto add = [&](PoleFamily family, double frequency, double rate, std::initializer_list<double> values) {
-    all.poles.push_back({family, frequency, rate, false});
-    all.amplitudes.insert(all.amplitudes.end(), values);
-  };
-  for (const CircularTerm& t : fit.circular) add(PoleFamily::circular, t.frequency, 0, {t.p, t.q});
-  for (const HyperbolicTerm& t : fit.hyperbolic) add(PoleFamily::hyperbolic, 0, t.rate, {t.a, t.b});
-  for (const NyquistHyperbolicTerm& t : fit.nyquist) add(PoleFamily::nyquist_hyperbolic, 0, t.rate, {t.c, t.d});
-  for (const ProductTerm& t : fit.products) add(PoleFamily::product, t.frequency, t.rate, {t.e, t.f, t.g, t.h});
-  return all;
-}
-
-}  // namespace
-
-VectorXd CircularHyperbolicFit::reconstruct(Index samples) const {
-  const PolesAndAmplitudes all = listed(*this);
-  return pole_functions(all.poles, samples, sample_rate_hz, 0) *
-         Eigen::Map<const VectorXd>(all.amplitudes.data(), static_cast<Index>(all.amplitudes.size()));
-}
 
 CircularHyperbolicFit circular_hyperbolic_decomposition(const Eigen::Ref<const VectorXd>& samples,
                                                         double sample_rate_hz, int order) {
@@ -43,7 +16,6 @@ CircularHyperbolicFit circular_hyperbolic_decomposition(const Eigen::Ref<const V
   options.method = PolynomialMethod::least_squares;
   const Decomposition d = decompose(samples, sample_rate_hz, options);
   CircularHyperbolicFit fit;
-  fit.sample_rate_hz = sample_rate_hz;
   fit.correlation = d.correlation(0);
   fit.signal_to_noise_db = d.signal_to_noise_db(0);
   Index row = 0;

@@ -31,9 +31,6 @@ struct CircularHyperbolicFit {
   std::vector<ProductTerm> products;
   double correlation = 0;         ///< gamma^2 between samples and fit
   double signal_to_noise_db = 0;  ///< power of the fit over power of what is left
-  double sample_rate_hz = 0;
-
-  Eigen::VectorXd reconstruct(Eigen::Index samples) const;
 };
 
 /// Circular-hyperbolic decomposition, least-squares variant (thesis section 4.3.1): the symmetric characteristic

@@ -195,13 +195,4 @@ RefinedPoles refine_poles(const Eigen::Ref<const MatrixXd>& channels, double sam
   return Refiner(channels, sample_rate_hz, start).run(start, iteration_limit);
 }
 
-MatrixXd cramer_rao_bound(std::span<const Pole> poles, const Eigen::Ref<const MatrixXd>& amplitudes,
-                          const Eigen::Ref<const VectorXd>& noise_sd, Index samples, double sample_rate_hz) {
-  const FoldedWindow window(samples, sample_rate_hz);
-  const FoldedFunctions functions(poles, window);
-  return PoleCovariance(poles, PoleMoments(Gram(functions.gram()), functions.timed_moments()), amplitudes,
-                        noise_sd.array().square(), window.half)
-      .matrix();
-}
-
 }  // namespace secular

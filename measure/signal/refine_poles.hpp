@@ -32,10 +32,4 @@ struct RefinedPoles {
 RefinedPoles refine_poles(const Eigen::Ref<const Eigen::MatrixXd>& channels, double sample_rate_hz,
                           std::span<const Pole> start, int iteration_limit = 40);
 
-/// Cramer-Rao bound in the same order as PoleCovariance::matrix: poles and amplitudes ([function][channel],
-/// origin at the centre of the window) taken as true, noise_sd per channel.
-Eigen::MatrixXd cramer_rao_bound(std::span<const Pole> poles, const Eigen::Ref<const Eigen::MatrixXd>& amplitudes,
-                                 const Eigen::Ref<const Eigen::VectorXd>& noise_sd, Eigen::Index samples,
-                                 double sample_rate_hz);
-
 }  // namespace secular

@@ -40,12 +40,6 @@ void VectorField::set_typical(const ConstVector& state, const ConstVector& param
   typical_parameters_ = parameters;
 }
 
-Index VectorField::parameter_index(std::string_view name) const {
-  const auto found = std::find(names_.begin(), names_.end(), name);
-  if (found == names_.end()) throw std::invalid_argument("the vector field has no parameter " + std::string(name));
-  return static_cast<Index>(found - names_.begin());
-}
-
 void VectorField::check(const ConstVector& state, const ConstVector& parameters) const {
   if (state.size() != dimension_ || parameters.size() != parameter_count())
     throw std::invalid_argument("a state or parameters that do not have the vector field's size");

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace secular {
@@ -37,8 +36,6 @@ class VectorField {
   const std::vector<std::string>& parameter_names() const { return names_; }
   const Eigen::VectorXd& typical_state() const { return typical_state_; }
   const Eigen::VectorXd& typical_parameters() const { return typical_parameters_; }
-  /// Throws std::invalid_argument for an unknown name.
-  Eigen::Index parameter_index(std::string_view name) const;
 
   /// Throw std::invalid_argument for vectors of the wrong size.
   Eigen::VectorXd rate(const Eigen::Ref<const Eigen::VectorXd>& state,

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/app/program_run.hpp"
+#include "tests/campaign/write_campaign.hpp"
 #include "tests/modal/structure_campaign.hpp"
 #include "tests/process_folder.hpp"
 

@@ -13,6 +13,7 @@
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
 #include "motion/simulate/virtual_test.hpp"
+#include "tests/campaign/write_campaign.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular::app {

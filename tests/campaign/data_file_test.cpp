@@ -9,6 +9,7 @@
 #include "measure/data/number_table.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
+#include "tests/campaign/variable_names.hpp"
 
 namespace secular {
 namespace {

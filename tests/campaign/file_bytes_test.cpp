@@ -1,7 +1,7 @@
 #include "measure/data/file_bytes.hpp"
 
 #include "measure/data/mapped_file.hpp"
-#include "measure/data/stored_numbers.hpp"
+#include "tests/campaign/append_numbers.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 
 namespace secular {

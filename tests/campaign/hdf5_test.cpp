@@ -10,6 +10,7 @@
 #include "tests/campaign/hdf5_writer.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/mutation.hpp"
+#include "tests/campaign/variable_names.hpp"
 
 namespace secular {
 namespace {

@@ -4,6 +4,7 @@
 #include "measure/data/inspection.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
+#include "tests/campaign/write_campaign.hpp"
 
 namespace secular {
 namespace {

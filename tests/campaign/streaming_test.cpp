@@ -8,12 +8,13 @@
 #include "measure/data/data_file.hpp"
 #include "measure/data/inspection.hpp"
 #include "measure/data/record_data.hpp"
-#include "measure/data/stored_numbers.hpp"
 #include "measure/data/uff_file.hpp"
+#include "tests/campaign/append_numbers.hpp"
 #include "tests/campaign/hdf5_writer.hpp"
 #include "tests/campaign/largest_allocation.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
+#include "tests/campaign/uff_write.hpp"
 
 namespace secular {
 namespace {

@@ -2,9 +2,10 @@
 
 #include "measure/data/data_file.hpp"
 #include "measure/data/inspection.hpp"
-#include "measure/data/stored_numbers.hpp"
 #include "measure/data/uff_file.hpp"
+#include "tests/campaign/append_numbers.hpp"
 #include "tests/campaign/mutation.hpp"
+#include "tests/campaign/uff_write.hpp"
 
 namespace secular {
 namespace {

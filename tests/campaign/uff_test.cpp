@@ -7,6 +7,9 @@
 #include "measure/data/inspection.hpp"
 #include "measure/data/uff_file.hpp"
 #include "tests/campaign/temporary_folder.hpp"
+#include "tests/campaign/uff_write.hpp"
+#include "tests/campaign/variable_names.hpp"
+#include "tests/campaign/write_campaign.hpp"
 
 namespace secular {
 namespace {

@@ -1,7 +1,8 @@
 #include "measure/data/import_files.hpp"
-#include "measure/data/stored_numbers.hpp"
 #include "measure/data/wav_file.hpp"
+#include "tests/campaign/append_numbers.hpp"
 #include "tests/campaign/temporary_folder.hpp"
+#include "tests/campaign/variable_names.hpp"
 
 namespace secular {
 namespace {

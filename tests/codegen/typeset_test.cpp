@@ -134,7 +134,7 @@ TEST(Typeset, NamesOfSymbols) {
   };
   for (const NameCase& one : cases) {
     EXPECT_EQ(latex_symbol(one.identifier), one.latex);
-    EXPECT_EQ(mathml_symbol(one.identifier), one.mathml);
+    EXPECT_EQ(mathml(symbol(one.identifier)), one.mathml);
   }
 }
 

@@ -14,6 +14,7 @@
 #include "measure/data/mat_file.hpp"
 #include "measure/modal/modal_survey.hpp"
 #include "measure/modal/pole.hpp"
+#include "tests/campaign/write_campaign.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {

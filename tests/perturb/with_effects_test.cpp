@@ -188,25 +188,5 @@ TEST(WithEffects, AddedStiffnessReachesTheModulation) {
   EXPECT_TRUE((found - expected).normal().is_zero());
 }
 
-TEST(WithEffects, AnEffectThatTheModelHasIsRecognised) {
-  const Model model = read_model(std::string(SECULAR_SOURCE_DIR) + "/models/two_mass.toml");
-  const auto own = [&](const EffectTerm& term) { return parameter_of_effect(model, term).value_or("none"); };
-  EXPECT_EQ(own({"viscous_damping", 0}), "mu11");
-  EXPECT_EQ(own({"cubic_stiffness", 1}), "alpha35");
-  EXPECT_EQ(own({"quadratic_coupling", 0, 1}), "alpha22");
-  EXPECT_EQ(own({"quadratic_coupling", 1, 0}), "alpha23");
-  EXPECT_EQ(own({"cubic_coupling", 0, 1}), "alpha33");
-  EXPECT_EQ(own({"cubic_coupling", 0, 1, 1}), "alpha32");
-  EXPECT_EQ(own({"cubic_inertia", 0}), "delta31");
-  EXPECT_EQ(own({"damping_coupling", 1, 0}), "mu21");
-  EXPECT_EQ(own({"parametric_excitation", 0}), "eta12");
-  EXPECT_EQ(own({"quadratic_inertia", 0}), "delta21");
-  for (const EffectTerm& missing :
-       {EffectTerm{"coulomb_friction", 0}, EffectTerm{"quintic_stiffness", 0}, EffectTerm{"quadratic_damping", 1},
-        EffectTerm{"parametric_coupling", 0, 1}, EffectTerm{"hysteresis", 0}, EffectTerm{"freeplay", 0},
-        EffectTerm{"extra_mode"}})
-    EXPECT_EQ(own(missing), "none") << missing.effect;
-}
-
 }  // namespace
 }  // namespace secular

@@ -32,7 +32,6 @@ HtmlReport full_report(const std::string& text) {
   report.section(text);
   report.section("Second");
   report.section("Third");
-  report.subsection(text);
   report.paragraph(text);
   report.bullets({text, text});
   report.preformatted(text);

@@ -15,6 +15,7 @@
 #include "measure/signal/exponential_fit.hpp"
 #include "measure/signal/refine_poles.hpp"
 #include "numerics/hertz.hpp"
+#include "tests/signal/cramer_rao_bound.hpp"
 
 namespace secular {
 namespace {
@@ -22,6 +23,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using testing_support::cramer_rao_bound;
 
 constexpr PolynomialMethod methods[] = {PolynomialMethod::least_squares, PolynomialMethod::noise_eigenvector,
                                         PolynomialMethod::lagged_covariance};

@@ -12,6 +12,7 @@
 
 #include "gaussian.hpp"
 #include "measure/signal/refine_poles.hpp"
+#include "tests/signal/cramer_rao_bound.hpp"
 
 namespace secular {
 namespace {
@@ -19,6 +20,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using testing_support::cramer_rao_bound;
 
 MatrixXd signal_of(std::span<const Pole> poles, const MatrixXd& amplitudes, Index samples, double rate) {
   return pole_functions(poles, samples, rate, 0) * amplitudes;

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "gaussian.hpp"
-#include "measure/signal/arma.hpp"
 #include "measure/signal/model_order.hpp"
 
 namespace secular {
@@ -20,40 +19,6 @@ using Eigen::VectorXd;
 
 VectorXd times(Index n, double rate) {
   return VectorXd::LinSpaced(n, 0, static_cast<double>(n - 1)) / rate;
-}
-
-double nearest_pole(const ExponentialFit& fit, std::complex<double> pole) {
-  return (fit.poles.array() - pole).abs().minCoeff();
-}
-
-TEST(Prony, EightSamplesOfTwoDecayingTonesGiveTheirPoles) {
-  const VectorXd t = times(8, 10);
-  const VectorXd y = (-0.5 * t).array().exp() * (8 * t).array().cos() + 0.3 * (17 * t).array().sin();
-  const ExponentialFit fit = prony(y, 10, 2);
-  EXPECT_LT(nearest_pole(fit, {-0.5, 8}), 1e-9);
-  EXPECT_LT(nearest_pole(fit, {0, -17}), 1e-9);
-  EXPECT_LT((fit.reconstruct(8, 10) - y).norm(), 1e-10);
-  EXPECT_THROW(prony(y.head(7), 10, 2), std::invalid_argument);
-}
-
-TEST(ComplexExponential, ExactWithoutNoiseAndEqualToPronyOnAsManySamples) {
-  const VectorXd t = times(60, 10);
-  Eigen::MatrixXd y(60, 2);
-  y.col(0) = (-0.5 * t).array().exp() * (8 * t).array().cos() + 0.3 * (17 * t).array().sin();
-  y.col(1) = 0.2 * (-0.5 * t).array().exp() * (8 * t).array().sin();
-  const ExponentialFit fit = complex_exponential(y, 10, 2);
-  EXPECT_LT(nearest_pole(fit, {-0.5, -8}), 1e-9);
-  EXPECT_LT(nearest_pole(fit, {0, 17}), 1e-9);
-  EXPECT_LT((fit.reconstruct(60, 10) - y).norm(), 1e-9);
-}
-
-TEST(Pisarenko, FrequenciesOfALongRecordOfTwoTones) {
-  const VectorXd t = times(4000, 10);
-  const VectorXd y = (8 * t).array().cos() + 0.5 * (17 * t).array().sin();
-  const PisarenkoFit fit = pisarenko(y, 10, 2);
-  ASSERT_EQ(fit.frequencies.size(), 2);
-  EXPECT_NEAR(fit.frequencies(0), 8, 5e-3);  // the autocorrelation of a finite record is not that of a tone
-  EXPECT_NEAR(fit.frequencies(1), 17, 5e-3);
 }
 
 TEST(SpectrumPeak, ExactForAPeriodicToneOnly) {
@@ -68,22 +33,6 @@ TEST(SpectrumPeak, ExactForAPeriodicToneOnly) {
   const VectorXd between = 0.7 * (40.5 * bin * t).array().cos();
   const SpectrumPeak leaked = spectrum_peak(between, 64, 40.5 * bin);
   EXPECT_NEAR(std::hypot(leaked.p, leaked.q), 0.7 * 2 / std::numbers::pi, 0.01);  // sinc(1/2)
-}
-
-TEST(Arma, RecoversALinearOscillatorAndItsZeros) {
-  // v(i) + a1 v(i+1) + a2 v(i+2) = b0 u(i) + b1 u(i+1), run backwards in time so that alpha_0 = 1 is explicit.
-  testing_support::Gaussian random(5);
-  const Index n = 300;
-  const VectorXd u = random.vector(n);
-  VectorXd v = VectorXd::Zero(n);
-  const double a1 = -1.6, a2 = 0.9, b0 = 0.3, b1 = -0.1;
-  for (Index i = n - 3; i >= 0; --i) v(i) = -a1 * v(i + 1) - a2 * v(i + 2) + b0 * u(i) + b1 * u(i + 1);
-  const ArmaFit fit = arma(u, v, 2, 1);
-  EXPECT_NEAR(fit.alpha(1), a1, 1e-10);
-  EXPECT_NEAR(fit.alpha(2), a2, 1e-10);
-  EXPECT_NEAR(fit.beta(0), b0, 1e-10);
-  EXPECT_NEAR(fit.beta(1), b1, 1e-10);
-  EXPECT_LT(fit.residual, 1e-10);
 }
 
 TEST(OrderSingularValues, NoiseLiftsTheBiasedOnesAndAveragesOutOfTheOthers) {

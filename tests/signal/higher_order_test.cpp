@@ -1,4 +1,4 @@
-// Ensembles with overlap, bispectral phase, displacement, settling.
+// Ensembles with overlap, bispectral phase, settling.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -12,7 +12,6 @@
 
 #include "gaussian.hpp"
 #include "measure/signal/bispectral_phase.hpp"
-#include "measure/signal/displacement.hpp"
 #include "measure/signal/ensembles.hpp"
 #include "measure/signal/settling.hpp"
 #include "measure/signal/tone_fit.hpp"
@@ -131,40 +130,6 @@ TEST(BispectralPhaseStatistical, IndependentPhasesAreNotCalledLocked) {
     alarms += bispectral_phase(f, a1, a2, {100, 100, 20}, 0.05).locked;
   }
   EXPECT_LE(alarms, boost::math::quantile(boost::math::binomial(draws, 0.05), 0.9995));
-}
-
-TEST(Displacement, ToneAndDecayingTone) {
-  // x = Re[exp(s t)]: its acceleration is Re[s^2 exp(s t)].
-  const Complex s(-0.3, 25);
-  EXPECT_LT(std::abs(displacement_of(s * s, 25, -0.3) - 1.0), 1e-14);
-  EXPECT_THROW(displacement_of(1, 0, 0), std::invalid_argument);
-  const VectorXd t = times(512, 256);
-  const VectorXd acceleration = -60.0 * 60.0 * 1e-3 * (60 * t.array() + 0.5).cos();
-  DecompositionOptions options;
-  options.refine = true;
-  const Decomposition d = decompose(acceleration, 256, options);
-  const DisplacementComponent x = displacement_component(d, 0, 0);
-  EXPECT_LT(std::abs(x.value - std::polar(0.5e-3, 0.5)), 1e-13);
-}
-
-TEST(DisplacementStatistical, CovarianceCarriesTheFrequency) {
-  testing_support::Gaussian random(34);
-  const VectorXd t = times(256, 256);
-  const VectorXd clean = -60.0 * 60.0 * (60 * t.array() + 0.5).cos();
-  DecompositionOptions options;
-  options.refine = true;
-  double square = 0;
-  constexpr int draws = 400;
-  for (int d = 0; d < draws; ++d) {
-    const Decomposition fit = decompose(clean + 300 * random.vector(256), 256, options);
-    const DisplacementComponent x = displacement_component(fit, 0, 0);
-    const Complex error = x.value - std::polar(0.5, 0.5);
-    const Eigen::Vector2d e(error.real(), error.imag());
-    square += e.dot(Eigen::Matrix2d(x.covariance).inverse() * e);
-  }
-  const boost::math::chi_squared law(2 * draws);
-  EXPECT_GT(square, boost::math::quantile(law, 0.0005));
-  EXPECT_LT(square, boost::math::quantile(law, 0.9995));
 }
 
 VectorXd dwell(const VectorXd& t, double w, double transient, double bend) {

@@ -76,23 +76,11 @@ TEST(PrincipalComponents, ImpulseResponseHasTwoTemporalFunctionsAndVanDerPolHasM
   EXPECT_GT(nonlinear(20), 1e-4 * nonlinear(0));
 }
 
-TEST(ModalFilter, InvertsShapesAndCarriesNoise) {
+TEST(ModalFilter, InvertsShapes) {
   testing_support::Gaussian random(21);
   const MatrixXd phi = shapes();
   const MatrixXd modal = white(random, 50, 3, 1);
-  const ModalFilter filter = modal_filter(phi);
-  EXPECT_LT((filter.responses(MatrixXd(modal * phi.transpose())) - modal).norm(), 1e-12);
-  const MatrixXcd coefficients = modal.topRows(2).cast<std::complex<double>>() * std::complex<double>(0.3, 0.4);
-  EXPECT_LT(
-      (filter.responses(MatrixXcd(coefficients * phi.transpose().cast<std::complex<double>>())) - coefficients)
-          .norm(),
-      1e-12);
-  // A channel with much noise is not listened to, and Gauss-Markov is best.
-  VectorXd noise_sd(4);
-  noise_sd << 0.1, 0.1, 0.1, 100;
-  const ModalFilter weighted = modal_filter(phi, noise_sd);
-  EXPECT_LT(weighted.inverse.col(3).norm(), 1e-5);
-  EXPECT_LT(weighted.covariance(noise_sd)(2, 2), filter.covariance(noise_sd)(2, 2));
+  EXPECT_LT((modal * phi.transpose() * modal_filter(phi).transpose() - modal).norm(), 1e-12);
   EXPECT_THROW(modal_filter(MatrixXd::Ones(4, 2)), std::invalid_argument);
   EXPECT_THROW(modal_filter(MatrixXd::Ones(2, 3)), std::invalid_argument);
 }

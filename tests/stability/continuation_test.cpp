@@ -135,8 +135,7 @@ TEST(Continuation, DuffingFoldsAreRootsOfTheDiscriminant) {
   const double mu = 0.1, c = 0.7, f = 0.2;
   const VectorXd p = vector({mu, -2, c, f});
   const VectorField field = duffing();
-  const Branch branch =
-      continue_fixed_points(field, p, field.parameter_index("sigma"), vector({-0.09, 0}), between(-2, 6));
+  const Branch branch = continue_fixed_points(field, p, 1, vector({-0.09, 0}), between(-2, 6));
   const std::vector<double> expected = duffing_folds(mu, c, f, -2, 6);
   ASSERT_EQ(expected.size(), 2u);
   std::vector<double> found;

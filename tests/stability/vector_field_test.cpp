@@ -24,12 +24,6 @@ TEST(VectorField, DifferencesAreExactForCubics) {
   EXPECT_LT((closed_form.parameter_derivative(x, p, 1) - vector({x(1), -x(0)})).norm(), 1e-12);
 }
 
-TEST(VectorField, ParametersHaveNames) {
-  const VectorField field = brusselator();
-  EXPECT_EQ(field.parameter_index("B"), 1);
-  EXPECT_THROW(field.parameter_index("C"), std::invalid_argument);
-}
-
 TEST(VectorField, MisuseIsRefused) {
   const auto nothing = [](const ConstVector&, const ConstVector&, OutVector) {};
   EXPECT_THROW(VectorField(0, {}, nothing), std::invalid_argument);

@@ -12,7 +12,6 @@
 #include "measure/observe/modal_projection.hpp"
 #include "measure/observe/record_window.hpp"
 #include "measure/signal/decomposition.hpp"
-#include "measure/signal/displacement.hpp"
 #include "measure/signal/tone_fit.hpp"
 #include "numerics/hertz.hpp"
 #include "thesis/procedures/engine_lumps.hpp"

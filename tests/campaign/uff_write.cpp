@@ -1,10 +1,11 @@
+#include "tests/campaign/uff_write.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "measure/data/stored_numbers.hpp"
-#include "measure/data/uff_file.hpp"
+#include "tests/campaign/append_numbers.hpp"
 
 namespace secular {
 namespace {
