@@ -6,6 +6,7 @@
 
 #include "app/shared/commands.hpp"
 #include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 
 int main(int argc, char** argv) {
   using namespace secular::app;
@@ -39,6 +40,9 @@ int main(int argc, char** argv) {
   } catch (const secular::InputError& error) {
     fmt::print(stderr, "secular: {}\n", error.what());
     return 2;
+  } catch (const secular::NumericalFailure& failure) {
+    fmt::print(stderr, "secular: {}\n", failure.what());
+    return 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "secular: internal error: {}\nPlease report this with the command that led to it.\n",
                error.what());

@@ -17,6 +17,7 @@
 #include "app/shared/identification.hpp"
 #include "app/shared/model_loading.hpp"
 #include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "thesis/procedures/combination_dwells.hpp"
 #include "thesis/procedures/engine_lumps.hpp"
@@ -105,8 +106,10 @@ void find_bias(const ProcedureRequest& request, const RecordReader& read, Proced
     if (std::any_of(values.begin(), values.end(), [](const EstimatedValue& v) { return v.doubtful; }))
       run.warnings.push_back(
           "the bias of the methods is that of a model that `secular identify` doubts for this campaign");
-  } catch (const InputError& error) {
+  } catch (const InputError& error) {  // the methods ask less of a campaign
     run.warnings.push_back(std::string("the bias of the methods is not known: ") + error.what());
+  } catch (const NumericalFailure& failure) {
+    run.warnings.push_back(std::string("the bias of the methods is not known: ") + failure.what());
   }
 }
 

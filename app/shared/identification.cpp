@@ -10,6 +10,7 @@
 
 #include "app/shared/model_loading.hpp"
 #include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "measure/observe/steady_amplitude.hpp"
 #include "motion/correction/replay.hpp"
@@ -194,13 +195,12 @@ std::size_t count_of_conditions(const std::vector<ObservationSet>& sets) {
 Estimate first_estimate(const Identification& id, const MeasuredUnits& units, const EstimateOptions& options) {
   try {
     return estimate(id.measured, units, options);
-  } catch (const InputError& error) {
+  } catch (const NumericalFailure& failure) {
     const std::size_t conditions = count_of_conditions(id.measured);
-    if (conditions == 0) throw;
     throw InputError(
         id.campaign.folder.string(), "",
         fmt::format("{} condition{} of it determine{} no parameters of {} ({})", conditions,
-                    conditions == 1 ? "" : "s", conditions == 1 ? "s" : "", id.model->name, error.what()),
+                    conditions == 1 ? "" : "s", conditions == 1 ? "s" : "", id.model->name, failure.what()),
         "dwells at several levels and frequencies around the resonance");
   }
 }
@@ -243,8 +243,8 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
           if (auto prediction =
                   predict_held_out_decay(campaign, read, set, r, result.estimate.parameter_values, request.window))
             result.held_out.push_back(std::move(*prediction));
-  } catch (const InputError& error) {
-    result.estimate.warnings.push_back(std::string("what was held out could not be predicted (") + error.what() +
+  } catch (const NumericalFailure& failure) {
+    result.estimate.warnings.push_back(std::string("what was held out could not be predicted (") + failure.what() +
                                        ")");
   }
   clock.done("held out");
@@ -284,14 +284,14 @@ void estimate_observed(const IdentificationRequest& request, Identification& id)
     id.replayed = std::move(correction.replayed);
     for (ObservationSet& set : id.replayed)
       if (set.resonance->excited) to_steady_amplitudes(set, id.estimate.parameter_values);
-  } catch (const InputError& error) {
+  } catch (const NumericalFailure& failure) {
     id.replayed = id.measured;
     for (ObservationSet& set : id.replayed) set.observations.clear();
     EstimateOptions uncorrected = options;
     uncorrected.judge_fit = false;
     uncorrected.start = raw.state;
     id.estimate = estimate(id.measured, units, uncorrected);
-    id.estimate = with_failed_correction(std::move(id.estimate), error.what());
+    id.estimate = with_failed_correction(std::move(id.estimate), failure.what());
   }
 }
 

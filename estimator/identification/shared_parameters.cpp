@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "estimator/regression/clustered_chi_squared.hpp"
-#include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 #include "numerics/nonlinear_fit.hpp"
 #include "numerics/unit_scale.hpp"
 
@@ -338,8 +338,9 @@ class SharedFit {
   void see_unseen() {
     evaluate(unknowns_, false, residual_, jacobian_);
     if (!jacobian_.allFinite())
-      throw InputError("parameters from lumps", "", "grow beyond bounds",
-                       "the truncation that was taken out of the equations may be far larger than these");
+      throw NumericalFailure(Ending::ran_away,
+                             "parameters from lumps: grow beyond bounds; the truncation that was taken out of the "
+                             "equations may be far larger than these");
     Unseen unseen =
         unseen_directions(jacobian_.topLeftCorner(lumps_, count_), slopes_of_lumps(cases_, result_.values, lumps_),
                           unit_scale(jacobian_).head(count_), result_.values, plausible_.head(count_));

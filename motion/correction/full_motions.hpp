@@ -28,11 +28,11 @@ class FullMotions {
  public:
   FullMotions(std::span<const ObservationSet> measured, const ReplaySet& replay, unsigned threads);
 
-  /// Nothing where a motion that was in balance before is not. Throws InputError where one that never was, and is
-  /// replayed, grows beyond bounds.
+  /// Nothing where a motion that was in balance before is not. Throws NumericalFailure where one that never was,
+  /// and is replayed, grows beyond bounds.
   std::optional<std::vector<ObservationSet>> at(const Eigen::VectorXd& parameters);
 
-  /// Counts from here on. Throws InputError where a motion grows beyond bounds, and forgets nothing then.
+  /// Counts from here on. Throws NumericalFailure where a motion grows beyond bounds, and forgets nothing then.
   void replay(const Eigen::VectorXd& parameters);
 
   /// The latest replays, one of every set; empty before.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-#include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 #include "measure/observe/decay_window.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "motion/correction/mean_motion.hpp"
@@ -149,7 +149,7 @@ class Replay {
       Observation seen;
       try {
         seen = decay_windows_.fit_again(motion(start, 2 * half(first)), first);
-      } catch (const InputError&) {
+      } catch (const NumericalFailure&) {
         // A window near where a softening spring gives way, over which amplitudes change a lot, has its start
         // beyond.
         if (++returns > start_returns) throw;

@@ -12,7 +12,7 @@ namespace secular {
 /// every stretch of a
 /// decay, started so that its first window shows what was measured. Records without observations in `measured` are
 /// left out. Observations get the measured ones' noise levels, so that a regression weighs both alike. Few records
-/// for each thread are held at a time. Throws InputError where a motion grows beyond bounds.
+/// for each thread are held at a time. Throws NumericalFailure where a motion grows beyond bounds.
 ObservationSet observe_replay(const Campaign& campaign, const ObservationSet& measured,
                               const Eigen::VectorXd& parameters, unsigned threads);
 

@@ -10,6 +10,7 @@
 
 #include "estimator/identification/seen_lumps.hpp"
 #include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 #include "numerics/anderson_acceleration.hpp"
 
 namespace secular {
@@ -87,7 +88,7 @@ std::optional<std::vector<Eigen::MatrixXcd>> change_towards(const Eigen::VectorX
   try {
     if (const auto moved = motions.at(displaced))
       return truncation_difference(corrected, *moved, displaced, threads);
-  } catch (const InputError&) {
+  } catch (const NumericalFailure&) {
   }
   return std::nullopt;
 }
@@ -143,6 +144,22 @@ Eigen::MatrixXd axes_beside(const Eigen::MatrixXd& unseen, const Eigen::VectorXd
   return axes;
 }
 
+// Of what the full equations make, and of the observations that this leaves, that nothing can be seen in them is no
+// fault of the campaign.
+template <typename Work>
+auto of_what_is_left(const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& nothing) {
+    throw NumericalFailure(Ending::out_of_range, nothing.what());
+  }
+}
+
+Estimate estimate_left(std::span<const ObservationSet> sets, const MeasuredUnits& units,
+                       const EstimateOptions& options) {
+  return of_what_is_left([&] { return estimate(sets, units, options); });
+}
+
 class Correction {
  public:
   /// From the parameters of `begin` on; what the correction does is shown beside `raw`.
@@ -172,7 +189,7 @@ class Correction {
     place_ = next_;
     try {
       replay();
-    } catch (const InputError&) {  // there is a balance, and later perhaps a replay
+    } catch (const NumericalFailure&) {  // there is a balance, and later perhaps a replay
     }
     choose_unseen();
     sd_ = estimate_.parameter_sd;
@@ -181,7 +198,7 @@ class Correction {
     follow_slopes();
     full_.start = estimate_.state;
     const Eigen::VectorXd further = values(found(estimate_));  // not next_: a step may have been cut
-    estimate_ = estimate(at_.corrected, units_, full_);
+    estimate_ = estimate_left(at_.corrected, units_, full_);
     estimate_ = with_correction_shown(std::move(estimate_), raw_);
     estimate_ = with_unsettled_correction(std::move(estimate_), values(place_), further);
     if (unknown_unseen_ + unknown_axes_ > 0)
@@ -227,12 +244,13 @@ class Correction {
       try {
         if (const auto motions = motions_.at(at))
           if (Pass pass = corrected_by(*motions, at); is_finite(pass)) return pass;
-      } catch (const InputError&) {
+      } catch (const NumericalFailure&) {
         if (last) throw;
       }
       if (last)
-        throw InputError("the correction for the truncation", "",
-                         "harmonics of a measured motion are not found by the full equations", "");
+        throw NumericalFailure(Ending::out_of_range,
+                               "the correction for the truncation: harmonics of a measured motion are not found by "
+                               "the full equations");
       next_ = 0.5 * (next_ + place_);
     }
   }
@@ -285,7 +303,7 @@ class Correction {
       }
       done_(full_equations);
       quick_.start = estimate_.state;
-      estimate_ = estimate(at_.corrected, units_, quick_);
+      estimate_ = estimate_left(at_.corrected, units_, quick_);
       next_ << acceleration.next(values(place_), estimate_.parameter_values, inverse_sd(estimate_)), shift(place_);
       done_(regression);
       if (pass >= unseen_pass && way_of(next_ - place_, estimate_) < near) return;
@@ -431,11 +449,13 @@ class Correction {
 
   Estimate estimate_corrected(const std::vector<ObservationSet>& corrected, const Eigen::VectorXd& at) {
     take_place(at, quick_);
-    Estimate result = estimate(corrected, units_, quick_);
+    Estimate result = estimate_left(corrected, units_, quick_);
     done_(regression);
     if (!(growth(result, sd_) < most_growth))
-      throw InputError("the correction for the truncation", "",
-                       "depends so much on the numbers that it is made for that neither is determined", "");
+      throw NumericalFailure(
+          Ending::stalled,
+          "the correction for the truncation: depends so much on the numbers that it is made for "
+          "that neither is determined");
     return result;
   }
 
@@ -481,10 +501,13 @@ std::size_t count_of_observations(std::span<const ObservationSet> sets) {
 
 TruncationCorrection correct_truncation(std::span<const ObservationSet> measured, const Estimate& raw,
                                         const MeasuredUnits& units, const EstimateOptions& options,
-                                        const ReplaySet& replay, const StageDone& done) {
+                                        const ReplaySet& measured_replay, const StageDone& done) {
+  const ReplaySet replay = [&](const ObservationSet& set, const Eigen::VectorXd& parameters) {
+    return of_what_is_left([&] { return measured_replay(set, parameters); });
+  };
   try {
     return Correction(measured, raw, raw, units, options, replay, done).run();
-  } catch (const InputError& beyond_bounds) {
+  } catch (const NumericalFailure& beyond_bounds) {
     const std::string reason = beyond_bounds.what();
     const std::size_t all = count_of_observations(measured);
     EstimateOptions quick = options;
@@ -497,10 +520,10 @@ TruncationCorrection correct_truncation(std::span<const ObservationSet> measured
       if (2 * left_out > all) break;  // it is the model that does not hold
       std::optional<TruncationCorrection> of_small;
       try {
-        const Estimate first = estimate(small, units, quick);
+        const Estimate first = estimate_left(small, units, quick);
         of_small = Correction(small, first, first, units, options, replay, done).run();
         return Correction(measured, raw, of_small->estimate, units, options, replay, done).run();
-      } catch (const InputError&) {
+      } catch (const NumericalFailure&) {
         if (!of_small) continue;
         of_small->estimate.warnings.push_back(fmt::format(
             "{} of {} observations, which move more than {:.0f} % of the largest one, are left out: the full "

@@ -24,8 +24,8 @@ struct TruncationCorrection {
 /// parameters acts on the correction, too, and is estimated with them (SharedParameters::shift). Passes on the way
 /// keep the weights of the equations; the last one finds them again. The truncation may bend the first estimate so
 /// far that motions as large as those measured grow beyond bounds: then the small ones are corrected first, and the
-/// others join them; where they grow beyond bounds still, they are left out with a warning. Throws InputError where
-/// small ones do, too.
+/// others join them; where they grow beyond bounds still, they are left out with a warning. Throws NumericalFailure
+/// where small ones do, too.
 TruncationCorrection correct_truncation(std::span<const ObservationSet> measured, const Estimate& raw,
                                         const MeasuredUnits& units, const EstimateOptions& options,
                                         const ReplaySet& replay, const StageDone& done);

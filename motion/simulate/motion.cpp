@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 
 namespace secular {
 namespace {
@@ -14,6 +14,11 @@ namespace {
 using State = OdeState;  // displacements, velocities, then the armature's displacement and velocity if there is one
 
 constexpr std::size_t most_steps_in_a_sample_interval = 100000;
+
+// Of a message: which motion, and when.
+std::string heading(const MotionSettings& settings, double time) {
+  return fmt::format("{}{}t = {:.6g} s: ", settings.label, settings.label.empty() ? "" : ", ", time);
+}
 
 // Phase of a slip element: sliding with a sign, or sticking with the displacement at which its spring is relaxed.
 struct SlipPhase {
@@ -56,9 +61,11 @@ class Motion {
     const double largest = std::abs(
         *std::max_element(x.begin(), x.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
     if (!std::isfinite(largest) || largest > 1e12)
-      throw InputError(settings_.label, fmt::format("t = {:.6g} s", time),
-                       "the simulated motion grows beyond bounds",
-                       "check the signs of stiffness and damping, or lower the excitation");
+      throw NumericalFailure(
+          Ending::ran_away,
+          heading(settings_, time) +
+              "the simulated motion grows beyond bounds; check the signs of stiffness and damping, "
+              "or lower the excitation");
   }
 
   // Accelerations of mode k for a vanishing velocity from above and from below.
@@ -316,9 +323,10 @@ class Integration {
       }
       if (++steps_taken % most_steps_in_a_sample_interval == 0) {
         if (stepper_->time() - checked_time < times_.step)
-          throw InputError(settings_.label, fmt::format("t = {:.6g} s", stepper_->time()),
-                           "the integration makes no progress",
-                           "the equations may be stiff or discontinuous there");
+          throw NumericalFailure(Ending::stalled,
+                                 heading(settings_, stepper_->time()) +
+                                     "the integration makes no progress; the equations may be stiff or "
+                                     "discontinuous there");
         checked_time = stepper_->time();
       }
       previous_ = stepper_->state();

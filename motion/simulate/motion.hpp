@@ -80,8 +80,8 @@ struct MotionState {
 /// dense output. Where the velocity of a mode comes to zero and its acceleration changes sign with it (dry
 /// friction), that mode is held until the force exceeds the friction. Slip elements are exact: z is the
 /// displacement from an anchor while the element sticks and +-slip while it slides, and the instants between are
-/// located to rounding. At the end `state` is that of the last sample. Throws InputError for a motion that grows
-/// beyond bounds, with its time.
+/// located to rounding. At the end `state` is that of the last sample. Throws NumericalFailure for a motion that
+/// grows beyond bounds, with its time.
 void integrate_motion(const MotionEquations& equations, const SampleTimes& times, const MotionSettings& settings,
                       MotionState& state, const std::function<void(const MotionSample&)>& sample);
 

@@ -31,8 +31,8 @@ struct SweepPoint {
   bool settled = false;
 };
 
-/// Peak amplitudes at the end of every dwell. `done` is called after each. Throws InputError as integrate_motion
-/// does.
+/// Peak amplitudes at the end of every dwell. `done` is called after each. Throws NumericalFailure as
+/// integrate_motion does.
 std::vector<SweepPoint> stepped_sweep(const CompiledModel& model, const CompiledCase& resonance,
                                       const SteppedSweep& sweep, const std::function<void()>& done = {});
 

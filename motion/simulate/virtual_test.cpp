@@ -9,6 +9,8 @@
 #include <mutex>
 #include <utility>
 
+#include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 #include "motion/simulate/anti_alias_filter.hpp"
 #include "motion/simulate/excitation_signal.hpp"
 #include "motion/simulate/motion.hpp"
@@ -308,7 +310,11 @@ class VirtualTest {
 
 Campaign run_virtual_test(const Experiment& experiment, const CompiledModel& model, std::uint64_t seed,
                           unsigned threads, const RecordSink& sink, const Progress& progress) {
-  return VirtualTest(experiment, model, seed).run(threads, sink, progress);
+  try {
+    return VirtualTest(experiment, model, seed).run(threads, sink, progress);
+  } catch (const NumericalFailure& failure) {
+    throw InputError("", "", failure.what());  // the experiment is what can be changed
+  }
 }
 
 SimulatedCampaign run_virtual_test(const Experiment& experiment, const CompiledModel& model, std::uint64_t seed,

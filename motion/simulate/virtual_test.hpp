@@ -23,7 +23,7 @@ using Progress = std::function<void(std::size_t done, std::size_t total)>;
 /// Runs the experiment on the full equations of motion of `model`. Records are computed by `threads` threads;
 /// dwells that carry their state on follow one another in one thread. Every record has a random stream of its own,
 /// from the seed and its number: the same seed gives the same bytes whatever the number of threads. Throws
-/// InputError as integrate_motion does.
+/// InputError where a motion grows beyond bounds.
 SimulatedCampaign run_virtual_test(const Experiment& experiment, const CompiledModel& model, std::uint64_t seed,
                                    unsigned threads, const Progress& progress = {});
 

@@ -110,6 +110,18 @@ TEST_F(CommandLine, GenerateWritesWhatIsCommitted) {
     EXPECT_EQ(text_of(folder / "g" / name), text_of(root / "generated" / name)) << name;
 }
 
+// Options that make sense, and a motion that leaves every bound: neither bad input nor a fault of the program.
+TEST_F(CommandLine, AComputationWithoutResultIsNoBadInput) {
+  const std::string values = written("values.json", R"({"omega0": 1, "mu": 0.01, "a2": 0, "a3": -1, "e": 1})");
+  const Outcome outcome = run("predict duffing --case primary --parameters " + values +
+                              " --at F=5 --vary Omega 0.8 1.2 --sweep up -o " + (folder / "out").string());
+  EXPECT_EQ(outcome.status, 1) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("grows beyond bounds"), std::string::npos) << outcome.errors;
+  EXPECT_EQ(outcome.errors.find("internal error"), std::string::npos) << outcome.errors;
+  EXPECT_TRUE(outcome.output.empty()) << outcome.output;
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
 TEST_F(CommandLine, SimulateRefusesToOverwriteAndIdentifyRefusesNonsense) {
   const std::string campaign = (folder / "campaign").string();
   ASSERT_EQ(run("simulate experiments/pendulum_decay -o " + campaign).status, 0);
@@ -118,6 +130,8 @@ TEST_F(CommandLine, SimulateRefusesToOverwriteAndIdentifyRefusesNonsense) {
   expect_bad_input(run("identify " + campaign + " --model two_mass_mode1 --case principal_parametric" + out),
                    "excitation");
   expect_bad_input(run("identify " + campaign + " --model pendulum --fix nu=1" + out), "is no symbol of model");
+  expect_bad_input(run("identify " + campaign + " --model pendulum --fix beta5=1" + out),
+                   "is no symbol of model pendulum, but a lump: free:beta5 = ");
   expect_bad_input(run("identify " + campaign + " --model pendulum --from 5 --to 3" + out), "window is empty");
   expect_bad_input(run("identify " + (folder / "nowhere").string() + " --model pendulum" + out), "does not exist");
   EXPECT_FALSE(fs::exists(folder / "out"));

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 #include "motion/simulate/dormand_prince_87.hpp"
 
 namespace secular {
@@ -173,8 +173,9 @@ TEST(Motion, GrowthBeyondBoundsIsReportedWithItsTime) {
   try {
     integrate_motion({model, nullptr, silent}, {0, 0, 0.01, 10000}, {}, state, [](const MotionSample&) {});
     FAIL() << "no complaint";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("t = "), std::string::npos) << error.what();
+  } catch (const NumericalFailure& failure) {
+    EXPECT_EQ(failure.ending(), Ending::ran_away);
+    EXPECT_NE(std::string(failure.what()).find("t = "), std::string::npos) << failure.what();
   }
 }
 
