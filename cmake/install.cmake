@@ -1,7 +1,7 @@
 # What `cmake --install` puts where: the program, the libraries with their headers, the models, and the files that let
 # another project say find_package(secular). Headers keep their folders, so that generated code includes
 # "estimator/model/compiled_model.hpp" in the tree and installed alike.
-set(secular_libraries secular_input secular_dense secular_numerics secular_report secular_perturb secular_generated
+set(secular_libraries secular_effects secular_input secular_dense secular_numerics secular_report secular_perturb secular_generated
   secular_codegen_canonical secular_codegen_expression secular_codegen_cpp secular_codegen_document
   secular_codegen_runtime secular_measure_data secular_measure_signal secular_measure_modal secular_measure_observe
   secular_estimator_model secular_estimator_regression secular_estimator_identification secular_estimator_planning
@@ -32,7 +32,7 @@ endforeach()
 install(TARGETS ${secular_libraries} EXPORT secularTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/secular)
-foreach(folder input numerics perturb codegen generated measure estimator motion thesis report)
+foreach(folder effects input numerics perturb codegen generated measure estimator motion thesis report)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/secular
     FILES_MATCHING PATTERN "*.hpp")
 endforeach()

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include "input/input_error.hpp"
@@ -30,48 +29,45 @@ std::string filled(std::string_view pattern, const Placeholders& values) {
 
 class Augmentation {
  public:
-  explicit Augmentation(const Model& model) : model_(model) {
+  Augmentation(const Model& model, const EffectCatalogue& catalogue) : model_(model), catalogue_(catalogue) {
     for (const std::string& name : model_.symbols.names()) taken_.insert(name);
     for (const Mode& mode : model_.modes) taken_.insert(mode.coordinate);
     for (const Shorthand& shorthand : model_.shorthands) taken_.insert(shorthand.name);
   }
 
   AddedEffect add(const EffectTerm& term) {
-    if (term.effect == "extra_mode") return extra_mode(term);
-    const CatalogueEntry* entry = find_catalogue_entry(term.effect, term.form);
-    if (entry == nullptr) refuse(term, "is not in the catalogue of equation-of-motion terms");
+    const Effect* effect = catalogue_.find(term.effect);
+    if (effect && effect->kind == Effect::Kind::extra_mode) return extra_mode(term);
+    const EffectForm* form = catalogue_.find_form(term.effect, term.form);
+    if (form == nullptr) refuse(term, "is not in the catalogue of equation-of-motion terms");
     if (term.mode >= model_.modes.size()) refuse(term, "names a mode that the model does not have");
-    if (entry->couples && (term.other >= model_.modes.size() || term.other == term.mode))
+    if (form->couples() && (term.other >= model_.modes.size() || term.other == term.mode))
       refuse(term, "needs another mode of the model");
     AddedEffect added{term, {}, EffectTerm::none, EffectTerm::none};
     const std::string& v = model_.modes[term.mode].coordinate;
     Placeholders values{{"v", v}, {"w", model_.modes[term.mode].frequency}};
     std::string suffix = "_" + v;
-    if (entry->couples) {
+    if (form->couples()) {
       values["u"] = model_.modes[term.other].coordinate;
       suffix += "_" + values["u"];
     }
-    if (entry->term.find("{F}") != std::string_view::npos) values["F"] = first_excitation(term);
-    if (entry->memory != CatalogueEntry::Memory::none) {
-      const bool time = entry->memory == CatalogueEntry::Memory::time;
-      const bool slider = entry->memory == CatalogueEntry::Memory::elastic_displacement ||
-                          entry->memory == CatalogueEntry::Memory::spread_displacement ||
-                          entry->memory == CatalogueEntry::Memory::smooth_displacement;
-      added.memory = add_excitation((time ? "time" : slider ? "z" : "law_" + std::string(entry->effect)) + suffix);
-      values["s"] = excitation_text(added.memory);
+    if (form->needs_excitation()) values["F"] = first_excitation(term);
+    if (form->law.kind != ForceLaw::Kind::none) {
+      added.signal = add_excitation(signal_name(form->law, term.effect) + suffix);
+      added.law = form->law;
+      values["s"] = excitation_text(added.signal);
     }
-    std::istringstream stems{std::string(entry->parameters)};
-    for (std::string stem; stems >> stem;) {
+    for (const std::string& stem : form->parameter_names()) {
       const int order = added.parameters.empty() ? -1 : 0;
       added.parameters.push_back(add_parameter(stem + suffix));
       values[std::to_string(added.parameters.size() - 1)] = added.parameters.back();
       for (ResonanceCase& resonance : model_.cases) {
-        resonance.order[added.parameters.back()] = order == 0 ? 0 : strength_order(*entry, term, resonance);
+        resonance.order[added.parameters.back()] = order == 0 ? 0 : strength_order(*form, term, resonance);
         resonance.may_act_nowhere.insert(added.parameters.back());
       }
     }
-    append(model_.modes[term.mode], filled(entry->term, values));
-    if (!entry->other_term.empty()) append(model_.modes[term.other], filled(entry->other_term, values));
+    append(model_.modes[term.mode], filled(form->term, values));
+    if (!form->other_term.empty()) append(model_.modes[term.other], filled(form->other_term, values));
     return added;
   }
 
@@ -80,6 +76,11 @@ class Augmentation {
  private:
   [[noreturn]] void refuse(const EffectTerm& term, const std::string& wrong) const {
     throw InputError(model_.file, "effect " + term.effect, wrong, "applicable effects are those of the catalogue");
+  }
+
+  static std::string signal_name(const ForceLaw& law, const std::string& effect) {
+    if (law.kind == ForceLaw::Kind::time) return "time";
+    return law.has_memory() ? "z" : "law_" + effect;
   }
 
   std::string free(std::string name) {
@@ -126,39 +127,39 @@ class Augmentation {
   }
 
   // Excitation resonant through this term: Omega = omega_v (direct), 2 omega_v (parametric), omega_v +- omega_u.
-  bool resonant(const EffectTerm& term, const CatalogueEntry& entry, const ResonanceCase& resonance) const {
-    const bool parametric = entry.term.find("{v}") != std::string_view::npos;
+  bool resonant(const EffectTerm& term, const EffectForm& form, const ResonanceCase& resonance) const {
+    const bool parametric = form.term.find("{v}") != std::string::npos;
     return std::any_of(resonance.relations.begin(), resonance.relations.end(), [&](const ResonanceRelation& r) {
       std::vector<int> wanted(model_.frequency_count(), 0), sizes;
       wanted[model_.modes.size()] = 1;
       wanted[term.mode] = parametric ? 2 : 1;
-      if (entry.couples) wanted[term.other] = 1;
+      if (form.couples()) wanted[term.other] = 1;
       for (const int multiple : r.multiples) sizes.push_back(std::abs(multiple));
       sizes.resize(wanted.size(), 0);
       return sizes == wanted;
     });
   }
 
-  int strength_order(const CatalogueEntry& entry, const EffectTerm& term, const ResonanceCase& resonance) const {
+  int strength_order(const EffectForm& form, const EffectTerm& term, const ResonanceCase& resonance) const {
     int order = 0;
-    switch (entry.order) {
-      case CatalogueEntry::Order::first:
+    switch (form.order) {
+      case EffectForm::Order::first:
         order = 1;
         break;
-      case CatalogueEntry::Order::second:
+      case EffectForm::Order::second:
         order = 2;
         break;
-      case CatalogueEntry::Order::last:
+      case EffectForm::Order::last:
         order = resonance.expand_to;
         break;
-      case CatalogueEntry::Order::unless_resonant:
-        order = resonant(term, entry, resonance) ? resonance.expand_to : 1;
+      case EffectForm::Order::unless_resonant:
+        order = resonant(term, form, resonance) ? resonance.expand_to : 1;
         break;
-      case CatalogueEntry::Order::outside:
+      case EffectForm::Order::outside:
         return resonance.expand_to + 1;
     }
     order = std::min(order, resonance.expand_to);
-    return resonance.degree_ordering ? std::max(0, order - (entry.degree - 1)) : order;
+    return resonance.degree_ordering ? std::max(0, order - (form.degree - 1)) : order;
   }
 
   AddedEffect extra_mode(const EffectTerm& term) {
@@ -196,13 +197,15 @@ class Augmentation {
   }
 
   Model model_;
+  const EffectCatalogue& catalogue_;
   std::set<std::string> taken_;
 };
 
 }  // namespace
 
-AugmentedModel with_effects(const Model& model, std::span<const EffectTerm> effects) {
-  Augmentation augmentation(model);
+AugmentedModel with_effects(const Model& model, std::span<const EffectTerm> effects,
+                            const EffectCatalogue& catalogue) {
+  Augmentation augmentation(model, catalogue);
   AugmentedModel result;
   for (const EffectTerm& effect : effects) result.effects.push_back(augmentation.add(effect));
   result.model = augmentation.take();

@@ -76,7 +76,7 @@ Figure residual_figure(const Diagnosis& d, const std::string& mode, const std::s
   Figure figure;
   figure.title = "Discrepancy of the equation of motion of " + mode;
   figure.x = {"Peak amplitude of " + mode, unit, false, {}};
-  for (const GapComponent component : {GapComponent::conservative, GapComponent::dissipative}) {
+  for (const EffectComponent component : {EffectComponent::conservative, EffectComponent::dissipative}) {
     Series before, after;
     before.name = "model as it is";
     before.role = SeriesRole::data;
@@ -93,7 +93,7 @@ Figure residual_figure(const Diagnosis& d, const std::string& mode, const std::s
       after.y.push_back(d.rows_after(i));
     }
     if (before.x.empty()) continue;
-    const bool stiff = component == GapComponent::conservative;
+    const bool stiff = component == EffectComponent::conservative;
     std::vector<Series> series = {before};
     if (d.gap.detected) series.push_back(after);
     figure.panels.push_back({stiff ? "in phase: stiffness and inertia" : "in quadrature: damping",

@@ -10,34 +10,16 @@
 namespace secular::app {
 namespace {
 
-// Of these the diagnosis has descriptions of its own: they are not terms that a line of the motion sees.
-bool described_by_lines(const EffectTerm& term) {
-  return term.effect == "extra_mode" || term.effect == "natural_frequency_drift";
+// Of others the diagnosis has descriptions of its own: they are not terms that a line of a steady motion sees.
+bool is_seen_by_lines(const EffectTerm& term, const EffectCatalogue& catalogue) {
+  const Effect& effect = *catalogue.find(term.effect);
+  return effect.kind == Effect::Kind::term && !effect.is_of_time();
 }
 
 std::string subject_of(const EffectTerm& term, const CompiledModel& model) {
   std::string subject(model.coordinates[term.mode]);
   if (term.other != EffectTerm::none) subject += ", " + std::string(model.coordinates[term.other]);
   return subject;
-}
-
-StateForce::Law law_of(const EffectTerm& term) {
-  switch (find_catalogue_entry(term.effect, term.form)->memory) {
-    case CatalogueEntry::Memory::spread_displacement:
-      return StateForce::Law::spread_slider;
-    case CatalogueEntry::Memory::smooth_displacement:
-      return StateForce::Law::smooth_slider;
-    case CatalogueEntry::Memory::displacement_power:
-      return StateForce::Law::displacement_power;
-    case CatalogueEntry::Memory::velocity_power:
-      return StateForce::Law::velocity_power;
-    case CatalogueEntry::Memory::speed_power:
-      return StateForce::Law::speed_power;
-    case CatalogueEntry::Memory::loss_power:
-      return StateForce::Law::loss_power;
-    default:
-      return StateForce::Law::slider;
-  }
 }
 
 std::size_t symbol_index(const CompiledModel& model, const std::string& name) {
@@ -50,9 +32,10 @@ std::size_t symbol_index(const CompiledModel& model, const std::string& name) {
 
 DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   DiagnosisRun run;
-  const ModelSource source(request.model, request.interpret);
+  const ModelSource source(request.model, request.interpret, request.catalogue);
   run.campaign = read_campaign(request.campaign);
   DiagnosisOptions options;
+  options.catalogue = request.catalogue;
   options.window = request.window;
   options.threads = request.threads;
   options.band = request.band;
@@ -72,7 +55,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   }
   std::vector<EffectTerm> terms;
   for (const EffectTerm& term : source.applicable_effects())
-    if (!described_by_lines(term)) terms.push_back(term);
+    if (is_seen_by_lines(term, request.catalogue)) terms.push_back(term);
   for (const EffectTerm& term : source.open_law_terms()) terms.push_back(term);
   const AugmentedCompiledModel augmented = source.load_with_effects(terms, {});
   run.model = augmented.model;
@@ -81,7 +64,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   for (const AddedEffect& effect : augmented.effects) {
     EquationEffect equation;
     equation.effect = effect.term.effect;
-    equation.open_law = is_open_law(effect.term.effect);
+    equation.form = effect.term.form;
     equation.mode = effect.term.mode;
     equation.subject = subject_of(effect.term, *run.model);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
@@ -93,11 +76,9 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
       else
         equation.shapes.push_back(symbol);
     }
-    if (effect.memory != EffectTerm::none) {
-      if (equation.shapes.empty()) continue;
-      options.forces.push_back(
-          {law_of(effect.term), effect.memory, effect.term.mode, equation.strength, equation.shapes.front()});
-    }
+    if (effect.signal != EffectTerm::none)
+      options.forces.push_back({effect.law, effect.signal, effect.term.mode, equation.strength,
+                                equation.shapes.empty() ? StateForce::none : equation.shapes.front()});
     effects.push_back(std::move(equation));
   }
   std::vector<std::size_t> own;

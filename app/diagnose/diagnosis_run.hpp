@@ -20,6 +20,7 @@ struct DiagnosisRequest {
   bool fit_check = false;
   std::optional<Band> band;          ///< free decays pass through it first
   std::vector<std::string> without;  ///< effects that are not to be considered
+  EffectCatalogue catalogue = effect_catalogue();
   bool interpret = false;
   unsigned threads = 1;
 };

@@ -26,7 +26,8 @@ std::vector<fs::path> header_folders() {
   return folders;
 }
 
-ModelSource::ModelSource(const std::string& name_or_path, bool interpret) : interpret_(interpret) {
+ModelSource::ModelSource(const std::string& name_or_path, bool interpret, const EffectCatalogue& catalogue)
+    : interpret_(interpret), catalogue_(catalogue) {
   if (!interpret) compiled_in_ = generated::find_compiled_model(name_or_path);
   if (compiled_in_) {
     outline(*compiled_in_);
@@ -89,20 +90,20 @@ AugmentedCompiledModel ModelSource::load_with_effects(std::span<const EffectTerm
                                                       const std::vector<std::string>& cases) const {
   if (effects.empty()) return {load(cases), {}};
   const fs::path file = model_file();
-  std::vector<AddedEffect> added = with_effects(read_model(file), effects).effects;
+  std::vector<AddedEffect> added = with_effects(read_model(file), effects, catalogue_).effects;
   return {load_file(file, cases, effects), std::move(added)};
 }
 
 std::vector<EffectTerm> ModelSource::applicable_effects() const {
-  return secular::applicable_effects(read_model(model_file()));
+  return secular::applicable_effects(read_model(model_file()), catalogue_);
 }
 
 std::vector<EffectTerm> ModelSource::open_law_terms() const {
-  return secular::open_law_terms(read_model(model_file()));
+  return secular::open_law_terms(read_model(model_file()), catalogue_);
 }
 
 EffectTerm ModelSource::effect_term(const std::string& text) const {
-  return parse_effect_term(text, read_model(model_file()));
+  return parse_effect_term(text, read_model(model_file()), catalogue_);
 }
 
 fs::path ModelSource::model_file() const {
@@ -115,6 +116,7 @@ std::shared_ptr<const CompiledModel> ModelSource::load_file(const fs::path& file
   RuntimeModelOptions options;
   options.cases = cases;
   options.effects.assign(effects.begin(), effects.end());
+  options.catalogue = catalogue_;
   options.interpret = interpret_;
   options.header_folders = header_folders();
   RuntimeModel loaded = load_runtime_model(file, options);

@@ -31,8 +31,9 @@ struct AugmentedCompiledModel {
 /// other derived, compiled and loaded at run time (see codegen/runtime/runtime_model.hpp).
 class ModelSource {
  public:
-  /// `interpret`: never use compiled code.
-  ModelSource(const std::string& name_or_path, bool interpret);
+  /// `interpret`: never use compiled code. `catalogue`: of all effects that are asked for.
+  ModelSource(const std::string& name_or_path, bool interpret,
+              const EffectCatalogue& catalogue = effect_catalogue());
 
   const std::string& name() const { return name_; }
   const std::vector<CaseOutline>& cases() const { return cases_; }
@@ -65,6 +66,7 @@ class ModelSource {
   std::filesystem::path file_;
   const CompiledModel* compiled_in_ = nullptr;
   bool interpret_ = false;
+  EffectCatalogue catalogue_;
   std::size_t modes_ = 0;
   std::vector<CaseOutline> cases_;
   std::vector<double> nominal_frequencies_;

@@ -10,11 +10,12 @@
 namespace secular::app {
 namespace {
 
-ModelSource model_source(const std::filesystem::path& experiment, bool interpret) {
+ModelSource model_source(const std::filesystem::path& experiment, bool interpret,
+                         const EffectCatalogue& catalogue) {
   const std::string name = experiment_model(experiment);
   const std::filesystem::path beside = experiment.parent_path() / name;
   std::error_code unreadable;
-  return {std::filesystem::is_regular_file(beside, unreadable) ? beside.string() : name, interpret};
+  return {std::filesystem::is_regular_file(beside, unreadable) ? beside.string() : name, interpret, catalogue};
 }
 
 EffectTerm effect_term(const ExperimentEffect& effect, const ModelSource& source) {
@@ -33,16 +34,17 @@ EffectTerm effect_term(const ExperimentEffect& effect, const ModelSource& source
 
 }  // namespace
 
-LoadedExperiment load_experiment(const std::filesystem::path& path, bool interpret) {
-  const ModelSource source = model_source(path, interpret);
+LoadedExperiment load_experiment(const std::filesystem::path& path, bool interpret,
+                                 const EffectCatalogue& catalogue) {
+  const ModelSource source = model_source(path, interpret, catalogue);
   std::vector<EffectTerm> terms;
-  for (const ExperimentEffect& effect : read_experiment_effects(path))
-    if (effect.kind == ExperimentEffect::Kind::motion) terms.push_back(effect_term(effect, source));
+  for (const ExperimentEffect& effect : read_experiment_effects(path, catalogue))
+    if (effect.is_motion()) terms.push_back(effect_term(effect, source));
   AugmentedCompiledModel loaded = source.load_with_effects(terms, {});  // equations of motion alone
   std::vector<InstalledEffect> installed;
   for (const AddedEffect& added : loaded.effects)
-    installed.push_back({added.parameters, added.term.mode, added.memory, added.added_mode});
-  Experiment experiment = read_experiment(path, *loaded.model, installed);
+    installed.push_back({added.parameters, added.term.mode, added.signal, added.added_mode, added.law});
+  Experiment experiment = read_experiment(path, *loaded.model, installed, catalogue);
   return {std::move(loaded.model), std::move(experiment)};
 }
 

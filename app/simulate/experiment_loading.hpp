@@ -16,6 +16,7 @@ struct LoadedExperiment {
 
 /// The model that the file names is a file beside it, otherwise a path or a shipped model. `interpret`: no compiled
 /// code. Throws InputError.
-LoadedExperiment load_experiment(const std::filesystem::path& path, bool interpret);
+LoadedExperiment load_experiment(const std::filesystem::path& path, bool interpret,
+                                 const EffectCatalogue& catalogue = effect_catalogue());
 
 }  // namespace secular::app

@@ -17,9 +17,15 @@ std::string key_of(const char* what, const ModelRequest& request) {
   std::string cases = request.cases ? "some:" : "all";
   for (const std::string& name : request.cases.value_or(std::vector<std::string>())) cases += name + ",";
   std::string effects;
-  for (const EffectTerm& term : request.effects)
+  for (const EffectTerm& term : request.effects) {
     effects += term.effect + " " + std::to_string(term.mode) + " " + std::to_string(term.other) + " " +
-               std::to_string(term.form) + ",";
+               std::to_string(term.form);
+    if (const EffectForm* form = request.catalogue.find_form(term.effect, term.form))
+      effects += " " + form->parameters + " " + form->term + " " + form->other_term + " " +
+                 std::to_string(form->degree) + " " + std::to_string(static_cast<int>(form->order)) + " " +
+                 std::to_string(static_cast<int>(form->law.kind));
+    effects += ",";
+  }
   return content_hash({what, program_identity(), request.text, cases, effects});
 }
 
@@ -53,7 +59,7 @@ CanonicalModel derive_for_code(const ModelRequest& request, std::vector<std::str
       return std::find(request.cases->begin(), request.cases->end(), resonance.name) == request.cases->end();
     });
   }
-  if (!request.effects.empty()) model = with_effects(model, request.effects).model;
+  if (!request.effects.empty()) model = with_effects(model, request.effects, request.catalogue).model;
   CanonicalModel canonical = canonical_model(model, {}, CanonicalContent::code);
   for (const CanonicalCase& resonance : canonical.cases)
     if (!resonance.certificate.holds)

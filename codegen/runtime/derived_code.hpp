@@ -18,6 +18,7 @@ struct ModelRequest {
   std::string file, text;
   std::optional<std::vector<std::string>> cases;
   std::vector<EffectTerm> effects;
+  EffectCatalogue catalogue = effect_catalogue();
 };
 
 /// The canonical model of a request, without cases that no code can be made of; these are named in `notes`. A case

@@ -131,7 +131,7 @@ class Compilation {
 RuntimeModel load_runtime_model(const fs::path& file, const RuntimeModelOptions& options) {
   const auto text = read_file_bytes(file);
   if (!text) throw InputError(file.string(), "", "cannot be read", "name a model file");
-  const ModelRequest request{file.string(), *text, options.cases, options.effects};
+  const ModelRequest request{file.string(), *text, options.cases, options.effects, options.catalogue};
   RuntimeModel result;
   if (!options.interpret) {
     Compilation compilation(request, options);

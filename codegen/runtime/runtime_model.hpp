@@ -15,8 +15,9 @@ namespace secular {
 struct RuntimeModelOptions {
   /// Cases to derive, by name; nothing: all that can be emitted. Empty: equations of motion alone.
   std::optional<std::vector<std::string>> cases;
-  std::vector<EffectTerm> effects;  ///< added to the equations of motion, see with_effects
-  bool interpret = false;           ///< never start a compiler
+  std::vector<EffectTerm> effects;                 ///< added to the equations of motion, see with_effects
+  EffectCatalogue catalogue = effect_catalogue();  ///< holds them
+  bool interpret = false;                          ///< never start a compiler
   /// First one that holds estimator/model/compiled_model.hpp is used.
   std::vector<std::filesystem::path> header_folders;
   std::optional<std::filesystem::path> cache_folder;  ///< instead of the user's

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <map>
+#include <stdexcept>
 
 namespace secular {
 namespace {
@@ -14,10 +14,6 @@ using Eigen::VectorXd;
 /// An extra mode has no more than this times the energy of what was measured: beside a larger one the model's own
 /// modes would only have to cancel it, which explains anything.
 constexpr double largest_extra = 4;
-
-VectorXd one(double value) {
-  return VectorXd::Constant(1, value);
-}
 
 // Largest value of a channel, either sign: a channel that saturates shows its level there.
 double largest_value(const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
@@ -78,48 +74,17 @@ std::vector<VectorXd> extra_mode_starts(const std::vector<Condition>& conditions
   return starts;
 }
 
-const std::map<std::string, GapComponent>& effect_components() {
-  static const std::map<std::string, GapComponent> components = {
-      {"viscous_damping", GapComponent::dissipative},
-      {"quadratic_damping", GapComponent::dissipative},
-      {"cubic_damping", GapComponent::dissipative},
-      {"coulomb_friction", GapComponent::dissipative},
-      {"amplitude_dependent_damping", GapComponent::dissipative},
-      {"hysteresis", GapComponent::dissipative},
-      {"quadratic_stiffness", GapComponent::conservative},
-      {"cubic_stiffness", GapComponent::conservative},
-      {"quintic_stiffness", GapComponent::conservative},
-      {"bilinear_stiffness", GapComponent::conservative},
-      {"freeplay", GapComponent::conservative},
-      {"quadratic_inertia", GapComponent::conservative},
-      {"cubic_inertia", GapComponent::conservative},
-      {"natural_frequency_drift", GapComponent::conservative},
-      {"direct_excitation", GapComponent::direct_excitation},
-      {"shaker_harmonics", GapComponent::direct_excitation},
-      {"extra_mode", GapComponent::direct_excitation},
-      {"parametric_excitation", GapComponent::parametric_excitation},
-      {"damping_coupling", GapComponent::coupling},
-      {"quadratic_coupling", GapComponent::coupling},
-      {"cubic_coupling", GapComponent::coupling},
-      {"parametric_coupling", GapComponent::coupling},
-      {"sensor_gain", GapComponent::measurement},
-      {"sensor_offset", GapComponent::measurement},
-      {"sensor_cross_axis", GapComponent::measurement},
-      {"channel_skew", GapComponent::measurement},
-      {"clipping", GapComponent::measurement},
-      {"mode_shape_error", GapComponent::measurement},
-  };
-  return components;
-}
-
-const std::map<std::string, GapComponent>& open_law_components() {
-  static const std::map<std::string, GapComponent> components = {
-      {"open_damping", GapComponent::dissipative},
-      {"open_loss", GapComponent::dissipative},
-      {"open_one_sided_damping", GapComponent::dissipative},
-      {"open_stiffness", GapComponent::conservative},
-  };
-  return components;
+// Values of the shape parameters to begin with.
+std::vector<VectorXd> shape_starts(const EffectForm& form, std::size_t shapes, double largest) {
+  std::vector<VectorXd> starts;
+  const auto start = [&](double value) { starts.push_back(VectorXd::Constant(static_cast<Index>(shapes), value)); };
+  if (shapes == 0)
+    starts.push_back(VectorXd());
+  else if (form.shape == EffectForm::Shape::exponent)
+    for (const double exponent : {0.5, 2.0, 3.0, 4.5, 7.0, 10.0}) start(exponent);
+  else
+    for (const double share : {0.02, 0.06, 0.15, 0.3, 0.5, 0.75, 0.95}) start(share * largest);
+  return starts;
 }
 
 }  // namespace
@@ -145,113 +110,111 @@ VectorXd largest_displacements(const std::vector<Condition>& conditions, const s
   return largest;
 }
 
-GapComponent component_of(const std::string& effect) {
-  const auto open = open_law_components().find(effect);
-  return open != open_law_components().end() ? open->second : effect_components().at(effect);
-}
-
-std::vector<std::string> effect_names() {
+std::vector<std::string> effect_names(const EffectCatalogue& catalogue) {
   std::vector<std::string> names;
-  for (const auto& [name, component] : effect_components()) names.push_back(name);
+  for (const Effect& effect : catalogue.effects)
+    if (effect.kind != Effect::Kind::open_law && effect.kind != Effect::Kind::parameters)
+      names.push_back(effect.name);
+  std::sort(names.begin(), names.end());
   return names;
 }
 
-std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects, const CompiledModel& model,
-                                     const SensorModel& sensors, const FaultTable& faults,
-                                     const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
-                                     const VectorXd& largest) {
+std::vector<Candidate> candidates_of(const EffectCatalogue& catalogue, const std::vector<EquationEffect>& effects,
+                                     const CompiledModel& model, const SensorModel& sensors,
+                                     const FaultTable& faults, const std::vector<Condition>& conditions,
+                                     const std::vector<Segment>& segments, const VectorXd& largest) {
   std::vector<Candidate> all;
-  const std::size_t first_fault = model.symbols.size();
+  const auto add = [&](const Effect& effect, Candidate c) {
+    c.effect = effect.name;
+    c.component = effect.component;
+    c.passive = effect.sign_known;
+    c.open_law = effect.kind == Effect::Kind::open_law;
+    all.push_back(std::move(c));
+  };
   for (const EquationEffect& e : effects) {
+    const EffectForm* form = catalogue.find_form(e.effect, e.form);
+    if (form == nullptr) throw std::invalid_argument("candidates_of: no effect " + e.effect);
     Candidate c;
-    c.effect = e.effect;
     c.subject = e.subject;
-    c.component = component_of(e.effect);
     c.mode = e.mode;
     c.equation = true;
-    c.passive = e.effect == "coulomb_friction" || e.effect == "hysteresis" || e.effect == "freeplay" ||
-                e.effect == "quadratic_damping";
     c.strengths = {e.strength};
     c.shapes = e.shapes;
-    c.open_law = e.open_law;
-    if (e.shapes.empty())
-      c.shape_starts = {VectorXd()};
-    else if (c.open_law)
-      for (const double exponent : {0.5, 2.0, 3.0, 4.5, 7.0, 10.0}) c.shape_starts.push_back(one(exponent));
-    else
-      for (const double share : {0.02, 0.06, 0.15, 0.3, 0.5, 0.75, 0.95})
-        c.shape_starts.push_back(one(share * largest(static_cast<Index>(e.mode))));
-    all.push_back(std::move(c));
+    c.shape_starts = shape_starts(*form, e.shapes.size(), largest(static_cast<Index>(e.mode)));
+    add(*catalogue.find(e.effect), std::move(c));
   }
-  const std::size_t responses = sensors.responses.size(), channels = responses + sensors.excitations.size();
-  const auto fault = [&](const char* effect, const std::string& subject, std::size_t place) {
+  const std::size_t first_fault = model.symbols.size();
+  const auto fault = [&](const std::string& subject, std::size_t place) {
     Candidate c;
-    c.effect = effect;
     c.subject = subject;
-    c.component = component_of(effect);
     c.strengths = {first_fault + place};
     c.shape_starts = {VectorXd()};
     return c;
   };
+  const std::size_t responses = sensors.responses.size(), channels = responses + sensors.excitations.size();
+  const auto add_channel_fault = [&](ChannelFault kind, Candidate c) {
+    if (const Effect* effect = catalogue.find(kind)) add(*effect, std::move(c));
+  };
   for (std::size_t i = 0; i < channels; ++i) {
     const std::string& name = i < responses ? sensors.response_names[i] : sensors.excitation_names[i - responses];
     // Free motion seen by one channel: its gain is the unit of the motion.
-    if (channels > 1) all.push_back(fault("sensor_gain", name, faults.gain(i)));
-    all.push_back(fault("sensor_offset", name, faults.offset(i)));
-    all.push_back(fault("channel_skew", name, faults.delay(i)));
+    if (channels > 1) add_channel_fault(ChannelFault::gain, fault(name, faults.gain(i)));
+    add_channel_fault(ChannelFault::offset, fault(name, faults.offset(i)));
+    add_channel_fault(ChannelFault::skew, fault(name, faults.delay(i)));
     if (i < responses && !sensors.excitations.empty())
-      all.push_back(fault("sensor_cross_axis", name, faults.cross(i)));
+      add_channel_fault(ChannelFault::cross_axis, fault(name, faults.cross(i)));
     const double peak = largest_value(conditions, segments, i, responses);
     for (const double share : {0.997, 0.97, 0.9, 0.75, 0.6, 0.45}) {
       if (!(peak > 0)) break;
-      Candidate clipping = fault("clipping", name, faults.inverse_level(i));
+      Candidate clipping = fault(name, faults.inverse_level(i));
       clipping.least_strength = 1 / (share * peak);
-      clipping.passive = true;  // a level below nothing cuts nothing
-      all.push_back(std::move(clipping));
+      add_channel_fault(ChannelFault::clipping, std::move(clipping));
     }
   }
-  if (model.modes() > 1 && responses > 1) {
-    Candidate mixing = fault("mode_shape_error", "modal basis", 0);
-    mixing.strengths.clear();
+  const Effect* mixing = catalogue.find(Effect::Kind::mode_shape_error);
+  if (mixing && model.modes() > 1 && responses > 1) {
+    Candidate c = fault("modal basis", 0);
+    c.strengths.clear();
     for (std::size_t i = 0; i < model.modes(); ++i)
       for (std::size_t k = 0; k < model.modes(); ++k)
-        if (i != k) mixing.strengths.push_back(first_fault + faults.mixing(i, k));
-    all.push_back(std::move(mixing));
+        if (i != k) c.strengths.push_back(first_fault + faults.mixing(i, k));
+    add(*mixing, std::move(c));
   }
-  for (std::size_t k = 0; k < model.modes(); ++k) {
-    Candidate drift = fault("natural_frequency_drift", std::string(model.coordinates[k]), faults.drift(k));
-    drift.mode = k;
-    drift.equation = true;
-    all.push_back(std::move(drift));
-  }
-  if (!sensors.excitations.empty()) {
-    Candidate harmonics = fault("shaker_harmonics", sensors.excitation_names[0], 0);
+  for (const Effect& effect : catalogue.effects)
+    for (std::size_t k = 0; effect.is_of_time() && k < model.modes(); ++k) {
+      Candidate drift = fault(std::string(model.coordinates[k]), faults.drift(k));
+      drift.mode = k;
+      drift.equation = true;
+      add(effect, std::move(drift));
+    }
+  if (sensors.excitations.empty()) return all;
+  if (const Effect* effect = catalogue.find(Effect::Kind::shaker_harmonics)) {
+    Candidate harmonics = fault(sensors.excitation_names[0], 0);
     harmonics.strengths.clear();
     for (std::size_t part = 0; part < 4; ++part)
       harmonics.strengths.push_back(first_fault + faults.shaker_harmonic(part));
-    all.push_back(std::move(harmonics));
-    const std::vector<VectorXd> starts = extra_mode_starts(conditions);
-    if (!starts.empty()) {
-      Candidate extra = fault("extra_mode", "beyond the model", 0);
-      extra.strengths.clear();
-      for (std::size_t c = 0; c < responses; ++c)
-        extra.strengths.push_back(first_fault + faults.extra_amplitude(c));
-      extra.shapes = {first_fault + faults.extra_frequency(), first_fault + faults.extra_damping()};
-      extra.shape_starts = starts;
-      extra.plausible = [lines = driven_lines(conditions), first_fault, faults, responses,
-                         derivatives = sensors.derivatives](const VectorXd& unknowns) {
-        const Faults set = faults.faults(unknowns.data() + first_fault);
-        double measured = 0, beyond = 0;
-        for (const DrivenLine& line : lines) {
-          measured += line.response;
-          for (std::size_t c = 0; c < responses; ++c)
-            beyond += std::norm(set.extra.response(c, line.rate, derivatives, line.excitation));
-        }
-        return beyond <= largest_extra * measured;
-      };
-      all.push_back(std::move(extra));
-    }
+    add(*effect, std::move(harmonics));
   }
+  const Effect* extra_mode = catalogue.find(Effect::Kind::extra_mode);
+  const std::vector<VectorXd> starts = extra_mode_starts(conditions);
+  if (!extra_mode || starts.empty()) return all;
+  Candidate extra = fault("beyond the model", 0);
+  extra.strengths.clear();
+  for (std::size_t c = 0; c < responses; ++c) extra.strengths.push_back(first_fault + faults.extra_amplitude(c));
+  extra.shapes = {first_fault + faults.extra_frequency(), first_fault + faults.extra_damping()};
+  extra.shape_starts = starts;
+  extra.plausible = [lines = driven_lines(conditions), first_fault, faults, responses,
+                     derivatives = sensors.derivatives](const VectorXd& unknowns) {
+    const Faults set = faults.faults(unknowns.data() + first_fault);
+    double measured = 0, beyond = 0;
+    for (const DrivenLine& line : lines) {
+      measured += line.response;
+      for (std::size_t c = 0; c < responses; ++c)
+        beyond += std::norm(set.extra.response(c, line.rate, derivatives, line.excitation));
+    }
+    return beyond <= largest_extra * measured;
+  };
+  add(*extra_mode, std::move(extra));
   return all;
 }
 

@@ -18,14 +18,14 @@ struct EquationEffect {
   std::size_t mode = 0;
   std::string subject;              ///< coordinate, or coordinates of a coupling, for people
   std::size_t strength = 0;         ///< symbol; zero without the effect
-  std::vector<std::size_t> shapes;  ///< symbols of displacements (gap, slip) or of an exponent that shape it
-  bool open_law = false;            ///< stands for a law outside of the catalogue
+  std::vector<std::size_t> shapes;  ///< symbols that shape it
+  std::size_t form = 0;             ///< which of the effect's terms
 };
 
 /// One explanation of a gap: unknowns that are zero without it.
 struct Candidate {
   std::string effect, subject;
-  GapComponent component = GapComponent::measurement;
+  EffectComponent component = EffectComponent::measurement;
   std::size_t mode = 0;
   bool equation = false;                      ///< a term of the equations of motion
   std::vector<std::size_t> strengths;         ///< indices of unknowns
@@ -39,20 +39,17 @@ struct Candidate {
 };
 
 /// Names of all effects that a campaign can be tried with, in alphabetical order; open laws are not among them.
-std::vector<std::string> effect_names();
-
-/// Component of the equation of motion that an effect of the catalogue changes.
-GapComponent component_of(const std::string& effect);
+std::vector<std::string> effect_names(const EffectCatalogue& catalogue);
 
 /// Largest displacement (peak) of every mode over conditions and segments.
 Eigen::VectorXd largest_displacements(const std::vector<Condition>& conditions,
                                       const std::vector<Segment>& segments, const SensorModel& sensors,
                                       const std::vector<double>& natural_frequency);
 
-/// Every explanation that the campaign can speak of at all. `largest`: see largest_displacements.
-std::vector<Candidate> candidates_of(const std::vector<EquationEffect>& effects, const CompiledModel& model,
-                                     const SensorModel& sensors, const FaultTable& faults,
-                                     const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
-                                     const Eigen::VectorXd& largest);
+/// Every explanation in the catalogue that the campaign can speak of at all. `largest`: see largest_displacements.
+std::vector<Candidate> candidates_of(const EffectCatalogue& catalogue, const std::vector<EquationEffect>& effects,
+                                     const CompiledModel& model, const SensorModel& sensors,
+                                     const FaultTable& faults, const std::vector<Condition>& conditions,
+                                     const std::vector<Segment>& segments, const Eigen::VectorXd& largest);
 
 }  // namespace secular

@@ -17,11 +17,11 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 // Without the channel's gain and delay (cut-off and cross-axis sensitivity are taken care of by the caller).
-Complex restored(Complex measured, const ChannelFault& fault, Complex rate) {
+Complex restored(Complex measured, const ChannelFaults& fault, Complex rate) {
   return measured * std::exp(rate * fault.delay) / (1 + fault.gain);
 }
 
-ChannelCut cut_of(const ChannelFault& fault, const VectorXd& noise, Index channel) {
+ChannelCut cut_of(const ChannelFaults& fault, const VectorXd& noise, Index channel) {
   return {fault.saturates() ? fault.level() : 0, noise.size() > 0 ? noise(channel) : 0};
 }
 
@@ -48,7 +48,7 @@ ChannelReadings::ChannelReadings(const Condition& condition, const SensorModel& 
 
 bool ChannelReadings::response_saturates() const {
   return std::any_of(faults_.response.begin(), faults_.response.end(),
-                     [](const ChannelFault& fault) { return fault.saturates(); });
+                     [](const ChannelFaults& fault) { return fault.saturates(); });
 }
 
 ChannelCut ChannelReadings::response_cut(Index channel) const {
@@ -62,7 +62,7 @@ ChannelCut ChannelReadings::excitation_cut(Index channel) const {
 void ChannelReadings::restore_excitation() {
   true_excitation_ = c_.excitation;
   for (Index j = 0; j < c_.excitation.rows(); ++j) {
-    const ChannelFault& fault = faults_.excitation[static_cast<std::size_t>(j)];
+    const ChannelFaults& fault = faults_.excitation[static_cast<std::size_t>(j)];
     const ChannelCut cut = excitation_cut(j);
     Complex fundamental = 0;
     for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
@@ -97,7 +97,7 @@ void ChannelReadings::restore_excitation() {
 MatrixXcd ChannelReadings::expected_excitation() const {
   MatrixXcd expected = MatrixXcd::Zero(c_.excitation.rows(), c_.excitation.cols());
   for (Index j = 0; j < expected.rows(); ++j) {
-    const ChannelFault& fault = faults_.excitation[static_cast<std::size_t>(j)];
+    const ChannelFaults& fault = faults_.excitation[static_cast<std::size_t>(j)];
     MatrixXcd lines = MatrixXcd::Zero(1, c_.torus->lines());
     for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l) {
       const Index line = c_.excitation_lines[l];
@@ -131,7 +131,7 @@ MatrixXcd ChannelReadings::uncut_responses(const MatrixXcd& displacement) const 
     const Complex s = c_.line_rate(l);
     lines.col(l) *= derivative_power(s, sensors_.derivatives);
     for (Index c = 0; c < lines.rows(); ++c) {
-      const ChannelFault& fault = faults_.response[static_cast<std::size_t>(c)];
+      const ChannelFaults& fault = faults_.response[static_cast<std::size_t>(c)];
       Complex& value = lines(c, l);
       value += fault.cross * excitation_at(l) + extra_response(static_cast<std::size_t>(c), l);
       value *= (1 + fault.gain) * std::exp(-s * fault.delay);
@@ -143,7 +143,7 @@ MatrixXcd ChannelReadings::uncut_responses(const MatrixXcd& displacement) const 
 MatrixXcd ChannelReadings::predicted_responses(const MatrixXcd& displacement) const {
   MatrixXcd lines = uncut_responses(displacement);
   for (Index c = 0; c < lines.rows(); ++c) {
-    const ChannelFault& fault = faults_.response[static_cast<std::size_t>(c)];
+    const ChannelFaults& fault = faults_.response[static_cast<std::size_t>(c)];
     if (fault.saturates()) response_cut(c).apply(*c_.torus, lines, c);
     lines(c, 0) += fault.offset;
   }
@@ -177,7 +177,7 @@ VectorXcd ChannelReadings::master_amplitudes(const MatrixXcd& displacement) cons
         static_cast<Index>(std::find(c_.lines.begin(), c_.lines.end(), master.line) - c_.lines.begin());
     VectorXcd seen(channels);
     for (Index c = 0; c < channels; ++c) {
-      const ChannelFault& fault = faults_.response[static_cast<std::size_t>(c)];
+      const ChannelFaults& fault = faults_.response[static_cast<std::size_t>(c)];
       seen(c) = restored(uncut(c) * c_.response(c, column), fault, c_.line_rate(master.line)) -
                 fault.cross * excitation_at(master.line) - extra_response(static_cast<std::size_t>(c), master.line);
     }

@@ -135,7 +135,7 @@ MatrixXd ConditionModel::covariance(const Condition& condition, const VectorXd& 
   };
   const Faults faults = table_.faults(unknowns.data() + balance_.model().symbols.size());
   const bool saturates = std::any_of(faults.response.begin(), faults.response.end(),
-                                     [](const ChannelFault& fault) { return fault.saturates(); });
+                                     [](const ChannelFaults& fault) { return fault.saturates(); });
   const auto is_master = [&](Index line) {
     return std::any_of(condition.masters.begin(), condition.masters.end(),
                        [line](const MasterLine& master) { return master.line == line; });

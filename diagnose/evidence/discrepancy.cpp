@@ -6,24 +6,6 @@ namespace secular {
 
 using Eigen::Index;
 
-std::string to_string(GapComponent component) {
-  switch (component) {
-    case GapComponent::conservative:
-      return "conservative";
-    case GapComponent::dissipative:
-      return "dissipative";
-    case GapComponent::direct_excitation:
-      return "direct_excitation";
-    case GapComponent::parametric_excitation:
-      return "parametric_excitation";
-    case GapComponent::coupling:
-      return "coupling";
-    case GapComponent::measurement:
-      break;
-  }
-  return "measurement";
-}
-
 bool has_frequencies(const Eigen::VectorXd& unknowns, std::size_t modes) {
   return (unknowns.head(static_cast<Index>(modes)).array() > 0).all();
 }

@@ -5,18 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "effects/catalogue.hpp"
+
 namespace secular {
-
-enum class GapComponent {
-  conservative,
-  dissipative,
-  direct_excitation,
-  parametric_excitation,
-  coupling,
-  measurement
-};
-
-std::string to_string(GapComponent component);
 
 /// What one whitened row of a discrepancy speaks of.
 struct RowLabel {
@@ -25,7 +16,7 @@ struct RowLabel {
   std::string place;       ///< of what it is a row: mode or channel
   bool balance = false;    ///< of an equation of motion (else of a channel)
   std::size_t mode = 0;    ///< balance rows
-  GapComponent component = GapComponent::measurement;
+  EffectComponent component = EffectComponent::measurement;
   std::string harmonic;  ///< "omega0", "2 Omega", ...
   double amplitude = 0;  ///< of the mode (or of the channel's strongest line), half of the peak
   double time_s = 0;

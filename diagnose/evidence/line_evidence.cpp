@@ -79,7 +79,7 @@ LineEvidence::LineEvidence(ConditionModel model, std::vector<Condition> conditio
       if (label.balance) {
         label.mode = meaning.mode;
         label.place = std::string(compiled.coordinates[meaning.mode]);
-        label.component = meaning.imaginary ? GapComponent::dissipative : GapComponent::conservative;
+        label.component = meaning.imaginary ? EffectComponent::dissipative : EffectComponent::conservative;
       } else {
         const SensorModel& sensors = model_.sensors();
         label.place = meaning.kind == RowMeaning::Kind::response ? sensors.response_names[meaning.channel]

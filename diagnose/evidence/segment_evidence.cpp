@@ -81,7 +81,7 @@ SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateFo
     label.amplitude = 0.5 * s.response.row(0).cwiseAbs().maxCoeff();
     label.balance = true;
     for (std::size_t k = 0; k < model.modes(); ++k)
-      for (const GapComponent component : {GapComponent::conservative, GapComponent::dissipative}) {
+      for (const EffectComponent component : {EffectComponent::conservative, EffectComponent::dissipative}) {
         label.mode = k;
         label.place = std::string(model.coordinates[k]);
         label.component = component;
@@ -89,7 +89,7 @@ SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateFo
         labels_.push_back(label);
       }
     label.balance = false;
-    label.component = GapComponent::measurement;
+    label.component = EffectComponent::measurement;
     label.harmonic = "rest of the signal";
     for (Index c = 0; c < s.response.rows(); ++c) {
       label.place = sensors_.response_names[static_cast<std::size_t>(c)];
@@ -112,7 +112,7 @@ VectorXd SegmentEvidence::errors(const Segment& s, const VectorXd& unknowns, con
   signal.sample_s = s.sample_s;
   signal.half_steps = s.excitation;
   for (Index j = 0; j < signal.half_steps.rows(); ++j) {
-    const ChannelFault& fault = faults.excitation[static_cast<std::size_t>(j)];
+    const ChannelFaults& fault = faults.excitation[static_cast<std::size_t>(j)];
     if (fault.offset != 0) signal.half_steps.row(j).array() -= fault.offset;
     if (fault.gain != 0) signal.half_steps.row(j) /= 1 + fault.gain;
     if (fault.delay != 0) {
@@ -139,7 +139,7 @@ VectorXd SegmentEvidence::errors(const Segment& s, const VectorXd& unknowns, con
                                                         : motion.displacement);
   VectorXd all(seen.rows() * samples);
   for (Index c = 0; c < seen.rows(); ++c) {
-    const ChannelFault& fault = faults.response[static_cast<std::size_t>(c)];
+    const ChannelFaults& fault = faults.response[static_cast<std::size_t>(c)];
     if (extra) seen.row(c) += faults.extra.amplitude[static_cast<std::size_t>(c)] * motion.side;
     if (fault.cross != 0 && signal.half_steps.rows() > 0)
       for (Index i = 0; i < samples; ++i) seen(c, i) += fault.cross * signal.half_steps(0, 2 * i);

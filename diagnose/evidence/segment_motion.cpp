@@ -44,7 +44,7 @@ class Stretch {
         driven_(std::min(signal.half_steps.rows(), static_cast<Index>(excitation_.size()))) {
     for (const StateForce& force : forces) {
       if (parameters[force.strength_symbol] == 0) continue;
-      const double shape = parameters[force.shape_symbol];
+      const double shape = force.shape(parameters);
       std::vector<Slider> sliders = sliders_of(force, shape);
       std::vector<double> stretch(sliders.size(), 0.0);
       active_.push_back({&force, shape, std::move(sliders), std::move(stretch)});
@@ -58,7 +58,9 @@ class Stretch {
     for (const ActiveForce& active : active_) {
       const StateForce& force = *active.force;
       const auto mode = static_cast<Index>(force.mode);
-      double value = active.sliders.empty() ? power_law(force, state(mode), state(modes_ + mode), active.shape) : 0;
+      double value = active.sliders.empty()
+                         ? force.law.value(state(mode), state(modes_ + mode), active.shape, force.scale)
+                         : 0;
       for (std::size_t i = 0; i < active.sliders.size(); ++i)
         value += active.sliders[i].advanced(active.stretch[i], state(mode) - origin(mode)) /
                  static_cast<double>(active.sliders.size());

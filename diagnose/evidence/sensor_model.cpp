@@ -78,8 +78,8 @@ FaultTable::FaultTable(const CompiledModel& model, const SensorModel& sensors)
 Faults FaultTable::faults(const double* values) const {
   Faults faults;
   for (std::size_t c = 0; c < responses_ + excitations_; ++c) {
-    const ChannelFault fault{values[gain(c)], values[cross(c)], values[delay(c)], values[offset(c)],
-                             values[inverse_level(c)]};
+    const ChannelFaults fault{values[gain(c)], values[cross(c)], values[delay(c)], values[offset(c)],
+                              values[inverse_level(c)]};
     (c < responses_ ? faults.response : faults.excitation).push_back(fault);
   }
   faults.mixing.resize(static_cast<Index>(modes_), static_cast<Index>(modes_));

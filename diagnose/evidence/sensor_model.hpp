@@ -26,7 +26,7 @@ struct SensorModel {
 SensorModel sensor_model(const Campaign& campaign, const CompiledModel& model, std::size_t excitations);
 
 /// Faults of one channel: measured(t) = clip((1 + gain)*(true + cross*excitation)(t - delay)) + offset.
-struct ChannelFault {
+struct ChannelFaults {
   double gain = 0, cross = 0, delay = 0, offset = 0;
   double inverse_level = 0;  ///< 1/level of saturation; 0: none
 
@@ -50,7 +50,7 @@ std::complex<double> derivative_power(std::complex<double> base, int exponent);
 
 /// Everything that can be wrong with excitation and measurement, and drift of the structure; all zero: nothing.
 struct Faults {
-  std::vector<ChannelFault> response, excitation;
+  std::vector<ChannelFaults> response, excitation;
   Eigen::MatrixXd mixing;  ///< modes x modes: the true shapes are shapes*(1 + mixing)
   /// Second and third harmonic of the excitation over its fundamental, phases counted from the fundamental's.
   std::array<std::complex<double>, 2> shaker_harmonic{};

@@ -52,7 +52,7 @@ VectorXd ranks(const VectorXd& x) {
   });
 }
 
-using Balance = std::tuple<std::string, std::string, GapComponent>;
+using Balance = std::tuple<std::string, std::string, EffectComponent>;
 
 }  // namespace
 

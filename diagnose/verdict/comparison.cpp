@@ -42,12 +42,12 @@ VectorXd start_of(const CompiledModel& model, const FaultTable& faults, const Gi
 void set_scales(std::vector<StateForce>& forces, const VectorXd& largest, const std::vector<double>& natural) {
   for (StateForce& force : forces) {
     const double displacement = std::max(0.5 * largest(static_cast<Index>(force.mode)), 1e-300);
-    force.scale = is_of_velocity(force.law) ? displacement * natural[force.mode] : displacement;
+    force.scale = force.law.of_velocity ? displacement * natural[force.mode] : displacement;
   }
 }
 
-void check_left_out(const std::set<std::string>& left_out) {
-  const std::vector<std::string> names = effect_names();
+void check_left_out(const std::set<std::string>& left_out, const EffectCatalogue& catalogue) {
+  const std::vector<std::string> names = effect_names(catalogue);
   for (const std::string& name : left_out)
     if (!std::binary_search(names.begin(), names.end(), name))
       throw InputError("--without " + name, "", "is no effect of the catalogue",
@@ -115,8 +115,9 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
     result.warnings.push_back(fmt::format("left out because their motion is not steady: {}", short_list(left_out)));
   const VectorXd largest = largest_displacements(result.conditions, segments, sensors, natural);
   set_scales(result.forces, largest, natural);
-  result.candidates = candidates_of(effects, model, sensors, faults, result.conditions, segments, largest);
-  check_left_out(options.left_out);
+  result.candidates =
+      candidates_of(options.catalogue, effects, model, sensors, faults, result.conditions, segments, largest);
+  check_left_out(options.left_out, options.catalogue);
   std::erase_if(result.candidates, [&](const Candidate& c) { return options.left_out.contains(c.effect); });
   if (!result.conditions.empty())
     result.discrepancy.add(

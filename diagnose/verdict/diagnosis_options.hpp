@@ -7,12 +7,14 @@
 
 #include "diagnose/evidence/segment.hpp"
 #include "diagnose/verdict/given_numbers.hpp"
+#include "effects/catalogue.hpp"
 #include "measure/observe/observation_set.hpp"
 #include "motion/balance/state_force.hpp"
 
 namespace secular {
 
 struct DiagnosisOptions {
+  EffectCatalogue catalogue = effect_catalogue();
   Window window;
   GivenNumbers given;              ///< the gap of these is diagnosed
   std::vector<StateForce> forces;  ///< scales are set from the data

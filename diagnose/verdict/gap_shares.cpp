@@ -47,18 +47,18 @@ std::string region_of(const Energy& energy, double middle) {
 std::vector<GapShare> gap_shares(const VectorXd& rows, const VectorXd& unmixed, const std::vector<RowLabel>& labels,
                                  const Candidate* named) {
   std::map<std::string, double> middle = middle_amplitudes(labels);
-  const bool finer =
-      named && named->component != GapComponent::conservative && named->component != GapComponent::dissipative;
-  std::map<std::tuple<std::string, GapComponent, std::string>, Energy> groups;
+  const bool finer = named && named->component != EffectComponent::conservative &&
+                     named->component != EffectComponent::dissipative;
+  std::map<std::tuple<std::string, EffectComponent, std::string>, Energy> groups;
   double total = 0;
   for (std::size_t r = 0; r < labels.size(); ++r) {
     const RowLabel& label = labels[r];
     const auto i = static_cast<Index>(r);
     double energy = rows(i) * rows(i);
-    GapComponent component = label.component;
+    EffectComponent component = label.component;
     if (label.balance) {
       // Errors in phase and in quadrature are correlated: the pair's weight goes to where the force is.
-      const Index pair = component == GapComponent::conservative ? i + 1 : i - 1;
+      const Index pair = component == EffectComponent::conservative ? i + 1 : i - 1;
       const double here = unmixed(i) * unmixed(i), there = unmixed(pair) * unmixed(pair);
       energy = (energy + rows(pair) * rows(pair)) * here / std::max(here + there, 1e-300);
       if (finer && (!named->equation || named->mode == label.mode)) component = named->component;

@@ -12,7 +12,7 @@ namespace secular {
 /// A share of the gap: rows of one kind.
 struct GapShare {
   std::string mode;  ///< coordinate or channel
-  GapComponent component = GapComponent::measurement;
+  EffectComponent component = EffectComponent::measurement;
   std::string harmonic, region;
   double share = 0;
 };

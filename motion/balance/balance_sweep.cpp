@@ -85,7 +85,7 @@ std::vector<BalanceSweep::Signal> BalanceSweep::signals(const MatrixXd& position
   for (const StateForce& force : forces_)
     if (parameters[force.strength_symbol] != 0 ||
         std::find(strengths.begin(), strengths.end(), force.strength_symbol) != strengths.end())
-      signals.push_back({&force, signal_over_turn(force, position, velocity, parameters[force.shape_symbol])});
+      signals.push_back({&force, signal_over_turn(force, position, velocity, force.shape(parameters))});
   return signals;
 }
 
@@ -165,7 +165,7 @@ MatrixXcd BalanceSweep::residual_slopes(const Path& path, std::span<const double
   };
   std::vector<Memory> memories;
   for (std::size_t i = 0; i < signals.size(); ++i) {
-    if (!has_memory(signals[i].force->law)) continue;
+    if (!signals[i].force->law.has_memory()) continue;
     std::vector<Signal> stronger = signals;
     stronger[i].values.array() += length;  // which the accelerations are linear in
     MatrixXd change = accelerations(path.position, path.velocity, parameters, stronger);
@@ -196,9 +196,9 @@ MatrixXcd BalanceSweep::residual_slopes(const Path& path, std::span<const double
       if (force.mode != k) continue;
       MatrixXd position = path.position;
       position.row(entry.mode) += length * moved.position.row(0);
-      const RowVectorXd change = (signal_over_turn(force, position, path.velocity, parameters[force.shape_symbol]) -
-                                  memory.signal.values) /
-                                 length;
+      const RowVectorXd change =
+          (signal_over_turn(force, position, path.velocity, force.shape(parameters)) - memory.signal.values) /
+          length;
       felt.middleRows(e * modes, modes) += memory.felt * change.asDiagonal();
     }
   }

@@ -11,9 +11,6 @@ using Eigen::RowVectorXd;
 
 namespace {
 
-/// Exponents beyond are as good as a wall; below zero a force would be infinite at rest.
-constexpr double largest_exponent = 15;
-
 /// A path is closed where its slider's stretch comes back to this share of the slip; by the secant only where turns
 /// bring stretches together at all.
 constexpr double same_stretch = 1e-10, steepest = 0.999;
@@ -67,14 +64,6 @@ class SlidingRun {
 
 }  // namespace
 
-double power_law(const StateForce& force, double displacement, double velocity, double exponent) {
-  const double x = is_of_velocity(force.law) ? velocity : displacement;
-  const double size = std::pow(std::abs(x) / force.scale, std::clamp(exponent, 0.0, largest_exponent));
-  if (force.law == StateForce::Law::loss_power) return size * velocity;
-  if (force.law == StateForce::Law::speed_power) return force.scale * size;
-  return x == 0 ? 0 : std::copysign(force.scale * size, x);
-}
-
 double Slider::advanced(double stretch, double way) const {
   if (!smooth) return std::clamp(stretch + way, -slip, slip);
   if (slip == 0) return 0;
@@ -83,10 +72,10 @@ double Slider::advanced(double stretch, double way) const {
 }
 
 std::vector<Slider> sliders_of(const StateForce& force, double shape) {
-  if (force.law == StateForce::Law::slider) return {{shape, false}};
-  if (force.law == StateForce::Law::smooth_slider) return {{shape, true}};
+  if (force.law.kind == ForceLaw::Kind::slider) return {{shape, false}};
+  if (force.law.kind == ForceLaw::Kind::smooth_slider) return {{shape, true}};
   std::vector<Slider> sliders;
-  if (force.law == StateForce::Law::spread_slider)
+  if (force.law.kind == ForceLaw::Kind::spread_slider)
     for (std::size_t i = 0; i < spread_sliders; ++i)
       sliders.push_back({shape * (static_cast<double>(i) + 0.5) / static_cast<double>(spread_sliders), false});
   return sliders;
@@ -127,7 +116,7 @@ RowVectorXd signal_over_turn(const StateForce& force, const MatrixXd& displaceme
     return signal;
   }
   for (Index p = 0; p < signal.size(); ++p)
-    signal(p) = power_law(force, displacement(mode, p), velocity(mode, p), shape);
+    signal(p) = force.law.value(displacement(mode, p), velocity(mode, p), shape, force.scale);
   return signal;
 }
 

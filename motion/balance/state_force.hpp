@@ -2,42 +2,27 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <span>
 #include <vector>
+
+#include "effects/force_law.hpp"
 
 namespace secular {
 
 /// A force that no term of an equation of motion can say, supplied as the signal of one of the model's excitations:
-/// a function of the motion x of coordinate `mode`, which the model multiplies by a strength.
+/// `law` of the motion of coordinate `mode`, which the model multiplies by a strength.
 struct StateForce {
-  enum class Law {
-    slider,         ///< stretch z of a spring in series with a slider: dz/dt = dx/dt while |z| < shape
-    spread_slider,  ///< mean stretch of spread_sliders such, slips evenly spread between 0 and shape (micro-slip)
-    smooth_slider,  ///< the stretch of Bouc and Wen: dz/dt = dx/dt - |dx/dt| z |z|/shape^2
-    displacement_power,  ///< scale*sgn(x)*|x/scale|^shape
-    velocity_power,      ///< scale*sgn(dx/dt)*|(dx/dt)/scale|^shape
-    loss_power,          ///< |x/scale|^shape*dx/dt
-    speed_power          ///< scale*|(dx/dt)/scale|^shape: damping of one direction only, beside a viscous one
-  };
-  Law law = Law::slider;
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  ForceLaw law = force_law::slider;  ///< not of the time
   std::size_t excitation = 0, mode = 0;
   std::size_t strength_symbol = 0;  ///< the signal is not computed where it is zero
-  std::size_t shape_symbol = 0;     ///< slip displacement, or exponent
+  std::size_t shape_symbol = none;  ///< slip displacement, exponent, ...; none: the law has no shape
   double scale = 1;                 ///< displacement or velocity: usual in the data, so that a strength has a size
+
+  double shape(std::span<const double> parameters) const {
+    return shape_symbol == none ? 0 : parameters[shape_symbol];
+  }
 };
-
-/// Whether the scale of a law with an exponent is a velocity.
-constexpr bool is_of_velocity(StateForce::Law law) {
-  return law == StateForce::Law::velocity_power || law == StateForce::Law::speed_power;
-}
-
-/// Whether the force depends on the path and not on displacement and velocity alone.
-constexpr bool has_memory(StateForce::Law law) {
-  return law == StateForce::Law::slider || law == StateForce::Law::spread_slider ||
-         law == StateForce::Law::smooth_slider;
-}
-
-/// Signal of a law with an exponent, which is kept between 0 and 15.
-double power_law(const StateForce& force, double displacement, double velocity, double exponent);
 
 /// Sliders that stand for an even spread of slips.
 inline constexpr std::size_t spread_sliders = 8;

@@ -34,7 +34,7 @@ Eigen::VectorXd read_parameters(const TomlTable& table, const Target& target) {
       table.fail(name, "is not positive", "a natural frequency in rad/s");
   }
   for (const ExperimentEffect& effect : target.effects) {
-    if (effect.kind != ExperimentEffect::Kind::parameters) continue;
+    if (effect.kind != Effect::Kind::parameters) continue;
     const auto at = std::find(known.begin(), known.end(), effect.symbol);
     if (at == known.end())
       throw InputError(effect.file, "line " + std::to_string(effect.line) + ", key symbol",
@@ -138,14 +138,14 @@ std::string experiment_model(const std::filesystem::path& path) {
 }
 
 Experiment read_experiment(const std::filesystem::path& path, const CompiledModel& model,
-                           std::span<const InstalledEffect> installed) {
+                           std::span<const InstalledEffect> installed, const EffectCatalogue& catalogue) {
   const TomlTable root = TomlTable::from_file(path);
   root.refuse_unknown_keys({"schema",     "name",       "source",      "model", "parameters", "sample_rate_hz",
                             "excitation", "response",   "modal_basis", "dwell", "free_decay", "sweep",
                             "impact",     "broadband",  "shaker",      "fault", "effect",     "structure",
                             "body",       "integrator", "anti_alias"});
   if (root.integer("schema") != 1) root.fail("schema", "is not 1", "this program reads schema 1");
-  const Target target = target_of(root, model, installed);
+  const Target target = target_of(root, model, installed, catalogue);
   Experiment experiment;
   experiment.file = path.string();
   experiment.name = root.string("name");
@@ -198,7 +198,7 @@ Experiment read_experiment(const std::filesystem::path& path, const CompiledMode
   }
   read_signals(root, target, experiment);
   read_shaker(root, target, experiment);
-  read_faults_and_effects(root, target, experiment);
+  read_faults_and_effects(root, target, catalogue, experiment);
   for (SimulatedChannel& response : experiment.responses) response.shape.resize(model.modes(), 0.0);
   if (experiment.dwells.empty() && experiment.free_decays.empty() && experiment.signals.empty())
     root.fail("dwell", "nothing to run", "add a [[dwell]], [[free_decay]], [[sweep]], [[impact]] or [[broadband]]");

@@ -61,16 +61,9 @@ struct SignalProgramme {
   std::string group;
 };
 
-/// What is wrong with one channel, by its name in the catalogue of effects.
+/// A fault of one channel.
 struct SensorFault {
-  enum class Kind {
-    gain,        ///< sensor_gain: the channel times `strength`
-    offset,      ///< sensor_offset: plus `strength`
-    cross_axis,  ///< sensor_cross_axis: plus `strength` times the excitation
-    skew,        ///< channel_skew: late by `strength` seconds
-    clipping,    ///< clipping: saturates at +-`strength`
-  };
-  Kind kind = Kind::gain;
+  ChannelFault kind = ChannelFault::gain;
   std::string channel;
   double strength = 0;
 };
@@ -101,6 +94,7 @@ std::string experiment_model(const std::filesystem::path& path);
 /// motion effects: `installed`, one for each in file order (see read_experiment_effects). Throws InputError with
 /// line and key.
 Experiment read_experiment(const std::filesystem::path& path, const CompiledModel& model,
-                           std::span<const InstalledEffect> installed = {});
+                           std::span<const InstalledEffect> installed = {},
+                           const EffectCatalogue& catalogue = effect_catalogue());
 
 }  // namespace secular

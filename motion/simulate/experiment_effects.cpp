@@ -1,7 +1,6 @@
 #include "motion/simulate/experiment_effects.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "numerics/hertz.hpp"
@@ -9,100 +8,95 @@
 namespace secular {
 namespace {
 
-using Kind = ExperimentEffect::Kind;
+using Kind = Effect::Kind;
 
-/// An effect's name and the keys it takes besides name and strength.
-struct EffectKeys {
-  std::string_view name;
-  Kind kind = Kind::motion;
-  bool couples = false;                        ///< has `other`
-  std::array<std::string_view, 2> shape = {};  ///< positive shape parameters, in the catalogue's order
-  std::string_view extra = {};                 ///< one more key
-};
+const Effect& named(const TomlTable& table, const std::string& name, const EffectCatalogue& catalogue) {
+  const Effect* effect = catalogue.find(name);
+  if (effect && effect->kind != Kind::open_law) return *effect;
+  std::string known;
+  for (const Effect& e : catalogue.effects)
+    if (e.kind != Kind::open_law) known += (known.empty() ? "" : ", ") + e.name;
+  table.fail("name", "'" + name + "' is no effect of the catalogue", "known are " + known);
+}
 
-constexpr auto effects = std::to_array<EffectKeys>({
-    {"viscous_damping"},
-    {"quadratic_damping"},
-    {"cubic_damping"},
-    {"coulomb_friction"},
-    {"amplitude_dependent_damping"},
-    {"quadratic_stiffness"},
-    {"cubic_stiffness"},
-    {"quintic_stiffness"},
-    {"bilinear_stiffness"},
-    {"freeplay", Kind::motion, false, {"gap"}},
-    {"quadratic_inertia"},
-    {"cubic_inertia"},
-    {"hysteresis", Kind::motion, false, {"slip"}},
-    {"direct_excitation"},
-    {"parametric_excitation"},
-    {"damping_coupling", Kind::motion, true},
-    {"quadratic_coupling", Kind::motion, true},
-    {"cubic_coupling", Kind::motion, true, {}, "form"},
-    {"parametric_coupling", Kind::motion, true},
-    {"extra_mode", Kind::motion, false, {"frequency_hz", "damping"}, "shape"},
-    {"natural_frequency_drift"},
-    {"shaker_harmonics", Kind::shaker_harmonics, false, {}, "harmonics"},
-    {"sensor_gain", Kind::sensor_fault},
-    {"sensor_offset", Kind::sensor_fault},
-    {"sensor_cross_axis", Kind::sensor_fault},
-    {"channel_skew", Kind::sensor_fault},
-    {"clipping", Kind::sensor_fault},
-    {"mode_shape_error", Kind::mode_shape_error, true},
-    {"parameters", Kind::parameters, false, {}, "symbol"},
-});
+double shape_parameter(const TomlTable& table, std::string_view key) {
+  const double value = table.number(key);
+  if (value <= 0) table.fail(key, "is not positive", "a positive number");
+  return value;
+}
 
-ExperimentEffect read_effect(const TomlTable& table) {
+void read_term(const TomlTable& table, const Effect& row, ExperimentEffect& effect) {
+  const bool couples = row.forms.front().couples(), several = couples && row.forms.size() > 1;
+  const std::int64_t form = several && table.has("form") ? table.integer("form") : 0;
+  if (form < 0 || form >= static_cast<std::int64_t>(row.forms.size()))
+    table.fail("form", "is " + std::to_string(form), "the catalogue counts an effect's forms from 0");
+  std::vector<std::string> keys = row.forms[static_cast<std::size_t>(form)].parameter_names();
+  keys.erase(keys.begin());  // the strength has a key of its own
+  std::vector<std::string_view> allowed = {"name", "strength", "mode"};
+  if (couples) allowed.push_back("other");
+  if (several) allowed.push_back("form");
+  allowed.insert(allowed.end(), keys.begin(), keys.end());
+  table.refuse_unknown_keys(allowed);
+  effect.mode = table.string_or("mode", "");
+  if (couples) effect.other = table.string_or("other", "");
+  if (several && table.has("form")) effect.form = std::to_string(form);
+  if (!effect.form.empty() && effect.other.empty()) table.fail("form", "stands without `other`", "name both modes");
+  for (const std::string& key : keys) effect.shape.push_back(shape_parameter(table, key));
+}
+
+ExperimentEffect read_effect(const TomlTable& table, const EffectCatalogue& catalogue) {
   ExperimentEffect effect;
   effect.name = table.string("name");
-  const auto keys =
-      std::find_if(effects.begin(), effects.end(), [&](const EffectKeys& e) { return e.name == effect.name; });
-  if (keys == effects.end()) {
-    std::string known;
-    for (const EffectKeys& e : effects) known += (known.empty() ? "" : ", ") + std::string(e.name);
-    table.fail("name", "'" + effect.name + "' is no effect of the catalogue", "known are " + known);
-  }
-  effect.kind = keys->kind;
+  const Effect& row = named(table, effect.name, catalogue);
+  effect.kind = row.kind;
+  effect.fault = row.fault;
   effect.file = table.file();
   effect.line = table.line_of("name");
-  const bool of_mode = (effect.kind == Kind::motion && effect.name != "extra_mode") || keys->couples;
-  std::vector<std::string_view> allowed = {"name", "strength"};
-  if (of_mode) allowed.push_back("mode");
-  if (keys->couples) allowed.push_back("other");
-  if (effect.kind == Kind::sensor_fault) allowed.push_back("channel");
-  for (const std::string_view key : keys->shape)
-    if (!key.empty()) allowed.push_back(key);
-  if (!keys->extra.empty()) allowed.push_back(keys->extra);
-  table.refuse_unknown_keys(allowed);
-  effect.strength = table.number("strength");
-  if (of_mode) effect.mode = table.string_or("mode", "");
-  if (keys->couples) effect.other = table.string_or("other", "");
-  if (!effect.other.empty() && effect.mode.empty()) table.fail("other", "stands without `mode`", "name both modes");
-  if (effect.kind == Kind::sensor_fault) effect.channel = table.string("channel");
-  if (keys->extra == "symbol") effect.symbol = table.string("symbol");
-  if (keys->extra == "form" && table.has("form")) effect.form = std::to_string(table.integer("form"));
-  for (const std::string_view key : keys->shape) {
-    if (key.empty()) continue;
-    const double value = table.number(key);
-    if (value < 0 || (value == 0 && key != "damping")) table.fail(key, "is not positive", "a positive number");
-    effect.shape.push_back(key == "frequency_hz" ? two_pi * value : value);
+  switch (row.kind) {
+    case Kind::open_law:
+    case Kind::term:
+      read_term(table, row, effect);
+      break;
+    case Kind::extra_mode:
+      table.refuse_unknown_keys({"name", "strength", "frequency_hz", "damping", "shape"});
+      effect.shape = {two_pi * shape_parameter(table, "frequency_hz"), table.number("damping")};
+      if (effect.shape[1] < 0) table.fail("damping", "is negative", "zero or a positive number");
+      effect.list = table.numbers("shape");
+      break;
+    case Kind::shaker_harmonics:
+      table.refuse_unknown_keys({"name", "strength", "harmonics"});
+      effect.list = table.has("harmonics") ? table.numbers("harmonics") : std::vector<double>{1.0};
+      break;
+    case Kind::channel_fault:
+      table.refuse_unknown_keys({"name", "strength", "channel"});
+      effect.channel = table.string("channel");
+      break;
+    case Kind::mode_shape_error:
+      table.refuse_unknown_keys({"name", "strength", "mode", "other"});
+      effect.mode = table.string_or("mode", "");
+      effect.other = table.string_or("other", "");
+      break;
+    case Kind::parameters:
+      table.refuse_unknown_keys({"name", "strength", "symbol"});
+      effect.symbol = table.string("symbol");
+      break;
   }
-  if (keys->extra == "shape") effect.list = table.numbers("shape");
-  if (keys->extra == "harmonics")
-    effect.list = table.has("harmonics") ? table.numbers("harmonics") : std::vector<double>{1.0};
+  effect.strength = table.number("strength");
+  if (!effect.other.empty() && effect.mode.empty()) table.fail("other", "stands without `mode`", "name both modes");
   return effect;
 }
 
 }  // namespace
 
-std::vector<ExperimentEffect> read_experiment_effects(const TomlTable& root) {
+std::vector<ExperimentEffect> read_experiment_effects(const TomlTable& root, const EffectCatalogue& catalogue) {
   std::vector<ExperimentEffect> result;
-  for (const TomlTable& table : root.tables("effect")) result.push_back(read_effect(table));
+  for (const TomlTable& table : root.tables("effect")) result.push_back(read_effect(table, catalogue));
   return result;
 }
 
-std::vector<ExperimentEffect> read_experiment_effects(const std::filesystem::path& path) {
-  return read_experiment_effects(TomlTable::from_file(path));
+std::vector<ExperimentEffect> read_experiment_effects(const std::filesystem::path& path,
+                                                      const EffectCatalogue& catalogue) {
+  return read_experiment_effects(TomlTable::from_file(path), catalogue);
 }
 
 }  // namespace secular

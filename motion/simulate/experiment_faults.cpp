@@ -1,7 +1,6 @@
 // What an experiment file says is wrong: shaker, sensor faults, effects of the catalogue.
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "motion/simulate/experiment_parts.hpp"
 #include "numerics/hertz.hpp"
@@ -9,33 +8,31 @@
 namespace secular {
 namespace {
 
-SensorFault sensor_fault(const TomlTable& table, const std::string& effect, const std::string& channel,
+SensorFault sensor_fault(const TomlTable& table, ChannelFault kind, const std::string& channel,
                          const Experiment& experiment) {
-  static const std::map<std::string, SensorFault::Kind> kinds = {
-      {"sensor_gain", SensorFault::Kind::gain},
-      {"sensor_offset", SensorFault::Kind::offset},
-      {"sensor_cross_axis", SensorFault::Kind::cross_axis},
-      {"channel_skew", SensorFault::Kind::skew},
-      {"clipping", SensorFault::Kind::clipping}};
-  SensorFault fault;
-  const auto kind = kinds.find(effect);
-  if (kind == kinds.end())
-    table.fail("effect", "is '" + effect + "'",
-               "sensor_gain, sensor_offset, sensor_cross_axis, channel_skew or clipping");
-  fault.kind = kind->second;
-  fault.channel = channel;
+  SensorFault fault{kind, channel, 0};
   bool known = experiment.excitation && experiment.excitation->channel.name == fault.channel;
   for (const SimulatedChannel& response : experiment.responses)
     known = known || response.channel.name == fault.channel;
   if (!known) table.fail("channel", "'" + fault.channel + "' is no channel of this experiment");
   fault.strength = table.number("strength");
-  if (fault.kind == SensorFault::Kind::clipping && fault.strength <= 0)
+  if (fault.kind == ChannelFault::clipping && fault.strength <= 0)
     table.fail("strength", "is not positive", "the level at which the channel saturates");
-  if (fault.kind == SensorFault::Kind::skew && std::abs(fault.strength) * experiment.sample_rate_hz > 1000)
+  if (fault.kind == ChannelFault::skew && std::abs(fault.strength) * experiment.sample_rate_hz > 1000)
     table.fail("strength", "is more than 1000 samples", "seconds");
-  if (fault.kind == SensorFault::Kind::cross_axis && !experiment.excitation)
+  if (fault.kind == ChannelFault::cross_axis && !experiment.excitation)
     table.fail("channel", "there is no excitation to pick up", "describe it in [excitation]");
   return fault;
+}
+
+ChannelFault fault_named(const TomlTable& table, const EffectCatalogue& catalogue) {
+  const std::string name = table.string("effect");
+  const Effect* effect = catalogue.find(name);
+  if (effect && effect->kind == Effect::Kind::channel_fault) return effect->fault;
+  std::vector<std::string_view> known;
+  for (const Effect& e : catalogue.effects)
+    if (e.kind == Effect::Kind::channel_fault) known.push_back(e.name);
+  table.fail("effect", "is '" + name + "'", "one of " + listed(known));
 }
 
 // The stated shapes of two modes turned into each other by an angle.
@@ -62,12 +59,31 @@ void mix_shapes(const TomlTable& table, const ExperimentEffect& effect, const Ta
   }
 }
 
-void apply_motion_effect(const TomlTable& table, const ExperimentEffect& effect, const InstalledEffect& installed,
-                         Experiment& experiment) {
-  if (effect.name == "hysteresis")
-    experiment.motion.slip_elements.push_back({installed.mode, installed.memory, effect.shape.at(0)});
-  if (effect.name == "natural_frequency_drift") experiment.motion.clocks.push_back(installed.memory);
-  if (effect.name != "extra_mode") return;
+// What the simulation has to supply beside the equations of motion.
+void supply_signal(const TomlTable& table, const ExperimentEffect& effect, const InstalledEffect& installed,
+                   MotionSettings& motion) {
+  const double shape = effect.shape.empty() ? 0 : effect.shape.front();
+  switch (installed.law.kind) {
+    case ForceLaw::Kind::none:
+      break;
+    case ForceLaw::Kind::time:
+      motion.clocks.push_back(installed.signal);
+      break;
+    case ForceLaw::Kind::slider:
+      motion.slip_elements.push_back({installed.mode, installed.signal, shape});
+      break;
+    case ForceLaw::Kind::spread_slider:
+    case ForceLaw::Kind::smooth_slider:
+      table.fail("name", "'" + effect.name + "' has a memory that is not integrated in time",
+                 "a single spring and slider is");
+    case ForceLaw::Kind::state:
+      motion.law_elements.push_back({installed.mode, installed.signal, installed.law.value, shape});
+      break;
+  }
+}
+
+void show_extra_mode(const TomlTable& table, const ExperimentEffect& effect, const InstalledEffect& installed,
+                     Experiment& experiment) {
   if (effect.list.size() != experiment.responses.size())
     table.fail("shape", "has " + std::to_string(effect.list.size()) + " numbers",
                "one for each of the " + std::to_string(experiment.responses.size()) + " responses");
@@ -99,33 +115,39 @@ void read_shaker(const TomlTable& root, const Target& target, Experiment& experi
   experiment.motion.armature = std::move(armature);
 }
 
-void read_faults_and_effects(const TomlTable& root, const Target& target, Experiment& experiment) {
+void read_faults_and_effects(const TomlTable& root, const Target& target, const EffectCatalogue& catalogue,
+                             Experiment& experiment) {
   for (const TomlTable& table : root.tables("fault")) {
     table.refuse_unknown_keys({"effect", "channel", "strength"});
-    experiment.faults.push_back(sensor_fault(table, table.string("effect"), table.string("channel"), experiment));
+    experiment.faults.push_back(
+        sensor_fault(table, fault_named(table, catalogue), table.string("channel"), experiment));
   }
   const std::vector<TomlTable> tables = root.tables("effect");
   std::size_t next = 0;
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const ExperimentEffect& effect = target.effects[i];
     switch (effect.kind) {
-      case ExperimentEffect::Kind::motion:
-        apply_motion_effect(tables[i], effect, target.installed[next++], experiment);
+      case Effect::Kind::term:
+      case Effect::Kind::open_law:
+        supply_signal(tables[i], effect, target.installed[next++], experiment.motion);
         break;
-      case ExperimentEffect::Kind::shaker_harmonics: {
+      case Effect::Kind::extra_mode:
+        show_extra_mode(tables[i], effect, target.installed[next++], experiment);
+        break;
+      case Effect::Kind::shaker_harmonics: {
         std::vector<double>& harmonics = experiment.shaker_harmonics;
         if (effect.list.size() > 20) tables[i].fail("harmonics", "has more than 20 entries");
         harmonics.resize(std::max(harmonics.size(), effect.list.size()), 0.0);
         for (std::size_t n = 0; n < effect.list.size(); ++n) harmonics[n] += effect.strength * effect.list[n];
         break;
       }
-      case ExperimentEffect::Kind::sensor_fault:
-        experiment.faults.push_back(sensor_fault(tables[i], effect.name, effect.channel, experiment));
+      case Effect::Kind::channel_fault:
+        experiment.faults.push_back(sensor_fault(tables[i], effect.fault, effect.channel, experiment));
         break;
-      case ExperimentEffect::Kind::mode_shape_error:
+      case Effect::Kind::mode_shape_error:
         mix_shapes(tables[i], effect, target, experiment);
         break;
-      case ExperimentEffect::Kind::parameters:
+      case Effect::Kind::parameters:
         break;
     }
   }

@@ -10,17 +10,19 @@ std::string listed(std::span<const std::string_view> names) {
   return text;
 }
 
-Target target_of(const TomlTable& root, const CompiledModel& model, std::span<const InstalledEffect> installed) {
-  Target target{model, installed, read_experiment_effects(root), model.modes(), model.excitations.size(), {}};
+Target target_of(const TomlTable& root, const CompiledModel& model, std::span<const InstalledEffect> installed,
+                 const EffectCatalogue& catalogue) {
+  Target target{model, installed, read_experiment_effects(root, catalogue), model.modes(), model.excitations.size(),
+                {}};
   std::size_t motions = 0;
   for (const ExperimentEffect& effect : target.effects) {
-    if (effect.kind != ExperimentEffect::Kind::motion) continue;
+    if (!effect.is_motion()) continue;
     if (motions == installed.size())
       throw InputError(effect.file, "line " + std::to_string(effect.line), effect.name + " is not in the model",
                        "equations of motion that hold this effect");
     const InstalledEffect& in = installed[motions++];
     if (in.added_mode != InstalledEffect::none) --target.modes;
-    if (in.memory != InstalledEffect::none) --target.excitations;
+    if (in.signal != InstalledEffect::none) --target.excitations;
   }
   target.coordinates.assign(model.coordinates.begin(),
                             model.coordinates.begin() + static_cast<std::ptrdiff_t>(target.modes));

@@ -23,14 +23,15 @@ struct Target {
 };
 
 /// Throws InputError if `installed` lacks a motion effect of the file.
-Target target_of(const TomlTable& root, const CompiledModel& model, std::span<const InstalledEffect> installed);
+Target target_of(const TomlTable& root, const CompiledModel& model, std::span<const InstalledEffect> installed,
+                 const EffectCatalogue& catalogue);
 
 /// Calls use(effect, installed) for every motion effect.
 template <class Use>
 void each_motion_effect(const Target& target, const Use& use) {
   std::size_t next = 0;
   for (const ExperimentEffect& effect : target.effects)
-    if (effect.kind == ExperimentEffect::Kind::motion) use(effect, target.installed[next++]);
+    if (effect.is_motion()) use(effect, target.installed[next++]);
 }
 
 /// "a, b, c".
@@ -50,6 +51,7 @@ void read_anti_alias(const TomlTable& root, Experiment& experiment);
 
 /// [shaker], [[fault]], [[effect]]: experiment_faults.cpp. After channels and shapes.
 void read_shaker(const TomlTable& root, const Target& target, Experiment& experiment);
-void read_faults_and_effects(const TomlTable& root, const Target& target, Experiment& experiment);
+void read_faults_and_effects(const TomlTable& root, const Target& target, const EffectCatalogue& catalogue,
+                             Experiment& experiment);
 
 }  // namespace secular

@@ -165,6 +165,8 @@ class Motion {
     supplied_at_ = time;
     for (std::size_t e = 0; e < phases_.size(); ++e)
       samples_[settings_.slip_elements[e].excitation] = {elastic(x, e), 0, 0};
+    for (const LawElement& e : settings_.law_elements)
+      samples_[e.excitation] = {e.law(x[e.mode], one_side(x)[e.mode], e.shape, 1), 0, 0};
     for (const std::size_t clock : settings_.clocks) samples_[clock] = {settings_.clock_origin + time, 1, 0};
     if (settings_.armature) move_base(x);
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "effects/force_law.hpp"
 #include "estimator/model/compiled_model.hpp"
 #include "motion/simulate/stepper.hpp"
 
@@ -25,6 +26,14 @@ struct MotionSample {
 struct SlipElement {
   std::size_t mode = 0, excitation = 0;
   double slip = 0;
+};
+
+/// A force of one mode by a law of its displacement and velocity, handed to the model as the value of an
+/// excitation.
+struct LawElement {
+  std::size_t mode = 0, excitation = 0;
+  ForceLaw::Value law = nullptr;
+  double shape = 0;
 };
 
 /// Shaker between command and base: an armature on its suspension, driven by a force that would give it the
@@ -48,6 +57,7 @@ struct MotionSettings {
   double fixed_step = 0;              ///< s, of runge_kutta_4; 0: a sixteenth of `step`
   std::string label = "motion";       ///< names the record in messages
   std::vector<SlipElement> slip_elements;
+  std::vector<LawElement> law_elements;
   std::vector<std::size_t> clocks;  ///< excitations whose value is the time plus `clock_origin`
   double clock_origin = 0;
   std::optional<Armature> armature;  ///< of the first excitation

@@ -39,23 +39,22 @@ void apply_sensor_faults(const std::vector<SensorFault>& faults, const std::vect
   if (faults.empty()) return;
   const std::vector<double> excitation = excited ? record.channels[0] : std::vector<double>{};
   for (std::size_t c = 0; c < names.size(); ++c)
-    for (const auto kind : {SensorFault::Kind::gain, SensorFault::Kind::offset, SensorFault::Kind::cross_axis,
-                            SensorFault::Kind::skew})
+    for (const auto kind : {ChannelFault::gain, ChannelFault::offset, ChannelFault::cross_axis, ChannelFault::skew})
       for (const SensorFault& fault : faults) {
         if (fault.kind != kind || fault.channel != names[c]) continue;
         std::vector<double>& samples = record.channels[c];
         for (std::size_t i = 0; i < samples.size(); ++i) {
-          if (kind == SensorFault::Kind::gain) samples[i] *= fault.strength;
-          if (kind == SensorFault::Kind::offset) samples[i] += fault.strength;
-          if (kind == SensorFault::Kind::cross_axis) samples[i] += fault.strength * excitation[i];
+          if (kind == ChannelFault::gain) samples[i] *= fault.strength;
+          if (kind == ChannelFault::offset) samples[i] += fault.strength;
+          if (kind == ChannelFault::cross_axis) samples[i] += fault.strength * excitation[i];
         }
-        if (kind == SensorFault::Kind::skew) samples = delayed(samples, fault.strength * record.sample_rate_hz);
+        if (kind == ChannelFault::skew) samples = delayed(samples, fault.strength * record.sample_rate_hz);
       }
 }
 
 void clip(const std::vector<SensorFault>& faults, const std::string& name, std::vector<double>& samples) {
   for (const SensorFault& fault : faults)
-    if (fault.kind == SensorFault::Kind::clipping && fault.channel == name)
+    if (fault.kind == ChannelFault::clipping && fault.channel == name)
       for (double& x : samples) x = std::clamp(x, -fault.strength, fault.strength);
 }
 

@@ -5,10 +5,17 @@
 
 #include <cmath>
 #include <numeric>
+#include <ostream>
 
 #include "generated/registry.hpp"
 
 namespace secular {
+
+// For the tests' names: a law's function has another address in every run.
+inline void PrintTo(const ForceLaw& law, std::ostream* out) {
+  *out << "law of kind " << static_cast<int>(law.kind);
+}
+
 namespace {
 
 using Complex = std::complex<double>;
@@ -17,7 +24,7 @@ using Eigen::MatrixXcd;
 
 // One mode with quadratic inertia, so that a force's share of the acceleration depends on the displacement, driven
 // by a force that a law of the motion supplies in place of the excitation.
-class SweepWithForce : public testing::TestWithParam<StateForce::Law> {
+class SweepWithForce : public testing::TestWithParam<ForceLaw> {
  protected:
   std::size_t symbol(const std::string& name) const {
     for (std::size_t s = 0; s < model.symbols.size(); ++s)
@@ -30,7 +37,7 @@ class SweepWithForce : public testing::TestWithParam<StateForce::Law> {
     force.law = GetParam();
     force.strength_symbol = symbol("eta1");
     force.shape_symbol = symbol("mu3");
-    force.scale = is_of_velocity(force.law) ? 0.1 : 1e-3;
+    force.scale = force.law.of_velocity ? 0.1 : 1e-3;
     return force;
   }
 
@@ -50,7 +57,7 @@ class SweepWithForce : public testing::TestWithParam<StateForce::Law> {
     values[symbol("alpha3")] = 1e6;
     values[symbol("delta2")] = 60;
     values[symbol("eta1")] = strength;
-    values[symbol("mu3")] = has_memory(GetParam()) ? 4e-4 : 1.7;  // slip displacement, exponent
+    values[symbol("mu3")] = GetParam().has_memory() ? 4e-4 : 1.7;  // slip displacement, exponent
     return values;
   }
 
@@ -106,9 +113,8 @@ TEST_P(SweepWithForce, ParametersMoveTheResidualAsDifferencesSay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, SweepWithForce,
-                         testing::Values(StateForce::Law::slider, StateForce::Law::spread_slider,
-                                         StateForce::Law::smooth_slider, StateForce::Law::velocity_power,
-                                         StateForce::Law::displacement_power));
+                         testing::Values(force_law::slider, force_law::spread_slider, force_law::smooth_slider,
+                                         force_law::velocity_power, force_law::displacement_power));
 
 }  // namespace
 }  // namespace secular

@@ -91,7 +91,7 @@ TEST(Diagnosis, NamesTheOneLawThatActs) {
   EXPECT_GT(drag.gap.closed, 0.9);
   ASSERT_TRUE(drag.gap.placebo_closed);
   EXPECT_NEAR(*drag.gap.placebo_closed, 0, 0.05);
-  EXPECT_EQ(drag.where.front().component, GapComponent::dissipative);
+  EXPECT_EQ(drag.where.front().component, EffectComponent::dissipative);
   const Diagnosis dry = diagnosed(model, simulated(model, pendulum_swing(0, 0.03), 13), damping_laws);
   EXPECT_EQ(dry.cause, "coulomb_friction");
 }
@@ -216,7 +216,7 @@ TEST(SlowDiagnosis, DwellsOfAParametricResonance) {
   EXPECT_EQ(diagnosed(model, data, {}).verdict, "no_gap");
   const Diagnosis d = diagnosed(model, data, {{"mu2", "quadratic_damping"}, {"mu3", "cubic_damping"}});
   EXPECT_EQ(d.cause, "cubic_damping");
-  EXPECT_EQ(d.where.front().component, GapComponent::dissipative);
+  EXPECT_EQ(d.where.front().component, EffectComponent::dissipative);
   EXPECT_NE(d.where.front().harmonic.find("Omega/2"), std::string::npos);
   const NextExperiment& next = d.next_experiment;
   ASSERT_TRUE(next.dwell) << next.reason;

@@ -22,13 +22,13 @@ std::vector<RowLabel> labels() {
     label.place = "v";
     label.harmonic = "Omega";
     label.balance = true;
-    for (const GapComponent part : {GapComponent::conservative, GapComponent::dissipative}) {
+    for (const EffectComponent part : {EffectComponent::conservative, EffectComponent::dissipative}) {
       label.component = part;
       all.push_back(label);
     }
     label.place = "upper";
     label.balance = false;
-    label.component = GapComponent::measurement;
+    label.component = EffectComponent::measurement;
     all.push_back(label);
   }
   return all;
@@ -46,7 +46,7 @@ TEST(GapShares, AreThoseOfTheEnergy) {
   const std::vector<GapShare> shares = gap_shares(gap, gap, labels(), nullptr);
   ASSERT_EQ(shares.size(), 2u);
   EXPECT_EQ(shares[0].mode, "v");
-  EXPECT_EQ(shares[0].component, GapComponent::dissipative);
+  EXPECT_EQ(shares[0].component, EffectComponent::dissipative);
   EXPECT_EQ(shares[0].harmonic, "Omega");
   EXPECT_DOUBLE_EQ(shares[0].share, 0.9);
   EXPECT_EQ(shares[0].region, "all amplitudes");
@@ -66,7 +66,7 @@ TEST(GapShares, DoNotDependOnTheSizeOfTheGap) {
 TEST(GapShares, OfAPairGoToThePartThatTheForceIsIn) {
   const std::vector<GapShare> shares = gap_shares(rows(2, 2, 0), rows(0, 5, 0), labels(), nullptr);
   ASSERT_EQ(shares.size(), 1u);
-  EXPECT_EQ(shares[0].component, GapComponent::dissipative);
+  EXPECT_EQ(shares[0].component, EffectComponent::dissipative);
   EXPECT_DOUBLE_EQ(shares[0].share, 1);
 }
 
@@ -79,12 +79,12 @@ TEST(GapShares, SayWhereTheAmplitudeIsLarge) {
 
 TEST(GapShares, OfANamedForceAreItsOwn) {
   Candidate named;
-  named.component = GapComponent::parametric_excitation;
+  named.component = EffectComponent::parametric_excitation;
   named.equation = true;
   const VectorXd gap = rows(2, 2, 0);
   const std::vector<GapShare> shares = gap_shares(gap, gap, labels(), &named);
   ASSERT_EQ(shares.size(), 1u);
-  EXPECT_EQ(shares[0].component, GapComponent::parametric_excitation);
+  EXPECT_EQ(shares[0].component, EffectComponent::parametric_excitation);
 }
 
 }  // namespace

@@ -27,12 +27,12 @@ std::vector<RowLabel> labels() {
     label.level = 1 + d / 10;
     label.frequency = 60 + 0.1 * ((d * 3) % 10);
     label.balance = true;
-    for (const GapComponent part : {GapComponent::conservative, GapComponent::dissipative}) {
+    for (const EffectComponent part : {EffectComponent::conservative, EffectComponent::dissipative}) {
       label.component = part;
       all.push_back(label);
     }
     label.balance = false;
-    label.component = GapComponent::measurement;
+    label.component = EffectComponent::measurement;
     all.insert(all.end(), 6, label);
   }
   return all;
@@ -42,7 +42,7 @@ std::vector<RowLabel> labels() {
 VectorXd bend(const std::vector<RowLabel>& rows) {
   VectorXd bend = VectorXd::Zero(static_cast<Index>(rows.size()));
   for (std::size_t r = 0; r < rows.size(); ++r)
-    if (rows[r].balance && rows[r].component == GapComponent::conservative)
+    if (rows[r].balance && rows[r].component == EffectComponent::conservative)
       bend(static_cast<Index>(r)) = std::pow(rows[r].amplitude, 2);
   return bend.normalized();
 }
@@ -87,7 +87,7 @@ TEST(SmoothRemainder, SeesWhatIsSpreadOut) {
   // One of the functions themselves is no function to look for any more.
   fit.jacobian = MatrixXd::Zero(fit.rows.size(), 1);
   for (std::size_t r = 0; r < rows.size(); ++r)
-    if (rows[r].balance && rows[r].component == GapComponent::dissipative)
+    if (rows[r].balance && rows[r].component == EffectComponent::dissipative)
       fit.jacobian(static_cast<Index>(r), 0) = 1;
   EXPECT_EQ(smooth_remainder(fit, rows).freedom, 17);
 }

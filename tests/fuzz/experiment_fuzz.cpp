@@ -39,7 +39,7 @@ void read(const std::filesystem::path& path) {
   // Every effect of the motion stands in the model as a term of the first mode.
   std::vector<secular::InstalledEffect> installed;
   for (const secular::ExperimentEffect& effect : secular::read_experiment_effects(path))
-    if (effect.kind == secular::ExperimentEffect::Kind::motion) installed.push_back({{"coulomb"}, 0});
+    if (effect.is_motion()) installed.push_back({{"coulomb"}, 0});
   secular::read_experiment(path, model(), installed);
 }
 

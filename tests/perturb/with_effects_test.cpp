@@ -81,12 +81,15 @@ excitation = false
 TEST(WithEffects, EveryEffectIsOfferedForEveryModeAndPair) {
   const std::vector<EffectTerm> terms = applicable_effects(two_modes());
   std::set<std::string> effects;
-  for (const CatalogueEntry& entry : effect_catalogue()) {
-    const auto count = std::count_if(terms.begin(), terms.end(), [&](const EffectTerm& term) {
-      return term.effect == entry.effect && term.form == entry.form;
-    });
-    EXPECT_EQ(count, entry.symmetric ? 1 : 2) << entry.effect;
-    effects.insert(std::string(entry.effect));
+  for (const Effect& effect : effect_catalogue().effects) {
+    if (effect.kind != Effect::Kind::term) continue;
+    for (std::size_t f = 0; f < effect.forms.size(); ++f) {
+      const auto count = std::count_if(terms.begin(), terms.end(), [&](const EffectTerm& term) {
+        return term.effect == effect.name && term.form == f;
+      });
+      EXPECT_EQ(count, effect.forms[f].symmetric ? 1 : 2) << effect.name;
+    }
+    effects.insert(effect.name);
   }
   EXPECT_EQ(effects.size(), 20u);
   EXPECT_EQ(terms.back().effect, "extra_mode");
@@ -105,11 +108,11 @@ TEST(WithEffects, SymbolsAreNamedByStemAndCoordinate) {
   EXPECT_EQ(augmented.effects[0].parameters, Names{"alpha5_v"});
   EXPECT_EQ(augmented.effects[1].parameters, (Names{"kf_v", "gap_v"}));
   EXPECT_EQ(augmented.effects[2].parameters, (Names{"kh_v", "slip_v"}));
-  EXPECT_EQ(augmented.effects[2].memory, 1u);
+  EXPECT_EQ(augmented.effects[2].signal, 1u);
   EXPECT_EQ(augmented.effects[3].parameters, (Names{"eta1_extra", "omega_extra", "mu1_extra"}));
   EXPECT_EQ(augmented.effects[3].added_mode, 1u);
   EXPECT_EQ(augmented.effects[4].parameters, Names{"drift_extra"});
-  EXPECT_EQ(augmented.effects[4].memory, 2u);
+  EXPECT_EQ(augmented.effects[4].signal, 2u);
   EXPECT_EQ(augmented.effects[5].parameters, Names{"mu12_v_extra"});
   EXPECT_EQ(augmented.model.modes.size(), 2u);
   EXPECT_EQ(augmented.model.excitations.size(), 3u);

@@ -169,7 +169,7 @@ TEST_F(ModelEffects, AccelerationsAreThoseOfTheTermsByHand) {
         const std::size_t j = term.other == EffectTerm::none ? term.mode : term.other;
         const auto [own, other] = by_hand(
             {p.displacement[term.mode], p.velocity[term.mode], a[term.mode], p.displacement[j], p.velocity[j],
-             p.excitation[0].value, added.memory == EffectTerm::none ? 0 : p.excitation[added.memory].value,
+             p.excitation[0].value, added.signal == EffectTerm::none ? 0 : p.excitation[added.signal].value,
              p.parameters[term.mode], p.parameters[index_of(*code, added.parameters[0])],
              added.parameters.size() > 1 ? p.parameters[index_of(*code, added.parameters[1])] : 0});
         expected[term.mode] += own;

@@ -126,7 +126,7 @@ TEST(SensorFaults, DoWhatTheirNamesSay) {
     clean.channels[0][i] = base(static_cast<double>(i) / 256);
     clean.channels[1][i] = response(static_cast<double>(i) / 256);
   }
-  using enum SensorFault::Kind;
+  using enum ChannelFault;
   Record r = clean;
   apply_sensor_faults({{gain, "v", 1.1}, {offset, "v", 0.01}, {cross_axis, "v", 0.2}}, {"base", "v"}, true, r);
   EXPECT_NEAR(r.channels[1][77], 1.1 * clean.channels[1][77] + 0.01 + 0.2 * clean.channels[0][77], 1e-15);

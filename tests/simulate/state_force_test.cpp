@@ -31,22 +31,26 @@ double work(const RowVectorXd& signal, const RowVectorXd& path) {
   return sum;
 }
 
+double value_of(const StateForce& force, double displacement, double velocity, double exponent) {
+  return force.law.value(displacement, velocity, exponent, force.scale);
+}
+
 TEST(StateForce, PowersAreInTheScaleOfTheForceAndOddButForOneSidedDamping) {
   StateForce force;
   force.scale = 2;
-  force.law = StateForce::Law::displacement_power;
-  EXPECT_DOUBLE_EQ(power_law(force, 3, 7, 3), 27.0 / 4);
-  EXPECT_DOUBLE_EQ(power_law(force, -3, 7, 3), -27.0 / 4);
-  EXPECT_DOUBLE_EQ(power_law(force, 3, 7, 1), 3);
-  EXPECT_EQ(power_law(force, 0, 7, 0), 0);
-  force.law = StateForce::Law::velocity_power;
-  EXPECT_DOUBLE_EQ(power_law(force, 3, -4, 2), -8);
-  EXPECT_DOUBLE_EQ(power_law(force, 3, -4, 0), -2);
-  force.law = StateForce::Law::loss_power;
-  EXPECT_DOUBLE_EQ(power_law(force, -4, -5, 2), -20);
-  force.law = StateForce::Law::speed_power;
-  EXPECT_DOUBLE_EQ(power_law(force, 3, -4, 2), 8);
-  EXPECT_DOUBLE_EQ(power_law(force, 3, 4, 1), 4);
+  force.law = force_law::displacement_power;
+  EXPECT_DOUBLE_EQ(value_of(force, 3, 7, 3), 27.0 / 4);
+  EXPECT_DOUBLE_EQ(value_of(force, -3, 7, 3), -27.0 / 4);
+  EXPECT_DOUBLE_EQ(value_of(force, 3, 7, 1), 3);
+  EXPECT_EQ(value_of(force, 0, 7, 0), 0);
+  force.law = force_law::velocity_power;
+  EXPECT_DOUBLE_EQ(value_of(force, 3, -4, 2), -8);
+  EXPECT_DOUBLE_EQ(value_of(force, 3, -4, 0), -2);
+  force.law = force_law::loss_power;
+  EXPECT_DOUBLE_EQ(value_of(force, -4, -5, 2), -20);
+  force.law = force_law::speed_power;
+  EXPECT_DOUBLE_EQ(value_of(force, 3, -4, 2), 8);
+  EXPECT_DOUBLE_EQ(value_of(force, 3, 4, 1), 4);
 }
 
 // Slips spread evenly between 0 and `slip`: a swing of amplitude A < slip loses the integral of 4 f (A - f) df/slip
@@ -54,7 +58,7 @@ TEST(StateForce, PowersAreInTheScaleOfTheForceAndOddButForOneSidedDamping) {
 // more than half of them slip.
 TEST(StateForce, MicroSlipLosesTheCubeOfTheAmplitude) {
   StateForce force;
-  force.law = StateForce::Law::spread_slider;
+  force.law = force_law::spread_slider;
   const double slip = 0.5;
   for (const double amplitude : {0.3, 0.4, 0.5}) {
     const RowVectorXd path = harmonic(amplitude, 0.2, 4000);
@@ -108,14 +112,14 @@ TEST(StateForce, SmoothSliderClosesWithItsPath) {
 
 TEST(StateForce, SlidersAreSpringsBelowTheirSlipAndGiveWayToItsMeanAbove) {
   StateForce force;
-  force.law = StateForce::Law::spread_slider;
+  force.law = force_law::spread_slider;
   const RowVectorXd small = harmonic(0.03, 0, 400), large = harmonic(40, 0, 4000);
   const MatrixXd rest = MatrixXd::Zero(1, 4000);
   // The smallest slip is a sixteenth of the largest.
   const RowVectorXd elastic = signal_over_turn(force, small, rest.leftCols(400), 0.5);
   EXPECT_LT(((elastic - small).array() - (elastic - small)(0)).abs().maxCoeff(), 1e-12);
   EXPECT_NEAR(signal_over_turn(force, large, rest, 0.5).maxCoeff(), 0.25, 1e-12);
-  force.law = StateForce::Law::slider;
+  force.law = force_law::slider;
   EXPECT_NEAR(signal_over_turn(force, large, rest, 0.5).maxCoeff(), 0.5, 1e-12);
 }
 

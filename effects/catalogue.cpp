@@ -1,0 +1,244 @@
+#include "effects/catalogue.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace secular {
+namespace {
+
+using Component = EffectComponent;
+using Kind = Effect::Kind;
+using Order = EffectForm::Order;
+using Shape = EffectForm::Shape;
+
+// Couplings are Lagrangian: from V = c v^2 u, V = c v^2 u^2/2 and V = c v^3 u.
+std::vector<Effect> rows() {
+  return {
+      {.name = "viscous_damping",
+       .component = Component::dissipative,
+       .forms = {{.parameters = "mu1", .term = "-2*{0}*D({v})"}}},
+      {.name = "quadratic_damping",
+       .component = Component::dissipative,
+       .forms = {{.parameters = "mu2", .term = "-{0}*abs(D({v}))*D({v})", .degree = 2, .order = Order::last}},
+       .sign_known = true},
+      {.name = "cubic_damping",
+       .component = Component::dissipative,
+       .forms = {{.parameters = "mu3", .term = "-{0}*D({v})^3", .degree = 3}},
+       .mistaken_for = {"amplitude_dependent_damping"}},
+      {.name = "coulomb_friction",
+       .component = Component::dissipative,
+       .forms = {{.parameters = "fc", .term = "-{0}*sgn(D({v}))", .order = Order::last}},
+       .sign_known = true,
+       .mistaken_for = {"hysteresis"}},
+      {.name = "amplitude_dependent_damping",
+       .component = Component::dissipative,
+       .forms = {{.parameters = "mu4", .term = "-{0}*{v}^2*D({v})", .degree = 3}},
+       .mistaken_for = {"cubic_damping"}},
+      {.name = "quadratic_stiffness",
+       .component = Component::conservative,
+       .forms = {{.parameters = "alpha2", .term = "-{0}*{v}^2", .degree = 2, .order = Order::first}},
+       .mistaken_for = {"quadratic_inertia"}},
+      {.name = "cubic_stiffness",
+       .component = Component::conservative,
+       .forms = {{.parameters = "alpha3", .term = "-{0}*{v}^3", .degree = 3}},
+       .mistaken_for = {"cubic_inertia"}},
+      {.name = "quintic_stiffness",
+       .component = Component::conservative,
+       .forms = {{.parameters = "alpha5", .term = "-{0}*{v}^5", .degree = 5}}},
+      {.name = "bilinear_stiffness",
+       .component = Component::conservative,
+       .forms = {{.parameters = "kb", .term = "-{0}*max({v}, 0)", .order = Order::last}}},
+      // The stiffness kf that is lost within the gap: kf*(v - max(v - gap, 0) - min(v + gap, 0)).
+      {.name = "freeplay",
+       .component = Component::conservative,
+       .forms = {{.parameters = "kf gap",
+                  .term = "+{0}/2*(abs({v} + {1}) - abs({v} - {1}))",
+                  .order = Order::last}},
+       .sign_known = true},
+      {.name = "quadratic_inertia",
+       .component = Component::conservative,
+       .forms = {{.parameters = "delta2",
+                  .term = "-{0}*(2*{v}*D2({v}) + D({v})^2)",
+                  .degree = 2,
+                  .order = Order::first}},
+       .mistaken_for = {"quadratic_stiffness"}},
+      {.name = "cubic_inertia",
+       .component = Component::conservative,
+       .forms = {{.parameters = "delta3", .term = "-{0}*({v}^2*D2({v}) + {v}*D({v})^2)", .degree = 3}},
+       .mistaken_for = {"cubic_stiffness"}},
+      // A joint that slips at once, little by little, and ever more the further it is loaded.
+      {.name = "hysteresis",
+       .component = Component::dissipative,
+       .forms = {{.parameters = "kh slip", .term = "-{0}*{s}", .order = Order::outside, .law = force_law::slider},
+                 {.parameters = "ki spread",
+                  .term = "-{0}*{s}",
+                  .order = Order::outside,
+                  .law = force_law::spread_slider},
+                 {.parameters = "kz yield",
+                  .term = "-{0}*{s}",
+                  .order = Order::outside,
+                  .law = force_law::smooth_slider}},
+       .sign_known = true,
+       .mistaken_for = {"coulomb_friction"}},
+      {.name = "direct_excitation",
+       .component = Component::direct_excitation,
+       .forms = {{.parameters = "eta1", .term = "+{0}*{F}", .order = Order::unless_resonant}}},
+      {.name = "parametric_excitation",
+       .component = Component::parametric_excitation,
+       .forms = {{.parameters = "eta2", .term = "+{0}*{v}*{F}", .order = Order::unless_resonant}}},
+      {.name = "damping_coupling",
+       .component = Component::coupling,
+       .forms = {{.parameters = "mu12", .term = "-{0}*D({u})", .order = Order::first}}},
+      {.name = "quadratic_coupling",
+       .component = Component::coupling,
+       .forms = {{.parameters = "c21",
+                  .term = "-2*{0}*{v}*{u}",
+                  .other_term = "-{0}*{v}^2",
+                  .degree = 2,
+                  .order = Order::first}}},
+      {.name = "cubic_coupling",
+       .component = Component::coupling,
+       .forms = {{.parameters = "c22",
+                  .term = "-{0}*{v}*{u}^2",
+                  .other_term = "-{0}*{v}^2*{u}",
+                  .degree = 3,
+                  .symmetric = true},
+                 {.parameters = "c31", .term = "-3*{0}*{v}^2*{u}", .other_term = "-{0}*{v}^3", .degree = 3}}},
+      // The second form: through an energy -F*eta*v*u, as every parametric excitation of elastic or gravitational
+      // origin.
+      {.name = "parametric_coupling",
+       .component = Component::coupling,
+       .forms = {{.parameters = "eta12", .term = "+{0}*{u}*{F}", .order = Order::unless_resonant},
+                 {.parameters = "eta12_sym",
+                  .term = "+{0}*{u}*{F}",
+                  .other_term = "+{0}*{v}*{F}",
+                  .order = Order::unless_resonant,
+                  .symmetric = true}}},
+      {.name = "extra_mode",
+       .component = Component::direct_excitation,
+       .kind = Kind::extra_mode,
+       .mistaken_for = {"sensor_cross_axis"}},
+      // omega = omega0*(1 + drift*t): omega^2 grows by 2*omega0^2*drift*t.
+      {.name = "natural_frequency_drift",
+       .component = Component::conservative,
+       .forms = {{.parameters = "drift",
+                  .term = "-2*{w}^2*{0}*{v}*{s}",
+                  .order = Order::outside,
+                  .law = force_law::time}}},
+      {.name = "shaker_harmonics", .component = Component::direct_excitation, .kind = Kind::shaker_harmonics},
+      {.name = "sensor_gain",
+       .kind = Kind::channel_fault,
+       .fault = ChannelFault::gain,
+       .mistaken_for = {"mode_shape_error", "parameters"}},
+      {.name = "sensor_offset", .kind = Kind::channel_fault, .fault = ChannelFault::offset},
+      {.name = "sensor_cross_axis",
+       .kind = Kind::channel_fault,
+       .fault = ChannelFault::cross_axis,
+       .mistaken_for = {"extra_mode"}},
+      {.name = "channel_skew", .kind = Kind::channel_fault, .fault = ChannelFault::skew},
+      {.name = "clipping", .kind = Kind::channel_fault, .sign_known = true, .fault = ChannelFault::clipping},
+      {.name = "mode_shape_error", .kind = Kind::mode_shape_error, .mistaken_for = {"sensor_gain"}},
+      {.name = "parameters", .kind = Kind::parameters, .mistaken_for = {"sensor_gain"}},
+      {.name = "open_stiffness",
+       .component = Component::conservative,
+       .kind = Kind::open_law,
+       .forms = {{.parameters = "ku pu",
+                  .term = "-{0}*{s}",
+                  .order = Order::outside,
+                  .law = force_law::displacement_power,
+                  .shape = Shape::exponent}}},
+      {.name = "open_damping",
+       .component = Component::dissipative,
+       .kind = Kind::open_law,
+       .forms = {{.parameters = "cu qu",
+                  .term = "-{0}*{s}",
+                  .order = Order::outside,
+                  .law = force_law::velocity_power,
+                  .shape = Shape::exponent}}},
+      {.name = "open_loss",
+       .component = Component::dissipative,
+       .kind = Kind::open_law,
+       .forms = {{.parameters = "lu ru",
+                  .term = "-{0}*{s}",
+                  .order = Order::outside,
+                  .law = force_law::loss_power,
+                  .shape = Shape::exponent}}},
+      {.name = "open_one_sided_damping",
+       .component = Component::dissipative,
+       .kind = Kind::open_law,
+       .forms = {{.parameters = "su tu",
+                  .term = "-{0}*{s}",
+                  .order = Order::outside,
+                  .law = force_law::speed_power,
+                  .shape = Shape::exponent}}},
+  };
+}
+
+template <class Rows, class Match>
+const Effect* first(const Rows& effects, const Match& match) {
+  const auto found = std::find_if(effects.begin(), effects.end(), match);
+  return found == effects.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string to_string(EffectComponent component) {
+  switch (component) {
+    case EffectComponent::conservative:
+      return "conservative";
+    case EffectComponent::dissipative:
+      return "dissipative";
+    case EffectComponent::direct_excitation:
+      return "direct_excitation";
+    case EffectComponent::parametric_excitation:
+      return "parametric_excitation";
+    case EffectComponent::coupling:
+      return "coupling";
+    case EffectComponent::measurement:
+      break;
+  }
+  return "measurement";
+}
+
+bool EffectForm::couples() const {
+  return term.find("{u}") != std::string::npos;
+}
+
+bool EffectForm::needs_excitation() const {
+  return term.find("{F}") != std::string::npos;
+}
+
+std::vector<std::string> EffectForm::parameter_names() const {
+  std::istringstream stream(parameters);
+  std::vector<std::string> names;
+  for (std::string name; stream >> name;) names.push_back(name);
+  return names;
+}
+
+bool Effect::is_of_time() const {
+  return !forms.empty() && forms.front().law.kind == ForceLaw::Kind::time;
+}
+
+const Effect* EffectCatalogue::find(std::string_view name) const {
+  return first(effects, [&](const Effect& effect) { return effect.name == name; });
+}
+
+const Effect* EffectCatalogue::find(Effect::Kind kind) const {
+  return first(effects, [&](const Effect& effect) { return effect.kind == kind; });
+}
+
+const Effect* EffectCatalogue::find(ChannelFault fault) const {
+  return first(effects, [&](const Effect& effect) { return effect.fault == fault; });
+}
+
+const EffectForm* EffectCatalogue::find_form(std::string_view name, std::size_t form) const {
+  const Effect* effect = find(name);
+  return effect && form < effect->forms.size() ? &effect->forms[form] : nullptr;
+}
+
+const EffectCatalogue& effect_catalogue() {
+  static const EffectCatalogue catalogue{rows()};
+  return catalogue;
+}
+
+}  // namespace secular
