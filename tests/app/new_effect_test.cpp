@@ -1,0 +1,201 @@
+// A row in the catalogue is all that a new effect takes: derivation, experiment and diagnosis know it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "app/diagnose/diagnosis_run.hpp"
+#include "app/simulate/experiment_loading.hpp"
+#include "codegen/canonical/canonical_model.hpp"
+#include "codegen/document/print_text.hpp"
+#include "effects/catalogue.hpp"
+#include "input/input_error.hpp"
+#include "measure/data/campaign_writer.hpp"
+#include "motion/simulate/virtual_test.hpp"
+#include "perturb/with_effects.hpp"
+#include "tests/campaign/temporary_folder.hpp"
+
+namespace secular::app {
+namespace {
+
+constexpr const char* swing_model = R"toml(schema = 1
+name = "swing"
+[[mode]]
+coordinate = "x"
+frequency = "w"
+equation = "D2(x) + w^2*x = -2*c1*D(x) - k3*x^3"
+[[case]]
+name = "decay"
+order = { c1 = 1, k3 = 1 }
+expand_to = 1
+excitation = false
+[nominal]
+w = 40
+)toml";
+
+std::string swings(const std::string& effect) {
+  return R"toml(schema = 1
+name = "swings"
+model = "swing.toml"
+sample_rate_hz = 128.0
+[parameters]
+w = 40.0
+c1 = 0.25
+k3 = 4000.0
+[[response]]
+name = "x"
+quantity = "displacement"
+unit = "m"
+noise_sd = 1e-4
+[[free_decay]]
+initial_displacement = [0.04]
+duration_s = 5.0
+[[free_decay]]
+initial_displacement = [0.05]
+duration_s = 5.0
+[[effect]]
+)toml" + effect;
+}
+
+// Made up: a loss that grows as the fourth power of the displacement, as text.
+Effect quartic_loss() {
+  return {.name = "quartic_loss",
+          .component = EffectComponent::dissipative,
+          .forms = {{.parameters = "mu6", .term = "-{0}*{v}^4*D({v})", .degree = 5}},
+          .sign_known = true,
+          .mistaken_for = {"amplitude_dependent_damping"}};
+}
+
+// Made up: a spring that gives no more than strength times level, as a law with a shape.
+Effect yielding_spring() {
+  constexpr ForceLaw::Value law = [](double x, double, double level, double) {
+    return level * std::tanh(x / level);
+  };
+  return {.name = "yielding_spring",
+          .component = EffectComponent::conservative,
+          .forms = {{.parameters = "ky level",
+                     .term = "-{0}*{s}",
+                     .order = EffectForm::Order::outside,
+                     .law = {ForceLaw::Kind::state, law}}}};
+}
+
+class NewEffect : public TemporaryFolder {
+ protected:
+  void SetUp() override {
+    TemporaryFolder::SetUp();
+    model_ = write("swing.toml", swing_model).string();
+  }
+
+  static EffectCatalogue with(const Effect& row) {
+    EffectCatalogue catalogue = effect_catalogue();
+    catalogue.effects.push_back(row);
+    return catalogue;
+  }
+
+  LoadedExperiment loaded(const std::string& effect, const EffectCatalogue& catalogue) const {
+    return load_experiment(write("swings.toml", swings(effect)), true, catalogue);
+  }
+
+  Diagnosis diagnosed(const std::string& effect, const EffectCatalogue& catalogue) const {
+    const auto [model, experiment] = loaded(effect, catalogue);
+    CampaignWriter writer(folder_ / "campaign");
+    const RecordSink keep = [&writer](const Campaign& made, const RecordEntry& entry, Record&& record) {
+      writer.write(made, entry, record);
+    };
+    writer.finish(run_virtual_test(experiment, *model, 5, 1, keep, {}));
+    DiagnosisRequest request;
+    request.campaign = (folder_ / "campaign").string();
+    request.model = model_;
+    request.catalogue = catalogue;
+    request.interpret = true;
+    return run_diagnosis(request).diagnosis;
+  }
+
+  std::string model_;
+};
+
+TEST_F(NewEffect, IsDerived) {
+  const EffectCatalogue catalogue = with(quartic_loss());
+  const Model model = read_model(model_);
+  const EffectTerm term = parse_effect_term("quartic_loss", model, catalogue);
+  const CanonicalModel derived = canonical_model(with_effects(model, {&term, 1}, catalogue).model);
+  EXPECT_TRUE(derived.cases.front().certificate.holds);
+  EXPECT_NE(derivation_text(derived).find("mu6_x"), std::string::npos);
+  EXPECT_THROW(parse_effect_term("quartic_loss", model), InputError);
+}
+
+TEST_F(NewEffect, IsRefusedWithoutItsRowAndWithoutItsKey) {
+  EXPECT_THROW(loaded("name = \"quartic_loss\"\nstrength = 4e5\n", effect_catalogue()), InputError);
+  EXPECT_THROW(loaded("name = \"yielding_spring\"\nstrength = 60.0\n", with(yielding_spring())), InputError);
+}
+
+// A law that jumps with the velocity sticks where the same text does.
+TEST_F(NewEffect, ThatJumpsIsIntegratedAsItsTextIs) {
+  constexpr ForceLaw::Value sign = [](double, double v, double, double) {
+    return v > 0 ? 1.0 : v < 0 ? -1.0 : 0.0;
+  };
+  const Effect dry = {.name = "dry_law",
+                      .component = EffectComponent::dissipative,
+                      .forms = {{.parameters = "fl",
+                                 .term = "-{0}*{s}",
+                                 .order = EffectForm::Order::outside,
+                                 .law = {ForceLaw::Kind::state, sign}}}};
+  const auto simulated = [&](const std::string& name) {
+    const auto [model, experiment] = loaded("name = \"" + name + "\"\nstrength = 2.0\n", with(dry));
+    return run_virtual_test(experiment, *model, 5, 1).samples.front().channels.front();
+  };
+  const std::vector<double> law = simulated("dry_law"), text = simulated("coulomb_friction");
+  ASSERT_EQ(law.size(), text.size());
+  for (std::size_t i = 0; i < law.size(); ++i) EXPECT_NEAR(law[i], text[i], 1e-9) << i;
+}
+
+class SlowNewEffect : public NewEffect {};
+
+TEST_F(SlowNewEffect, OfTextIsSimulatedAndNamed) {
+  const Diagnosis d = diagnosed("name = \"quartic_loss\"\nstrength = 4e5\n", with(quartic_loss()));
+  EXPECT_EQ(d.cause, "quartic_loss") << d.verdict;
+  ASSERT_FALSE(d.causes.empty());
+  EXPECT_NEAR(d.causes.front().coefficient, 4e5, 4 * d.causes.front().sd);
+  ASSERT_FALSE(d.where.empty());
+  EXPECT_EQ(d.where.front().component, EffectComponent::dissipative);
+}
+
+TEST_F(SlowNewEffect, WithALawIsSimulatedAndNamed) {
+  const Diagnosis d =
+      diagnosed("name = \"yielding_spring\"\nstrength = 60.0\nlevel = 0.015\n", with(yielding_spring()));
+  EXPECT_EQ(d.cause, "yielding_spring") << d.verdict;
+  ASSERT_FALSE(d.causes.empty());
+  EXPECT_NEAR(d.causes.front().coefficient, 60, 4 * d.causes.front().sd);
+  EXPECT_EQ(d.where.front().component, EffectComponent::conservative);
+}
+
+// What rows say of each other.
+TEST(Catalogue, HoldsOnlyRowsThatTheProgramCanFollow) {
+  const EffectCatalogue& catalogue = effect_catalogue();
+  for (const Effect& effect : catalogue.effects) {
+    EXPECT_EQ(catalogue.find(effect.name), &effect) << effect.name << " is there twice";
+    const bool of_text = effect.kind == Effect::Kind::term || effect.kind == Effect::Kind::open_law;
+    EXPECT_EQ(of_text, !effect.forms.empty()) << effect.name;
+    EXPECT_EQ(effect.kind == Effect::Kind::channel_fault, effect.fault != ChannelFault::none) << effect.name;
+    for (const EffectForm& form : effect.forms) {
+      const std::size_t parameters = form.parameter_names().size();
+      EXPECT_GE(parameters, 1u) << effect.name;
+      EXPECT_LE(parameters, 2u) << effect.name;
+      EXPECT_EQ(form.couples(), effect.forms.front().couples()) << effect.name;
+      EXPECT_EQ(form.term.find("{s}") != std::string::npos, form.law.kind != ForceLaw::Kind::none) << effect.name;
+      EXPECT_EQ(form.law.kind == ForceLaw::Kind::state, form.law.value != nullptr) << effect.name;
+    }
+    for (const std::string& other : effect.mistaken_for) {
+      const Effect* like = catalogue.find(other);
+      ASSERT_NE(like, nullptr) << effect.name << " and " << other;
+      EXPECT_NE(std::find(like->mistaken_for.begin(), like->mistaken_for.end(), effect.name),
+                like->mistaken_for.end())
+          << other << " does not say so of " << effect.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace secular::app
