@@ -1,6 +1,7 @@
 #include "numerics/distribution.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/gamma.hpp>
@@ -33,6 +34,12 @@ double normal_upper_tail(double value) {
 
 double gamma_upper_tail(double value, double shape, double scale) {
   return boost::math::cdf(complement(boost::math::gamma_distribution<>(shape, scale), std::max(0.0, value)));
+}
+
+double binomial_upper_tail(double successes, double trials, double probability) {
+  if (successes <= 0 || probability >= 1) return 1;
+  if (successes > trials) return 0;
+  return boost::math::cdf(complement(boost::math::binomial(trials, probability), successes - 1));
 }
 
 }  // namespace secular

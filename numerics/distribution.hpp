@@ -22,4 +22,7 @@ double normal_upper_tail(double value);
 /// Gamma distribution of the given shape and scale.
 double gamma_upper_tail(double value, double shape, double scale);
 
+/// At least so many successes of `trials`.
+double binomial_upper_tail(double successes, double trials, double probability);
+
 }  // namespace secular

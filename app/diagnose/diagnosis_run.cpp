@@ -6,6 +6,7 @@
 #include "app/shared/model_loading.hpp"
 #include "app/shared/parameter_file.hpp"
 #include "input/input_error.hpp"
+#include "measure/data/watched_reader.hpp"
 
 namespace secular::app {
 namespace {
@@ -84,8 +85,10 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   std::vector<std::size_t> own;
   for (std::size_t s = 0; s < added.size(); ++s)
     if (!added[s]) own.push_back(s);
-  const RecordReader read = [&](std::size_t r) { return read_record(run.campaign, run.campaign.records[r]); };
-  run.diagnosis = diagnose(run.campaign, read, *run.model, own, effects, options);
+  WatchedReader reader(run.campaign);
+  run.diagnosis = diagnose(
+      run.campaign, [&](std::size_t r) { return reader.read(r); }, *run.model, own, effects, options);
+  for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
   return run;
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "input/input_error.hpp"
+#include "measure/data/watched_reader.hpp"
 #include "measure/observe/observation_set.hpp"
 
 namespace secular::app {
@@ -41,9 +42,10 @@ std::vector<MeasuredPoint> measured_points(const std::string& campaign_folder, c
     throw InputError("--measured " + campaign_folder, "", "'" + prediction.vary->name + "' is not what dwells vary",
                      "measured dwells are drawn over an excitation frequency or amplitude");
   const Campaign campaign = read_campaign(campaign_folder);
+  WatchedReader reader(campaign);
   const ObservationSet set = observe_dwells(
-      campaign, [&](std::size_t r) { return read_record(campaign, campaign.records[r]); }, model,
-      *prediction.resonance, Window{});
+      campaign, [&](std::size_t r) { return reader.read(r); }, model, *prediction.resonance, Window{});
+  for (std::string& warning : reader.warnings()) warnings.push_back(std::move(warning));
   // Dwells at rest are points too, on the axis: they are not left out here.
   const auto drawn = [&](const std::string& warning) {
     return std::any_of(set.at_rest.begin(), set.at_rest.end(), [&](const Observation& o) {

@@ -18,6 +18,7 @@
 #include "app/shared/model_loading.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
+#include "measure/data/watched_reader.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "thesis/procedures/combination_dwells.hpp"
 #include "thesis/procedures/engine_lumps.hpp"
@@ -117,8 +118,10 @@ void find_bias(const ProcedureRequest& request, const RecordReader& read, Proced
 
 ProcedureRun run_procedures(const ProcedureRequest& request) {
   const Campaign campaign = read_campaign(request.campaign);
-  return run_procedures(request, campaign,
-                        [&](std::size_t r) { return read_record(campaign, campaign.records[r]); });
+  WatchedReader reader(campaign);
+  ProcedureRun run = run_procedures(request, campaign, [&](std::size_t r) { return reader.read(r); });
+  for (std::string& warning : reader.warnings()) run.warnings.push_back(std::move(warning));
+  return run;
 }
 
 ProcedureRun run_procedures(const ProcedureRequest& request, const Campaign& measured, const RecordReader& read) {

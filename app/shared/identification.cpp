@@ -11,6 +11,7 @@
 #include "app/shared/model_loading.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
+#include "measure/data/watched_reader.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "measure/observe/steady_amplitude.hpp"
 #include "motion/correction/replay.hpp"
@@ -209,7 +210,10 @@ Estimate first_estimate(const Identification& id, const MeasuredUnits& units, co
 
 Identification identify(const IdentificationRequest& request) {
   const Campaign campaign = read_campaign(request.campaign);
-  return identify(request, campaign, [&](std::size_t r) { return read_record(campaign, campaign.records[r]); });
+  WatchedReader reader(campaign);
+  Identification result = identify(request, campaign, [&](std::size_t r) { return reader.read(r); });
+  for (std::string& warning : reader.warnings()) result.estimate.warnings.push_back(std::move(warning));
+  return result;
 }
 
 Identification identify(const IdentificationRequest& request, const Campaign& measured, const RecordReader& read) {

@@ -20,6 +20,7 @@
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/data_file.hpp"
+#include "measure/data/watched_reader.hpp"
 #include "measure/observe/observation_set.hpp"
 #include "measure/signal/modal_filter.hpp"
 
@@ -57,7 +58,9 @@ Columns columns_of_campaign(const Options& options) {
   if (entry == campaign.records.end())
     throw InputError((campaign.folder / "campaign.toml").string(), "",
                      "no record matches --record " + options.record, "a shell pattern on the files of [[record]]");
-  Record record = read_record(campaign, *entry);
+  WatchedReader reader(campaign);
+  Record record = reader.read(static_cast<std::size_t>(entry - campaign.records.begin()));
+  for (const std::string& warning : reader.warnings()) fmt::print(stderr, "warning: {}\n", warning);
   Columns columns;
   columns.source = fmt::format("campaign {}, record {}", campaign.name, entry->file);
   columns.start_s = record.start_s;

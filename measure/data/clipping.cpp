@@ -4,13 +4,17 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "measure/data/resolution.hpp"
+#include "numerics/distribution.hpp"
+#include "numerics/median.hpp"
 
 namespace secular {
 namespace {
 
-constexpr std::size_t shortest_run = 4;
+constexpr std::size_t long_run = 4;         // judged by itself; shorter ones are together
 constexpr std::size_t fewest_points = 4;    // of the parabola beside a run
 constexpr double fit_depth_in_quanta = 16;  // how deep the parabola is fitted at least
 constexpr double excess_in_quanta = 8;      // beyond the flat value; a turning point has at most about one
@@ -44,24 +48,98 @@ double excess(const std::function<double(std::size_t)>& depth, std::size_t count
   return slope * slope / (4 * curvature) - start;
 }
 
+// A run of equal samples whose neighbours are both deeper, as the parabola depth = curvature*x^2 through it.
+struct Peak {
+  double depth = 0;      // of the run below the extreme
+  double curvature = 0;  // in samples
+  double offset = 0;     // of the parabola's top from the sample next to it: 0 ... 1/2
+};
+
+// The parabola that has the run's first and last sample at one depth on average, and passes by its neighbours.
+Peak parabola(double depth, double before, double after, std::size_t length) {
+  const auto n = static_cast<double>(length);
+  const double rise = before + after - 2 * depth;
+  const double from_middle = std::min(0.5, n / (n + 1) * std::abs(before - after) / rise);
+  return {depth, rise / (2 * n), length % 2 == 1 ? from_middle : 0.5 - from_middle};
+}
+
+// Whether more of the short peaks end at the very extreme than those of a smooth motion do.
+bool too_many(const std::vector<Peak>& peaks, double same, double quantum) {
+  std::vector<double> curvatures;
+  double least = 0.5, largest = 0;
+  for (const Peak& peak : peaks) {
+    if (peak.depth > same) continue;
+    curvatures.push_back(peak.curvature);
+    least = std::min(least, peak.offset);
+    largest = std::max(largest, peak.offset);
+  }
+  if (curvatures.size() < 2) return false;
+  const double curvature = upper_median(curvatures), ratio = quantum / curvature;
+  const double half_width = std::sqrt(std::sqrt(ratio));  // of a flat top within a quantum, in samples
+  const double offsets_of_one_top = half_width + 0.5 * ratio;
+  if (largest - least <= offsets_of_one_top) return false;
+  const auto near = std::count_if(peaks.begin(), peaks.end(),
+                                  [&](const Peak& peak) { return peak.depth <= 0.25 * curvature + same; });
+  return binomial_upper_tail(static_cast<double>(curvatures.size() - 1), static_cast<double>(near - 1),
+                             2 * half_width) < clipping_false_alarm;
+}
+
+// The grid that depths of up to a quarter of the range (or to the first level) lie on: the greatest common divisor
+// of their differences.
+double grid_near_extreme(std::vector<double> depths, double range, double same) {
+  std::sort(depths.begin(), depths.end());
+  const auto other = std::find_if(depths.begin(), depths.end(), [&](double depth) { return depth > same; });
+  const double deepest = std::max(0.25 * range, other == depths.end() ? 0 : *other);
+  std::erase_if(depths, [&](double depth) { return depth > deepest; });
+  double divisor = 0, level = 0;
+  for (const double depth : depths) {
+    if (depth - level <= same) continue;
+    double rest = depth - level;
+    while (rest > same) {
+      const double smaller = std::abs(divisor - rest * std::round(divisor / rest));
+      divisor = std::exchange(rest, smaller);
+    }
+    level = depth;
+  }
+  return std::max(divisor, same);
+}
+
 // What is stuck at one end of the range; sign = -1 turns the smallest value into the largest.
 struct Side {
   std::size_t at_extreme = 0, runs = 0, samples_in_runs = 0;
 };
 
-Side judge_side(std::span<const double> samples, double sign, double extreme, double same, double quantum) {
+Side judge_side(std::span<const double> samples, double sign, double extreme, double range, double quantum) {
+  const double same = 1e-9 * range;  // differences by arithmetic on a stuck value
   Side side;
+  std::size_t short_runs = 0, samples_in_short_runs = 0;
+  std::vector<Peak> peaks;
   const auto depth = [&](std::size_t i) { return sign * (extreme - samples[i]); };
-  for (std::size_t begin = 0, end = 0; begin < samples.size(); begin = end + 1) {
-    for (end = begin; end < samples.size() && depth(end) <= same;) ++end;
+  for (std::size_t begin = 0, end = 0; begin < samples.size(); begin = end) {
+    for (end = begin + 1; end < samples.size() && std::abs(depth(end) - depth(begin)) <= same;) ++end;
     const std::size_t length = end - begin;
-    side.at_extreme += length;
-    if (length < shortest_run || begin == 0 || end == samples.size()) continue;
+    const bool at_extreme = depth(begin) <= same;
+    if (at_extreme) side.at_extreme += length;
+    if (begin == 0 || end == samples.size()) continue;
+    if (length < long_run) {
+      if (depth(begin - 1) <= depth(begin) || depth(end) <= depth(begin)) continue;
+      peaks.push_back(parabola(depth(begin), depth(begin - 1), depth(end), length));
+      short_runs += at_extreme ? 1 : 0;
+      samples_in_short_runs += at_extreme ? length : 0;
+      continue;
+    }
+    if (!at_extreme) continue;
     const double before = excess([&](std::size_t n) { return depth(begin - n); }, begin, quantum);
     const double after = excess([&](std::size_t n) { return depth(end - 1 + n); }, samples.size() - end, quantum);
     if (std::min(before, after) <= excess_in_quanta * quantum) continue;
     ++side.runs;
     side.samples_in_runs += length;
+  }
+  std::vector<double> depths(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) depths[i] = depth(i);
+  if (too_many(peaks, same, grid_near_extreme(depths, range, same))) {
+    side.runs += short_runs;
+    side.samples_in_runs += samples_in_short_runs;
   }
   return side;
 }
@@ -75,9 +153,8 @@ Clipping find_clipping(std::span<const double> samples) {
   const double range = *high - *low;
   const double quantum = value_grid(samples).step.value_or(0);
   if (!(range > 0) || range < fewest_quanta_in_range * quantum) return clipping;
-  const double same = 1e-9 * range;  // differences by arithmetic on a stuck value
-  const Side top = judge_side(samples, 1, *high, same, quantum);
-  const Side bottom = judge_side(samples, -1, *low, same, quantum);
+  const Side top = judge_side(samples, 1, *high, range, quantum);
+  const Side bottom = judge_side(samples, -1, *low, range, quantum);
   const auto share = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(samples.size()); };
   const bool two_levels = share(top.at_extreme + bottom.at_extreme) > two_level_share &&
                           share(std::max(top.at_extreme, bottom.at_extreme)) < two_level_share;

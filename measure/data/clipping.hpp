@@ -12,12 +12,33 @@ struct Clipping {
   bool found() const { return runs_high + runs_low > 0; }
 };
 
-/// Looks for runs of at least four samples at the largest or smallest value whose neighbours would have gone on. A
+/// Probability that runs of one to three samples of a channel that is not clipped are called so, for each end of
+/// its range.
+inline constexpr double clipping_false_alarm = 1e-6;
+
+/// Looks for samples stuck at the largest or smallest value.
+///
+/// Runs of four and more are judged one by one: their neighbours would have gone on. A
 /// smooth peak of a quantised signal is flat too, and so is a structure held at rest, but both leave their extreme
 /// with zero slope: the parabola through the samples beside either end of the run, depth(m) = slope*m +
 /// curvature*m^2 from the first one outside, has its top slope^2/(4*curvature) above that sample, for such a
 /// turning point at most about one quantum beyond the flat value, for a clipped one much more. Both ends of a run
-/// must say so. Not judged: signals of fewer than 64 quanta, signals of two levels (square waves), a level that the
+/// must say so.
+///
+/// Shorter runs are judged together. With x in samples from its top and c its depth at x = 1, a smooth peak lies
+/// within q of its top for |x| <= (q/c)^(1/2) if it is round and for |x| <= (q/c)^(1/4) if harmonics make it flat
+/// to the third order; flatter ones need two coincidences. q is the greatest common divisor of all differences
+/// between values near the extreme, at least a billionth of the range: the channel's quantum or more. The nearest
+/// sample lies anywhere within half a sample of the top, so that the largest sample of a peak falls into one given
+/// interval q with a probability of at most p = 2*(q/c)^(1/4), whatever the heights of the peaks are. Of `m` peaks
+/// whose largest sample lies within c/4 of the channel's extreme, as deep as a sample of a peak that reaches it can
+/// lie, `n` lie at the very extreme, one of them always: more than that with the binomial probability P(at least n
+/// - 1 of m - 1). Clipped: that is below `clipping_false_alarm`. Where sampling is in step with the motion, peaks
+/// are no independent draws: they repeat one. Their tops then lie at one offset x from the sample, to (q/c)^(1/4)
+/// and the q/(2*c) by which quantised neighbours misplace it; peaks that do not differ by more say nothing. A
+/// harmonic of fewer than four samples a period misleads these parabolas.
+///
+/// Not judged: signals of fewer than 64 quanta, signals of two levels (square waves), a level that the
 /// signal rests at most of the time (between knocks), and runs that touch an end of the record. All samples must be
 /// finite.
 Clipping find_clipping(std::span<const double> samples);

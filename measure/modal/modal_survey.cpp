@@ -508,6 +508,7 @@ ModalSurvey modal_survey(const std::filesystem::path& folder, const ModalSurveyO
   }
   survey.mac = modal_assurance_matrix(shapes, shapes);
   give_masses(survey);
+  for (std::string& warning : records.faults()) survey.warnings.push_back(std::move(warning));
   return survey;
 }
 

@@ -103,7 +103,7 @@ const SurveyRecords::Part& SurveyRecords::part(std::size_t r) {
   if (part_ && part_record_ == r) return *part_;
   part_.reset();
   const RecordEntry& entry = survey_.campaign.records[r];
-  const Record record = read_record(survey_.campaign, entry);
+  const Record record = reader_.read(r);
   const auto samples = static_cast<Index>(record.samples());
   const auto index_of = [&](double time) {
     const double i = std::ceil((time - record.start_s) * record.sample_rate_hz - 1e-6);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/data/watched_reader.hpp"
 #include "measure/modal/frequency_response.hpp"
 #include "measure/modal/modal_survey.hpp"
 
@@ -56,6 +57,9 @@ class SurveyRecords {
   const SurveyDecay& decay(std::size_t i);
   ImpactBlock impact(const ImpactPlace& place);
 
+  /// What is wrong with the samples of the records read.
+  std::vector<std::string> faults() const { return reader_.warnings(); }
+
  private:
   struct Part;
   const Part& part(std::size_t record);
@@ -63,6 +67,7 @@ class SurveyRecords {
   void find_places(const std::vector<std::size_t>& records);
 
   ModalSurvey& survey_;
+  WatchedReader reader_{survey_.campaign};
   std::optional<std::size_t> force_;  // channel
   std::vector<DecaySummary> decays_;
   std::vector<SurveyImpacts> impacts_;

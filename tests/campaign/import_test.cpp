@@ -1,7 +1,11 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <numbers>
 
 #include "measure/data/import_files.hpp"
 #include "measure/data/inspection.hpp"
+#include "measure/data/watched_reader.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/campaign/write_campaign.hpp"
@@ -182,6 +186,25 @@ TEST_F(Inspection, AFileShowsItsVariables) {
   EXPECT_EQ(file.variables[1].quality->maximum, 4);
   EXPECT_EQ(file.variables[2].type, "text");
   EXPECT_FALSE(file.variables[2].quality);
+}
+
+TEST_F(Import, WhoReadsRecordsHearsOfClipping) {
+  for (const double limit : {0.9, 2.0}) {
+    std::string text = "t,base,tip\n";
+    for (int i = 0; i < 1000; ++i)
+      text +=
+          fmt::format("{},{},{}\n", i / 100.0, std::cos(0.51 * i), std::clamp(std::sin(0.51 * i), -limit, limit));
+    options_.files.insert(options_.files.begin(), write(fmt::format("run{}.csv", limit), text));
+  }
+  const ImportedCampaign imported = import_files(options_);
+  write_campaign(imported.campaign, imported.samples, folder_ / "c");
+  const Campaign campaign = read_campaign(folder_ / "c");
+  WatchedReader reader(campaign);
+  EXPECT_TRUE(reader.warnings().empty());
+  for (std::size_t r = campaign.records.size(); r-- > 0;) EXPECT_GE(reader.read(r).samples(), 3u);
+  ASSERT_EQ(reader.warnings().size(), 1u);
+  EXPECT_TRUE(contains(reader.warnings().front(), "tip: "));
+  EXPECT_TRUE(contains(reader.warnings().front(), "in 1 of 3 records, first records/run0.9.csv"));
 }
 
 }  // namespace

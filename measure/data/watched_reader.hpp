@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "measure/data/campaign.hpp"
+#include "measure/data/clipping.hpp"
+
+namespace secular {
+
+/// Reads the records of a campaign and keeps in mind which channels are clipped, for whoever uses them. Records may
+/// be read by several threads, and more than once. The campaign must live as long.
+class WatchedReader {
+ public:
+  explicit WatchedReader(const Campaign& campaign) : campaign_(campaign) {}
+
+  /// As read_record does.
+  Record read(std::size_t record);
+
+  /// One line for each channel that is clipped in some of the records that were read.
+  std::vector<std::string> warnings() const;
+
+ private:
+  const Campaign& campaign_;
+  mutable std::mutex mutex_;
+  std::map<std::size_t, std::vector<Clipping>> seen_;  // by record, whatever the order of reading; by channel
+};
+
+}  // namespace secular
