@@ -39,6 +39,7 @@ void print_json(const ImportedCampaign& imported, const std::vector<RecordSummar
                                   {"start_s", records[r].start_s},
                                   {"duration_s", records[r].duration_s}});
   summary["left_out"] = imported.left_out;
+  summary["warnings"] = imported.warnings;
   summary["converted"] = nlohmann::ordered_json::array();
   for (const ConvertedChannel& channel : imported.converted)
     summary["converted"].push_back({{"name", channel.name}, {"from", channel.from_unit}, {"to", channel.to_unit}});
@@ -116,6 +117,7 @@ void add_import_command(CLI::App& root, Action& chosen) {
                 {record.samples(), record.start_s, static_cast<double>(record.samples()) / record.sample_rate_hz});
           });
       writer.finish(imported.campaign);
+      for (const std::string& warning : imported.warnings) fmt::print(stderr, "warning: {}\n", warning);
       if (options->json)
         print_json(imported, records, options->import, options->folder);
       else

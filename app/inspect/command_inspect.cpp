@@ -207,6 +207,7 @@ Json quality_json(const ChannelQuality& quality) {
 void put_axis(Json& object, const std::optional<TimeAxis>& axis, std::size_t samples) {
   object["start_s"] = axis ? Json(axis->start_s) : Json(nullptr);
   object["sample_rate_hz"] = axis ? Json(axis->sample_rate_hz) : Json(nullptr);
+  object["jitter_s"] = axis ? Json(axis->jitter_s) : Json(nullptr);
   object["duration_s"] = axis ? Json(duration_s(*axis, samples)) : Json(nullptr);
 }
 

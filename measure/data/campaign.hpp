@@ -58,6 +58,7 @@ struct Record {
   double start_s = 0;
   double sample_rate_hz = 0;
   std::vector<std::vector<double>> channels;  ///< by Campaign::channels
+  double jitter_s = 0;                        ///< of its time stamps, see TimeAxis
   std::size_t samples() const { return channels.empty() ? 0 : channels.front().size(); }
 };
 

@@ -10,6 +10,7 @@
 #include "input/input_error.hpp"
 #include "measure/data/data_file.hpp"
 #include "measure/data/import_channels.hpp"
+#include "measure/data/jitter.hpp"
 #include "measure/data/names.hpp"
 #include "measure/data/time_axis.hpp"
 
@@ -87,6 +88,7 @@ Record read_file(const std::filesystem::path& path, const std::vector<DescribedC
                        fmt::format("{} {}", rate_from, *sample_rate_hz));
     record.start_s = axis.start_s;
     record.sample_rate_hz = axis.sample_rate_hz;
+    record.jitter_s = axis.jitter_s;
   }
   const std::string& first = time.empty() ? channels.front().variable : time;
   const std::size_t count = data.vector(first).values.size();
@@ -166,6 +168,10 @@ ImportedCampaign import_files(const ImportOptions& options, const RecordSink& si
     entry.excitation_amplitude = of_file(options.amplitudes, f, options.files.size(), "--amplitude");
     entry.ensemble_s = options.ensemble_s;
     entry.group = options.group;
+    if (record.jitter_s > 0)
+      imported.warnings.push_back(
+          options.files[f].string() + ": " +
+          jitter_text({record.start_s, record.sample_rate_hz, record.jitter_s}, record.channels));
     sink(campaign, entry, std::move(record));
     campaign.records.push_back(std::move(entry));
   }

@@ -8,6 +8,7 @@
 
 #include "input/input_error.hpp"
 #include "measure/data/data_file.hpp"
+#include "measure/data/jitter.hpp"
 #include "measure/data/record_data.hpp"
 
 namespace secular {
@@ -89,11 +90,22 @@ RecordInspection inspect_record(const Campaign& campaign, const RecordEntry& ent
       inspection.samples = counted.value_or(inspection.samples);
       inspection.estimated = !counted;
     }
+    if (inspection.axis && inspection.axis->jitter_s > 0)
+      inspection.faults.push_back({"time", jitter_text(*inspection.axis, data.channels)});
     for (const std::vector<double>& samples : data.channels) inspection.channels.push_back(check_channel(samples));
   } catch (const InputError& error) {
     inspection.faults.push_back({"unreadable", without_file(error)});
   }
   return inspection;
+}
+
+// The variables that go with a time.
+std::vector<std::vector<double>> channels_beside(const DataFile& data, const std::string& time) {
+  std::vector<std::vector<double>> channels;
+  const std::size_t length = data.vector(time).values.size();
+  for (const DataVariable& variable : data.variables)
+    if (variable.name != time && variable.values.size() == length) channels.push_back(variable.values);
+  return channels;
 }
 
 }  // namespace
@@ -130,6 +142,8 @@ FileInspection inspect_file(const std::filesystem::path& path, const InspectionL
       inspection.variables.back().quality->resolution.reset();
     }
   }
+  if (inspection.axis && inspection.axis->jitter_s > 0)
+    inspection.faults.push_back({"time", jitter_text(*inspection.axis, channels_beside(data, inspection.time))});
   if (!data.partial || data.last_row.empty()) {
     inspection.estimated = data.partial && data.format == "CSV";
     return inspection;

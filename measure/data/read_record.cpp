@@ -53,7 +53,7 @@ Record read_record(const Campaign& campaign, const RecordEntry& entry) {
   if (!(std::abs(axis.sample_rate_hz / campaign.sample_rate_hz - 1) <= 1e-3))
     throw InputError(data.file, "", fmt::format("is sampled at {} Hz", axis.sample_rate_hz),
                      fmt::format("campaign.toml says sample_rate_hz = {}", campaign.sample_rate_hz));
-  return {axis.start_s, axis.sample_rate_hz, std::move(data.channels)};
+  return {axis.start_s, axis.sample_rate_hz, std::move(data.channels), axis.jitter_s};
 }
 
 }  // namespace secular

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "input/input_error.hpp"
 #include "numerics/median.hpp"
@@ -54,6 +55,45 @@ double largest_deviation(const std::vector<double>& stamps, const StampLine& lin
   double largest = 0;
   for (std::size_t i = 0; i < stamps.size(); ++i) largest = std::max(largest, std::abs(stamps[i] - line.at(i)));
   return largest;
+}
+
+// Significant digits of the shortest text that restores the number.
+int digits_of(double value) {
+  std::string text = fmt::format("{}", value);
+  text.resize(std::min(text.size(), text.find('e')));
+  text.erase(0, text.find_first_not_of("-0."));
+  return static_cast<int>(text.size() - (text.find('.') == std::string::npos ? 0 : 1));
+}
+
+// The step between numbers that the stamps may have been rounded to.
+double resolution(const std::vector<double>& stamps) {
+  double largest = 0;
+  int digits = 0;
+  bool single = true;
+  for (const double t : stamps) {
+    largest = std::max(largest, std::abs(t));
+    if (digits < std::numeric_limits<double>::digits10) digits = std::max(digits, digits_of(t));
+    single = single && static_cast<double>(static_cast<float>(t)) == t;
+  }
+  const double printed = std::pow(10, std::floor(std::log10(largest)) + 1 - digits);
+  return single ? std::max(printed, largest * std::numeric_limits<float>::epsilon()) : printed;
+}
+
+// Even stamps that are rounded to ticks of a clock are a whole number of ticks apart, or one more.
+bool steps_of_two_sizes(const std::vector<double>& stamps, double same) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < stamps.size(); ++i) steps.push_back(stamps[i] - stamps[i - 1]);
+  const auto [least, largest] = std::minmax_element(steps.begin(), steps.end());
+  return std::all_of(steps.begin(), steps.end(),
+                     [&](double step) { return step - *least <= same || *largest - step <= same; });
+}
+
+double scatter(const std::vector<double>& stamps, const StampLine& line, double largest) {
+  const double negligible = 1e-6 * line.step;
+  if (largest <= negligible || largest <= resolution(stamps) || steps_of_two_sizes(stamps, negligible)) return 0;
+  double square = 0;
+  for (std::size_t i = 0; i < stamps.size(); ++i) square += (stamps[i] - line.at(i)) * (stamps[i] - line.at(i));
+  return std::sqrt(square / static_cast<double>(stamps.size()));
 }
 
 double rounded(double value, int digits) {
@@ -107,7 +147,7 @@ TimeAxis even_time_axis(const std::vector<double>& stamps, const std::string& fi
   const double rate = simplest_rate(stamps, fitted, jitter, expected_rate_hz);
   const double start = fitted.mean - fitted.middle / rate;
   const bool starts_at_first = std::abs(stamps.front() - start) < 1e-6 / rate;
-  return {starts_at_first ? stamps.front() : start, rate};
+  return {starts_at_first ? stamps.front() : start, rate, scatter(stamps, fitted, jitter)};
 }
 
 }  // namespace secular

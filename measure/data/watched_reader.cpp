@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "measure/data/jitter.hpp"
+
 namespace secular {
 
 Record WatchedReader::read(std::size_t index) {
@@ -14,10 +16,13 @@ Record WatchedReader::read(std::size_t index) {
     const std::lock_guard lock(mutex_);
     if (seen_.contains(index)) return record;
   }
-  std::vector<Clipping> clipping;
-  for (const std::vector<double>& samples : record.channels) clipping.push_back(find_clipping(samples));
+  Seen seen;
+  for (const std::vector<double>& samples : record.channels) seen.clipping.push_back(find_clipping(samples));
+  seen.jitter_of_step = record.jitter_s * record.sample_rate_hz;
+  if (record.jitter_s > 0)
+    seen.jitter = jitter_text({record.start_s, record.sample_rate_hz, record.jitter_s}, record.channels);
   const std::lock_guard lock(mutex_);
-  seen_.emplace(index, std::move(clipping));
+  seen_.emplace(index, std::move(seen));
   return record;
 }
 
@@ -27,11 +32,11 @@ std::vector<std::string> WatchedReader::warnings() const {
   for (std::size_t c = 0; c < campaign_.channels.size(); ++c) {
     std::size_t clipped = 0, samples = 0;
     std::string first;
-    for (const auto& [record, clipping] : seen_) {
-      if (!clipping[c].found()) continue;
+    for (const auto& [record, seen] : seen_) {
+      if (!seen.clipping[c].found()) continue;
       if (clipped == 0) first = campaign_.records[record].file;
       ++clipped;
-      samples += clipping[c].samples;
+      samples += seen.clipping[c].samples;
     }
     if (clipped > 0)
       warnings.push_back(fmt::format(
@@ -39,6 +44,11 @@ std::vector<std::string> WatchedReader::warnings() const {
           "what they hold is too small and has harmonics that the motion has not",
           campaign_.channels[c].name, samples, clipped, seen_.size(), first));
   }
+  const auto worst = std::max_element(seen_.begin(), seen_.end(), [](const auto& a, const auto& b) {
+    return a.second.jitter_of_step < b.second.jitter_of_step;
+  });
+  if (worst != seen_.end() && worst->second.jitter_of_step > 0)
+    warnings.push_back(fmt::format("{}: {}", campaign_.records[worst->first].file, worst->second.jitter));
   return warnings;
 }
 

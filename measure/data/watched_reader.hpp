@@ -11,7 +11,8 @@
 
 namespace secular {
 
-/// Reads the records of a campaign and keeps in mind which channels are clipped, for whoever uses them. Records may
+/// Reads the records of a campaign and keeps in mind which channels are clipped and where time stamps scatter, for
+/// whoever uses them. Records may
 /// be read by several threads, and more than once. The campaign must live as long.
 class WatchedReader {
  public:
@@ -20,13 +21,19 @@ class WatchedReader {
   /// As read_record does.
   Record read(std::size_t record);
 
-  /// One line for each channel that is clipped in some of the records that were read.
+  /// One line for each channel that is clipped in some of the records that were read, and one for the time stamps
+  /// that scatter most.
   std::vector<std::string> warnings() const;
 
  private:
   const Campaign& campaign_;
   mutable std::mutex mutex_;
-  std::map<std::size_t, std::vector<Clipping>> seen_;  // by record, whatever the order of reading; by channel
+  struct Seen {
+    std::vector<Clipping> clipping;  // by channel
+    double jitter_of_step = 0;
+    std::string jitter;  // in words
+  };
+  std::map<std::size_t, Seen> seen_;  // by record, whatever the order of reading
 };
 
 }  // namespace secular

@@ -11,6 +11,8 @@
 
 #include "measure/data/clipping.hpp"
 #include "measure/data/data_file.hpp"
+#include "measure/data/inspection.hpp"
+#include "measure/data/jitter.hpp"
 #include "measure/data/noise_floor.hpp"
 #include "measure/data/resolution.hpp"
 
@@ -166,6 +168,28 @@ TEST(Clipping, FindsTheRecordThatShortRunsHid) {
   const DataFile data = read_data_file(path);
   EXPECT_EQ(find_clipping(data.vector("tip").values).samples, 648u);
   EXPECT_FALSE(find_clipping(data.vector("base").values).found());
+}
+
+TEST(Jitter, IsNamedWithWhatItDoesToTheHighestTone) {
+  const Samples tones = sum(sum(sine(8192, 32, 1), sine(8192, 5.12, 0.1)), noise(8192, 0.003));
+  EXPECT_NEAR(highest_tone_hz({noise(8192, 1), tones, Samples(8192, 1.0)}, 512), 100, 2);
+  EXPECT_EQ(highest_tone_hz({noise(8192, 1)}, 512), 256);
+  EXPECT_EQ(highest_tone_hz({sine(100, 32)}, 512), 256);
+  const std::string text = jitter_text({0, 512, 1e-4}, {tones});  // (2 pi 100 Hz 0.1 ms)^2/2 = 0.2 %
+  EXPECT_NE(text.find("by 0.0001 s rms, 5.1 % of the step"), std::string::npos) << text;
+  EXPECT_NE(text.find("a tone of 100 Hz, the highest found, loses 0.2 % of its amplitude and gets noise of 6.3 %"),
+            std::string::npos)
+      << text;
+}
+
+TEST(Jitter, OfAFileIsAFault) {
+  const std::filesystem::path path =
+      std::filesystem::path(SECULAR_SOURCE_DIR) / "../shared/faults/jitter_silent/d15c_jitter20.csv";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "../shared/faults is not there";
+  const FileInspection file = inspect_file(path);
+  ASSERT_EQ(file.faults.size(), 1u);
+  EXPECT_EQ(file.faults[0].kind, "time");
+  EXPECT_NE(file.faults[0].text.find("a tone of 20 Hz"), std::string::npos) << file.faults[0].text;
 }
 
 TEST(NoiseFloor, IsThatOfWhiteNoiseUnderALine) {

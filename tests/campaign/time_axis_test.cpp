@@ -1,5 +1,6 @@
 #include "measure/data/time_axis.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,6 +52,28 @@ TEST(TimeAxis, ARateWithinAMillionthOfAnIntegerIsThatInteger) {
   // Not where the integer would move a stamp by half a step.
   const double drifting = 1000 * (1 + 8e-7);
   EXPECT_NEAR(even_time_axis(stamps(0, drifting, 1250000), "f", {}).sample_rate_hz, drifting, 1e-9 * drifting);
+}
+
+TEST(TimeAxis, ScatterIsJitterWhereRoundingDoesNotExplainIt) {
+  std::mt19937_64 random(3);
+  const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53 - 0.5; };
+  for (const double rate : {512.0, 20000.0, 0.1})
+    for (const double share : {0.01, 0.2, 0.4}) {
+      std::vector<double> times = stamps(3, rate, 4000);
+      for (double& t : times) t += share / rate * uniform();
+      EXPECT_NEAR(even_time_axis(times, "f", {}).jitter_s * rate, share / std::sqrt(12.0), 0.03 * share);
+      const double printed = 1e-5 / rate;  // many digits: still jitter
+      for (double& t : times) t = std::round(t / printed) * printed;
+      EXPECT_NEAR(even_time_axis(times, "f", {}).jitter_s * rate, share / std::sqrt(12.0), 0.03 * share);
+    }
+  EXPECT_EQ(even_time_axis(stamps(0.1, 1706.7, 20000), "f", {}).jitter_s, 0);
+  EXPECT_EQ(even_time_axis(stamps(0, 610.35, 20000, 1e-4), "f", {}).jitter_s, 0);        // decimals
+  EXPECT_EQ(even_time_axis(stamps(0, 610.35, 20000, 1.0 / 4096), "f", {}).jitter_s, 0);  // ticks of a clock
+  std::vector<double> single = stamps(0, 610.35, 20000), digits = single;
+  for (double& t : single) t = static_cast<float>(t);
+  for (double& t : digits) t = std::strtod(fmt::format("{:.6g}", t).c_str(), nullptr);
+  EXPECT_EQ(even_time_axis(single, "f", {}).jitter_s, 0);
+  EXPECT_EQ(even_time_axis(digits, "f", {}).jitter_s, 0);
 }
 
 TEST(TimeAxis, EpochTimeIsAccepted) {
