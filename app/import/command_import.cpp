@@ -81,10 +81,12 @@ void add_import_command(CLI::App& root, Action& chosen) {
       ->add_option(
           "--channel", import.channels,
           "NAME:ROLE:QUANTITY:UNIT of a variable, once for each channel; NAME:ROLE where the file says the "
-          "rest; NAME=VARIABLE:... renames it")
+          "rest; NAME=VARIABLE:... renames it; ...:UNIT:FACTOR where a number x means x*FACTOR in UNIT")
       ->expected(1)
       ->take_all();
-  command->add_option("--time", import.time, "variable that holds the time in seconds (default: t)");
+  command->add_option("--time", import.time,
+                      "variable that holds the time (default: t), in seconds where neither the file nor NAME:UNIT "
+                      "says ms, us, min, ...");
   command->add_option("--sample-rate", import.sample_rate_hz, "samples a second, where no variable holds time");
   command->add_option("--name", import.name, "name of the campaign (default: of the first file)");
   command->add_option("--group", import.group, "what the records have in common");
@@ -103,7 +105,9 @@ void add_import_command(CLI::App& root, Action& chosen) {
       "ROLE: excitation or response. QUANTITY and UNIT: acceleration m/s^2, velocity m/s, displacement m, force "
       "N,\n"
       "voltage V, strain 1, angle rad. What a file does not say is asked for by the name of the option.\n"
-      "UFF files may say quantity and unit themselves: NAME:ROLE is enough then, and other units become SI.\n"
+      "UFF, HDF5 and CSV files may say the unit themselves: NAME:ROLE is enough then. Other units (g, mm, in, deg, "
+      "...)\n"
+      "become SI. WAV files and counts need the FACTOR that takes a number to the UNIT.\n"
       "Example: secular import swing.mat -o swing --kind free_decay --time t --channel theta:response:angle:rad");
   command->callback([options, &chosen] {
     chosen = [options] {

@@ -175,10 +175,15 @@ void print_file(const std::filesystem::path& path, const InspectionLimit& limit)
   if (file.partial) fmt::print("{}Values are{}\n", file.estimated ? "Lengths are estimated. " : "", partial_note);
   for (const std::string& variable : unusable) fmt::print("no channel: {}\n", variable);
   print_faults(faults);
-  const bool stated = std::any_of(file.variables.begin(), file.variables.end(),
-                                  [](const VariableInspection& variable) { return !variable.unit.empty(); });
+  const bool stated = std::any_of(
+      file.variables.begin(), file.variables.end(),
+      [&](const VariableInspection& variable) { return variable.name != file.time && !variable.unit.empty(); });
+  const bool plain = file.time.find_first_of(" ()[]{}") == std::string::npos;
+  const char* const rest = stated ? "" : file.format == "WAV" ? ":QUANTITY:UNIT:FACTOR" : ":QUANTITY:UNIT";
   fmt::print("\nTo use it: secular import {} -o CAMPAIGN --kind KIND --channel NAME:ROLE{}{}\n", path.string(),
-             stated ? "" : ":QUANTITY:UNIT", file.time.empty() ? " --sample-rate HZ" : " --time " + file.time);
+             rest,
+             file.time.empty() ? " --sample-rate HZ"
+                               : (plain ? " --time " + file.time : fmt::format(" --time '{}'", file.time)));
 }
 
 Json faults_json(const std::vector<DataFault>& faults) {

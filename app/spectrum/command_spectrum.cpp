@@ -85,14 +85,15 @@ Columns columns_of_campaign(const Options& options) {
 
 Columns columns_of_file(const Options& options) {
   DataFile data = read_data_file(options.source);
+  convert_csv_units(data);
   Columns columns;
   columns.source = "file " + options.source;
   columns.sample_rate_hz = options.sample_rate_hz;
   std::string time = options.time;
   for (const DataVariable& variable : data.variables)
-    if (time.empty() && options.sample_rate_hz == 0 && (variable.name == "t" || variable.name == "time"))
-      time = variable.name;
+    if (time.empty() && options.sample_rate_hz == 0 && is_called_time(variable.name)) time = variable.name;
   if (!time.empty()) {
+    convert_to_seconds(data.vector(time), data.file);
     const TimeAxis axis = even_time_axis(data.vector(time).values, data.file, data.place, {});
     columns.start_s = axis.start_s;
     columns.sample_rate_hz = axis.sample_rate_hz;

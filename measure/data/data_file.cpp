@@ -13,6 +13,7 @@
 #include "measure/data/mat_file.hpp"
 #include "measure/data/uff_file.hpp"
 #include "measure/data/uff_variables.hpp"
+#include "measure/data/unit.hpp"
 #include "measure/data/wav_file.hpp"
 
 namespace secular {
@@ -25,6 +26,42 @@ std::string lower_extension(const fs::path& path) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   return extension;
+}
+
+void convert_stated_units(std::vector<DataVariable>& variables) {
+  for (DataVariable& variable : variables) {
+    const std::string unit = usual_spelling(variable.stated_unit);
+    const std::optional<UnitMeaning> meaning = unit_meaning(unit);
+    if (variable.quantity || !meaning || is_bare_ratio(unit)) continue;
+    variable.quantity = meaning->quantity;
+    variable.unit = si_unit(meaning->quantity);
+    if (meaning->si_factor != 1)
+      for (double& value : variable.values) value *= meaning->si_factor;
+  }
+}
+
+struct TimeName {
+  bool is_time = false;
+  std::string unit;
+};
+
+// "run.Time (ms)" -> ms; "t_us" -> us; "t" -> none.
+TimeName time_name(const std::string& path) {
+  std::string name = path.substr(path.rfind('.') + 1);
+  TimeName found;
+  if (const CsvName bracketed = bracketed_unit(name); !bracketed.unit.empty()) {
+    found.unit = bracketed.unit;
+    name = bracketed.name;
+  } else if (const std::size_t gap = name.find_last_of("_ ");
+             gap != std::string::npos && seconds_in(name.substr(gap + 1))) {
+    found.unit = name.substr(gap + 1);
+    name.resize(gap);
+  }
+  for (char& c : name)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  found.is_time = name == "t" || name == "time";
+  if (!found.is_time && !seconds_in(found.unit)) found.unit.clear();
+  return found;
 }
 
 enum class Format { csv, mat, hdf5, uff, wav };
@@ -57,7 +94,9 @@ DataFile with_variables(const fs::path& path, const char* format, std::vector<Ma
     data.partial = data.partial || (variable.fault.empty() && count > limit);
     data.variables.push_back({std::move(variable.path), std::move(variable.shape), std::move(variable.type),
                               std::move(variable.values), std::move(variable.fault)});
+    data.variables.back().stated_unit = std::move(variable.unit);
   }
+  convert_stated_units(data.variables);
   return data;
 }
 
@@ -72,6 +111,7 @@ DataFile read_csv_file(const fs::path& path, const std::vector<std::string>& wan
     const bool any = std::any_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
     data.variables.push_back(
         {table.names[c], {table.total_rows}, any ? "number" : "text", {}, any ? "" : "holds no number"});
+    data.variables.back().stated_unit = table.units[c];
     if (any) data.variables.back().values = std::move(values);
   }
   return data;
@@ -97,6 +137,27 @@ DataFile read_variables(const fs::path& path, Format format, const std::vector<s
 std::string quantity_fault(const DataVariable& variable, Quantity quantity) {
   if (!variable.quantity || *variable.quantity == quantity) return {};
   return fmt::format("measures {} in {}", to_string(*variable.quantity), variable.stated_unit);
+}
+
+void convert_csv_units(DataFile& data) {
+  if (data.format == "CSV") convert_stated_units(data.variables);
+}
+
+void convert_to_seconds(DataVariable& time, const std::string& file, const std::string& given) {
+  std::string unit = given.empty() ? time.stated_unit : given;
+  if (unit.empty()) unit = time_name(time.name).unit;
+  const std::optional<double> seconds = unit.empty() ? 1 : seconds_in(unit);
+  if (!seconds)
+    throw InputError(file, "variable " + time.name,
+                     fmt::format("has the unit '{}', which is no known unit of time", unit),
+                     "give --time NAME:UNIT with s, ms, us, ns, min or h, or --sample-rate HZ in its place");
+  scale_to_seconds(time.values, *seconds);
+  time.stated_unit = unit;
+  time.unit = unit.empty() ? "" : "s";
+}
+
+bool is_called_time(const std::string& name) {
+  return time_name(name).is_time;
 }
 
 std::string DataFile::names() const {
@@ -147,7 +208,12 @@ std::vector<DataVariable> describe_data_file(const fs::path& path) {
     return read_data_file(path, {}, MissingNumbers::keep_as_nan, 0).variables;
   }
   std::vector<DataVariable> variables;
-  for (std::string& name : read_csv_names(path)) variables.push_back({std::move(name), {}, "number", {}, {}});
+  NumberTable table = read_csv_header(path);
+  for (std::size_t c = 0; c < table.names.size(); ++c) {
+    variables.push_back({std::move(table.names[c]), {}, "number", {}, {}});
+    variables.back().stated_unit = std::move(table.units[c]);
+  }
+  convert_stated_units(variables);
   return variables;
 }
 

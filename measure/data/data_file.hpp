@@ -22,8 +22,17 @@ struct DataVariable {
   std::string fault;                   ///< why it has no values: "is a matrix", ...; empty if it has
   std::optional<Quantity> quantity{};  ///< what it measures, where the file says so in terms that are known
   std::string unit{};                  ///< of `values` where `quantity` is known: its SI unit
-  std::string stated_unit{};  ///< as the file spells it; values were converted from it if `unit` is not empty
+  std::string stated_unit{};   ///< as the file spells it; values were converted from it if `unit` is not empty
+  bool of_full_scale = false;  ///< values are fractions of a converter's range, which mean no unit by themselves
 };
+
+/// The stamps of a time variable become seconds: from the unit that its file states, or its name ("Time (ms)",
+/// "time [us]", "t_min"), or else `given` (--time NAME:UNIT), which goes first. Throws InputError for a unit that
+/// is not known.
+void convert_to_seconds(DataVariable& time, const std::string& file, const std::string& given = {});
+
+/// True for a variable that is called time: "t", "Time", "time_ms", "Time [s]", "run.t (us)".
+bool is_called_time(const std::string& name);
 
 /// Why a variable is no channel of that quantity: its file says that it measures another one. Else empty.
 std::string quantity_fault(const DataVariable& variable, Quantity quantity);
@@ -52,6 +61,11 @@ struct DataFile {
 /// for a file of another format, a damaged one, and (MissingNumbers::refuse) a value that is no finite number.
 DataFile read_data_file(const std::filesystem::path& path, const std::vector<std::string>& wanted = {},
                         MissingNumbers missing = MissingNumbers::refuse, std::size_t limit = all_values);
+
+/// Takes the columns of a CSV whose header states a known unit of what a channel measures to SI, and says so in
+/// `quantity` and `unit`, as readers of other formats do themselves: a campaign's own records are in SI, whatever
+/// their columns are called.
+void convert_csv_units(DataFile& data);
 
 /// The formats, as messages name them.
 inline constexpr const char* data_formats = "CSV, MAT, HDF5, UFF 58 or WAV";

@@ -115,12 +115,6 @@ bool visit_elements(const Hdf5Bytes& file, const Hdf5Object& data_set, std::stri
   return true;
 }
 
-double number_of(std::string_view bytes, const Hdf5Type& type) {
-  if (type.kind == Hdf5Class::floating_point) return float_at(bytes, 0, type.size, type.order);
-  if (type.is_signed) return static_cast<double>(signed_at(bytes, 0, type.size, type.order));
-  return static_cast<double>(unsigned_at(bytes, 0, type.size, type.order));
-}
-
 }  // namespace
 
 std::uint64_t hdf5_count(const std::vector<std::uint64_t>& shape) {
@@ -136,7 +130,7 @@ std::vector<double> hdf5_numbers(const Hdf5Bytes& file, const Hdf5Object& data_s
                                  std::uint64_t limit) {
   std::vector<double> numbers;
   const bool whole = visit_elements(file, data_set, fault, limit, [&](std::string_view bytes) {
-    numbers.push_back(number_of(bytes, *data_set.type));
+    numbers.push_back(hdf5_number(bytes, *data_set.type));
   });
   if (!whole) numbers.clear();
   return numbers;

@@ -156,12 +156,26 @@ class Walk {
       found.type = type;
     }
     found.fault = vector_fault(object, complex);
+    const double scale = packing(object, "scale_factor", 1, found.fault);
+    const double offset = packing(object, "add_offset", 0, found.fault);
+    if (const auto unit = object.attributes.find("units"); unit != object.attributes.end())
+      found.unit = unit->second;
     const bool read = wanted_.empty() || std::find(wanted_.begin(), wanted_.end(), path) != wanted_.end();
     if (read && found.fault.empty()) {
       spend(object);
       found.values = hdf5_numbers(file_, object, found.fault, limit_);
+      for (double& value : found.values) value = scale * value + offset;
     }
     variables.push_back(std::move(found));
+  }
+
+  // Values are stored as (value - add_offset)/scale_factor, by the conventions of netCDF.
+  static double packing(const Hdf5Object& object, const std::string& name, double without, std::string& fault) {
+    if (!object.attributes.contains(name)) return without;
+    const auto number = object.numbers.find(name);
+    if (number != object.numbers.end()) return number->second;
+    if (fault.empty()) fault = "has an attribute " + name + " that is not one number";
+    return without;
   }
 
   // Every byte of the file is read once: references that repeat a data set would make much out of a small file.

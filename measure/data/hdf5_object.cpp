@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "measure/data/file_bytes.hpp"
+#include "measure/data/hdf5_heap.hpp"
+#include "measure/data/hdf5_tree.hpp"
 
 namespace secular {
 namespace {
@@ -20,7 +22,8 @@ enum MessageType : std::uint64_t {
   filter_message = 0x0B,
   attribute_message = 0x0C,
   continuation_message = 0x10,
-  symbol_table_message = 0x11
+  symbol_table_message = 0x11,
+  attribute_info_message = 0x15
 };
 
 void read_dataspace(Hdf5Cursor cursor, Hdf5Object& object) {
@@ -69,6 +72,9 @@ Hdf5Type read_datatype(Hdf5Cursor cursor) {
       break;
     case 6:
       type.kind = Hdf5Class::compound;
+      break;
+    case 9:
+      if ((bits & 0x0F) == 1) type.kind = Hdf5Class::long_text;
       break;
     case 7:
       type.kind = Hdf5Class::reference;
@@ -144,18 +150,60 @@ std::string text_until_zero(std::string_view bytes) {
   return as_utf8(bytes.substr(0, bytes.find('\0')));
 }
 
-void read_attribute(Hdf5Cursor cursor, Hdf5Object& object) {
-  const std::uint64_t version = cursor.number(1);
-  cursor.skip(1);
+// Elements of a dataspace.
+std::uint64_t element_count(Hdf5Cursor cursor) {
+  Hdf5Object object;
+  read_dataspace(cursor, object);
+  std::uint64_t count = 1;
+  for (const std::uint64_t length : *object.shape) count *= length == 1 ? 1 : length == 0 ? 0 : 2;  // several
+  return count;
+}
+
+// A text of any length: its bytes stand in a global heap (III.E of the specification).
+std::string long_text(const Hdf5Bytes& file, Hdf5Cursor value) {
+  const std::uint64_t length = value.number(4), address = value.number(8), index = value.number(4);
+  if (length == 0) return {};
+  constexpr std::uint64_t head_size = 16;
+  Hdf5Cursor head(file.at(address, head_size), address);
+  if (head.take(4) != "GCOL") head.fail("a text stands in no heap");
+  head.skip(4);
+  const std::uint64_t size = head.number(8);
+  if (size < head_size) head.fail("a heap of texts has no room");
+  Hdf5Cursor objects(file.at(address + head_size, size - head_size), address + head_size);
+  while (objects.left() >= head_size) {
+    const std::uint64_t found = objects.number(2);
+    objects.skip(6);
+    const std::uint64_t bytes = objects.number(8);
+    if (found == 0) break;  // the free space at the end
+    const std::string_view content = objects.take(bytes);
+    if (found == index) return text_until_zero(content.substr(0, length));
+    objects.skip(std::min((8 - bytes % 8) % 8, objects.left()));
+  }
+  head.fail("a text is missing in its heap");
+}
+
+void read_attribute(const Hdf5Bytes& file, Hdf5Cursor cursor, Hdf5Object& object) {
+  const std::uint64_t version = cursor.number(1), flags = cursor.number(1);
   const std::uint64_t name_size = cursor.number(2), type_size = cursor.number(2), space_size = cursor.number(2);
   if (version == 3) cursor.skip(1);
   const auto padded = [&](std::uint64_t size) { return version == 1 ? (size + 7) / 8 * 8 : size; };
   const std::string name = text_until_zero(cursor.take(padded(name_size)));
-  const std::uint64_t at = cursor.address();
-  const Hdf5Type type = read_datatype({cursor.take(padded(type_size)), at});
-  cursor.skip(padded(space_size));
-  object.attributes[name] =
-      type.kind == Hdf5Class::text ? text_until_zero(cursor.take(std::min(type.size, cursor.left()))) : "";
+  std::string& text = object.attributes[name];
+  text.clear();
+  const std::uint64_t type_at = cursor.address();
+  const Hdf5Cursor type_bytes(cursor.take(padded(type_size)), type_at);
+  const std::uint64_t space_at = cursor.address();
+  const Hdf5Cursor space_bytes(cursor.take(padded(space_size)), space_at);
+  if (version > 1 && flags != 0) return;  // type or shape stand elsewhere
+  const Hdf5Type type = read_datatype(type_bytes);
+  if (type.kind == Hdf5Class::text) {
+    text = text_until_zero(cursor.take(std::min(type.size, cursor.left())));
+    return;
+  }
+  if (element_count(space_bytes) != 1) return;
+  if (type.kind == Hdf5Class::long_text) text = long_text(file, cursor);
+  const bool number = type.kind == Hdf5Class::integer || type.kind == Hdf5Class::floating_point;
+  if (number && type.usual) object.numbers[name] = hdf5_number(cursor.take(type.size), type);
 }
 
 void read_link_info(Hdf5Cursor cursor, Hdf5Object& object) {
@@ -165,11 +213,27 @@ void read_link_info(Hdf5Cursor cursor, Hdf5Object& object) {
   if (heap != hdf5_nowhere) object.dense_links = Hdf5DenseLinks{heap, cursor.number(8)};
 }
 
+// Attributes outside of the header, as soon as an object has more than some.
+void read_attribute_info(const Hdf5Bytes& file, Hdf5Cursor cursor, Hdf5Object& object) {
+  cursor.skip(1);
+  if ((cursor.number(1) & 1) != 0) cursor.skip(2);
+  const std::uint64_t heap_address = cursor.number(8);
+  if (heap_address == hdf5_nowhere) return;
+  const std::uint64_t index = cursor.number(8);
+  Hdf5Heap heap(file, heap_address);
+  if (heap.filtered()) cursor.fail("the attributes of an object are compressed");
+  for (const Hdf5Record& record : hdf5_tree_records(file, index, Hdf5TreeKind::attributes_by_name)) {
+    Hdf5Cursor identifier(record.bytes, record.address);
+    const Hdf5Record attribute = heap.object({identifier.take(8), record.address});
+    read_attribute(file, {attribute.bytes, attribute.address}, object);
+  }
+}
+
 struct Block {
   std::uint64_t address = 0, size = 0;
 };
 
-void read_message(std::uint64_t type, bool shared, Hdf5Cursor cursor, Hdf5Object& object,
+void read_message(const Hdf5Bytes& file, std::uint64_t type, bool shared, Hdf5Cursor cursor, Hdf5Object& object,
                   std::vector<Block>& blocks) {
   // The contents of a shared message stand elsewhere: its data set has no type, or no shape, that is known.
   if (shared && type != continuation_message) return;
@@ -187,7 +251,10 @@ void read_message(std::uint64_t type, bool shared, Hdf5Cursor cursor, Hdf5Object
       read_filters(cursor, object);
       break;
     case attribute_message:
-      read_attribute(cursor, object);
+      read_attribute(file, cursor, object);
+      break;
+    case attribute_info_message:
+      read_attribute_info(file, cursor, object);
       break;
     case link_message:
       if (std::optional<Hdf5Link> link = read_hdf5_link(cursor)) object.links.push_back(std::move(*link));
@@ -224,7 +291,7 @@ void read_first_version(const Hdf5Bytes& file, std::uint64_t address, Hdf5Object
       const std::uint64_t type = cursor.number(2), size = cursor.number(2), flags = cursor.number(1);
       cursor.skip(3);
       const std::uint64_t at = cursor.address();
-      read_message(type, (flags & 2) != 0, {cursor.take(size), at}, object, blocks);
+      read_message(file, type, (flags & 2) != 0, {cursor.take(size), at}, object, blocks);
     }
   }
   if (messages != 0) throw Hdf5Damage{"an object's header has fewer parts than it says", address};
@@ -253,12 +320,18 @@ void read_second_version(const Hdf5Bytes& file, std::uint64_t address, Hdf5Objec
                           message_flags = cursor.number(1);
       cursor.skip(message_head - 4);
       const std::uint64_t at = cursor.address();
-      read_message(type, (message_flags & 2) != 0, {cursor.take(message_size), at}, object, blocks);
+      read_message(file, type, (message_flags & 2) != 0, {cursor.take(message_size), at}, object, blocks);
     }
   }
 }
 
 }  // namespace
+
+double hdf5_number(std::string_view bytes, const Hdf5Type& type) {
+  if (type.kind == Hdf5Class::floating_point) return float_at(bytes, 0, type.size, type.order);
+  if (type.is_signed) return static_cast<double>(signed_at(bytes, 0, type.size, type.order));
+  return static_cast<double>(unsigned_at(bytes, 0, type.size, type.order));
+}
 
 std::optional<Hdf5Link> read_hdf5_link(Hdf5Cursor cursor) {
   Hdf5Link link;

@@ -11,7 +11,15 @@
 
 namespace secular {
 
-enum class Hdf5Class { integer = 0, floating_point = 1, text = 3, compound = 6, reference = 7, other = 15 };
+enum class Hdf5Class {
+  integer = 0,
+  floating_point = 1,
+  text = 3,
+  compound = 6,
+  reference = 7,
+  long_text = 9,
+  other = 15
+};
 
 struct Hdf5Type {
   Hdf5Class kind = Hdf5Class::other;
@@ -63,7 +71,11 @@ struct Hdf5Object {
   std::optional<Hdf5SymbolTable> symbol_table;
   std::optional<Hdf5DenseLinks> dense_links;      ///< as soon as a group has more than some members
   std::map<std::string, std::string> attributes;  ///< texts; empty for attributes of other types
+  std::map<std::string, double> numbers;          ///< of attributes that are a single number
 };
+
+/// An element that is a usual integer or floating-point number.
+double hdf5_number(std::string_view bytes, const Hdf5Type& type);
 
 /// Reads the header at this address (versions 1 and 2). Throws Hdf5Damage.
 Hdf5Object read_hdf5_object(const Hdf5Bytes& file, std::uint64_t address);

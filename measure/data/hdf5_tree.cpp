@@ -11,7 +11,15 @@ constexpr std::uint64_t node_overhead = 10;  // signature, version, kind, check 
 constexpr std::uint64_t tree_header_size = 38;
 
 std::uint64_t record_size(Hdf5TreeKind kind) {
-  return kind == Hdf5TreeKind::links_by_name ? 4 + 7 : 8 + 8 + 8;
+  switch (kind) {
+    case Hdf5TreeKind::links_by_name:
+      return 4 + 7;
+    case Hdf5TreeKind::attributes_by_name:
+      return 8 + 1 + 4 + 4;
+    case Hdf5TreeKind::huge_objects:
+      break;
+  }
+  return 8 + 8 + 8;
 }
 
 // Bytes that a number up to `largest` takes in a node.

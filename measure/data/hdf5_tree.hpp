@@ -10,8 +10,9 @@ namespace secular {
 
 /// What the records of a version 2 B-tree are.
 enum class Hdf5TreeKind : std::uint64_t {
-  huge_objects = 1,   ///< of a fractal heap: address, length, number
-  links_by_name = 5,  ///< of a group: hash of the name, place in the group's heap
+  huge_objects = 1,        ///< of a fractal heap: address, length, number
+  attributes_by_name = 8,  ///< of an object: place in its heap of attributes, flags, order, hash
+  links_by_name = 5,       ///< of a group: hash of the name, place in the group's heap
 };
 
 struct Hdf5Record {

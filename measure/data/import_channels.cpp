@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
 #include <set>
 
 #include "input/input_error.hpp"
@@ -50,7 +53,7 @@ DescribedChannel short_channel(const std::string& text, ChannelRole role, const 
                          ? fmt::format("{} does not say what '{}' measures and in which unit", file, variable.name)
                          : fmt::format("{} gives '{}' the unit '{}', which does not say what it measures", file,
                                        variable.name, variable.stated_unit),
-                     std::string("give ") + channel_form);
+                     std::string("give ") + (variable.of_full_scale ? factor_form : channel_form));
   described.channel.role = role;
   described.channel.quantity = *variable.quantity;
   described.channel.unit = variable.unit;
@@ -58,11 +61,61 @@ DescribedChannel short_channel(const std::string& text, ChannelRole role, const 
   return described;
 }
 
+// Takes ":FACTOR" off the end of NAME:ROLE:QUANTITY:UNIT:FACTOR. A unit may be a number too (1): the fields before
+// it tell.
+std::optional<double> take_factor(std::string& text) {
+  std::string rest = text, last, unit, quantity, role;
+  if (!take_last_field(rest, last)) return std::nullopt;
+  const std::string without = rest;
+  if (!take_last_field(rest, unit) || !take_last_field(rest, quantity) || !take_last_field(rest, role) ||
+      !parse_role(role) || !parse_quantity(quantity))
+    return std::nullopt;
+  double factor = 0;
+  const auto end = std::from_chars(last.data(), last.data() + last.size(), factor);
+  if (end.ec != std::errc() || end.ptr != last.data() + last.size() || !std::isfinite(factor) || factor == 0)
+    throw InputError("--channel " + text, "factor", "is '" + last + "'", "a number other than zero was expected");
+  text = without;
+  return factor;
+}
+
+// What a number of the file means: the unit given, times the factor given, unless the file says it all itself.
+void give_unit(DescribedChannel& described, const std::string& unit, std::optional<double> factor,
+               const DataVariable& variable, const std::string& option, const std::string& file) {
+  Channel& channel = described.channel;
+  const std::optional<UnitMeaning> meaning = unit_meaning(usual_spelling(unit));
+  if (!meaning || meaning->quantity != channel.quantity)
+    throw InputError(option, "unit", unit_fault(channel.quantity, unit),
+                     meaning ? "" : std::string("or, where a number stands for so much of it, ") + factor_form);
+  channel.unit = si_unit(channel.quantity);
+  described.si_factor = meaning->si_factor * factor.value_or(1);
+  if (!variable.unit.empty()) {
+    if (factor || (meaning->si_factor != 1 && usual_spelling(variable.stated_unit) != usual_spelling(unit)))
+      throw InputError(option, factor ? "factor" : "unit",
+                       fmt::format("{} states the unit '{}' itself", file, variable.stated_unit),
+                       "give NAME:ROLE alone");
+    return;
+  }
+  if (!factor && variable.of_full_scale)
+    throw InputError(
+        option, "",
+        fmt::format("{} holds fractions of full scale, and does not say what that is in {}", file, unit),
+        std::string("give ") + factor_form);
+  if (const std::string other = other_measure(variable.stated_unit); !factor && !other.empty())
+    throw InputError(option, "unit",
+                     fmt::format("is '{}', {} says '{}' ({})", unit, file, variable.stated_unit, other),
+                     std::string("give ") + factor_form);
+  if (factor)
+    described.given_unit = fmt::format("{} {}", *factor, unit);
+  else if (usual_spelling(unit) != channel.unit)
+    described.given_unit = unit;
+}
+
 DescribedChannel parse_channel(const std::string& text, const Variables& variables, const std::string& file) {
   const std::string option = "--channel " + text;
-  std::string name = text, role_text, quantity_text, unit;
   if (std::string last, before = text; take_last_field(before, last))
     if (const auto role = parse_role(last)) return short_channel(text, *role, before, variables, file);
+  std::string name = text, role_text, quantity_text, unit;
+  const std::optional<double> factor = take_factor(name);
   int fields = 1;
   for (std::string* field : {&unit, &quantity_text, &role_text}) {
     if (!take_last_field(name, *field))
@@ -78,9 +131,7 @@ DescribedChannel parse_channel(const std::string& text, const Variables& variabl
                      std::string(quantity_list) + " was expected");
   described.channel.role = *role;
   described.channel.quantity = *quantity;
-  described.channel.unit = unit;
-  if (const std::string fault = unit_fault(*quantity, unit); !fault.empty())
-    throw InputError(option, "unit", fault);
+  give_unit(described, unit, factor, *find_variable(variables, described.variable), option, file);
   return described;
 }
 

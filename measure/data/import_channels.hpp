@@ -13,12 +13,16 @@ namespace secular {
 struct DescribedChannel {
   Channel channel;
   std::string variable;          ///< of the files
+  double si_factor = 1;          ///< SI value = si_factor * number of the file, where its unit is not stated there
+  std::string given_unit{};      ///< what `si_factor` stands for: "g", "0.02 g"
   bool stated_by_files = false;  ///< quantity and unit
 };
 
 /// How a channel is described in full, for messages.
 inline constexpr const char* channel_form =
     "--channel NAME:ROLE:QUANTITY:UNIT, for example theta:response:angle:rad";
+inline constexpr const char* factor_form =
+    "--channel NAME:ROLE:QUANTITY:UNIT:FACTOR, where a number x of the file means x*FACTOR in UNIT";
 
 using Variables = std::vector<DataVariable>;
 

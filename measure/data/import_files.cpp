@@ -13,6 +13,7 @@
 #include "measure/data/jitter.hpp"
 #include "measure/data/names.hpp"
 #include "measure/data/time_axis.hpp"
+#include "measure/data/unit.hpp"
 
 namespace secular {
 namespace {
@@ -21,15 +22,22 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// The variable that holds time, or empty where --sample-rate stands for it.
-std::string time_variable(const ImportOptions& options, const Variables& variables, const std::string& file) {
+struct TimeChoice {
+  std::string variable;  // empty where --sample-rate stands for it
+  std::string unit;      // given with --time
+};
+
+TimeChoice time_variable(const ImportOptions& options, const Variables& variables, const std::string& file) {
   if (!options.time.empty()) {
-    if (find_variable(variables, options.time)) return options.time;
+    if (find_variable(variables, options.time)) return {options.time, ""};
+    const std::size_t colon = options.time.rfind(':');
+    if (colon != std::string::npos && find_variable(variables, options.time.substr(0, colon)))
+      return {options.time.substr(0, colon), options.time.substr(colon + 1)};
     throw InputError("--time " + options.time, "", fmt::format("{} has no such variable", file),
                      "its variables are " + listed_names(variables));
   }
   if (options.sample_rate_hz) return {};
-  if (find_variable(variables, "t")) return "t";
+  if (find_variable(variables, "t")) return {"t", ""};
   throw InputError(file, "", "what its time is, is not known: its variables are " + listed_names(variables),
                    "name the variable with --time NAME, or give --sample-rate HZ");
 }
@@ -72,17 +80,23 @@ std::string record_file(const std::filesystem::path& source, std::set<std::strin
 }
 
 Record read_file(const std::filesystem::path& path, const std::vector<DescribedChannel>& channels,
-                 const std::string& time, std::optional<double> sample_rate_hz, const char* rate_from) {
+                 const TimeChoice& choice, std::optional<double> sample_rate_hz, const char* rate_from,
+                 std::string& time_unit) {
+  const std::string& time = choice.variable;
   std::vector<std::string> wanted;
   for (const DescribedChannel& described : channels)
     if (!contains(wanted, described.variable)) wanted.push_back(described.variable);
   if (!time.empty() && !contains(wanted, time)) wanted.push_back(time);
   DataFile data = read_data_file(path, wanted);
+  convert_csv_units(data);
   Record record;
   if (time.empty()) {
     record.sample_rate_hz = *sample_rate_hz;
   } else {
-    const TimeAxis axis = even_time_axis(data.vector(time).values, data.file, data.place, sample_rate_hz);
+    DataVariable& stamps = data.vector(time);
+    convert_to_seconds(stamps, data.file, choice.unit);
+    time_unit = stamps.stated_unit;
+    const TimeAxis axis = even_time_axis(stamps.values, data.file, data.place, sample_rate_hz);
     if (sample_rate_hz && !(std::abs(axis.sample_rate_hz / *sample_rate_hz - 1) <= 1e-3))
       throw InputError(data.file, "variable " + time, fmt::format("is sampled at {} Hz", axis.sample_rate_hz),
                        fmt::format("{} {}", rate_from, *sample_rate_hz));
@@ -107,6 +121,8 @@ Record read_file(const std::filesystem::path& path, const std::vector<DescribedC
       return later.variable == described.variable;
     });
     record.channels.push_back(last ? std::move(variable.values) : variable.values);
+    if (variable.unit.empty() && described.si_factor != 1)
+      for (double& value : record.channels.back()) value *= described.si_factor;
     if (record.channels.back().size() != count)
       throw InputError(data.file, "variable " + described.variable,
                        fmt::format("has {} samples, {} has {}", record.channels.back().size(), first, count),
@@ -134,7 +150,7 @@ ImportedCampaign import_files(const ImportOptions& options, const RecordSink& si
     throw InputError("--ensemble", "", "is not positive", "a duration in seconds was expected");
   const Variables variables = describe_data_file(options.files.front());
   const std::vector<DescribedChannel> channels = describe_channels(options, variables);
-  const std::string time = time_variable(options, variables, options.files.front().string());
+  const TimeChoice time = time_variable(options, variables, options.files.front().string());
   const RecordKind kind = record_kind(options.kind);
 
   ImportedCampaign imported;
@@ -145,17 +161,22 @@ ImportedCampaign import_files(const ImportOptions& options, const RecordSink& si
     const auto channel = std::find_if(channels.begin(), channels.end(),
                                       [&](const DescribedChannel& d) { return d.variable == variable.name; });
     if (channel == channels.end()) {
-      if (variable.name != time) imported.left_out.push_back(variable.name);
+      if (variable.name != time.variable) imported.left_out.push_back(variable.name);
     } else if (!variable.unit.empty() && variable.stated_unit != variable.unit) {
       imported.converted.push_back({channel->channel.name, variable.stated_unit, variable.unit});
+    } else if (!channel->given_unit.empty()) {
+      imported.converted.push_back({channel->channel.name, channel->given_unit, channel->channel.unit});
     }
   }
   std::set<std::string> taken;
   for (std::size_t f = 0; f < options.files.size(); ++f) {
     // Files after the first are expected at the first one's rate.
     const std::optional<double> expected = f == 0 ? options.sample_rate_hz : std::optional(campaign.sample_rate_hz);
-    Record record = read_file(options.files[f], channels, time, expected,
-                              options.sample_rate_hz ? "--sample-rate says" : "the first file's rate is");
+    std::string time_unit;
+    Record record =
+        read_file(options.files[f], channels, time, expected,
+                  options.sample_rate_hz ? "--sample-rate says" : "the first file's rate is", time_unit);
+    if (f == 0 && seconds_in(time_unit).value_or(1) != 1) imported.converted.push_back({"t", time_unit, "s"});
     if (f == 0) campaign.sample_rate_hz = record.sample_rate_hz;
     RecordEntry entry;
     entry.file = record_file(options.files[f], taken);

@@ -10,6 +10,7 @@
 #include "measure/data/data_file.hpp"
 #include "measure/data/jitter.hpp"
 #include "measure/data/record_data.hpp"
+#include "measure/data/unit.hpp"
 
 namespace secular {
 namespace {
@@ -37,15 +38,15 @@ std::optional<TimeAxis> judged_axis(const std::vector<double>& stamps, const Row
   }
 }
 
-std::string lower(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
-// "HIdata.time" -> "time".
-std::string last_part(const std::string& path) {
-  return path.substr(path.rfind('.') + 1);
+// The same for a variable in its own unit, which becomes seconds.
+std::optional<TimeAxis> judged_time(DataVariable& time, const DataFile& data, std::vector<DataFault>& faults) {
+  try {
+    convert_to_seconds(time, data.file);
+  } catch (const InputError& error) {
+    faults.push_back({"time", without_file(error)});
+    return std::nullopt;
+  }
+  return judged_axis(time.values, data.place, std::nullopt, faults);
 }
 
 // Samples of a channel that the limit leaves to each of `channels`.
@@ -122,21 +123,23 @@ std::vector<RecordInspection> inspect_records(const Campaign& campaign, const In
 FileInspection inspect_file(const std::filesystem::path& path, const InspectionLimit& limit) {
   const std::uintmax_t bytes = size_of(path);
   const std::size_t channels = bytes <= limit.whole_bytes ? 1 : describe_data_file(path).size();
-  const DataFile data = read_data_file(path, {}, MissingNumbers::keep_as_nan, share_of(limit, bytes, channels));
+  DataFile data = read_data_file(path, {}, MissingNumbers::keep_as_nan, share_of(limit, bytes, channels));
+  convert_csv_units(data);
   FileInspection inspection;
   inspection.format = data.format;
   inspection.partial = data.partial;
-  for (const DataVariable& variable : data.variables) {
+  for (DataVariable& variable : data.variables) {
+    const bool time = inspection.time.empty() && variable.fault.empty() && variable.values.size() > 1 &&
+                      is_called_time(variable.name);
+    if (time) {
+      inspection.time = variable.name;
+      inspection.axis = judged_time(variable, data, inspection.faults);
+    }
     inspection.variables.push_back({variable.name, variable.shape, variable.type, variable.unit,
                                     variable.stated_unit, variable.fault, std::nullopt});
     if (!variable.fault.empty()) continue;
-    const std::string name = lower(last_part(variable.name));
-    if (inspection.time.empty() && (name == "t" || name == "time") && variable.values.size() > 1) {
-      inspection.time = variable.name;
-      inspection.axis = judged_axis(variable.values, data.place, std::nullopt, inspection.faults);
-    }
     inspection.variables.back().quality = check_channel(variable.values);
-    if (variable.name == inspection.time) {  // neither an offset nor a ramp is a fault of time
+    if (time) {  // neither an offset nor a ramp is a fault of time
       inspection.variables.back().quality->faults.clear();
       inspection.variables.back().quality->noise.reset();
       inspection.variables.back().quality->resolution.reset();
@@ -151,8 +154,9 @@ FileInspection inspect_file(const std::filesystem::path& path, const InspectionL
   std::optional<std::size_t> counted;
   if (!inspection.time.empty()) {
     const std::size_t column = data.index_of(inspection.time);
-    counted = samples_until(data.last_row[column], inspection.axis, data.variables[column].shape.front(),
-                            inspection.faults);
+    std::vector<double> last = {data.last_row[column]};
+    scale_to_seconds(last, seconds_in(data.variables[column].stated_unit).value_or(1));
+    counted = samples_until(last.front(), inspection.axis, data.variables[column].shape.front(), inspection.faults);
   }
   inspection.estimated = !counted;
   if (counted)

@@ -17,6 +17,7 @@ struct MatVariable {
   std::string type;            ///< "double", "int16", "complex double", ...
   std::vector<double> values;  ///< if it was wanted and is a vector
   std::string fault;           ///< why it has no values: "is complex", "is a matrix", ...; empty if it has
+  std::string unit{};          ///< as the file spells it (HDF5: the attribute `units`)
 };
 
 /// The numeric variables of a MAT v5 file, in file order; with values (the first `limit`) those of `wanted`

@@ -11,6 +11,7 @@
 
 #include "input/input_error.hpp"
 #include "measure/data/mapped_file.hpp"
+#include "measure/data/unit.hpp"
 
 namespace secular {
 namespace {
@@ -67,11 +68,34 @@ std::string_view next_line(std::string_view& rest) {
 }
 
 struct Header {
-  std::vector<std::string> names;
+  std::vector<std::string> names, units;
   char separator = ',';
-  std::size_t line = 0;
-  std::string_view rows;  // the text below the header
+  std::size_t line = 0;       // of the names
+  std::size_t last_line = 0;  // of the units, if there are any
+  std::string_view rows;      // the text below the header
 };
+
+// A row of units: as many fields as there are names, some of them known units and none of them a number.
+void read_units(Header& header) {
+  header.last_line = header.line;
+  for (const std::string& name : header.names) header.units.push_back(bracketed_unit(name).unit);
+  std::string_view rest = header.rows;
+  std::vector<std::string_view> fields = split_quoted(trimmed(next_line(rest)), header.separator);
+  while (fields.size() > header.names.size() && fields.back().empty()) fields.pop_back();
+  if (fields.size() != header.names.size()) return;
+  bool known = false;
+  for (const std::string_view field : fields) {
+    const std::string unit(field);
+    known = known || seconds_in(unit) || (unit_meaning(usual_spelling(unit)) && unit != "1");
+    double number = 0;
+    if (std::from_chars(field.data(), field.data() + field.size(), number).ec == std::errc()) return;
+  }
+  if (!known) return;
+  for (std::size_t c = 0; c < fields.size(); ++c)
+    if (!fields[c].empty()) header.units[c] = usual_spelling(std::string(fields[c]));
+  header.rows = rest;
+  ++header.last_line;
+}
 
 Header read_header(std::string_view text, const std::string& file) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
@@ -104,6 +128,7 @@ Header read_header(std::string_view text, const std::string& file) {
       throw InputError(file, place, "names two columns " + shown(name), "every column has its own name");
   }
   header.rows = text;
+  read_units(header);
   return header;
 }
 
@@ -195,7 +220,7 @@ void read_rows(const RowReader& reader, MappedFile& mapped, std::size_t limit, N
   const std::string_view rows = reader.header.rows;
   const auto header_size = static_cast<std::size_t>(rows.data() - mapped.bytes().data());
   std::string_view rest = rows;
-  std::size_t line_number = reader.header.line, empty_line = 0;
+  std::size_t line_number = reader.header.last_line, empty_line = 0;
   while (!rest.empty() && table.rows() < limit) {
     std::string_view line = trimmed(next_line(rest));
     ++line_number;
@@ -235,9 +260,21 @@ std::size_t count_lines(std::string_view rows, MappedFile& mapped, std::size_t l
 
 }  // namespace
 
-std::vector<std::string> read_csv_names(const std::filesystem::path& path) {
+CsvName bracketed_unit(const std::string& name) {
+  if (name.size() < 3 || (name.back() != ')' && name.back() != ']')) return {name, ""};
+  const std::size_t open = name.rfind(name.back() == ')' ? '(' : '[');
+  if (open == std::string::npos || open == 0 || open + 2 >= name.size()) return {name, ""};
+  return {std::string(trimmed(std::string_view(name).substr(0, open))),
+          name.substr(open + 1, name.size() - open - 2)};
+}
+
+NumberTable read_csv_header(const std::filesystem::path& path) {
   const MappedFile mapped(path);
-  return read_header(mapped.bytes(), path.string()).names;
+  Header header = read_header(mapped.bytes(), path.string());
+  NumberTable table;
+  table.names = std::move(header.names);
+  table.units = std::move(header.units);
+  return table;
 }
 
 NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& wanted,
@@ -255,6 +292,7 @@ NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::s
       throw InputError(file, fmt::format("line {}", header.line), "has no column " + shown(table.names[c]),
                        fmt::format("its columns are {}", fmt::join(header.names, ", ")));
     target[static_cast<std::size_t>(found - header.names.begin())] = c;
+    table.units.push_back(header.units[static_cast<std::size_t>(found - header.names.begin())]);
   }
   const std::size_t lines = count_lines(header.rows, mapped, limit);
   for (std::vector<double>& column : table.columns) column.reserve(lines);

@@ -16,6 +16,7 @@ struct NumberTable {
   std::size_t total_rows = 0;  ///< of the file; estimated from its size where only the first rows were read
   std::vector<double>
       last_row{};  ///< of the file, by column, where only the first rows were read; empty if damaged
+  std::vector<std::string> units{};  ///< by name: from brackets behind it, or from a row of units; else empty
   std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
 };
 
@@ -25,16 +26,24 @@ inline constexpr std::size_t all_values = std::numeric_limits<std::size_t>::max(
 /// What becomes of a field that holds no finite number (empty, text, NaN, infinity).
 enum class MissingNumbers { refuse, keep_as_nan };
 
-/// Reads a CSV with one header line: comma, semicolon or tabulator between fields (a semicolon allows decimal
-/// commas), quoted names, CRLF, byte order mark, blanks and trailing empty lines are accepted. Only the `wanted`
-/// columns are read, in that order (empty: all), and at most `limit` rows of them. Throws InputError with the line
-/// for a row of another length, a field that is no finite number (MissingNumbers::refuse), a wanted column that is
-/// not there, two columns of one name, and for a file without rows.
+struct CsvName {
+  std::string name, unit;
+};
+
+/// "Time (ms)" or "Time [ms]" -> "Time", "ms".
+CsvName bracketed_unit(const std::string& name);
+
+/// Reads a CSV with one header line and perhaps a row of units below it: comma, semicolon or tabulator between
+/// fields (a semicolon allows decimal commas), quoted names, CRLF, byte order mark, blanks and trailing empty lines
+/// are accepted. Only the `wanted` columns are read, in that order (empty: all), and at most `limit` rows of them.
+/// Throws InputError with the line for a row of another length, a field that is no finite number
+/// (MissingNumbers::refuse), a wanted column that is not there, two columns of one name, and for a file without
+/// rows.
 NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& wanted = {},
                      MissingNumbers missing = MissingNumbers::refuse, std::size_t limit = all_values);
 
-/// The header of a CSV, by the same rules.
-std::vector<std::string> read_csv_names(const std::filesystem::path& path);
+/// The header of a CSV, by the same rules: names and units.
+NumberTable read_csv_header(const std::filesystem::path& path);
 
 /// The header line of a CSV, and rows of it: numbers so that reading restores them bit by bit.
 std::string csv_header(const std::vector<std::string>& names);

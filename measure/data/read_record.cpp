@@ -21,6 +21,12 @@ RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, 
     names.push_back(renamed == entry.variables.end() ? channel : renamed->second);
   }
   DataFile data = read_data_file(campaign.folder / entry.file, names, missing, limit);
+  convert_to_seconds(data.vector(names.front()), data.file);
+  // A channel may bear the unit that it had before import in its name; a row of units speaks of the numbers below
+  // it.
+  for (DataVariable& variable : data.variables)
+    if (variable.stated_unit == bracketed_unit(variable.name).unit) variable.stated_unit.clear();
+  convert_csv_units(data);
   // Values move to their last reader: a record is held once.
   const auto take = [&](std::size_t column) {
     DataVariable& variable = data.vector(names[column]);
@@ -37,6 +43,10 @@ RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, 
     if (const std::string fault = quantity_fault(variable, quantity); !fault.empty())
       throw InputError(data.file, "variable " + variable.name, fault,
                        fmt::format("campaign.toml says {}", to_string(quantity)));
+    if (variable.of_full_scale)
+      throw InputError(data.file, "variable " + variable.name,
+                       "holds fractions of a range that the file does not state",
+                       "secular import makes a record of it with --channel NAME:ROLE:QUANTITY:UNIT:FACTOR");
     record.channels.push_back(take(c + 1));
     if (record.channels.back().size() != record.stamps_s.size())
       throw InputError(

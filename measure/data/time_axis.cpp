@@ -57,9 +57,9 @@ double largest_deviation(const std::vector<double>& stamps, const StampLine& lin
   return largest;
 }
 
-// Significant digits of the shortest text that restores the number.
+// Significant digits, up to the 15 that survive a change of unit.
 int digits_of(double value) {
-  std::string text = fmt::format("{}", value);
+  std::string text = fmt::format("{:.15g}", value);
   text.resize(std::min(text.size(), text.find('e')));
   text.erase(0, text.find_first_not_of("-0."));
   return static_cast<int>(text.size() - (text.find('.') == std::string::npos ? 0 : 1));

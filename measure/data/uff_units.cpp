@@ -44,62 +44,6 @@ std::optional<Quantity> quantity_of(int data_type, bool rotation) {
   }
 }
 
-struct Spelling {
-  std::string_view found, meant;
-};
-
-/// How measuring programs spell units that this one spells in one way.
-constexpr Spelling spellings[] = {{"G", "g"},
-                                  {"g's", "g"},
-                                  {"M/S^2", "m/s^2"},
-                                  {"M/S2", "m/s^2"},
-                                  {"m/s**2", "m/s^2"},
-                                  {"m/sec^2", "m/s^2"},
-                                  {"m/sec2", "m/s^2"},
-                                  {"M/S", "m/s"},
-                                  {"m/sec", "m/s"},
-                                  {"mm/sec", "mm/s"},
-                                  {"M", "m"},
-                                  {"Volt", "V"},
-                                  {"Volts", "V"},
-                                  {"volt", "V"},
-                                  {"volts", "V"},
-                                  {"Newton", "N"},
-                                  {"newton", "N"},
-                                  {"NEWTON", "N"},
-                                  {"Deg", "deg"},
-                                  {"DEG", "deg"},
-                                  {"RAD", "rad"},
-                                  {"Rad", "rad"},
-                                  {"MM", "mm"},
-                                  {"uE", "ustrain"},
-                                  {"uStrain", "ustrain"},
-                                  {"µE", "ustrain"},
-                                  {"µstrain", "ustrain"},
-                                  {"lb", "lbf"},
-                                  {"mm/s2", "mm/s^2"},
-                                  {"mm/s²", "mm/s^2"},
-                                  {"in/s2", "in/s^2"},
-                                  {"μm", "µm"}};
-
-std::string without_brackets(const std::string& unit) {
-  const bool bracketed = unit.size() > 2 && ((unit.front() == '(' && unit.back() == ')') ||
-                                             (unit.front() == '[' && unit.back() == ']'));
-  return bracketed && unit.find_first_of("([", 1) == std::string::npos ? unit.substr(1, unit.size() - 2) : unit;
-}
-
-std::string usual_spelling(const std::string& unit) {
-  const std::string bare = without_brackets(unit);
-  const auto known =
-      std::find_if(std::begin(spellings), std::end(spellings), [&](const Spelling& s) { return s.found == bare; });
-  return known == std::end(spellings) ? bare : std::string(known->meant);
-}
-
-// Units that measure anything without a data type beside them.
-bool is_bare_ratio(const std::string& unit) {
-  return unit == "1" || unit == "%";
-}
-
 }  // namespace
 
 std::optional<UffMeaning> ordinate_meaning(const UffAxis& axis, bool rotation) {
@@ -119,14 +63,7 @@ std::optional<UffMeaning> ordinate_meaning(const UffAxis& axis, bool rotation) {
 
 std::optional<double> seconds_in_unit(const UffAxis& axis) {
   if (axis.data_type != type_time && !says_nothing(axis.data_type)) return std::nullopt;
-  const std::string unit = without_brackets(axis.unit);
-  for (const std::string_view second : {"", "s", "S", "sec", "Sec", "SEC", "second", "seconds", "Seconds"})
-    if (unit == second) return 1;
-  if (unit == "ms" || unit == "msec") return 1e-3;
-  if (unit == "us" || unit == "usec" || unit == "µs" || unit == "μs") return 1e-6;
-  if (unit == "min") return 60;
-  if (unit == "h") return 3600;
-  return std::nullopt;
+  return axis.unit.empty() ? 1 : seconds_in(axis.unit);
 }
 
 std::string function_type_name(int type) {

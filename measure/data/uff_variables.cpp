@@ -86,8 +86,7 @@ DataVariable time_variable(std::string name, const UffFunction& function, bool r
   if (function.even)
     for (std::size_t i = 0; i < function.real.size(); ++i)
       time.values.push_back(function.start + static_cast<double>(i) / function.rate);
-  if (*seconds != 1)
-    for (double& stamp : time.values) stamp *= *seconds;
+  scale_to_seconds(time.values, *seconds);
   return time;
 }
 

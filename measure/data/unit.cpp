@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <numbers>
@@ -68,6 +69,23 @@ constexpr KnownUnit known_units[] = {
     {"rev", Quantity::angle, "2*pi"},
 };
 
+struct Spelling {
+  std::string_view found, meant;
+};
+
+/// How measuring programs spell units that this one spells in one way.
+constexpr Spelling spellings[] = {
+    {"G", "g"},           {"g's", "g"},           {"M/S^2", "m/s^2"}, {"M/S2", "m/s^2"},    {"m/s**2", "m/s^2"},
+    {"m/sec^2", "m/s^2"}, {"m/sec2", "m/s^2"},    {"M/S", "m/s"},     {"m/sec", "m/s"},     {"mm/sec", "mm/s"},
+    {"M", "m"},           {"Volt", "V"},          {"Volts", "V"},     {"volt", "V"},        {"volts", "V"},
+    {"Newton", "N"},      {"newton", "N"},        {"NEWTON", "N"},    {"Deg", "deg"},       {"DEG", "deg"},
+    {"RAD", "rad"},       {"Rad", "rad"},         {"MM", "mm"},       {"uE", "ustrain"},    {"uStrain", "ustrain"},
+    {"µE", "ustrain"},    {"µstrain", "ustrain"}, {"lb", "lbf"},      {"mm/s2", "mm/s^2"},  {"mm/s²", "mm/s^2"},
+    {"in/s2", "in/s^2"},  {"μm", "µm"},           {"m s-2", "m/s^2"}, {"m s**-2", "m/s^2"}, {"m.s-2", "m/s^2"},
+    {"m s-1", "m/s"},     {"m s**-1", "m/s"},     {"m.s-1", "m/s"},   {"meter", "m"},       {"meters", "m"},
+    {"metre", "m"},       {"metres", "m"},        {"inch", "in"},     {"inches", "in"},     {"newtons", "N"},
+    {"Newtons", "N"},     {"radian", "rad"},      {"radians", "rad"}, {"Degrees", "deg"}};
+
 struct OtherUnit {
   std::string_view name, measures;
 };
@@ -85,7 +103,45 @@ constexpr OtherUnit other_units[] = {{"Hz", "frequency"},
                                      {"MPa", "pressure or stress"},
                                      {"A", "electric current"},
                                      {"Nm", "torque"},
-                                     {"N m", "torque"}};
+                                     {"N m", "torque"},
+                                     {"count", "a converter's steps"},
+                                     {"counts", "a converter's steps"},
+                                     {"Counts", "a converter's steps"},
+                                     {"cts", "a converter's steps"},
+                                     {"LSB", "a converter's steps"},
+                                     {"digits", "a converter's steps"}};
+
+struct TimeUnit {
+  std::string_view name;
+  double seconds;
+};
+
+constexpr TimeUnit time_units[] = {{"s", 1},
+                                   {"S", 1},
+                                   {"sec", 1},
+                                   {"Sec", 1},
+                                   {"SEC", 1},
+                                   {"second", 1},
+                                   {"seconds", 1},
+                                   {"Seconds", 1},
+                                   {"ms", 1e-3},
+                                   {"msec", 1e-3},
+                                   {"millisecond", 1e-3},
+                                   {"milliseconds", 1e-3},
+                                   {"us", 1e-6},
+                                   {"usec", 1e-6},
+                                   {"µs", 1e-6},
+                                   {"μs", 1e-6},
+                                   {"microsecond", 1e-6},
+                                   {"microseconds", 1e-6},
+                                   {"ns", 1e-9},
+                                   {"nanoseconds", 1e-9},
+                                   {"min", 60},
+                                   {"minute", 60},
+                                   {"minutes", 60},
+                                   {"h", 3600},
+                                   {"hour", 3600},
+                                   {"hours", 3600}};
 
 constexpr Quantity all_quantities[] = {Quantity::acceleration, Quantity::velocity, Quantity::displacement,
                                        Quantity::force,        Quantity::voltage,  Quantity::strain,
@@ -93,6 +149,12 @@ constexpr Quantity all_quantities[] = {Quantity::acceleration, Quantity::velocit
 
 bool is_si(Quantity quantity, std::string_view unit) {
   return unit == si_unit(quantity) || (quantity == Quantity::strain && unit == "m/m");
+}
+
+std::string without_brackets(const std::string& unit) {
+  const bool bracketed = unit.size() > 2 && ((unit.front() == '(' && unit.back() == ')') ||
+                                             (unit.front() == '[' && unit.back() == ']'));
+  return bracketed && unit.find_first_of("([", 1) == std::string::npos ? unit.substr(1, unit.size() - 2) : unit;
 }
 
 // A product such as "pi/180" or "1/3.6".
@@ -118,6 +180,39 @@ std::optional<UnitMeaning> unit_meaning(const std::string& unit) {
   for (const KnownUnit& known : known_units)
     if (known.name == unit) return UnitMeaning{known.quantity, factor_value(known.factor)};
   return std::nullopt;
+}
+
+std::string usual_spelling(const std::string& unit) {
+  const std::string bare = without_brackets(unit);
+  const auto known =
+      std::find_if(std::begin(spellings), std::end(spellings), [&](const Spelling& s) { return s.found == bare; });
+  return known == std::end(spellings) ? bare : std::string(known->meant);
+}
+
+bool is_bare_ratio(const std::string& unit) {
+  return unit == "1" || unit == "%";
+}
+
+std::optional<double> seconds_in(const std::string& unit) {
+  const std::string bare = without_brackets(unit.substr(0, unit.find(" since ")));  // "seconds since 2020-01-01"
+  for (const TimeUnit& known : time_units)
+    if (known.name == bare) return known.seconds;
+  return std::nullopt;
+}
+
+void scale_to_seconds(std::vector<double>& stamps, double seconds) {
+  if (seconds < 1) {
+    const double units_a_second = std::round(1 / seconds);  // 1.5 ms are the number 0.0015
+    for (double& stamp : stamps) stamp /= units_a_second;
+  } else if (seconds > 1) {
+    for (double& stamp : stamps) stamp *= seconds;
+  }
+}
+
+std::string other_measure(const std::string& unit) {
+  for (const OtherUnit& other : other_units)
+    if (other.name == unit) return std::string(other.measures);
+  return {};
 }
 
 std::string si_unit(Quantity quantity) {
@@ -155,8 +250,7 @@ std::string unit_fault(Quantity quantity, const std::string& unit) {
     if (is_si(other, unit)) measures = to_string(other);
   for (const KnownUnit& other : known_units)
     if (measures.empty() && other.name == unit) measures = to_string(other.quantity);
-  for (const OtherUnit& other : other_units)
-    if (other.name == unit) measures = other.measures;
+  if (measures.empty()) measures = other_measure(unit);
   if (measures.empty())
     return fmt::format("unit '{}' is not known: '{}' was expected for the quantity {}", unit, right,
                        to_string(quantity));

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "measure/data/campaign.hpp"
 
@@ -21,5 +22,20 @@ struct UnitMeaning {
 
 /// What a unit measures; nothing for a unit that is not known.
 std::optional<UnitMeaning> unit_meaning(const std::string& unit);
+
+/// "m/s^2" for "[m/sec2]" and other ways in which measuring programs spell units; others as they are.
+std::string usual_spelling(const std::string& unit);
+
+/// Units that measure anything: 1 and %.
+bool is_bare_ratio(const std::string& unit);
+
+/// What a unit measures that no channel measures ("frequency"); else empty.
+std::string other_measure(const std::string& unit);
+
+/// Seconds in a unit of time, however it is spelled; nothing for another unit.
+std::optional<double> seconds_in(const std::string& unit);
+
+/// Stamps in a unit of so many seconds become seconds.
+void scale_to_seconds(std::vector<double>& stamps, double seconds);
 
 }  // namespace secular

@@ -117,6 +117,7 @@ DataFile read_wav(const std::filesystem::path& path, const std::vector<std::stri
   for (std::size_t c = 0; c < format.channels; ++c) {
     data.variables.push_back({fmt::format("channel {}", c + 1), {count}, type, {}, empty});
     DataVariable& channel = data.variables.back();
+    channel.of_full_scale = true;
     if (!is_wanted(channel.name)) continue;
     channel.values.reserve(taken);
     for (std::size_t i = 0; i < taken; ++i)

@@ -293,5 +293,35 @@ TEST_F(DamagedHdf5, EveryByteOfTheStructure) {
   }
 }
 
+TEST_F(Mat73, ScaleOffsetAndUnitOfAttributesAreApplied) {
+  for (const H5F_libver_t version : {H5F_LIBVER_EARLIEST, H5F_LIBVER_V18, H5F_LIBVER_LATEST})
+    for (const std::size_t others : {std::size_t{0}, std::size_t{12}}) {  // many attributes stand outside of the header
+      const fs::path file = folder_ / "a.h5";
+      {
+        Hdf5Writer writer(file, version);
+        Hdf5Writer::Form counts;
+        counts.type = H5T_STD_I16BE;
+        for (const char* set : {"t", "x", "y", "z"}) writer.add(set, {3}, {0, 2, -4}, counts);
+        for (std::size_t i = 0; i < others; ++i)
+          for (const char* set : {"t", "x"}) writer.add_number(set, "other" + std::to_string(i), 7);
+        writer.add_unit("t", "units", "milliseconds since 2020-01-01", true);
+        writer.add_number("x", "scale_factor", 0.5, {1});
+        writer.add_number("x", "add_offset", 3);
+        writer.add_unit("x", "units", "g", others == 0);
+        writer.add_unit("y", "units", "counts", true);
+        writer.add_number("z", "scale_factor", 0.5, {2});
+      }
+      DataFile data = read_data_file(file);
+      EXPECT_EQ(data.vector("x").values, (Numbers{3 * 9.80665, 4 * 9.80665, 1 * 9.80665}));
+      EXPECT_EQ(data.vector("x").unit, "m/s^2");
+      EXPECT_EQ(data.vector("x").stated_unit, "g");
+      EXPECT_EQ(data.vector("y").values, (Numbers{0, 2, -4}));
+      EXPECT_TRUE(data.vector("y").unit.empty());
+      EXPECT_TRUE(contains(refusal([&] { data.vector("z"); }), "scale_factor that is not one number"));
+      convert_to_seconds(data.vector("t"), data.file);
+      EXPECT_EQ(data.vector("t").values, (Numbers{0, 0.002, -0.004}));
+    }
+}
+
 }  // namespace
 }  // namespace secular

@@ -57,6 +57,18 @@ class Hdf5Writer {
     H5Pclose(creation);
   }
 
+  /// A number, or a text of its own length or of any length, beside a data set.
+  void add_number(const std::string& set, const std::string& name, double value, std::vector<hsize_t> shape = {}) {
+    add_attribute(set, name, H5T_IEEE_F64BE, H5T_NATIVE_DOUBLE, shape, std::vector<double>(8, value).data());
+  }
+  void add_unit(const std::string& set, const std::string& name, const std::string& text, bool any_length) {
+    const hid_t type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, any_length ? H5T_VARIABLE : text.size());
+    const char* const pointer = text.c_str();
+    add_attribute(set, name, type, type, {}, any_length ? static_cast<const void*>(&pointer) : pointer);
+    H5Tclose(type);
+  }
+
   /// How a group keeps its members.
   struct Group {
     bool creation_order = false, compressed = false;
@@ -92,6 +104,18 @@ class Hdf5Writer {
   }
 
  private:
+  void add_attribute(const std::string& set, const std::string& name, hid_t type, hid_t memory,
+                     const std::vector<hsize_t>& shape, const void* value) {
+    const hid_t object = H5Dopen2(file_, set.c_str(), H5P_DEFAULT);
+    const hid_t space = shape.empty() ? H5Screate(H5S_SCALAR)
+                                      : H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
+    const hid_t attribute = H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(attribute, memory, value);
+    H5Aclose(attribute);
+    H5Sclose(space);
+    H5Dclose(object);
+  }
+
   hid_t file_;
 };
 

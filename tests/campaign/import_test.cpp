@@ -5,6 +5,7 @@
 
 #include "measure/data/import_files.hpp"
 #include "measure/data/inspection.hpp"
+#include "measure/data/unit.hpp"
 #include "measure/data/watched_reader.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
@@ -107,7 +108,10 @@ TEST_F(Import, ChannelDescriptionsAreChecked) {
       {"top:response:acceleration:m/s^2", "has no variable 'top'; its variables are t, base, tip"},
       {"tip:output:acceleration:m/s^2", "role: is 'output'; excitation or response"},
       {"tip:response:accel:m/s^2", "quantity: is 'accel'"},
-      {"tip:response:acceleration:g", "9.80665"},
+      {"tip:response:acceleration:mm", "unit 'mm' measures displacement"},
+      {"tip:response:acceleration:parsec", "--channel NAME:ROLE:QUANTITY:UNIT:FACTOR"},
+      {"tip:response:acceleration:g:0", "factor: is '0'; a number other than zero"},
+      {"tip:response:acceleration:counts", "measures a converter's steps"},
       {"t=tip:response:acceleration:m/s^2", "names time"},
       {"base:excitation:acceleration:m/s^2", "described twice"},
   };
@@ -186,6 +190,90 @@ TEST_F(Inspection, AFileShowsItsVariables) {
   EXPECT_EQ(file.variables[1].quality->maximum, 4);
   EXPECT_EQ(file.variables[2].type, "text");
   EXPECT_FALSE(file.variables[2].quality);
+}
+
+TEST_F(Import, TimeIsReadInTheUnitThatTheFileStates) {
+  const struct {
+    const char *name, *row, *time, *unit;
+    double seconds;
+  } cases[] = {{"Time (ms)", "", "Time (ms)", "ms", 1e-3}, {"Time [us]", "", "Time [us]", "us", 1e-6},
+               {"t_ms", "", "t_ms", "ms", 1e-3},           {"time_min", "", "time_min", "min", 60},
+               {"Time", "ms,V,V\n", "Time", "ms", 1e-3},   {"Time", "[s],[V],\n", "Time", "s", 1},
+               {"stamp", "", "stamp:h", "h", 3600},        {"t", "", "t:us", "us", 1e-6},
+               {"Time (ms)", "", "Time (ms):s", "s", 1},   {"t_ref", "", "t_ref", "", 1}};
+  for (const auto& test : cases) {
+    options_.files = {
+        write("run.csv", std::string(test.name) + ",base,tip\n" + test.row + "0,1,2\n2.5,3,4\n5,5,6\n")};
+    options_.time = test.time;
+    options_.channels = {"base:excitation:voltage:V", "tip:response:voltage:V"};
+    const ImportedCampaign imported = import_files(options_);
+    EXPECT_DOUBLE_EQ(imported.campaign.sample_rate_hz, 0.4 / test.seconds) << test.name << " " << test.row;
+    EXPECT_EQ(imported.samples[0].channels[1], (std::vector<double>{2, 4, 6}));
+    if (test.seconds == 1) continue;
+    ASSERT_EQ(imported.converted.size(), 1u);
+    EXPECT_EQ(imported.converted[0].from_unit, test.unit);
+  }
+  options_.files = {write("run.csv", "Time (fortnights),base,tip\n0,1,2\n2.5,3,4\n5,5,6\n")};
+  options_.time = "Time (fortnights)";
+  EXPECT_TRUE(contains(complaint(), "--time NAME:UNIT"));
+}
+
+TEST_F(Import, KnownUnitsConvertInEveryFormat) {
+  const struct {
+    const char *header, *channel;
+    Quantity quantity;
+    double factor;
+  } cases[] = {{"t,base,tip", "tip:response:acceleration:g", Quantity::acceleration, 9.80665},
+               {"t,base,tip", "tip:response:displacement:in", Quantity::displacement, 0.0254},
+               {"t,base,tip", "tip:response:strain:1", Quantity::strain, 1},
+               {"t,base,tip", "tip:response:strain:1:1e-6", Quantity::strain, 1e-6},
+               {"t,base,tip", "tip:response:displacement:mm:0.5", Quantity::displacement, 0.0005},
+               {"t,base,tip (g)", "tip=tip (g):response", Quantity::acceleration, 9.80665},
+               {"t,base,tip [mm]", "tip=tip [mm]:response:displacement:mm", Quantity::displacement, 0.001},
+               {"t,base,tip (counts)", "tip=tip (counts):response:voltage:mV:0.25", Quantity::voltage, 0.00025},
+               {"t,base,tip\ns,m/s2,deg", "tip:response", Quantity::angle, std::numbers::pi / 180}};
+  options_.channels = {"tip:response"};
+  for (const auto& test : cases) {
+    options_.files = {write("run.csv", std::string(test.header) + "\n0,1,2\n2.5,3,4\n5,5,6\n")};
+    options_.channels = {test.channel};
+    const ImportedCampaign imported = import_files(options_);
+    EXPECT_EQ(imported.campaign.channels[0].quantity, test.quantity) << test.channel;
+    EXPECT_EQ(imported.campaign.channels[0].unit, si_unit(test.quantity));
+    EXPECT_DOUBLE_EQ(imported.samples[0].channels[0][1], 4 * test.factor) << test.channel;
+    EXPECT_EQ(imported.converted.size(), test.factor == 1 ? 0u : 1u) << test.channel;
+  }
+  options_.files = {write("run.csv", "t,base,tip (counts)\n0,1,2\n2.5,3,4\n5,5,6\n")};
+  options_.channels = {"tip=tip (counts):response:voltage:mV"};
+  EXPECT_TRUE(contains(complaint(), "QUANTITY:UNIT:FACTOR"));
+  const fs::path mat = folder_ / "a.mat";
+  {
+    MatWriter writer(mat);
+    writer.add(MatWriter::column("t_ms", {0, 2, 4}));
+    writer.add(MatWriter::column("x", {1, 2, 3}));
+  }
+  options_.files = {mat};
+  options_.time = "t_ms";
+  options_.channels = {"x:response:displacement:um"};
+  const ImportedCampaign imported = import_files(options_);
+  EXPECT_EQ(imported.campaign.sample_rate_hz, 500);
+  EXPECT_DOUBLE_EQ(imported.samples[0].channels[0][2], 3e-6);
+}
+
+TEST_F(Import, FilesOfTheFaultsStateUnitAndScale) {
+  const fs::path faults = fs::path(SECULAR_SOURCE_DIR) / "../shared/faults";
+  if (!fs::exists(faults)) GTEST_SKIP() << "../shared/faults is not there";
+  options_.files = {faults / "time_in_ms/d14_time_ms.csv"};
+  options_.time = "Time (ms)";
+  options_.channels = {"tip:response:acceleration:m/s^2"};
+  EXPECT_EQ(import_files(options_).campaign.sample_rate_hz, 512);
+  EXPECT_TRUE(import_files(options_).warnings.empty());
+  options_.files = {faults / "scale_factor_ignored/d22c_int16_scale.h5"};
+  options_.time = "t";
+  options_.channels = {"tip:response"};
+  EXPECT_NEAR(import_files(options_).samples[0].channels[0][0], 4.7774, 1e-3);
+  options_.files = {faults / "units_g_counts_wav/d20b_g.csv"};
+  options_.channels = {"tip:response:acceleration:g"};
+  EXPECT_NEAR(import_files(options_).samples[0].channels[0][0], 4.7774, 1e-3);
 }
 
 TEST_F(Import, WhoReadsRecordsHearsOfClipping) {

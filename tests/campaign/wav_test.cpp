@@ -78,12 +78,15 @@ TEST_F(Wav, IsImportedWithTheUnitsTheOptionsGive) {
   ImportOptions options;
   options.files = {write("a.wav", wav({pcm, 1, 8000, 16}, std::string("\0\x40\0\x80\0\x20", 6)))};
   options.kind = "free_decay";
-  options.channels = {"tip=channel 1:response"};
-  EXPECT_TRUE(contains(refusal([&] { import_files(options); }), "give --channel NAME:ROLE:QUANTITY:UNIT"));
-  options.channels = {"tip=channel 1:response:voltage:V"};
+  for (const char* channel : {"tip=channel 1:response", "tip=channel 1:response:voltage:V"}) {
+    options.channels = {channel};
+    EXPECT_TRUE(contains(refusal([&] { import_files(options); }), "give --channel NAME:ROLE:QUANTITY:UNIT:FACTOR"));
+  }
+  options.channels = {"tip=channel 1:response:voltage:mV:4000"};
   const ImportedCampaign imported = import_files(options);
   EXPECT_EQ(imported.campaign.sample_rate_hz, 8000);
-  EXPECT_EQ(imported.samples[0].channels[0], (Numbers{0.5, -1, 0.25}));
+  EXPECT_EQ(imported.campaign.channels[0].unit, "V");
+  EXPECT_EQ(imported.samples[0].channels[0], (Numbers{2, -4, 1}));
 }
 
 TEST_F(Wav, ComplaintsNameThePlace) {
