@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "input/input_error.hpp"
+#include "measure/data/channel_times.hpp"
 #include "measure/data/data_file.hpp"
 #include "measure/data/import_channels.hpp"
 #include "measure/data/jitter.hpp"
@@ -81,7 +82,7 @@ std::string record_file(const std::filesystem::path& source, std::set<std::strin
 
 Record read_file(const std::filesystem::path& path, const std::vector<DescribedChannel>& channels,
                  const TimeChoice& choice, std::optional<double> sample_rate_hz, const char* rate_from,
-                 std::string& time_unit) {
+                 std::string& time_unit, std::vector<std::string>& warnings) {
   const std::string& time = choice.variable;
   std::vector<std::string> wanted;
   for (const DescribedChannel& described : channels)
@@ -104,6 +105,16 @@ Record read_file(const std::filesystem::path& path, const std::vector<DescribedC
     record.sample_rate_hz = axis.sample_rate_hz;
     record.jitter_s = axis.jitter_s;
   }
+  std::vector<std::string> variables;
+  for (const DescribedChannel& described : channels) variables.push_back(described.variable);
+  const auto delays =
+      channel_delays(data, time, variables, time.empty() ? std::vector<double>{} : data.vector(time).values);
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    if (delays[c].value_or(0) != 0)
+      warnings.push_back(
+          fmt::format("{}: {} begins {} samples {} by a time of its own: shifted, and all channels cut to what "
+                      "they have in common",
+                      data.file, variables[c], std::abs(*delays[c]), *delays[c] > 0 ? "later" : "earlier"));
   const std::string& first = time.empty() ? channels.front().variable : time;
   const std::size_t count = data.vector(first).values.size();
   for (auto described_at = channels.begin(); described_at != channels.end(); ++described_at) {
@@ -123,12 +134,15 @@ Record read_file(const std::filesystem::path& path, const std::vector<DescribedC
     record.channels.push_back(last ? std::move(variable.values) : variable.values);
     if (variable.unit.empty() && described.si_factor != 1)
       for (double& value : record.channels.back()) value *= described.si_factor;
-    if (record.channels.back().size() != count)
+    if (record.channels.back().size() != count && !delays[record.channels.size() - 1])
       throw InputError(data.file, "variable " + described.variable,
                        fmt::format("has {} samples, {} has {}", record.channels.back().size(), first, count),
                        "all channels of a record have one length");
   }
-  if (count < 2) throw InputError(data.file, "", "has fewer than two samples", "a record needs many samples");
+  if (std::any_of(delays.begin(), delays.end(), [](const auto& delay) { return delay.value_or(0) != 0; }))
+    record.start_s += static_cast<double>(align_channels(record.channels, delays)) / record.sample_rate_hz;
+  if (record.samples() < 2)
+    throw InputError(data.file, "", "has fewer than two samples", "a record needs many samples");
   return record;
 }
 
@@ -173,9 +187,9 @@ ImportedCampaign import_files(const ImportOptions& options, const RecordSink& si
     // Files after the first are expected at the first one's rate.
     const std::optional<double> expected = f == 0 ? options.sample_rate_hz : std::optional(campaign.sample_rate_hz);
     std::string time_unit;
-    Record record =
-        read_file(options.files[f], channels, time, expected,
-                  options.sample_rate_hz ? "--sample-rate says" : "the first file's rate is", time_unit);
+    Record record = read_file(options.files[f], channels, time, expected,
+                              options.sample_rate_hz ? "--sample-rate says" : "the first file's rate is", time_unit,
+                              imported.warnings);
     if (f == 0 && seconds_in(time_unit).value_or(1) != 1) imported.converted.push_back({"t", time_unit, "s"});
     if (f == 0) campaign.sample_rate_hz = record.sample_rate_hz;
     RecordEntry entry;

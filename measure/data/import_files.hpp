@@ -33,7 +33,7 @@ struct ImportedCampaign {
   std::vector<Record> samples;
   std::vector<std::string> left_out;        ///< variables that no --channel or --time names, each once
   std::vector<ConvertedChannel> converted;  ///< channels whose unit the first file spells in another way or scales
-  std::vector<std::string> warnings;        ///< what import takes for even time stamps and is none
+  std::vector<std::string> warnings;        ///< what was done to the samples, or is wrong with their time
 };
 
 /// Reads the files as records of one campaign; samples keep their bits, but for units that a file

@@ -139,7 +139,7 @@ FileInspection inspect_file(const std::filesystem::path& path, const InspectionL
                                     variable.stated_unit, variable.fault, std::nullopt});
     if (!variable.fault.empty()) continue;
     inspection.variables.back().quality = check_channel(variable.values);
-    if (time) {  // neither an offset nor a ramp is a fault of time
+    if (is_called_time(variable.name)) {  // neither an offset nor a ramp is a fault of time
       inspection.variables.back().quality->faults.clear();
       inspection.variables.back().quality->noise.reset();
       inspection.variables.back().quality->resolution.reset();

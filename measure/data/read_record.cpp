@@ -6,9 +6,11 @@
 
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
+#include "measure/data/channel_times.hpp"
 #include "measure/data/data_file.hpp"
 #include "measure/data/record_data.hpp"
 #include "measure/data/time_axis.hpp"
+#include "measure/data/unit.hpp"
 
 namespace secular {
 
@@ -36,7 +38,19 @@ RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, 
   };
   RecordData record{data.file, data.place, take(0), {}, 1, data.partial, data.format == "CSV", {}};
   for (const std::size_t length : data.vector(names.front()).shape) record.total *= length;
-  if (!data.last_row.empty()) record.last_stamp_s = data.last_row[data.index_of(names.front())];
+  if (!data.last_row.empty()) {
+    std::vector<double> last = {data.last_row[data.index_of(names.front())]};
+    scale_to_seconds(last, seconds_in(data.vector(names.front()).stated_unit).value_or(1));
+    record.last_stamp_s = last.front();
+  }
+  const std::vector<std::string> variables(names.begin() + 1, names.end());
+  const auto delays = channel_delays(data, names.front(), variables, record.stamps_s);
+  for (std::size_t c = 0; c < delays.size(); ++c)
+    if (delays[c].value_or(0) != 0)
+      throw InputError(
+          data.file, "variable " + variables[c],
+          fmt::format("begins {} samples off the time {}, by a time of its own", *delays[c], names.front()),
+          "secular import shifts channels to one time");
   for (std::size_t c = 0; c < campaign.channels.size(); ++c) {
     const DataVariable& variable = data.vector(names[c + 1]);
     const Quantity quantity = campaign.channels[c].quantity;

@@ -295,7 +295,8 @@ TEST_F(DamagedHdf5, EveryByteOfTheStructure) {
 
 TEST_F(Mat73, ScaleOffsetAndUnitOfAttributesAreApplied) {
   for (const H5F_libver_t version : {H5F_LIBVER_EARLIEST, H5F_LIBVER_V18, H5F_LIBVER_LATEST})
-    for (const std::size_t others : {std::size_t{0}, std::size_t{12}}) {  // many attributes stand outside of the header
+    for (const std::size_t others :
+         {std::size_t{0}, std::size_t{12}}) {  // many attributes stand outside of the header
       const fs::path file = folder_ / "a.h5";
       {
         Hdf5Writer writer(file, version);

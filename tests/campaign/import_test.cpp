@@ -276,6 +276,35 @@ TEST_F(Import, FilesOfTheFaultsStateUnitAndScale) {
   EXPECT_NEAR(import_files(options_).samples[0].channels[0][0], 4.7774, 1e-3);
 }
 
+TEST_F(Import, StructsWithTimesOfTheirOwnAreAligned) {
+  const auto made = [&](std::vector<double> second_time) {
+    const fs::path mat = folder_ / "a.mat";
+    MatWriter writer(mat);
+    writer.add(MatWriter::structure("a", 1, {"t", "x"},
+                                    {MatWriter::row("", {0, 1, 2, 3}), MatWriter::row("", {5, 6, 7, 8})}));
+    writer.add(MatWriter::structure("b", 1, {"time_ms", "x"},
+                                    {MatWriter::row("", second_time), MatWriter::row("", {5, 6, 7, 8})}));
+    return mat;
+  };
+  options_.time = "a.t";
+  options_.channels = {"x=a.x:response:voltage:V", "y=b.x:response:voltage:V"};
+  options_.files = {made({1000, 2000, 3000, 4000})};
+  EXPECT_EQ(import_files(options_).samples[0].channels, (std::vector<std::vector<double>>{{6, 7, 8}, {5, 6, 7}}));
+  options_.files = {made({500, 1500, 2500, 3500})};
+  EXPECT_TRUE(contains(complaint(), "0.5 steps from the begin"));
+  options_.files = {made({0, 2000, 4000, 6000})};
+  EXPECT_TRUE(contains(complaint(), "is sampled at 0.5 Hz by its own time b.time_ms"));
+}
+
+TEST_F(Import, AChannelThatBeginsBetweenSamplesIsRefused) {
+  const fs::path file = fs::path(SECULAR_SOURCE_DIR) / "../shared/faults/times_of_channels/x_starts.uff";
+  if (!fs::exists(file)) GTEST_SKIP() << "../shared/faults is not there";
+  options_.files = {file};
+  options_.time = "force.t";
+  options_.channels = {"force:excitation", "tip:response"};
+  EXPECT_TRUE(contains(complaint(), "2.56 steps from the begin of the others at 0 s"));
+}
+
 TEST_F(Import, WhoReadsRecordsHearsOfClipping) {
   for (const double limit : {0.9, 2.0}) {
     std::string text = "t,base,tip\n";

@@ -420,5 +420,42 @@ TEST_F(UffImport, InspectionShowsChannelsAndTime) {
   EXPECT_TRUE(file.variables[1].quality);
 }
 
+TEST_F(UffImport, ChannelsThatBeginLaterAreShiftedByWholeSteps) {
+  const auto made = [&](double delay_steps) {
+    std::vector<UffFunction> functions = {every_form()[0], every_form()[0]};
+    for (std::size_t f = 0; f < 2; ++f) {
+      functions[f].id_lines[0] = f == 0 ? "base" : "tip";
+      functions[f].numerator.unit = "N";
+      functions[f].rate = 512;
+      functions[f].start = f == 0 ? 0 : delay_steps / 512;
+      functions[f].count = 20;
+      functions[f].real.clear();
+      for (int n = 0; n < 20; ++n) functions[f].real.push_back(n);
+    }
+    ImportOptions options;
+    options.files = {write("run.unv", uff_text(functions, UffEncoding::big_endian))};
+    options.kind = "sweep";
+    options.channels = {"base:excitation:force:N", "tip:response:force:N"};
+    options.time = "base.t";
+    return options;
+  };
+  for (const int delay : {3, -5}) {
+    for (const bool rate_alone : {false, true}) {
+      ImportOptions options = made(delay);
+      if (rate_alone) options.time.clear(), options.sample_rate_hz = 512;
+      const ImportedCampaign imported = import_files(options);
+      const Record& record = imported.samples[0];
+      ASSERT_EQ(record.samples(), static_cast<std::size_t>(20 - std::abs(delay)));
+      EXPECT_EQ(record.channels[0][0] - record.channels[1][0], delay);
+      EXPECT_EQ(record.start_s, rate_alone && delay < 0 ? 0 : std::max(0, delay) / 512.0);
+      ASSERT_EQ(imported.warnings.size(), 1u);
+      EXPECT_TRUE(contains(imported.warnings[0], delay > 0 ? "3 samples later" : "5 samples earlier"));
+    }
+  }
+  EXPECT_TRUE(contains(refusal([&] { import_files(made(2.5)); }), "2.5 steps from the begin of the others"));
+  EXPECT_TRUE(contains(refusal([&] { import_files(made(2.5)); }), "resample it"));
+  EXPECT_TRUE(contains(refusal([&] { import_files(made(40)); }), "fewer than two samples"));
+}
+
 }  // namespace
 }  // namespace secular
