@@ -5,6 +5,7 @@
 
 #include "app/shared/model_loading.hpp"
 #include "app/shared/parameter_file.hpp"
+#include "app/shared/record_assignment.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/watched_reader.hpp"
 
@@ -27,6 +28,22 @@ std::size_t symbol_index(const CompiledModel& model, const std::string& name) {
   const auto found = std::find_if(model.symbols.begin(), model.symbols.end(),
                                   [&](const CompiledSymbol& symbol) { return symbol.name == name; });
   return static_cast<std::size_t>(found - model.symbols.begin());
+}
+
+// Numbers that say where the modes are and nothing else, of a model that has further parameters: no numbers whose
+// gap could be judged.
+bool only_rough_frequencies(const GivenNumbers& given, const ModelSource& source, const CompiledModel& model,
+                            const std::vector<std::size_t>& own) {
+  const std::vector<std::string>& frequencies = source.frequency_names();
+  const auto is_frequency = [&](const std::string& name) {
+    return std::find(frequencies.begin(), frequencies.end(), name) != frequencies.end();
+  };
+  if (!given || !std::all_of(given.values.begin(), given.values.end(),
+                             [&](const auto& value) { return is_frequency(value.first); }))
+    return false;
+  return std::any_of(own.begin(), own.end(), [&](std::size_t s) {
+    return !given.values.contains(std::string(model.symbols[s].name)) && !std::isfinite(model.nominal[s]);
+  });
 }
 
 }  // namespace
@@ -54,6 +71,18 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
       if (options.given.values.emplace(name, value).second) options.given.open.insert(name);
     options.given.sd = std::move(given.sd);
   }
+  WatchedReader reader(run.campaign);
+  const RecordReader read = [&](std::size_t r) { return reader.read(r); };
+  std::vector<double> nominal = source.nominal_frequencies();
+  nominal.resize(source.modes());
+  for (std::size_t k = 0; k < nominal.size(); ++k)
+    if (const auto given = options.given.values.find(source.frequency_names()[k]);
+        given != options.given.values.end())
+      nominal[k] = given->second;
+  const FrequencyStarts starts = frequency_starts(source, run.campaign, read, nominal, {}, request.window);
+  options.natural_frequency = starts.frequency;
+  for (std::size_t k = 0; k < nominal.size(); ++k)
+    if (std::isfinite(nominal[k]) && !starts.moved[k]) options.natural_frequency[k] = nominal[k];
   std::vector<EffectTerm> terms;
   for (const EffectTerm& term : source.applicable_effects())
     if (is_seen_by_lines(term, request.catalogue)) terms.push_back(term);
@@ -85,9 +114,14 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   std::vector<std::size_t> own;
   for (std::size_t s = 0; s < added.size(); ++s)
     if (!added[s]) own.push_back(s);
-  WatchedReader reader(run.campaign);
-  run.diagnosis = diagnose(
-      run.campaign, [&](std::size_t r) { return reader.read(r); }, *run.model, own, effects, options);
+  const bool rough = only_rough_frequencies(options.given, source, *run.model, own);
+  if (rough) options.given = {};
+  run.diagnosis = diagnose(run.campaign, read, *run.model, own, effects, options);
+  run.diagnosis.warnings.insert(run.diagnosis.warnings.begin(), starts.warnings.begin(), starts.warnings.end());
+  if (rough)
+    run.diagnosis.warnings.push_back(
+        request.parameters +
+        ": holds natural frequencies alone, which are taken as a start: all parameters are fitted");
   for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
   return run;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/shared/model_loading.hpp"
+#include "app/shared/record_assignment.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
 #include "measure/data/watched_reader.hpp"
@@ -21,26 +22,6 @@
 namespace secular::app {
 namespace {
 
-/// A dwell belongs to a resonance within this relative distance.
-constexpr double resonance_width = 0.1;
-
-// How far a dwell is from a case's resonances, relative; infinite where that cannot be told.
-double mismatch(const ModelSource& model, const CaseOutline& resonance, double excitation_frequency) {
-  const std::vector<double>& nominal = model.nominal_frequencies();
-  if (resonance.relations.empty() || nominal.size() != model.modes() + 1) return INFINITY;
-  double worst = 0;
-  for (const std::vector<int>& relation : resonance.relations) {
-    double sum = 0, size = 0;
-    for (std::size_t i = 0; i < relation.size(); ++i) {
-      const double term = relation[i] * (i < model.modes() ? nominal[i] : excitation_frequency);
-      sum += term;
-      size = std::max(size, std::abs(term));
-    }
-    worst = std::max(worst, std::abs(sum) / size);
-  }
-  return worst;
-}
-
 void require_case(const ModelSource& model, const std::string& name) {
   std::string known;
   for (const CaseOutline& resonance : model.cases()) {
@@ -48,108 +29,6 @@ void require_case(const ModelSource& model, const std::string& name) {
     known += (known.empty() ? "" : ", ") + resonance.name;
   }
   throw InputError("--case " + name, "", "is no case of model " + model.name(), "its cases are " + known);
-}
-
-// Cases by name with the records that they explain, in the order of the model.
-struct Assignment {
-  std::vector<std::string> names;
-  std::vector<std::vector<bool>> records;  ///< [case][record]
-  std::vector<std::string> warnings;
-};
-
-// Which cases free decays go to. All modes ring together after a pluck, so the case with most of them takes the
-// decays, from the first window to the last one in which any of them is seen; of several, one whose resonance
-// between the modes the nominal frequencies fulfil. Cases of one mode each share the decays out.
-std::vector<bool> decay_cases(const ModelSource& model, const std::vector<std::string>& chosen) {
-  const std::vector<CaseOutline>& cases = model.cases();
-  std::vector<bool> takes(cases.size(), false);
-  std::size_t best = cases.size();
-  for (std::size_t c = 0; c < cases.size(); ++c) {
-    const CaseOutline& resonance = cases[c];
-    if (resonance.excited) continue;
-    if (!chosen.empty()) {
-      takes[c] = std::find(chosen.begin(), chosen.end(), resonance.name) != chosen.end() &&
-                 (model.modes() > 1 || std::find(takes.begin(), takes.end(), true) == takes.end());
-      continue;
-    }
-    const double off = mismatch(model, resonance, 0);  // infinite without relations or nominal frequencies
-    if (std::isfinite(off) && off >= resonance_width) continue;
-    if (best == cases.size() || resonance.active_modes > cases[best].active_modes ||
-        (resonance.active_modes == cases[best].active_modes && off < mismatch(model, cases[best], 0)))
-      best = c;
-  }
-  if (best == cases.size()) return takes;
-  takes[best] = true;
-  if (cases[best].active_modes == 1 && model.modes() > 1)
-    for (std::size_t c = 0; c < cases.size(); ++c) takes[c] = !cases[c].excited && cases[c].active_modes == 1;
-  return takes;
-}
-
-Assignment assign_records(const ModelSource& model, const Campaign& campaign,
-                          const IdentificationRequest& request) {
-  const auto allowed = [&](const CaseOutline& resonance) {
-    return request.resonances.empty() || std::find(request.resonances.begin(), request.resonances.end(),
-                                                   resonance.name) != request.resonances.end();
-  };
-  const std::vector<CaseOutline>& cases = model.cases();
-  std::vector<std::vector<bool>> records(cases.size(), std::vector<bool>(campaign.records.size(), false));
-  const auto excited =
-      std::count_if(cases.begin(), cases.end(), [&](const CaseOutline& c) { return c.excited && allowed(c); });
-  const std::vector<bool> decays_to = decay_cases(model, request.resonances);
-  Assignment result;
-  bool dwells = false, decays = false;
-  double stray = 0;
-  for (std::size_t r = 0; r < campaign.records.size(); ++r) {
-    const RecordEntry& entry = campaign.records[r];
-    if (!request.window.takes(r, entry.file)) continue;
-    if (entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact) {
-      decays = true;
-      for (std::size_t c = 0; c < cases.size(); ++c)
-        if (decays_to[c]) records[c][r] = true;
-    }
-    if (entry.kind != RecordKind::dwell) continue;
-    dwells = true;
-    if (excited == 1 && !request.resonances.empty()) {
-      for (std::size_t c = 0; c < cases.size(); ++c)
-        if (cases[c].excited && allowed(cases[c])) records[c][r] = true;
-      continue;
-    }
-    if (!entry.excitation_frequency_hz) {
-      result.warnings.push_back(
-          fmt::format("{}: a dwell without excitation_frequency_hz belongs to no case, left out", entry.file));
-      continue;
-    }
-    const double frequency = two_pi * *entry.excitation_frequency_hz;
-    std::size_t best = cases.size();
-    for (std::size_t c = 0; c < cases.size(); ++c)
-      if (cases[c].excited && allowed(cases[c]) &&
-          (best == cases.size() || mismatch(model, cases[c], frequency) < mismatch(model, cases[best], frequency)))
-        best = c;
-    if (best < cases.size() && mismatch(model, cases[best], frequency) < resonance_width) {
-      records[best][r] = true;
-    } else {
-      stray = *entry.excitation_frequency_hz;
-      result.warnings.push_back(fmt::format(
-          "{}: {:.4g} Hz excites no resonance that the model has a case for, left out", entry.file, stray));
-    }
-  }
-  for (std::size_t c = 0; c < cases.size(); ++c)
-    if (std::find(records[c].begin(), records[c].end(), true) != records[c].end()) {
-      result.names.push_back(cases[c].name);
-      result.records.push_back(records[c]);
-    }
-  if (!result.names.empty()) return result;
-  if (dwells)
-    throw InputError(campaign.folder.string(), "",
-                     stray > 0
-                         ? fmt::format("its dwells near {:.4g} Hz excite no resonance that model {} has a case for",
-                                       stray, model.name())
-                         : "its dwells belong to no case of model " + model.name(),
-                     "name the case with --case, or add a [[case]] to the model");
-  throw InputError(campaign.folder.string(), "",
-                   "has no records that model " + model.name() + " can be identified from",
-                   decays ? "its free decays need a case with excitation = false"
-                          : "dwells with excitation_frequency_hz or free decays were expected");
 }
 
 // Wall time by stage.
@@ -223,8 +102,12 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
   for (const std::string& name : request.resonances) require_case(source, name);
   result.campaign = measured;
   const Campaign& campaign = result.campaign;
-  const Assignment assignment = assign_records(source, campaign, request);
-  result.model = source.load(assignment.names);
+  std::vector<double> nominal = source.nominal_frequencies();
+  nominal.resize(source.modes());
+  const FrequencyStarts starts =
+      frequency_starts(source, campaign, read, nominal, request.resonances, request.window);
+  const Assignment assignment = assign_records(source, campaign, starts, request.resonances, request.window);
+  result.model = with_starts(source.load(assignment.names), starts);
   const CompiledModel& model = *result.model;
   clock.done("model");
   for (std::size_t c = 0; c < assignment.names.size(); ++c) {
@@ -237,8 +120,8 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
   }
   clock.done("observation");
   estimate_observed(request, result);
-  result.estimate.warnings.insert(result.estimate.warnings.begin(), assignment.warnings.begin(),
-                                  assignment.warnings.end());
+  for (const auto* warnings : {&assignment.warnings, &starts.warnings})
+    result.estimate.warnings.insert(result.estimate.warnings.begin(), warnings->begin(), warnings->end());
   clock.skip();
   try {
     for (const ObservationSet& set : result.measured)

@@ -43,6 +43,7 @@ void ModelSource::outline(const CompiledModel& model) {
   const std::size_t columns = modes_ + model.excitations.size();
   nominal_frequencies_.assign(model.nominal.begin(), model.nominal.begin() + static_cast<std::ptrdiff_t>(modes_));
   nominal_frequencies_.resize(columns, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < modes_; ++k) frequency_names_.emplace_back(model.symbols[k].name);
   for (const CompiledCase& resonance : model.cases) {
     CaseOutline outline{std::string(resonance.name), resonance.excited, 0, {}};
     for (const bool rest : resonance.mode_at_rest) outline.active_modes += rest ? 0 : 1;
@@ -69,6 +70,7 @@ void ModelSource::outline_file() {
     nominal_frequencies_.push_back(value == model.nominal.end() ? std::numeric_limits<double>::quiet_NaN()
                                                                 : value->second);
   }
+  for (std::size_t k = 0; k < modes_; ++k) frequency_names_.push_back(model.frequency_name(k));
   for (const ResonanceCase& resonance : model.cases) {
     CaseOutline outline{resonance.name, resonance.excited, 0, {}};
     for (std::size_t k = 0; k < modes_; ++k)

@@ -40,6 +40,8 @@ class ModelSource {
   /// By mode and then by excitation frequency; NaN where the model gives none.
   const std::vector<double>& nominal_frequencies() const { return nominal_frequencies_; }
   std::size_t modes() const { return modes_; }
+  /// Of the natural frequencies, by mode.
+  const std::vector<std::string>& frequency_names() const { return frequency_names_; }
 
   /// The model with the named cases (at least); notes go to standard error.
   std::shared_ptr<const CompiledModel> load(const std::vector<std::string>& cases) const;
@@ -70,6 +72,7 @@ class ModelSource {
   std::size_t modes_ = 0;
   std::vector<CaseOutline> cases_;
   std::vector<double> nominal_frequencies_;
+  std::vector<std::string> frequency_names_;
 };
 
 /// Folders that may hold the headers of generated code: beside the installed program, in the source tree.

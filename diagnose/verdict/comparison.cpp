@@ -20,19 +20,27 @@ using Eigen::VectorXd;
 /// Samples of decays, sweeps and broadband records that are compared, in all.
 constexpr Index most_samples = 6000;
 
-VectorXd start_of(const CompiledModel& model, const FaultTable& faults, const GivenNumbers& given) {
+// What the records tell, where they do.
+double seen_frequency(const DiagnosisOptions& options, std::size_t mode) {
+  return mode < options.natural_frequency.size() ? options.natural_frequency[mode] : NAN;
+}
+
+VectorXd start_of(const CompiledModel& model, const FaultTable& faults, const DiagnosisOptions& options) {
+  const GivenNumbers& given = options.given;
   VectorXd start = VectorXd::Zero(static_cast<Index>(model.symbols.size() + faults.size()));
   for (std::size_t s = 0; s < model.symbols.size(); ++s) {
     const double nominal = s < model.nominal.size() ? model.nominal[s] : NAN;
     if (std::isfinite(nominal)) start(static_cast<Index>(s)) = nominal;
+    if (std::isfinite(seen_frequency(options, s))) start(static_cast<Index>(s)) = seen_frequency(options, s);
     const auto found = given.values.find(std::string(model.symbols[s].name));
     if (found != given.values.end()) start(static_cast<Index>(s)) = found->second;
   }
   for (std::size_t k = 0; k < model.modes(); ++k)
     if (!(start(static_cast<Index>(k)) > 0))
-      throw InputError(std::string(model.name), "[nominal]",
-                       "gives no natural frequency above zero, " + std::string(model.symbols[k].name),
-                       "a rough one tells which resonance a record excites; or give --parameters");
+      throw InputError(
+          std::string(model.name), "[nominal]",
+          "gives no natural frequency above zero, and the records tell none, " + std::string(model.symbols[k].name),
+          "a rough one tells which resonance a record excites: there, or in --parameters");
   start(static_cast<Index>(model.symbols.size() + faults.extra_frequency())) = start(0);
   start(static_cast<Index>(model.symbols.size() + faults.extra_damping())) = 0.01;
   return start;
@@ -84,7 +92,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
   Comparison result{.forces = options.forces,
                     .sensors = sensors,
                     .faults = faults,
-                    .start = start_of(model, faults, options.given),
+                    .start = start_of(model, faults, options),
                     .conditions = {},
                     .candidates = {},
                     .discrepancy = {},
@@ -92,7 +100,10 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
                     .unsteady = {},
                     .warnings = {}};
   std::vector<double> natural;
-  for (std::size_t k = 0; k < model.modes(); ++k) natural.push_back(result.start(static_cast<Index>(k)));
+  for (std::size_t k = 0; k < model.modes(); ++k) {
+    const double seen = seen_frequency(options, k);
+    natural.push_back(std::isfinite(seen) ? seen : result.start(static_cast<Index>(k)));
+  }
   ObservedConditions observed = observe_conditions(campaign, read, model, sensors, natural, options.window);
   result.warnings = std::move(observed.warnings);
   const auto cut = [&](const Window& window, SegmentLength length) {

@@ -17,6 +17,8 @@ struct DiagnosisOptions {
   EffectCatalogue catalogue = effect_catalogue();
   Window window;
   GivenNumbers given;              ///< the gap of these is diagnosed
+  /// By mode, rad/s: where the records are, whatever the model's nominal values say; NaN or missing: not known.
+  std::vector<double> natural_frequency;
   std::vector<StateForce> forces;  ///< scales are set from the data
   std::set<std::string> left_out;  ///< effects that are not to be considered
   std::optional<Band> band;        ///< free decays pass through it, so that other modes do not count as a gap

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "measure/observe/decay_window.hpp"
+#include "measure/observe/natural_frequency_starts.hpp"
 #include "measure/observe/observation_set.hpp"
 #include "measure/observe/record_window.hpp"
 #include "measure/signal/free_decay.hpp"
@@ -39,9 +40,6 @@ constexpr double largest_fall = 0.5, largest_bend = 0.1;
 
 /// Another mode counts as decayed where its part of the samples is below this share of the mode's own.
 constexpr double decayed_share = 0.02;
-
-/// Modes ring within this relative distance of their nominal frequency.
-constexpr double decay_search_range = 0.15;
 
 constexpr std::size_t fewest_windows = 6;
 

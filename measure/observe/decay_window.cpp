@@ -30,9 +30,6 @@ constexpr double separate_bins = 2.5, comfortable_bins = 3, bins_from_constant =
 /// where they do not separate it, it is left out.
 constexpr double near_harmonic = 0.15;
 
-/// A mode is seen where its peak is this many noise levels.
-constexpr double seen_above_noise = 6;
-
 /// Steps to the frequency at the window's centre; each leaves the square of its distance in bins.
 constexpr int frequency_steps = 6;
 

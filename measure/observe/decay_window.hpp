@@ -9,6 +9,9 @@
 
 namespace secular {
 
+/// A mode is seen where its peak is this many noise levels.
+inline constexpr double seen_above_noise = 6;
+
 /// What one window of a free decay shows.
 struct DecayWindow {
   Observation observation;        ///< without condition, record and centre

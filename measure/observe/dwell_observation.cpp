@@ -7,6 +7,7 @@
 
 #include "estimator/model/zero_frequency.hpp"
 #include "input/input_error.hpp"
+#include "measure/observe/dwell_resonance.hpp"
 #include "measure/observe/mode_frequencies.hpp"
 #include "measure/observe/observation_set.hpp"
 #include "measure/observe/record_window.hpp"
@@ -24,9 +25,6 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// Below this many standard deviations a mode counts as at rest.
-constexpr double trivial_branch_sd = 8;
 
 /// Share of an excitation channel's power that its tone must have.
 constexpr double excitation_purity = 0.5;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "measure/observe/dwell_resonance.hpp"
+
+namespace secular {
+
+/// In a decay a mode rings within this relative distance of its start.
+inline constexpr double decay_search_range = 0.15;
+
+/// Natural frequencies that a campaign's records tell, good enough to say which record excites which resonance and
+/// where a mode rings.
+struct NaturalFrequencyStarts {
+  std::vector<double> frequency;  ///< by mode, rad/s, amid the dwells that show the mode; NaN: not told
+  std::vector<bool> moved;        ///< by mode: a nominal value was given and is not what the records show
+};
+
+/// Nominal values (rad/s, by mode; NaN: none) are right where every record is explained by them: a dwell by a case
+/// within the resonance width that its response does not contradict, a decay by a mode at each of its lines. Other
+/// values take their place that explain more records. The candidates are what makes a relation of a case exact at a
+/// dwell, and the lines of decays; modes keep the order of their nominal frequencies, so that each goes to the
+/// nearest line in order. Of several that explain as many, those count that more responses agree with, then the
+/// nearest to the nominal values.
+NaturalFrequencyStarts natural_frequency_starts(const Campaign& campaign, const RecordReader& read,
+                                                const std::vector<double>& nominal,
+                                                const std::vector<Resonance>& cases,
+                                                const std::vector<DwellTones>& dwells, const Window& window);
+
+}  // namespace secular
