@@ -59,6 +59,9 @@ double strongest_frequency(const Eigen::Ref<const VectorXd>& y, double rate) {
                        : two_pi * rate / static_cast<double>(y.size());
 }
 
+/// Where frequencies that a resonance leaves free are looked for.
+enum class FreeSearch { near_nominal, everywhere };
+
 class DwellObserver {
  public:
   DwellObserver(const Campaign& campaign, const RecordReader& read_samples, const CompiledModel& model,
@@ -105,11 +108,19 @@ class DwellObserver {
     };
     if (ensemble < 32 || range.count < ensemble) return leave_out("shorter than one ensemble");
     if (const std::string why = not_an_excitation(record, entry, range); !why.empty()) return leave_out(why);
-    std::vector<Observation> found;
-    VectorXd free;  // of the ensemble before
-    for (Index begin = range.first; begin + ensemble <= range.first + range.count; begin += ensemble)
-      found.push_back(observe_ensemble(record, r, condition, begin, ensemble, free));
+    const auto observed = [&](FreeSearch search) {
+      std::vector<Observation> found;
+      VectorXd free;  // of the ensemble before
+      for (Index begin = range.first; begin + ensemble <= range.first + range.count; begin += ensemble)
+        found.push_back(observe_ensemble(record, r, condition, begin, ensemble, search, free));
+      return found;
+    };
+    std::vector<Observation> found = observed(FreeSearch::near_nominal);
     if (motion_ == DwellMotion::steady) {
+      // What rests near the nominal frequencies may move elsewhere.
+      if (modes_.free.size() == 1 && at_rest(found))
+        if (std::vector<Observation> other = observed(FreeSearch::everywhere); !at_rest(other))
+          found = std::move(other);
       if (at_rest(found)) {
         result.at_rest = std::move(found);
         return leave_out("the motion is on the trivial branch (its amplitude is not above the noise)");
@@ -168,7 +179,7 @@ class DwellObserver {
   }
 
   Observation observe_ensemble(const Record& record, std::size_t r, int condition, Index begin, Index count,
-                               VectorXd& free) const {
+                               FreeSearch search, VectorXd& free) const {
     const RecordEntry& entry = campaign_.records[r];
     Observation o;
     o.condition = condition;
@@ -193,12 +204,31 @@ class DwellObserver {
       o.forcing.push_back(2.0 * fit.amplitude(0, 0));
       o.forcing_sd.push_back(2 * fit.amplitude_sd(0, 0));
     }
-    fit_responses(samples_of(record, projection_.channels, begin, count), record.sample_rate_hz, o, free);
+    const MatrixXd responses = samples_of(record, projection_.channels, begin, count);
+    if (modes_.free.empty())
+      free.resize(0);
+    else if (free.size() == 0)
+      free = search_free(responses, record.sample_rate_hz, o.excitation_frequency, search);
+    fit_responses(responses, record.sample_rate_hz, o, free);
     return o;
   }
 
+  // Whether all oscillating modes have frequencies that can be seen apart from the excitation's harmonics.
+  bool are_own(const VectorXd& frequencies, const std::vector<double>& excitation, double resolution,
+               double nyquist) const {
+    for (std::size_t k = 0; k < model_.modes(); ++k) {
+      if (!modes_.oscillates[k]) continue;
+      const double w = frequencies(static_cast<Index>(k));
+      if (w < separate_tone_bins * resolution || w > nyquist - separate_tone_bins * resolution) return false;
+      for (const double e : excitation)
+        if (std::abs(w - std::max(1.0, std::round(w / e)) * e) < separate_tone_bins * resolution) return false;
+    }
+    return true;
+  }
+
   // Where the free frequencies are, from the nominal natural frequencies or, without them, the strongest lines.
-  VectorXd search_free(const MatrixXd& samples, double rate, const std::vector<double>& excitation) const {
+  VectorXd search_free(const MatrixXd& samples, double rate, const std::vector<double>& excitation,
+                       FreeSearch search) const {
     const MatrixXd modal = samples * projection_.matrix.transpose();
     const double resolution = two_pi * rate / static_cast<double>(samples.rows());
     const auto modes = static_cast<Index>(model_.modes());
@@ -229,11 +259,14 @@ class DwellObserver {
     const VectorXd centre = modes_.coupling.colPivHouseholderQr().solve(offset);
     VectorXd best = centre;
     double highest = -1;
+    const bool everywhere = search == FreeSearch::everywhere;
+    const double reach = everywhere ? std::numbers::pi * rate : dwell_search_range * lowest;
     if (centre.size() == 1)
-      for (double shift = -dwell_search_range * lowest; shift <= dwell_search_range * lowest;
-           shift += 0.25 * resolution) {
+      for (double shift = -reach; shift <= reach; shift += 0.25 * resolution) {
         const VectorXd u = centre.array() + shift;
-        const double power = tone_power(modal, rate, modes_.observed(u, excitation));
+        const VectorXd frequencies = modes_.observed(u, excitation);
+        if (everywhere && !are_own(frequencies, excitation, resolution, std::numbers::pi * rate)) continue;
+        const double power = tone_power(modal, rate, frequencies);
         if (power > highest) {
           highest = power;
           best = u;
@@ -247,8 +280,6 @@ class DwellObserver {
     const double resolution = two_pi * rate / static_cast<double>(samples.rows());
     const double nyquist = std::numbers::pi * rate;
     const auto unknowns = static_cast<Index>(modes_.free.size());
-    if (unknowns > 0 && free.size() == 0) free = search_free(samples, rate, o.excitation_frequency);
-    if (unknowns == 0) free.resize(0);
 
     // Every tone as (coupling to u, fixed part); a block whose frequency is negative is seen by its conjugate.
     struct Tone {

@@ -184,5 +184,22 @@ TEST_F(SlowNominalStart, DoesNotSortDwellsWithASubharmonic) {
   }
 }
 
+// Omega = w1 + w2 with both nominal values wrong and their sum not so wrong: the pair of lines is looked for
+// everywhere.
+TEST_F(SlowNominalStart, OfACombinationIsNotWhereItsLinesMustBe) {
+  const Values truth = {{"w1", 40},  {"w2", 97}, {"m1", 0.25}, {"m2", 0.35}, {"k1", 6e4},
+                        {"k2", 3e5}, {"e1", 1},  {"e2", 1},    {"p1", 40}};
+  const auto model = [](const Values& nominal) {
+    return "schema = 1\nname = \"sum\"\n[[mode]]\ncoordinate = \"x\"\nfrequency = \"w1\"\nequation = \"D2(x) + "
+           "w1^2*x = -2*m1*D(x) - k1*x^3 + e1*F*cos(Omega*t) + p1*F*y*cos(Omega*t)\"\n[[mode]]\ncoordinate = "
+           "\"y\"\nfrequency = \"w2\"\nequation = \"D2(y) + w2^2*y = -2*m2*D(y) - k2*y^3 + e2*F*cos(Omega*t) + "
+           "p1*F*x*cos(Omega*t)\"\n" +
+           case_text("sum", "\"Omega = w1 + w2 + eps*s\"", "") + "[nominal]\n" + lines_of(nominal);
+  };
+  simulate(model({}), {"x", "y"}, truth, dwells("[21.7, 21.75, 21.8, 21.85]", "[2.0, 3.0]", "[2e-2, 1e-2]"));
+  for (const Values& nominal : {Values{{"w1", 40}, {"w2", 120}}, Values{{"w1", 48}, {"w2", 80}}})
+    expect_recovered(model(nominal), truth, {"w1", "w2"});
+}
+
 }  // namespace
 }  // namespace secular
