@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <string>
 #include <thread>
 
@@ -12,6 +13,7 @@
 #include "app/shared/band_option.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/left_out.hpp"
 #include "app/shared/result_files.hpp"
 #include "input/input_error.hpp"
 #include "numerics/hertz.hpp"
@@ -108,12 +110,18 @@ int run(Options& options, const CLI::App& command) {
   const std::string figure =
       report::render_figure(gap_figure(result.diagnosis), "gap", report::FigureUse::standalone).svg;
   write_result_files(options.folder, {{"diagnosis.json", json}, {"report.html", html}, {"gap.svg", figure}});
-  for (const std::string& warning : result.diagnosis.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : folded(result.diagnosis.warnings, result.campaign))
+    fmt::print(stderr, "warning: {}\n", warning);
   if (options.json)
     fmt::print("{}", json);
   else
     print_summary(result, options.folder);
-  return 0;
+  std::set<std::size_t> given;
+  for (std::size_t r = 0; r < result.campaign.records.size(); ++r)
+    if (options.request.window.takes(r, result.campaign.records[r].file)) given.insert(r);
+  const auto lost = mostly_left_out(result.diagnosis.warnings, result.campaign, given, {});
+  if (lost) fmt::print(stderr, "secular: {}\n", *lost);
+  return lost ? 1 : 0;
 }
 
 }  // namespace

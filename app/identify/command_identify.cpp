@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <memory>
 #include <numbers>
+#include <optional>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
 #include "app/shared/identification.hpp"
+#include "app/shared/left_out.hpp"
 #include "app/shared/result_files.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
@@ -93,6 +96,21 @@ void print_summary(const Identification& id, const std::string& folder) {
   fmt::print("written: {0}/estimate.json, {0}/report.html, {0}/response.svg\n", folder);
 }
 
+// Dwells at rest are no lost ones: that nothing moves there is what they say.
+std::optional<std::string> lost_records(const Identification& id, const Window& window) {
+  std::set<std::size_t> given, used;
+  for (std::size_t r = 0; r < id.campaign.records.size(); ++r) {
+    const RecordEntry& entry = id.campaign.records[r];
+    const bool read =
+        entry.kind == RecordKind::dwell || entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact;
+    if (read && window.takes(r, entry.file)) given.insert(r);
+  }
+  for (const ObservationSet& set : id.measured)
+    for (const auto* observations : {&set.observations, &set.at_rest})
+      for (const Observation& o : *observations) used.insert(o.record);
+  return mostly_left_out(id.estimate.warnings, id.campaign, given, used);
+}
+
 }  // namespace
 
 void add_identify_command(CLI::App& root, Action& chosen) {
@@ -140,12 +158,15 @@ void add_identify_command(CLI::App& root, Action& chosen) {
       if (options->timings)
         for (const auto& [stage, seconds] : result.seconds)
           fmt::print(stderr, "{:<30} {:7.3f} s\n", stage, seconds);
-      for (const std::string& warning : result.estimate.warnings) fmt::print(stderr, "warning: {}\n", warning);
+      for (const std::string& warning : folded(result.estimate.warnings, result.campaign))
+        fmt::print(stderr, "warning: {}\n", warning);
       if (options->json)
         fmt::print("{}", json);
       else
         print_summary(result, options->folder);
-      return 0;
+      const auto lost = lost_records(result, options->request.window);
+      if (lost) fmt::print(stderr, "secular: {}\n", *lost);
+      return lost ? 1 : 0;
     };
   });
 }
