@@ -16,7 +16,7 @@ namespace secular {
 struct DiagnosisOptions {
   EffectCatalogue catalogue = effect_catalogue();
   Window window;
-  GivenNumbers given;              ///< the gap of these is diagnosed
+  GivenNumbers given;  ///< the gap of these is diagnosed
   /// By mode, rad/s: where the records are, whatever the model's nominal values say; NaN or missing: not known.
   std::vector<double> natural_frequency;
   std::vector<StateForce> forces;  ///< scales are set from the data

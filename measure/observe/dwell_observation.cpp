@@ -160,8 +160,8 @@ class DwellObserver {
     return text;
   }
 
-  // Of the frequency that was asked for and what the decomposition finds near it, which noise may lead astray, the one
-  // with more power.
+  // Of the frequency that was asked for and what the decomposition finds near it, which noise may lead astray, the
+  // one with more power.
   static double tone_near(const MatrixXd& samples, double rate, double guess) {
     const double decomposed = decomposed_frequency(samples.col(0), rate, guess);
     const auto power = [&](double w) { return tone_power(samples, rate, VectorXd::Constant(1, w)); };

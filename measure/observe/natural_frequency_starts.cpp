@@ -45,7 +45,7 @@ class Search {
       for_moves(std::vector<double>(best.frequency), [&](Found tried) {
         for (std::size_t k = 0; k < found.size(); ++k)
           if (std::abs(tried.frequency[k] - found[k]) > resonance_width * found[k]) return;
-        if (tried.explained < best.explained || tried.agreeing < best.agreeing) return;
+        if (!keeps(tried, best) || tried.agreeing < best.agreeing) return;
         if (tried.agreeing == best.agreeing && !(tried.off < best.off)) return;
         best = std::move(tried);
         more = true;
@@ -58,6 +58,7 @@ class Search {
   struct Found {
     std::vector<double> frequency;
     std::size_t explained = 0, agreeing = 0;  // records
+    std::vector<bool> which;                  // dwells and lines of decays that are explained
     double moved = 0;                         // from the nominal values, logarithms
     std::size_t reading = 0;  // number of the relation that it was read by: of equals the model's first
     double off = 0;           // of the dwells that agree
@@ -67,26 +68,35 @@ class Search {
     }
   };
 
+  // Whether all that `before` explains stays explained: a model of some modes is not led away to others' dwells.
+  static bool keeps(const Found& found, const Found& before) {
+    for (std::size_t i = 0; i < before.which.size(); ++i)
+      if (before.which[i] && !found.which[i]) return false;
+    return true;
+  }
+
   bool explains_all(const Found& found) const {
     return found.explained == dwells_.size() + lines_.size() * decays_.records &&
            std::all_of(nominal_.begin(), nominal_.end(), [](double w) { return std::isfinite(w); });
   }
 
   Found judged(std::vector<double> frequency, std::size_t reading) const {
-    Found found{std::move(frequency), 0, 0, 0, reading, 0};
+    Found found{std::move(frequency), 0, 0, {}, 0, reading, 0};
     const std::vector<double>& w = found.frequency;
     for (const DwellTones& dwell : dwells_) {
       const DwellCase own = case_of_dwell(dwell, cases_, w);
-      if (own.resonance == cases_.size() || own.response == DwellCase::Response::contradicts) continue;
+      found.which.push_back(own.resonance < cases_.size() && own.response != DwellCase::Response::contradicts);
+      if (!found.which.back()) continue;
       ++found.explained;
       if (own.response != DwellCase::Response::agrees) continue;
       ++found.agreeing;
       found.off += mismatch(cases_[own.resonance], w, dwell.excitation);
     }
-    for (const double line : lines_)
-      if (std::any_of(w.begin(), w.end(),
-                      [&](double own) { return std::abs(line - own) < decay_search_range * own; }))
-        found.explained += decays_.records;
+    for (const double line : lines_) {
+      found.which.push_back(std::any_of(
+          w.begin(), w.end(), [&](double own) { return std::abs(line - own) < decay_search_range * own; }));
+      if (found.which.back()) found.explained += decays_.records;
+    }
     for (std::size_t k = 0; k < w.size(); ++k)
       if (std::isfinite(nominal_[k]) && std::isfinite(w[k])) found.moved += std::abs(std::log(w[k] / nominal_[k]));
     return found;
@@ -137,7 +147,7 @@ class Search {
     for (;;) {
       Found better = best;
       for_moves(best.frequency, [&](Found tried) {
-        if (tried.explained > best.explained && tried < better) better = std::move(tried);
+        if (tried.explained > best.explained && keeps(tried, best) && tried < better) better = std::move(tried);
       });
       if (better.explained == best.explained) return;
       best = std::move(better);
