@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tests/app/program_run.hpp"
+#include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {
@@ -17,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing_support::Outcome;
 using testing_support::text_of;
-const fs::path root = SECULAR_SOURCE_DIR;
+const fs::path root = testing_support::source_folder();
 
 class CommandLine : public testing::Test {
  protected:

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tests/app/diagnosed_folder.hpp"
+#include "tests/places.hpp"
 
 namespace secular {
 namespace {
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 class SlowMeasuredDiagnosis : public testing_support::DiagnosedFolder {
  protected:
   fs::path measured(const std::string& file) const {
-    return fs::path(SECULAR_SOURCE_DIR).parent_path() / "shared/data" / file;
+    return testing_support::source_folder().parent_path() / "shared/data" / file;
   }
 
   nlohmann::json diagnosed(const std::string& import, const std::string& model, const std::string& options) {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "tests/app/program_run.hpp"
+#include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {
@@ -35,7 +36,7 @@ class SlowNewCase : public testing::Test {
 // The difference resonance on the physics of the shipped two-mode model.
 TEST_F(SlowNewCase, DifferenceResonanceOfTheShippedTwoModePhysics) {
   // The physics up to the first case, with the orders of the additive combination.
-  const std::string shipped = text_of(fs::path(SECULAR_SOURCE_DIR) / "models" / "two_mass.toml");
+  const std::string shipped = text_of(testing_support::source_folder() / "models" / "two_mass.toml");
   const std::size_t additive = shipped.find("additive_combination"), order = shipped.find("order", additive);
   const std::string orders = shipped.substr(order, shipped.find('\n', order) - order);
   std::ofstream(folder_ / "my_two_mass.toml") << shipped << "\n[[case]]\nname = \"difference\"\n"
@@ -50,7 +51,7 @@ TEST_F(SlowNewCase, DifferenceResonanceOfTheShippedTwoModePhysics) {
   const double w1 = 70, w2 = 200, alpha22 = 3e5, alpha23 = -2e5, eta11 = 0.4, eta21 = 0.7;
   ASSERT_EQ(run("evaluate my_two_mass.toml --case difference --at values.json"), 2);  // there are none yet
   nlohmann::json values = {{"F", 1}, {"sigma", 0.3}, {"Omega", w2 - w1}};
-  std::ifstream stream(fs::path(SECULAR_SOURCE_DIR) / "models" / "two_mass.toml");
+  std::ifstream stream(testing_support::source_folder() / "models" / "two_mass.toml");
   for (std::size_t at = orders.find('{') + 1; at < orders.size();) {
     const std::size_t equals = orders.find(" =", at);
     if (equals == std::string::npos) break;

@@ -14,6 +14,7 @@
 #include "measure/data/campaign.hpp"
 #include "motion/simulate/virtual_test.hpp"
 #include "tests/campaign/write_campaign.hpp"
+#include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular::app {
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 
 void simulate(const std::string& experiment, const std::string& name, const fs::path& folder) {
   fs::remove_all(folder);
-  const fs::path file = fs::path(SECULAR_SOURCE_DIR) / "models/experiments" / (experiment + ".toml");
+  const fs::path file = testing_support::source_folder() / "models/experiments" / (experiment + ".toml");
   const CompiledModel& model = *generated::find_compiled_model(name);
   const SimulatedCampaign simulated = run_virtual_test(read_experiment(file, model), model, 1, 2);
   write_campaign(simulated.campaign, simulated.samples, folder);

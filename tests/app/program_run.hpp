@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/places.hpp"
+
 namespace secular::testing_support {
 
 /// What a run of the program came to; status -1 where a signal ended it.
@@ -14,7 +16,7 @@ struct Outcome {
 /// How the program is run.
 struct RunOptions {
   std::string environment;  ///< assignments before the command, "A=1 B=2"
-  std::string program = SECULAR_PROGRAM;
+  std::string program = testing_support::program();
 };
 
 /// With `folder` as working folder and nothing on standard input; what it prints stays in folder/stdout.txt and

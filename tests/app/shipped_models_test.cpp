@@ -9,6 +9,7 @@
 #include <string>
 
 #include "input/input_error.hpp"
+#include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular::app {
@@ -32,7 +33,7 @@ class ShippedModels : public testing::Test {
 };
 
 TEST_F(ShippedModels, TheSourceTreesModelsAreFoundByName) {
-  const fs::path expected = fs::path(SECULAR_SOURCE_DIR) / "models" / "two_mass_mode1.toml";
+  const fs::path expected = testing_support::source_folder() / "models" / "two_mass_mode1.toml";
   EXPECT_TRUE(fs::equivalent(resolve_model("two_mass_mode1"), expected));
   const std::vector<std::string> names = shipped_models();
   EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tests/app/program_run.hpp"
+#include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {
@@ -66,11 +67,11 @@ class SlowUnseenModel : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   // Standard error of a command that ends well.
-  std::string run(const std::string& arguments, const std::string& program = SECULAR_PROGRAM) const {
+  std::string run(const std::string& arguments, const std::string& program = testing_support::program()) const {
     return run_in("XDG_CACHE_HOME=" + (folder_ / "cache").string(), arguments, program);
   }
   std::string run_in(const std::string& environment, const std::string& arguments,
-                     const std::string& program = SECULAR_PROGRAM) const {
+                     const std::string& program = testing_support::program()) const {
     const testing_support::Outcome outcome =
         testing_support::run_program(folder_, arguments, {.environment = environment, .program = program});
     EXPECT_EQ(outcome.status, 0) << arguments << ": " << outcome.errors;
@@ -81,8 +82,8 @@ class SlowUnseenModel : public testing::Test {
     const fs::path prefix = folder_ / "prefix", headers = prefix / "include" / "secular" / "estimator" / "model";
     fs::create_directories(prefix / "bin");
     fs::create_directories(headers);
-    fs::copy_file(SECULAR_PROGRAM, prefix / "bin" / "secular");
-    for (const auto& entry : fs::directory_iterator(fs::path(SECULAR_SOURCE_DIR) / "estimator" / "model"))
+    fs::copy_file(testing_support::program(), prefix / "bin" / "secular");
+    for (const auto& entry : fs::directory_iterator(testing_support::source_folder() / "estimator" / "model"))
       if (entry.path().extension() == ".hpp") fs::copy_file(entry.path(), headers / entry.path().filename());
     return prefix;
   }

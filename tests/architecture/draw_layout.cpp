@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "layout_figure.hpp"
+#include "tests/places.hpp"
 
 int main(int count, char** arguments) {
   if (count != 2) {
@@ -10,6 +11,7 @@ int main(int count, char** arguments) {
     return 2;
   }
   std::ofstream file(arguments[1], std::ios::binary);
-  file << secular::architecture::layout_figure(secular::architecture::included_folders(SECULAR_SOURCE_DIR));
+  file << secular::architecture::layout_figure(
+      secular::architecture::included_folders(secular::testing_support::source_folder()));
   return file.flush() ? 0 : 1;
 }

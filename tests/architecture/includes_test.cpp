@@ -16,13 +16,14 @@
 
 #include "folder_rules.hpp"
 #include "layout_figure.hpp"
+#include "tests/places.hpp"
 
 namespace secular::architecture {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = SECULAR_SOURCE_DIR;
+const fs::path root = secular::testing_support::source_folder();
 
 const std::map<std::string, std::set<std::string>> allowed_folders(folder_table().begin(), folder_table().end());
 

@@ -11,6 +11,7 @@
 #include "blind/run_set.hpp"
 #include "blind/score_set.hpp"
 #include "blind/sealed_set.hpp"
+#include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular::blind {
@@ -40,10 +41,11 @@ TEST(SlowBlindCheck, AShortSetKeepsItsTargetsWithinChance) {
   const fs::path folder = testing_support::process_folder() / "secular_blind_check";
   fs::remove_all(folder);
   fs::create_directories(folder);
-  if (!help_of_diagnose(SECULAR_PROGRAM)) GTEST_SKIP() << "there is no `secular diagnose`";
+  if (!help_of_diagnose(testing_support::program())) GTEST_SKIP() << "there is no `secular diagnose`";
   const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   generate_set(folder, {.cases = 6, .seed = 2024, .size = SetSize::short_set, .threads = threads}, {});
-  const RunSummary run = run_set(folder, {.program = SECULAR_PROGRAM, .threads = threads, .limit_s = 600}, {});
+  const RunSummary run =
+      run_set(folder, {.program = testing_support::program(), .threads = threads, .limit_s = 600}, {});
   for (const FailedCase& failed : run.failed) ADD_FAILURE() << "case " << failed.number << ": " << failed.reason;
   const Score score = score_set(folder);
   expect_within_band(figure(score, "false alarm"));

@@ -9,13 +9,14 @@
 
 #include "tests/campaign/mutation.hpp"
 #include "tests/campaign/read_anything.hpp"
+#include "tests/places.hpp"
 
 namespace secular {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path corpus = fs::path(SECULAR_SOURCE_DIR) / "tests/campaign/corpus";
+const fs::path corpus = testing_support::source_folder() / "tests/campaign/corpus";
 
 std::vector<fs::path> files_of(const fs::path& folder) {
   std::vector<fs::path> files;

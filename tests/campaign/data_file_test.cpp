@@ -10,6 +10,7 @@
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/campaign/variable_names.hpp"
+#include "tests/places.hpp"
 
 namespace secular {
 namespace {
@@ -192,7 +193,7 @@ TEST_F(Mat, FilesThatOnlyLookLikeMatAreRefused) {
 }
 
 TEST(MeasuredFiles, Pendulum) {
-  const fs::path path = fs::path(SECULAR_SOURCE_DIR) / "../shared/data/pendulum/cdip_pend_data.mat";
+  const fs::path path = testing_support::source_folder() / "../shared/data/pendulum/cdip_pend_data.mat";
   if (!fs::exists(path)) GTEST_SKIP() << path << " is not there";
   const DataFile data = read_data_file(path);
   ASSERT_EQ(data.vector("t").values.size(), data.vector("theta").values.size());
@@ -203,7 +204,7 @@ TEST(MeasuredFiles, Pendulum) {
 }
 
 TEST(MeasuredFiles, BoltedBeam) {
-  const fs::path path = fs::path(SECULAR_SOURCE_DIR) / "../shared/data/brake_reuss_beam/HammerImpact.mat";
+  const fs::path path = testing_support::source_folder() / "../shared/data/brake_reuss_beam/HammerImpact.mat";
   if (!fs::exists(path)) GTEST_SKIP() << path << " is not there";
   const DataFile data = read_data_file(path);
   ASSERT_EQ(data.variables.size(), 4u);

@@ -15,6 +15,7 @@
 #include "measure/data/jitter.hpp"
 #include "measure/data/noise_floor.hpp"
 #include "measure/data/resolution.hpp"
+#include "tests/places.hpp"
 
 namespace secular {
 namespace {
@@ -162,8 +163,7 @@ TEST(Clipping, AShortHoldOfAStaircaseIsNone) {
 }
 
 TEST(Clipping, FindsTheRecordThatShortRunsHid) {
-  const std::filesystem::path path =
-      std::filesystem::path(SECULAR_SOURCE_DIR) / "../shared/faults/clipping_missed/0014.csv";
+  const std::filesystem::path path = testing_support::source_folder() / "../shared/faults/clipping_missed/0014.csv";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "../shared/faults is not there";
   const DataFile data = read_data_file(path);
   EXPECT_EQ(find_clipping(data.vector("tip").values).samples, 648u);
@@ -184,7 +184,7 @@ TEST(Jitter, IsNamedWithWhatItDoesToTheHighestTone) {
 
 TEST(Jitter, OfAFileIsAFault) {
   const std::filesystem::path path =
-      std::filesystem::path(SECULAR_SOURCE_DIR) / "../shared/faults/jitter_silent/d15c_jitter20.csv";
+      testing_support::source_folder() / "../shared/faults/jitter_silent/d15c_jitter20.csv";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "../shared/faults is not there";
   const FileInspection file = inspect_file(path);
   ASSERT_EQ(file.faults.size(), 1u);
@@ -255,13 +255,13 @@ TEST(ChannelQuality, AFreeDecayHasNoOffset) {
 
 ChannelQuality measured(const std::string& file, const std::string& variable) {
   return check_channel(
-      read_data_file(std::filesystem::path(SECULAR_SOURCE_DIR) / "../shared/data" / file).vector(variable).values);
+      read_data_file(testing_support::source_folder() / "../shared/data" / file).vector(variable).values);
 }
 
 class MeasuredQuality : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(std::filesystem::path(SECULAR_SOURCE_DIR) / "../shared/data"))
+    if (!std::filesystem::exists(testing_support::source_folder() / "../shared/data"))
       GTEST_SKIP() << "../shared/data is not there";
   }
 };

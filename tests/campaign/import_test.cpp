@@ -10,6 +10,7 @@
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/campaign/write_campaign.hpp"
+#include "tests/places.hpp"
 
 namespace secular {
 namespace {
@@ -142,7 +143,7 @@ TEST_F(Import, StructFieldsOfMatFilesCanBeRenamed) {
 }
 
 TEST_F(Import, ThePendulumKeepsEverySample) {
-  const fs::path path = fs::path(SECULAR_SOURCE_DIR) / "../shared/data/pendulum/cdip_pend_data.mat";
+  const fs::path path = testing_support::source_folder() / "../shared/data/pendulum/cdip_pend_data.mat";
   if (!fs::exists(path)) GTEST_SKIP() << path << " is not there";
   ImportOptions options;
   options.files = {path};
@@ -260,7 +261,7 @@ TEST_F(Import, KnownUnitsConvertInEveryFormat) {
 }
 
 TEST_F(Import, FilesOfTheFaultsStateUnitAndScale) {
-  const fs::path faults = fs::path(SECULAR_SOURCE_DIR) / "../shared/faults";
+  const fs::path faults = testing_support::source_folder() / "../shared/faults";
   if (!fs::exists(faults)) GTEST_SKIP() << "../shared/faults is not there";
   options_.files = {faults / "time_in_ms/d14_time_ms.csv"};
   options_.time = "Time (ms)";
@@ -297,7 +298,7 @@ TEST_F(Import, StructsWithTimesOfTheirOwnAreAligned) {
 }
 
 TEST_F(Import, AChannelThatBeginsBetweenSamplesIsRefused) {
-  const fs::path file = fs::path(SECULAR_SOURCE_DIR) / "../shared/faults/times_of_channels/x_starts.uff";
+  const fs::path file = testing_support::source_folder() / "../shared/faults/times_of_channels/x_starts.uff";
   if (!fs::exists(file)) GTEST_SKIP() << "../shared/faults is not there";
   options_.files = {file};
   options_.time = "force.t";

@@ -14,13 +14,14 @@
 #include "perturb/model.hpp"
 #include "perturb/observation.hpp"
 #include "tests/codegen/fifty_digits.hpp"
+#include "tests/places.hpp"
 
 namespace secular {
 namespace {
 
 using namespace test;
 namespace fs = std::filesystem;
-const fs::path root = SECULAR_SOURCE_DIR;
+const fs::path root = testing_support::source_folder();
 constexpr double allowed = 64 * 0x1p-52;
 
 // Compares numbers with their bounds and remembers the worst, in units of the last place.

@@ -9,12 +9,13 @@
 #include "codegen/canonical/canonical_model.hpp"
 #include "generated/registry.hpp"
 #include "perturb/model.hpp"
+#include "tests/places.hpp"
 
 namespace secular {
 namespace {
 
 std::string shipped_text(const std::string& name) {
-  std::ifstream file(std::string(SECULAR_SOURCE_DIR) + "/models/" + name + ".toml");
+  std::ifstream file(testing_support::source_folder() / "models" / (name + ".toml"));
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -15,13 +15,14 @@
 #include "generated/registry.hpp"
 #include "perturb/model.hpp"
 #include "perturb/observation.hpp"
+#include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path root = SECULAR_SOURCE_DIR;
+const fs::path root = testing_support::source_folder();
 const std::vector<std::string> small_models = {"mathieu_duffing", "pendulum", "two_mass_lumps", "two_mass_mode1",
                                                "van_der_pol"};
 

@@ -27,6 +27,7 @@
 #include "codegen/expression/cpp_expression.hpp"
 #include "formula_values.hpp"
 #include "perturb/model.hpp"
+#include "tests/places.hpp"
 
 namespace secular {
 namespace {
@@ -35,8 +36,8 @@ const CanonicalModel& shipped_model(const std::string& name, const std::string& 
   static std::map<std::string, CanonicalModel> models;
   const std::string key = name + " " + only_case;
   if (!models.count(key))
-    models[key] = canonical_model(
-        read_model(std::filesystem::path(SECULAR_SOURCE_DIR) / "models" / (name + ".toml")), only_case);
+    models[key] =
+        canonical_model(read_model(testing_support::source_folder() / "models" / (name + ".toml")), only_case);
   return models.at(key);
 }
 

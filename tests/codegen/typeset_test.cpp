@@ -21,6 +21,7 @@
 #include "codegen/document/print_text.hpp"
 #include "codegen/document/symbol_name.hpp"
 #include "perturb/model.hpp"
+#include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {
@@ -36,7 +37,7 @@ const std::vector<std::string> shipped = {"pendulum", "two_mass_mode1"};
 const CanonicalModel& shipped_model(const std::string& name) {
   static std::map<std::string, CanonicalModel> models;
   if (!models.count(name))
-    models[name] = canonical_model(read_model(fs::path(SECULAR_SOURCE_DIR) / "models" / (name + ".toml")));
+    models[name] = canonical_model(read_model(testing_support::source_folder() / "models" / (name + ".toml")));
   return models.at(name);
 }
 
@@ -266,7 +267,7 @@ TEST_P(TypesetDocument, TwoRunsGiveTheSameBytes) {
   EXPECT_EQ(derivation_html(model()), derivation_html(model()));
   if (GetParam() == "awkward") return;
   const CanonicalModel again =
-      canonical_model(read_model(fs::path(SECULAR_SOURCE_DIR) / "models" / (GetParam() + ".toml")));
+      canonical_model(read_model(testing_support::source_folder() / "models" / (GetParam() + ".toml")));
   EXPECT_EQ(derivation_latex(model()), derivation_latex(again));
   EXPECT_EQ(derivation_html(model()), derivation_html(again));
 }

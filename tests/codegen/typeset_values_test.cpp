@@ -9,6 +9,7 @@
 #include "codegen/document/typeset_equations.hpp"
 #include "formula_values.hpp"
 #include "perturb/model.hpp"
+#include "tests/places.hpp"
 
 namespace secular {
 namespace {
@@ -61,7 +62,7 @@ class TypesetValues : public testing::TestWithParam<std::string> {};
 
 TEST_P(TypesetValues, AreThoseOfTheDerivation) {
   const CanonicalModel model =
-      canonical_model(read_model(std::filesystem::path(SECULAR_SOURCE_DIR) / "models" / (GetParam() + ".toml")));
+      canonical_model(read_model(testing_support::source_folder() / "models" / (GetParam() + ".toml")));
   ASSERT_FALSE(model.cases.empty());
   for (const CanonicalCase& c : model.cases) check_case(model, c);
 }
@@ -95,7 +96,7 @@ expand_to = 1
 // Left = right at an amplitude and an excitation frequency at which B does not move.
 TEST(TypesetValues, FrequencyResponseHoldsWhereTheAmplitudeStandsStill) {
   const CanonicalModel model = canonical_model(
-      read_model(std::filesystem::path(SECULAR_SOURCE_DIR) / "models/two_mass_mode1.toml"), "principal_parametric");
+      read_model(testing_support::source_folder() / "models/two_mass_mode1.toml"), "principal_parametric");
   const CanonicalCase& c = model.cases[0];
   Values values = random_values(model, c, 0);
   const auto polar = typeset::polar_modulation(model, c, 0);

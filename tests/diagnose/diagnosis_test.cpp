@@ -15,6 +15,7 @@
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
 #include "motion/simulate/virtual_test.hpp"
+#include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {
@@ -247,7 +248,7 @@ TEST(SlowDiagnosis, ADwellThatHasNotSettledIsLeftOut) {
 // would go astray with all its numbers.
 TEST(SlowDiagnosis, WhatIsMissingFarBeyondTheNoiseIsFound) {
   const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
-  const fs::path file = fs::path(SECULAR_SOURCE_DIR) / "models/experiments/principal_parametric.toml";
+  const fs::path file = testing_support::source_folder() / "models/experiments/principal_parametric.toml";
   const SimulatedCampaign data = run_virtual_test(read_experiment(file, model), model, 1, 2);
   const Diagnosis d = diagnosed(model, data, {{"mu2", "quadratic_damping"}, {"mu3", "cubic_damping"}});
   EXPECT_EQ(d.verdict, "cause");

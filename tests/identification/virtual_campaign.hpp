@@ -10,6 +10,7 @@
 #include "generated/registry.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "motion/simulate/virtual_test.hpp"
+#include "tests/places.hpp"
 
 // Virtual tests in memory and what is identified from them.
 namespace secular::testing_support {
@@ -41,7 +42,7 @@ inline double truth_of(const CompiledModel& model, const CompiledCase& resonance
 }
 
 inline Experiment shipped_experiment(const std::string& name) {
-  const auto path = std::filesystem::path(SECULAR_SOURCE_DIR) / "models/experiments" / (name + ".toml");
+  const auto path = source_folder() / "models/experiments" / (name + ".toml");
   return read_experiment(path, *generated::find_compiled_model(experiment_model(path)));
 }
 

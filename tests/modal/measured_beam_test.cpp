@@ -15,13 +15,14 @@
 #include "measure/modal/modal_survey.hpp"
 #include "measure/modal/pole.hpp"
 #include "tests/campaign/write_campaign.hpp"
+#include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path data = fs::path(SECULAR_SOURCE_DIR).parent_path() / "shared/data/brake_reuss_beam";
+const fs::path data = testing_support::source_folder().parent_path() / "shared/data/brake_reuss_beam";
 
 // The hammer's record as a campaign, for as long as the test runs.
 class MeasuredBeam : public testing::Test {

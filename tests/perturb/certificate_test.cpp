@@ -7,17 +7,18 @@
 #include <string>
 #include <vector>
 
+#include "tests/places.hpp"
+
 namespace secular {
 namespace {
 
 std::filesystem::path shipped(const std::string& name) {
-  return std::filesystem::path(SECULAR_SOURCE_DIR) / "models" / (name + ".toml");
+  return testing_support::source_folder() / "models" / (name + ".toml");
 }
 
 std::vector<std::string> shipped_names() {
   std::vector<std::string> names;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(SECULAR_SOURCE_DIR) / "models"))
+  for (const auto& entry : std::filesystem::directory_iterator(testing_support::source_folder() / "models"))
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
   return names;

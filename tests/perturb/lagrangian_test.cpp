@@ -6,12 +6,13 @@
 #include "perturb/certificate.hpp"
 #include "perturb/derivation.hpp"
 #include "perturb/term_sum.hpp"
+#include "tests/places.hpp"
 
 namespace secular {
 namespace {
 
 std::filesystem::path shipped_model(const std::string& name) {
-  return std::filesystem::path(SECULAR_SOURCE_DIR) / "models" / (name + ".toml");
+  return testing_support::source_folder() / "models" / (name + ".toml");
 }
 
 GiNaC::ex term_coefficient(const Derivation& d, std::size_t mode,

@@ -8,6 +8,7 @@
 #include "field_value.hpp"
 #include "perturb/fourier_quadrature.hpp"
 #include "perturb/solved_frequencies.hpp"
+#include "tests/places.hpp"
 
 namespace secular {
 namespace {
@@ -18,8 +19,7 @@ using testing_fields::expect_near;
 TEST(SolvedFrequencies, FulfilAllRelationsOfEveryShippedCase) {
   const ExactArithmetic arithmetic{1};
   int relations = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(SECULAR_SOURCE_DIR) / "models")) {
+  for (const auto& entry : std::filesystem::directory_iterator(testing_support::source_folder() / "models")) {
     if (entry.path().extension() != ".toml") continue;
     const Model model = read_model(entry.path());
     for (const ResonanceCase& resonance : model.cases) {

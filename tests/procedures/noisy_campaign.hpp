@@ -9,6 +9,7 @@
 #include "measure/observe/observation_set.hpp"
 #include "motion/simulate/noise.hpp"
 #include "motion/simulate/virtual_test.hpp"
+#include "tests/places.hpp"
 
 namespace secular::testing_support {
 
@@ -26,8 +27,7 @@ class NoisyCampaign {
   }
 
   static Experiment shipped(const std::string& name) {
-    const std::filesystem::path path =
-        std::filesystem::path(SECULAR_SOURCE_DIR) / "models/experiments" / (name + ".toml");
+    const std::filesystem::path path = source_folder() / "models/experiments" / (name + ".toml");
     return read_experiment(path, *generated::find_compiled_model(experiment_model(path)));
   }
 

@@ -15,13 +15,14 @@
 #include "codegen/runtime/runtime_model.hpp"
 #include "perturb/with_effects.hpp"
 #include "tests/campaign/temporary_folder.hpp"
+#include "tests/places.hpp"
 #include "tests/runtime/compare_models.hpp"
 
 namespace secular {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path root = SECULAR_SOURCE_DIR;
+const fs::path root = testing_support::source_folder();
 
 std::shared_ptr<const CompiledModel> interpreted(const Model& model) {
   Model bare = model;

@@ -17,6 +17,7 @@
 #include "generated/registry.hpp"
 #include "perturb/model.hpp"
 #include "tests/campaign/temporary_folder.hpp"
+#include "tests/places.hpp"
 #include "tests/runtime/compare_models.hpp"
 
 namespace secular {
@@ -26,7 +27,7 @@ namespace fs = std::filesystem;
 using test::expect_same_tables;
 using test::largest_difference;
 using Origin = RuntimeModel::Origin;
-const fs::path root = SECULAR_SOURCE_DIR;
+const fs::path root = testing_support::source_folder();
 
 constexpr const char* linear_text = R"toml(schema = 1
 name = "linear"

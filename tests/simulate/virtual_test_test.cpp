@@ -11,13 +11,14 @@
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
 #include "motion/simulate/noise.hpp"
+#include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path root = SECULAR_SOURCE_DIR;
+const fs::path root = testing_support::source_folder();
 
 std::string short_experiment(const std::string& more = {}) {
   return R"(schema = 1

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/places.hpp"
+
 namespace secular::verify {
 namespace {
 
@@ -13,7 +15,7 @@ const std::vector<std::string> dissipation_and_excitation = {"mu11", "mu12",  "m
                                                              "mu23", "eta11", "eta12", "eta21", "eta22"};
 
 std::string two_mass_text() {
-  std::ifstream file(std::filesystem::path(SECULAR_SOURCE_DIR) / "models" / "two_mass.toml");
+  std::ifstream file(testing_support::source_folder() / "models" / "two_mass.toml");
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();

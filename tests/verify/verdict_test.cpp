@@ -6,13 +6,14 @@
 #include <sstream>
 
 #include "input/input_error.hpp"
+#include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 #include "thesis/verify/verification.hpp"
 
 namespace secular::verify {
 namespace {
 
-const std::filesystem::path models = std::filesystem::path(SECULAR_SOURCE_DIR) / "models";
+const std::filesystem::path models = testing_support::source_folder() / "models";
 
 Model shipped(const std::string& name) {
   return read_model(models / (name + ".toml"));
