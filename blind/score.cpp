@@ -268,9 +268,8 @@ Score score_of(const json& sealed, const std::vector<Said>& said) {
   figures.push_back(mean_figure("of the reducible gap closed, right cause, 30 dB", closed30, 0.9));
   figures.push_back(
       mean_figure("of the reducible gap closed, right cause, all noise levels", closed, std::nullopt));
-  figures.push_back(mean_figure("the same by a column that means nothing, 30 dB", placebo30, 0.05, true));
-  figures.push_back(
-      mean_figure("the same by a column that means nothing, all noise levels", placebo, std::nullopt));
+  figures.push_back(mean_figure("the same by a placebo regressor, 30 dB", placebo30, 0.05, true));
+  figures.push_back(mean_figure("the same by a placebo regressor, all noise levels", placebo, std::nullopt));
   figures.push_back(resolved.figure("set that holds the truth: one proposed dwell resolves it", 0.8));
   figures.push_back(resolved_by_chance.figure("the same set: one random dwell resolves it", std::nullopt));
   figures.push_back(weak.figure("named cause or its set contains the truth (less than 3 sigma)", std::nullopt));

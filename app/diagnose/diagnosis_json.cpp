@@ -115,10 +115,12 @@ std::string diagnosis_json(const DiagnosisRun& run) {
                          {"segments", simulated_errors(d.simulated->segments)}};
     if (!d.simulated->apart.empty()) root["simulated"]["check"] = simulated_errors(d.simulated->apart);
   }
-  if (d.gap.detected)
-    root["remainder"] = {{"p_value", d.remainder.p_value},
-                         {"smooth_p_value", d.remainder.smooth_p_value},
-                         {"smooth_share", d.remainder.smooth_share}};
+  if (d.gap.detected) {
+    root["residual_structure"] = {{"p_value", d.residual_structure.p_value},
+                                  {"smooth_p_value", d.residual_structure.smooth_p_value},
+                                  {"smooth_share", d.residual_structure.smooth_share}};
+    root["remainder"] = root["residual_structure"];  // its name in version 0.1, kept for one version
+  }
   root["next_experiment"] = next_experiment(run);
   root["conditions"] = d.conditions;
   root["warnings"] = d.warnings;

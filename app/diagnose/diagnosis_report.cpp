@@ -68,7 +68,7 @@ std::string sentence(const Diagnosis& d) {
          (d.set.empty() ? std::string() : " (" + joined(d.set, ", ") + ")") +
          (d.unsteady.detected ? " has no part in how the motion varies within dwells, " +
                                     report::format_number(d.unsteady.ratio, 2) + " times what noise explains."
-                              : " leaves a structured remainder.");
+                              : " leaves residual structure.");
 }
 
 // Rows of the equations of motion against amplitude, before and after.
@@ -233,7 +233,7 @@ void closing_section(HtmlReport& page, const Diagnosis& d) {
                           "", report::format_number(d.gap.floor, 3),
                           report::format_percent(d.gap.wrong_cause_closed)});
   if (d.gap.placebo_closed)
-    table.rows.push_back({"column that means nothing", report::format_number(d.gap.before, 3), "",
+    table.rows.push_back({"placebo regressor", report::format_number(d.gap.before, 3), "",
                           report::format_number(d.gap.floor, 3), report::format_percent(*d.gap.placebo_closed)});
   table.caption = d.gap.metric;
   page.table(table);

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "estimator/identification/seen_lumps.hpp"
+#include "estimator/identification/identified_lumps.hpp"
 #include "numerics/confidence.hpp"
 
 namespace secular::app {
@@ -118,7 +118,7 @@ void add_representative(Json& result, const Identification& identification) {
       open[estimate.parameters[p].name] = values(static_cast<Eigen::Index>(p));
   if (open.empty()) return;
   Json cases = Json::array();
-  for (const CompiledCase* resonance : told_cases(estimate)) cases.push_back(resonance->name);
+  for (const CompiledCase* resonance : identified_cases(estimate)) cases.push_back(resonance->name);
   result["representative"] = {{"values", std::move(open)}, {"steady_motions_of", std::move(cases)}};
 }
 

@@ -171,7 +171,7 @@ class Predictor {
       if (found != result_.names.end()) result_.parameters(found - result_.names.begin()) = value;
     };
     for (const auto& [name, value] : given.values) take(name, value);
-    if (given.told_cases.contains(std::string(result_.resonance->name))) take_representative(given, take);
+    if (given.identified_cases.contains(std::string(result_.resonance->name))) take_representative(given, take);
     for (const auto& [name, value] : request_.at) result_.parameters(index_of(name)) = factor_of(name) * value;
     for (const auto* varied : {&result_.vary, &result_.against})
       if (*varied) result_.parameters(index_of((*varied)->name)) = 0.5 * ((*varied)->from + (*varied)->to);

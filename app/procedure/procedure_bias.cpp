@@ -11,7 +11,7 @@
 #include <tuple>
 
 #include "app/shared/progress_line.hpp"
-#include "estimator/identification/seen_lumps.hpp"
+#include "estimator/identification/identified_lumps.hpp"
 #include "motion/correction/observation_noise.hpp"
 #include "motion/correction/steady_set.hpp"
 #include "numerics/in_parallel.hpp"

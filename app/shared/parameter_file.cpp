@@ -42,7 +42,7 @@ void read_representative(const nlohmann::json& entry, const std::string& path, G
   }
   for (const nlohmann::json& name : entry["steady_motions_of"]) {
     if (!name.is_string()) refuse(path, place, "has a case that is no name");
-    given.told_cases.insert(name.get<std::string>());
+    given.identified_cases.insert(name.get<std::string>());
   }
 }
 

@@ -13,7 +13,7 @@ struct GivenParameters {
   /// Of an estimate: of symbols that the data could not tell, values that go with all that they told.
   std::map<std::string, double> representative;
   /// Cases whose steady motions do not depend on which values those are.
-  std::set<std::string> told_cases;
+  std::set<std::string> identified_cases;
 };
 
 /// An estimate.json of `identify` or a plain JSON object of symbol to number; `path` is a file, or the name of a

@@ -20,9 +20,9 @@ struct Condition {
   std::array<std::complex<double>, 2> rate;
   std::vector<MasterLine> masters;
   std::vector<MasterLine> resting;  ///< MotionSetting::resting
-  /// By master: (dB/dt)/B of a dwell that was still creeping, and the error of its real and imaginary part.
-  std::vector<std::complex<double>> creep;
-  std::vector<double> creep_sd;
+  /// By master: (dB/dt)/B of a dwell that was still drifting, and the error of its real and imaginary part.
+  std::vector<std::complex<double>> drift_rate;
+  std::vector<double> drift_rate_sd;
   /// Growth + i*frequency at which a line's phase turns: sum |n_j| growth_j + i sum n_j frequency_j.
   std::complex<double> line_rate(Eigen::Index line) const { return secular::line_rate(*torus, rate, line); }
 

@@ -104,9 +104,9 @@ VectorXd ConditionEvaluation::differences(const VectorXcd& amplitudes, const Con
   for (Index m = 0; m < amplitudes.size(); ++m) {
     Complex balance = expected.balance(m);
     // An amplitude B(t) exp(i w t) has the inertia -(s^2 B + 2 s dB/dt).
-    if (!c_.creep.empty())
-      balance -=
-          2.0 * c_.line_rate(c_.masters[static_cast<std::size_t>(m)].line) * c_.creep[static_cast<std::size_t>(m)];
+    if (!c_.drift_rate.empty())
+      balance -= 2.0 * c_.line_rate(c_.masters[static_cast<std::size_t>(m)].line) *
+                 c_.drift_rate[static_cast<std::size_t>(m)];
     push(balance, false);
   }
   for (Index c = 0; c < c_.response.rows(); ++c)

@@ -37,7 +37,7 @@ class PooledScatter {
             }
         sd_(c, kind) = freedom > 0 ? std::sqrt(squares / freedom) : 0;
       }
-    // A line near resonance wanders with the structure; it is never quieter than the channel's other lines.
+    // A line near resonance varies with the structure; it is never quieter than the channel's other lines.
     for (Index c = 0; c < channels; ++c) sd_(c, 1) = std::max(sd_(c, 1), sd_(c, 2));
   }
 
@@ -101,7 +101,8 @@ ObservedConditions observe_conditions(const Campaign& campaign, const RecordRead
     dwell.condition.excitation_noise = noise.tail(noise.size() - channels);
     dwell.condition.response_sd = responses.of(dwell);
     dwell.condition.excitation_sd = excitations.of(dwell);
-    observed.wander.insert(observed.wander.end(), dwell.wander.begin(), dwell.wander.end());
+    observed.nonstationarity.insert(observed.nonstationarity.end(), dwell.nonstationarity.begin(),
+                                    dwell.nonstationarity.end());
     observed.conditions.push_back(std::move(dwell.condition));
   }
   const std::vector<double> began = record_times(campaign);

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "diagnose/evidence/condition.hpp"
+#include "diagnose/evidence/nonstationarity.hpp"
 #include "diagnose/evidence/sensor_model.hpp"
-#include "diagnose/evidence/wander.hpp"
 #include "measure/observe/observation_set.hpp"
 
 namespace secular {
@@ -14,7 +14,7 @@ namespace secular {
 struct ObservedConditions {
   std::vector<Condition> conditions;
   std::vector<std::string> warnings;
-  std::vector<Wander> wander;  ///< of the motion within dwells
+  std::vector<Nonstationarity> nonstationarity;  ///< of the motion within dwells
 };
 
 /// Dwells of a campaign as measured lines. `natural_frequency` (rad/s, by mode) tells which line of

@@ -35,15 +35,15 @@ constexpr Index fewest_ensembles = 4, usual_ensembles = 8;
 /// Noise beside a line is read at these distances from it, in frequency resolutions of an ensemble, on both sides.
 constexpr double beside[] = {3.5, 4.5, 5.5, 6.5};
 
-/// An excitation that wanders with less than this probability by its noise alone makes its response wander.
+/// An excitation that varies with less than this probability by its noise alone makes its response vary.
 constexpr double unsteady_excitation = 1e-3;
 
 /// Fewest samples and turns of the slowest line in an ensemble.
 constexpr Index fewest_samples = 64;
 
-/// A dwell whose amplitude creeps by more than this over its length has not settled; one that creeps less, but more
+/// A dwell whose amplitude drifts by more than this over its length has not settled; one that drifts less, but more
 /// than a motion that stands still does by chance in so few cases, is taken with its rate of change.
-constexpr double largest_creep = 0.05, creep_alarm = 2e-3;
+constexpr double largest_drift = 0.05, drift_alarm = 2e-3;
 
 /// Points over a turn of a motion that is a multiple of one frequency. An odd number: the corners of a force that
 /// is odd in the motion fall on twice as many places, and alias half as far from the lines that are looked at.
@@ -245,29 +245,30 @@ Eigen::VectorXd noise_of(const std::vector<Ensemble>& ensembles) {
 }
 
 // (dB/dt)/B over the ensembles of a dwell by a straight line through ln(B/mean B); the chance that a motion which
-// stands still creeps as much, by the noise of the samples and by the scatter about that line, whichever is larger.
-struct Creep {
+// stands still drifts as much, by the noise of the samples and by the scatter about that line, whichever is larger.
+struct AmplitudeDrift {
   Complex rate;
   double sd = 0, p_value = 1;
 };
 
 // `noise_sd`: of one ensemble's real part, by the samples' noise; `scatter_sd`: the same about a straight line.
-Creep creep_of(const std::vector<Complex>& amplitude, double noise_sd, double scatter_sd, double step_s) {
+AmplitudeDrift amplitude_drift(const std::vector<Complex>& amplitude, double noise_sd, double scatter_sd,
+                               double step_s) {
   const auto n = static_cast<double>(amplitude.size());
   const Complex mean = std::accumulate(amplitude.begin(), amplitude.end(), Complex(0)) / n;
   Complex moment = 0;
   for (std::size_t e = 0; e < amplitude.size(); ++e)
     moment += (static_cast<double>(e) - 0.5 * (n - 1)) * std::log(amplitude[e] / mean);
   const double spread = n * (n * n - 1) / 12;
-  Creep creep;
-  creep.rate = moment / (spread * step_s);
+  AmplitudeDrift drift;
+  drift.rate = moment / (spread * step_s);
   const auto sd_of_rate = [&](double sd) { return sd / std::abs(mean) / (std::sqrt(spread) * step_s); };
-  creep.sd = sd_of_rate(std::max(noise_sd, scatter_sd));
+  drift.sd = sd_of_rate(std::max(noise_sd, scatter_sd));
   // Half the squared ratio of a complex number to its sd is F-distributed on 2 and twice n - 2 degrees.
-  const auto f = [&](double sd) { return 0.5 * std::norm(creep.rate) / (sd_of_rate(sd) * sd_of_rate(sd)); };
+  const auto f = [&](double sd) { return 0.5 * std::norm(drift.rate) / (sd_of_rate(sd) * sd_of_rate(sd)); };
   const double scattered = f_upper_tail(f(scatter_sd), 2, 2 * (n - 2));
-  creep.p_value = std::max(chi_squared_upper_tail(2 * f(noise_sd), 2), scattered);
-  return creep;
+  drift.p_value = std::max(chi_squared_upper_tail(2 * f(noise_sd), 2), scattered);
+  return drift;
 }
 
 // A pair of lines whose frequencies are only fixed in their combination: the lower one from the samples.
@@ -343,10 +344,11 @@ std::optional<double> excitation_frequency(const RecordPart& part, double rate, 
   return fit.frequency;
 }
 
-// How a dwell's motion wanders; nothing where its excitation does.
-std::vector<Wander> wander_within(const DwellReader& reader, const Condition& c, const std::vector<Index>& lines,
-                                  const std::array<double, 2>& base, double resolution, const Torus& torus,
-                                  const SensorModel& sensors) {
+// How a dwell's motion varies; nothing where its excitation does.
+std::vector<Nonstationarity> nonstationarity_within(const DwellReader& reader, const Condition& c,
+                                                    const std::vector<Index>& lines,
+                                                    const std::array<double, 2>& base, double resolution,
+                                                    const Torus& torus, const SensorModel& sensors) {
   std::vector<double> frequencies;
   for (const Index l : lines)
     if (l != 0) frequencies.push_back(DwellReader::frequency_of(torus, l, base));
@@ -359,18 +361,18 @@ std::vector<Wander> wander_within(const DwellReader& reader, const Condition& c,
     MatrixXcd seen(static_cast<Index>(about.size()), about.front().cols());
     for (std::size_t e = 0; e < about.size(); ++e)
       seen.row(static_cast<Index>(e)) = weights.cast<Complex>() * about[e];
-    return wander_of(seen.col(0), seen.rightCols(seen.cols() - 1));
+    return nonstationarity_of(seen.col(0), seen.rightCols(seen.cols() - 1));
   };
   for (std::size_t j = 0; j < sensors.excitations.size(); ++j) {
     const auto channel = static_cast<Index>(sensors.responses.size() + j);
-    const Wander excitation = through(c.fundamental, Eigen::RowVectorXd::Unit(channels, channel));
-    if (test_wander({excitation}).p_value < unsteady_excitation) return {};
+    const Nonstationarity excitation = through(c.fundamental, Eigen::RowVectorXd::Unit(channels, channel));
+    if (test_nonstationarity({excitation}).p_value < unsteady_excitation) return {};
   }
   // Where the masters are, and where the excitation drives every mode, near resonance or not.
   std::set<std::pair<Index, std::size_t>> seen;
   for (const MasterLine& master : c.masters) seen.emplace(master.line, master.mode);
   for (std::size_t k = 0; k < static_cast<std::size_t>(sensors.filter.rows()); ++k) seen.emplace(c.fundamental, k);
-  std::vector<Wander> all;
+  std::vector<Nonstationarity> all;
   for (const auto& [line, mode] : seen) {
     Eigen::RowVectorXd weights = Eigen::RowVectorXd::Zero(channels);
     weights.head(static_cast<Index>(sensors.responses.size())) = sensors.filter.row(static_cast<Index>(mode));
@@ -380,9 +382,9 @@ std::vector<Wander> wander_within(const DwellReader& reader, const Condition& c,
   return all;
 }
 
-bool is_transient(const std::vector<Wander>& wander) {
+bool is_transient(const std::vector<Nonstationarity>& nonstationarity) {
   bool transient = false;
-  for (const Wander& w : wander) {
+  for (const Nonstationarity& w : nonstationarity) {
     if (!is_unsteady(w)) continue;
     if (!w.dies_out) return false;
     transient = true;
@@ -476,22 +478,22 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
       c.masters.push_back({resonance.mode, *line});
       std::vector<Complex> amplitudes;
       for (const Ensemble& e : ensembles) amplitudes.push_back(modal(e.response));
-      const Creep creep = creep_of(amplitudes, weights.cwiseProduct(line_noise).norm(),
-                                   weights.cwiseProduct(about_line.col(column).transpose()).norm(),
-                                   static_cast<double>(length) / rate);
-      const double change = std::abs(creep.rate) * static_cast<double>(part.samples.rows()) / rate;
-      if (creep.p_value < creep_alarm) {
+      const AmplitudeDrift found = amplitude_drift(amplitudes, weights.cwiseProduct(line_noise).norm(),
+                                                   weights.cwiseProduct(about_line.col(column).transpose()).norm(),
+                                                   static_cast<double>(length) / rate);
+      const double change = std::abs(found.rate) * static_cast<double>(part.samples.rows()) / rate;
+      if (found.p_value < drift_alarm) {
         drift = std::max(drift, change);
-        c.creep.push_back(creep.rate);
-        c.creep_sd.push_back(creep.sd);
+        c.drift_rate.push_back(found.rate);
+        c.drift_rate_sd.push_back(found.sd);
       } else {
-        c.creep.emplace_back();
-        c.creep_sd.push_back(0);
+        c.drift_rate.emplace_back();
+        c.drift_rate_sd.push_back(0);
       }
     }
     const bool bound = layout.dimensions == 2 || layout.divisor > 1;
     if (bound && (!whole || c.masters.empty())) continue;
-    if (drift > largest_creep)
+    if (drift > largest_drift)
       return leave_out(fmt::format("it has not settled (its amplitude changes by {:.1f} %)", 100 * drift));
 
     if (drift > 0) {  // which is no lack of repeatability
@@ -508,8 +510,9 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
     c.fundamental = fundamental;
     c.lines = lines;
     c.excitation_lines = excitation_lines;
-    if (layout.dimensions == 1) dwell.wander = wander_within(reader, c, lines, base, resolution, *torus, sensors);
-    if (is_transient(dwell.wander)) return leave_out("it has not settled (what varies in it dies out)");
+    if (layout.dimensions == 1)
+      dwell.nonstationarity = nonstationarity_within(reader, c, lines, base, resolution, *torus, sensors);
+    if (is_transient(dwell.nonstationarity)) return leave_out("it has not settled (what varies in it dies out)");
     return dwell;
   }
   return leave_out("its motion fits no resonance of model " + std::string(model.name));

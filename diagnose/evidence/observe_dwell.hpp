@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "diagnose/evidence/condition.hpp"
+#include "diagnose/evidence/nonstationarity.hpp"
 #include "diagnose/evidence/sensor_model.hpp"
-#include "diagnose/evidence/wander.hpp"
 #include "measure/observe/observation_set.hpp"
 
 namespace secular {
@@ -20,7 +20,7 @@ struct Dwell {
   Eigen::MatrixXd response_scatter, excitation_scatter;  ///< one ensemble's sd of a real part: channel x line
   Eigen::VectorXd noise;  ///< sd of what no line explains in a sample; responses first, then excitations
   /// By master, where the excitation is steady and all lines are multiples of one frequency.
-  std::vector<Wander> wander;
+  std::vector<Nonstationarity> nonstationarity;
 };
 
 /// Nothing (and a warning) for a dwell that is too short, has no steady excitation or has not settled. Phases are

@@ -5,17 +5,18 @@
 
 namespace secular {
 
-Unsteadiness judge_steadiness(const std::vector<Wander>& wander, const Campaign& campaign) {
-  const WanderTest test = test_wander(wander);
+Unsteadiness judge_steadiness(const std::vector<Nonstationarity>& nonstationarity, const Campaign& campaign) {
+  const NonstationarityTest test = test_nonstationarity(nonstationarity);
   Unsteadiness unsteady{test.p_value < unsteady_alarm, test.p_value, test.ratio, ""};
   if (unsteady.detected) unsteady.record = campaign.records[test.record].file;
   return unsteady;
 }
 
-std::vector<std::string> leave_out_unsteady(std::vector<Condition>& conditions, const std::vector<Wander>& wander,
+std::vector<std::string> leave_out_unsteady(std::vector<Condition>& conditions,
+                                            const std::vector<Nonstationarity>& nonstationarity,
                                             const Campaign& campaign) {
   std::set<std::size_t> records;
-  for (const Wander& w : wander)
+  for (const Nonstationarity& w : nonstationarity)
     if (is_unsteady(w)) records.insert(w.record);
   const auto unsteady = [&](const Condition& c) { return records.contains(c.record); };
   const auto count = std::count_if(conditions.begin(), conditions.end(), unsteady);

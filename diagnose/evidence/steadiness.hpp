@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "diagnose/evidence/condition.hpp"
-#include "diagnose/evidence/wander.hpp"
+#include "diagnose/evidence/nonstationarity.hpp"
 #include "measure/data/campaign.hpp"
 
 namespace secular {
@@ -18,11 +18,12 @@ struct Unsteadiness {
   std::string record;  ///< where it is largest
 };
 
-Unsteadiness judge_steadiness(const std::vector<Wander>& wander, const Campaign& campaign);
+Unsteadiness judge_steadiness(const std::vector<Nonstationarity>& nonstationarity, const Campaign& campaign);
 
-/// Takes out the conditions whose motion is not steady, as long as most are: a few dwells that wander have no mean
+/// Takes out the conditions whose motion is not steady, as long as most are: a few dwells that vary have no mean
 /// motion to compare; where most do, the mean is all there is. Returns the files they came from.
-std::vector<std::string> leave_out_unsteady(std::vector<Condition>& conditions, const std::vector<Wander>& wander,
+std::vector<std::string> leave_out_unsteady(std::vector<Condition>& conditions,
+                                            const std::vector<Nonstationarity>& nonstationarity,
                                             const Campaign& campaign);
 
 }  // namespace secular

@@ -52,7 +52,7 @@ constexpr std::size_t most_afresh = 8;
 constexpr std::size_t most_first_afresh = 2;
 
 /// A second effect is looked for where the best single one leaves so many standard deviations of chi-squared.
-constexpr double least_remainder = 3.5;
+constexpr double least_structure = 3.5;
 
 // The strengths and shapes of one candidate from one vector of unknowns put into another.
 void take_over(VectorXd& into, const VectorXd& from, const Candidate& c) {
@@ -177,7 +177,7 @@ class Search {
 
   bool leaves_more_than_noise(const Explanation& e) const {
     const double freedom = result_.degrees_of_freedom;
-    return e.fit.chi_squared > freedom + least_remainder * std::sqrt(2 * freedom);
+    return e.fit.chi_squared > freedom + least_structure * std::sqrt(2 * freedom);
   }
 
   // Of a model that is far from the data a fine fit would be bent beyond all sense; what it lacks is looked for

@@ -144,8 +144,9 @@ class Diagnoser {
       result_.gap.placebo_closed = placebo_closed(inference_.null.fit, best_->fit.rows - inference_.null.fit.rows,
                                                   result_.labels, result_.gap.floor);
     const double there_was = options_.given ? judged_.rows.squaredNorm() : inference_.null.fit.chi_squared;
-    result_.remainder = remainder_of(best_->fit, result_.labels, static_cast<double>(discrepancy().freedom()),
-                                     std::max(0.0, there_was - best_->fit.chi_squared));
+    result_.residual_structure =
+        residual_structure_of(best_->fit, result_.labels, static_cast<double>(discrepancy().freedom()),
+                              std::max(0.0, there_was - best_->fit.chi_squared));
     const CauseReporter reporter{
         comparison_.candidates, comparison_.unknown_names(model_), inference_.dispersion,
         [&](const Explanation& e) { return closed_share(before, held_out_rows(e), result_.labels, 1).closed; }};
@@ -161,7 +162,8 @@ class Diagnoser {
         result_.gap.wrong_cause = wrong->effects.front();
         result_.gap.wrong_cause_closed = reporter.closed_share(*wrong->explanation);
       }
-      if (!leaves_structure(result_.remainder, closing, result_.gap.floor) && !is_restless() && !best.open_law) {
+      if (!leaves_structure(result_.residual_structure, closing, result_.gap.floor) && !is_restless() &&
+          !best.open_law) {
         result_.verdict = naming.set.size() == 1 ? "cause" : "set";
         result_.cause = naming.set.size() == 1 ? naming.set.front() : "";
       }

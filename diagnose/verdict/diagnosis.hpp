@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diagnose/evidence/steadiness.hpp"
-#include "diagnose/inference/remainder.hpp"
+#include "diagnose/inference/residual_structure.hpp"
 #include "diagnose/verdict/cause_report.hpp"
 #include "diagnose/verdict/diagnosis_options.hpp"
 #include "diagnose/verdict/gap_shares.hpp"
@@ -39,7 +39,7 @@ struct Diagnosis {
   std::optional<OpenLaw> open_law;  ///< where it is a better explanation than any effect or pair of the catalogue
   std::vector<CauseReport> causes;
   std::vector<ParameterMove> parameters_moved;
-  Remainder remainder;
+  ResidualStructure residual_structure;
   NextExperiment next_experiment;
   std::optional<SimulatedCheck> simulated;  ///< where a gap was found
   std::vector<std::string> warnings;

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "estimator/identification/equation_data.hpp"
-#include "estimator/identification/shift_evidence.hpp"
+#include "estimator/identification/residual_information.hpp"
 #include "estimator/model/zero_frequency.hpp"
 #include "estimator/regression/condensed_rows.hpp"
 #include "numerics/distribution.hpp"
@@ -126,7 +126,7 @@ class CaseRegression {
     result_.truncation_effect = effect_of(change);
     result_.moves_effect = effect_of(whitened(set_.truncation_of_moves));
     // Stretches of one decay all lack the same of the truncation: they are no conditions that tell its errors.
-    if (case_.excited) result_.shift_evidence = shift_evidence(change, result_.fit, system.condition);
+    if (case_.excited) result_.residual_information = residual_information(change, result_.fit, system.condition);
     if (result_.fit.coefficients.size() > 0) result_.fit.coefficients += result_.reference;
     result_.state = {at_, offset_, scale_, result_.weight, result_.distance, result_.fit.noisy};
     return std::move(result_);

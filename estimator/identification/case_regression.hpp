@@ -66,9 +66,9 @@ struct RegressionState {
 
 /// What a regression's rows say, beside its coefficients, of how far parameters are along the directions of
 /// ObservationSet::truncation_change from where the truncation was taken out: what such a change does to the rows
-/// and no coefficient can do. design*shift = target but for errors of unit variance, as independent of the
-/// coefficients' as residuals are.
-struct ShiftEvidence {
+/// and no coefficient can do. design*null_coordinate = target but for errors of unit variance, as independent of
+/// the coefficients' as residuals are.
+struct ResidualInformation {
   Eigen::MatrixXd design;  ///< rows x directions; no rows: nothing
   Eigen::VectorXd target;
 };
@@ -84,7 +84,7 @@ struct CaseFit {
   Eigen::VectorXd residual;   ///< by row: of each equation alone over its own noise, as measured noise explains it
   /// Columns x directions: how coefficients change with ObservationSet::truncation_change.
   Eigen::MatrixXd truncation_effect, moves_effect;  ///< the second with ObservationSet::truncation_of_moves
-  ShiftEvidence shift_evidence;
+  ResidualInformation residual_information;
   std::map<std::size_t, double> block_misfit;  ///< by block: residual over what noise explains, unscaled
   std::vector<double> weight;                  ///< by observation: 1, less where it is an outlier
   std::vector<double> distance;  ///< by observation: deviation from its condition over what is usual; 0 if unknown

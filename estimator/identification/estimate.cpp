@@ -27,14 +27,14 @@ Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& uni
   Estimation e(sets, units, options);
   const Precision so_far = fit_rounds(e);
   share_parameters(e);
-  if (!e.shifts.empty()) {
-    follow_shifts(e);
-  } else if (know_shifts(e) || so_far == Precision::rough) {
+  if (!e.frequency_shifts.empty()) {
+    follow_frequency_shifts(e);
+  } else if (know_frequency_shifts(e) || so_far == Precision::rough) {
     fit_cases(e, Precision::full);
     share_parameters(e);
   }
   if (options.bootstrap > 0) draw_bootstrap(e);
-  place_along_unseen(e);
+  place_along_null_space(e);
   e.hidden.resize(e.fits.size());
   if (options.judge_fit) {
     test_fit(e);
@@ -44,7 +44,7 @@ Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& uni
   report_lumps(e);
   report_quality(e);
   e.result.state = std::make_shared<const EstimationState>(EstimationState{
-      std::move(e.blocks), std::move(e.states), e.knowledge.natural_frequency, std::move(e.shifts)});
+      std::move(e.blocks), std::move(e.states), e.knowledge.natural_frequency, std::move(e.frequency_shifts)});
   return std::move(e.result);
 }
 

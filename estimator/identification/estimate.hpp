@@ -72,11 +72,12 @@ struct Estimate {
   std::vector<DampingComparison> damping;
   std::vector<NullDirection> null_directions;  ///< what the campaign leaves open
   Eigen::VectorXd parameter_values;  ///< by CompiledModel::symbols: a representative that reproduces the lumps
-  /// Symbols x directions: SharedParameters::unseen.
-  Eigen::MatrixXd unseen;
-  Eigen::MatrixXd unseen_coordinate;  ///< directions x symbols: SharedParameters::unseen_coordinate
-  /// How far parameters are along the directions of ObservationSet::truncation_change: SharedParameters::shift.
-  Eigen::VectorXd shift, shift_sd;
+  /// Symbols x directions: SharedParameters::null_space.
+  Eigen::MatrixXd null_space;
+  Eigen::MatrixXd null_space_coordinate;  ///< directions x symbols: SharedParameters::null_space_coordinate
+  /// How far parameters are along the directions of ObservationSet::truncation_change:
+  /// SharedParameters::null_coordinate.
+  Eigen::VectorXd null_coordinate, null_coordinate_sd;
   /// Symbols x independent directions: how far representative_parameters may be along each, one standard deviation,
   /// by the noise of the measurement, and by what it leaves open.
   Eigen::MatrixXd noise, open;
@@ -102,7 +103,7 @@ struct EstimateOptions {
   Eigen::MatrixXd moves = {};
   /// With moves: the parameters that ObservationSet::truncation belongs to.
   Eigen::VectorXd corrected_at = {};
-  ShiftPlace shift = {};  ///< along the directions of ObservationSet::truncation_change
+  NullSpacePlace null_space_place = {};  ///< along the directions of ObservationSet::truncation_change
   /// Parameters' error bars by way of the lumps', which are wider, instead of from the rows: for passes between.
   bool rough_errors = false;
   /// With a start: weights are those that its coefficients make, and are not found anew. For passes between, where

@@ -19,7 +19,7 @@ struct EstimationState {
   std::vector<std::vector<std::size_t>> blocks;  ///< by case with observations
   std::vector<RegressionState> regressions;
   std::vector<double> natural_frequency;
-  LumpValues shifts;  ///< lumps that were given what their symbols make of them
+  LumpValues frequency_shifts;  ///< lumps that were given what their symbols make of them
 };
 
 /// An estimate on its way: what each stage has found for the next ones.
@@ -35,7 +35,7 @@ struct Estimation {
   std::vector<bool> given;                       ///< by symbol
   // Of the cases, see fit_rounds.
   CaseKnowledge knowledge;
-  LumpValues shifts;                             ///< see know_shifts
+  LumpValues frequency_shifts;                   ///< see know_frequency_shifts
   std::vector<std::vector<std::size_t>> blocks;  ///< by fit: equations that are regressed
   std::vector<CaseFit> fits;
   std::vector<RegressionState> states;  ///< by fit; without weights: none yet
@@ -69,9 +69,9 @@ void fit_cases(Estimation& e, Precision precision);
 /// whose column is that of the natural frequency: neither can be told. The lump's symbols are known from elsewhere,
 /// though, and it depends on the natural frequency weakly: it is given its value, and the frequency can be. Whether
 /// there is one.
-bool know_shifts(Estimation& e);
+bool know_frequency_shifts(Estimation& e);
 /// Shifts as they are at the parameters that were found with them, for the next estimate.
-void follow_shifts(Estimation& e);
+void follow_frequency_shifts(Estimation& e);
 /// The value of a lump that is a given symbol.
 std::optional<double> given_value(const Estimation& e, const CompiledLump& lump);
 /// Which lumps and natural frequencies the fits tell.
@@ -84,7 +84,7 @@ void draw_bootstrap(Estimation& e);
 /// Lumps as they would be corrected for the truncation at the parameters found. Of parameters that no lump can
 /// tell, where they are as far as all lumps together tell it moves each lump, too, and what they leave open is part
 /// of its error bar.
-void place_along_unseen(Estimation& e);
+void place_along_null_space(Estimation& e);
 
 /// Whether equations hold as well as repeats agree, and the lumps of all cases with one another; else warnings.
 void test_fit(Estimation& e);

@@ -124,7 +124,7 @@ void move(Estimation& e, std::size_t s, const VectorXd& change) {
 }
 
 // Parameters that no lump depends on act on the motions all the same (a coupling to a mode whose resonance was not
-// excited): what they do to the truncation's correction is an unknown like the other unseen directions.
+// excited): what they do to the truncation's correction is an unknown like the other null-space directions.
 void add_silent_directions(Estimation& e) {
   const VectorXd size = sizes_by_force(e.model, e.sets, e.shared.values);
   std::vector<bool> heard(e.model.symbols.size(), false);
@@ -137,10 +137,10 @@ void add_silent_directions(Estimation& e) {
   for (std::size_t p = e.model.modes(); p < heard.size(); ++p) {
     const auto at = static_cast<Index>(p);
     if (heard[p] || e.given[p] || !(size(at) > 0)) continue;
-    MatrixXd& unseen = e.shared.unseen;
-    MatrixXd& coordinate = e.shared.unseen_coordinate;
-    unseen.conservativeResize(Eigen::NoChange, unseen.cols() + 1);
-    unseen.rightCols(1) = size(at) * VectorXd::Unit(unseen.rows(), at);
+    MatrixXd& null_space = e.shared.null_space;
+    MatrixXd& coordinate = e.shared.null_space_coordinate;
+    null_space.conservativeResize(Eigen::NoChange, null_space.cols() + 1);
+    null_space.rightCols(1) = size(at) * VectorXd::Unit(null_space.rows(), at);
     coordinate.conservativeResize(coordinate.rows() + 1, Eigen::NoChange);
     coordinate.bottomRows(1) = VectorXd::Unit(coordinate.cols(), at).transpose() / size(at);
   }
@@ -163,16 +163,16 @@ std::vector<MatrixXd> noise_of_lumps(const Estimation& e) {
 
 // Estimate::noise and Estimate::open, and what both leave unknown of the truncation.
 void set_uncertainty(Estimation& e) {
-  const Index symbols = e.shared.values.size(), directions = e.shared.shift.size();
-  // Of values and shifts, one standard deviation along independent directions.
+  const Index symbols = e.shared.values.size(), directions = e.shared.null_coordinate.size();
+  // Of values and null-space coordinates, one standard deviation along independent directions.
   const MatrixXd noise = factor_of(e.shared.noise_covariance);
   MatrixXd open(symbols + directions, directions);
-  open << e.shared.value_prior, e.shared.shift_prior;
+  open << e.shared.value_prior, e.shared.null_coordinate_prior;
   e.result.noise = noise.topRows(symbols);
-  e.result.open = e.shared.unseen;
-  if (directions == e.shared.unseen.cols()) {
-    e.result.noise += e.shared.unseen * noise.bottomRows(directions);
-    e.result.open = open.topRows(symbols) + e.shared.unseen * open.bottomRows(directions);
+  e.result.open = e.shared.null_space;
+  if (directions == e.shared.null_space.cols()) {
+    e.result.noise += e.shared.null_space * noise.bottomRows(directions);
+    e.result.open = open.topRows(symbols) + e.shared.null_space * open.bottomRows(directions);
   }
   e.truncation_unknown.resize(0, 0);
   if (e.options.moves.cols() == 0) return;
@@ -215,7 +215,7 @@ void share_parameters(Estimation& e) {
       part.plain = part.combination * MatrixXd(fit.fit.plain_covariance(used, used)) * part.combination.transpose();
       part.influence = MatrixXd(fit.fit.influence(Eigen::all, used)) * part.combination.transpose();
       part.truncation_effect = fit.truncation_effect(used, Eigen::all);
-      part.shift_evidence = fit.shift_evidence;
+      part.residual_information = fit.residual_information;
       e.truncation_slope.back() = truncation_slope(e, fit);
       part.truncation_slope = e.truncation_slope.back()(used, Eigen::all);
       part.truncation_at = e.options.corrected_at;
@@ -240,17 +240,18 @@ void share_parameters(Estimation& e) {
           start(p) = part.values(static_cast<Index>(i));
     if (e.given[static_cast<std::size_t>(p)]) start(p) = e.options.fixed.at(name);
   }
-  e.shared = shared_parameters(e.lump_estimates, start, e.given, e.options.shift, e.options.rough_errors);
+  e.shared =
+      shared_parameters(e.lump_estimates, start, e.given, e.options.null_space_place, e.options.rough_errors);
   add_silent_directions(e);
   e.result.parameter_values = e.shared.values;
   e.result.parameter_sd = e.shared.covariance.diagonal().cwiseMax(0).cwiseSqrt();
 }
 
-void place_along_unseen(Estimation& e) {
-  e.result.unseen = e.shared.unseen;
-  e.result.unseen_coordinate = e.shared.unseen_coordinate;
-  e.result.shift = e.shared.shift;
-  e.result.shift_sd = e.shared.shift_sd;
+void place_along_null_space(Estimation& e) {
+  e.result.null_space = e.shared.null_space;
+  e.result.null_space_coordinate = e.shared.null_space_coordinate;
+  e.result.null_coordinate = e.shared.null_coordinate;
+  e.result.null_coordinate_sd = e.shared.null_coordinate_sd;
   set_uncertainty(e);
   e.open_variance.assign(e.fits.size(), VectorXd());
   const std::vector<MatrixXd> noise = noise_of_lumps(e);
@@ -261,30 +262,31 @@ void place_along_unseen(Estimation& e) {
     const MatrixXd& effect = fit.truncation_effect;
     const MatrixXd& by_values = e.truncation_slope[s];
     const bool follows_values = by_values.cols() > 0;
-    const bool follows_shifts = effect.cols() > 0 && e.shared.shift_slope[s].size() > 0;
-    // Coefficients are corrected at the parameters found: c + by_values*(values - corrected_at) + effect*(shift -
-    // from). What makes values and shifts uncertain therefore makes these uncertain, too.
-    const auto followed = [&](const MatrixXd& of_values, const MatrixXd& of_shifts) {
+    const bool follows_coordinates = effect.cols() > 0 && e.shared.null_coordinate_slope[s].size() > 0;
+    // Coefficients are corrected at the parameters found: c + by_values*(values - corrected_at) +
+    // effect*(null_coordinate - from). What makes values and null-space coordinates uncertain therefore makes these
+    // uncertain, too.
+    const auto followed = [&](const MatrixXd& of_values, const MatrixXd& of_coordinates) {
       MatrixXd change = MatrixXd::Zero(columns, of_values.cols());
       if (follows_values) change += by_values * of_values;
-      if (follows_shifts) change += effect * of_shifts;
+      if (follows_coordinates) change += effect * of_coordinates;
       return change;
     };
     if (follows_values) move(e, s, by_values * (e.shared.values - e.options.corrected_at));
-    if (follows_shifts) {
-      const VectorXd& from = e.options.shift.corrected_at;
-      move(e, s, effect * (from.size() > 0 ? VectorXd(e.shared.shift - from) : e.shared.shift));
+    if (follows_coordinates) {
+      const VectorXd& from = e.options.null_space_place.corrected_at;
+      move(e, s, effect * (from.size() > 0 ? VectorXd(e.shared.null_coordinate - from) : e.shared.null_coordinate));
     }
     MatrixXd map = MatrixXd::Identity(columns, columns);  // of the coefficients' own noise
     map(Eigen::all, e.used[s]) +=
-        followed(e.shared.slope[s], e.shared.shift_slope[s]) * e.lump_estimates[s].combination;
-    const MatrixXd open = followed(e.shared.value_prior, e.shared.shift_prior);
+        followed(e.shared.slope[s], e.shared.null_coordinate_slope[s]) * e.lump_estimates[s].combination;
+    const MatrixXd open = followed(e.shared.value_prior, e.shared.null_coordinate_prior);
     e.open_variance[s] = open.rowwise().squaredNorm();
-    const MatrixXd told = followed(e.shared.value_evidence, e.shared.shift_evidence);
+    const MatrixXd told = followed(e.shared.value_by_information, e.shared.null_coordinate_by_information);
     MatrixXd further = open * open.transpose() + told * told.transpose(), plain_further = further;
     for (std::size_t other = 0; other < noise.size(); ++other) {
       if (other == s || e.shared.slope[other].size() == 0) continue;
-      const MatrixXd by_other = followed(e.shared.slope[other], e.shared.shift_slope[other]);
+      const MatrixXd by_other = followed(e.shared.slope[other], e.shared.null_coordinate_slope[other]);
       further += by_other * noise[other] * by_other.transpose();
       plain_further += by_other * e.lump_estimates[other].plain * by_other.transpose();
     }

@@ -23,7 +23,8 @@ using Eigen::VectorXd;
 /// the other belong to nothing.
 constexpr double lost_direction = 1e-9, part_of_group = 1e-8;
 
-/// Evidence of shifts counts where its error is more than this many times smaller than that of the lumps.
+/// Evidence of null-space coordinates counts where its error is more than this many times smaller than that of the
+/// lumps.
 constexpr double far_sharper = 3;
 
 // Whitening of one case's lumps through scaled variables: they differ by many powers of ten.
@@ -44,8 +45,8 @@ struct Whitening {
   }
 };
 
-// SharedParameters::unseen and unseen_coordinate.
-struct Unseen {
+// SharedParameters::null_space and null_space_coordinate.
+struct NullSpace {
   MatrixXd directions, coordinates;
 };
 
@@ -64,8 +65,8 @@ VectorXd sizes_alone(const MatrixXd& slopes, const VectorXd& values, const Matri
 
 // Of the whitened Jacobian; in columns of unit norm entangled parameters do the same for the same size. `slopes`:
 // of all lumps as they are.
-Unseen unseen_directions(const MatrixXd& jacobian, const MatrixXd& slopes, const VectorXd& scale,
-                         const VectorXd& values, const VectorXd& plausible_size) {
+NullSpace null_space_directions(const MatrixXd& jacobian, const MatrixXd& slopes, const VectorXd& scale,
+                                const VectorXd& values, const VectorXd& plausible_size) {
   std::vector<Index> seen;
   for (Index p = 0; p < jacobian.cols(); ++p)
     if (jacobian.col(p).squaredNorm() > 0) seen.push_back(p);
@@ -86,7 +87,7 @@ Unseen unseen_directions(const MatrixXd& jacobian, const MatrixXd& slopes, const
   }
   const MatrixXd null = svd.matrixV()(Eigen::all, lost);
   const MatrixXd projection = null * null.transpose();
-  Unseen unseen{MatrixXd::Zero(jacobian.cols(), null.cols()), MatrixXd::Zero(null.cols(), jacobian.cols())};
+  NullSpace null_space{MatrixXd::Zero(jacobian.cols(), null.cols()), MatrixXd::Zero(null.cols(), jacobian.cols())};
   Index found = 0;
   std::vector<bool> done(seen.size(), false);
   for (Index first = 0; first < width; ++first) {
@@ -125,13 +126,13 @@ Unseen unseen_directions(const MatrixXd& jacobian, const MatrixXd& slopes, const
     for (Index i = 0; i < directions.cols(); ++i, ++found)
       for (std::size_t g = 0; g < symbols.size(); ++g) {
         const auto at = static_cast<Index>(g);
-        unseen.directions(symbols[g], found) = directions(at, i);
-        unseen.coordinates(found, symbols[g]) = directions(at, i) * precision(at);
+        null_space.directions(symbols[g], found) = directions(at, i);
+        null_space.coordinates(found, symbols[g]) = directions(at, i) * precision(at);
       }
   }
-  unseen.directions.conservativeResize(Eigen::NoChange, found);
-  unseen.coordinates.conservativeResize(found, Eigen::NoChange);
-  return unseen;
+  null_space.directions.conservativeResize(Eigen::NoChange, found);
+  null_space.coordinates.conservativeResize(found, Eigen::NoChange);
+  return null_space;
 }
 
 // By unknown: the size with which it alone would make as much as is seen of all the lumps that it is part of,
@@ -244,42 +245,43 @@ std::optional<ConditionScatter> scatter_at(std::span<const LumpEstimates> cases,
   return condition_scatter(common, further, directions);
 }
 
-// Lumps of all cases on the parameters that they share. Unknowns are parameters, then shifts; after the lumps' rows
-// come the cases' evidence of shifts, and then those of the shifts' own size.
+// Lumps of all cases on the parameters that they share. Unknowns are parameters, then null-space coordinates; after
+// the lumps' rows come the cases' evidence of null-space coordinates, and then those of the null-space coordinates'
+// own size.
 class SharedFit {
  public:
   SharedFit(std::span<const LumpEstimates> cases, const VectorXd& start, const std::vector<bool>& given,
-            const ShiftPlace& shift, std::span<const ShiftEvidence> evidence)
+            const NullSpacePlace& place, std::span<const ResidualInformation> evidence)
       : cases_(cases), evidence_of_(evidence), given_(given), count_(start.size()) {
     for (const LumpEstimates& part : cases) {
       lumps_ += part.values.size();
       directions_ = std::max(directions_, part.truncation_effect.cols());
       whitening_.emplace_back(part.plain);
     }
-    for (const ShiftEvidence& of_case : evidence_of_) evidence_ += of_case.target.size();
+    for (const ResidualInformation& of_case : evidence_of_) evidence_ += of_case.target.size();
     result_.values = start;
     result_.covariance = result_.plain_covariance = MatrixXd::Zero(count_, count_);
     result_.degrees_of_freedom = VectorXd::Constant(count_, std::numeric_limits<double>::infinity());
     result_.open_variance = VectorXd::Zero(count_);
     result_.slope.assign(cases.size(), MatrixXd());
-    result_.shift_slope.assign(cases.size(), MatrixXd());
-    result_.shift = VectorXd::Zero(directions_);
-    result_.shift_sd = VectorXd::Ones(directions_);
-    result_.shift_prior = MatrixXd::Identity(directions_, directions_);
+    result_.null_coordinate_slope.assign(cases.size(), MatrixXd());
+    result_.null_coordinate = VectorXd::Zero(directions_);
+    result_.null_coordinate_sd = VectorXd::Ones(directions_);
+    result_.null_coordinate_prior = MatrixXd::Identity(directions_, directions_);
     result_.value_prior = MatrixXd::Zero(count_, directions_);
-    result_.value_evidence = MatrixXd::Zero(count_, evidence_);
-    result_.shift_evidence = MatrixXd::Zero(directions_, evidence_);
-    result_.unseen = MatrixXd::Zero(count_, 0);
-    result_.unseen_coordinate = MatrixXd::Zero(0, count_);
+    result_.value_by_information = MatrixXd::Zero(count_, evidence_);
+    result_.null_coordinate_by_information = MatrixXd::Zero(directions_, evidence_);
+    result_.null_space = MatrixXd::Zero(count_, 0);
+    result_.null_space_coordinate = MatrixXd::Zero(0, count_);
     // Where no case has a coefficient left, none says anything of the directions.
-    corrected_at_ = shift.corrected_at.size() == directions_ ? shift.corrected_at : result_.shift;
-    expected_ = shift.expected.size() == directions_ ? shift.expected : result_.shift;
+    corrected_at_ = place.corrected_at.size() == directions_ ? place.corrected_at : result_.null_coordinate;
+    expected_ = place.expected.size() == directions_ ? place.expected : result_.null_coordinate;
   }
 
   SharedParameters run(bool rough_errors) {
     if (lumps_ == 0) return std::move(result_);
     fit();
-    see_unseen();
+    see_null_space();
     invert();
     set_slopes();
     set_errors(rough_errors);
@@ -302,7 +304,7 @@ class SharedFit {
       r += size;
     }
     jacobian.bottomRows(evidence_ + directions_).setZero();
-    for (const ShiftEvidence& evidence : evidence_of_) {
+    for (const ResidualInformation& evidence : evidence_of_) {
       const Index size = evidence.target.size();
       if (size == 0) continue;
       residual.segment(r, size) =
@@ -330,22 +332,22 @@ class SharedFit {
     plausible_ = plausible_sizes(cases_, result_.values, unknowns);
     unknowns_ = nonlinear_fit(function, rows(), from, 100, plausible_).parameters;
     result_.values = unknowns_.head(count_);
-    result_.shift = unknowns_.tail(directions_);
+    result_.null_coordinate = unknowns_.tail(directions_);
     residual_.resize(rows());
     jacobian_.resize(rows(), unknowns);
   }
 
-  void see_unseen() {
+  void see_null_space() {
     evaluate(unknowns_, false, residual_, jacobian_);
     if (!jacobian_.allFinite())
       throw NumericalFailure(Ending::ran_away,
                              "parameters from lumps: grow beyond bounds; the truncation that was taken out of the "
                              "equations may be far larger than these");
-    Unseen unseen =
-        unseen_directions(jacobian_.topLeftCorner(lumps_, count_), slopes_of_lumps(cases_, result_.values, lumps_),
-                          unit_scale(jacobian_).head(count_), result_.values, plausible_.head(count_));
-    result_.unseen = std::move(unseen.directions);
-    result_.unseen_coordinate = std::move(unseen.coordinates);
+    NullSpace null_space = null_space_directions(
+        jacobian_.topLeftCorner(lumps_, count_), slopes_of_lumps(cases_, result_.values, lumps_),
+        unit_scale(jacobian_).head(count_), result_.values, plausible_.head(count_));
+    result_.null_space = std::move(null_space.directions);
+    result_.null_space_coordinate = std::move(null_space.coordinates);
   }
 
   // d unknowns / d whitened rows, in columns of unit norm. Where the lumps are not informed of a direction the fit
@@ -375,13 +377,13 @@ class SharedFit {
       if (size == 0) continue;
       const MatrixXd slope = inverse_.middleCols(r, size) * whitening_[c](MatrixXd::Identity(size, size));
       result_.slope[c] = slope.topRows(count_);
-      result_.shift_slope[c] = slope.bottomRows(directions_);
+      result_.null_coordinate_slope[c] = slope.bottomRows(directions_);
       r += size;
     }
-    result_.shift_prior = inverse_.bottomRightCorner(directions_, directions_);
+    result_.null_coordinate_prior = inverse_.bottomRightCorner(directions_, directions_);
     result_.value_prior = inverse_.topRightCorner(count_, directions_);
-    result_.value_evidence = inverse_.block(0, lumps_, count_, evidence_);
-    result_.shift_evidence = inverse_.block(count_, lumps_, directions_, evidence_);
+    result_.value_by_information = inverse_.block(0, lumps_, count_, evidence_);
+    result_.null_coordinate_by_information = inverse_.block(count_, lumps_, directions_, evidence_);
   }
 
   void set_errors(bool rough_errors) {
@@ -400,7 +402,7 @@ class SharedFit {
       const LumpEstimates& part = cases_[c];
       if (part.values.size() == 0) continue;
       MatrixXd slope(count_ + directions_, part.values.size());
-      slope << result_.slope[c], result_.shift_slope[c];
+      slope << result_.slope[c], result_.null_coordinate_slope[c];
       const MatrixXd plain = slope * part.plain * slope.transpose();
       result_.plain_covariance += plain.topLeftCorner(count_, count_);
       const VectorXd freedom = VectorXd::Constant(count_, part.degrees_of_freedom);
@@ -420,15 +422,16 @@ class SharedFit {
       add(between->covariance,
           between->degrees_of_freedom.head(count_).cwiseMax(std::numeric_limits<double>::min()));
     result_.covariance = result_.noise_covariance.topLeftCorner(count_, count_);
-    // Errors that no noise makes: where parameters may be along what no lump sees, and what that does to the
+    // Errors that no noise makes: where parameters may be along the null space, and what that does to the
     // others.
     const MatrixXd open =
-        result_.value_prior * result_.value_prior.transpose() + result_.unseen * result_.unseen.transpose();
+        result_.value_prior * result_.value_prior.transpose() + result_.null_space * result_.null_space.transpose();
     result_.covariance += open;
     result_.plain_covariance += open;
     result_.open_variance = open.diagonal();
-    const VectorXd of_shifts = result_.noise_covariance.diagonal().tail(directions_);
-    result_.shift_sd = (of_shifts + result_.shift_prior.rowwise().squaredNorm()).cwiseSqrt();
+    const VectorXd of_coordinates = result_.noise_covariance.diagonal().tail(directions_);
+    result_.null_coordinate_sd =
+        (of_coordinates + result_.null_coordinate_prior.rowwise().squaredNorm()).cwiseSqrt();
     for (Index p = 0; p < count_; ++p)
       if (squares(p) > 0) result_.degrees_of_freedom(p) = std::pow(result_.covariance(p, p), 2) / squares(p);
   }
@@ -456,7 +459,7 @@ class SharedFit {
   }
 
   std::span<const LumpEstimates> cases_;
-  std::span<const ShiftEvidence> evidence_of_;
+  std::span<const ResidualInformation> evidence_of_;
   const std::vector<bool>& given_;
   Index count_, lumps_ = 0, evidence_ = 0, directions_ = 0;
   std::vector<Whitening> whitening_;
@@ -466,17 +469,17 @@ class SharedFit {
   SharedParameters result_;
 };
 
-// Each case's evidence as far as it tells more than the lumps do, which leave the shifts this covariance. Both see
-// the same noise: what the lumps tell nearly as well would count twice. A row counts with the share 1 -
-// far_sharper^2 q of its weight, q what the lumps tell along it (beyond what is plausible, a variance of one) over
-// what it tells itself.
-std::vector<ShiftEvidence> beyond_lumps(std::span<const LumpEstimates> cases, const MatrixXd& by_lumps) {
+// Each case's evidence as far as it tells more than the lumps do, which leave the null-space coordinates this
+// covariance. Both see the same noise: what the lumps tell nearly as well would count twice. A row counts with the
+// share 1 - far_sharper^2 q of its weight, q what the lumps tell along it (beyond what is plausible, a variance of
+// one) over what it tells itself.
+std::vector<ResidualInformation> beyond_lumps(std::span<const LumpEstimates> cases, const MatrixXd& by_lumps) {
   const Index directions = by_lumps.rows();
   const MatrixXd told = by_lumps.ldlt().solve(MatrixXd::Identity(directions, directions)) -
                         MatrixXd::Identity(directions, directions);
-  std::vector<ShiftEvidence> result;
+  std::vector<ResidualInformation> result;
   for (const LumpEstimates& part : cases) {
-    const ShiftEvidence& all = part.shift_evidence;
+    const ResidualInformation& all = part.residual_information;
     std::vector<Index> kept;
     std::vector<double> share;
     for (Index row = 0; row < all.target.size(); ++row) {
@@ -498,15 +501,16 @@ std::vector<ShiftEvidence> beyond_lumps(std::span<const LumpEstimates> cases, co
 }  // namespace
 
 SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const VectorXd& start,
-                                   const std::vector<bool>& given, const ShiftPlace& shift, bool rough_errors) {
-  std::vector<ShiftEvidence> evidence;
-  if (std::any_of(cases.begin(), cases.end(), [](const auto& c) { return c.shift_evidence.target.size() > 0; })) {
-    const SharedParameters by_lumps = SharedFit(cases, start, given, shift, {}).run(true);
-    const Index directions = by_lumps.shift.size();
+                                   const std::vector<bool>& given, const NullSpacePlace& place, bool rough_errors) {
+  std::vector<ResidualInformation> evidence;
+  if (std::any_of(cases.begin(), cases.end(),
+                  [](const auto& c) { return c.residual_information.target.size() > 0; })) {
+    const SharedParameters by_lumps = SharedFit(cases, start, given, place, {}).run(true);
+    const Index directions = by_lumps.null_coordinate.size();
     evidence = beyond_lumps(cases, by_lumps.noise_covariance.bottomRightCorner(directions, directions) +
-                                       by_lumps.shift_prior * by_lumps.shift_prior.transpose());
+                                       by_lumps.null_coordinate_prior * by_lumps.null_coordinate_prior.transpose());
   }
-  return SharedFit(cases, start, given, shift, evidence).run(rough_errors);
+  return SharedFit(cases, start, given, place, evidence).run(rough_errors);
 }
 
 }  // namespace secular

@@ -5,7 +5,7 @@
 
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/estimate.hpp"
-#include "estimator/identification/seen_lumps.hpp"
+#include "estimator/identification/identified_lumps.hpp"
 #include "estimator/identification/short_list.hpp"
 #include "measure/observe/common_observations.hpp"
 #include "numerics/confidence.hpp"

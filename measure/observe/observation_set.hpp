@@ -41,7 +41,7 @@ struct ObservationSet {
   /// observations x blocks: what the truncated equations leave (left minus right side) where they should leave
   /// nothing, by motion_frame; taken out of them before they are fitted. Empty: not known.
   Eigen::MatrixXcd truncation;
-  /// By direction in which parameters may move without any lump noticing (SharedParameters::unseen): how much
+  /// By direction in which parameters may move without any lump noticing (SharedParameters::null_space): how much
   /// larger `truncation` is where they have moved along it. Empty: not known.
   std::vector<Eigen::MatrixXcd> truncation_change;
   /// The same by column of EstimateOptions::moves.

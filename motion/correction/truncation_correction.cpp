@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "estimator/identification/seen_lumps.hpp"
+#include "estimator/identification/identified_lumps.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
 #include "numerics/anderson_acceleration.hpp"
@@ -22,19 +22,19 @@ constexpr const char *full_equations = "motions of the full equations", *regress
 /// moves numbers by no more than a few error bars, then with how it depends on the parameters, until they rest.
 constexpr int most_plain_passes = 5, most_passes = 18;
 constexpr double near = 2, settled_share = 0.1;
-/// The pass that sees how the correction depends on what no lump tells: near enough to where it is used.
-constexpr int unseen_pass = 2;
+/// The pass that sees how the correction depends on the null space: near enough to where it is used.
+constexpr int null_space_pass = 2;
 constexpr std::size_t remembered_passes = 6;
 /// Values of a pass have errors of this share: differences that depend on one another so far say nothing.
 constexpr double dependent_passes = 1e-3;
 /// Of what is plausible, or of a standard deviation: all of it may lead to quite another motion.
 constexpr double displaced_share = 0.02;
-/// A step after which motions grow beyond bounds is halved so often; none goes further along what no lump tells, of
+/// A step after which motions grow beyond bounds is halved so often; none goes further along the null space, of
 /// what is plausible.
 constexpr int most_returns = 8;
-constexpr double longest_shift = 8;
+constexpr double longest_step = 8;
 constexpr int most_halvings = 5;
-/// Slopes hold this far around, in standard deviations (of what is plausible, along what no lump tells); they are
+/// Slopes hold this far around, in standard deviations (of what is plausible, along the null space); they are
 /// seen so often.
 constexpr double local = 1;
 constexpr int most_slopes = 6;
@@ -46,8 +46,8 @@ constexpr int last_weights = most_plain_passes + 6;
 constexpr double small_shares[] = {0.7, 0.5, 0.35};
 /// Slopes that make standard deviations grow by more say that corrections and numbers hardly determine one another.
 constexpr double most_growth = 1000;
-/// A unit vector that unseen directions leave less than this of has no direction beside them (rounding, of lengths
-/// about 1e-16).
+/// A unit vector that null-space directions leave less than this of has no direction beside them (rounding, of
+/// lengths about 1e-16).
 constexpr double no_direction = 1e-6;
 /// A step that leaves more than this share of the way to go tells of slopes that no longer hold.
 constexpr double slow = 0.5;
@@ -116,18 +116,18 @@ Slopes slopes_along(Eigen::Index directions, const Displaced& displaced_to,
 }
 
 // Symbols x axes: one for each parameter that has an error bar, a standard deviation long: the direction nearest to
-// its own that is orthogonal, in standard deviations, to the unseen ones (those keep slopes of their own). For a
-// parameter that no unseen direction moves this is the parameter itself. Entangled ones have more axes than they
-// have dimensions: a basis would have to be chosen, and a choice between equals would hang on rounding.
-Eigen::MatrixXd axes_beside(const Eigen::MatrixXd& unseen, const Eigen::VectorXd& sd) {
+// its own that is orthogonal, in standard deviations, to the null-space ones (those keep slopes of their own). For
+// a parameter that no null-space direction moves this is the parameter itself. Entangled ones have more axes than
+// they have dimensions: a basis would have to be chosen, and a choice between equals would hang on rounding.
+Eigen::MatrixXd axes_beside(const Eigen::MatrixXd& null_space, const Eigen::VectorXd& sd) {
   std::vector<Eigen::Index> moving;
   for (Eigen::Index p = 0; p < sd.size(); ++p)
     if (sd(p) > 0) moving.push_back(p);
   const auto size = static_cast<Eigen::Index>(moving.size());
   const Eigen::VectorXd own = sd(moving);
   Eigen::MatrixXd beside = Eigen::MatrixXd::Identity(size, size);
-  if (unseen.cols() > 0 && size > 0) {
-    Eigen::MatrixXd directions = own.cwiseInverse().asDiagonal() * unseen(moving, Eigen::all);
+  if (null_space.cols() > 0 && size > 0) {
+    Eigen::MatrixXd directions = own.cwiseInverse().asDiagonal() * null_space(moving, Eigen::all);
     directions.colwise().normalize();
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(directions);
     const Eigen::MatrixXd span = Eigen::MatrixXd(qr.householderQ()).leftCols(qr.rank());
@@ -191,9 +191,9 @@ class Correction {
       replay();
     } catch (const NumericalFailure&) {  // there is a balance, and later perhaps a replay
     }
-    choose_unseen();
+    choose_null_space();
     sd_ = estimate_.parameter_sd;
-    axes_ = axes_beside(unseen_, sd_);
+    axes_ = axes_beside(null_space_, sd_);
     see_slopes();
     follow_slopes();
     full_.start = estimate_.state;
@@ -201,7 +201,7 @@ class Correction {
     estimate_ = estimate_left(at_.corrected, units_, full_);
     estimate_ = with_correction_shown(std::move(estimate_), raw_);
     estimate_ = with_unsettled_correction(std::move(estimate_), values(place_), further);
-    if (unknown_unseen_ + unknown_axes_ > 0)
+    if (unknown_in_null_space_ + unknown_axes_ > 0)
       estimate_.warnings.emplace_back(
           "the correction for the expansion's truncation depends on parameters that are not well known, and "
           "motions with other values of them grow beyond bounds: error bars do not contain that");
@@ -216,27 +216,27 @@ class Correction {
     bool replayed = false;
   };
 
-  // A place is the values of all symbols, then how far beyond them along each unseen direction: lumps tell the
+  // A place is the values of all symbols, then how far beyond them along each null-space direction: lumps tell the
   // first, what the truncation does to them the second.
   Eigen::VectorXd values(const Eigen::VectorXd& place) const { return place.head(raw_.parameter_values.size()); }
-  Eigen::VectorXd shift(const Eigen::VectorXd& place) const { return place.tail(unseen_.cols()); }
+  Eigen::VectorXd null_coordinate(const Eigen::VectorXd& place) const { return place.tail(null_space_.cols()); }
   Eigen::VectorXd parameters(const Eigen::VectorXd& place) const {
-    if (unseen_.cols() == 0) return place;
-    return seen_.returned(values(place) + unseen_ * shift(place), values(place), unseen_);
+    if (null_space_.cols() == 0) return place;
+    return seen_.returned(values(place) + null_space_ * null_coordinate(place), values(place), null_space_);
   }
   Eigen::VectorXd found(const Estimate& by) const {
-    Eigen::VectorXd place = Eigen::VectorXd::Zero(by.parameter_values.size() + unseen_.cols());
+    Eigen::VectorXd place = Eigen::VectorXd::Zero(by.parameter_values.size() + null_space_.cols());
     place.head(by.parameter_values.size()) = by.parameter_values;
-    place.tail(by.shift.size()) = by.shift;
+    place.tail(by.null_coordinate.size()) = by.null_coordinate;
     return place;
   }
 
   // At next_, or on the way back to place_ where that is very far, and at the first on that way where there are
   // motions.
   Pass correct(bool may_return) {
-    if (unseen_.cols() > 0) {
-      const double far = shift(next_ - place_).cwiseAbs().maxCoeff();
-      if (far > longest_shift) next_ = place_ + longest_shift / far * (next_ - place_);
+    if (null_space_.cols() > 0) {
+      const double far = null_coordinate(next_ - place_).cwiseAbs().maxCoeff();
+      if (far > longest_step) next_ = place_ + longest_step / far * (next_ - place_);
     }
     for (int step = 0;; ++step) {
       const Eigen::VectorXd at = parameters(next_);
@@ -280,13 +280,13 @@ class Correction {
   }
   double size_of(const Eigen::VectorXd& step, const Estimate& by) const {
     const double of_values = size_of_values(step, by);
-    if (unseen_.cols() == 0 || by.shift_sd.size() != unseen_.cols()) return of_values;
-    return std::max(of_values, shift(step).cwiseQuotient(by.shift_sd).cwiseAbs().maxCoeff());
+    if (null_space_.cols() == 0 || by.null_coordinate_sd.size() != null_space_.cols()) return of_values;
+    return std::max(of_values, null_coordinate(step).cwiseQuotient(by.null_coordinate_sd).cwiseAbs().maxCoeff());
   }
-  // The same along unseen directions in units of what is plausible.
+  // The same along null-space directions in units of what is plausible.
   double way_of(const Eigen::VectorXd& step, const Estimate& by) const {
     const double of_values = size_of_values(step, by);
-    return unseen_.cols() > 0 ? std::max(of_values, shift(step).cwiseAbs().maxCoeff()) : of_values;
+    return null_space_.cols() > 0 ? std::max(of_values, null_coordinate(step).cwiseAbs().maxCoeff()) : of_values;
   }
   double move() const { return size_of(next_ - place_, estimate_); }
 
@@ -295,35 +295,36 @@ class Correction {
     for (int pass = 1; pass <= most_plain_passes; ++pass) {
       at_ = correct(pass > 1);
       place_ = next_;
-      if (pass == unseen_pass) {
-        choose_unseen();
-        see_unseen();
-        // With what no lump tells as an unknown it is another map: what was learnt of the first says nothing of it.
+      if (pass == null_space_pass) {
+        choose_null_space();
+        see_null_space();
+        // With the null space as an unknown it is another map: what was learnt of the first says nothing of it.
         acceleration = AndersonAcceleration(remembered_passes, dependent_passes);
       }
       done_(full_equations);
       quick_.start = estimate_.state;
       estimate_ = estimate_left(at_.corrected, units_, quick_);
-      next_ << acceleration.next(values(place_), estimate_.parameter_values, inverse_sd(estimate_)), shift(place_);
+      next_ << acceleration.next(values(place_), estimate_.parameter_values, inverse_sd(estimate_)),
+          null_coordinate(place_);
       done_(regression);
-      if (pass >= unseen_pass && way_of(next_ - place_, estimate_) < near) return;
+      if (pass >= null_space_pass && way_of(next_ - place_, estimate_) < near) return;
     }
   }
 
   void take_place(const Eigen::VectorXd& place, EstimateOptions& options) const {
     options.corrected_at = values(place);
-    options.shift = {shift(place), -unseen_coordinate_ * values(place)};
+    options.null_space_place = {null_coordinate(place), -null_space_coordinate_ * values(place)};
   }
 
-  // What no lump tells of the parameters, and how much of it is plausible: as much as they are seen to do, which
+  // The null space of the parameters, and how much of it is plausible: as much as they are seen to do, which
   // may have been far off before the correction.
-  void choose_unseen() {
+  void choose_null_space() {
     const Eigen::VectorXd beyond = at_.parameters - values(place_), own = values(place_);
-    unseen_ = estimate_.unseen;
-    unseen_coordinate_ = estimate_.unseen_coordinate;
-    seen_ = SeenLumps(estimate_);
-    place_.resize(own.size() + unseen_.cols());
-    place_ << own, estimate_.unseen_coordinate * beyond;
+    null_space_ = estimate_.null_space;
+    null_space_coordinate_ = estimate_.null_space_coordinate;
+    seen_ = IdentifiedLumps(estimate_);
+    place_.resize(own.size() + null_space_.cols());
+    place_ << own, estimate_.null_space_coordinate * beyond;
     next_ = place_;
     take_place(place_, quick_);
     // What is along none of these directions now is not beyond the values any longer.
@@ -331,25 +332,25 @@ class Correction {
   }
 
   // How the correction depends on it.
-  void see_unseen() {
+  void see_null_space() {
     const Displaced displaced = [&](Eigen::Index direction, double share) {
       Eigen::VectorXd place = place_;
       place(values(place_).size() + direction) += share;
       return parameters(place);
     };
-    const Slopes slopes = slopes_along(unseen_.cols(), displaced, at_.corrected, motions_, quick_.threads);
-    unknown_unseen_ = slopes.unknown;
+    const Slopes slopes = slopes_along(null_space_.cols(), displaced, at_.corrected, motions_, quick_.threads);
+    unknown_in_null_space_ = slopes.unknown;
     for (std::size_t s = 0; s < at_.corrected.size(); ++s) {
       at_.corrected[s].truncation_change.clear();
       for (const auto& change : slopes.change) at_.corrected[s].truncation_change.push_back(change[s]);
     }
   }
 
-  // The same of what lumps tell, too. Unseen directions are unknowns of their own (SharedParameters::shift), along
-  // which nothing is said here. Axes stay as they are, so that a fit that holds slopes, and knows less along some
-  // of them, does not lead too far away.
+  // The same of what lumps tell, too. Null-space directions are unknowns of their own
+  // (SharedParameters::null_coordinate), along which nothing is said here. Axes stay as they are, so that a fit
+  // that holds slopes, and knows less along some of them, does not lead too far away.
   void see_slopes() {
-    see_unseen_beside_axes();
+    see_null_space_beside_axes();
     const Displaced displaced = [&](Eigen::Index axis, double share) {
       return Eigen::VectorXd(parameters(place_) + share * axes_.col(axis));
     };
@@ -367,10 +368,10 @@ class Correction {
     done_(full_equations);
   }
 
-  void see_unseen_beside_axes() {
-    see_unseen();
-    quick_.moves.resize(axes_.rows(), axes_.cols() + unseen_.cols());
-    quick_.moves << axes_, unseen_;
+  void see_null_space_beside_axes() {
+    see_null_space();
+    quick_.moves.resize(axes_.rows(), axes_.cols() + null_space_.cols());
+    quick_.moves << axes_, null_space_;
     full_.moves = quick_.moves;
     seen_at_ = place_;
   }
@@ -380,14 +381,14 @@ class Correction {
   bool see_slopes_again() {
     if (place_ == axes_seen_at_) return false;
     const bool everything = place_ == seen_at_ || size_of_values(place_ - axes_seen_at_, estimate_) > near_axes;
-    if (everything ? times_seen_ == most_slopes : times_unseen_ == most_slopes) return false;
-    const Eigen::Index directions = unseen_.cols();
-    choose_unseen();
-    if (everything || unseen_.cols() != directions) {
+    if (everything ? times_seen_ == most_slopes : times_null_space_seen_ == most_slopes) return false;
+    const Eigen::Index directions = null_space_.cols();
+    choose_null_space();
+    if (everything || null_space_.cols() != directions) {
       see_slopes();
     } else {
-      see_unseen_beside_axes();
-      ++times_unseen_;
+      see_null_space_beside_axes();
+      ++times_null_space_seen_;
       done_(full_equations);
     }
     estimate_here();
@@ -469,10 +470,10 @@ class Correction {
   Estimate estimate_;             // from at_
   Eigen::VectorXd place_, next_;  // of at_, and where to go from there
   Eigen::VectorXd sd_;            // before any slopes
-  Eigen::MatrixXd unseen_, unseen_coordinate_, axes_;
-  SeenLumps seen_;
+  Eigen::MatrixXd null_space_, null_space_coordinate_, axes_;
+  IdentifiedLumps seen_;
   Eigen::VectorXd seen_at_, axes_seen_at_;  // places of the latest slopes, and of the latest along the axes
-  int times_seen_ = 0, times_unseen_ = 0, unknown_unseen_ = 0, unknown_axes_ = 0;
+  int times_seen_ = 0, times_null_space_seen_ = 0, unknown_in_null_space_ = 0, unknown_axes_ = 0;
 };
 
 // Observations whose modes move no more than this share of what they do at most.

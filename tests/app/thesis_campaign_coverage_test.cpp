@@ -3,7 +3,7 @@
 // asks for more draws than the few of a test run and for the table of how often each interval holds the truth,
 // SECULAR_COVERAGE_FIRST for those from this one on, SECULAR_COVERAGE_FIXED=delta31,delta33 gives the
 // identification these true values, SECULAR_COVERAGE_REFINE asks for maximum likelihood,
-// SECULAR_COVERAGE_STRUCTURES for as many structures that differ in what no lump tells, SECULAR_COVERAGE_PROCEDURES
+// SECULAR_COVERAGE_STRUCTURES for as many structures that differ in the null space, SECULAR_COVERAGE_PROCEDURES
 // for as many draws of the source's procedures.
 #include <gtest/gtest.h>
 
@@ -211,9 +211,10 @@ void expect_intervals_to_hold_for_drawn_structures(const ThesisCampaign& campaig
   const int draws = number_from("SECULAR_COVERAGE_STRUCTURES", 2), first = number_from("SECULAR_COVERAGE_FIRST", 0);
   const Identification shipped = campaign.identification(0);
   ASSERT_EQ(shipped.measured.size(), 1U);
-  const Eigen::MatrixXd &unseen = shipped.estimate.unseen, &coordinate = shipped.estimate.unseen_coordinate;
-  ASSERT_GT(unseen.cols(), 0);
-  const Eigen::VectorXd likeliest = campaign.parameters() - unseen * (coordinate * campaign.parameters());
+  const Eigen::MatrixXd &null_space = shipped.estimate.null_space,
+                        &coordinate = shipped.estimate.null_space_coordinate;
+  ASSERT_GT(null_space.cols(), 0);
+  const Eigen::VectorXd likeliest = campaign.parameters() - null_space * (coordinate * campaign.parameters());
   std::map<std::string, Coverage> table;
   const auto all = static_cast<double>(shipped.measured.front().observations.size());
   int inside = 0, count = 0, few_motions = 0, doubtful = 0;
@@ -221,7 +222,7 @@ void expect_intervals_to_hold_for_drawn_structures(const ThesisCampaign& campaig
   for (int draw = first; draw < first + draws; ++draw) {
     NoiseStream place(static_cast<std::uint64_t>(draw) + 1, 0, 1);
     Eigen::VectorXd truth = likeliest;
-    for (Eigen::Index d = 0; d < unseen.cols(); ++d) truth += place.gaussian() * unseen.col(d);
+    for (Eigen::Index d = 0; d < null_space.cols(); ++d) truth += place.gaussian() * null_space.col(d);
     const ObservationSet exact = on_another_structure(shipped.measured.front(), campaign.parameters(), truth);
     share += static_cast<double>(exact.observations.size()) / all / draws;
     if (static_cast<double>(exact.observations.size()) < 0.5 * all) {
@@ -262,7 +263,7 @@ TEST(SlowChapterFive, IntervalsHold) {
 // Four parameters act alike on every lump of this resonance, and not alike beyond the expansion: the rows tell how
 // far they are, so that error bars are those of the noise, and what is still open of the truncation hides no lack
 // of fit.
-TEST(SlowChapterFive, WhatNoLumpTellsIsReadOffTheRows) {
+TEST(SlowChapterFive, NullSpaceCoordinatesAreReadOffTheRows) {
   const Estimate estimate = ThesisCampaign::chapter_five().identified(0);
   for (const EstimatedValue& v : estimate.parameters)
     if (v.value) {
@@ -314,11 +315,11 @@ TEST(SlowChapterSix, ProceduresWithoutTheirBiasHold) {
   expect_procedures_without_bias_to_hold(ThesisCampaign::chapter_six(), 22);
 }
 
-TEST(SlowChapterFive, IntervalsHoldWhateverNoLumpTells) {
+TEST(SlowChapterFive, IntervalsHoldAlongTheNullSpace) {
   expect_intervals_to_hold_for_drawn_structures(ThesisCampaign::chapter_five());
 }
 
-TEST(SlowChapterSix, IntervalsHoldWhateverNoLumpTells) {
+TEST(SlowChapterSix, IntervalsHoldAlongTheNullSpace) {
   expect_intervals_to_hold_for_drawn_structures(ThesisCampaign::chapter_six());
 }
 

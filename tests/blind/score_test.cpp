@@ -130,7 +130,7 @@ TEST(BlindScore, WithoutTheTruthOnlyWhatTheRestCannotExplainCounts) {
   EXPECT_EQ(figure(score, "in turn: called unknown").trials, 2u);
   EXPECT_DOUBLE_EQ(figure(score, "in turn: called unknown").value, 0.5);
   EXPECT_DOUBLE_EQ(figure(score, "in turn: another one is named").value, 0.5);
-  EXPECT_NEAR(figure(score, "means nothing, 30 dB").value, 0.005, 1e-12);
+  EXPECT_NEAR(figure(score, "placebo regressor, 30 dB").value, 0.005, 1e-12);
 }
 
 TEST(BlindScore, CalibrationCountsEveryStatedProbability) {

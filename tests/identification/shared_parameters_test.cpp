@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "estimator/identification/seen_lumps.hpp"
+#include "estimator/identification/identified_lumps.hpp"
 #include "generated/registry.hpp"
 
 namespace secular {
@@ -120,10 +120,10 @@ class Entangled : public testing::Test {
 };
 
 TEST_F(Entangled, WhatIsPlausibleOfAParameterFollowsFromTheLumpThatItWouldMakeAlone) {
-  const MatrixXd& unseen = shared_.unseen;
-  ASSERT_EQ(unseen.cols(), 2);
-  EXPECT_LT((shared_.unseen_coordinate * unseen - MatrixXd::Identity(2, 2)).norm(), 1e-9);
-  const auto plausible = [&](const char* name) { return unseen.row(symbol(name)).norm(); };
+  const MatrixXd& null_space = shared_.null_space;
+  ASSERT_EQ(null_space.cols(), 2);
+  EXPECT_LT((shared_.null_space_coordinate * null_space - MatrixXd::Identity(2, 2)).norm(), 1e-9);
+  const auto plausible = [&](const char* name) { return null_space.row(symbol(name)).norm(); };
   // alpha_q = alpha2 - 3*omega0^2*delta2: each as much as the lump, of which they share one direction.
   const double omega = parameters_(0), alone = std::abs(lump("alpha_q"));
   EXPECT_NEAR(plausible("alpha2"), alone / std::sqrt(2.0), 1e-3 * alone);
@@ -142,19 +142,19 @@ TEST_F(Entangled, ParametersReturnToTheirLumps) {
     value.value = part_.values(l);
     value.sd = sd_(l);
   }
-  const SeenLumps seen(estimate);
+  const IdentifiedLumps seen(estimate);
   for (Index d = 0; d < 2; ++d) {
-    const VectorXd tangent = shared_.values + 2 * shared_.unseen.col(d);
-    const VectorXd there = seen.returned(tangent, shared_.values, shared_.unseen);
+    const VectorXd tangent = shared_.values + 2 * shared_.null_space.col(d);
+    const VectorXd there = seen.returned(tangent, shared_.values, shared_.null_space);
     EXPECT_LT((seen.at(there) - seen.at(shared_.values)).norm(), 1e-3);
     // The way back is short beside the way there.
-    EXPECT_LT(((shared_.unseen_coordinate * (there - tangent)).norm()), 0.5);
+    EXPECT_LT(((shared_.null_space_coordinate * (there - tangent)).norm()), 0.5);
     EXPECT_EQ(there(symbol("mu1")), shared_.values(symbol("mu1")));
   }
   // The quadratic ones are part of alpha_e as products: their tangent leaves it.
   const double moved =
-      std::max((seen.at(shared_.values + 2 * shared_.unseen.col(0)) - seen.at(shared_.values)).norm(),
-               (seen.at(shared_.values + 2 * shared_.unseen.col(1)) - seen.at(shared_.values)).norm());
+      std::max((seen.at(shared_.values + 2 * shared_.null_space.col(0)) - seen.at(shared_.values)).norm(),
+               (seen.at(shared_.values + 2 * shared_.null_space.col(1)) - seen.at(shared_.values)).norm());
   EXPECT_GT(moved, 1);
 }
 

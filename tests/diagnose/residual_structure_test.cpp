@@ -1,5 +1,5 @@
 // What an explanation leaves as a smooth function of the settings, on rows that are made up.
-#include "diagnose/inference/remainder.hpp"
+#include "diagnose/inference/residual_structure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -58,12 +58,12 @@ Refit noise(std::size_t rows, unsigned seed) {
 }
 
 // The mean of 200 chi-squared values of k degrees of freedom has standard deviation sqrt(2 k/200).
-TEST(SmoothRemainder, IsChiSquaredOfNoise) {
+TEST(SmoothStructure, IsChiSquaredOfNoise) {
   const std::vector<RowLabel> rows = labels();
   double sum = 0, freedom = 0;
   constexpr int draws = 200;
   for (unsigned seed = 1; seed <= draws; ++seed) {
-    const SmoothRemainder left = smooth_remainder(noise(rows.size(), seed), rows);
+    const SmoothStructure left = smooth_structure(noise(rows.size(), seed), rows);
     sum += left.squares;
     freedom = left.freedom;
   }
@@ -73,15 +73,15 @@ TEST(SmoothRemainder, IsChiSquaredOfNoise) {
 
 // Seven standard deviations in all, spread over forty of 320 rows: their sum of squares varies by 25, and 49 more
 // are next to nothing there.
-TEST(SmoothRemainder, SeesWhatIsSpreadOut) {
+TEST(SmoothStructure, SeesWhatIsSpreadOut) {
   const std::vector<RowLabel> rows = labels();
   Refit fit = noise(rows.size(), 5);
   fit.rows += 7 * bend(rows);
-  EXPECT_LT(smooth_remainder(fit, rows).p_value, 1e-4);
+  EXPECT_LT(smooth_structure(fit, rows).p_value, 1e-4);
   // A fitted unknown of that signature has taken its own part.
   fit.jacobian = bend(rows);
   fit.rows -= fit.jacobian * (fit.jacobian.transpose() * fit.rows);
-  const SmoothRemainder fitted = smooth_remainder(fit, rows);
+  const SmoothStructure fitted = smooth_structure(fit, rows);
   EXPECT_GT(fitted.p_value, 1e-3);
   EXPECT_EQ(fitted.freedom, 18);
   // One of the functions themselves is no function to look for any more.
@@ -89,13 +89,13 @@ TEST(SmoothRemainder, SeesWhatIsSpreadOut) {
   for (std::size_t r = 0; r < rows.size(); ++r)
     if (rows[r].balance && rows[r].component == EffectComponent::dissipative)
       fit.jacobian(static_cast<Index>(r), 0) = 1;
-  EXPECT_EQ(smooth_remainder(fit, rows).freedom, 17);
+  EXPECT_EQ(smooth_structure(fit, rows).freedom, 17);
 }
 
-TEST(SmoothRemainder, SaysNothingOfAFewRows) {
+TEST(SmoothStructure, SaysNothingOfAFewRows) {
   std::vector<RowLabel> rows = labels();
   rows.resize(16);
-  const SmoothRemainder left = smooth_remainder(noise(rows.size(), 3), rows);
+  const SmoothStructure left = smooth_structure(noise(rows.size(), 3), rows);
   EXPECT_EQ(left.freedom, 0);
   EXPECT_EQ(left.p_value, 1);
 }
@@ -114,15 +114,15 @@ TEST(LeavesStructure, NoiseIsNone) {
 }
 
 TEST(LeavesStructure, ATenthOfTheGapIsAllowedToRealStructures) {
-  const Remainder plain{.p_value = 1e-9, .smooth_p_value = 1, .smooth_share = 0};
+  const ResidualStructure plain{.p_value = 1e-9, .smooth_p_value = 1, .smooth_share = 0};
   EXPECT_FALSE(leaves_structure(plain, closing(50, 4, 0.9), 1));
   EXPECT_TRUE(leaves_structure(plain, closing(50, 6, 0.9), 1));
-  const Remainder smooth{.p_value = 1, .smooth_p_value = 1e-9, .smooth_share = 0.2};
+  const ResidualStructure smooth{.p_value = 1, .smooth_p_value = 1e-9, .smooth_share = 0.2};
   EXPECT_TRUE(leaves_structure(smooth, closing(50, 1, 0.9), 1));
 }
 
 TEST(LeavesStructure, ItIsNotWhereNothingShowsThatTheGapWasClosed) {
-  const Remainder plain{.p_value = 1e-9, .smooth_p_value = 1e-9, .smooth_share = 0.03};
+  const ResidualStructure plain{.p_value = 1e-9, .smooth_p_value = 1e-9, .smooth_share = 0.03};
   EXPECT_TRUE(leaves_structure(plain, closing(93, 4.7, -1), 1));
   EXPECT_TRUE(leaves_structure(plain, closing(93, 4.7, std::nan("")), 1));
   EXPECT_FALSE(leaves_structure(plain, closing(93, 4.7, 0.6), 1));

@@ -1,5 +1,5 @@
 // What rows say, beside the coefficients, of a known change of the response.
-#include "estimator/identification/shift_evidence.hpp"
+#include "estimator/identification/residual_information.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,9 +33,11 @@ struct Regression {
     }
   }
 
-  // The response of a shift, as a change that was not taken out; noise of the rows and of whole conditions.
-  LinearFit fitted(const VectorXd& shift, double noise_sd, double condition_sd, std::uint64_t seed) const {
-    VectorXd response = design * VectorXd::LinSpaced(3, 1, 3) - change * shift;
+  // The response of a step along the null space, as a change that was not taken out; noise of the rows and of whole
+  // conditions.
+  LinearFit fitted(const VectorXd& null_coordinate, double noise_sd, double condition_sd,
+                   std::uint64_t seed) const {
+    VectorXd response = design * VectorXd::LinSpaced(3, 1, 3) - change * null_coordinate;
     NoiseStream noise(seed, 0, 0);
     for (Index c = 0; c < conditions; ++c) {
       const double common = condition_sd * noise.gaussian();
@@ -45,35 +47,36 @@ struct Regression {
   }
 };
 
-// Mean square of what is left of the evidence at the true shift, by its rows: one if its errors are what it says.
+// Mean square of what is left of the evidence at the true null-space coordinate, by its rows: one if its errors are
+// what it says.
 double mean_square_at_truth(double noise_sd, double condition_sd) {
   const Regression regression;
-  const VectorXd shift = (VectorXd(2) << 0.7, -0.4).finished();
+  const VectorXd null_coordinate = (VectorXd(2) << 0.7, -0.4).finished();
   double sum = 0, count = 0;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
-    const ShiftEvidence evidence = shift_evidence(
-        regression.change, regression.fitted(shift, noise_sd, condition_sd, seed), regression.condition);
-    sum += (evidence.design * shift - evidence.target).squaredNorm();
+    const ResidualInformation evidence = residual_information(
+        regression.change, regression.fitted(null_coordinate, noise_sd, condition_sd, seed), regression.condition);
+    sum += (evidence.design * null_coordinate - evidence.target).squaredNorm();
     count += static_cast<double>(evidence.target.size());
   }
   EXPECT_GT(count, 300);
   return sum / count;
 }
 
-TEST(ShiftEvidence, FindsTheShiftOfRowsWithoutNoise) {
+TEST(ResidualInformation, FindsTheShiftOfRowsWithoutNoise) {
   const Regression regression;
-  const VectorXd shift = (VectorXd(2) << 0.7, -0.4).finished();
-  const ShiftEvidence evidence =
-      shift_evidence(regression.change, regression.fitted(shift, 1e-9, 0, 1), regression.condition);
+  const VectorXd null_coordinate = (VectorXd(2) << 0.7, -0.4).finished();
+  const ResidualInformation evidence =
+      residual_information(regression.change, regression.fitted(null_coordinate, 1e-9, 0, 1), regression.condition);
   ASSERT_EQ(evidence.design.rows(), 2);
   const VectorXd found = evidence.design.fullPivLu().solve(evidence.target);
-  EXPECT_NEAR(found(0), shift(0), 1e-5);
-  EXPECT_NEAR(found(1), shift(1), 1e-5);
+  EXPECT_NEAR(found(0), null_coordinate(0), 1e-5);
+  EXPECT_NEAR(found(1), null_coordinate(1), 1e-5);
 }
 
 // Errors are never said to be smaller than they are, nor twice as large: the larger one of two estimates of them,
 // one of which leaves out a condition at a time, is above one.
-TEST(ShiftEvidence, ErrorsAreThoseOfTheNoiseOrOfTheConditions) {
+TEST(ResidualInformation, ErrorsAreThoseOfTheNoiseOrOfTheConditions) {
   for (const auto& [noise, condition] : {std::pair(1e-4, 0.0), std::pair(1e-4, 5e-4)}) {
     const double square = mean_square_at_truth(noise, condition);
     EXPECT_LT(square, 1.15) << condition;
@@ -81,17 +84,17 @@ TEST(ShiftEvidence, ErrorsAreThoseOfTheNoiseOrOfTheConditions) {
   }
 }
 
-TEST(ShiftEvidence, SaysNothingWhereItKnowsNothing) {
+TEST(ResidualInformation, SaysNothingWhereItKnowsNothing) {
   const Regression regression;
   const LinearFit fit = regression.fitted(VectorXd::Zero(2), 1e-4, 0, 1);
   // What coefficients can do as well.
-  EXPECT_EQ(shift_evidence(regression.design.leftCols(2), fit, regression.condition).target.size(), 0);
+  EXPECT_EQ(residual_information(regression.design.leftCols(2), fit, regression.condition).target.size(), 0);
   // Noise far above what the change does.
-  EXPECT_EQ(shift_evidence(1e-6 * regression.change, fit, regression.condition).target.size(), 0);
+  EXPECT_EQ(residual_information(1e-6 * regression.change, fit, regression.condition).target.size(), 0);
   // Too few conditions to see how they differ.
   std::vector<int> few = regression.condition;
   for (int& c : few) c /= 4;
-  EXPECT_EQ(shift_evidence(regression.change, fit, few).target.size(), 0);
+  EXPECT_EQ(residual_information(regression.change, fit, few).target.size(), 0);
 }
 
 }  // namespace

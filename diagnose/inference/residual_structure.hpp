@@ -8,7 +8,7 @@
 namespace secular {
 
 /// What an explanation leaves of the equations of motion, as smooth functions of the test's settings.
-struct SmoothRemainder {
+struct SmoothStructure {
   double squares = 0, freedom = 0;  ///< chi-squared of those functions, and how many there are
   double p_value = 1;
   double excess() const { return squares > freedom ? squares - freedom : 0; }
@@ -18,21 +18,22 @@ struct SmoothRemainder {
 /// compared with low powers of amplitude, level, frequency and time, of which the fitted unknowns (the columns of
 /// fit.jacobian) are taken out first. Structure that is spread over many rows shows here long before it shows in
 /// their sum of squares. `labels` belong to fit.rows.
-SmoothRemainder smooth_remainder(const Refit& fit, const std::vector<RowLabel>& labels);
+SmoothStructure smooth_structure(const Refit& fit, const std::vector<RowLabel>& labels);
 
 /// What the best explanation leaves.
-struct Remainder {
+struct ResidualStructure {
   double p_value = 1;         ///< of the sum of squares of all rows
-  double smooth_p_value = 1;  ///< of smooth_remainder
+  double smooth_p_value = 1;  ///< of smooth_structure
   double smooth_share = 0;    ///< what that is beyond noise of all that there was to explain, as amplitudes
 };
 
 /// `freedom`: of all rows. `explained`: fall of the sum of squares by the explanation.
-Remainder remainder_of(const Refit& fit, const std::vector<RowLabel>& labels, double freedom, double explained);
+ResidualStructure residual_structure_of(const Refit& fit, const std::vector<RowLabel>& labels, double freedom,
+                                        double explained);
 
 /// Whether an explanation leaves structure that forbids to call it the cause. Real structures always leave some: it
 /// may, where held-out conditions show that it closes most of the gap and what it leaves beyond repeatability is
 /// less than a tenth of what was there.
-bool leaves_structure(const Remainder& remainder, const ClosedShare& closing, double floor);
+bool leaves_structure(const ResidualStructure& structure, const ClosedShare& closing, double floor);
 
 }  // namespace secular

@@ -1,4 +1,4 @@
-#include "estimator/identification/seen_lumps.hpp"
+#include "estimator/identification/identified_lumps.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -31,17 +31,17 @@ VectorXd lumps_of(const std::vector<const CompiledCase*>& cases, const VectorXd&
   return lumps;
 }
 
-SeenLumps::SeenLumps(const Estimate& estimate) : cases_(estimate.cases) {
+IdentifiedLumps::IdentifiedLumps(const Estimate& estimate) : cases_(estimate.cases) {
   weight_ = VectorXd::Zero(static_cast<Index>(estimate.lumps.size()));
   for (std::size_t l = 0; l < estimate.lumps.size(); ++l)
     if (const EstimatedValue& v = estimate.lumps[l]; v.value && v.sd > 0) weight_(static_cast<Index>(l)) = 1 / v.sd;
 }
 
-VectorXd SeenLumps::at(const VectorXd& parameters) const {
+VectorXd IdentifiedLumps::at(const VectorXd& parameters) const {
   return weight_.cwiseProduct(lumps_of(cases_, parameters));
 }
 
-MatrixXd SeenLumps::slope(const VectorXd& parameters) const {
+MatrixXd IdentifiedLumps::slope(const VectorXd& parameters) const {
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> slope(weight_.size(), parameters.size());
   Index first = 0;
   for (const CompiledCase* resonance : cases_) {
@@ -52,7 +52,7 @@ MatrixXd SeenLumps::slope(const VectorXd& parameters) const {
   return weight_.asDiagonal() * slope;
 }
 
-VectorXd SeenLumps::returned(VectorXd parameters, const VectorXd& like, const MatrixXd& directions) const {
+VectorXd IdentifiedLumps::returned(VectorXd parameters, const VectorXd& like, const MatrixXd& directions) const {
   const VectorXd scale = directions.rowwise().norm(), wanted = at(like);
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
   solver.setThreshold(same_effect);
@@ -70,11 +70,13 @@ VectorXd SeenLumps::returned(VectorXd parameters, const VectorXd& like, const Ma
 
 VectorXd representative_parameters(const Estimate& estimate) {
   const VectorXd& values = estimate.parameter_values;
-  if (estimate.unseen.cols() == 0 || estimate.shift.size() != estimate.unseen.cols()) return values;
-  return SeenLumps(estimate).returned(values + estimate.unseen * estimate.shift, values, estimate.unseen);
+  if (estimate.null_space.cols() == 0 || estimate.null_coordinate.size() != estimate.null_space.cols())
+    return values;
+  return IdentifiedLumps(estimate).returned(values + estimate.null_space * estimate.null_coordinate, values,
+                                            estimate.null_space);
 }
 
-std::vector<const CompiledCase*> told_cases(const Estimate& estimate) {
+std::vector<const CompiledCase*> identified_cases(const Estimate& estimate) {
   std::vector<const CompiledCase*> told;
   std::size_t first = 0;
   for (const CompiledCase* resonance : estimate.cases) {

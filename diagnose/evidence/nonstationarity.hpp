@@ -8,7 +8,7 @@ namespace secular {
 
 /// How a line's amplitude varies from ensemble to ensemble of one dwell, a straight line in time aside, against the
 /// noise at frequencies beside it. A steady motion under a steady excitation varies by the noise alone.
-struct Wander {
+struct Nonstationarity {
   std::size_t record = 0;  ///< index into Campaign::records
   double squares = 0;      ///< squared deviations over the noise's variance, summed
   double freedom = 0, noise_freedom = 0;
@@ -19,18 +19,18 @@ struct Wander {
 inline constexpr double unsteady_alarm = 1e-6;
 
 /// `amplitude`: by ensemble. `noise`: amplitudes beside the line, ensembles x frequencies.
-Wander wander_of(const Eigen::VectorXcd& amplitude, const Eigen::MatrixXcd& noise);
+Nonstationarity nonstationarity_of(const Eigen::VectorXcd& amplitude, const Eigen::MatrixXcd& noise);
 
 /// A test of all dwells together and of the worst alone.
-struct WanderTest {
+struct NonstationarityTest {
   double p_value = 1;      ///< of both tests, corrected for their number
   double ratio = 1;        ///< root mean square deviation over that of the noise
   std::size_t record = 0;  ///< where it is largest
 };
 
-WanderTest test_wander(const std::vector<Wander>& dwells);
+NonstationarityTest test_nonstationarity(const std::vector<Nonstationarity>& dwells);
 
 /// Whether one line of a dwell varies beyond the alarm.
-bool is_unsteady(const Wander& wander);
+bool is_unsteady(const Nonstationarity& nonstationarity);
 
 }  // namespace secular

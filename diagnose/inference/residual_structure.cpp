@@ -1,4 +1,4 @@
-#include "diagnose/inference/remainder.hpp"
+#include "diagnose/inference/residual_structure.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -27,11 +27,11 @@ constexpr double rounding = 1e-6;
 constexpr double same_setting = 1e-3;
 
 /// The best explanation leaves structure where noise alone would leave as much less often than this.
-constexpr double remainder_alarm = 1e-4;
+constexpr double structure_alarm = 1e-4;
 
 /// An explanation that leaves structure is still the cause if what it leaves beyond repeatability is this share of
 /// what was there,
-constexpr double small_remainder = 0.1;
+constexpr double small_structure = 0.1;
 
 /// and if held-out conditions show that at least this share was closed (the lower end of its interval).
 constexpr double least_closing = 0.5;
@@ -56,7 +56,7 @@ using Balance = std::tuple<std::string, std::string, EffectComponent>;
 
 }  // namespace
 
-SmoothRemainder smooth_remainder(const Refit& fit, const std::vector<RowLabel>& labels) {
+SmoothStructure smooth_structure(const Refit& fit, const std::vector<RowLabel>& labels) {
   std::map<Balance, std::vector<Index>> balances;
   for (std::size_t r = 0; r < labels.size(); ++r) {
     const RowLabel& label = labels[r];
@@ -84,7 +84,7 @@ SmoothRemainder smooth_remainder(const Refit& fit, const std::vector<RowLabel>& 
     functions.rightCols(columns.cols()).setZero();
     functions(rows, Eigen::seqN(before, columns.cols())) = columns;
   }
-  SmoothRemainder result;
+  SmoothStructure result;
   if (functions.cols() == 0) return result;
   MatrixXd beside = without_span(basis_of(fit.jacobian), functions);
   for (Index c = 0; c < beside.cols(); ++c)
@@ -96,22 +96,23 @@ SmoothRemainder smooth_remainder(const Refit& fit, const std::vector<RowLabel>& 
   return result;
 }
 
-Remainder remainder_of(const Refit& fit, const std::vector<RowLabel>& labels, double freedom, double explained) {
-  const SmoothRemainder smooth = smooth_remainder(fit, labels);
-  Remainder left;
+ResidualStructure residual_structure_of(const Refit& fit, const std::vector<RowLabel>& labels, double freedom,
+                                        double explained) {
+  const SmoothStructure smooth = smooth_structure(fit, labels);
+  ResidualStructure left;
   left.p_value = chi_squared_upper_tail(fit.chi_squared, freedom - static_cast<double>(fit.rank));
   left.smooth_p_value = smooth.p_value;
   left.smooth_share = smooth.excess() > 0 ? std::sqrt(smooth.excess() / (smooth.excess() + explained)) : 0;
   return left;
 }
 
-bool leaves_structure(const Remainder& remainder, const ClosedShare& closing, double floor) {
+bool leaves_structure(const ResidualStructure& structure, const ClosedShare& closing, double floor) {
   const auto beyond_floor = [&](double rms) { return std::sqrt(std::max(0.0, rms * rms - floor * floor)); };
   const bool is_shown = closing.low >= least_closing;
-  const bool little = is_shown && beyond_floor(closing.after) <= small_remainder * beyond_floor(closing.before);
-  const bool little_smooth = is_shown && remainder.smooth_share <= small_remainder;
-  return (remainder.p_value < remainder_alarm && !little) ||
-         (remainder.smooth_p_value < remainder_alarm && !little_smooth);
+  const bool little = is_shown && beyond_floor(closing.after) <= small_structure * beyond_floor(closing.before);
+  const bool little_smooth = is_shown && structure.smooth_share <= small_structure;
+  return (structure.p_value < structure_alarm && !little) ||
+         (structure.smooth_p_value < structure_alarm && !little_smooth);
 }
 
 }  // namespace secular

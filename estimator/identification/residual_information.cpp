@@ -1,4 +1,4 @@
-#include "estimator/identification/shift_evidence.hpp"
+#include "estimator/identification/residual_information.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -13,22 +13,23 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Of a change, squared, that coefficients cannot do: less is the error of a change that was found as a difference.
-constexpr double unseen_share = 1e-8;
+constexpr double no_change_share = 1e-8;
 
 /// Conditions for each direction that are needed to tell the scatter between them.
 constexpr Index conditions_by_direction = 3;
 
 }  // namespace
 
-ShiftEvidence shift_evidence(const MatrixXd& change, const LinearFit& fit, std::span<const int> condition) {
-  ShiftEvidence evidence{MatrixXd::Zero(0, change.cols()), VectorXd::Zero(0)};
+ResidualInformation residual_information(const MatrixXd& change, const LinearFit& fit,
+                                         std::span<const int> condition) {
+  ResidualInformation evidence{MatrixXd::Zero(0, change.cols()), VectorXd::Zero(0)};
   if (change.rows() == 0 || change.cols() == 0 || fit.residual.size() != change.rows()) return evidence;
   const MatrixXd beside = change - fit.orthonormal * (fit.orthonormal.transpose() * change);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> own(MatrixXd(beside.transpose() * beside));
   std::vector<Index> seen;
   for (Index i = 0; i < own.eigenvalues().size(); ++i) {
     const double whole = (change * own.eigenvectors().col(i)).squaredNorm();
-    if (own.eigenvalues()(i) > unseen_share * whole && whole > 0) seen.push_back(i);
+    if (own.eigenvalues()(i) > no_change_share * whole && whole > 0) seen.push_back(i);
   }
   const auto count = static_cast<Index>(seen.size());
   if (count == 0) return evidence;
@@ -62,7 +63,7 @@ ShiftEvidence shift_evidence(const MatrixXd& change, const LinearFit& fit, std::
   const Eigen::SelfAdjointEigenSolver<MatrixXd> larger(scatter);
   const MatrixXd whitening = larger.eigenvalues().cwiseMax(1.0).cwiseSqrt().cwiseInverse().asDiagonal() *
                              larger.eigenvectors().transpose() / std::sqrt(variance);
-  // columns = beside*map: a shift s moves them by map^+ s.
+  // columns = beside*map: a step along the null space s moves them by map^+ s.
   const MatrixXd design = whitening * own.eigenvalues()(seen).cwiseSqrt().asDiagonal() *
                           own.eigenvectors()(Eigen::all, seen).transpose();
   const Eigen::JacobiSVD<MatrixXd> svd(design, Eigen::ComputeThinU | Eigen::ComputeThinV);

@@ -1,4 +1,4 @@
-#include "diagnose/evidence/wander.hpp"
+#include "diagnose/evidence/nonstationarity.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,10 +25,10 @@ bool settles(const Eigen::VectorXcd& amplitude) {
 
 }  // namespace
 
-Wander wander_of(const Eigen::VectorXcd& amplitude, const Eigen::MatrixXcd& noise) {
-  Wander wander;
+Nonstationarity nonstationarity_of(const Eigen::VectorXcd& amplitude, const Eigen::MatrixXcd& noise) {
+  Nonstationarity nonstationarity;
   const auto ensembles = static_cast<double>(amplitude.size());
-  if (amplitude.size() < 3 || noise.size() == 0) return wander;
+  if (amplitude.size() < 3 || noise.size() == 0) return nonstationarity;
   const Eigen::VectorXd time =
       Eigen::VectorXd::LinSpaced(amplitude.size(), -0.5 * (ensembles - 1), 0.5 * (ensembles - 1));
   const std::complex<double> mean = amplitude.mean();
@@ -36,17 +36,17 @@ Wander wander_of(const Eigen::VectorXcd& amplitude, const Eigen::MatrixXcd& nois
                                      std::complex<double>(0, 1) * time.dot(amplitude.imag()) / time.squaredNorm();
   const double deviation = (amplitude.array() - mean - slope * time.array()).abs2().sum();
   const double variance = noise.cwiseAbs2().mean() / 2;  // of a real part
-  wander.squares = deviation / variance;
-  wander.freedom = 2 * (ensembles - 2);
-  wander.noise_freedom = 2 * static_cast<double>(noise.size());
-  wander.dies_out = is_unsteady(wander) && settles(amplitude);
-  return wander;
+  nonstationarity.squares = deviation / variance;
+  nonstationarity.freedom = 2 * (ensembles - 2);
+  nonstationarity.noise_freedom = 2 * static_cast<double>(noise.size());
+  nonstationarity.dies_out = is_unsteady(nonstationarity) && settles(amplitude);
+  return nonstationarity;
 }
 
-WanderTest test_wander(const std::vector<Wander>& dwells) {
-  WanderTest test;
+NonstationarityTest test_nonstationarity(const std::vector<Nonstationarity>& dwells) {
+  NonstationarityTest test;
   double squares = 0, freedom = 0, noise_freedom = 0, least = 1, count = 0;
-  for (const Wander& w : dwells) {
+  for (const Nonstationarity& w : dwells) {
     if (!(w.freedom > 0) || !(w.noise_freedom > 2)) continue;
     ++count;
     // A ratio to a variance that was estimated is larger in the mean.
@@ -66,8 +66,8 @@ WanderTest test_wander(const std::vector<Wander>& dwells) {
   return test;
 }
 
-bool is_unsteady(const Wander& wander) {
-  return test_wander({wander}).p_value < unsteady_alarm;
+bool is_unsteady(const Nonstationarity& nonstationarity) {
+  return test_nonstationarity({nonstationarity}).p_value < unsteady_alarm;
 }
 
 }  // namespace secular
