@@ -95,8 +95,11 @@ std::vector<std::vector<std::size_t>> modulation_blocks(const Estimation& e) {
   return blocks;
 }
 
-// First-order harmonics whose lumps say something about the parameters that the modulation equations do not. (A
-// harmonic that only repeats what they say would bring its own truncation error and nothing else.)
+// Harmonics of the leading order, and first-order ones whose lumps say something about the parameters that the
+// modulation equations do not. (A first-order harmonic that only repeats what they say would bring its own
+// truncation error and nothing else. Those of the leading order, the forced motion under hard excitation, are the
+// strongest lines of all, as exact as the modulation equations: that these also determine their lumps by way of
+// small terms says nothing of how well.)
 bool add_useful_harmonics(Estimation& e) {
   CampaignKnowledge known = campaign_knowledge(e);
   // Coefficients take natural frequencies as known: from this campaign or from the model's nominal values.
@@ -114,7 +117,7 @@ bool add_useful_harmonics(Estimation& e) {
       if (!measured) continue;
       CampaignKnowledge further = known;
       for (const int l : block.lumps) further.cases[s].lumps[static_cast<std::size_t>(l)] = true;
-      if (scaled_rank(known_jacobian(further, point)) <= rank) continue;
+      if (block.order > 0 && scaled_rank(known_jacobian(further, point)) <= rank) continue;
       e.blocks[s].push_back(b);
       added = true;
     }

@@ -1,0 +1,98 @@
+// Superharmonic resonance under hard excitation: the forced motion at the excitation frequency is the strongest
+// line, and the one that tells the force's own coefficient.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/app/program_run.hpp"
+#include "tests/process_folder.hpp"
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+
+// An oscillator with a quadratic spring, excited near half its natural frequency; `rate` scales time, `size`
+// lengths: D2(x) = rate^2 size f(x/size) and so on, so that motions are the same ones.
+struct Scaled {
+  double rate = 1, size = 1;
+
+  std::map<std::string, double> truth() const {
+    return {{"omega0", rate}, {"mu", 0.02 * rate}, {"a2", 0.1 * rate * rate / size}, {"e", 1}};
+  }
+  std::string model(int expand_to) const {
+    return "schema = 1\nname = \"quadratic_spring\"\n[[mode]]\ncoordinate = \"x\"\nfrequency = "
+           "\"omega0\"\nequation = "
+           "\"D2(x) + omega0^2*x = -2*mu*D(x) - a2*x^2 + e*F*cos(Omega*t)\"\n[[case]]\nname = \"superharmonic\"\n"
+           "relations = [\"2*Omega = omega0 + eps*sigma\"]\norder = { mu = 1, a2 = 1, e = 0 }\nexpand_to = " +
+           std::to_string(expand_to) + "\n";
+  }
+  std::string experiment() const {
+    const auto n = [](double value) { return nlohmann::json(value).dump(); };
+    std::string parameters, frequencies;
+    for (const auto& [name, value] : truth()) parameters += name + " = " + n(value) + "\n";
+    for (const double hz : {0.0748, 0.0764, 0.0780, 0.0788, 0.0796, 0.0804, 0.0812, 0.0820, 0.0828})
+      frequencies += (frequencies.empty() ? "" : ", ") + n(hz * rate);
+    const double force = rate * rate * size, noise = 3e-5;
+    return "schema = 1\nname = \"superharmonic\"\nmodel = \"model.toml\"\nsample_rate_hz = " + n(2 * rate) +
+           "\n[parameters]\n" + parameters +
+           "[excitation]\nname = \"force\"\nquantity = \"force\"\nunit = \"N\"\n" +
+           "noise_sd = " + n(noise * force) + "\n[[response]]\nname = \"x\"\nquantity = \"displacement\"\nunit = " +
+           "\"m\"\nnoise_sd = " + n(noise * size) + "\n[[dwell]]\nfrequencies_hz = [" + frequencies +
+           "]\namplitudes = [" + n(0.05 * force) + ", " + n(0.1 * force) +
+           "]\nensembles = 4\nensemble_s = " + n(256 / rate) + "\nsettle_s = " + n(500 / rate) +
+           "\ninitial_displacement = [0.0]\n";
+  }
+};
+
+class SlowHardExcitation : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+  void run(const std::string& arguments) const {
+    const testing_support::Outcome outcome = testing_support::run_program(folder_, arguments, {});
+    ASSERT_EQ(outcome.status, 0) << arguments << ": " << outcome.errors;
+  }
+  // The expansion's truncation is not all in the error bars: within one part in a thousand, nothing doubtful.
+  void expect_truth(const std::map<std::string, double>& truth, const std::string& output) const {
+    std::ifstream stream(folder_ / output / "estimate.json");
+    const nlohmann::json document = nlohmann::json::parse(stream);
+    std::size_t found = 0;
+    for (const auto& item : document.at("estimates")) {
+      const std::string name = item.at("name").get<std::string>();
+      ASSERT_TRUE(item.at("value").is_number()) << name;
+      EXPECT_NEAR(item.at("value").get<double>(), truth.at(name), 1e-3 * truth.at(name)) << name;
+      EXPECT_LT(item.at("sd").get<double>(), 1e-3 * truth.at(name)) << name;
+      EXPECT_FALSE(item.value("doubtful", false)) << name;
+      ++found;
+    }
+    EXPECT_EQ(found, truth.size());
+  }
+  fs::path folder_ = testing_support::process_folder() / "hard_excitation";
+};
+
+TEST_F(SlowHardExcitation, TheExactModelIsIdentified) {
+  for (const Scaled& system : {Scaled{1, 1}, Scaled{40, 0.01}}) {
+    SCOPED_TRACE(system.rate);
+    SetUp();
+    write("experiment.toml", system.experiment());
+    write("model.toml", system.model(2));
+    run("simulate experiment.toml -o campaign --seed 1");
+    run("identify campaign --model model.toml -o second_order");
+    expect_truth(system.truth(), "second_order");
+    write("first.toml", system.model(1));
+    run("identify campaign --model first.toml -o first_order");
+    expect_truth(system.truth(), "first_order");
+  }
+}
+
+}  // namespace
+}  // namespace secular
