@@ -18,8 +18,11 @@
 #include <string>
 #include <vector>
 
-#include "cmake/precompiled/dense_instances.hpp"
-
 #define SECULAR_INSTANCE extern template
-SECULAR_DENSE_INSTANCES
+#include "cmake/precompiled/instances/eigenvalues.inc"
+#include "cmake/precompiled/instances/factorizations.inc"
+#include "cmake/precompiled/instances/householder.inc"
+#include "cmake/precompiled/instances/products.inc"
+#include "cmake/precompiled/instances/singular_values.inc"
+#include "cmake/precompiled/instances/triangular.inc"
 #undef SECULAR_INSTANCE

@@ -1,6 +1,0 @@
-#include <Eigen/Dense>
-
-#include "cmake/precompiled/dense_instances.hpp"
-
-#define SECULAR_INSTANCE template
-SECULAR_DENSE_INSTANCES

@@ -1,0 +1,4 @@
+#include "cmake/precompiled/dense.hpp"
+
+#define SECULAR_INSTANCE template
+#include "cmake/precompiled/instances/triangular.inc"
