@@ -1,7 +1,7 @@
 #pragma once
 
 // What most numerical sources include, parsed once; and Eigen's decompositions, which cost a compiler many seconds
-// each wherever they stand, compiled once in dense.cpp. No source relies on this file: each includes what it uses.
+// each wherever they stand, compiled once in instances/. No source relies on this file: each includes what it uses.
 
 #include <Eigen/Dense>
 #include <algorithm>
