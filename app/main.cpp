@@ -15,21 +15,7 @@ int main(int argc, char** argv) {
   root.require_subcommand(1);
   root.footer("Example: secular derive two_mass_mode1 --case principal_parametric");
   Action chosen;
-  add_derive_command(root, chosen);
-  add_evaluate_command(root, chosen);
-  add_generate_command(root, chosen);
-  add_verify_command(root, chosen);
-  add_simulate_command(root, chosen);
-  add_identify_command(root, chosen);
-  add_predict_command(root, chosen);
-  add_import_command(root, chosen);
-  add_inspect_command(root, chosen);
-  add_modal_command(root, chosen);
-  add_diagnose_command(root, chosen);
-  add_spectrum_command(root, chosen);
-  add_procedure_command(root, chosen);
-  add_plan_command(root, chosen);
-  add_blind_command(root, chosen);
+  for (AddCommand* add : all_commands) add(root, chosen);
   try {
     root.parse(argc, argv);
     return chosen ? chosen() : 0;

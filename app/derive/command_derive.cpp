@@ -52,7 +52,8 @@ void add_derive_command(CLI::App& root, Action& chosen) {
       ->capture_default_str();
   command->add_option(
       "--with-effect", options->effects,
-      "NAME[:MODE[:OTHER]]: add an effect of the catalogue to the equations of motion (repeatable)");
+      "NAME[:MODE[:OTHER[:FORM]]]: add an effect of the catalogue to the equations of motion of coordinate MODE "
+      "(repeatable)");
   command->add_flag("--json", options->json, "same as --format json");
   command->add_option("-o,--output", options->output, "file to write; standard output without it");
   command->footer(

@@ -12,21 +12,17 @@ namespace secular::app {
 /// leaves as InputError and becomes status 2 in main.
 using Action = std::function<int()>;
 
-/// Each adds its subcommand to `root`; when the user picks it, `chosen` is set to its action.
-void add_derive_command(CLI::App& root, Action& chosen);
-void add_evaluate_command(CLI::App& root, Action& chosen);
-void add_generate_command(CLI::App& root, Action& chosen);
-void add_verify_command(CLI::App& root, Action& chosen);
-void add_simulate_command(CLI::App& root, Action& chosen);
-void add_identify_command(CLI::App& root, Action& chosen);
-void add_predict_command(CLI::App& root, Action& chosen);
-void add_import_command(CLI::App& root, Action& chosen);
-void add_inspect_command(CLI::App& root, Action& chosen);
-void add_modal_command(CLI::App& root, Action& chosen);
-void add_diagnose_command(CLI::App& root, Action& chosen);
-void add_spectrum_command(CLI::App& root, Action& chosen);
-void add_procedure_command(CLI::App& root, Action& chosen);
-void add_plan_command(CLI::App& root, Action& chosen);
-void add_blind_command(CLI::App& root, Action& chosen);
+/// Adds a subcommand to `root`; when the user picks it, `chosen` is set to its action.
+using AddCommand = void(CLI::App& root, Action& chosen);
+
+AddCommand add_derive_command, add_evaluate_command, add_generate_command, add_verify_command, add_simulate_command,
+    add_identify_command, add_predict_command, add_import_command, add_inspect_command, add_modal_command,
+    add_diagnose_command, add_spectrum_command, add_procedure_command, add_plan_command, add_blind_command;
+
+/// All of them, in the order of the help.
+inline constexpr AddCommand* all_commands[] = {
+    add_derive_command,   add_evaluate_command, add_generate_command,  add_verify_command,  add_simulate_command,
+    add_identify_command, add_predict_command,  add_import_command,    add_inspect_command, add_modal_command,
+    add_diagnose_command, add_spectrum_command, add_procedure_command, add_plan_command,    add_blind_command};
 
 }  // namespace secular::app

@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -64,27 +66,6 @@ TimeName time_name(const std::string& path) {
   return found;
 }
 
-enum class Format { csv, mat, hdf5, uff, wav };
-
-Format format_of(const fs::path& path) {
-  const std::string expected = fmt::format("a {} file was expected", data_formats);
-  std::error_code ignored;
-  if (!fs::exists(path, ignored)) throw InputError(path.string(), "", "does not exist", expected);
-  if (!fs::is_regular_file(path, ignored)) throw InputError(path.string(), "", "is not a regular file", expected);
-  if (looks_like_hdf5(path)) return Format::hdf5;  // MAT v7.3 among them
-  if (looks_like_mat(path)) return Format::mat;
-  if (looks_like_uff(path)) return Format::uff;
-  if (looks_like_wav(path)) return Format::wav;
-  const std::string extension = lower_extension(path);
-  for (const char* hierarchical : {".h5", ".hdf5", ".hdf"})
-    if (extension == hierarchical) return Format::hdf5;
-  if (extension == ".mat") return Format::mat;
-  for (const char* universal : {".uff", ".unv", ".uf", ".bunv"})
-    if (extension == universal) return Format::uff;
-  if (extension == ".wav") return Format::wav;
-  return Format::csv;
-}
-
 DataFile with_variables(const fs::path& path, const char* format, std::vector<MatVariable> variables,
                         std::size_t limit) {
   DataFile data{path.string(), format, {}, {"element", 1}};
@@ -117,19 +98,39 @@ DataFile read_csv_file(const fs::path& path, const std::vector<std::string>& wan
   return data;
 }
 
-DataFile read_variables(const fs::path& path, Format format, const std::vector<std::string>& wanted,
-                        std::size_t limit) {
-  switch (format) {
-    case Format::hdf5:
-      return with_variables(path, looks_like_mat(path) ? "MAT v7.3" : "HDF5", read_hdf5(path, wanted, limit),
-                            limit);
-    case Format::uff:
-      return read_uff_variables(path, wanted, limit);
-    case Format::wav:
-      return read_wav(path, wanted, limit);
-    default:
-      return with_variables(path, "MAT v5", read_mat(path, wanted, limit), limit);
-  }
+DataFile read_hdf5_file(const fs::path& path, const std::vector<std::string>& wanted, std::size_t limit) {
+  return with_variables(path, looks_like_mat(path) ? "MAT v7.3" : "HDF5", read_hdf5(path, wanted, limit), limit);
+}
+
+DataFile read_mat_file(const fs::path& path, const std::vector<std::string>& wanted, std::size_t limit) {
+  return with_variables(path, "MAT v5", read_mat(path, wanted, limit), limit);
+}
+
+struct Format {
+  bool (*looks_like)(const fs::path&);
+  std::array<std::string_view, 4> extensions;
+  DataFile (*read)(const fs::path&, const std::vector<std::string>& wanted, std::size_t limit);
+};
+
+// Every format but CSV, in the order in which content is asked: MAT v7.3 is HDF5.
+constexpr Format formats[] = {{looks_like_hdf5, {".h5", ".hdf5", ".hdf"}, read_hdf5_file},
+                              {looks_like_mat, {".mat"}, read_mat_file},
+                              {looks_like_uff, {".uff", ".unv", ".uf", ".bunv"}, read_uff_variables},
+                              {looks_like_wav, {".wav"}, read_wav}};
+
+// nullptr: a CSV.
+const Format* format_of(const fs::path& path) {
+  const std::string expected = fmt::format("a {} file was expected", data_formats);
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) throw InputError(path.string(), "", "does not exist", expected);
+  if (!fs::is_regular_file(path, ignored)) throw InputError(path.string(), "", "is not a regular file", expected);
+  for (const Format& format : formats)
+    if (format.looks_like(path)) return &format;
+  const std::string extension = lower_extension(path);
+  for (const Format& format : formats)
+    for (const std::string_view usual : format.extensions)
+      if (!usual.empty() && extension == usual) return &format;
+  return nullptr;
 }
 
 }  // namespace
@@ -191,9 +192,9 @@ DataVariable& DataFile::vector(const std::string& name) {
 
 DataFile read_data_file(const fs::path& path, const std::vector<std::string>& wanted, MissingNumbers missing,
                         std::size_t limit) {
-  const Format format = format_of(path);
-  if (format == Format::csv) return read_csv_file(path, wanted, missing, limit);
-  DataFile data = read_variables(path, format, wanted, limit);
+  const Format* format = format_of(path);
+  if (!format) return read_csv_file(path, wanted, missing, limit);
+  DataFile data = format->read(path, wanted, limit);
   if (missing == MissingNumbers::keep_as_nan) return data;
   for (const DataVariable& variable : data.variables)
     for (std::size_t i = 0; i < variable.values.size(); ++i)
@@ -204,9 +205,7 @@ DataFile read_data_file(const fs::path& path, const std::vector<std::string>& wa
 }
 
 std::vector<DataVariable> describe_data_file(const fs::path& path) {
-  if (format_of(path) != Format::csv) {
-    return read_data_file(path, {}, MissingNumbers::keep_as_nan, 0).variables;
-  }
+  if (format_of(path)) return read_data_file(path, {}, MissingNumbers::keep_as_nan, 0).variables;
   std::vector<DataVariable> variables;
   NumberTable table = read_csv_header(path);
   for (std::size_t c = 0; c < table.names.size(); ++c) {

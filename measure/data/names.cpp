@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "measure/data/csv_dialect.hpp"
+
 namespace secular {
 
 std::string to_string(ChannelRole role) {
@@ -27,12 +29,12 @@ std::string to_string(RecordKind kind) {
 std::string channel_name_fault(std::string_view name) {
   if (name.empty()) return "is empty; every channel has a name";
   if (name == "t") return "is 't', which names time; every channel has a name of its own";
-  const auto separates = [](char c) {
-    return static_cast<unsigned char>(c) < 0x20 || c == ',' || c == ';' || c == '"';
-  };
-  if (std::any_of(name.begin(), name.end(), separates))
-    return fmt::format("'{}' has a comma, semicolon, quote or control character, which a CSV header cannot hold",
-                       name);
+  for (const CsvDialect& dialect : csv_dialects)
+    if (name.find(dialect.separator) != std::string_view::npos)
+      return fmt::format("'{}' has a {}, which a CSV header cannot hold", name, dialect.name);
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
+  if (name.find('"') != std::string_view::npos || std::any_of(name.begin(), name.end(), is_control))
+    return fmt::format("'{}' has a quote or control character, which a CSV header cannot hold", name);
   if (name.front() == ' ' || name.back() == ' ')
     return fmt::format("'{}' begins or ends with a blank, which a CSV header cannot hold", name);
   double number = 0;

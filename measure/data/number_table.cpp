@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string_view>
 
 #include "input/input_error.hpp"
+#include "measure/data/csv_dialect.hpp"
 #include "measure/data/mapped_file.hpp"
 #include "measure/data/unit.hpp"
 
@@ -41,16 +43,16 @@ std::vector<std::string_view> split_quoted(std::string_view line, char separator
   return fields;
 }
 
-char separator_of(std::string_view header) {
-  bool inside = false, comma = false, tabulator = false;
-  for (const char c : header) {
-    if (c == '"') inside = !inside;
-    if (inside) continue;
-    if (c == ';') return ';';
-    comma = comma || c == ',';
-    tabulator = tabulator || c == '\t';
-  }
-  return tabulator && !comma ? '\t' : ',';
+CsvDialect dialect_of(std::string_view header) {
+  const auto stands_in = [header](const CsvDialect& dialect) {
+    bool inside = false;
+    return std::any_of(header.begin(), header.end(), [&](char c) {
+      if (c == '"') inside = !inside;
+      return !inside && c == dialect.separator;
+    });
+  };
+  const auto found = std::find_if(std::begin(csv_dialects), std::end(csv_dialects), stands_in);
+  return found == std::end(csv_dialects) ? CsvDialect() : *found;
 }
 
 std::string shown(std::string_view field) {
@@ -69,7 +71,7 @@ std::string_view next_line(std::string_view& rest) {
 
 struct Header {
   std::vector<std::string> names, units;
-  char separator = ',';
+  CsvDialect dialect;
   std::size_t line = 0;       // of the names
   std::size_t last_line = 0;  // of the units, if there are any
   std::string_view rows;      // the text below the header
@@ -80,7 +82,7 @@ void read_units(Header& header) {
   header.last_line = header.line;
   for (const std::string& name : header.names) header.units.push_back(bracketed_unit(name).unit);
   std::string_view rest = header.rows;
-  std::vector<std::string_view> fields = split_quoted(trimmed(next_line(rest)), header.separator);
+  std::vector<std::string_view> fields = split_quoted(trimmed(next_line(rest)), header.dialect.separator);
   while (fields.size() > header.names.size() && fields.back().empty()) fields.pop_back();
   if (fields.size() != header.names.size()) return;
   bool known = false;
@@ -112,8 +114,8 @@ Header read_header(std::string_view text, const std::string& file) {
   const std::string place = fmt::format("line {}", header.line);
   if (line.find('\0') != std::string_view::npos)
     throw InputError(file, place, "is not text", "a CSV or a MAT v5 file was expected");
-  header.separator = separator_of(line);
-  for (const std::string_view name : split_quoted(line, header.separator)) header.names.emplace_back(name);
+  header.dialect = dialect_of(line);
+  for (const std::string_view name : split_quoted(line, header.dialect.separator)) header.names.emplace_back(name);
   while (header.names.size() > 1 && header.names.back().empty()) header.names.pop_back();
   for (std::size_t c = 0; c < header.names.size(); ++c) {
     const std::string& name = header.names[c];
@@ -170,7 +172,7 @@ struct RowReader {
   void read(std::string_view line, std::size_t line_number, NumberTable& table) const {
     std::size_t fields = 0;
     for (bool more = true; more;) {
-      const std::size_t end = line.find(header.separator);
+      const std::size_t end = line.find(header.dialect.separator);
       more = end != std::string_view::npos;
       const std::string_view field = trimmed(line.substr(0, end));
       if (more) line.remove_prefix(end + 1);
@@ -178,7 +180,7 @@ struct RowReader {
       ++fields;
       if (fields > target.size() || target[fields - 1] == skipped) continue;
       double value = 0;
-      const FieldFault fault = parse_number(field, header.separator == ';', value);
+      const FieldFault fault = parse_number(field, header.dialect.decimal_comma, value);
       if (fault != FieldFault::none) {
         if (missing == MissingNumbers::refuse && (more || fields == target.size()))
           refuse(file, fmt::format("line {}, column {}", line_number, header.names[fields - 1]), fault, field);

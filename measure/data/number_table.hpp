@@ -33,12 +33,11 @@ struct CsvName {
 /// "Time (ms)" or "Time [ms]" -> "Time", "ms".
 CsvName bracketed_unit(const std::string& name);
 
-/// Reads a CSV with one header line and perhaps a row of units below it: comma, semicolon or tabulator between
-/// fields (a semicolon allows decimal commas), quoted names, CRLF, byte order mark, blanks and trailing empty lines
-/// are accepted. Only the `wanted` columns are read, in that order (empty: all), and at most `limit` rows of them.
-/// Throws InputError with the line for a row of another length, a field that is no finite number
-/// (MissingNumbers::refuse), a wanted column that is not there, two columns of one name, and for a file without
-/// rows.
+/// Reads a CSV of one of `csv_dialects` with one header line and perhaps a row of units below it; quoted names,
+/// CRLF, byte order mark, blanks and trailing empty lines are accepted. Only the `wanted` columns are read, in that
+/// order (empty: all), and at most `limit` rows of them. Throws InputError with the line for a row of another
+/// length, a field that is no finite number (MissingNumbers::refuse), a wanted column that is not there, two
+/// columns of one name, and for a file without rows.
 NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& wanted = {},
                      MissingNumbers missing = MissingNumbers::refuse, std::size_t limit = all_values);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,7 @@
 #include "motion/simulate/virtual_test.hpp"
 #include "perturb/with_effects.hpp"
 #include "tests/campaign/temporary_folder.hpp"
+#include "tests/places.hpp"
 
 namespace secular::app {
 namespace {
@@ -194,6 +197,16 @@ TEST(Catalogue, HoldsOnlyRowsThatTheProgramCanFollow) {
                 like->mistaken_for.end())
           << other << " does not say so of " << effect.name;
     }
+  }
+}
+
+TEST(Catalogue, IsThatOfTheManual) {
+  std::ifstream file(testing_support::source_folder() / "docs/simulating.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_FALSE(page.empty());
+  for (const Effect& effect : effect_catalogue().effects) {
+    if (effect.kind == Effect::Kind::open_law) continue;  // no user can ask for one
+    EXPECT_NE(page.find("`" + effect.name + "`"), std::string::npos) << effect.name << ": not in simulating.md";
   }
 }
 

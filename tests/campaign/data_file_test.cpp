@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "measure/data/csv_dialect.hpp"
+#include "measure/data/names.hpp"
 #include "measure/data/number_table.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
@@ -40,6 +42,20 @@ TEST_F(Csv, AcceptsWhatProgramsWrite) {
     EXPECT_EQ(read.columns, expected) << text;
   }
   EXPECT_EQ(table("\"a, b\",\"c;d\"\n1,2\n").names, (std::vector<std::string>{"a, b", "c;d"}));
+}
+
+// A row of csv_dialects is all that a dialect takes.
+TEST_F(Csv, IsReadInEveryDialect) {
+  for (const CsvDialect& dialect : csv_dialects) {
+    const std::string gap(1, dialect.separator);
+    const NumberTable read = table("t" + gap + "a\n[ms]" + gap + "[m/s^2]\n0" + gap + "0.5\n");
+    EXPECT_EQ(read.names, (std::vector<std::string>{"t", "a"})) << dialect.name;
+    EXPECT_EQ(read.units, (std::vector<std::string>{"ms", "m/s^2"})) << dialect.name;
+    EXPECT_EQ(read.columns, (Columns{{0}, {0.5}})) << dialect.name;
+    const std::string number = dialect.decimal_comma ? "0,5" : "0.5";
+    EXPECT_EQ(table("t" + gap + "a\n0" + gap + number + "\n").columns, read.columns) << dialect.name;
+    EXPECT_TRUE(contains(channel_name_fault("a" + gap + "b"), std::string(dialect.name)));
+  }
 }
 
 TEST_F(Csv, ReadsOnlyWantedColumns) {

@@ -80,7 +80,7 @@ excitation = false
 
 TEST(WithEffects, EveryEffectIsOfferedForEveryModeAndPair) {
   const std::vector<EffectTerm> terms = applicable_effects(two_modes());
-  std::set<std::string> effects;
+  std::set<std::string> effects = {"extra_mode"}, offered;
   for (const Effect& effect : effect_catalogue().effects) {
     if (effect.kind != Effect::Kind::term) continue;
     for (std::size_t f = 0; f < effect.forms.size(); ++f) {
@@ -91,7 +91,8 @@ TEST(WithEffects, EveryEffectIsOfferedForEveryModeAndPair) {
     }
     effects.insert(effect.name);
   }
-  EXPECT_EQ(effects.size(), 20u);
+  for (const EffectTerm& term : terms) offered.insert(term.effect);
+  EXPECT_EQ(offered, effects);
   EXPECT_EQ(terms.back().effect, "extra_mode");
   for (const EffectTerm& term : applicable_effects(no_excitation())) {
     EXPECT_EQ(term.effect.find("excitation"), std::string::npos);

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+namespace secular {
+
+/// What may stand between the fields of a CSV, and whether numbers may then have a decimal comma.
+struct CsvDialect {
+  char separator = ',';
+  std::string_view name;
+  bool decimal_comma = false;
+};
+
+/// A file is of the first one whose separator stands in its header line outside of quotes; of the comma if none
+/// does. No channel's name holds one of them.
+inline constexpr CsvDialect csv_dialects[] = {{';', "semicolon", true}, {',', "comma"}, {'\t', "tabulator"}};
+
+}  // namespace secular
