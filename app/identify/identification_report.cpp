@@ -32,7 +32,7 @@ using report::Tone;
 struct Condition {
   std::string group;
   double frequency_hz = 0, amplitude = 0, amplitude_sd = 0, forcing = 0;
-  double model_amplitude = 0, phase_difference = 0;
+  double model_amplitude = 0, phase_difference = 0;  // against the replayed motion; 0 where there is none
 };
 
 // One case of an identification, for its figures.
