@@ -108,6 +108,22 @@ Json damping_json(const DampingComparison& comparison) {
   return entry;
 }
 
+Json lateness_json(const CaseLateness& lateness, const Identification& id) {
+  Json entry;
+  entry["kind"] = "late_records";
+  entry["case"] = lateness.resonance;
+  entry["text"] = text_of(lateness);
+  entry["records"] = Json::array();
+  for (const RecordLateness& record : lateness.records)
+    entry["records"].push_back({{"record", id.campaign.records[record.record].file},
+                                {"late_s", record.late_s},
+                                {"period_s", record.period_s}});
+  entry["f"] = lateness.f;
+  entry["p_value"] = lateness.p_value;
+  entry["sign_of_excitation_told"] = lateness.sign_told;
+  return entry;
+}
+
 // Of parameters that the data cannot tell, values that go with all that they tell: for commands that need numbers.
 void add_representative(Json& result, const Identification& identification) {
   const Estimate& estimate = identification.estimate;
@@ -197,6 +213,9 @@ std::string estimate_json(const Identification& identification) {
   }
   quality["warnings"] = identification.estimate.warnings;
   result["quality"] = std::move(quality);
+  result["disturbances"] = Json::array();
+  for (const CaseLateness& lateness : identification.lateness)
+    result["disturbances"].push_back(lateness_json(lateness, identification));
   return result.dump(2) + "\n";
 }
 

@@ -507,6 +507,21 @@ void add_response(report::HtmlReport& page, const Identification& id, const Case
   }
 }
 
+// Lateness of the responses by record.
+void add_lateness(report::HtmlReport& page, const CaseLateness& lateness) {
+  Series late{"Responses", SeriesStyle::points, SeriesRole::data, {}, {}, {}, {}};
+  for (const RecordLateness& record : lateness.records) {
+    late.x.push_back(static_cast<double>(record.record + 1));
+    late.y.push_back(1e3 * record.late_s);
+  }
+  Figure figure;
+  figure.title = "Responses later than their excitation";
+  figure.x = {"Record", "", false, {}};
+  figure.panels.push_back({"", {"Lateness", "ms", false, {}}, {late}});
+  page.section("Disturbances");
+  page.figure(figure, text_of(lateness) + ".");
+}
+
 void add_regression_quality(report::HtmlReport& page, const Estimate& estimate) {
   page.section("Quality of the regression");
   Table table;
@@ -571,6 +586,7 @@ std::string identification_report(const Identification& id, const std::string& c
     const CaseView view = view_of(id, c);
     if (!view.measured.observations.empty()) add_response(page, id, view);
   }
+  for (const CaseLateness& lateness : id.lateness) add_lateness(page, lateness);
   if (!id.estimate.null_directions.empty()) add_null_directions(page, id.estimate);
   if (!id.estimate.damping.empty()) add_damping(page, id.estimate);
   page.section("Lumps");

@@ -138,22 +138,23 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
   return result;
 }
 
-void estimate_observed(const IdentificationRequest& request, Identification& id) {
-  StageClock clock(id.seconds);
-  const Campaign& campaign = id.campaign;
-  id.coordinate_unit = modal_projection(campaign, *id.model).unit;
-  id.excitation_units.clear();
-  if (std::any_of(id.measured.begin(), id.measured.end(),
-                  [](const ObservationSet& s) { return s.resonance->excited; }))
-    for (const std::size_t channel : excitation_channels(campaign, *id.model))
-      id.excitation_units.push_back(campaign.channels[channel].unit);
-  const MeasuredUnits units{id.coordinate_unit, id.excitation_units};
+namespace {
+
+EstimateOptions options_of(const IdentificationRequest& request) {
   EstimateOptions options;
   options.fixed = request.fixed;
   options.bootstrap = request.bootstrap;
   options.seed = request.seed;
   options.refine = request.refine;
   options.threads = request.threads;
+  return options;
+}
+
+// Corrected for the expansion's truncation, if that is possible.
+void estimate_corrected(const IdentificationRequest& request, Identification& id) {
+  StageClock clock(id.seconds);
+  const MeasuredUnits units{id.coordinate_unit, id.excitation_units};
+  const EstimateOptions options = options_of(request);
   EstimateOptions first = options;
   first.judge_fit = first.damping_laws = false;
   first.rough_errors = true;
@@ -161,7 +162,7 @@ void estimate_observed(const IdentificationRequest& request, Identification& id)
   Estimate raw = first_estimate(id, units, first);
   clock.done("regression");
   const auto replay = [&](const ObservationSet& set, const Eigen::VectorXd& parameters) {
-    return observe_replay(campaign, set, parameters, request.threads);
+    return observe_replay(id.campaign, set, parameters, request.threads);
   };
   try {
     TruncationCorrection correction =
@@ -180,6 +181,26 @@ void estimate_observed(const IdentificationRequest& request, Identification& id)
     id.estimate = estimate(id.measured, units, uncorrected);
     id.estimate = with_failed_correction(std::move(id.estimate), failure.what());
   }
+}
+
+}  // namespace
+
+void estimate_observed(const IdentificationRequest& request, Identification& id) {
+  id.coordinate_unit = modal_projection(id.campaign, *id.model).unit;
+  id.excitation_units.clear();
+  if (std::any_of(id.measured.begin(), id.measured.end(),
+                  [](const ObservationSet& s) { return s.resonance->excited; }))
+    for (const std::size_t channel : excitation_channels(id.campaign, *id.model))
+      id.excitation_units.push_back(id.campaign.channels[channel].unit);
+  const std::vector<ObservationSet> observed = id.measured;
+  estimate_corrected(request, id);
+  UnknownPhases unknown =
+      find_unknown_phases(observed, {id.coordinate_unit, id.excitation_units}, options_of(request), id.estimate);
+  if (unknown.cases.empty()) return;
+  id.measured = std::move(unknown.sets);
+  estimate_corrected(request, id);
+  for (const CaseLateness& lateness : unknown.cases) id.estimate.warnings.push_back(text_of(lateness));
+  id.lateness = std::move(unknown.cases);
 }
 
 }  // namespace secular::app

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "estimator/identification/estimate.hpp"
+#include "estimator/identification/record_lateness.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/observe/observation_set.hpp"
 #include "motion/correction/held_out.hpp"
@@ -36,6 +37,7 @@ struct Identification {
   std::vector<ObservationSet> replayed;
   Estimate estimate;
   std::vector<HeldOutPrediction> held_out;
+  std::vector<CaseLateness> lateness;  ///< by case whose records are out of step with their excitation
   std::string coordinate_unit;
   std::vector<std::string> excitation_units;
   std::vector<std::pair<std::string, double>> seconds;  ///< wall time by stage

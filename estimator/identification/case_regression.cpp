@@ -60,6 +60,12 @@ void multiply_lower(const MatrixXd& factor, const MatrixXd& sparse, Matrix&& pro
         product.col(c).tail(size - r) += value * factor.col(r).tail(size - r);
 }
 
+// What is left of whitened rows beside the direction in which an unknown moves them.
+template <class Rows>
+void take_out(const VectorXd& direction, Rows&& rows) {
+  rows -= (direction * (direction.transpose() * rows)).eval();
+}
+
 class CaseRegression {
  public:
   CaseRegression(const ObservationSet& set, const std::vector<std::size_t>& blocks, const CaseKnowledge& known,
@@ -119,6 +125,7 @@ class CaseRegression {
     if (system.design.rows() > 0) {
       result_.fit = linear_fit(system.design, system.response, system.condition, 1e-9, system.errors,
                                reweighting_.start ? reweighting_.start->noisy : std::nullopt, reweighting_.threads);
+      take_phases_into_account(result_.fit);
       take(result_.fit.coefficients);
       block_misfits(result_.fit.residual);
     }
@@ -168,6 +175,19 @@ class CaseRegression {
     return c.kind == CaseColumn::Kind::lump                ? at_.lump[c.index]
            : c.kind == CaseColumn::Kind::natural_frequency ? at_.natural_frequency[c.index]
                                                            : offset_[c.index];
+  }
+
+  // Each unknown phase takes a degree of freedom of the residual.
+  void take_phases_into_account(LinearFit& fit) const {
+    const auto free = static_cast<double>(fit.residual.size() - fit.rank);
+    const auto taken = static_cast<double>(result_.system.by_phase.size());
+    if (taken == 0) return;
+    const double factor = free > taken ? free / (free - taken) : std::numeric_limits<double>::quiet_NaN();
+    fit.residual_sd *= std::sqrt(factor);
+    fit.plain_covariance *= factor;
+    if (fit.covariance_kind == CovarianceKind::clustered) return;
+    fit.covariance *= factor;
+    fit.degrees_of_freedom -= taken;
   }
 
   // Until no coefficient moves by more than `enough` standard deviations.
@@ -233,13 +253,19 @@ class CaseRegression {
           colouring.triangularView<Eigen::Lower>() * whitened.segment(begin, colouring.rows());
       begin += colouring.rows();
     }
+    VectorXd taken = VectorXd::Zero(whitened.size());  // of a row's variance, by the unknown phase
+    begin = 0;
+    for (const VectorXd& direction : system.by_phase) {
+      taken.segment(begin, direction.size()) = direction.cwiseAbs2();
+      begin += direction.size();
+    }
     std::map<std::size_t, std::pair<double, double>> sums;
     for (Index r = 0; r < whitened.size(); ++r) {
       const auto at = static_cast<std::size_t>(r);
       const double left = result_.residual(r), weight = result_.weight[system.observation[at]];
       auto& [sum, count] = sums[system.block[at]];
       sum += left * left * weight;
-      count += weight;
+      count += weight * (1 - taken(r));
     }
     for (const auto& [block, sum] : sums) {
       const double misfit = std::sqrt(sum.first / std::max(1.0, sum.second));
@@ -270,6 +296,7 @@ class CaseRegression {
           rows(r, d) = -part_of(all, system.part[at]) / system.noise_sd[at];
         }
       colouring.triangularView<Eigen::Lower>().solveInPlace(rows);
+      if (!system.by_phase.empty()) take_out(system.by_phase[n], rows);
     });
     return change;
   }
@@ -302,13 +329,13 @@ class CaseRegression {
     system.part.resize(rows);
     system.noise_sd.resize(rows);
     system.colouring.resize(pass == Pass::first ? 0 : with_rows.size());
+    system.by_phase.resize(set_.phase_unknown ? system.colouring.size() : 0);
     const std::size_t chunks = (with_rows.size() + chunk - 1) / chunk;
     std::vector<ColumnErrors> errors(pass == Pass::last ? chunks : 0,
                                      {MatrixXd::Zero(columns, columns), VectorXd::Zero(columns)});
     in_parallel(chunks, reweighting_.threads, [&](std::size_t c) {
       for (std::size_t n = c * chunk; n < std::min(with_rows.size(), (c + 1) * chunk); ++n)
-        assemble_observation(data, pass, with_rows[n], first_row[with_rows[n]],
-                             pass == Pass::first ? nullptr : &system.colouring[n],
+        assemble_observation(data, pass, {with_rows[n], n, first_row[with_rows[n]]},
                              pass == Pass::last ? &errors[c] : nullptr);
     });
     system.errors = {};
@@ -321,10 +348,16 @@ class CaseRegression {
     system.errors.gram = MatrixXd(system.errors.gram.selfadjointView<Eigen::Lower>());
   }
 
+  /// An observation with rows.
+  struct Place {
+    std::size_t observation, number;  ///< among all, and among those with rows
+    Index begin;                      ///< its first row
+  };
+
   // Of the Gram matrix of `errors` the lower half.
-  void assemble_observation(const EquationData& data, Pass pass, std::size_t i, Index begin, MatrixXd* colouring,
-                            ColumnErrors* errors) {
+  void assemble_observation(const EquationData& data, Pass pass, const Place& place, ColumnErrors* errors) {
     WhitenedSystem& system = result_.system;
+    const auto [i, number, begin] = place;
     EquationData::Rows rows = data.rows(i, result_.columns, at_, reference_);
     const Index count = rows.response.size();
     // From the adjusted values back to the measured ones, along the tangent.
@@ -359,9 +392,15 @@ class CaseRegression {
     MatrixXd factor = weight * MatrixXd::Identity(count, count);
     cholesky.matrixL().solveInPlace(factor);
     factor *= inverse_sd.cwiseQuotient(scale).asDiagonal();
-    *colouring = (scale / weight).asDiagonal() * MatrixXd(cholesky.matrixL());
+    system.colouring[number] = (scale / weight).asDiagonal() * MatrixXd(cholesky.matrixL());
     multiply_lower(factor, rows.design, system.design.middleRows(begin, count));
     system.response.segment(begin, count) = factor.triangularView<Eigen::Lower>() * rows.response;
+    if (set_.phase_unknown) {
+      VectorXd& direction = system.by_phase[number];
+      direction = (factor.triangularView<Eigen::Lower>() * rows.phase).stableNormalized();
+      take_out(direction, system.design.middleRows(begin, count));
+      take_out(direction, system.response.segment(begin, count));
+    }
     if (!errors) return;
     const std::vector<EquationData::ColumnError> changes = data.column_errors(i, result_.columns);
     const auto size = count * static_cast<Index>(changes.size());
@@ -373,6 +412,10 @@ class CaseRegression {
       // Left minus right side changes by dy - dX b.
       response.segment(at, count) = factor.triangularView<Eigen::Lower>() *
                                     VectorXd(rows.variants.col(change.quantity) + change.design * values_);
+      if (set_.phase_unknown) {
+        take_out(system.by_phase[number], whitened.middleRows(at, count));
+        take_out(system.by_phase[number], response.segment(at, count));
+      }
       at += count;
     }
     errors->gram.selfadjointView<Eigen::Lower>().rankUpdate(whitened.transpose());

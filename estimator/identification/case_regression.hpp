@@ -47,6 +47,9 @@ struct WhitenedSystem {
   /// By observation with rows, in their order, lower triangular: whitened rows back to equations in units of their
   /// own noise.
   std::vector<Eigen::MatrixXd> colouring;
+  /// By observation with rows, where the excitations' phase is unknown (else empty): the direction of whitened rows
+  /// along which it moves them, of length 1. Rows and columns have no part along it.
+  std::vector<Eigen::VectorXd> by_phase;
   ColumnErrors errors;  ///< of whitened columns
 };
 

@@ -18,6 +18,9 @@ namespace {
 // Change of natural frequencies, relative, that columns do not notice.
 constexpr double same_frequency = 1e-11;
 
+// Radians that excitations are put ahead by to see what that does: columns are low powers of exp(i*phase).
+constexpr double phase_step = 1e-5;
+
 // Error of `step` along a measured complex number or across it: steps in the frame of the motion are the same at
 // every instant, also where they are not small.
 Complex step_from(Complex value, double step, bool across) {
@@ -34,6 +37,10 @@ Complex motion_frame(const RegressorBlock& block, const Observation& o) {
   for (std::size_t i = 0; i < block.phase.size(); ++i)
     if (block.phase[i] != 0) angle += block.phase[i] * std::arg(i < modes ? o.amplitude[i] : o.forcing[i - modes]);
   return std::polar(1.0, -angle);
+}
+
+Complex put_ahead(const Observation& o, std::size_t excitation, double angle) {
+  return std::polar(1.0, angle * o.excitation_frequency[excitation] / o.excitation_frequency.front());
 }
 
 EquationData::EquationData(const ObservationSet& set, const std::vector<std::size_t>& blocks, Errors errors)
@@ -59,6 +66,7 @@ EquationData::EquationData(const ObservationSet& set, const std::vector<std::siz
       add(Kind::excitation_frequency, j, false, true);
     }
   }
+  if (set.phase_unknown) phase_variant_ = static_cast<int>(copies_++);
   frame_.reserve(set.observations.size() * blocks.size());
   for (const Observation& o : set.observations) {
     for (const std::size_t b : blocks) frame_.push_back(motion_frame(case_.blocks[b], o));
@@ -145,6 +153,10 @@ void EquationData::evaluate(const std::vector<double>& natural_frequency) {
       if (quantity.kind == Kind::excitation_frequency) frequency[k][at] += step.imag();
     }
   }
+  for (std::size_t j = 0; j < excitations && phase_variant_ > 0; ++j)
+    for (std::size_t i = 0; i < count; ++i)
+      forcing[j][static_cast<std::size_t>(phase_variant_) * count + i] *=
+          put_ahead(set_.observations[i], j, phase_step);
   std::vector<const Complex*> amplitude_rows, forcing_rows;
   std::vector<const double*> frequency_rows;
   for (const auto& row : amplitude) amplitude_rows.push_back(row.data());
@@ -192,6 +204,7 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
   result.response.resize(size);
   result.variants = MatrixXd::Zero(size, static_cast<Index>(quantities));
   result.own_variance.resize(size);
+  if (phase_variant_ > 0) result.phase.resize(size);
   result.block.reserve(static_cast<std::size_t>(size));
   result.part.reserve(static_cast<std::size_t>(size));
   Index r = 0;
@@ -206,6 +219,14 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
       value *= frame;
       matrix(r, column) = value.real();
       if (!zero) matrix(r + 1, column) = value.imag();
+    };
+    // By the right side: sum of lumps times how their columns change in one of the copies.
+    const auto change_in = [&](int copy) {
+      Complex change = 0;
+      for (std::size_t j = 0; j < block.lumps.size(); ++j)
+        change += point.lump[static_cast<std::size_t>(block.lumps[j])] *
+                  (columns_[p][j](copy * count + at) - columns_[p][j](at));
+      return change;
     };
     Complex target = modulation ? rate * a : o.harmonic[b];
     const bool frequency_open = modulation && frequency_column[mode] >= 0;
@@ -249,13 +270,10 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
             break;
         }
       }
-      const Index copy = column_variant_[q];
-      if (copy > 0)
-        for (std::size_t j = 0; j < block.lumps.size(); ++j)
-          change -= point.lump[static_cast<std::size_t>(block.lumps[j])] *
-                    (columns_[p][j](copy * count + at) - columns_[p][j](at));
+      if (column_variant_[q] > 0) change -= change_in(column_variant_[q]);
       put(result.variants, static_cast<Index>(q), change);
     }
+    if (phase_variant_ > 0) put(result.phase, 0, -change_in(phase_variant_) / phase_step);
     // Noise-free data: equal weights relative to the size of the equation.
     const double own = modulation ? 0 : o.harmonic_sd[b] * o.harmonic_sd[b];
     const double floor =

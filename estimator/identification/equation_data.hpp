@@ -17,6 +17,9 @@ namespace secular {
 /// (conservative).
 std::complex<double> motion_frame(const RegressorBlock& block, const Observation& observation);
 
+/// What turns one of an observation's excitations ahead by the time that the first one takes for `angle`.
+std::complex<double> put_ahead(const Observation& observation, std::size_t excitation, double angle);
+
 /// Columns of the generated equations at every observation, and how they change where a measured quantity is off by
 /// one standard deviation.
 class EquationData {
@@ -39,6 +42,9 @@ class EquationData {
     Eigen::VectorXd response;      ///< known lumps subtracted
     Eigen::MatrixXd variants;      ///< rows x varied quantities: change of left minus right side by one sd
     Eigen::VectorXd own_variance;  ///< rows: noise of the row's own measured harmonic, and a floor
+    /// Rows: change of left minus right side by an excitation that is a radian ahead (further ones as much time).
+    /// Empty where the phase is known (ObservationSet::phase_unknown).
+    Eigen::VectorXd phase;
     std::vector<std::size_t> block;
     std::vector<EquationPart> part;
   };
@@ -81,6 +87,7 @@ class EquationData {
   std::vector<std::size_t> blocks_;
   std::vector<Quantity> quantities_;
   std::vector<int> column_variant_;  ///< by quantity: which copy of the columns, 0 where they do not depend on it
+  int phase_variant_ = 0;            ///< the copy with excitations ahead; 0: none
   std::size_t copies_ = 1;
   std::vector<std::complex<double>> frame_;  ///< [observation][block in blocks_]: motion_frame
   /// [observation][quantity]: its standard deviation, and that as the change of what is measured.

@@ -64,6 +64,7 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) 
   if (!fit.set->resonance->excited || fit.fit.coefficients.size() == 0) return result;
   struct Group {
     double weights = 0, sum = 0, squares = 0, count = 0;
+    double by_phase = 0;  // variances of repeats that unknown phases take up
     VectorXd truncation;
   };
   std::map<Equation, std::map<int, Group>> groups;
@@ -83,16 +84,22 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) 
   // equation's own noise and the covariance C of the coefficients (the weights of a block that misfits are lower).
   std::map<Equation, std::map<int, VectorXd>> rows;
   Index begin = 0;
-  for (const MatrixXd& colouring : fit.system.colouring) {
-    const MatrixXd own =
-        colouring.triangularView<Eigen::Lower>() * fit.fit.orthonormal.middleRows(begin, colouring.rows());
+  for (std::size_t n = 0; n < fit.system.colouring.size(); ++n) {
+    const auto colouring = fit.system.colouring[n].triangularView<Eigen::Lower>();
+    const MatrixXd own = colouring * fit.fit.orthonormal.middleRows(begin, colouring.rows());
+    const VectorXd by_phase =
+        fit.system.by_phase.empty() ? VectorXd::Zero(own.rows()) : VectorXd(colouring * fit.system.by_phase[n]);
     for (Index r = 0; r < own.rows(); ++r) {
       const auto at = static_cast<std::size_t>(begin + r);
-      VectorXd& sum = rows[equation_of(fit, begin + r)][fit.system.condition[at]];
+      const Equation equation = equation_of(fit, begin + r);
+      const double weight = fit.weight[fit.system.observation[at]];
+      VectorXd& sum = rows[equation][fit.system.condition[at]];
       if (sum.size() == 0) sum = VectorXd::Zero(own.cols());
-      sum += fit.weight[fit.system.observation[at]] * own.row(r).transpose();
+      sum += weight * own.row(r).transpose();
+      const double scale = std::max(1.0, fit.block_misfit.at(equation.first));
+      groups[equation][fit.system.condition[at]].by_phase += weight * by_phase(r) * by_phase(r) / (scale * scale);
     }
-    begin += colouring.rows();
+    begin += own.rows();
   }
   for (const auto& [equation, conditions] : groups) {
     const double scale = std::max(1.0, fit.block_misfit.at(equation.first));
@@ -110,7 +117,9 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) 
       const double between = group.sum * group.sum / group.weights;
       means += between;
       repeats += std::max(0.0, group.squares - between);
-      repeat_df += group.count - 1;
+      const double phase_share = group.by_phase / group.count;
+      unknowns[equation] += phase_share;
+      repeat_df += (group.count - 1) * (1 - phase_share);
       truncation += group.truncation.squaredNorm() / group.weights;
     }
     test.numerator_df = static_cast<double>(conditions.size()) - unknowns[equation];

@@ -38,6 +38,8 @@ struct ObservationSet {
   const CompiledCase* resonance = nullptr;
   std::vector<Observation> observations;
   std::vector<Observation> at_rest;  ///< ensembles of dwells left out because nothing moves
+  /// The excitations' phases against the responses are unknown, in every ensemble: no equation may rest on them.
+  bool phase_unknown = false;
   /// observations x blocks: what the truncated equations leave (left minus right side) where they should leave
   /// nothing, by motion_frame; taken out of them before they are fitted. Empty: not known.
   Eigen::MatrixXcd truncation;
