@@ -162,7 +162,8 @@ Estimate with_correction_shown(Estimate corrected, const Estimate& raw);
 Estimate with_unsettled_correction(Estimate latest, const Eigen::VectorXd& before, const Eigen::VectorXd& next);
 
 /// An estimate whose parameters do not make the measured motion when put into the full equations, for the reason
-/// `why`: nothing that was estimated can be relied upon, and a warning says so.
+/// `why`: nothing that was estimated can be relied upon, and a warning says so. Values whose error bars do not come
+/// from the scatter between conditions are taken out.
 Estimate with_failed_correction(Estimate raw, const std::string& why);
 
 }  // namespace secular

@@ -7,6 +7,7 @@
 #include "estimator/identification/estimate.hpp"
 #include "estimator/identification/identified_lumps.hpp"
 #include "estimator/identification/short_list.hpp"
+#include "estimator/identification/unsupported_values.hpp"
 #include "measure/observe/common_observations.hpp"
 #include "numerics/confidence.hpp"
 #include "numerics/in_parallel.hpp"
@@ -142,6 +143,7 @@ Estimate with_failed_correction(Estimate raw, const std::string& why) {
   raw.warnings.push_back(
       "the full equations with these numbers do not make the motion that was measured (" + why +
       "): every value is doubtful, and standard deviations do not contain the expansion's truncation");
+  take_out_unsupported(raw, "the full equations with these numbers do not make the measured motion");
   return raw;
 }
 

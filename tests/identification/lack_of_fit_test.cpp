@@ -143,5 +143,17 @@ TEST(FailedCorrection, LeavesNoValueWithoutDoubt) {
   EXPECT_NE(failed.warnings.back().find("grows beyond bounds"), std::string::npos);
 }
 
+// Fewer conditions than error bars by their scatter need: repeats know nothing of what the equations lack.
+TEST(FailedCorrection, LeavesNoNumberOfTooFewConditions) {
+  OneMode truth;
+  truth.conditions = 4;
+  const Estimate raw = estimate(truth.set(1), "kg^(1/2) m", {"m/s^2"}, options_with({{"mu2", 0.0}}));
+  ASSERT_TRUE(value_of(raw, "mu1").value);
+  const Estimate failed = with_failed_correction(raw, "the simulated motion grows beyond bounds");
+  for (const auto* values : {&failed.parameters, &failed.lumps})
+    for (const EstimatedValue& v : *values) EXPECT_EQ(v.value.has_value(), v.fixed) << v.name;
+  EXPECT_NE(failed.warnings.back().find("mu1"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace secular
