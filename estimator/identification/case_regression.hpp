@@ -48,7 +48,7 @@ struct WhitenedSystem {
   /// own noise.
   std::vector<Eigen::MatrixXd> colouring;
   /// By observation with rows, where the excitations' phase is unknown (else empty): the direction of whitened rows
-  /// along which it moves them, of length 1. Rows and columns have no part along it.
+  /// along which it moves them, of length 1. Rows and columns have no part along it (docs/inference.md (16)).
   std::vector<Eigen::VectorXd> by_phase;
   ColumnErrors errors;  ///< of whitened columns
 };
@@ -116,10 +116,11 @@ struct Reweighting {
   unsigned threads = 1;  ///< the result does not depend on it
 };
 
-/// Regression of `blocks` together: iteratively reweighted, every equation by the joint noise of amplitudes,
-/// forces, frequencies, rates and harmonics; an equation that fits worse than its noise explains counts accordingly
-/// less against the others; ensembles of a dwell that stand out from the others of their condition are
-/// down-weighted (weight (c/d)^2 beyond a distance c that one clean campaign in a hundred reaches).
+/// Regression of `blocks` together (docs/inference.md (3) to (6)): iteratively reweighted, every equation by the
+/// joint noise of amplitudes, forces, frequencies, rates and harmonics; an equation that fits worse than its noise
+/// explains counts accordingly less against the others; ensembles of a dwell that stand out from the others of
+/// their condition are down-weighted (weight (c/d)^2 beyond a distance c that one clean campaign in a hundred
+/// reaches).
 CaseFit fit_case(const ObservationSet& set, const std::vector<std::size_t>& blocks, const CaseKnowledge& known,
                  const Reweighting& reweighting = {});
 

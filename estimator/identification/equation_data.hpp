@@ -20,8 +20,8 @@ std::complex<double> motion_frame(const RegressorBlock& block, const Observation
 /// What turns one of an observation's excitations ahead by the time that the first one takes for `angle`.
 std::complex<double> put_ahead(const Observation& observation, std::size_t excitation, double angle);
 
-/// Columns of the generated equations at every observation, and how they change where a measured quantity is off by
-/// one standard deviation.
+/// docs/inference.md (1) to (3): columns of the generated equations at every observation, and how they change where
+/// a measured quantity is off by one standard deviation.
 class EquationData {
  public:
   enum class Errors { of_measurement, none };

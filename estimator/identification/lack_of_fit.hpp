@@ -24,18 +24,18 @@ struct LackOfFit {
   bool significant = false;   ///< with all equations of the case allowed for (Bonferroni, 0.1 %)
 };
 
-/// F test of lack of fit for every equation of a case of dwells (nothing for decays, whose windows are no repeats):
-/// residuals in the frame of the motion, over their measured noise, are split into the conditions' means and the
-/// scatter about them. An equation with fewer means than unknowns is left out. `unknown`: how
-/// far parameters may be along the moves of ObservationSet::truncation_of_moves and then along the directions of
-/// truncation_change, by independent unknowns; empty: one standard deviation each.
+/// docs/inference.md (14). F test of lack of fit for every equation of a case of dwells (nothing for decays, whose
+/// windows are no repeats): residuals in the frame of the motion, over their measured noise, are split into the
+/// conditions' means and the scatter about them. An equation with fewer means than unknowns is left out. `unknown`:
+/// how far parameters may be along the moves of ObservationSet::truncation_of_moves and then along the directions
+/// of truncation_change, by independent unknowns; empty: one standard deviation each.
 std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const Eigen::MatrixXd& unknown);
 
-/// Columns x perturbations: what a misfit as large as the one that is seen, in each equation whose lack of fit is
-/// significant, does to the coefficients where it lies along them. The least-squares residual shows only what no
-/// column can imitate; an effect that the model lacks is as likely to have a part that the columns take up. For a
-/// combination w of coefficients that part moves w'b by |w'M| at most if it is no larger than what is seen. Zero
-/// columns: no misfit.
+/// docs/inference.md (15). Columns x perturbations: what a misfit as large as the one that is seen, in each
+/// equation whose lack of fit is significant, does to the coefficients where it lies along them. The least-squares
+/// residual shows only what no column can imitate; an effect that the model lacks is as likely to have a part that
+/// the columns take up. For a combination w of coefficients that part moves w'b by |w'M| at most if it is no larger
+/// than what is seen. Zero columns: no misfit.
 Eigen::MatrixXd hidden_misfit(const CaseFit& fit, const std::vector<LackOfFit>& tests);
 
 }  // namespace secular

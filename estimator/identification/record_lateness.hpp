@@ -42,10 +42,7 @@ struct UnknownPhases {
 /// each record unknown. Where this explains the misfit (F test of nested models on the records' means, 0.1 %), the
 /// set's excitations are turned by what was found and its phases marked as unknown.
 ///
-/// With q_r(theta, psi_r) the left minus the right sides of record r where its excitation is psi_r ahead, weighted,
-/// sum_r |q_r|^2 has many minima: psi_r is searched on a grid over the whole period and theta, linear, follows, one
-/// after the other from many starts (a common phase, and random ones); Gauss-Newton steps lead from the best of
-/// them to the minimum at the measured noise.
+/// docs/inference.md (16) to (18).
 UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const MeasuredUnits& units,
                                   const EstimateOptions& options, const Estimate& estimate);
 

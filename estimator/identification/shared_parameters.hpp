@@ -71,13 +71,13 @@ struct NullSpacePlace {
   Eigen::VectorXd expected;      ///< where parameters are likeliest
 };
 
-/// Weighted nonlinear least squares of all lumps on the parameters, from `start`; weights are the full inverse
-/// covariances from residuals. What is known of how the truncation's correction depends on the parameters is part
-/// of the fit. Where it depends on the null space, that is an unknown of its own, as expected with standard
-/// deviation one: values + combination*truncation_effect*(null_coordinate - corrected_at) are the lumps of the
-/// parameters. The error bars come from the scatter between conditions (condition_scatter), so that they do not
-/// rest on the weights; `rough_errors`: from what leaving a condition out does to the lumps, carried through the
-/// map, which is wider and quick. `given` parameters stay.
+/// docs/inference.md (7). Weighted nonlinear least squares of all lumps on the parameters, from `start`; weights
+/// are the full inverse covariances from residuals. What is known of how the truncation's correction depends on the
+/// parameters is part of the fit. Where it depends on the null space, that is an unknown of its own, as expected
+/// with standard deviation one: values + combination*truncation_effect*(null_coordinate - corrected_at) are the
+/// lumps of the parameters. The error bars come from the scatter between conditions (condition_scatter), so that
+/// they do not rest on the weights; `rough_errors`: from what leaving a condition out does to the lumps, carried
+/// through the map, which is wider and quick. `given` parameters stay.
 SharedParameters shared_parameters(std::span<const LumpEstimates> cases, const Eigen::VectorXd& start,
                                    const std::vector<bool>& given, const NullSpacePlace& place = {},
                                    bool rough_errors = false);
