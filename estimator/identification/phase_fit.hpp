@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "estimator/identification/phase_problem.hpp"
+
+namespace secular {
+
+/// A minimum of docs/inference.md (17) at the measured noise.
+struct PhaseFit {
+  std::vector<double> ahead;     ///< by record: what the excitation has to be put ahead by
+  double f = 0, p_value = 1;     ///< (18)
+  double misfit = 0, left = 0;   ///< what phases leave, squared, and its degrees of freedom
+  Eigen::VectorXd coefficient;   ///< by column of the regression
+  Eigen::VectorXd contribution;  ///< by column: its size in all rows, in units of their noise
+};
+
+/// The minima that Gauss-Newton steps reach from the `starts` and the measured noise does not tell apart, the
+/// lowest first.
+std::vector<PhaseFit> equal_minima(const PhaseProblem& problem, const std::vector<std::vector<double>>& starts);
+
+/// The observations with phases that are marked as unknown.
+ObservationSet with_phases(const PhaseProblem& problem, const std::vector<double>& ahead);
+
+}  // namespace secular
