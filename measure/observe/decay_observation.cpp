@@ -193,7 +193,8 @@ class DecayObserver {
       const DecayWindow window = windows_.fit(modal.middleRows(first, count), rate, frequency);
       result.push_back({frequency, window.fall});
       if (anything_seen(window.observation)) heard = result.size();
-      if (result.size() >= heard + 2) break;  // one window may be disturbed
+      // One window may be disturbed, and a motion that grows out of the noise is not heard at first.
+      if (heard > 0 && result.size() >= heard + 2) break;
     }
     result.resize(heard);
     return result;

@@ -66,7 +66,9 @@ double decomposed_frequency(const Eigen::Ref<const VectorXd>& samples, double ra
   return best;
 }
 
-std::optional<DecayStart> find_decay_start(const Eigen::Ref<const VectorXd>& samples, double rate) {
+namespace {
+
+std::optional<DecayStart> decay_after_release(const Eigen::Ref<const VectorXd>& samples, double rate) {
   if (samples.size() < 64) return std::nullopt;
   // A first level from the last quarter, where the motion is small; the whole-record mean would be pulled by a
   // hold.
@@ -108,6 +110,16 @@ std::optional<DecayStart> find_decay_start(const Eigen::Ref<const VectorXd>& sam
   const auto start = static_cast<Index>(std::ceil(zeros[first]));
   if (start + window > samples.size()) return std::nullopt;
   return DecayStart{start, decomposed_frequency(samples.segment(start, window), rate, frequency)};
+}
+
+}  // namespace
+
+std::optional<DecayStart> find_decay_start(const Eigen::Ref<const VectorXd>& samples, double rate) {
+  if (const auto released = decay_after_release(samples, rate)) return released;
+  // A motion that grows to its largest excursion is a decay backwards, and free from the record's first sample on.
+  const VectorXd backwards = samples.reverse();
+  const auto grown = decay_after_release(backwards, rate);
+  return grown ? std::optional(DecayStart{0, grown->frequency}) : std::nullopt;
 }
 
 }  // namespace secular

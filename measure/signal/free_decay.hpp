@@ -14,8 +14,10 @@ struct DecayStart {
 /// Finds the beginning of a free decay: whatever the structure did before release (held still, pulled, struck), the
 /// largest excursion comes last before it swings freely. The decay is taken from the first crossing of the rest
 /// position after the signal was last within 1 % of its largest excursion, moved on by half periods while a damped
-/// sine with harmonics leaves clearly more there than later on (a hand that still touches). Nothing if no
-/// oscillation of at least eight half periods follows. samples: one channel; rate in Hz.
+/// sine with harmonics leaves clearly more there than later on (a hand that still touches). Where no
+/// oscillation of at least eight half periods follows the largest excursion, but one leads up to it (a motion that
+/// excites itself, onto its limit cycle), the record is free from its first sample on; nothing if there is neither.
+/// samples: one channel; rate in Hz.
 std::optional<DecayStart> find_decay_start(const Eigen::Ref<const Eigen::VectorXd>& samples, double rate);
 
 /// Dominant frequency (rad/s) near `expected` from a circular-hyperbolic decomposition of the samples, averaged

@@ -28,6 +28,17 @@ TEST(DecayStart, IsFoundWithItsFrequency) {
   EXPECT_NEAR(start->frequency, 2 * std::numbers::pi * 12, 0.02 * 2 * std::numbers::pi * 12);
 }
 
+// A motion that excites itself grows: a decay backwards, from the first sample on.
+TEST(DecayStart, OfAGrowingMotionIsTheRecordsStart) {
+  for (const double noise : {0.0, 1e-3}) {
+    const Eigen::VectorXd growing = decay(noise, 1).reverse();
+    const auto start = find_decay_start(growing, 256);
+    ASSERT_TRUE(start) << noise;
+    EXPECT_EQ(start->sample, 0);
+    EXPECT_NEAR(start->frequency, 2 * std::numbers::pi * 12, 0.02 * 2 * std::numbers::pi * 12);
+  }
+}
+
 // Noise crosses any level at every other sample: no start, and no failure, whatever the draw.
 TEST(DecayStart, OfNoiseIsNoneOrAnywhere) {
   for (unsigned seed = 1; seed <= 40; ++seed)
