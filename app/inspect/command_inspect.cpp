@@ -86,7 +86,8 @@ void print_faults(const std::vector<std::string>& faults) {
 void print_channels(const Campaign& campaign) {
   std::vector<std::vector<std::string>> rows = {{"name", "role", "quantity", "unit"}};
   for (const Channel& channel : campaign.channels)
-    rows.push_back({channel.name, to_string(channel.role), to_string(channel.quantity), channel.unit});
+    rows.push_back({channel.name, to_string(channel.role), to_string(channel.quantity),
+                    channel.unit + (channel.frame == Frame::absolute ? ", absolute" : "")});
   fmt::print("\n{}\n{}", count(campaign.channels.size(), "channel"), aligned(rows, rows.front().size()));
   if (campaign.modal_basis)
     fmt::print("modal basis: {} from {}\n", fmt::join(campaign.modal_basis->modes, ", "),
@@ -246,7 +247,8 @@ Json campaign_json(const std::filesystem::path& folder, const Window& window, co
     root["channels"].push_back({{"name", channel.name},
                                 {"role", to_string(channel.role)},
                                 {"quantity", to_string(channel.quantity)},
-                                {"unit", channel.unit}});
+                                {"unit", channel.unit},
+                                {"frame", channel.frame == Frame::absolute ? "absolute" : "relative"}});
   if (campaign.modal_basis)
     root["modal_basis"] = {{"channels", campaign.modal_basis->channels},
                            {"modes", campaign.modal_basis->modes},
