@@ -10,10 +10,10 @@
 #include "app/diagnose/diagnosis_json.hpp"
 #include "app/diagnose/diagnosis_report.hpp"
 #include "app/diagnose/diagnosis_run.hpp"
-#include "app/shared/band_option.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
 #include "app/shared/left_out.hpp"
+#include "app/shared/record_selection.hpp"
 #include "app/shared/result_files.hpp"
 #include "input/input_error.hpp"
 #include "numerics/hertz.hpp"
@@ -24,7 +24,8 @@ namespace {
 
 struct Options {
   DiagnosisRequest request;
-  std::string folder, band;
+  SelectionOptions selection;
+  std::string folder;
   bool json = false;
 };
 
@@ -95,15 +96,13 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
 }
 
 int run(Options& options, const CLI::App& command) {
-  if (!(options.request.window.from_s < options.request.window.to_s))
-    throw InputError("--from, --to", "", "the window is empty", "--from must be before --to");
+  options.request.window = options.selection.window();
   if (options.request.check_from_s && options.request.check_to_s &&
       !(*options.request.check_from_s < *options.request.check_to_s))
     throw InputError("--check-from, --check-to", "", "the window is empty",
                      "--check-from must be before --check-to");
   if (options.request.fit_check && !options.request.check_from_s && !options.request.check_to_s)
     throw InputError("--fit-check", "", "has no window", "give --check-from and --check-to");
-  if (!options.band.empty()) options.request.band = parse_band(options.band);
   const DiagnosisRun result = run_diagnosis(options.request);
   const std::string json = diagnosis_json(result);
   const std::string html = diagnosis_report(result, command_line_of(command));
@@ -137,17 +136,12 @@ void add_diagnose_command(CLI::App& root, Action& chosen) {
   command->add_option("-o,--output", options->folder, "folder for diagnosis.json and report.html")->required();
   command->add_option("--parameters", request.parameters,
                       "numbers whose gap is diagnosed: an estimate.json or an object of symbol to number");
-  command->add_option("--from", request.window.from_s, "use every record from this time on, s");
-  command->add_option("--to", request.window.to_s, "use every record up to this time, s");
+  options->selection.add_to(*command);
   command->add_option("--check-from", request.check_from_s,
                       "simulate every decay, sweep and broadband record from this time on, s, in one piece");
   command->add_option("--check-to", request.check_to_s, "and up to this time, s");
   command->add_flag("--fit-check", request.fit_check,
                     "simulate them once more with the numbers that fit them best");
-  command->add_option(
-      "--band", options->band,
-      "LOW:HIGH in Hz: free decays are filtered to it, so that modes beyond the model do not count");
-  command->add_option("--records", request.window.records, "use the records whose file matches this pattern");
   command
       ->add_option("--without", request.without,
                    "an effect of the catalogue that is not to be considered; may be given several times")

@@ -6,8 +6,8 @@
 #include "app/shared/model_loading.hpp"
 #include "app/shared/parameter_file.hpp"
 #include "app/shared/record_assignment.hpp"
+#include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
-#include "measure/data/watched_reader.hpp"
 
 namespace secular::app {
 namespace {
@@ -56,7 +56,6 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   options.catalogue = request.catalogue;
   options.window = request.window;
   options.threads = request.threads;
-  options.band = request.band;
   options.left_out.insert(request.without.begin(), request.without.end());
   if (request.check_from_s || request.check_to_s) {
     options.check = request.window;
@@ -71,7 +70,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
       if (options.given.values.emplace(name, value).second) options.given.open.insert(name);
     options.given.sd = std::move(given.sd);
   }
-  WatchedReader reader(run.campaign);
+  SelectedRecords reader(run.campaign, request.window);
   const RecordReader read = [&](std::size_t r) { return reader.read(r); };
   std::vector<double> nominal = source.nominal_frequencies();
   nominal.resize(source.modes());

@@ -18,7 +18,6 @@ struct DiagnosisRequest {
   /// Window in which the explanation is tried on records in one piece; none: no such trial.
   std::optional<double> check_from_s, check_to_s;
   bool fit_check = false;
-  std::optional<Band> band;          ///< free decays pass through it first
   std::vector<std::string> without;  ///< effects that are not to be considered
   EffectCatalogue catalogue = effect_catalogue();
   bool interpret = false;

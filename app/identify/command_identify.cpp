@@ -17,6 +17,7 @@
 #include "app/shared/commands.hpp"
 #include "app/shared/identification.hpp"
 #include "app/shared/left_out.hpp"
+#include "app/shared/record_selection.hpp"
 #include "app/shared/result_files.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
@@ -26,6 +27,7 @@ namespace {
 
 struct Options {
   IdentificationRequest request;
+  SelectionOptions selection;
   std::string folder;
   std::vector<std::string> fixed;
   bool json = false, timings = false;
@@ -129,10 +131,7 @@ void add_identify_command(CLI::App& root, Action& chosen) {
   command->add_option("--seed", options->request.seed, "of the bootstrap");
   command->add_flag("--refine", options->request.refine,
                     "maximum likelihood with errors in amplitudes, phases, forces and frequencies");
-  command->add_option("--from", options->request.window.from_s, "use every record from this time on, s");
-  command->add_option("--to", options->request.window.to_s, "use every record up to this time, s");
-  command->add_option("--records", options->request.window.records,
-                      "use the records whose file matches this pattern");
+  options->selection.add_to(*command);
   command->add_option(
       "--fix", options->fixed,
       "NAME=VALUE: a symbol of the model that is known, in every case. No lump: what its name stands for "
@@ -146,8 +145,7 @@ void add_identify_command(CLI::App& root, Action& chosen) {
   command->callback([options, command, &chosen] {
     chosen = [options, command] {
       parse_fixed(*options);
-      if (options->request.window.from_s >= options->request.window.to_s)
-        throw InputError("--from, --to", "", "the window is empty", "--from must be before --to");
+      options->request.window = options->selection.window();
       const Identification result = identify(options->request);
       const std::string json = estimate_json(result);
       const std::string html = identification_report(result, command_line_of(*command));

@@ -13,9 +13,11 @@
 #include <vector>
 
 #include "app/shared/commands.hpp"
+#include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/data_file.hpp"
+#include "measure/data/file_pattern.hpp"
 #include "measure/data/inspection.hpp"
 
 namespace secular::app {
@@ -84,7 +86,8 @@ void print_faults(const std::vector<std::string>& faults) {
 void print_channels(const Campaign& campaign) {
   std::vector<std::vector<std::string>> rows = {{"name", "role", "quantity", "unit"}};
   for (const Channel& channel : campaign.channels)
-    rows.push_back({channel.name, to_string(channel.role), to_string(channel.quantity), channel.unit});
+    rows.push_back({channel.name, to_string(channel.role), to_string(channel.quantity),
+                    channel.unit + (channel.frame == Frame::absolute ? ", absolute" : "")});
   fmt::print("\n{}\n{}", count(campaign.channels.size(), "channel"), aligned(rows, rows.front().size()));
   if (campaign.modal_basis)
     fmt::print("modal basis: {} from {}\n", fmt::join(campaign.modal_basis->modes, ", "),
@@ -119,9 +122,29 @@ void print_levels(const Campaign& campaign, const std::vector<RecordInspection>&
   if (rows.size() > 1) fmt::print("\nlevels\n{}{}", aligned(rows, 3), level_note);
 }
 
-void print_campaign(const std::filesystem::path& folder, const InspectionLimit& limit) {
-  const Campaign campaign = read_campaign(folder);
-  const std::vector<RecordInspection> records = inspect_records(campaign, limit);
+// A campaign with the records that are asked for, and what is in them.
+struct InspectedCampaign {
+  Campaign campaign;
+  std::vector<RecordInspection> records;
+};
+
+InspectedCampaign inspected(const std::filesystem::path& folder, const Window& window,
+                            const InspectionLimit& limit) {
+  InspectedCampaign result{read_campaign(folder), {}};
+  require_match(result.campaign, window);
+  std::erase_if(result.campaign.records,
+                [&](const RecordEntry& entry) { return !matches_pattern(window.records, entry.file); });
+  result.records = inspect_records(result.campaign, limit);
+  const bool none = std::none_of(result.records.begin(), result.records.end(),
+                                 [](const RecordInspection& record) { return record.judged > 0 || !record.axis; });
+  if (none && !limit.span.all())
+    throw InputError((folder / "campaign.toml").string(), "", "no record has a sample between --from and --to",
+                     "secular inspect without them says from when to when records go");
+  return result;
+}
+
+void print_campaign(const std::filesystem::path& folder, const Window& window, const InspectionLimit& limit) {
+  const auto [campaign, records] = inspected(folder, window, limit);
   fmt::print("campaign '{}' in {}\nsample rate {} Hz\n", campaign.name, folder.string(), campaign.sample_rate_hz);
   print_channels(campaign);
   print_records(campaign, records);
@@ -216,16 +239,16 @@ void put_axis(Json& object, const std::optional<TimeAxis>& axis, std::size_t sam
   object["duration_s"] = axis ? Json(duration_s(*axis, samples)) : Json(nullptr);
 }
 
-Json campaign_json(const std::filesystem::path& folder, const InspectionLimit& limit) {
-  const Campaign campaign = read_campaign(folder);
-  const std::vector<RecordInspection> records = inspect_records(campaign, limit);
+Json campaign_json(const std::filesystem::path& folder, const Window& window, const InspectionLimit& limit) {
+  const auto [campaign, records] = inspected(folder, window, limit);
   Json root = {{"campaign", folder.string()}, {"name", campaign.name}, {"sample_rate_hz", campaign.sample_rate_hz}};
   root["channels"] = Json::array();
   for (const Channel& channel : campaign.channels)
     root["channels"].push_back({{"name", channel.name},
                                 {"role", to_string(channel.role)},
                                 {"quantity", to_string(channel.quantity)},
-                                {"unit", channel.unit}});
+                                {"unit", channel.unit},
+                                {"frame", channel.frame == Frame::absolute ? "absolute" : "relative"}});
   if (campaign.modal_basis)
     root["modal_basis"] = {{"channels", campaign.modal_basis->channels},
                            {"modes", campaign.modal_basis->modes},
@@ -292,6 +315,7 @@ Json file_json(const std::filesystem::path& path, const InspectionLimit& limit) 
 void add_inspect_command(CLI::App& root, Action& chosen) {
   struct Options {
     std::string path;
+    SelectionOptions selection;
     bool json = false, whole = false;
   };
   auto options = std::make_shared<Options>();
@@ -299,6 +323,7 @@ void add_inspect_command(CLI::App& root, Action& chosen) {
       "inspect", "What a campaign or file holds: channels, units, records, levels, noise, faults found");
   command->add_option("CAMPAIGN_OR_FILE", options->path, "campaign folder, or CSV, MAT, HDF5, UFF 58 or WAV file")
       ->required();
+  options->selection.add_to(*command, {.band = false});
   command->add_flag("--whole", options->whole, "read everything, also where data are larger than 64 MB");
   command->add_flag("--json", options->json, "the same as JSON");
   command->footer(
@@ -308,6 +333,7 @@ void add_inspect_command(CLI::App& root, Action& chosen) {
       "Example: secular inspect out/test");
   command->callback([options, &chosen] {
     chosen = [options] {
+      const Window window = options->selection.window();
       std::error_code ignored;
       std::filesystem::path path = options->path;
       if (path.filename() == "campaign.toml") path = path.has_parent_path() ? path.parent_path() : ".";
@@ -315,13 +341,15 @@ void add_inspect_command(CLI::App& root, Action& chosen) {
         throw InputError(options->path, "", "does not exist",
                          fmt::format("a campaign folder or a {} file was expected", data_formats));
       const bool folder = std::filesystem::is_directory(path, ignored);
+      if (!folder) options->selection.require_any_record(options->path);
       InspectionLimit limit;
+      limit.span = options->selection.span();
       if (options->whole) limit.whole_bytes = std::numeric_limits<std::size_t>::max();
       if (options->json)
-        fmt::print("{}\n", (folder ? campaign_json(path, limit) : file_json(path, limit))
+        fmt::print("{}\n", (folder ? campaign_json(path, window, limit) : file_json(path, limit))
                                .dump(2, ' ', false, Json::error_handler_t::replace));
       else if (folder)
-        print_campaign(path, limit);
+        print_campaign(path, window, limit);
       else
         print_file(path, limit);
       return 0;

@@ -9,9 +9,9 @@
 
 #include "app/modal/modal_json.hpp"
 #include "app/modal/modal_report.hpp"
-#include "app/shared/band_option.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/record_selection.hpp"
 #include "app/shared/result_files.hpp"
 #include "input/input_error.hpp"
 #include "measure/modal/modal_survey.hpp"
@@ -23,7 +23,8 @@ namespace {
 
 struct Options {
   ModalSurveyOptions survey;
-  std::string campaign, folder, band, basis;
+  std::string campaign, folder, basis;
+  SelectionOptions selection;
   std::vector<std::string> driving_points;
   double response_decay = 0;
   bool json = false;
@@ -43,8 +44,6 @@ void parse_driving_points(Options& options) {
 
 void check(const Options& options) {
   const ModalSurveyOptions& survey = options.survey;
-  if (!(survey.from_s < survey.to_s))
-    throw InputError("--from, --to", "", "the window is empty", "--from must be before --to");
   const auto not_negative = [](double value, const char* name) {
     if (!(value >= 0) || !std::isfinite(value)) throw InputError(name, "", "is not a positive number");
   };
@@ -79,11 +78,15 @@ void print_summary(const ModalSurvey& survey, const Options& options) {
 }
 
 int run(Options& options, const CLI::App& command) {
-  if (!options.band.empty()) {
-    const Band band = parse_band(options.band);
-    options.survey.lowest_hz = band.low_hz;
-    options.survey.highest_hz = band.high_hz;
-  }
+  const Window window = options.selection.window();
+  const Campaign campaign = read_campaign(options.campaign);
+  require_match(campaign, window);
+  require_sampled(window, campaign.sample_rate_hz);
+  options.survey.records = window.records;
+  options.survey.span = options.selection.span();
+  const Band band = window.band.value_or(Band{});
+  options.survey.lowest_hz = band.low_hz;
+  options.survey.highest_hz = band.high_hz;
   parse_driving_points(options);
   check(options);
   if (command.count("--exponential-window")) options.survey.response_decay = options.response_decay;
@@ -110,8 +113,6 @@ void add_modal_command(CLI::App& root, Action& chosen) {
       root.add_subcommand("modal", "Natural frequencies, damping and mode shapes from impacts or free decays");
   command->add_option("CAMPAIGN", options->campaign, "campaign folder")->required();
   command->add_option("-o,--output", options->folder, "folder for modal.json and report.html")->required();
-  command->add_option("--band", options->band,
-                      "LOW:HIGH in Hz: where modes are looked for; records are filtered down to it");
   command->add_option("--order", survey.largest_order, "largest model order of the stabilisation diagram")
       ->check(CLI::Range(4, 400));
   command->add_option("--modes", survey.modes, "keep this many modes, the strongest")->check(CLI::Range(1, 200));
@@ -133,9 +134,7 @@ void add_modal_command(CLI::App& root, Action& chosen) {
       ->expected(1, 200);
   command->add_option("--basis", options->basis,
                       "also write the [modal_basis] table for campaign.toml to this file");
-  command->add_option("--from", survey.from_s, "use every record from this time on, s");
-  command->add_option("--to", survey.to_s, "use every record up to this time, s");
-  command->add_option("--records", survey.records, "use the records whose file matches this pattern");
+  options->selection.add_to(*command);
   command->add_flag("--json", options->json, "print modal.json instead of the summary");
   command->footer(
       "Records of kind impact with a force channel give frequency responses (H1), modal masses and mass-normalised "

@@ -10,6 +10,7 @@
 #include "app/plan/planning.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/record_selection.hpp"
 #include "app/shared/result_files.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
@@ -19,6 +20,7 @@ namespace {
 
 struct Options {
   PlanRequest request;
+  SelectionOptions selection;
   std::string frequency, amplitude, criterion = "D", folder;
   bool json = false;
 };
@@ -72,7 +74,9 @@ void declare_options(CLI::App* command, Options* options) {
       ->add_option("--budget-s", request.budget_s,
                    "laboratory time, s; without it what --against needs to be reached")
       ->check(CLI::PositiveNumber);
-  command->add_option("--against", request.against, "experiment or campaign in use, to compare with");
+  CLI::Option* against =
+      command->add_option("--against", request.against, "experiment or campaign in use, to compare with");
+  options->selection.add_to(*command, {.band = false, .span = false}, against);
   command
       ->add_option("--noise", request.noise,
                    "sd of a sample of the modal acceleration; --against EXPERIMENT has its own")
@@ -117,6 +121,7 @@ int run(Options& options, const CLI::App& command) {
       {"D", DesignCriterion::d}, {"A", DesignCriterion::a}, {"c", DesignCriterion::c}};
   PlanRequest& asked = options.request;
   asked.criterion = criteria.at(options.criterion);
+  asked.against_records = options.selection.window();
   std::tie(asked.lowest_hz, asked.highest_hz) = range_of(options.frequency, "--range-frequency");
   std::tie(asked.lowest_amplitude, asked.highest_amplitude) = range_of(options.amplitude, "--range-amplitude");
   const PlanResult plan = plan_test(asked);

@@ -13,6 +13,7 @@
 
 #include "app/shared/model_loading.hpp"
 #include "app/shared/parameter_file.hpp"
+#include "app/shared/record_selection.hpp"
 #include "app/shared/shipped_models.hpp"
 #include "estimator/identification/unit_text.hpp"
 #include "input/input_error.hpp"
@@ -97,6 +98,9 @@ class Planner {
     noise.ensemble_s = request_.ensemble_s;
     noise.repeatability = request_.repeatability;
     if (request_.against.empty() || !against_is_experiment()) return;
+    if (request_.against_records.records != Window{}.records)
+      throw InputError("--records " + request_.against_records.records, "",
+                       request_.against + " is an experiment, which has no records", "--against a campaign folder");
     result_.sensors = read_experiment(resolve_model(request_.against), *result_.model);
     const Experiment& experiment = *result_.sensors;
     Campaign campaign;
@@ -270,15 +274,18 @@ class Planner {
             add_dwell(programme, hz, amplitude, dwells.ensembles, dwells.settle_s);
     } else {
       const Campaign campaign = read_campaign(request_.against);
+      require_match(campaign, request_.against_records);
       double end = 0;
-      for (const RecordEntry& entry : campaign.records) {
+      for (std::size_t r = 0; r < campaign.records.size(); ++r) {
+        const RecordEntry& entry = campaign.records[r];
         if (entry.kind != RecordKind::dwell || !entry.excitation_frequency_hz || !entry.excitation_amplitude)
           continue;
         const Record record = read_record(campaign, entry);
         const double duration = static_cast<double>(record.samples()) / campaign.sample_rate_hz;
         const int ensembles = std::max(1, static_cast<int>(duration / entry.ensemble_s.value_or(duration)));
         const double settle = entry.started_s ? std::max(0.0, *entry.started_s - end) : -1;
-        add_dwell(programme, *entry.excitation_frequency_hz, *entry.excitation_amplitude, ensembles, settle);
+        if (request_.against_records.takes(r, entry.file))
+          add_dwell(programme, *entry.excitation_frequency_hz, *entry.excitation_amplitude, ensembles, settle);
         end = entry.started_s.value_or(end) + duration;
       }
     }

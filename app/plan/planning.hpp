@@ -8,6 +8,7 @@
 #include "estimator/planning/dwell_information.hpp"
 #include "estimator/planning/exchange.hpp"
 #include "estimator/planning/response_candidates.hpp"
+#include "measure/observe/observation_set.hpp"
 #include "motion/simulate/experiment.hpp"
 
 namespace secular::app {
@@ -26,6 +27,7 @@ struct PlanRequest {
   std::optional<double> budget_s;
   std::optional<int> least;  ///< dwells; without it as many as error bars from the scatter between dwells need
   std::string against;       ///< experiment or campaign
+  Window against_records;    ///< of a campaign
 };
 
 /// A dwell of a plan or of a programme in use.

@@ -17,6 +17,7 @@
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
 #include "app/shared/progress_line.hpp"
+#include "app/shared/record_selection.hpp"
 #include "app/shared/result_files.hpp"
 #include "input/input_error.hpp"
 #include "numerics/hertz.hpp"
@@ -27,6 +28,7 @@ namespace {
 
 struct Options {
   PredictionRequest request;
+  SelectionOptions selection;
   std::string folder;
   std::vector<std::string> vary, against, at, sweeps;
   bool json = false;
@@ -47,6 +49,7 @@ std::optional<VariedParameter> varied(const std::vector<std::string>& texts, con
 
 void parse(Options& options) {
   PredictionRequest& request = options.request;
+  request.window = options.selection.window();
   request.vary = varied(options.vary, "--vary");
   request.against = varied(options.against, "--against");
   for (const std::string& text : options.at) {
@@ -149,8 +152,9 @@ void add_predict_command(CLI::App& root, Action& chosen) {
   command->add_option("--sweep-steps", request.sweep_steps, "dwells of a simulated sweep")
       ->check(CLI::Range(2, 100000))
       ->capture_default_str();
-  command->add_option("--measured", request.measured,
-                      "campaign whose dwells at this excitation are drawn on the response");
+  CLI::Option* measured = command->add_option("--measured", request.measured,
+                                              "campaign whose dwells at this excitation are drawn on the response");
+  options->selection.add_to(*command, {}, measured);
   command
       ->add_option("-o,--output", options->folder,
                    "folder for prediction.json, prediction.csv, report.html and the figures as SVG")

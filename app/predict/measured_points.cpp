@@ -7,8 +7,8 @@
 #include <iterator>
 #include <map>
 
+#include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
-#include "measure/data/watched_reader.hpp"
 #include "measure/observe/observation_set.hpp"
 
 namespace secular::app {
@@ -29,7 +29,7 @@ void add(std::vector<double>& sums, const std::vector<double>& values) {
 
 }  // namespace
 
-std::vector<MeasuredPoint> measured_points(const std::string& campaign_folder, const Prediction& prediction,
+std::vector<MeasuredPoint> measured_points(const PredictionRequest& request, const Prediction& prediction,
                                            std::vector<std::string>& warnings) {
   const CompiledModel& model = *prediction.model;
   const auto excitation_named = [&](std::span<const std::string_view> names) {
@@ -39,12 +39,13 @@ std::vector<MeasuredPoint> measured_points(const std::string& campaign_folder, c
   const std::size_t by_frequency = excitation_named(model.excitation_frequencies),
                     by_amplitude = excitation_named(model.excitations);
   if (by_frequency == count && by_amplitude == count)
-    throw InputError("--measured " + campaign_folder, "", "'" + prediction.vary->name + "' is not what dwells vary",
+    throw InputError("--measured " + request.measured, "",
+                     "'" + prediction.vary->name + "' is not what dwells vary",
                      "measured dwells are drawn over an excitation frequency or amplitude");
-  const Campaign campaign = read_campaign(campaign_folder);
-  WatchedReader reader(campaign);
+  const Campaign campaign = read_campaign(request.measured);
+  SelectedRecords reader(campaign, request.window);
   const ObservationSet set = observe_dwells(
-      campaign, [&](std::size_t r) { return reader.read(r); }, model, *prediction.resonance, Window{});
+      campaign, [&](std::size_t r) { return reader.read(r); }, model, *prediction.resonance, request.window);
   for (std::string& warning : reader.warnings()) warnings.push_back(std::move(warning));
   // Dwells at rest are points too, on the axis: they are not left out here.
   const auto drawn = [&](const std::string& warning) {
@@ -99,12 +100,12 @@ std::vector<MeasuredPoint> measured_points(const std::string& campaign_folder, c
   }
   if (points.empty())
     throw InputError(
-        "--measured " + campaign_folder, "",
+        "--measured " + request.measured, "",
         fmt::format("none of its {} dwells was made at the excitation of this prediction", dwells.size()),
         "give their excitation with --at: amplitudes agree within 5 %, frequencies within 0.05 %");
   if (points.size() < dwells.size())
     warnings.push_back(fmt::format("{} of {} dwells of {} were made at another excitation and are not drawn",
-                                   dwells.size() - points.size(), dwells.size(), campaign_folder));
+                                   dwells.size() - points.size(), dwells.size(), request.measured));
   std::stable_sort(points.begin(), points.end(),
                    [](const MeasuredPoint& a, const MeasuredPoint& b) { return a.parameter < b.parameter; });
   return points;

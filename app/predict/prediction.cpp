@@ -204,8 +204,7 @@ class Predictor {
     result_.diagram = response_diagram(field, response);
     if (result_.diagram.status != DiagramStatus::complete)
       result_.warnings.push_back("some responses may be missing: " + result_.diagram.reason);
-    if (!request_.measured.empty())
-      result_.measured = measured_points(request_.measured, result_, result_.warnings);
+    if (!request_.measured.empty()) result_.measured = measured_points(request_, result_, result_.warnings);
     std::vector<std::string> directions;
     if (request_.sweep_up) directions.emplace_back("up");
     if (request_.sweep_down) directions.emplace_back("down");

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/observe/observation_set.hpp"
 #include "motion/response/response_curve.hpp"
 #include "motion/simulate/stepped_sweep.hpp"
 
@@ -28,6 +29,7 @@ struct PredictionRequest {
   bool sweep_up = false, sweep_down = false;
   int sweep_steps = 60;
   std::string measured;  ///< campaign whose dwells are drawn on the response, or empty
+  Window window;         ///< of its records
   unsigned threads = 1;
 };
 

@@ -10,6 +10,7 @@
 #include "app/procedure/thesis_procedures.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/record_selection.hpp"
 #include "app/shared/result_files.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
@@ -20,7 +21,7 @@ namespace {
 struct Options {
   ProcedureRequest request;
   std::vector<std::string> terms;
-  std::optional<double> from, to;
+  SelectionOptions selection;
   std::string folder;
   bool json = false;
 };
@@ -80,9 +81,7 @@ void add_procedure_command(CLI::App& root, Action& chosen) {
   command->add_option("--without", request.left_out, "lumps that the analysis of variance leaves out of the model")
       ->delimiter(',');
   command->add_option("--true", request.truth, "parameters a simulated campaign was made with: experiment or JSON");
-  command->add_option("--records", request.window.records, "shell pattern on the records' files");
-  command->add_option("--from", options->from, "use every record from this time on, s");
-  command->add_option("--to", options->to, "use every record up to this time, s");
+  options->selection.add_to(*command);
   command->add_option("-o,--output", options->folder, "folder for procedures.json and report.html")->required();
   command->add_flag("--interpret", request.interpret, "no compiled code of the model: slower, same results");
   command->add_flag("!--no-bias", request.bias,
@@ -96,8 +95,7 @@ void add_procedure_command(CLI::App& root, Action& chosen) {
   command->callback([options, command, &chosen] {
     chosen = [options, command] {
       ProcedureRequest& asked = options->request;
-      if (options->from) asked.window.from_s = *options->from;
-      if (options->to) asked.window.to_s = *options->to;
+      asked.window = options->selection.window();
       for (const std::string& text : options->terms) {
         std::vector<std::string> names;
         std::istringstream stream(text);

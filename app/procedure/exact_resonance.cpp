@@ -36,7 +36,7 @@ double exact_resonance(const ProcedureData& test, int modes_in_sum) {
   for (std::size_t r = 0; r < test.run.campaign.records.size(); ++r) {
     const RecordEntry& entry = test.run.campaign.records[r];
     if (entry.kind == RecordKind::dwell && entry.excitation_frequency_hz &&
-        matches_pattern(test.request.window.records, entry.file))
+        test.request.window.takes(r, entry.file))
       groups[entry.group].push_back(r);
   }
   std::optional<Onset> forward, reverse;

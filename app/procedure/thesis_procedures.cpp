@@ -16,9 +16,9 @@
 #include "app/procedure/variance.hpp"
 #include "app/shared/identification.hpp"
 #include "app/shared/model_loading.hpp"
+#include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
-#include "measure/data/watched_reader.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "thesis/procedures/combination_dwells.hpp"
 #include "thesis/procedures/engine_lumps.hpp"
@@ -118,7 +118,7 @@ void find_bias(const ProcedureRequest& request, const RecordReader& read, Proced
 
 ProcedureRun run_procedures(const ProcedureRequest& request) {
   const Campaign campaign = read_campaign(request.campaign);
-  WatchedReader reader(campaign);
+  SelectedRecords reader(campaign, request.window);
   ProcedureRun run = run_procedures(request, campaign, [&](std::size_t r) { return reader.read(r); });
   for (std::string& warning : reader.warnings()) run.warnings.push_back(std::move(warning));
   return run;

@@ -10,9 +10,9 @@
 
 #include "app/shared/model_loading.hpp"
 #include "app/shared/record_assignment.hpp"
+#include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
-#include "measure/data/watched_reader.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "measure/observe/steady_amplitude.hpp"
 #include "motion/correction/replay.hpp"
@@ -89,7 +89,7 @@ Estimate first_estimate(const Identification& id, const MeasuredUnits& units, co
 
 Identification identify(const IdentificationRequest& request) {
   const Campaign campaign = read_campaign(request.campaign);
-  WatchedReader reader(campaign);
+  SelectedRecords reader(campaign, request.window);
   Identification result = identify(request, campaign, [&](std::size_t r) { return reader.read(r); });
   for (std::string& warning : reader.warnings()) result.estimate.warnings.push_back(std::move(warning));
   return result;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -15,13 +14,15 @@
 
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/record_selection.hpp"
 #include "app/shared/result_files.hpp"
 #include "app/spectrum/spectrum_report.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/data_file.hpp"
-#include "measure/data/watched_reader.hpp"
+#include "measure/data/time_span.hpp"
 #include "measure/observe/observation_set.hpp"
+#include "measure/signal/band_pass.hpp"
 #include "measure/signal/modal_filter.hpp"
 
 namespace secular::app {
@@ -32,10 +33,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 struct Options {
-  std::string source, folder, record = "*", time;
+  std::string source, folder, time;
+  SelectionOptions selection;
+  Window window;
   std::vector<std::string> channels;
   double sample_rate_hz = 0;
-  double from_s = -std::numeric_limits<double>::infinity(), to_s = std::numeric_limits<double>::infinity();
   SpectralOptions spectral;
   bool json = false;
 };
@@ -53,16 +55,17 @@ struct Columns {
 
 Columns columns_of_campaign(const Options& options) {
   const Campaign campaign = read_campaign(options.source);
-  const auto entry = std::find_if(campaign.records.begin(), campaign.records.end(),
-                                  [&](const RecordEntry& e) { return matches_pattern(options.record, e.file); });
-  if (entry == campaign.records.end())
-    throw InputError((campaign.folder / "campaign.toml").string(), "",
-                     "no record matches --record " + options.record, "a shell pattern on the files of [[record]]");
-  WatchedReader reader(campaign);
-  Record record = reader.read(static_cast<std::size_t>(entry - campaign.records.begin()));
+  SelectedRecords reader(campaign, options.window);
+  std::vector<std::size_t> chosen;
+  for (std::size_t r = 0; r < campaign.records.size(); ++r)
+    if (options.window.takes(r, campaign.records[r].file)) chosen.push_back(r);
+  const std::string& file = campaign.records[chosen.front()].file;
+  if (chosen.size() > 1)
+    fmt::print(stderr, "{} is analysed, the first of {} records; --records chooses another\n", file, chosen.size());
+  Record record = reader.read(chosen.front());
   for (const std::string& warning : reader.warnings()) fmt::print(stderr, "warning: {}\n", warning);
   Columns columns;
-  columns.source = fmt::format("campaign {}, record {}", campaign.name, entry->file);
+  columns.source = fmt::format("campaign {}, record {}", campaign.name, file);
   columns.start_s = record.start_s;
   columns.sample_rate_hz = record.sample_rate_hz;
   for (const Channel& channel : campaign.channels) {
@@ -81,6 +84,19 @@ Columns columns_of_campaign(const Options& options) {
         columns.shapes(r, m) = shapes[static_cast<std::size_t>(r)][static_cast<std::size_t>(m)];
   }
   return columns;
+}
+
+// What --band leaves of a file's columns.
+void filter(Columns& columns, const Window& window) {
+  if (!window.band) return;
+  require_sampled(window, columns.sample_rate_hz);
+  for (std::vector<double>& values : columns.values) {
+    const MatrixXd passed = band_pass(Eigen::VectorXd::Map(values.data(), static_cast<Index>(values.size())),
+                                      columns.sample_rate_hz, *window.band);
+    values.assign(passed.data(), passed.data() + passed.size());
+  }
+  columns.start_s +=
+      static_cast<double>(band_pass_reach(*window.band, columns.sample_rate_hz)) / columns.sample_rate_hz;
 }
 
 Columns columns_of_file(const Options& options) {
@@ -110,6 +126,7 @@ Columns columns_of_file(const Options& options) {
     columns.excitation.push_back(false);
     columns.values.push_back(std::move(variable.values));
   }
+  filter(columns, options.window);
   return columns;
 }
 
@@ -140,17 +157,17 @@ RecordSpectrum analysed(const Options& options, const Columns& columns) {
                        fmt::format("has {} samples, {} has {}", columns.values[c].size(),
                                    columns.names[chosen.front()], samples),
                        "choose channels of one length with --channel");
-  const auto index_of = [&](double time) {
-    const double i = std::ceil((time - columns.start_s) * columns.sample_rate_hz - 1e-6);
-    return static_cast<Index>(std::clamp(i, 0.0, static_cast<double>(samples)));
-  };
-  const Index first = index_of(options.from_s), count = index_of(options.to_s) - first;
+  const SpanOfSamples span = samples_within({options.window.from_s, options.window.to_s}, columns.start_s,
+                                            columns.sample_rate_hz, samples);
+  const auto first = static_cast<Index>(span.first), count = static_cast<Index>(span.count);
   const auto part = [&](std::size_t c) {
     return Eigen::Map<const Eigen::VectorXd>(columns.values[c].data(), static_cast<Index>(samples))
         .segment(first, count);
   };
   if (count < 16)
-    throw InputError(options.source, "", fmt::format("has {} samples between --from and --to", count),
+    throw InputError(options.source, "",
+                     fmt::format("has {} samples left of {:.6g} s to {:.6g} s", count, columns.start_s,
+                                 columns.start_s + static_cast<double>(samples) / columns.sample_rate_hz),
                      "a spectrum needs 16 or more");
   RecordSpectrum record;
   record.source = columns.source;
@@ -290,14 +307,14 @@ void print_table(const RecordSpectrum& record) {
     fmt::print("*: hyperbolic (a rate over 2 pi), or a product (frequency, and rate of growth or decay)\n");
 }
 
-int run(const Options& options, const CLI::App& command) {
-  if (!(options.from_s < options.to_s))
-    throw InputError("--from, --to", "", "the window is empty", "--from must be before --to");
+int run(Options& options, const CLI::App& command) {
+  options.window = options.selection.window();
   std::error_code ignored;
   if (!fs::exists(options.source, ignored))
     throw InputError(options.source, "", "does not exist",
                      fmt::format("a campaign folder or a {} file was expected", data_formats));
   const std::string line = command_line_of(command);
+  if (!fs::is_directory(options.source, ignored)) options.selection.require_any_record(options.source);
   if (!fs::is_directory(options.source, ignored) && options.time.empty() && options.sample_rate_hz == 0) {
     const std::vector<DataVariable> variables = describe_data_file(options.source);
     const bool frequencies = std::any_of(variables.begin(), variables.end(), [](const DataVariable& v) {
@@ -342,7 +359,7 @@ void add_spectrum_command(CLI::App& root, Action& chosen) {
   command->add_option("CAMPAIGN_OR_FILE", options->source, "campaign folder, or CSV, MAT, HDF5, UFF 58 or WAV file")
       ->required();
   command->add_option("-o,--output", options->folder, "folder for spectrum.json and report.html")->required();
-  command->add_option("--record", options->record, "the first record whose file matches this pattern");
+  options->selection.add_to(*command);
   command->add_option("--channel", options->channels, "analyse these channels (default: every response)")
       ->expected(1)
       ->take_all();
@@ -359,8 +376,6 @@ void add_spectrum_command(CLI::App& root, Action& chosen) {
   command->add_option("--time", options->time, "file: the variable that holds the time in seconds");
   command->add_option("--sample-rate", options->sample_rate_hz, "file: samples a second, where none holds time")
       ->check(CLI::PositiveNumber);
-  command->add_option("--from", options->from_s, "use the record from this time on, s");
-  command->add_option("--to", options->to_s, "use the record up to this time, s");
   command->add_flag("--json", options->json, "print spectrum.json instead of the summary");
   command->footer(
       "Circular-hyperbolic decomposition by four methods, over ensembles where --ensemble is given; singular "
@@ -368,7 +383,7 @@ void add_spectrum_command(CLI::App& root, Action& chosen) {
       "of\ndelay coordinates and of the channels; whether the record has settled; what of each response a linear "
       "relation to\nthe excitation explains. Of a file of steady responses (members frequency, amplitude, force) "
       "the "
-      "curves of each level.\nExample: secular spectrum campaign --record '*0001*' --ensemble 4 --overlap 0.5 -o "
+      "curves of each level.\nExample: secular spectrum campaign --records '*0001*' --ensemble 4 --overlap 0.5 -o "
       "results");
   command->callback(
       [options, command, &chosen] { chosen = [options, command] { return run(*options, *command); }; });

@@ -87,7 +87,7 @@ ObservedConditions observe_conditions(const Campaign& campaign, const RecordRead
   std::vector<Dwell> dwells;
   for (std::size_t r = 0; r < campaign.records.size(); ++r) {
     const RecordEntry& entry = campaign.records[r];
-    if (!matches_pattern(window.records, entry.file)) continue;
+    if (!window.takes(r, entry.file)) continue;
     if (entry.kind == RecordKind::dwell)
       if (auto dwell =
               observe_dwell(campaign, r, read(r), model, sensors, natural_frequency, window, observed.warnings))

@@ -64,7 +64,7 @@ class DwellReader {
 
   // Frequencies (rad/s) of the lines on a torus that these samples can tell apart, the mean first.
   static std::vector<Index> observable(const Torus& torus, const std::array<double, 2>& base, double resolution,
-                                       double nyquist) {
+                                       double nyquist, const Window& window) {
     std::vector<Index> lines = {0};
     std::vector<double> taken = {0};
     // Low orders first: where two lines fall together the simpler one is meant.
@@ -79,7 +79,8 @@ class DwellReader {
       const bool separate = std::all_of(taken.begin(), taken.end(), [&](double other) {
         return std::abs(frequency - other) > 2 * resolution && std::abs(frequency + other) > 2 * resolution;
       });
-      if (!separate || std::abs(frequency) > nyquist - 2 * resolution) continue;
+      if (!separate || std::abs(frequency) > nyquist - 2 * resolution || !window.passes(std::abs(frequency)))
+        continue;
       lines.push_back(l);
       taken.push_back(frequency);
     }
@@ -172,6 +173,13 @@ void turn_phases(Ensemble& ensemble, const Torus& torus, const std::vector<Index
   for (std::size_t i = 0; i < lines.size(); ++i) ensemble.response.col(static_cast<Index>(i)) *= factor(lines[i]);
   for (std::size_t i = 0; i < excitation_lines.size(); ++i)
     ensemble.excitation.col(static_cast<Index>(i)) *= factor(excitation_lines[i]);
+}
+
+// The responses' mean, the first of `lines`, where a band has taken it away.
+void leave_mean_out(std::vector<Ensemble>& ensembles, std::vector<Index>& lines) {
+  lines.erase(lines.begin());
+  for (Ensemble& ensemble : ensembles)
+    ensemble.response = ensemble.response.rightCols(ensemble.response.cols() - 1).eval();
 }
 
 std::size_t place(const std::vector<Index>& lines, Index line) {
@@ -408,6 +416,8 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
   channels.insert(channels.end(), sensors.excitations.begin(), sensors.excitations.end());
   const RecordPart part = part_of(record, channels, window);
   const double rate = record.sample_rate_hz;
+  if (const auto nominal = entry.excitation_frequency_hz; nominal && !window.passes(two_pi * *nominal))
+    return leave_out(fmt::format("its excitation at {:.4g} Hz is outside of the band", *nominal));
   if (part.samples.rows() < fewest_ensembles * fewest_samples)
     return leave_out("too short to be cut into ensembles");
   const auto omega = excitation_frequency(part, rate, sensors.responses.size(), entry);
@@ -433,7 +443,7 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
       torus = std::make_shared<const Torus>(1, std::max(6, 4 * layout.divisor), turn_points);
     }
     const Index fundamental = *torus->find(layout.excitation);
-    const std::vector<Index> lines = DwellReader::observable(*torus, base, resolution, nyquist);
+    std::vector<Index> lines = DwellReader::observable(*torus, base, resolution, nyquist, window);
     std::vector<Index> excitation_lines = {0};
     for (int n = 1; n <= 3; ++n) {
       const auto line = torus->find({n * layout.excitation[0], n * layout.excitation[1]});
@@ -441,6 +451,7 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
     }
     if (std::find(lines.begin(), lines.end(), fundamental) == lines.end()) continue;
     std::vector<Ensemble> ensembles = reader.read(*torus, lines, excitation_lines, base);
+    if (!window.passes(0)) leave_mean_out(ensembles, lines);
     align(ensembles, *torus, layout, lines, excitation_lines, fundamental);
 
     Dwell dwell;
@@ -455,7 +466,8 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
     dwell.noise = noise_of(ensembles);
     const MatrixXd about_line = scatter_of(ensembles, &Ensemble::response, c.response, About::straight_line, lines);
     const Eigen::RowVectorXd line_noise =  // of a real part of half the peak
-        dwell.noise.head(c.response.rows()).transpose() / std::sqrt(2 * static_cast<double>(length));
+        window.noise_factor(rate) * dwell.noise.head(c.response.rows()).transpose() /
+        std::sqrt(2 * static_cast<double>(length));
 
     bool whole = true;  // every subharmonic or pair of the layout is really there
     double drift = 0;

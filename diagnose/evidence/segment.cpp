@@ -70,9 +70,10 @@ class Cutter {
     const bool excited = inputs > 0 && m.part.samples.rightCols(inputs).norm() > 0;
     if (entry.kind == RecordKind::impact && excited) m.driven = true;
     if (m.driven && !excited) return left_out(entry, "nothing excites it");
-    if (m.driven && cut_.band)
+    if (m.driven && cut_.window.band)
       throw InputError("--band", "", "cannot be applied to " + entry.file + ", which is driven",
-                       "only free decays are filtered; choose them with --records");
+                       "what is nonlinear answers to all of its excitation, not to what has passed; choose dwells "
+                       "and free decays with --records");
     return m.driven ? m : decay(entry, std::move(m));
   }
 
@@ -134,23 +135,12 @@ class Cutter {
     return std::nullopt;
   }
 
-  // Of a free decay: from its start on, filtered to the band, thinned to what its modes need.
+  // Of a free decay: from its start on, thinned to what its modes need.
   std::optional<Movement> decay(const RecordEntry& entry, Movement m) {
     const Eigen::VectorXd modal = m.part.samples.leftCols(responses_) * sensors_.filter.row(0).transpose();
     const auto start = find_decay_start(modal, m.rate_hz);
     if (!start) return left_out(entry, "no free decay is found in it");
     m.first = start->sample;
-    if (cut_.band) {
-      // Sample i of what has passed is sample i + reach of the record: free of what was before the decay's start
-      // from the sample with the start's own number on.
-      if (!(cut_.band->high_hz < m.rate_hz / 2))
-        throw InputError("--band", "", "ends above half the sample rate of " + entry.file,
-                         fmt::format("below {:.6g} Hz there", m.rate_hz / 2));
-      m.part.samples = band_pass(m.part.samples, m.rate_hz, *cut_.band);
-      m.part.start_s += static_cast<double>(band_pass_reach(*cut_.band, m.rate_hz)) / m.rate_hz;
-      if (m.part.samples.rows() <= m.first + fewest_samples)
-        return left_out(entry, "shorter than the response of the band's filter");
-    }
     m.thinning = std::max<Index>(1, static_cast<Index>(std::floor(two_pi * m.rate_hz / highest_ / wanted_samples)));
     return m;
   }
@@ -188,8 +178,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
                                   std::vector<std::string>& warnings) {
   std::vector<std::size_t> records;
   for (std::size_t r = 0; r < campaign.records.size(); ++r)
-    if (campaign.records[r].kind != RecordKind::dwell &&
-        matches_pattern(cut.window.records, campaign.records[r].file))
+    if (campaign.records[r].kind != RecordKind::dwell && cut.window.takes(r, campaign.records[r].file))
       records.push_back(r);
   const std::vector<double> began = record_times(campaign);
   Cutter cutter(sensors, natural_frequency, cut, warnings);

@@ -1,14 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnose/evidence/segment_motion.hpp"
 #include "diagnose/evidence/sensor_model.hpp"
 #include "measure/observe/observation_set.hpp"
-#include "measure/signal/band_pass.hpp"
 
 namespace secular {
 
@@ -35,14 +33,12 @@ struct SegmentCut {
   Window window;
   SegmentLength length = SegmentLength::turns;
   Eigen::Index most_samples = 0;  ///< in all; of no effect on whole ones
-  std::optional<Band> band;       ///< free decays pass through it first
 };
 
 /// Free decays, impacts, sweeps and broadband records as segments, evenly spread over the record where it holds
-/// more samples than are needed. Decays begin where the structure swings freely (with a band: as much later as its
-/// filter reaches). Samples are thinned where the record is much faster than the highest mode. Throws InputError
-/// for driven records with a band: their excitation would have to pass too, and what is nonlinear answers to all of
-/// it.
+/// more samples than are needed. Decays begin where the structure swings freely. Samples are thinned where the
+/// record is much faster than the highest mode. Throws InputError for driven records with a band: what is nonlinear
+/// answers to all of its excitation.
 std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& read, const SensorModel& sensors,
                                   const std::vector<double>& natural_frequency, const SegmentCut& cut,
                                   std::vector<std::string>& warnings);

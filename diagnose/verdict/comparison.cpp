@@ -107,8 +107,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
   ObservedConditions observed = observe_conditions(campaign, read, model, sensors, natural, options.window);
   result.warnings = std::move(observed.warnings);
   const auto cut = [&](const Window& window, SegmentLength length) {
-    return cut_segments(campaign, read, sensors, natural, {window, length, most_samples, options.band},
-                        result.warnings);
+    return cut_segments(campaign, read, sensors, natural, {window, length, most_samples}, result.warnings);
   };
   std::vector<Segment> segments = cut(options.window, SegmentLength::turns);
   if (observed.conditions.empty() && segments.empty())

@@ -21,7 +21,6 @@ struct DiagnosisOptions {
   std::vector<double> natural_frequency;
   std::vector<StateForce> forces;  ///< scales are set from the data
   std::set<std::string> left_out;  ///< effects that are not to be considered
-  std::optional<Band> band;        ///< free decays pass through it, so that other modes do not count as a gap
   std::optional<Window> check;     ///< part of the records on which the explanation is tried, whatever was fitted
   bool fit_check = false;          ///< and once more with the numbers that fit that part best
   unsigned threads = 1;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -13,6 +14,9 @@ enum class ChannelRole { excitation, response };
 enum class Quantity { acceleration, velocity, displacement, force, voltage, strain, angle };
 enum class RecordKind { dwell, sweep, free_decay, impact, broadband };
 
+/// What the motion of a response is measured against: a base that may itself move, or space.
+enum class Frame { relative, absolute };
+
 std::string to_string(ChannelRole role);
 std::string to_string(Quantity quantity);
 std::string to_string(RecordKind kind);
@@ -22,6 +26,8 @@ struct Channel {
   ChannelRole role = ChannelRole::response;
   Quantity quantity = Quantity::acceleration;
   std::string unit;
+  /// Absolute: samples in files carry the base's acceleration (of base_channel); a WatchedReader takes it out.
+  Frame frame = Frame::relative;
 };
 
 /// Mass-normalised mode shapes: modal displacements = pinv(shapes) * channel displacements (thesis Eq. (5.32)).
@@ -61,6 +67,9 @@ struct Record {
   double jitter_s = 0;                        ///< of its time stamps, see TimeAxis
   std::size_t samples() const { return channels.empty() ? 0 : channels.front().size(); }
 };
+
+/// The channel that measures the base's acceleration: the only excitation that is an acceleration, if there is one.
+std::optional<std::size_t> base_channel(const Campaign& campaign);
 
 /// Reads campaign.toml of a folder (CONTRACT: schema 1). Throws InputError.
 Campaign read_campaign(const std::filesystem::path& folder);

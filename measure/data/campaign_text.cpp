@@ -40,7 +40,8 @@ std::string campaign_text(const Campaign& campaign) {
                      "\nsample_rate_hz = " + toml_number(campaign.sample_rate_hz) + "\n";
   for (const Channel& channel : campaign.channels)
     text += "\n[[channel]]\nname = " + quoted(channel.name) + "\nrole = " + quoted(to_string(channel.role)) +
-            "\nquantity = " + quoted(to_string(channel.quantity)) + "\nunit = " + quoted(channel.unit) + "\n";
+            "\nquantity = " + quoted(to_string(channel.quantity)) + "\nunit = " + quoted(channel.unit) + "\n" +
+            (channel.frame == Frame::absolute ? "frame = \"absolute\"\n" : "");
   if (campaign.modal_basis) {
     text += "\n[modal_basis]\nchannels = " + quoted_list(campaign.modal_basis->channels) +
             "\nmodes = " + quoted_list(campaign.modal_basis->modes) + "\nmass_normalised_shapes = [";

@@ -13,6 +13,6 @@ struct CsvDialect {
 
 /// A file is of the first one whose separator stands in its header line outside of quotes; of the comma if none
 /// does. No channel's name holds one of them.
-inline constexpr CsvDialect csv_dialects[] = {{';', "semicolon", true}, {',', "comma"}, {'\t', "tabulator"}};
+inline constexpr CsvDialect csv_dialects[] = {{';', "semicolon", true}, {',', "comma"}, {'\t', "tabulator", true}};
 
 }  // namespace secular

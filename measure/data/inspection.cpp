@@ -51,7 +51,7 @@ std::optional<TimeAxis> judged_time(DataVariable& time, const DataFile& data, st
 
 // Samples of a channel that the limit leaves to each of `channels`.
 std::size_t share_of(const InspectionLimit& limit, std::uintmax_t bytes, std::size_t channels) {
-  if (bytes <= limit.whole_bytes) return all_values;
+  if (bytes <= limit.whole_bytes || !limit.span.all()) return all_values;
   return std::max(limit.least_samples, limit.values / std::max<std::size_t>(1, channels));
 }
 
@@ -75,16 +75,34 @@ std::optional<std::size_t> samples_until(std::optional<double> last, const std::
   return static_cast<std::size_t>(samples);
 }
 
-RecordInspection inspect_record(const Campaign& campaign, const RecordEntry& entry, std::size_t limit) {
+// Cuts channels of `samples` samples to a span and the axis with them; the number of samples left.
+std::size_t cut(const TimeSpan& span, TimeAxis& axis, std::size_t samples,
+                const std::vector<std::vector<double>*>& channels) {
+  const SpanOfSamples kept = samples_within(span, axis.start_s, axis.sample_rate_hz, samples);
+  for (std::vector<double>* channel : channels) {
+    channel->resize(kept.first + kept.count);
+    channel->erase(channel->begin(), channel->begin() + static_cast<std::ptrdiff_t>(kept.first));
+  }
+  axis.start_s += static_cast<double>(kept.first) / axis.sample_rate_hz;
+  return kept.count;
+}
+
+RecordInspection inspect_record(const Campaign& campaign, const RecordEntry& entry, std::size_t limit,
+                                const TimeSpan& span) {
   RecordInspection inspection;
   try {
-    const RecordData data = read_record_data(campaign, entry, MissingNumbers::keep_as_nan, limit);
+    RecordData data = read_record_data(campaign, entry, MissingNumbers::keep_as_nan, limit);
     inspection.judged = data.stamps_s.size();
     inspection.samples = data.total;
     inspection.axis = judged_axis(data.stamps_s, data.place, campaign.sample_rate_hz, inspection.faults);
     if (inspection.axis && !(std::abs(inspection.axis->sample_rate_hz / campaign.sample_rate_hz - 1) <= 1e-3))
       inspection.faults.push_back({"time", fmt::format("is sampled at {:.6g} Hz; campaign.toml says {}",
                                                        inspection.axis->sample_rate_hz, campaign.sample_rate_hz)});
+    if (inspection.axis && !span.all()) {
+      std::vector<std::vector<double>*> channels;
+      for (std::vector<double>& samples : data.channels) channels.push_back(&samples);
+      inspection.samples = inspection.judged = cut(span, *inspection.axis, data.stamps_s.size(), channels);
+    }
     if (data.partial && data.csv) {
       const std::optional<std::size_t> counted =
           samples_until(data.last_stamp_s, inspection.axis, data.total, inspection.faults);
@@ -109,6 +127,22 @@ std::vector<std::vector<double>> channels_beside(const DataFile& data, const std
   return channels;
 }
 
+// The time and what goes with it, cut to a span.
+void cut_file(const TimeSpan& span, DataFile& data, FileInspection& inspection) {
+  if (!inspection.axis)
+    throw InputError(data.file, "", "has no even time, which --from and --to need",
+                     "a variable that is called time (t, time, ...)");
+  const std::size_t samples = data.vector(inspection.time).values.size();
+  const TimeAxis whole = *inspection.axis;
+  std::vector<std::vector<double>*> columns;
+  for (DataVariable& variable : data.variables)
+    if (variable.values.size() == samples) columns.push_back(&variable.values);
+  if (cut(span, *inspection.axis, samples, columns) == 0)
+    throw InputError(data.file, "", "has no sample between --from and --to",
+                     fmt::format("it goes from {:.6g} s to {:.6g} s", whole.start_s,
+                                 whole.start_s + static_cast<double>(samples - 1) / whole.sample_rate_hz));
+}
+
 }  // namespace
 
 std::vector<RecordInspection> inspect_records(const Campaign& campaign, const InspectionLimit& limit) {
@@ -116,7 +150,8 @@ std::vector<RecordInspection> inspect_records(const Campaign& campaign, const In
   for (const RecordEntry& entry : campaign.records) bytes += size_of(campaign.folder / entry.file);
   const std::size_t share = share_of(limit, bytes, campaign.records.size() * (campaign.channels.size() + 1));
   std::vector<RecordInspection> inspections;
-  for (const RecordEntry& entry : campaign.records) inspections.push_back(inspect_record(campaign, entry, share));
+  for (const RecordEntry& entry : campaign.records)
+    inspections.push_back(inspect_record(campaign, entry, share, limit.span));
   return inspections;
 }
 
@@ -128,13 +163,14 @@ FileInspection inspect_file(const std::filesystem::path& path, const InspectionL
   FileInspection inspection;
   inspection.format = data.format;
   inspection.partial = data.partial;
-  for (DataVariable& variable : data.variables) {
-    const bool time = inspection.time.empty() && variable.fault.empty() && variable.values.size() > 1 &&
-                      is_called_time(variable.name);
-    if (time) {
+  for (DataVariable& variable : data.variables)
+    if (inspection.time.empty() && variable.fault.empty() && variable.values.size() > 1 &&
+        is_called_time(variable.name)) {
       inspection.time = variable.name;
       inspection.axis = judged_time(variable, data, inspection.faults);
     }
+  if (!limit.span.all()) cut_file(limit.span, data, inspection);
+  for (DataVariable& variable : data.variables) {
     inspection.variables.push_back({variable.name, variable.shape, variable.type, variable.unit,
                                     variable.stated_unit, variable.fault, std::nullopt});
     if (!variable.fault.empty()) continue;

@@ -8,6 +8,7 @@
 #include "measure/data/campaign.hpp"
 #include "measure/data/data_quality.hpp"
 #include "measure/data/time_axis.hpp"
+#include "measure/data/time_span.hpp"
 
 namespace secular {
 
@@ -27,6 +28,7 @@ struct InspectionLimit {
   std::size_t whole_bytes = std::size_t{64} << 20;   ///< of all files together
   std::size_t values = std::size_t{1} << 20;         ///< read of all channels and records together, about
   std::size_t least_samples = std::size_t{1} << 12;  ///< of a channel
+  TimeSpan span{};  ///< of every record; where it is not all of it, everything in it is read
 };
 
 /// Reads and judges every record of a campaign, one at a time: [record].

@@ -10,11 +10,13 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
 #include "input/input_error.hpp"
 #include "measure/data/mat_structure.hpp"
+#include "measure/data/stored_numbers.hpp"
 
 namespace secular {
 namespace {
@@ -30,6 +32,24 @@ constexpr int deepest_struct = 16;
 
 void keep_quiet(int, char*) {}
 
+// Version 4 has no signature, but the head of its first matrix: kind of numbers (in decimal digits: byte order,
+// zero, precision 0 to 5, full, text or sparse), rows, columns, whether it is complex, and the length of the name
+// that follows, which ends with zero.
+bool is_mat_v4(std::string_view bytes) {
+  constexpr std::size_t head = 20, longest_name = 64;
+  if (bytes.size() < head) return false;
+  for (const ByteOrder order : {ByteOrder::little, ByteOrder::big}) {
+    const auto number = [&](std::size_t place) { return unsigned_at(bytes, 4 * place, 4, order); };
+    const std::uint64_t kind = number(0), length = number(4);
+    const bool numbers = kind / 1000 == (order == ByteOrder::big ? 1 : 0) && kind / 100 % 10 == 0 &&
+                         kind / 10 % 10 <= 5 && kind % 10 <= 2;
+    if (numbers && number(3) <= 1 && length >= 2 && length <= longest_name && head + length <= bytes.size() &&
+        bytes[head + length - 1] == '\0' && bytes[head] != '\0')
+      return true;
+  }
+  return false;
+}
+
 File open(const std::filesystem::path& path) {
   const std::string name = path.string();
   Mat_LogInitFunc("secular", keep_quiet);  // complaints become InputErrors
@@ -42,6 +62,8 @@ File open(const std::filesystem::path& path) {
     if (text.rfind("MATLAB 7.3", 0) == 0)
       throw InputError(name, "byte 513", "the signature of HDF5 is missing in a MAT v7.3 file",
                        "the file is damaged or cut short: copy or save it again");
+    if (is_mat_v4(text))
+      throw InputError(name, "", "is a MAT v4 file, which is not read", "save it again with save -v7");
     if (text.size() < 128 || text.rfind("MATLAB 5.0", 0) != 0)
       throw InputError(name, "", "is not a MAT v5 file", "a MAT v5 file or a CSV was expected");
   }

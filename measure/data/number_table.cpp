@@ -11,146 +11,11 @@
 #include <string_view>
 
 #include "input/input_error.hpp"
-#include "measure/data/csv_dialect.hpp"
+#include "measure/data/csv_header.hpp"
 #include "measure/data/mapped_file.hpp"
-#include "measure/data/unit.hpp"
 
 namespace secular {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
-  return text;
-}
-
-std::string_view unquoted(std::string_view text) {
-  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') return text.substr(1, text.size() - 2);
-  return text;
-}
-
-// The fields of a line that may have separators inside of quotes.
-std::vector<std::string_view> split_quoted(std::string_view line, char separator) {
-  std::vector<std::string_view> fields;
-  bool inside = false;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i <= line.size(); ++i) {
-    if (i < line.size() && line[i] == '"') inside = !inside;
-    if (i < line.size() && (inside || line[i] != separator)) continue;
-    fields.push_back(unquoted(trimmed(line.substr(begin, i - begin))));
-    begin = i + 1;
-  }
-  return fields;
-}
-
-CsvDialect dialect_of(std::string_view header) {
-  const auto stands_in = [header](const CsvDialect& dialect) {
-    bool inside = false;
-    return std::any_of(header.begin(), header.end(), [&](char c) {
-      if (c == '"') inside = !inside;
-      return !inside && c == dialect.separator;
-    });
-  };
-  const auto found = std::find_if(std::begin(csv_dialects), std::end(csv_dialects), stands_in);
-  return found == std::end(csv_dialects) ? CsvDialect() : *found;
-}
-
-std::string shown(std::string_view field) {
-  std::string text = "'";
-  for (const char c : field.substr(0, 40)) text += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-  return text + (field.size() > 40 ? "...'" : "'");
-}
-
-// Takes the next line off `rest`, without its line break.
-std::string_view next_line(std::string_view& rest) {
-  const std::size_t end = rest.find('\n');
-  const std::string_view line = rest.substr(0, end);
-  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-  return line;
-}
-
-struct Header {
-  std::vector<std::string> names, units;
-  CsvDialect dialect;
-  std::size_t line = 0;       // of the names
-  std::size_t last_line = 0;  // of the units, if there are any
-  std::string_view rows;      // the text below the header
-};
-
-// A row of units: as many fields as there are names, some of them known units and none of them a number.
-void read_units(Header& header) {
-  header.last_line = header.line;
-  for (const std::string& name : header.names) header.units.push_back(bracketed_unit(name).unit);
-  std::string_view rest = header.rows;
-  std::vector<std::string_view> fields = split_quoted(trimmed(next_line(rest)), header.dialect.separator);
-  while (fields.size() > header.names.size() && fields.back().empty()) fields.pop_back();
-  if (fields.size() != header.names.size()) return;
-  bool known = false;
-  for (const std::string_view field : fields) {
-    const std::string unit(field);
-    known = known || seconds_in(unit) || (unit_meaning(usual_spelling(unit)) && unit != "1");
-    double number = 0;
-    if (std::from_chars(field.data(), field.data() + field.size(), number).ec == std::errc()) return;
-  }
-  if (!known) return;
-  for (std::size_t c = 0; c < fields.size(); ++c)
-    if (!fields[c].empty()) header.units[c] = usual_spelling(std::string(fields[c]));
-  header.rows = rest;
-  ++header.last_line;
-}
-
-Header read_header(std::string_view text, const std::string& file) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    throw InputError(file, "", "is UTF-16 text", "save it as UTF-8 or ASCII");
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  Header header;
-  std::string_view line;
-  while (trimmed(line).empty() && !text.empty()) {
-    line = next_line(text);
-    ++header.line;
-  }
-  if (trimmed(line).empty())
-    throw InputError(file, "", "is empty", "a header line and rows of numbers were expected");
-  const std::string place = fmt::format("line {}", header.line);
-  if (line.find('\0') != std::string_view::npos)
-    throw InputError(file, place, "is not text", "a CSV or a MAT v5 file was expected");
-  header.dialect = dialect_of(line);
-  for (const std::string_view name : split_quoted(line, header.dialect.separator)) header.names.emplace_back(name);
-  while (header.names.size() > 1 && header.names.back().empty()) header.names.pop_back();
-  for (std::size_t c = 0; c < header.names.size(); ++c) {
-    const std::string& name = header.names[c];
-    if (name.empty())
-      throw InputError(file, fmt::format("{}, column {}", place, c + 1), "has no name", "name every column");
-    double number = 0;
-    if (std::from_chars(name.data(), name.data() + name.size(), number).ptr == name.data() + name.size())
-      throw InputError(file, place, "numbers where the column names should be",
-                       "the first line names the columns, for example t,base,response");
-    if (std::find(header.names.begin(), header.names.begin() + static_cast<std::ptrdiff_t>(c), name) !=
-        header.names.begin() + static_cast<std::ptrdiff_t>(c))
-      throw InputError(file, place, "names two columns " + shown(name), "every column has its own name");
-  }
-  header.rows = text;
-  read_units(header);
-  return header;
-}
-
-enum class FieldFault { none, empty, text, not_finite };
-
-FieldFault parse_number(std::string_view field, bool decimal_comma, double& value) {
-  field = unquoted(field);
-  if (field.empty()) return FieldFault::empty;
-  if (field.front() == '+' && field.size() > 1 && field[1] != '-') field.remove_prefix(1);
-  char with_point[64];
-  if (decimal_comma && field.size() <= sizeof with_point) {
-    std::replace_copy(field.begin(), field.end(), with_point, ',', '.');
-    field = std::string_view(with_point, field.size());
-  }
-  const auto result = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (result.ec == std::errc::invalid_argument || result.ptr != field.data() + field.size())
-    return FieldFault::text;
-  if (result.ec != std::errc() || !std::isfinite(value)) return FieldFault::not_finite;
-  return FieldFault::none;
-}
 
 [[noreturn]] void refuse(const std::string& file, const std::string& place, FieldFault fault,
                          std::string_view field) {
@@ -162,12 +27,28 @@ FieldFault parse_number(std::string_view field, bool decimal_comma, double& valu
 
 constexpr std::size_t skipped = std::numeric_limits<std::size_t>::max();
 
+// Where numbers of a file have a decimal point and a comma: both in one file means that one of them parts
+// thousands, and nothing says which.
+struct DecimalMarks {
+  std::size_t point = 0, comma = 0;  // first lines
+
+  void see(std::string_view field, std::size_t line, const std::string& file) {
+    if (point == 0 && field.find('.') != std::string_view::npos) point = line;
+    if (comma == 0 && field.find(',') != std::string_view::npos) comma = line;
+    if (point > 0 && comma > 0)
+      throw InputError(file, fmt::format("line {}", std::max(point, comma)),
+                       fmt::format("numbers have decimal points (line {}) and commas (line {})", point, comma),
+                       "one decimal mark, and nothing that parts thousands");
+  }
+};
+
 /// Puts the fields of rows into the columns of a table.
 struct RowReader {
-  const Header& header;
+  const CsvHeader& header;
   const std::vector<std::size_t>& target;  // of every field: a column of the table, or `skipped`
   MissingNumbers missing;
   const std::string& file;
+  DecimalMarks& marks;
 
   void read(std::string_view line, std::size_t line_number, NumberTable& table) const {
     std::size_t fields = 0;
@@ -181,6 +62,7 @@ struct RowReader {
       if (fields > target.size() || target[fields - 1] == skipped) continue;
       double value = 0;
       const FieldFault fault = parse_number(field, header.dialect.decimal_comma, value);
+      if (fault == FieldFault::none && header.dialect.decimal_comma) marks.see(field, line_number, file);
       if (fault != FieldFault::none) {
         if (missing == MissingNumbers::refuse && (more || fields == target.size()))
           refuse(file, fmt::format("line {}, column {}", line_number, header.names[fields - 1]), fault, field);
@@ -195,23 +77,31 @@ struct RowReader {
   }
 };
 
+// A line without blanks at its ends: where tabulators part fields, one at the end is an empty field.
+std::string_view row_of(std::string_view line, char separator) {
+  const std::string_view blanks = separator == '\t' ? " \r" : " \t\r";
+  const std::size_t begin = std::min(line.find_first_not_of(blanks), line.size());
+  return line.substr(begin, line.find_last_not_of(blanks) + 1 - begin);
+}
+
 // The last line that is not empty; empty if it is longer than any row.
-std::string_view last_line(std::string_view rows) {
+std::string_view last_line(std::string_view rows, char line_break) {
   constexpr std::size_t longest_row = std::size_t{1} << 20;
   if (rows.size() > longest_row) rows = rows.substr(rows.size() - longest_row);
-  const std::size_t end = rows.find_last_not_of(" \t\r\n");
-  if (end == std::string_view::npos) return {};
-  rows = rows.substr(0, end + 1);
-  const std::size_t begin = rows.rfind('\n');
+  const std::size_t last = rows.find_last_not_of(" \t\r\n");
+  if (last == std::string_view::npos) return {};
+  rows = rows.substr(0, rows.find(line_break, last));
+  const std::size_t begin = rows.rfind(line_break);
   return begin == std::string_view::npos ? std::string_view() : rows.substr(begin + 1);
 }
 
 void read_last_row(const RowReader& reader, NumberTable& table) {
   NumberTable last;
   last.columns.resize(table.columns.size());
-  const RowReader forgiving{reader.header, reader.target, MissingNumbers::keep_as_nan, reader.file};
+  const RowReader forgiving{reader.header, reader.target, MissingNumbers::keep_as_nan, reader.file, reader.marks};
   try {
-    forgiving.read(last_line(reader.header.rows), 0, last);
+    const CsvHeader& header = reader.header;
+    forgiving.read(row_of(last_line(header.rows, header.line_break), header.dialect.separator), 0, last);
   } catch (const InputError&) {
     return;  // cut off: nothing is known of the end
   }
@@ -224,9 +114,9 @@ void read_rows(const RowReader& reader, MappedFile& mapped, std::size_t limit, N
   std::string_view rest = rows;
   std::size_t line_number = reader.header.last_line, empty_line = 0;
   while (!rest.empty() && table.rows() < limit) {
-    std::string_view line = trimmed(next_line(rest));
+    const std::string_view line = next_line(rest, reader.header.line_break);
     ++line_number;
-    if (line.empty()) {
+    if (trimmed(line).empty()) {
       if (empty_line == 0) empty_line = line_number;
       continue;
     }
@@ -235,7 +125,7 @@ void read_rows(const RowReader& reader, MappedFile& mapped, std::size_t limit, N
                        "remove it, or split the file into records");
     empty_line = 0;
     if (table.rows() == 0) table.first_line = line_number;
-    reader.read(line, line_number, table);
+    reader.read(row_of(line, reader.header.dialect.separator), line_number, table);
     mapped.release_before(header_size + rows.size() - rest.size());
   }
   table.total_rows = table.rows();
@@ -248,13 +138,14 @@ void read_rows(const RowReader& reader, MappedFile& mapped, std::size_t limit, N
 
 // Rows to make room for: their exact count is worth a look at the file, since columns that grow take twice the
 // room.
-std::size_t count_lines(std::string_view rows, MappedFile& mapped, std::size_t limit) {
+std::size_t count_lines(const CsvHeader& header, MappedFile& mapped, std::size_t limit) {
   constexpr std::size_t stretch = std::size_t{1} << 22;
+  const std::string_view rows = header.rows;
   const auto header_size = static_cast<std::size_t>(rows.data() - mapped.bytes().data());
   std::size_t lines = 1;
   for (std::size_t begin = 0; begin < rows.size() && lines <= limit; begin += stretch) {
     const std::string_view part = rows.substr(begin, stretch);
-    lines += static_cast<std::size_t>(std::count(part.begin(), part.end(), '\n'));
+    lines += static_cast<std::size_t>(std::count(part.begin(), part.end(), header.line_break));
     if (limit == all_values) mapped.forget(header_size + begin, header_size + begin + part.size());
   }
   return std::min(lines, limit);
@@ -272,7 +163,7 @@ CsvName bracketed_unit(const std::string& name) {
 
 NumberTable read_csv_header(const std::filesystem::path& path) {
   const MappedFile mapped(path);
-  Header header = read_header(mapped.bytes(), path.string());
+  CsvHeader header = read_header(mapped.bytes(), path.string());
   NumberTable table;
   table.names = std::move(header.names);
   table.units = std::move(header.units);
@@ -283,7 +174,7 @@ NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::s
                      MissingNumbers missing, std::size_t limit) {
   const std::string file = path.string();
   MappedFile mapped(path);
-  const Header header = read_header(mapped.bytes(), file);
+  const CsvHeader header = read_header(mapped.bytes(), file);
   NumberTable table;
   table.names = wanted.empty() ? header.names : wanted;
   table.columns.resize(table.names.size());
@@ -296,9 +187,10 @@ NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::s
     target[static_cast<std::size_t>(found - header.names.begin())] = c;
     table.units.push_back(header.units[static_cast<std::size_t>(found - header.names.begin())]);
   }
-  const std::size_t lines = count_lines(header.rows, mapped, limit);
+  const std::size_t lines = count_lines(header, mapped, limit);
   for (std::vector<double>& column : table.columns) column.reserve(lines);
-  read_rows({header, target, missing, file}, mapped, limit, table);
+  DecimalMarks marks;
+  read_rows({header, target, missing, file, marks}, mapped, limit, table);
   if (table.rows() == 0) throw InputError(file, "", "has a header but no rows", "rows of numbers were expected");
   return table;
 }

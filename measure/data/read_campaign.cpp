@@ -13,8 +13,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+Frame read_frame(const TomlTable& table, const Channel& channel) {
+  const std::string frame = table.string("frame");
+  if (frame == "relative") return Frame::relative;
+  if (frame != "absolute") table.fail("frame", "is '" + frame + "'", "relative or absolute was expected");
+  if (channel.role != ChannelRole::response)
+    table.fail("frame", "is absolute for an excitation", "frame belongs to responses");
+  if (channel.quantity != Quantity::acceleration)
+    table.fail("frame", "is absolute for a response that measures " + to_string(channel.quantity),
+               "it is for accelerations, from which the base's is taken; take the base's " +
+                   to_string(channel.quantity) + " out of the record's samples and give frame = \"relative\"");
+  return Frame::absolute;
+}
+
 Channel read_channel(const TomlTable& table) {
-  table.refuse_unknown_keys({"name", "role", "quantity", "unit"});
+  table.refuse_unknown_keys({"name", "role", "quantity", "unit", "frame"});
   Channel channel;
   channel.name = table.string("name");
   if (const std::string fault = channel_name_fault(channel.name); !fault.empty()) table.fail("name", fault);
@@ -28,6 +41,7 @@ Channel read_channel(const TomlTable& table) {
   channel.unit = table.string("unit");
   const std::string fault = unit_fault(channel.quantity, channel.unit);
   if (!fault.empty()) table.fail("unit", fault);
+  if (table.has("frame")) channel.frame = read_frame(table, channel);
   return channel;
 }
 
@@ -119,6 +133,18 @@ RecordEntry read_entry(const TomlTable& table, const Campaign& campaign) {
 
 }  // namespace
 
+std::optional<std::size_t> base_channel(const Campaign& campaign) {
+  std::optional<std::size_t> base;
+  for (std::size_t c = 0; c < campaign.channels.size(); ++c) {
+    if (campaign.channels[c].role != ChannelRole::excitation ||
+        campaign.channels[c].quantity != Quantity::acceleration)
+      continue;
+    if (base) return std::nullopt;
+    base = c;
+  }
+  return base;
+}
+
 Campaign read_campaign(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::exists(folder, ignored))
@@ -144,6 +170,11 @@ Campaign read_campaign(const fs::path& folder) {
     if (!names.insert(campaign.channels.back().name).second)
       table.fail("name", "'" + campaign.channels.back().name + "' is used twice", "every channel has its own name");
   }
+  if (!base_channel(campaign))
+    for (const TomlTable& table : root.tables("channel"))
+      if (table.string_or("frame", "") == "absolute")
+        table.fail("frame", "is absolute, and no one excitation is known to be the base's acceleration",
+                   "exactly one [[channel]] with role = \"excitation\", quantity = \"acceleration\"");
   const bool any_response = std::any_of(campaign.channels.begin(), campaign.channels.end(),
                                         [](const Channel& c) { return c.role == ChannelRole::response; });
   if (!any_response) root.fail("channel", "no channel is a response", "describe at least one response [[channel]]");

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "input/input_error.hpp"
+#include "measure/data/rounded_stamps.hpp"
 #include "numerics/median.hpp"
 
 namespace secular {
@@ -129,6 +130,7 @@ double simplest_rate(const std::vector<double>& stamps, const StampLine& fitted,
 TimeAxis even_time_axis(const std::vector<double>& stamps, const std::string& file, const RowPlace& place,
                         std::optional<double> expected_rate_hz) {
   if (stamps.size() < 2) throw InputError(file, "", "has fewer than two samples", "a record needs many samples");
+  if (const std::optional<TimeAxis> axis = axis_of_rounded(stamps, expected_rate_hz)) return *axis;
   check_steps(stamps, file, place);
   const StampLine fitted = fit_line(stamps);
   if (!std::isfinite(fitted.step) || !std::isfinite(1 / fitted.step) || !std::isfinite(fitted.mean) ||

@@ -254,7 +254,7 @@ std::vector<UffFunction> read_uff(const std::filesystem::path& path, std::size_t
   std::vector<UffFunction> functions;
   while (!lines.at_end()) {
     const std::string_view line = lines.take();
-    if (stripped(line).empty()) continue;
+    if (stripped(line).find_first_not_of('\x1A') == std::string_view::npos) continue;  // empty, or the end in DOS
     if (!is_uff_delimiter(line))
       lines.fail("is no delimiter of a data set", "-1 in columns 5 and 6 and nothing else was expected");
     if (lines.at_end()) lines.fail("no data set follows the delimiter", whole_again);

@@ -4,17 +4,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <utility>
 
 #include "measure/data/jitter.hpp"
 
 namespace secular {
 
+namespace {
+
+// Takes the base's acceleration out of the responses that carry it.
+Record to_relative(const Campaign& campaign, Record record) {
+  const std::optional<std::size_t> base = base_channel(campaign);
+  for (std::size_t c = 0; base && c < campaign.channels.size(); ++c)
+    if (campaign.channels[c].frame == Frame::absolute)
+      std::transform(record.channels[c].begin(), record.channels[c].end(), record.channels[*base].begin(),
+                     record.channels[c].begin(), std::minus<>());
+  return record;
+}
+
+}  // namespace
+
 Record WatchedReader::read(std::size_t index) {
   Record record = read_record(campaign_, campaign_.records[index]);
   {
     const std::lock_guard lock(mutex_);
-    if (seen_.contains(index)) return record;
+    if (seen_.contains(index)) return to_relative(campaign_, std::move(record));
   }
   Seen seen;
   for (const std::vector<double>& samples : record.channels) seen.clipping.push_back(find_clipping(samples));
@@ -23,7 +39,7 @@ Record WatchedReader::read(std::size_t index) {
     seen.jitter = jitter_text({record.start_s, record.sample_rate_hz, record.jitter_s}, record.channels);
   const std::lock_guard lock(mutex_);
   seen_.emplace(index, std::move(seen));
-  return record;
+  return to_relative(campaign_, std::move(record));
 }
 
 std::vector<std::string> WatchedReader::warnings() const {

@@ -12,13 +12,13 @@
 namespace secular {
 
 /// Reads the records of a campaign and keeps in mind which channels are clipped and where time stamps scatter, for
-/// whoever uses them. Records may
-/// be read by several threads, and more than once. The campaign must live as long.
+/// whoever uses them. Responses that are absolute become relative to the base. Records may be read by several
+/// threads, and more than once. The campaign must live as long.
 class WatchedReader {
  public:
   explicit WatchedReader(const Campaign& campaign) : campaign_(campaign) {}
 
-  /// As read_record does.
+  /// As read_record does, relative to the base.
   Record read(std::size_t record);
 
   /// One line for each channel that is clipped in some of the records that were read, and one for the time stamps

@@ -57,6 +57,11 @@ struct Wav {
   std::string_view samples;
 };
 
+// What stands for a size in a stream, whose end was not known at its beginning.
+bool is_never_filled_in(std::uint64_t size) {
+  return size == 0 || size == 0xFFFFFFFF;
+}
+
 Wav read_chunks(std::string_view bytes, const std::string& file) {
   const bool large = bytes.starts_with("RF64");
   std::optional<Format> format;
@@ -67,6 +72,10 @@ Wav read_chunks(std::string_view bytes, const std::string& file) {
     std::uint64_t size = number(bytes, at + 4, 4);
     if (large && name == "data" && size == 0xFFFFFFFF && large_size) size = *large_size;
     at += chunk_head;
+    if (name == "data" && is_never_filled_in(size) && is_never_filled_in(number(bytes, 4, 4)) && format && !large) {
+      const std::size_t frame = format->channels * format->bytes_a_sample;
+      size = (bytes.size() - at) / frame * frame;
+    }
     if (size > bytes.size() - at)
       throw InputError(file, place, fmt::format("{} bytes are announced, {} follow", size, bytes.size() - at),
                        whole_again);

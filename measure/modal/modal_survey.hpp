@@ -2,13 +2,13 @@
 
 #include <Eigen/Core>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "measure/data/campaign.hpp"
+#include "measure/data/time_span.hpp"
 #include "measure/modal/amplitude_dependence.hpp"
 #include "measure/modal/frequency_response.hpp"
 #include "measure/modal/residue_conversion.hpp"
@@ -23,8 +23,8 @@ struct DrivingPoint {
 };
 
 struct ModalSurveyOptions {
-  std::string records = "*";  ///< shell pattern on the record's file
-  double from_s = -std::numeric_limits<double>::infinity(), to_s = std::numeric_limits<double>::infinity();
+  std::string records = "*";             ///< shell pattern on the record's file
+  TimeSpan span{};                       ///< of every record
   double lowest_hz = 0, highest_hz = 0;  ///< band of the modes; no upper limit where it is zero
   int largest_order = 40;
   int modes = 0;                                       ///< keep this many, the strongest; zero: all that stand

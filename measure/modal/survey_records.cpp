@@ -1,7 +1,6 @@
 #include "measure/modal/survey_records.hpp"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <stdexcept>
 
 #include "input/input_error.hpp"
+#include "measure/data/file_pattern.hpp"
 #include "measure/modal/decimation.hpp"
 #include "measure/signal/transform_length.hpp"
 
@@ -75,11 +75,9 @@ SurveyRecords::SurveyRecords(ModalSurvey& survey) : survey_(survey) {
     if (campaign.channels[c].role == ChannelRole::excitation && campaign.channels[c].quantity == Quantity::force)
       force_ = c;
   std::vector<std::size_t> struck;
-  bool any = false;
   for (std::size_t r = 0; r < campaign.records.size(); ++r) {
     const RecordEntry& entry = campaign.records[r];
-    if (::fnmatch(survey.options.records.c_str(), entry.file.c_str(), 0) != 0) continue;
-    any = true;
+    if (!matches_pattern(survey.options.records, entry.file)) continue;
     if (entry.kind == RecordKind::impact && force_) {
       struck.push_back(r);
     } else if (entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact) {
@@ -90,9 +88,6 @@ SurveyRecords::SurveyRecords(ModalSurvey& survey) : survey_(survey) {
       decays_.back() = {r, whole.samples.rows(), whole.sample_rate_hz, whole.samples.topRows(kept)};
     }
   }
-  if (!any)
-    throw InputError(toml_of(survey), "", "no record matches --records " + survey.options.records,
-                     "a shell pattern on the files of [[record]]");
   if (struck.empty() && decays_.empty())
     throw InputError(toml_of(survey), "[[record]]", "none of the records is of kind free_decay or impact",
                      "a modal survey needs free decays or impacts");
@@ -105,22 +100,20 @@ const SurveyRecords::Part& SurveyRecords::part(std::size_t r) {
   const RecordEntry& entry = survey_.campaign.records[r];
   const Record record = reader_.read(r);
   const auto samples = static_cast<Index>(record.samples());
-  const auto index_of = [&](double time) {
-    const double i = std::ceil((time - record.start_s) * record.sample_rate_hz - 1e-6);
-    return static_cast<Index>(std::clamp(i, 0.0, static_cast<double>(samples)));
-  };
-  const Index first = index_of(survey_.options.from_s), last = index_of(survey_.options.to_s);
-  if (last - first < 64)
+  const SpanOfSamples span =
+      samples_within(survey_.options.span, record.start_s, record.sample_rate_hz, record.samples());
+  const auto first = static_cast<Index>(span.first), count = static_cast<Index>(span.count);
+  if (count < 64)
     throw InputError((survey_.campaign.folder / entry.file).string(), "",
-                     fmt::format("has {} samples between --from and --to", last - first),
+                     fmt::format("has {} samples between --from and --to", count),
                      "a modal survey needs 64 or more");
   auto read = std::make_unique<Part>();
   read->rate = record.sample_rate_hz;
   read->start_s = record.start_s + static_cast<double>(first) / read->rate;
   const auto column = [&](std::size_t channel) {
-    return Eigen::Map<const Eigen::VectorXd>(record.channels[channel].data(), samples).segment(first, last - first);
+    return Eigen::Map<const Eigen::VectorXd>(record.channels[channel].data(), samples).segment(first, count);
   };
-  read->responses.resize(last - first, static_cast<Index>(survey_.channels.size()));
+  read->responses.resize(count, static_cast<Index>(survey_.channels.size()));
   for (std::size_t c = 0; c < survey_.channels.size(); ++c)
     read->responses.col(static_cast<Index>(c)) = column(survey_.channels[c]);
   if (force_) read->force = column(*force_);

@@ -82,7 +82,11 @@ std::optional<Spectrum> spectrum_of_decays(const Campaign& campaign, const Recor
     all.bin = two_pi * (one.frequency_hz(1) - one.frequency_hz(0));
   }
   all.amplitude = all.amplitude.cwiseSqrt();
-  all.floor = upper_median(std::vector<double>(all.amplitude.data(), all.amplitude.data() + all.amplitude.size()));
+  std::vector<double> passed;
+  for (Index i = 0; i < all.amplitude.size(); ++i)
+    if (window.passes(static_cast<double>(i) * all.bin)) passed.push_back(all.amplitude(i));
+  if (passed.empty()) return std::nullopt;
+  all.floor = upper_median(std::move(passed));
   return all;
 }
 

@@ -62,8 +62,9 @@ struct FoundWindow {
 
 class DecayObserver {
  public:
-  DecayObserver(const Campaign& campaign, const CompiledModel& model, const CompiledCase& resonance)
-      : campaign_(campaign), model_(model), resonance_(resonance), windows_(campaign, model, resonance) {}
+  DecayObserver(const Campaign& campaign, const CompiledModel& model, const CompiledCase& resonance,
+                const Window& window)
+      : campaign_(campaign), model_(model), resonance_(resonance), windows_(campaign, model, resonance, window) {}
 
   // Adds the record's windows as conditions from `condition` on; the number of conditions.
   int observe(std::size_t r, const Record& record, SampleRange range, int condition, ObservationSet& set) const {
@@ -301,7 +302,7 @@ ObservationSet observe_free_decays(const Campaign& campaign, const RecordReader&
   ObservationSet set;
   set.model = &model;
   set.resonance = &resonance;
-  const DecayObserver observer(campaign, model, resonance);
+  const DecayObserver observer(campaign, model, resonance, window);
   int condition = 0;
   for (std::size_t r = 0; r < campaign.records.size(); ++r) {
     const RecordEntry& entry = campaign.records[r];

@@ -43,8 +43,9 @@ struct Integration {
 
 }  // namespace
 
-DecayWindows::DecayWindows(const Campaign& campaign, const CompiledModel& model, const CompiledCase& resonance)
-    : model_(model), resonance_(resonance), projection_(modal_projection(campaign, model)) {
+DecayWindows::DecayWindows(const Campaign& campaign, const CompiledModel& model, const CompiledCase& resonance,
+                           const Window& window)
+    : model_(model), resonance_(resonance), projection_(modal_projection(campaign, model)), window_(window) {
   const ModeFrequencies modes = mode_frequencies(model, resonance);
   for (std::size_t k = 0; k < model.modes(); ++k)
     if (modes.oscillates[k]) oscillating_.push_back(k);
@@ -126,7 +127,7 @@ DecayWindows::Tones DecayWindows::tones(const VectorXd& frequency, double second
     for (std::size_t i = 0; i < phases.size(); ++i)
       if (same(phases[i], phase)) return static_cast<std::ptrdiff_t>(i);
     const double f = std::abs(frequency_of(phase, frequency));
-    if (!own && (f < separate_bins * bin || f > nyquist - separate_bins * bin)) return -1;
+    if (!own && (f < separate_bins * bin || f > nyquist - separate_bins * bin || !window_.passes(f))) return -1;
     for (const double other : result.frequency)
       if (!own && std::abs(other - f) < separate_bins * bin) return -1;
     phases.push_back(phase);
@@ -151,11 +152,14 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
   DecayWindow window;
   Observation& o = window.observation;
   const std::size_t modes = model_.modes();
+  const double noise = window_.noise_factor(rate);
   SlowToneFit seen;
   Tones list;
   for (int step = 0; step < frequency_steps; ++step) {
     list = tones(frequency, seconds, rate);
     seen = fit_slow_tones(modal, rate, list.frequency, degree, rectifies_ ? degree : 0);
+    for (MatrixXd& sd : seen.sd) sd *= noise;
+    seen.offset_sd *= noise;
     o.amplitude.assign(modes, Complex());
     o.amplitude_sd.assign(modes, 0.0);
     o.rate.assign(modes, Complex());
@@ -201,7 +205,7 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
               to.curvature * seen.derivative[2](tone, at);
       if (list.reversed[b]) value = std::conj(value);
       sd = std::abs(to.value) * seen.sd[0](tone, at);
-    } else if (is_zero_frequency(block) && d == 0) {
+    } else if (is_zero_frequency(block) && d == 0 && window_.passes(0)) {
       value = seen.offset(at);
       sd = seen.offset_sd(at);
     }

@@ -27,7 +27,9 @@ struct DecayWindow {
 /// amplitudes of second degree in time. Tones that an internal resonance makes the same are one.
 class DecayWindows {
  public:
-  DecayWindows(const Campaign& campaign, const CompiledModel& model, const CompiledCase& resonance);
+  /// Of records that are read with `window`'s band.
+  DecayWindows(const Campaign& campaign, const CompiledModel& model, const CompiledCase& resonance,
+               const Window& window);
 
   const std::vector<std::size_t>& oscillating() const { return oscillating_; }
   const ModalProjection& projection() const { return projection_; }
@@ -62,6 +64,7 @@ class DecayWindows {
   ModalProjection projection_;
   std::vector<std::size_t> oscillating_;
   bool rectifies_ = false;  // the expansion has a slow motion at zero frequency
+  Window window_;
 };
 
 }  // namespace secular

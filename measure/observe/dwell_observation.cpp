@@ -107,6 +107,9 @@ class DwellObserver {
       result.warnings.push_back(fmt::format("{}: {}, left out", entry.file, why));
     };
     if (ensemble < 32 || range.count < ensemble) return leave_out("shorter than one ensemble");
+    const auto nominal = entry.excitation_frequency_hz;
+    if (nominal && !window_.passes(two_pi * *nominal))
+      return leave_out(fmt::format("its excitation at {:.4g} Hz is outside of the band", *nominal));
     if (const std::string why = not_an_excitation(record, entry, range); !why.empty()) return leave_out(why);
     const auto observed = [&](FreeSearch search) {
       std::vector<Observation> found;
@@ -116,6 +119,7 @@ class DwellObserver {
       return found;
     };
     std::vector<Observation> found = observed(FreeSearch::near_nominal);
+    if (window_.band && !all_seen(found)) return leave_out("a mode moves outside of the band");
     if (motion_ == DwellMotion::steady) {
       // What rests near the nominal frequencies may move elsewhere.
       if (modes_.free.size() == 1 && at_rest(found))
@@ -200,9 +204,10 @@ class DwellObserver {
             (campaign_.folder / entry.file).string(), "channel " + campaign_.channels[excitations_[j]].name,
             "no steady excitation tone is found in it", "check excitation_frequency_hz and the channel's role");
       o.excitation_frequency.push_back(fit.frequency);
-      o.excitation_frequency_sd.push_back(fit.frequency_sd);
+      const double noise = window_.noise_factor(record.sample_rate_hz);
+      o.excitation_frequency_sd.push_back(noise * fit.frequency_sd);
       o.forcing.push_back(2.0 * fit.amplitude(0, 0));
-      o.forcing_sd.push_back(2 * fit.amplitude_sd(0, 0));
+      o.forcing_sd.push_back(2 * noise * fit.amplitude_sd(0, 0));
     }
     const MatrixXd responses = samples_of(record, projection_.channels, begin, count);
     if (modes_.free.empty())
@@ -279,6 +284,7 @@ class DwellObserver {
     const std::size_t modes = model_.modes();
     const double resolution = two_pi * rate / static_cast<double>(samples.rows());
     const double nyquist = std::numbers::pi * rate;
+    const double noise = window_.noise_factor(rate);
     const auto unknowns = static_cast<Index>(modes_.free.size());
 
     // Every tone as (coupling to u, fixed part); a block whose frequency is negative is seen by its conjugate.
@@ -291,7 +297,7 @@ class DwellObserver {
     // `apart`: bins from every other tone that a tone of its own needs; -1 where it is too close to one.
     const auto index_of = [&](const Tone& tone, double apart) -> std::ptrdiff_t {
       const double f = frequency(tone);
-      if (f < 2 * resolution || f > nyquist - 2 * resolution) return -1;
+      if (f < 2 * resolution || f > nyquist - 2 * resolution || !window_.passes(f)) return -1;
       for (std::size_t i = 0; i < tones.size(); ++i)
         if (std::abs(frequency(tones[i]) - f) < 0.5 * resolution) return static_cast<std::ptrdiff_t>(i);
       for (const Tone& other : tones)
@@ -373,7 +379,7 @@ class DwellObserver {
     if (unknowns > 0) {
       const RelatedToneFit main = fit_related_tones(samples, rate, related(main_tones), free);
       free = main.free;
-      free_sd = main.free_sd;
+      free_sd = noise * main.free_sd;
     }
     RelatedTones list = related(tones.size());
     if (motion_ == DwellMotion::transient) {
@@ -383,10 +389,12 @@ class DwellObserver {
       list.varying = static_cast<int>(main_tones);
       list.degree = transient_degree;
     }
-    const RelatedToneFit fit = fit_related_tones(samples, rate, list, free);
+    RelatedToneFit fit = fit_related_tones(samples, rate, list, free);
+    fit.amplitude_sd *= noise;
+    fit.offset_sd *= noise;
     if (list.coupling.cols() > 0) {
       free = fit.free;
-      free_sd = fit.free_sd;
+      free_sd = noise * fit.free_sd;
     }
 
     const auto seen_frequency = [&](std::ptrdiff_t at) { return frequency(tones[static_cast<std::size_t>(at)]); };
@@ -427,13 +435,22 @@ class DwellObserver {
             to_displacement({project(projection_, mode, fit.amplitude.row(at))}, f, projection_.derivatives).value;
         if (reversed[b]) value = std::conj(value);
         sd = project_sd(projection_, mode, fit.amplitude_sd.row(at)) / std::pow(f, projection_.derivatives);
-      } else if (is_zero_frequency(block) && projection_.derivatives == 0) {
+      } else if (is_zero_frequency(block) && projection_.derivatives == 0 && window_.passes(0)) {
         value = project(projection_, mode, fit.offset.transpose().cast<Complex>());
         sd = project_sd(projection_, mode, fit.offset_sd.transpose());
       }
       o.harmonic.push_back(value);
       o.harmonic_sd.push_back(sd);
     }
+  }
+
+  // Whether every mode that the case lets oscillate has a tone.
+  bool all_seen(const std::vector<Observation>& found) const {
+    return std::all_of(found.begin(), found.end(), [&](const Observation& o) {
+      for (std::size_t k = 0; k < model_.modes(); ++k)
+        if (modes_.oscillates[k] && o.amplitude_sd[k] == 0) return false;
+      return true;
+    });
   }
 
   bool at_rest(const std::vector<Observation>& found) const {

@@ -3,11 +3,13 @@
 #include <Eigen/Core>
 #include <complex>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "estimator/model/compiled_model.hpp"
 #include "measure/data/campaign.hpp"
+#include "measure/signal/band_pass.hpp"
 
 namespace secular {
 
@@ -55,10 +57,17 @@ struct ObservationSet {
 struct Window {
   double from_s = -1e300, to_s = 1e300;
   std::string records = "*";  ///< shell pattern on the record's file
-  std::vector<bool> chosen;   ///< by record: those of one case; empty: all
-  unsigned threads = 1;       ///< for reading and observing; the result does not depend on it
+  /// What the records have been filtered to when they are read (passed_record): nothing else is seen in them.
+  std::optional<Band> band;
+  std::vector<bool> chosen;  ///< by record: those of one case; empty: all
+  unsigned threads = 1;      ///< for reading and observing; the result does not depend on it
 
   bool takes(std::size_t record, const std::string& file) const;
+  /// Whether a frequency (rad/s) is in the band.
+  bool passes(double frequency) const;
+  /// Of standard deviations that come from what a fit of lines leaves of the samples, as if that were white noise:
+  /// the band has taken a part of the noise's variance away, and nothing of it beside the lines.
+  double noise_factor(double sample_rate_hz) const;
 };
 
 /// Samples of one of a campaign's records by its index: read from its file, or replayed on a model. Called from any
@@ -87,8 +96,5 @@ ObservationSet observe_dwells(const Campaign& campaign, const RecordReader& read
 /// amplitude in one) the replayed motion has too: it comes out with the truncation.
 ObservationSet observe_free_decays(const Campaign& campaign, const RecordReader& read_samples,
                                    const CompiledModel& model, const CompiledCase& resonance, const Window& window);
-
-/// True if `file` matches a shell pattern with * and ?.
-bool matches_pattern(const std::string& pattern, const std::string& file);
 
 }  // namespace secular

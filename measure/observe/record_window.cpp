@@ -1,7 +1,10 @@
 #include "measure/observe/record_window.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "measure/data/file_pattern.hpp"
+#include "measure/data/time_span.hpp"
+#include "numerics/hertz.hpp"
 
 namespace secular {
 
@@ -18,11 +21,9 @@ MatrixXd samples_of(const Record& record, const std::vector<std::size_t>& channe
 }
 
 SampleRange range_of(const Record& record, const Window& window) {
-  const auto samples = static_cast<double>(record.samples());
-  const double begin = std::clamp((window.from_s - record.start_s) * record.sample_rate_hz, 0.0, samples);
-  const double end = std::clamp((window.to_s - record.start_s) * record.sample_rate_hz + 1, 0.0, samples);
-  const auto first = static_cast<Index>(std::ceil(begin - 1e-6));
-  return {first, std::max<Index>(0, static_cast<Index>(std::floor(end + 1e-6)) - first)};
+  const SpanOfSamples span =
+      samples_within({window.from_s, window.to_s}, record.start_s, record.sample_rate_hz, record.samples());
+  return {static_cast<Index>(span.first), static_cast<Index>(span.count)};
 }
 
 SlowAmplitude to_displacement(const SlowAmplitude& measured, double frequency, int derivatives) {
@@ -50,25 +51,12 @@ bool Window::takes(std::size_t record, const std::string& file) const {
   return matches_pattern(records, file) && (chosen.empty() || (record < chosen.size() && chosen[record]));
 }
 
-bool matches_pattern(const std::string& pattern, const std::string& file) {
-  // Linear in time with one remembered star.
-  std::size_t p = 0, f = 0, star = std::string::npos, resume = 0;
-  while (f < file.size()) {
-    if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == file[f])) {
-      ++p;
-      ++f;
-    } else if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      resume = f;
-    } else if (star != std::string::npos) {
-      p = star + 1;
-      f = ++resume;
-    } else {
-      return false;
-    }
-  }
-  while (p < pattern.size() && pattern[p] == '*') ++p;
-  return p == pattern.size();
+bool Window::passes(double frequency) const {
+  return !band || (frequency >= two_pi * band->low_hz && frequency <= two_pi * band->high_hz);
+}
+
+double Window::noise_factor(double sample_rate_hz) const {
+  return band ? 1 / std::sqrt(band_share_of_noise(*band, sample_rate_hz)) : 1;
 }
 
 }  // namespace secular

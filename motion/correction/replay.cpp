@@ -51,7 +51,7 @@ class Replay {
         model_(*measured.model),
         parameters_(parameters),
         states_(model_, *measured.resonance),
-        decay_windows_(campaign, model_, *measured.resonance) {
+        decay_windows_(campaign, model_, *measured.resonance, Window{}) {
     if (campaign.modal_basis)
       for (const std::vector<double>& row : campaign.modal_basis->mass_normalised_shapes) shapes_.push_back(row);
     if (measured.resonance->excited) excitations_ = excitation_channels(campaign, model_);
@@ -251,7 +251,7 @@ ObservationSet observe_replay(const Campaign& campaign, const ObservationSet& me
     take_motion(exact, result.observations.back());
   };
   if (!measured.resonance->excited) {
-    const DecayWindows windows(campaign, *measured.model, *measured.resonance);
+    const DecayWindows windows(campaign, *measured.model, *measured.resonance, Window{});
     std::size_t next = 0;
     for (std::size_t i = 0; i < replayed.count(); ++i) {
       const Record record = replayed.read(i);

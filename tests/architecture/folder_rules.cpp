@@ -65,7 +65,7 @@ const FolderTable& folder_table() {
       {"app/identify",
        {"input", "numerics", "report", "measure/observe", "estimator/identification", "app/shared"}},
       {"app/import", {"measure/data", "app/shared"}},
-      {"app/inspect", {"input", "measure/data", "app/shared"}},
+      {"app/inspect", {"input", "measure/data", "measure/observe", "app/shared"}},
       {"app/modal", {"input", "numerics", "report", "measure/modal", "app/shared"}},
       {"app/plan",
        {"input", "numerics", "report", "measure/data", "measure/observe", "estimator/identification",

@@ -9,6 +9,7 @@
 #include "measure/data/csv_dialect.hpp"
 #include "measure/data/names.hpp"
 #include "measure/data/number_table.hpp"
+#include "tests/campaign/append_numbers.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/campaign/variable_names.hpp"
@@ -199,6 +200,17 @@ TEST_F(Mat, ACompressedElementThatIsLongerThanItsVariableIsRefused) {
   EXPECT_EQ(read_data_file(path).vector("a").values.size(), 1000u);
   write("a.mat", packed(variable + std::string(1 << 20, '\0')));
   EXPECT_TRUE(contains(refusal([&] { read_data_file(path); }), "longer than its variable"));
+}
+
+TEST_F(Mat, Version4IsNamed) {
+  for (const ByteOrder order : {ByteOrder::little, ByteOrder::big}) {
+    std::string bytes;
+    for (const std::uint64_t number : {order == ByteOrder::big ? 1000U : 0U, 40U, 1U, 0U, 4U})
+      append_unsigned(bytes, number, 4, order);
+    bytes += std::string("tip\0", 4) + std::string(320, '\7');
+    EXPECT_TRUE(contains(refusal([&] { read_data_file(write("a.mat", bytes)); }), "is a MAT v4 file"));
+  }
+  EXPECT_FALSE(contains(refusal([&] { read_data_file(write("a.mat", std::string(400, '\0'))); }), "v4"));
 }
 
 TEST_F(Mat, FilesThatOnlyLookLikeMatAreRefused) {

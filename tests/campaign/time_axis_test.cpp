@@ -76,6 +76,57 @@ TEST(TimeAxis, ScatterIsJitterWhereRoundingDoesNotExplainIt) {
   EXPECT_EQ(even_time_axis(digits, "f", {}).jitter_s, 0);
 }
 
+// Stamps that repeat, or are as uneven as their rounding makes them.
+TEST(TimeAxis, StampsRoundedToMoreThanHalfAStepKeepTheRate) {
+  struct Rounded {
+    double rate, tick, start;
+  };
+  for (const Rounded& r : {Rounded{2048, 1e-3, 0}, Rounded{1706.7, 1e-3, 0.25}, Rounded{610.35, 1e-3, 0},
+                           Rounded{30, 0.1, 12}, Rounded{51200, 1e-4, 0}, Rounded{25, 1, 3}}) {
+    const std::vector<double> even = stamps(r.start, r.rate, 20000);
+    for (const int direction : {-1, 0, 1}) {
+      std::vector<double> times = even;
+      for (double& t : times) {
+        const double ticks = t / r.tick;
+        t = r.tick * (direction == 0 ? std::round(ticks) : direction < 0 ? std::floor(ticks) : std::ceil(ticks));
+      }
+      const TimeAxis axis = even_time_axis(times, "f", {});
+      EXPECT_NEAR(axis.sample_rate_hz, r.rate, 1e-6 * r.rate) << r.rate << ' ' << direction;
+      EXPECT_NEAR(axis.start_s, r.start, 0.6 * r.tick) << r.rate << ' ' << direction;
+      EXPECT_EQ(axis.jitter_s, 0) << r.rate;
+      EXPECT_EQ(even_time_axis(times, "f", {}, r.rate).sample_rate_hz, r.rate);
+    }
+  }
+}
+
+// What is no rounding stays refused: lost samples at random, lost ones at every buffer's end, one sample too many.
+TEST(TimeAxis, LostSamplesAreNoRounding) {
+  std::mt19937_64 random(7);
+  for (const double rate : {1000.0, 10.0}) {
+    const double tick = 1 / rate;
+    const std::vector<double> whole = stamps(0, rate, 20000, tick);
+    const auto refused = [&](std::vector<double> times) {
+      return !refusal([&] { even_time_axis(times, "f", {}, rate); }).empty() &&
+             !refusal([&] { even_time_axis(times, "f", {}); }).empty();
+    };
+    for (const int lost : {1, 3, 40, 2000}) {
+      std::vector<double> times = whole;
+      for (int i = 0; i < lost; ++i)
+        times.erase(times.begin() + 1 + static_cast<long>(random() % (times.size() - 2)));
+      EXPECT_TRUE(refused(times)) << lost;
+    }
+    std::vector<double> buffers;
+    for (std::size_t i = 0; i < whole.size(); ++i)
+      if (i % 1024 != 1023) buffers.push_back(whole[i]);
+    EXPECT_TRUE(refused(buffers));
+    std::vector<double> twice = whole;
+    twice.insert(twice.begin() + 5000, whole[5000]);
+    EXPECT_TRUE(refused(twice));
+  }
+  // Too short for its ticks to tell the rate.
+  EXPECT_FALSE(refusal([&] { even_time_axis(stamps(0, 700, 40, 1e-3), "f", {}); }).empty());
+}
+
 TEST(TimeAxis, EpochTimeIsAccepted) {
   EXPECT_EQ(even_time_axis(stamps(1.7e9, 1000, 10000), "f", {}).sample_rate_hz, 1000);
 }

@@ -89,6 +89,22 @@ TEST_F(Wav, IsImportedWithTheUnitsTheOptionsGive) {
   EXPECT_EQ(imported.samples[0].channels[0], (Numbers{2, -4, 1}));
 }
 
+// A recorder that writes into a pipe cannot go back to fill in sizes.
+TEST_F(Wav, AStreamGoesToTheEndOfTheFile) {
+  for (const std::string& size : {std::string(4, '\0'), std::string(4, '\xFF')})
+    for (const std::size_t cut : {0U, 1U}) {
+      std::string bytes = wav({pcm, 1, 1000, 16}, std::string("\0\x40\0\x80\0\x20", 6));
+      bytes.replace(4, 4, size);
+      bytes.replace(bytes.size() - 10, 4, size);
+      bytes += std::string(cut, '\1');  // the begin of a sample
+      EXPECT_EQ(read_data_file(write("a.wav", bytes)).vector("channel 1").values, (Numbers{0.5, -1, 0.25}));
+    }
+  // A size that the file as a whole states is meant.
+  std::string bytes = wav({pcm, 1, 1000, 16}, std::string("\0\x40", 2));
+  bytes.replace(bytes.size() - 6, 4, std::string(4, '\xFF'));
+  EXPECT_TRUE(contains(refusal([&] { read_data_file(write("a.wav", bytes)); }), "bytes are announced"));
+}
+
 TEST_F(Wav, ComplaintsNameThePlace) {
   const auto complaint = [&](const std::string& bytes) {
     return refusal([&] { read_data_file(write("a.wav", bytes)); });

@@ -58,7 +58,7 @@ TEST(CampaignClock, SegmentsKeepItsTime) {
   sensors.excitation_names.clear();
   std::vector<std::string> warnings;
   const std::vector<Segment> segments = cut_segments(campaign, read, sensors, {testing_support::natural},
-                                                     {{}, SegmentLength::turns, 100'000, std::nullopt}, warnings);
+                                                     {{}, SegmentLength::turns, 100'000}, warnings);
   const std::vector<double> began = record_times(campaign);
   std::size_t of_second = 0;
   for (const Segment& s : segments) {

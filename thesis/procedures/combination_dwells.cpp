@@ -35,6 +35,7 @@ struct Reader {
   const CompiledCase& resonance;
   ModalProjection projection;
   std::size_t excitation = 0;
+  const Window& window;
   double nominal[2] = {0, 0};
 
   // Frequencies of both modes, whose sum is the excitation's; nothing where a mode does not respond.
@@ -81,12 +82,15 @@ struct Reader {
                        "no steady excitation tone is found in it",
                        "check excitation_frequency_hz and the channel's role");
     o.excitation_frequency = {tone.frequency};
-    o.excitation_frequency_sd = {tone.frequency_sd};
+    const double noise = window.noise_factor(rate);
+    o.excitation_frequency_sd = {noise * tone.frequency_sd};
     o.forcing = {2.0 * tone.amplitude(0, 0)};
-    o.forcing_sd = {2 * tone.amplitude_sd(0, 0)};
+    o.forcing_sd = {2 * noise * tone.amplitude_sd(0, 0)};
     const MatrixXd modal = samples_of(record, projection.channels, begin, count) * projection.matrix.transpose();
     double frequency[2], frequency_sd = 0;
     if (!mode_frequencies(modal, rate, tone.frequency, frequency, frequency_sd)) return false;
+    frequency_sd *= noise;
+    if (!window.passes(frequency[0]) || !window.passes(frequency[1])) return false;
     std::vector<double> tones;
     const double resolution = two_pi * rate / static_cast<double>(count);
     const auto index_of = [&](double f) -> std::ptrdiff_t {
@@ -103,12 +107,13 @@ struct Reader {
       double f = 0;
       for (std::size_t i = 0; i < block.phase.size(); ++i)
         f += block.phase[i] * (i < 2 ? frequency[i] : tone.frequency);
-      const bool seen = block.kind == BlockKind::harmonic && block.order <= 1;
+      const bool seen = block.kind == BlockKind::harmonic && block.order <= 1 && window.passes(std::abs(f));
       block_frequency.push_back(std::abs(f));
       at_block.push_back(seen ? index_of(std::abs(f)) : -1);
     }
     index_of(tone.frequency);
-    const KnownFrequencyFit fit = known_frequency_components(modal, rate, tones, true);
+    KnownFrequencyFit fit = known_frequency_components(modal, rate, tones, true);
+    fit.amplitude_sd *= noise;
     for (std::size_t k = 0; k < 2; ++k) {
       const auto mode = static_cast<Index>(k);
       o.amplitude.push_back(
@@ -153,7 +158,7 @@ ObservationSet observe_combination_dwells(const Campaign& campaign, const Record
                      "is no additive combination resonance of two modes", "Omega = omega1 + omega2 was expected");
   Reader reader{
       campaign, model, resonance, modal_projection(campaign, model), excitation_channels(campaign, model).front(),
-      {}};
+      window,   {0, 0}};
   for (std::size_t k = 0; k < 2; ++k) reader.nominal[k] = model.nominal[k];
   ObservationSet set;
   set.model = &model;
@@ -167,6 +172,11 @@ ObservationSet observe_combination_dwells(const Campaign& campaign, const Record
     const Index length =
         entry.ensemble_s ? static_cast<Index>(std::lround(*entry.ensemble_s * record.sample_rate_hz)) : range.count;
     const int label = condition++;
+    if (const auto nominal = entry.excitation_frequency_hz; nominal && !window.passes(two_pi * *nominal)) {
+      set.warnings.push_back(
+          fmt::format("{}: its excitation at {:.4g} Hz is outside of the band, left out", entry.file, *nominal));
+      continue;
+    }
     if (length < 64 || range.count < length) {
       set.warnings.push_back(fmt::format("{}: shorter than one ensemble, left out", entry.file));
       continue;

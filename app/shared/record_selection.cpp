@@ -1,0 +1,138 @@
+#include "app/shared/record_selection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "estimator/identification/short_list.hpp"
+#include "input/input_error.hpp"
+#include "measure/data/file_pattern.hpp"
+#include "measure/observe/passed_record.hpp"
+#include "measure/observe/record_window.hpp"
+
+namespace secular::app {
+namespace {
+
+std::string toml_of(const Campaign& campaign) {
+  return (campaign.folder / "campaign.toml").string();
+}
+
+// LOW:HIGH
+Band parse_band(const std::string& text) {
+  const auto refuse = [&](const char* wrong, const char* right) -> InputError {
+    return InputError("--band " + text, "", wrong, right);
+  };
+  const auto number = [&](const std::string& part) {
+    char* end = nullptr;
+    const double value = std::strtod(part.c_str(), &end);
+    if (part.empty() || *end != '\0' || !std::isfinite(value) || value < 0)
+      throw refuse("is not LOW:HIGH", "for example --band 20:300");
+    return value;
+  };
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) throw refuse("is not LOW:HIGH", "for example --band 20:300");
+  const Band band{number(text.substr(0, colon)), number(text.substr(colon + 1))};
+  if (!(band.low_hz < band.high_hz)) throw refuse("the band is empty", "LOW must be below HIGH, both in Hz");
+  return band;
+}
+
+// Throws unless some record has a sample in the window.
+void require_samples(const Campaign& campaign, const Window& window) {
+  const Window everything;
+  if (!window.band && window.from_s == everything.from_s && window.to_s == everything.to_s) return;
+  std::string longest;
+  double most = -1;
+  for (std::size_t r = 0; r < campaign.records.size(); ++r) {
+    const RecordEntry& entry = campaign.records[r];
+    if (!window.takes(r, entry.file)) continue;
+    Record record = read_record(campaign, entry);
+    const double end = record.start_s + (static_cast<double>(record.samples()) - 1) / record.sample_rate_hz;
+    const std::string span = fmt::format("{} goes from {:.6g} s to {:.6g} s", entry.file, record.start_s, end);
+    if (end - record.start_s > most) longest = span;
+    most = std::max(most, end - record.start_s);
+    record = passed_record(campaign, r, std::move(record), window);
+    if (range_of(record, window).count > 0) return;
+  }
+  const std::string reach =
+      window.band ? fmt::format(", and the filter of --band reaches {:.4g} s into a record from both ends",
+                                static_cast<double>(band_pass_reach(*window.band, campaign.sample_rate_hz)) /
+                                    campaign.sample_rate_hz)
+                  : "";
+  throw InputError(toml_of(campaign), "",
+                   window.band ? "no record has a sample left by --from, --to and --band"
+                               : "no record has a sample between --from and --to",
+                   longest + reach);
+}
+
+}  // namespace
+
+void SelectionOptions::add_to(CLI::App& command, SelectionParts parts, CLI::Option* of) {
+  std::vector<CLI::Option*> added;
+  if (parts.band)
+    added.push_back(
+        command.add_option("--band", band_, "LOW:HIGH in Hz: nothing of a record counts that lies outside of it"));
+  if (parts.span) {
+    added.push_back(command.add_option("--from", from_s_, "use every record from this time of its own on, s"));
+    added.push_back(command.add_option("--to", to_s_, "use every record up to this time of its own, s"));
+  }
+  added.push_back(command.add_option("--records", records_,
+                                     "use the records whose file matches this shell pattern, with * and ?"));
+  for (CLI::Option* option : added)
+    if (of) option->needs(of);
+}
+
+Window SelectionOptions::window() const {
+  Window window;
+  if (band_) window.band = parse_band(*band_);
+  window.records = records_.value_or(window.records);
+  window.from_s = from_s_.value_or(window.from_s);
+  window.to_s = to_s_.value_or(window.to_s);
+  if (!(window.from_s < window.to_s))
+    throw InputError("--from, --to", "", "the window is empty", "--from must be before --to");
+  return window;
+}
+
+TimeSpan SelectionOptions::span() const {
+  const TimeSpan all;
+  return {from_s_.value_or(all.from_s), to_s_.value_or(all.to_s)};
+}
+
+void SelectionOptions::require_any_record(const std::string& file) const {
+  if (records_)
+    throw InputError("--records " + *records_, "", file + " is a single record",
+                     "--records chooses among those of a campaign folder");
+}
+
+void require_match(const Campaign& campaign, const Window& window) {
+  std::vector<std::string> files;
+  for (const RecordEntry& entry : campaign.records) {
+    if (matches_pattern(window.records, entry.file)) return;
+    files.push_back(entry.file);
+  }
+  throw InputError(toml_of(campaign), "", "no record matches --records " + window.records,
+                   "its records are " + short_list(files));
+}
+
+void require_sampled(const Window& window, double sample_rate_hz) {
+  if (window.band && !(window.band->high_hz < 0.5 * sample_rate_hz))
+    throw InputError(
+        fmt::format("--band {:.6g}:{:.6g}", window.band->low_hz, window.band->high_hz), "",
+        "ends above half the sample rate",
+        fmt::format("{:.6g} samples/s hold what is below {:.6g} Hz", sample_rate_hz, 0.5 * sample_rate_hz));
+}
+
+SelectedRecords::SelectedRecords(const Campaign& campaign, const Window& window)
+    : campaign_(campaign), window_(window), reader_(campaign) {
+  require_match(campaign, window);
+  require_sampled(window, campaign.sample_rate_hz);
+  require_samples(campaign, window);
+}
+
+Record SelectedRecords::read(std::size_t record) {
+  return passed_record(campaign_, record, reader_.read(record), window_);
+}
+
+}  // namespace secular::app

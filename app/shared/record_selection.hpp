@@ -1,0 +1,60 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "measure/data/time_span.hpp"
+#include "measure/data/watched_reader.hpp"
+#include "measure/observe/observation_set.hpp"
+
+namespace secular::app {
+
+/// Options of which a command has no use (docs/your_own_data.md says why).
+struct SelectionParts {
+  bool band = true, span = true;
+};
+
+/// --band, --from, --to and --records: the same in every command that reads records.
+class SelectionOptions {
+ public:
+  /// Adds them to a command; `of`: the option that names the campaign, where that is one.
+  void add_to(CLI::App& command, SelectionParts parts = {}, CLI::Option* of = nullptr);
+
+  /// What they say, as far as that makes sense by itself. Throws InputError.
+  Window window() const;
+  TimeSpan span() const;
+
+  /// Throws InputError where records are chosen of what is a single file.
+  void require_any_record(const std::string& file) const;
+
+ private:
+  std::optional<std::string> band_, records_;
+  std::optional<double> from_s_, to_s_;
+};
+
+/// Throws InputError where no record's file matches, with those that there are.
+void require_match(const Campaign& campaign, const Window& window);
+
+/// Throws InputError for a band that goes beyond half the sample rate.
+void require_sampled(const Window& window, double sample_rate_hz);
+
+/// The records of a campaign that a window chooses, filtered to its band, and what is wrong with their samples. May
+/// be read by several threads. The campaign must live as long.
+class SelectedRecords {
+ public:
+  /// Throws InputError as the two above do, and where no record has a sample in the window.
+  SelectedRecords(const Campaign& campaign, const Window& window);
+
+  Record read(std::size_t record);
+  std::vector<std::string> warnings() const { return reader_.warnings(); }
+
+ private:
+  const Campaign& campaign_;
+  Window window_;
+  WatchedReader reader_;
+};
+
+}  // namespace secular::app

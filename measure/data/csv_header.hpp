@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "measure/data/csv_dialect.hpp"
+
+namespace secular {
+
+/// What stands above the rows of a CSV.
+struct CsvHeader {
+  std::vector<std::string> names, units;
+  CsvDialect dialect;
+  char line_break = '\n';     ///< or, in a text without any, a carriage return
+  std::size_t line = 0;       ///< of the names
+  std::size_t last_line = 0;  ///< before the rows
+  std::string_view rows;      ///< the text below
+};
+
+/// Lines that begin with # and empty ones are passed over, and so is what has another number of fields than the
+/// names above the first row of numbers; sep= states the separator; a comment directly above the rows may hold the
+/// names. A control-Z at the end belongs to no row. Throws InputError.
+CsvHeader read_header(std::string_view text, const std::string& file);
+
+/// Takes the next line off `rest`, without its line break.
+std::string_view next_line(std::string_view& rest, char line_break);
+
+/// Without blanks, tabulators and carriage returns at its ends.
+std::string_view trimmed(std::string_view text);
+std::string_view unquoted(std::string_view text);
+
+/// A field as messages show it.
+std::string shown(std::string_view field);
+
+enum class FieldFault { none, empty, text, not_finite };
+
+FieldFault parse_number(std::string_view field, bool decimal_comma, double& value);
+
+}  // namespace secular

@@ -1,0 +1,53 @@
+#include "measure/observe/passed_record.hpp"
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "measure/observe/record_window.hpp"
+#include "measure/signal/free_decay.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// Sample of the record from which the response that moves most swings freely; 0 where no decay is found.
+Index release(const Campaign& campaign, const Record& record, const Window& window) {
+  const SampleRange range = range_of(record, window);
+  std::optional<VectorXd> leading;
+  double most = -1;
+  for (std::size_t c = 0; c < campaign.channels.size() && range.count > 0; ++c) {
+    if (campaign.channels[c].role != ChannelRole::response) continue;
+    VectorXd samples = samples_of(record, {c}, range.first, range.count).col(0);
+    const double size = (samples.array() - samples.mean()).matrix().norm();
+    if (size <= most) continue;
+    most = size;
+    leading = std::move(samples);
+  }
+  const auto start = leading ? find_decay_start(*leading, record.sample_rate_hz) : std::nullopt;
+  return start ? range.first + start->sample : 0;
+}
+
+}  // namespace
+
+Record passed_record(const Campaign& campaign, std::size_t record, Record samples, const Window& window) {
+  if (!window.band) return samples;
+  const RecordKind kind = campaign.records[record].kind;
+  const bool decays = kind == RecordKind::free_decay || kind == RecordKind::impact;
+  const Index first = decays ? release(campaign, samples, window) : 0;
+  for (std::vector<double>& channel : samples.channels) {
+    const auto count = static_cast<Index>(channel.size()) - first;
+    const Eigen::MatrixXd passed =
+        band_pass(VectorXd::Map(channel.data() + first, count), samples.sample_rate_hz, *window.band);
+    channel.assign(passed.data(), passed.data() + passed.size());
+  }
+  const Index reach = band_pass_reach(*window.band, samples.sample_rate_hz);
+  samples.start_s += static_cast<double>(first + reach) / samples.sample_rate_hz;
+  return samples;
+}
+
+}  // namespace secular
