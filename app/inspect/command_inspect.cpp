@@ -13,10 +13,12 @@
 #include <vector>
 
 #include "app/shared/commands.hpp"
+#include "app/shared/disturbance_output.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/data_file.hpp"
 #include "measure/data/inspection.hpp"
+#include "measure/disturbances/catalogue.hpp"
 
 namespace secular::app {
 namespace {
@@ -119,9 +121,19 @@ void print_levels(const Campaign& campaign, const std::vector<RecordInspection>&
   if (rows.size() > 1) fmt::print("\nlevels\n{}{}", aligned(rows, 3), level_note);
 }
 
+// Adds what a record holds beside the motion.
+RecordLook disturbances_into(std::vector<Disturbance>& all, const Campaign& campaign) {
+  return [&](std::size_t index, const Record& record) {
+    const std::vector<Disturbance> found = find_disturbances(campaign, index, record);
+    all.insert(all.end(), found.begin(), found.end());
+  };
+}
+
 void print_campaign(const std::filesystem::path& folder, const InspectionLimit& limit) {
   const Campaign campaign = read_campaign(folder);
-  const std::vector<RecordInspection> records = inspect_records(campaign, limit);
+  std::vector<Disturbance> disturbances;
+  const std::vector<RecordInspection> records =
+      inspect_records(campaign, limit, disturbances_into(disturbances, campaign));
   fmt::print("campaign '{}' in {}\nsample rate {} Hz\n", campaign.name, folder.string(), campaign.sample_rate_hz);
   print_channels(campaign);
   print_records(campaign, records);
@@ -139,6 +151,7 @@ void print_campaign(const std::filesystem::path& folder, const InspectionLimit& 
                                      fault.kind, fault.text));
   }
   print_faults(faults);
+  print_disturbances(disturbances, campaign, records.size());
 }
 
 // "m/s^2", "m/s^2 (from g)", "EU ?" for a unit that is not known.
@@ -218,7 +231,9 @@ void put_axis(Json& object, const std::optional<TimeAxis>& axis, std::size_t sam
 
 Json campaign_json(const std::filesystem::path& folder, const InspectionLimit& limit) {
   const Campaign campaign = read_campaign(folder);
-  const std::vector<RecordInspection> records = inspect_records(campaign, limit);
+  std::vector<Disturbance> disturbances;
+  const std::vector<RecordInspection> records =
+      inspect_records(campaign, limit, disturbances_into(disturbances, campaign));
   Json root = {{"campaign", folder.string()}, {"name", campaign.name}, {"sample_rate_hz", campaign.sample_rate_hz}};
   root["channels"] = Json::array();
   for (const Channel& channel : campaign.channels)
@@ -253,6 +268,7 @@ Json campaign_json(const std::filesystem::path& folder, const InspectionLimit& l
     root["records"].push_back(std::move(record));
   }
   root["faults_found"] = faults;
+  root["disturbances"] = disturbances_json(disturbances, campaign);
   return root;
 }
 

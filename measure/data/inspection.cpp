@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <system_error>
+#include <utility>
 
 #include "input/input_error.hpp"
 #include "measure/data/data_file.hpp"
@@ -75,10 +76,11 @@ std::optional<std::size_t> samples_until(std::optional<double> last, const std::
   return static_cast<std::size_t>(samples);
 }
 
-RecordInspection inspect_record(const Campaign& campaign, const RecordEntry& entry, std::size_t limit) {
+RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std::size_t limit,
+                                const RecordLook& look) {
   RecordInspection inspection;
   try {
-    const RecordData data = read_record_data(campaign, entry, MissingNumbers::keep_as_nan, limit);
+    RecordData data = read_record_data(campaign, campaign.records[index], MissingNumbers::keep_as_nan, limit);
     inspection.judged = data.stamps_s.size();
     inspection.samples = data.total;
     inspection.axis = judged_axis(data.stamps_s, data.place, campaign.sample_rate_hz, inspection.faults);
@@ -94,6 +96,9 @@ RecordInspection inspect_record(const Campaign& campaign, const RecordEntry& ent
     if (inspection.axis && inspection.axis->jitter_s > 0)
       inspection.faults.push_back({"time", jitter_text(*inspection.axis, data.channels)});
     for (const std::vector<double>& samples : data.channels) inspection.channels.push_back(check_channel(samples));
+    if (look && inspection.axis)
+      look(index, {inspection.axis->start_s, inspection.axis->sample_rate_hz, std::move(data.channels),
+                   inspection.axis->jitter_s});
   } catch (const InputError& error) {
     inspection.faults.push_back({"unreadable", without_file(error)});
   }
@@ -111,12 +116,14 @@ std::vector<std::vector<double>> channels_beside(const DataFile& data, const std
 
 }  // namespace
 
-std::vector<RecordInspection> inspect_records(const Campaign& campaign, const InspectionLimit& limit) {
+std::vector<RecordInspection> inspect_records(const Campaign& campaign, const InspectionLimit& limit,
+                                              const RecordLook& look) {
   std::uintmax_t bytes = 0;
   for (const RecordEntry& entry : campaign.records) bytes += size_of(campaign.folder / entry.file);
   const std::size_t share = share_of(limit, bytes, campaign.records.size() * (campaign.channels.size() + 1));
   std::vector<RecordInspection> inspections;
-  for (const RecordEntry& entry : campaign.records) inspections.push_back(inspect_record(campaign, entry, share));
+  for (std::size_t r = 0; r < campaign.records.size(); ++r)
+    inspections.push_back(inspect_record(campaign, r, share, look));
   return inspections;
 }
 
