@@ -14,7 +14,7 @@ namespace {
 // Unquantised values lie on a lattice of their smallest gap by chance: one gap in ten does within the tolerance of
 // ValueGrid, which wants 95 % of them.
 bool is_lattice(const ValueGrid& grid, double level) {
-  if (!grid.step || grid.levels < 4) return false;
+  if (!grid.visited || grid.levels < 4) return false;
   const auto gaps = static_cast<double>(grid.levels - 2);  // beside the smallest, which defines the step
   return binomial_upper_tail(std::ceil(0.95 * gaps), gaps, 0.1) < level;
 }

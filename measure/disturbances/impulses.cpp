@@ -15,13 +15,14 @@ namespace {
 constexpr std::size_t block = 256;  // of samples that share a scale
 
 // How far every sample is off the cubic through two neighbours on either side, in units of the median of that over
-// the block around it. Quantisation alone makes 4/3 of a step.
+// the block around it. Rounding to a lattice changes it by 4/3 of a step at most.
 struct Roughness {
   std::vector<double> off, relative;  // signed, in the channel's unit; modulus over the block's scale
+  double blur = 0;                    // how far rounding may change a relative one, in either direction
 };
 
 Roughness roughness(std::span<const double> x, double step) {
-  Roughness result{std::vector<double>(x.size(), 0.0), std::vector<double>(x.size(), 0.0)};
+  Roughness result{std::vector<double>(x.size(), 0.0), std::vector<double>(x.size(), 0.0), 0};
   for (std::size_t i = 2; i + 2 < x.size(); ++i)
     result.off[i] = x[i] - (4 * (x[i - 1] + x[i + 1]) - x[i - 2] - x[i + 2]) / 6;
   std::vector<double> size;
@@ -29,7 +30,8 @@ Roughness roughness(std::span<const double> x, double step) {
     const std::size_t end = std::min(x.size() - 2, begin + block);
     size.clear();
     for (std::size_t i = begin; i < end; ++i) size.push_back(std::abs(result.off[i]));
-    const double scale = std::max(upper_median(size), 4.0 / 3 * step);
+    const double rounding = 4.0 / 3 * step, scale = std::max(upper_median(size), rounding);
+    if (scale > 0) result.blur = std::max(result.blur, rounding / scale);
     for (std::size_t i = begin; i < end && scale > 0; ++i) result.relative[i] = std::abs(result.off[i]) / scale;
   }
   return result;
@@ -41,20 +43,22 @@ bool is_peak(const std::vector<double>& values, std::size_t i) {
   return true;
 }
 
-// The least of the values that lie beyond a gap in the tail; infinite if there is none. In an exponential tail the
-// m+1 values above the (m+2)-th have spacings x_i - x_(i+1) that are exponential with means beta/(i+1); m gaps are
-// tried.
-double beyond_the_tail(std::vector<double> values, double false_alarm) {
+// What values lie beyond a gap in the tail; infinite if none do. In an exponential tail the m+1 values above the
+// (m+2)-th have spacings x_i - x_(i+1) that are exponential with means beta/(i+1); m gaps are tried. Values that
+// are known to `blur` alone have gaps smaller, and a tail wider, by as much on either side.
+double end_of_tail(std::vector<double> values, double blur, double false_alarm) {
   const auto m = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(values.size()))));
   if (m < 16 || values.size() < 2 * m + 1) return INFINITY;
   std::partial_sort(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(2 * m + 1), values.end(),
                     std::greater<>());
+  const auto count = static_cast<double>(m);
+  // Of the gap over the sum of m spacings, (1 + gap/sum)^-m is the probability.
+  const double least_ratio = std::expm1(std::log(count / false_alarm) / count);
   for (std::size_t k = m; k > 0; --k) {
-    double sum = 0;
+    double sum = 2 * count * blur;
     for (std::size_t i = 1; i <= m; ++i) sum += static_cast<double>(i + 1) * (values[k + i - 1] - values[k + i]);
-    const double gap = values[k - 1] - values[k];
-    const double tail = static_cast<double>(m) * std::log1p(gap / sum);
-    if (tail > std::log(static_cast<double>(m) / false_alarm)) return values[k - 1];
+    const double end = values[k] + least_ratio * sum + 2 * blur;
+    if (values[k - 1] > end) return end;
   }
   return INFINITY;
 }
@@ -103,9 +107,9 @@ Impulses find_impulses(std::span<const double> samples, const ValueGrid& grid, c
       peaks.push_back(i);
       sizes.push_back(rough.relative[i]);
     }
-  const double limit = beyond_the_tail(sizes, false_alarm);
+  const double limit = end_of_tail(sizes, rough.blur, false_alarm);
   for (std::size_t p = 0; p < peaks.size(); ++p)
-    if (sizes[p] >= limit && !is_beside_held(held, peaks[p]))
+    if (sizes[p] > limit && !is_beside_held(held, peaks[p]))
       (is_spike(rough, peaks[p], limit) ? impulses.spikes : impulses.knocks)
           .push_back({peaks[p], std::abs(rough.off[peaks[p]])});
   return impulses;

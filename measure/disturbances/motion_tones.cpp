@@ -57,9 +57,13 @@ double MotionTones::folded(double frequency_hz) const {
 bool MotionTones::is_multiple(double frequency_hz, double of_hz, double tolerance) const {
   for (int q = 1; q <= largest_divisor; ++q)
     if (same(frequency_hz * q, of_hz * std::round(frequency_hz * q / of_hz), tolerance)) return true;
-  // Between half and twice the sample rate harmonics are folded back once or twice.
+  return false;
+}
+
+// Between half and twice the sample rate harmonics are folded back once or twice.
+bool MotionTones::is_folded(double frequency_hz, double of_hz) const {
   for (double multiple = of_hz; multiple < 2 * rate_; multiple += of_hz)
-    if (same(frequency_hz, folded(multiple), tolerance)) return true;
+    if (same(frequency_hz, folded(multiple), tolerance_)) return true;
   return false;
 }
 
@@ -84,26 +88,32 @@ bool MotionTones::has_weak_partner(double frequency_hz, double of_hz) const {
   return false;
 }
 
-bool MotionTones::is_harmonic(double frequency_hz, double error_hz) const {
-  const double tolerance = tolerance_ + error_hz;
-  if (std::any_of(excited_.begin(), excited_.end(), [&](double f) { return same(f, frequency_hz, tolerance); }))
+bool MotionTones::is_harmonic(double frequency_hz) const {
+  if (std::any_of(excited_.begin(), excited_.end(), [&](double f) { return same(f, frequency_hz, tolerance_); }))
     return true;
   for (std::size_t a = 0; a < generators_.size(); ++a) {
-    if (is_multiple(frequency_hz, generators_[a], tolerance)) return true;
+    if (is_multiple(frequency_hz, generators_[a], tolerance_) || is_folded(frequency_hz, generators_[a]))
+      return true;
     for (std::size_t b = a + 1; b < generators_.size(); ++b)
       for (int i = 0; i <= largest_order; ++i)
         for (int j = i - largest_order; j <= largest_order - i; ++j)
-          if (same(frequency_hz, folded(i * generators_[a] + j * generators_[b]), tolerance)) return true;
+          if (same(frequency_hz, folded(i * generators_[a] + j * generators_[b]), tolerance_)) return true;
   }
   return false;
 }
 
-bool MotionTones::make(double frequency_hz, const std::vector<double>& others, double error_hz) const {
-  return is_harmonic(frequency_hz, error_hz) ||
-         std::any_of(generators_.begin(), generators_.end(), [&](double generator) {
-           return has_partner(frequency_hz, generator, others, tolerance_ + error_hz) ||
+bool MotionTones::make(double frequency_hz, const std::vector<double>& others) const {
+  return is_harmonic(frequency_hz) || std::any_of(generators_.begin(), generators_.end(), [&](double generator) {
+           return has_partner(frequency_hz, generator, others, tolerance_) ||
                   (forced_ && has_weak_partner(frequency_hz, generator));
          });
+}
+
+bool MotionTones::start_at(double frequency_hz, const std::vector<double>& others, double error_hz) const {
+  return std::any_of(generators_.begin(), generators_.end(), [&](double generator) {
+    return is_multiple(frequency_hz, generator, tolerance_ + error_hz) ||
+           has_partner(frequency_hz, generator, others, tolerance_ + error_hz);
+  });
 }
 
 double MotionTones::lowest_hz() const {

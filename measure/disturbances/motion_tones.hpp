@@ -18,11 +18,14 @@ class MotionTones {
  public:
   explicit MotionTones(const SearchedRecord& record);
 
-  /// A line at that frequency, known to `error_hz`, is a multiple or a sum of excitations, or excited itself.
-  bool is_harmonic(double frequency_hz, double error_hz = 0) const;
+  /// A line at that frequency is a multiple or a sum of excitations, also folded, or excited itself.
+  bool is_harmonic(double frequency_hz) const;
   /// That, or it has a partner among `others`; partners at the sum and the difference with the excitation itself
   /// count down to the noise.
-  bool make(double frequency_hz, const std::vector<double>& others, double error_hz = 0) const;
+  bool make(double frequency_hz, const std::vector<double>& others) const;
+  /// A line that dies away at that frequency, known to `error_hz`, is the motion's own start: at a multiple, or
+  /// with a partner among `others`.
+  bool start_at(double frequency_hz, const std::vector<double>& others, double error_hz) const;
 
   /// Hz; nothing is made below it but a mean.
   double lowest_hz() const;
@@ -30,6 +33,7 @@ class MotionTones {
  private:
   double folded(double frequency_hz) const;
   bool is_multiple(double frequency_hz, double of_hz, double tolerance) const;
+  bool is_folded(double frequency_hz, double of_hz) const;
   bool has_partner(double frequency_hz, double of_hz, const std::vector<double>& others, double tolerance) const;
   bool has_weak_partner(double frequency_hz, double of_hz) const;
 

@@ -12,7 +12,7 @@
 namespace secular {
 namespace {
 
-constexpr std::size_t late_blocks = 8;
+constexpr std::size_t most_late_blocks = 32;  // the F law with 64 degrees of freedom is near its limit
 constexpr std::size_t shortest_block = 64;
 
 // A line at the record's begin that has gone in its second half.
@@ -30,10 +30,11 @@ void look_through(std::span<const double> samples, std::size_t length, double ra
   const std::vector<double> first = windowed_powers(samples.first(length), window),
                             second = windowed_powers(samples.subspan(length, length), window);
   std::vector<double> late(first.size(), 0.0), ratios;
-  const std::size_t half = samples.size() / 2, hop = (samples.size() - half - length) / (late_blocks - 1);
-  for (std::size_t b = 0; b < late_blocks; ++b) {
+  const std::size_t half = samples.size() / 2, blocks = std::min(most_late_blocks, half / length);
+  const std::size_t hop = (half - length) / (blocks - 1);
+  for (std::size_t b = 0; b < blocks; ++b) {
     const std::vector<double> powers = windowed_powers(samples.subspan(half + b * hop, length), window);
-    for (std::size_t k = 0; k < late.size(); ++k) late[k] += powers[k] / late_blocks;
+    for (std::size_t k = 0; k < late.size(); ++k) late[k] += powers[k] / static_cast<double>(blocks);
   }
   const auto lobe = static_cast<std::size_t>(lobe_bins);
   if (late.size() < 4 * lobe) return;
@@ -42,7 +43,7 @@ void look_through(std::span<const double> samples, std::size_t length, double ra
   for (std::size_t k = lobe; k + lobe < late.size(); ++k) {
     if (first[k] <= first[k - 1] || first[k] < first[k + 1] || second[k] >= first[k]) continue;
     const double ratio = first[k] / (louder * late[k]);
-    if (!(late[k] > 0) || f_upper_tail(ratio, 2, 2 * late_blocks) > of_bin) continue;
+    if (!(late[k] > 0) || f_upper_tail(ratio, 2, 2 * static_cast<double>(blocks)) > of_bin) continue;
     const double before = std::log(first[k - 1]), here = std::log(first[k]), after = std::log(first[k + 1]);
     const double offset = 0.5 * (before - after) / (before - 2 * here + after);
     rings.push_back({length, (static_cast<double>(k) + offset) * rate / static_cast<double>(length), ratio,
@@ -110,7 +111,7 @@ void find_ringing(const SearchedRecord& record, std::vector<Disturbance>& found)
   for (std::size_t c = 0; c < rings.size(); ++c)
     for (const Ring& ring : rings[c]) {
       // The frequency is known to a quarter of the block's bin: it decays there.
-      if (motion.make(ring.frequency_hz, all, 0.25 * record.rate / static_cast<double>(ring.length))) continue;
+      if (motion.start_at(ring.frequency_hz, all, 0.25 * record.rate / static_cast<double>(ring.length))) continue;
       found.push_back(described(record, c, ring));
     }
 }
