@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <set>
@@ -13,6 +15,7 @@
 #include "measure/disturbances/catalogue.hpp"
 #include "measure/disturbances/disturbance_watch.hpp"
 #include "numerics/hertz.hpp"
+#include "tests/places.hpp"
 
 namespace secular {
 namespace {
@@ -173,6 +176,13 @@ TEST(Disturbances, EveryRowHasACase) {
   for (const DisturbanceKind& kind : disturbance_catalogue())
     EXPECT_TRUE(tested.contains(std::string(kind.name))) << kind.name;
   EXPECT_EQ(tested.size(), disturbance_catalogue().size());
+}
+
+TEST(Disturbances, EveryRowIsInTheManual) {
+  std::ifstream file(testing_support::source_folder() / "docs/your_own_data.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  for (const DisturbanceKind& kind : disturbance_catalogue())
+    EXPECT_NE(text.find("| `" + std::string(kind.name) + "` |"), std::string::npos) << kind.name;
 }
 
 TEST(Disturbances, UnitsDoNotCount) {
