@@ -12,6 +12,7 @@
 #include "app/diagnose/diagnosis_run.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/disturbance_output.hpp"
 #include "app/shared/left_out.hpp"
 #include "app/shared/record_selection.hpp"
 #include "app/shared/result_files.hpp"
@@ -92,6 +93,7 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
         fmt::print("  with the numbers that fit it best: {:.4g} before, {:.4g} after\n", *e.before_fitted,
                    *e.after_fitted);
   print_next_experiment(run);
+  print_disturbances(run.disturbances, run.campaign, run.looked_at);
   fmt::print("written: {0}/diagnosis.json, {0}/report.html, {0}/gap.svg\n", folder);
 }
 

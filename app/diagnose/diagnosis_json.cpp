@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/shared/disturbance_output.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular::app {
@@ -124,6 +125,7 @@ std::string diagnosis_json(const DiagnosisRun& run) {
   root["next_experiment"] = next_experiment(run);
   root["conditions"] = d.conditions;
   root["warnings"] = d.warnings;
+  root["disturbances"] = disturbances_json(run.disturbances, run.campaign);
   return root.dump(2) + "\n";
 }
 

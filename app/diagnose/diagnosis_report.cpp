@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/shared/disturbance_output.hpp"
 #include "numerics/hertz.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
@@ -348,6 +349,8 @@ std::string diagnosis_report(const DiagnosisRun& run, const std::string& command
   closing_section(page, d);
   simulated_section(page, d);
   next_section(page, run);
+  if (!run.disturbances.empty()) page.section("Disturbances");
+  add_disturbances(page, run.disturbances, run.campaign);
   page.provenance({command,
                    "secular 0.1.0",
                    {"campaign: " + run.campaign.folder.string() + ", " +

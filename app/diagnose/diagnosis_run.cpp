@@ -8,6 +8,7 @@
 #include "app/shared/record_assignment.hpp"
 #include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
+#include "measure/disturbances/disturbance_watch.hpp"
 
 namespace secular::app {
 namespace {
@@ -70,7 +71,8 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
       if (options.given.values.emplace(name, value).second) options.given.open.insert(name);
     options.given.sd = std::move(given.sd);
   }
-  SelectedRecords reader(run.campaign, request.window);
+  DisturbanceWatch watch(run.campaign);
+  SelectedRecords reader(run.campaign, request.window, watch.look());
   const RecordReader read = [&](std::size_t r) { return reader.read(r); };
   std::vector<double> nominal = source.nominal_frequencies();
   nominal.resize(source.modes());
@@ -122,6 +124,8 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
         request.parameters +
         ": holds natural frequencies alone, which are taken as a start: all parameters are fitted");
   for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
+  run.disturbances = watch.found();
+  run.looked_at = watch.records();
   return run;
 }
 

@@ -8,6 +8,7 @@
 #include "diagnose/verdict/diagnosis.hpp"
 #include "estimator/model/compiled_model.hpp"
 #include "measure/data/campaign.hpp"
+#include "measure/disturbances/disturbance.hpp"
 
 namespace secular::app {
 
@@ -29,6 +30,8 @@ struct DiagnosisRun {
   Campaign campaign;
   std::shared_ptr<const CompiledModel> model;  ///< with all effects that it was tried with
   Diagnosis diagnosis;
+  std::vector<Disturbance> disturbances;  ///< in the records that were read
+  std::size_t looked_at = 0;              ///< records
 };
 
 /// Loads the model with every effect of the catalogue that fits it (equations of motion alone: compiled once for

@@ -15,6 +15,7 @@
 #include "app/identify/identification_report.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/disturbance_output.hpp"
 #include "app/shared/identification.hpp"
 #include "app/shared/left_out.hpp"
 #include "app/shared/record_selection.hpp"
@@ -95,6 +96,7 @@ void print_summary(const Identification& id, const std::string& folder) {
     fmt::print("held out: {:.1f} s to {:.1f} s predicted within {:.3g} {} RMS\n", p.from_s, p.to_s,
                angle ? p.rms * 180 / std::numbers::pi : p.rms, angle ? "degrees" : id.coordinate_unit);
   }
+  print_disturbances(id.disturbances, id.campaign, id.looked_at);
   fmt::print("written: {0}/estimate.json, {0}/report.html, {0}/response.svg\n", folder);
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/shared/disturbance_output.hpp"
 #include "estimator/identification/identified_lumps.hpp"
 #include "numerics/confidence.hpp"
 
@@ -213,7 +214,7 @@ std::string estimate_json(const Identification& identification) {
   }
   quality["warnings"] = identification.estimate.warnings;
   result["quality"] = std::move(quality);
-  result["disturbances"] = Json::array();
+  result["disturbances"] = disturbances_json(identification.disturbances, identification.campaign);
   for (const CaseLateness& lateness : identification.lateness)
     result["disturbances"].push_back(lateness_json(lateness, identification));
   return result.dump(2) + "\n";

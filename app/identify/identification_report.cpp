@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/shared/disturbance_output.hpp"
 #include "measure/observe/mode_frequencies.hpp"
 #include "numerics/confidence.hpp"
 #include "numerics/hertz.hpp"
@@ -518,7 +519,6 @@ void add_lateness(report::HtmlReport& page, const CaseLateness& lateness) {
   figure.title = "Responses later than their excitation";
   figure.x = {"Record", "", false, {}};
   figure.panels.push_back({"", {"Lateness", "ms", false, {}}, {late}});
-  page.section("Disturbances");
   page.figure(figure, text_of(lateness) + ".");
 }
 
@@ -586,6 +586,8 @@ std::string identification_report(const Identification& id, const std::string& c
     const CaseView view = view_of(id, c);
     if (!view.measured.observations.empty()) add_response(page, id, view);
   }
+  if (!id.disturbances.empty() || !id.lateness.empty()) page.section("Disturbances");
+  add_disturbances(page, id.disturbances, id.campaign);
   for (const CaseLateness& lateness : id.lateness) add_lateness(page, lateness);
   if (!id.estimate.null_directions.empty()) add_null_directions(page, id.estimate);
   if (!id.estimate.damping.empty()) add_damping(page, id.estimate);

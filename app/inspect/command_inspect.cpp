@@ -13,12 +13,14 @@
 #include <vector>
 
 #include "app/shared/commands.hpp"
+#include "app/shared/disturbance_output.hpp"
 #include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/data_file.hpp"
 #include "measure/data/file_pattern.hpp"
 #include "measure/data/inspection.hpp"
+#include "measure/disturbances/catalogue.hpp"
 
 namespace secular::app {
 namespace {
@@ -122,19 +124,28 @@ void print_levels(const Campaign& campaign, const std::vector<RecordInspection>&
   if (rows.size() > 1) fmt::print("\nlevels\n{}{}", aligned(rows, 3), level_note);
 }
 
+// Adds what a record holds beside the motion.
+RecordLook disturbances_into(std::vector<Disturbance>& all, const Campaign& campaign) {
+  return [&](std::size_t index, const Record& record) {
+    const std::vector<Disturbance> found = find_disturbances(campaign, index, record);
+    all.insert(all.end(), found.begin(), found.end());
+  };
+}
+
 // A campaign with the records that are asked for, and what is in them.
 struct InspectedCampaign {
   Campaign campaign;
   std::vector<RecordInspection> records;
+  std::vector<Disturbance> disturbances;
 };
 
 InspectedCampaign inspected(const std::filesystem::path& folder, const Window& window,
                             const InspectionLimit& limit) {
-  InspectedCampaign result{read_campaign(folder), {}};
+  InspectedCampaign result{read_campaign(folder), {}, {}};
   require_match(result.campaign, window);
   std::erase_if(result.campaign.records,
                 [&](const RecordEntry& entry) { return !matches_pattern(window.records, entry.file); });
-  result.records = inspect_records(result.campaign, limit);
+  result.records = inspect_records(result.campaign, limit, disturbances_into(result.disturbances, result.campaign));
   const bool none = std::none_of(result.records.begin(), result.records.end(),
                                  [](const RecordInspection& record) { return record.judged > 0 || !record.axis; });
   if (none && !limit.span.all())
@@ -144,7 +155,7 @@ InspectedCampaign inspected(const std::filesystem::path& folder, const Window& w
 }
 
 void print_campaign(const std::filesystem::path& folder, const Window& window, const InspectionLimit& limit) {
-  const auto [campaign, records] = inspected(folder, window, limit);
+  const auto [campaign, records, disturbances] = inspected(folder, window, limit);
   fmt::print("campaign '{}' in {}\nsample rate {} Hz\n", campaign.name, folder.string(), campaign.sample_rate_hz);
   print_channels(campaign);
   print_records(campaign, records);
@@ -162,6 +173,7 @@ void print_campaign(const std::filesystem::path& folder, const Window& window, c
                                      fault.kind, fault.text));
   }
   print_faults(faults);
+  print_disturbances(disturbances, campaign, records.size());
 }
 
 // "m/s^2", "m/s^2 (from g)", "EU ?" for a unit that is not known.
@@ -240,7 +252,7 @@ void put_axis(Json& object, const std::optional<TimeAxis>& axis, std::size_t sam
 }
 
 Json campaign_json(const std::filesystem::path& folder, const Window& window, const InspectionLimit& limit) {
-  const auto [campaign, records] = inspected(folder, window, limit);
+  const auto [campaign, records, disturbances] = inspected(folder, window, limit);
   Json root = {{"campaign", folder.string()}, {"name", campaign.name}, {"sample_rate_hz", campaign.sample_rate_hz}};
   root["channels"] = Json::array();
   for (const Channel& channel : campaign.channels)
@@ -276,6 +288,7 @@ Json campaign_json(const std::filesystem::path& folder, const Window& window, co
     root["records"].push_back(std::move(record));
   }
   root["faults_found"] = faults;
+  root["disturbances"] = disturbances_json(disturbances, campaign);
   return root;
 }
 

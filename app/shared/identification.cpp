@@ -13,6 +13,7 @@
 #include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
+#include "measure/disturbances/disturbance_watch.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "measure/observe/steady_amplitude.hpp"
 #include "motion/correction/replay.hpp"
@@ -89,9 +90,12 @@ Estimate first_estimate(const Identification& id, const MeasuredUnits& units, co
 
 Identification identify(const IdentificationRequest& request) {
   const Campaign campaign = read_campaign(request.campaign);
-  SelectedRecords reader(campaign, request.window);
+  DisturbanceWatch watch(campaign);
+  SelectedRecords reader(campaign, request.window, watch.look());
   Identification result = identify(request, campaign, [&](std::size_t r) { return reader.read(r); });
   for (std::string& warning : reader.warnings()) result.estimate.warnings.push_back(std::move(warning));
+  result.disturbances = watch.found();
+  result.looked_at = watch.records();
   return result;
 }
 

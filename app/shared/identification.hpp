@@ -11,6 +11,7 @@
 #include "estimator/identification/estimate.hpp"
 #include "estimator/identification/record_lateness.hpp"
 #include "measure/data/campaign.hpp"
+#include "measure/disturbances/disturbance.hpp"
 #include "measure/observe/observation_set.hpp"
 #include "motion/correction/held_out.hpp"
 
@@ -37,7 +38,9 @@ struct Identification {
   std::vector<ObservationSet> replayed;
   Estimate estimate;
   std::vector<HeldOutPrediction> held_out;
-  std::vector<CaseLateness> lateness;  ///< by case whose records are out of step with their excitation
+  std::vector<CaseLateness> lateness;     ///< by case whose records are out of step with their excitation
+  std::vector<Disturbance> disturbances;  ///< in the records that were read; of files alone
+  std::size_t looked_at = 0;              ///< records
   std::string coordinate_unit;
   std::vector<std::string> excitation_units;
   std::vector<std::pair<std::string, double>> seconds;  ///< wall time by stage

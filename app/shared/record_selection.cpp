@@ -124,8 +124,8 @@ void require_sampled(const Window& window, double sample_rate_hz) {
         fmt::format("{:.6g} samples/s hold what is below {:.6g} Hz", sample_rate_hz, 0.5 * sample_rate_hz));
 }
 
-SelectedRecords::SelectedRecords(const Campaign& campaign, const Window& window)
-    : campaign_(campaign), window_(window), reader_(campaign) {
+SelectedRecords::SelectedRecords(const Campaign& campaign, const Window& window, WatchedReader::Look look)
+    : campaign_(campaign), window_(window), reader_(campaign, std::move(look)) {
   require_match(campaign, window);
   require_sampled(window, campaign.sample_rate_hz);
   require_samples(campaign, window);

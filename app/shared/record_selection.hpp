@@ -45,8 +45,9 @@ void require_sampled(const Window& window, double sample_rate_hz);
 /// be read by several threads. The campaign must live as long.
 class SelectedRecords {
  public:
-  /// Throws InputError as the two above do, and where no record has a sample in the window.
-  SelectedRecords(const Campaign& campaign, const Window& window);
+  /// `look`: what else looks at records, whole as they are. Throws InputError as the two above do, and where no
+  /// record has a sample in the window.
+  SelectedRecords(const Campaign& campaign, const Window& window, WatchedReader::Look look = {});
 
   Record read(std::size_t record);
   std::vector<std::string> warnings() const { return reader_.warnings(); }

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "measure/data/resolution.hpp"
 #include "numerics/distribution.hpp"
 #include "numerics/median.hpp"
 
@@ -85,15 +84,14 @@ bool too_many(const std::vector<Peak>& peaks, double same, double quantum) {
 }
 
 // The grid that depths of up to a quarter of the range (or to the first level) lie on: the greatest common divisor
-// of their differences.
-double grid_near_extreme(std::vector<double> depths, double range, double same) {
-  std::sort(depths.begin(), depths.end());
-  const auto other = std::find_if(depths.begin(), depths.end(), [&](double depth) { return depth > same; });
-  const double deepest = std::max(0.25 * range, other == depths.end() ? 0 : *other);
-  std::erase_if(depths, [&](double depth) { return depth > deepest; });
+// of their differences. depth(n): of the n-th sample from the extreme.
+double grid_near_extreme(const std::function<double(std::size_t)>& depth_of, std::size_t count, double range,
+                         double same) {
   double divisor = 0, level = 0;
-  for (const double depth : depths) {
+  for (std::size_t n = 0; n < count; ++n) {
+    const double depth = depth_of(n);
     if (depth - level <= same) continue;
+    if (depth > 0.25 * range && level > 0) break;
     double rest = depth - level;
     while (rest > same) {
       const double smaller = std::abs(divisor - rest * std::round(divisor / rest));
@@ -109,7 +107,8 @@ struct Side {
   std::size_t at_extreme = 0, runs = 0, samples_in_runs = 0;
 };
 
-Side judge_side(std::span<const double> samples, double sign, double extreme, double range, double quantum) {
+Side judge_side(std::span<const double> samples, const std::vector<double>& sorted, double sign, double quantum) {
+  const double range = sorted.back() - sorted.front(), extreme = sign > 0 ? sorted.back() : sorted.front();
   const double same = 1e-9 * range;  // differences by arithmetic on a stuck value
   Side side;
   std::size_t short_runs = 0, samples_in_short_runs = 0;
@@ -135,9 +134,10 @@ Side judge_side(std::span<const double> samples, double sign, double extreme, do
     ++side.runs;
     side.samples_in_runs += length;
   }
-  std::vector<double> depths(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) depths[i] = depth(i);
-  if (too_many(peaks, same, grid_near_extreme(depths, range, same))) {
+  const auto nth_depth = [&](std::size_t n) {
+    return sign * (extreme - (sign > 0 ? sorted[sorted.size() - 1 - n] : sorted[n]));
+  };
+  if (too_many(peaks, same, grid_near_extreme(nth_depth, sorted.size(), range, same))) {
     side.runs += short_runs;
     side.samples_in_runs += samples_in_short_runs;
   }
@@ -146,15 +146,13 @@ Side judge_side(std::span<const double> samples, double sign, double extreme, do
 
 }  // namespace
 
-Clipping find_clipping(std::span<const double> samples) {
+Clipping find_clipping(std::span<const double> samples, const std::vector<double>& sorted, const ValueGrid& grid) {
   Clipping clipping;
   if (samples.empty()) return clipping;
-  const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
-  const double range = *high - *low;
-  const double quantum = value_grid(samples).step.value_or(0);
+  const double range = sorted.back() - sorted.front(), quantum = grid.step.value_or(0);
   if (!(range > 0) || range < fewest_quanta_in_range * quantum) return clipping;
-  const Side top = judge_side(samples, 1, *high, range, quantum);
-  const Side bottom = judge_side(samples, -1, *low, range, quantum);
+  const Side top = judge_side(samples, sorted, 1, quantum);
+  const Side bottom = judge_side(samples, sorted, -1, quantum);
   const auto share = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(samples.size()); };
   const bool two_levels = share(top.at_extreme + bottom.at_extreme) > two_level_share &&
                           share(std::max(top.at_extreme, bottom.at_extreme)) < two_level_share;
@@ -168,6 +166,11 @@ Clipping find_clipping(std::span<const double> samples) {
     clipping.samples += bottom.samples_in_runs;
   }
   return clipping;
+}
+
+Clipping find_clipping(std::span<const double> samples) {
+  const std::vector<double> sorted = in_order(samples);
+  return find_clipping(samples, sorted, grid_of_sorted(sorted));
 }
 
 }  // namespace secular

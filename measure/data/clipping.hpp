@@ -2,6 +2,9 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
+
+#include "measure/data/resolution.hpp"
 
 namespace secular {
 
@@ -42,5 +45,8 @@ inline constexpr double clipping_false_alarm = 1e-6;
 /// signal rests at most of the time (between knocks), and runs that touch an end of the record. All samples must be
 /// finite.
 Clipping find_clipping(std::span<const double> samples);
+
+/// The same where their order and grid are known already.
+Clipping find_clipping(std::span<const double> samples, const std::vector<double>& sorted, const ValueGrid& grid);
 
 }  // namespace secular

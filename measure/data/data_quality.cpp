@@ -96,9 +96,10 @@ ChannelQuality check_channel(std::span<const double> samples) {
   }
   const std::span<const double> whole = longest_finite(samples);
   quality.noise = noise_floor(whole);
-  const ValueGrid grid = value_grid(whole);
+  const std::vector<double> sorted = in_order(whole);
+  const ValueGrid grid = grid_of_sorted(sorted);
   if (grid.visited) quality.resolution = grid.step;
-  if (const Clipping clipping = find_clipping(whole); clipping.found())
+  if (const Clipping clipping = find_clipping(whole, sorted, grid); clipping.found())
     quality.faults.push_back(
         {"clipping",
          fmt::format("{} samples are stuck at the extremes ({} times at {:.6g}, {} times at {:.6g})",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <system_error>
+#include <utility>
 
 #include "input/input_error.hpp"
 #include "measure/data/data_file.hpp"
@@ -87,11 +88,11 @@ std::size_t cut(const TimeSpan& span, TimeAxis& axis, std::size_t samples,
   return kept.count;
 }
 
-RecordInspection inspect_record(const Campaign& campaign, const RecordEntry& entry, std::size_t limit,
-                                const TimeSpan& span) {
+RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std::size_t limit,
+                                const TimeSpan& span, const RecordLook& look) {
   RecordInspection inspection;
   try {
-    RecordData data = read_record_data(campaign, entry, MissingNumbers::keep_as_nan, limit);
+    RecordData data = read_record_data(campaign, campaign.records[index], MissingNumbers::keep_as_nan, limit);
     inspection.judged = data.stamps_s.size();
     inspection.samples = data.total;
     inspection.axis = judged_axis(data.stamps_s, data.place, campaign.sample_rate_hz, inspection.faults);
@@ -112,6 +113,9 @@ RecordInspection inspect_record(const Campaign& campaign, const RecordEntry& ent
     if (inspection.axis && inspection.axis->jitter_s > 0)
       inspection.faults.push_back({"time", jitter_text(*inspection.axis, data.channels)});
     for (const std::vector<double>& samples : data.channels) inspection.channels.push_back(check_channel(samples));
+    if (look && inspection.axis)
+      look(index, {inspection.axis->start_s, inspection.axis->sample_rate_hz, std::move(data.channels),
+                   inspection.axis->jitter_s});
   } catch (const InputError& error) {
     inspection.faults.push_back({"unreadable", without_file(error)});
   }
@@ -145,13 +149,14 @@ void cut_file(const TimeSpan& span, DataFile& data, FileInspection& inspection) 
 
 }  // namespace
 
-std::vector<RecordInspection> inspect_records(const Campaign& campaign, const InspectionLimit& limit) {
+std::vector<RecordInspection> inspect_records(const Campaign& campaign, const InspectionLimit& limit,
+                                              const RecordLook& look) {
   std::uintmax_t bytes = 0;
   for (const RecordEntry& entry : campaign.records) bytes += size_of(campaign.folder / entry.file);
   const std::size_t share = share_of(limit, bytes, campaign.records.size() * (campaign.channels.size() + 1));
   std::vector<RecordInspection> inspections;
-  for (const RecordEntry& entry : campaign.records)
-    inspections.push_back(inspect_record(campaign, entry, share, limit.span));
+  for (std::size_t r = 0; r < campaign.records.size(); ++r)
+    inspections.push_back(inspect_record(campaign, r, share, limit.span, look));
   return inspections;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,8 +32,12 @@ struct InspectionLimit {
   TimeSpan span{};  ///< of every record; where it is not all of it, everything in it is read
 };
 
+/// What else looks at every record that has a time axis; missing samples are NaN.
+using RecordLook = std::function<void(std::size_t, const Record&)>;
+
 /// Reads and judges every record of a campaign, one at a time: [record].
-std::vector<RecordInspection> inspect_records(const Campaign& campaign, const InspectionLimit& limit = {});
+std::vector<RecordInspection> inspect_records(const Campaign& campaign, const InspectionLimit& limit = {},
+                                              const RecordLook& look = {});
 
 struct VariableInspection {
   std::string name;

@@ -6,11 +6,19 @@
 
 namespace secular {
 
-ValueGrid value_grid(std::span<const double> samples) {
-  ValueGrid grid;
-  if (samples.empty()) return grid;
+std::vector<double> in_order(std::span<const double> samples) {
   std::vector<double> sorted(samples.begin(), samples.end());
   std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+ValueGrid value_grid(std::span<const double> samples) {
+  return grid_of_sorted(in_order(samples));
+}
+
+ValueGrid grid_of_sorted(const std::vector<double>& sorted) {
+  ValueGrid grid;
+  if (sorted.empty()) return grid;
   // Differences below this come from arithmetic on the quantised values (a factor, an offset).
   const double same = 1e-9 * (sorted.back() - sorted.front());
   std::vector<double> gaps;

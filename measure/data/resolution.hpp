@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace secular {
 
@@ -15,5 +16,9 @@ struct ValueGrid {
 
 /// Sorts a copy of the samples: O(n log n). All samples must be finite.
 ValueGrid value_grid(std::span<const double> samples);
+
+/// A copy of the samples in ascending order, and their grid.
+std::vector<double> in_order(std::span<const double> samples);
+ValueGrid grid_of_sorted(const std::vector<double>& sorted);
 
 }  // namespace secular

@@ -26,6 +26,13 @@ Record to_relative(const Campaign& campaign, Record record) {
 
 }  // namespace
 
+ChannelValues values_of(std::span<const double> samples) {
+  ChannelValues values{in_order(samples), {}, {}};
+  values.grid = grid_of_sorted(values.sorted);
+  values.clipping = find_clipping(samples, values.sorted, values.grid);
+  return values;
+}
+
 Record WatchedReader::read(std::size_t index) {
   Record record = read_record(campaign_, campaign_.records[index]);
   {
@@ -33,10 +40,15 @@ Record WatchedReader::read(std::size_t index) {
     if (seen_.contains(index)) return to_relative(campaign_, std::move(record));
   }
   Seen seen;
-  for (const std::vector<double>& samples : record.channels) seen.clipping.push_back(find_clipping(samples));
+  std::vector<ChannelValues> values;
+  for (const std::vector<double>& samples : record.channels) {
+    values.push_back(values_of(samples));
+    seen.clipping.push_back(values.back().clipping);
+  }
   seen.jitter_of_step = record.jitter_s * record.sample_rate_hz;
   if (record.jitter_s > 0)
     seen.jitter = jitter_text({record.start_s, record.sample_rate_hz, record.jitter_s}, record.channels);
+  if (look_) look_(index, record, values);
   const std::lock_guard lock(mutex_);
   seen_.emplace(index, std::move(seen));
   return to_relative(campaign_, std::move(record));

@@ -1,22 +1,39 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <mutex>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "measure/data/campaign.hpp"
 #include "measure/data/clipping.hpp"
+#include "measure/data/resolution.hpp"
 
 namespace secular {
+
+/// The values of one channel of a record, whatever their order in time.
+struct ChannelValues {
+  std::vector<double> sorted;
+  ValueGrid grid;
+  Clipping clipping;
+};
+
+/// All samples must be finite.
+ChannelValues values_of(std::span<const double> samples);
 
 /// Reads the records of a campaign and keeps in mind which channels are clipped and where time stamps scatter, for
 /// whoever uses them. Responses that are absolute become relative to the base. Records may be read by several
 /// threads, and more than once. The campaign must live as long.
 class WatchedReader {
  public:
-  explicit WatchedReader(const Campaign& campaign) : campaign_(campaign) {}
+  /// What else looks at every record, once, when it is read for the first time: in any thread.
+  using Look = std::function<void(std::size_t, const Record&, const std::vector<ChannelValues>&)>;
+
+  explicit WatchedReader(const Campaign& campaign, Look look = {}) : campaign_(campaign), look_(std::move(look)) {}
 
   /// As read_record does, relative to the base.
   Record read(std::size_t record);
@@ -27,6 +44,7 @@ class WatchedReader {
 
  private:
   const Campaign& campaign_;
+  Look look_;
   mutable std::mutex mutex_;
   struct Seen {
     std::vector<Clipping> clipping;  // by channel

@@ -1,0 +1,124 @@
+#include "measure/disturbances/held_samples.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "measure/disturbances/rows.hpp"
+#include "numerics/distribution.hpp"
+#include "numerics/median.hpp"
+
+namespace secular {
+namespace {
+
+constexpr std::size_t block = 256;       // of samples that share the scatter of differences
+constexpr std::size_t neighbours = 64;   // values in order that share the smallest gap
+constexpr double sd_of_median = 1.4826;  // normal law: sd over the median of absolute values
+
+// The smallest gap between different values near a value: at least the step of whatever lattice is there.
+class LocalGaps {
+ public:
+  explicit LocalGaps(const std::vector<double>& sorted) {
+    const double same = 1e-9 * (sorted.back() - sorted.front());  // arithmetic on one value
+    for (std::size_t begin = 0; begin < sorted.size(); begin += neighbours) {
+      double gap = std::numeric_limits<double>::infinity();
+      const std::size_t end = std::min(sorted.size(), begin + neighbours + 1);
+      for (std::size_t i = begin + 1; i < end; ++i)
+        if (sorted[i] - sorted[i - 1] > same) gap = std::min(gap, sorted[i] - sorted[i - 1]);
+      first_.push_back(sorted[begin]);
+      gap_.push_back(gap);
+    }
+  }
+  double at(double value) const {
+    const auto next = std::upper_bound(first_.begin(), first_.end(), value);
+    return gap_[next == first_.begin() ? 0 : static_cast<std::size_t>(next - first_.begin()) - 1];
+  }
+
+ private:
+  std::vector<double> first_, gap_;
+};
+
+// Slope per sample around a run of equal samples that begins at `i` and ends before `end`: the smaller of that
+// before it and that across it.
+double slope_around(std::span<const double> x, std::size_t i, std::size_t end) {
+  const double before = x[i - 1] - x[i - 2];
+  const double across = (x[end] - x[i - 1]) / static_cast<double>(end - i + 1);
+  return before * across > 0 ? std::min(std::abs(before), std::abs(across)) : 0;
+}
+
+double chance(double gap, double scatter, double slope) {
+  if (!std::isfinite(gap)) return 1;
+  const double s = std::hypot(scatter, gap), y = slope - gap;
+  double density = 1 / s;
+  if (y > 0) density = std::min(density, 16.0 / 9 * s * s / (y * y * y));
+  return std::min(1.0, gap * density);
+}
+
+// Sd of differences about the slope of their neighbours, by block.
+std::vector<double> scatters(std::span<const double> x) {
+  std::vector<double> result, rest;
+  for (std::size_t begin = 2; begin + 1 < x.size(); begin += block) {
+    rest.clear();
+    for (std::size_t i = begin; i < std::min(begin + block, x.size() - 1); ++i)
+      rest.push_back(std::abs(x[i] - x[i - 1] - (x[i + 1] - x[i - 2]) / 3));
+    result.push_back(sd_of_median * upper_median(rest));
+  }
+  return result;
+}
+
+}  // namespace
+
+HeldSamples find_held(std::span<const double> x, const ChannelValues& values, double false_alarm) {
+  HeldSamples held;
+  if (x.size() < block || values.clipping.found() || !(values.sorted.back() > values.sorted.front())) return held;
+  bool any = false;
+  for (std::size_t i = 2; i + 1 < x.size() && !any; ++i) any = x[i] == x[i - 1];
+  if (!any) return held;
+  const LocalGaps gaps(values.sorted);
+  const std::vector<double> scatter = scatters(x);
+  std::size_t runs = 0;
+  for (std::size_t i = 2; i + 1 < x.size(); ++i) {
+    std::size_t end = i + 1;
+    const bool equal = x[i] == x[i - 1];
+    if (equal)
+      while (end < x.size() && x[end] == x[i]) ++end;
+    if (end == x.size()) break;
+    const double p = chance(gaps.at(x[i - 1]), scatter[(i - 2) / block], slope_around(x, i, end));
+    held.expected += p;
+    if (!equal) continue;
+    ++runs;
+    if (p < 0.5) {  // more likely held than not, as far as there are as many held as chance makes
+      held.at.push_back(i);
+      held.samples += end - i;
+    }
+    i = end - 1;
+  }
+  // At least that many by chance: the sum of as many waiting times is below the expected number.
+  const double probability = runs == 0 ? 1 : 1 - gamma_upper_tail(held.expected, static_cast<double>(runs), 1);
+  if (probability > false_alarm) {
+    held.at.clear();
+    held.samples = 0;
+  }
+  return held;
+}
+
+void find_held_samples(const SearchedRecord& record, std::vector<Disturbance>& found) {
+  for (std::size_t c = 0; c < record.channels.size(); ++c) {
+    const HeldSamples& held = record.channels[c].held;
+    if (held.at.empty()) continue;
+    Disturbance entry = record.found("held_samples", c, static_cast<double>(held.samples));
+    entry.unit = "samples";
+    entry.share = entry.size / static_cast<double>(record.samples());
+    entry.from_s = record.time_s(held.at.front());
+    entry.to_s = record.time_s(held.at.back() + 1);
+    entry.text = fmt::format(
+        "{} samples repeat the one before although the signal went on ({} places; by chance "
+        "{:.2g} at most), first at {:.6g} s",
+        held.samples, held.at.size(), held.expected, entry.from_s);
+    found.push_back(std::move(entry));
+  }
+}
+
+}  // namespace secular

@@ -1,0 +1,46 @@
+#include <fmt/format.h>
+
+#include "measure/disturbances/rows.hpp"
+
+// What is known from reading alone.
+namespace secular {
+
+void find_clipped(const SearchedRecord& record, std::vector<Disturbance>& found) {
+  for (std::size_t c = 0; c < record.channels.size(); ++c) {
+    const SearchedChannel& channel = record.channels[c];
+    const Clipping& clipping = channel.values->clipping;
+    if (!clipping.found()) continue;
+    Disturbance clipped = record.found("clipping", c, static_cast<double>(clipping.samples));
+    clipped.unit = "samples";
+    clipped.share = clipped.size / static_cast<double>(record.samples());
+    clipped.text = fmt::format(
+        "{} samples are stuck at the ends of the range: {} times at {:.4g}, {} times at {:.4g}", clipping.samples,
+        clipping.runs_low, channel.values->sorted.front(), clipping.runs_high, channel.values->sorted.back());
+    found.push_back(std::move(clipped));
+  }
+}
+
+void find_lost_samples(const SearchedRecord& record, std::vector<Disturbance>& found) {
+  for (std::size_t c = 0; c < record.channels.size(); ++c) {
+    const std::size_t missing = record.channels[c].missing;
+    if (missing == 0) continue;
+    Disturbance lost = record.found("lost_samples", c, static_cast<double>(missing));
+    lost.unit = "samples";
+    lost.share = lost.size / static_cast<double>(record.total);
+    lost.text = fmt::format("{} of {} samples are no numbers", missing, record.total);
+    found.push_back(std::move(lost));
+  }
+}
+
+void find_time_scatter(const SearchedRecord& record, std::vector<Disturbance>& found) {
+  if (!(record.jitter_s > 0) || record.channels.empty()) return;
+  Disturbance scatter = record.found("time_scatter", 0, record.jitter_s);
+  scatter.channel.reset();
+  scatter.unit = "s";
+  scatter.share = record.jitter_s * record.rate;
+  scatter.text = fmt::format("time stamps scatter by {:.3g} s rms, {:.2g} % of the step", record.jitter_s,
+                             100 * scatter.share);
+  found.push_back(std::move(scatter));
+}
+
+}  // namespace secular

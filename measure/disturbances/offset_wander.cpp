@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "measure/disturbances/motion_tones.hpp"
+#include "measure/disturbances/rows.hpp"
+#include "numerics/confidence.hpp"
+#include "numerics/distribution.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr Index slow_terms = 4;      // cosines of up to two periods a record: what is slower than all else in it
+constexpr Index fewest_blocks = 16;  // so that as many are left to tell the noise
+
+// Means of blocks under the window of the lines, half overlapping (which leaves 4 % of their noise in common), and
+// the mean square about them.
+struct BlockMeans {
+  VectorXd mean, square;
+};
+
+BlockMeans block_means(std::span<const double> samples, std::size_t length) {
+  const std::vector<double> window = lobe_window(length);
+  const std::size_t hop = length / 2, count = (samples.size() - length) / hop + 1;
+  BlockMeans blocks{VectorXd::Zero(static_cast<Index>(count)), VectorXd::Zero(static_cast<Index>(count))};
+  double sum = 0;
+  for (const double w : window) sum += w;
+  for (std::size_t b = 0; b < count; ++b) {
+    double mean = 0, square = 0;
+    for (std::size_t i = 0; i < length; ++i) {
+      const double x = samples[b * hop + i];
+      mean += window[i] * x;
+      square += window[i] * x * x;
+    }
+    const auto at = static_cast<Index>(b);
+    blocks.mean(at) = mean / sum;
+    blocks.square(at) = std::max(0.0, square / sum - blocks.mean(at) * blocks.mean(at));
+  }
+  return blocks;
+}
+
+// Of accelerations and velocities of a bounded motion the mean is zero; quadratic terms give a displacement one.
+bool has_no_mean(const Channel& channel) {
+  return channel.role == ChannelRole::excitation || channel.quantity == Quantity::acceleration ||
+         channel.quantity == Quantity::velocity;
+}
+
+// Columns: one, powers of the motion's mean square that its own mean may follow, slow cosines.
+MatrixXd columns(const VectorXd& square, Index own) {
+  const Index rows = square.size();
+  MatrixXd x(rows, 1 + own + slow_terms);
+  x.col(0).setOnes();
+  const VectorXd relative = square / std::max(square.maxCoeff(), 1e-300);
+  for (Index p = 0; p < own; ++p) x.col(1 + p) = relative.array().pow(static_cast<double>(p + 1));
+  for (Index k = 0; k < slow_terms; ++k)
+    for (Index l = 0; l < rows; ++l)
+      x(l, 1 + own + k) = std::cos(std::numbers::pi * static_cast<double>(k + 1) * (static_cast<double>(l) + 0.5) /
+                                   static_cast<double>(rows));
+  return x;
+}
+
+// The course of a channel's zero.
+struct Zero {
+  double offset = 0, offset_sd = 0;
+  VectorXd wander;         // slow cosines at the blocks
+  double probability = 1;  // of as much wander in the noise of the blocks
+  double freedom = 0;
+};
+
+std::optional<Zero> zero_of(const SearchedChannel& channel, Index own, std::size_t length) {
+  const BlockMeans blocks = block_means(channel.samples, length);
+  const Index rows = blocks.mean.size();
+  if (rows < fewest_blocks + 1 + own + slow_terms) return std::nullopt;
+  const MatrixXd x = columns(blocks.square, own);
+  const Eigen::ColPivHouseholderQR<MatrixXd> all(x), without(x.leftCols(1 + own));
+  const VectorXd fit = all.solve(blocks.mean);
+  Zero zero;
+  zero.freedom = static_cast<double>(rows - all.rank());
+  const double noise = (blocks.mean - x * fit).squaredNorm(), variance = noise / zero.freedom;
+  if (!(variance > 0)) return std::nullopt;
+  const double slow = (blocks.mean - x.leftCols(1 + own) * without.solve(blocks.mean)).squaredNorm() - noise;
+  const auto terms = static_cast<double>(all.rank() - without.rank());
+  if (terms > 0) zero.probability = f_upper_tail(slow / (terms * variance), terms, zero.freedom);
+  zero.wander = x.rightCols(slow_terms) * fit.tail(slow_terms);
+  zero.offset = fit(0);
+  const MatrixXd inverse = (x.transpose() * x).completeOrthogonalDecomposition().pseudoInverse();
+  zero.offset_sd = std::sqrt(variance * inverse(0, 0));
+  return zero;
+}
+
+// Samples of a block that is so long that the lowest line lies beside the window's main lobe; zero where there is
+// none, or the record too short.
+std::size_t block_length(const SearchedRecord& record) {
+  const RecordKind kind = record.entry().kind;
+  if (kind != RecordKind::dwell && kind != RecordKind::free_decay) return 0;
+  double lowest = MotionTones(record).lowest_hz();
+  for (const SearchedChannel& channel : record.channels)
+    for (const Line& line : channel.lines) lowest = lowest > 0 ? std::min(lowest, line.frequency_hz) : lowest;
+  if (!(lowest > 0)) return 0;
+  const auto length = static_cast<std::size_t>(std::ceil(lobe_bins * record.rate / lowest)) / 2 * 2 + 2;
+  return length > record.samples() / 2 ? 0 : length;
+}
+
+// Powers of the motion's mean square that its own mean may follow, with quadratic and quartic terms.
+Index own_terms(const Channel& channel) {
+  return has_no_mean(channel) ? 0 : 2;
+}
+
+}  // namespace
+
+void find_offsets(const SearchedRecord& record, std::vector<Disturbance>& found) {
+  const std::size_t length = block_length(record);
+  for (std::size_t c = 0; length > 0 && c < record.channels.size(); ++c) {
+    const bool no_mean = has_no_mean(record.channel(c));
+    if (!no_mean && record.entry().kind == RecordKind::dwell) continue;  // the motion's own mean is as steady
+    const std::optional<Zero> zero = zero_of(record.channels[c], own_terms(record.channel(c)), length);
+    if (!zero || two_sided_p_value(zero->offset / zero->offset_sd, zero->freedom) > record.level) continue;
+    Disturbance offset = record.found("offset", c, std::abs(zero->offset));
+    offset.text = fmt::format("the zero is off by {:.3g} {} (sd {:.1g}){}", zero->offset, offset.unit,
+                              zero->offset_sd, no_mean ? "" : ", or the position of rest is");
+    found.push_back(std::move(offset));
+  }
+}
+
+void find_wander(const SearchedRecord& record, std::vector<Disturbance>& found) {
+  const std::size_t length = block_length(record);
+  for (std::size_t c = 0; length > 0 && c < record.channels.size(); ++c) {
+    const std::optional<Zero> zero = zero_of(record.channels[c], own_terms(record.channel(c)), length);
+    if (!zero || zero->probability > record.level) continue;
+    Disturbance wander =
+        record.found("wander", c, std::sqrt(zero->wander.squaredNorm() / static_cast<double>(zero->wander.size())));
+    wander.text = fmt::format("the zero wanders by {:.3g} {} rms, from {:.3g} to {:.3g} about its mean",
+                              wander.size, wander.unit, zero->wander.minCoeff(), zero->wander.maxCoeff());
+    found.push_back(std::move(wander));
+  }
+}
+
+}  // namespace secular

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "measure/data/campaign.hpp"
+#include "measure/data/watched_reader.hpp"
+#include "measure/disturbances/disturbance.hpp"
+#include "measure/disturbances/held_samples.hpp"
+#include "measure/disturbances/impulses.hpp"
+#include "measure/disturbances/lines.hpp"
+
+namespace secular {
+
+/// One channel of a record, with what several rows of the catalogue need.
+struct SearchedChannel {
+  std::span<const double> samples;        ///< of the longest stretch in which no channel lacks a sample
+  const ChannelValues* values = nullptr;  ///< of them
+  std::size_t missing = 0;                ///< samples of the record that are no finite numbers
+  double rms = 0;                         ///< about the mean
+  std::vector<Line> lines;                ///< that stand out of the spectrum around them
+  std::vector<double> powers;             ///< of that spectrum
+  HeldSamples held;
+  Impulses impulses;
+};
+
+/// A record as the rows of the catalogue look at it. Campaign, samples and values must live as long.
+struct SearchedRecord {
+  const Campaign* campaign = nullptr;
+  std::size_t index = 0;
+  std::size_t total = 0;                       ///< samples of the record
+  double start_s = 0, rate = 0, jitter_s = 0;  ///< of the stretch; Hz
+  double level = 0;  ///< false alarm of one row on one channel: that per campaign over records x channels
+  std::vector<SearchedChannel> channels;
+
+  const RecordEntry& entry() const { return campaign->records[index]; }
+  const Channel& channel(std::size_t c) const { return campaign->channels[c]; }
+  bool is_excitation(std::size_t c) const { return channel(c).role == ChannelRole::excitation; }
+  std::size_t samples() const { return channels.empty() ? 0 : channels.front().samples.size(); }
+  double time_s(std::size_t sample) const { return start_s + static_cast<double>(sample) / rate; }
+
+  /// Something of that size all over one channel, in the channel's unit.
+  Disturbance found(std::string_view kind, std::size_t channel, double size) const;
+};
+
+/// Values are those of each channel's longest stretch in which no channel lacks a sample.
+SearchedRecord searched(const Campaign& campaign, std::size_t index, const Record& record,
+                        const std::vector<ChannelValues>& values);
+
+/// The longest stretch of a record in which no channel lacks a sample, by channel.
+std::vector<std::span<const double>> complete_stretch(const Record& record);
+
+}  // namespace secular
