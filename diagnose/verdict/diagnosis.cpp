@@ -162,8 +162,9 @@ class Diagnoser {
         result_.gap.wrong_cause = wrong->effects.front();
         result_.gap.wrong_cause_closed = reporter.closed_share(*wrong->explanation);
       }
-      if (!leaves_structure(result_.residual_structure, closing, result_.gap.floor) && !is_restless() &&
-          !best.open_law) {
+      const bool is_found = best_->fit.ending == FitEnding::converged && !best.open_law;
+      if (is_found && closes_gap(closing) && !is_restless() &&
+          !leaves_structure(result_.residual_structure, closing, result_.gap.floor)) {
         result_.verdict = naming.set.size() == 1 ? "cause" : "set";
         result_.cause = naming.set.size() == 1 ? naming.set.front() : "";
       }
