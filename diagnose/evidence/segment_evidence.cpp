@@ -86,8 +86,7 @@ SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateFo
       sensors_(std::move(sensors)),
       table_(std::move(table)),
       segments_(std::move(segments)),
-      frozen_(segments_.size()),
-      noise_(segments_.size()) {
+      frozen_(segments_.size()) {
   for (const Segment& s : segments_) {
     RowLabel label;
     label.record = s.record;
@@ -304,51 +303,50 @@ void SegmentEvidence::freeze_segment(std::size_t segment, const VectorXd& unknow
 void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
   for (std::size_t i = 0; i < segments_.size(); ++i) freeze_segment(i, unknowns, coarse);
   coarse_ = coarse > 0;
+  if (coarse_) noise_.clear();
   if (!coarse_) measure_noise(unknowns);
 }
 
+SegmentEvidence::Noise SegmentEvidence::noise_of(const VectorXd& white, const MatrixXd& changes,
+                                                 const std::vector<double>& rest, bool repeats) const {
+  // What is white in the errors, whatever the channel's noise floor was taken for.
+  const double level = std::max(1e-3, std::sqrt(white.mean()));
+  Noise noise{VectorXd::Constant(changes.rows(), level), level};
+  if (!repeats) return noise;
+  noise.rest_sd = std::max(level, lower_quartile(rest));
+  for (Index row = 0; row < changes.rows(); ++row)
+    noise.change_sd(row) = std::max(level, roughness({changes.row(row).begin(), changes.row(row).end()}));
+  return noise;
+}
+
 void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
-  std::vector<VectorXd> changes;
-  std::vector<double> rest, white;
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const Frozen& f = frozen_[i];
-    const VectorXd error = frozen_errors(i, unknowns, f.state, {});
-    changes.push_back(f.change_basis.transpose() * error);
-    white.push_back(third_difference_variance(error, segments_[i].response.cols()));
-    const double squares =
-        error.squaredNorm() - (f.state_basis.transpose() * error).squaredNorm() - changes.back().squaredNorm();
-    rest.push_back(std::sqrt(std::max(0.0, squares) /
-                             static_cast<double>(error.size() - f.state_basis.cols() - f.change_basis.cols())));
-  }
+  std::vector<Noise> found;
   for (std::size_t first = 0, end = 0; first < segments_.size(); first = end) {
     while (end < segments_.size() && segments_[end].record == segments_[first].record) ++end;
-    // What is white in the errors, whatever the channel's noise floor was taken for.
-    double variance = 0;
-    for (std::size_t i = first; i < end; ++i) variance += white[i] / static_cast<double>(end - first);
-    const double level = std::max(1e-3, std::sqrt(variance));
-    Noise found{VectorXd::Constant(changes[first].size(), level), level};
-    const bool repeats = segments_[first].excitation.cols() == 0 && end - first >= fewest_segments;
-    if (repeats) {
-      found.rest_sd = std::max(level, lower_quartile({rest.begin() + static_cast<std::ptrdiff_t>(first),
-                                                      rest.begin() + static_cast<std::ptrdiff_t>(end)}));
-      for (Index row = 0; row < found.change_sd.size(); ++row) {
-        std::vector<double> series;
-        for (std::size_t i = first; i < end; ++i) series.push_back(changes[i](row));
-        found.change_sd(row) = std::max(level, roughness(series));
-      }
-    }
-    std::vector<double> logarithm;
+    const auto count = static_cast<Index>(end - first);
+    VectorXd white(count);
+    MatrixXd changes(frozen_[first].change_basis.cols(), count);
+    std::vector<double> rest, logarithm;
     for (std::size_t i = first; i < end; ++i) {
-      found.left = rest[i];
-      Noise& known = noise_[i];
-      if (known.change_sd.size() == 0) known = found;
-      known.change_sd = known.change_sd.cwiseMin(found.change_sd);
-      known.rest_sd = std::min(known.rest_sd, found.rest_sd);
-      known.left = std::min(known.left, found.left);
-      logarithm.push_back(std::log(std::max(known.left, level)));
+      const Frozen& f = frozen_[i];
+      const auto column = static_cast<Index>(i - first);
+      const VectorXd error = frozen_errors(i, unknowns, f.state, {});
+      white(column) = third_difference_variance(error, segments_[i].response.cols());
+      changes.col(column) = f.change_basis.transpose() * error;
+      const double squares = error.squaredNorm() - (f.state_basis.transpose() * error).squaredNorm() -
+                             changes.col(column).squaredNorm();
+      rest.push_back(std::sqrt(std::max(0.0, squares) /
+                               static_cast<double>(error.size() - f.state_basis.cols() - f.change_basis.cols())));
+      logarithm.push_back(std::log(std::max(rest.back(), std::sqrt(white(column)))));
     }
-    for (std::size_t i = first; repeats && i < end; ++i) noise_[i].disturbed = roughness(logarithm) > irregular;
+    const bool repeats = segments_[first].excitation.cols() == 0 && end - first >= fewest_segments;
+    found.insert(found.end(), end - first, noise_of(white, changes, rest, repeats));
+    for (std::size_t i = first; repeats && i < end && !noise_.empty(); ++i)
+      found[i].change_sd = found[i].change_sd.cwiseMax(noise_[i].change_sd);
+    const bool disturbed = repeats && roughness(logarithm) > irregular;
+    for (std::size_t i = first; i < end; ++i) frozen_[i].disturbance = disturbed ? rest[i - first] : 0;
   }
+  noise_ = std::move(found);
 }
 
 void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const {
@@ -363,9 +361,10 @@ void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> ro
     error -= f.state_basis * (f.state_basis.transpose() * error);
     const VectorXd changes = f.change_basis.transpose() * error;
     error -= f.change_basis * changes;
-    const Noise& noise = noise_[i];
-    rows.segment(first, changes.size()) = coarse_ ? changes : VectorXd(changes.cwiseQuotient(noise.change_sd));
-    rows.segment(first + changes.size(), error.size()) = error / (coarse_ ? 1 : noise.rest_rows_sd());
+    const Noise noise = coarse_ ? Noise{VectorXd::Ones(changes.size())} : noise_[i];
+    rows.segment(first, changes.size()) = changes.cwiseQuotient(noise.change_sd);
+    rows.segment(first + changes.size(), error.size()) =
+        error / std::max(noise.rest_sd, coarse_ ? 0 : f.disturbance);
     first += changes.size() + error.size();
   }
 }
@@ -373,13 +372,12 @@ void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> ro
 std::vector<SegmentEvidence::Disturbed> SegmentEvidence::disturbed() const {
   std::vector<Disturbed> records;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const Noise& noise = noise_[i];
-    if (!noise.disturbed) continue;
+    if (frozen_[i].disturbance == 0) continue;
     if (records.empty() || records.back().record != segments_[i].record)
       records.push_back({segments_[i].record, 0, {}});
     Disturbed& record = records.back();
     ++record.segments;
-    if (noise.left > 2 * noise.rest_sd) record.worst_s.push_back(segments_[i].in_record_s);
+    if (frozen_[i].disturbance > 2 * noise_[i].rest_sd) record.worst_s.push_back(segments_[i].in_record_s);
   }
   return records;
 }

@@ -48,22 +48,26 @@ class SegmentEvidence : public Evidence {
     // Samples at which a channel may read either side of a jump of its signal: errors there are not continuous in
     // the unknowns and do not count.
     std::vector<Eigen::Index> at_jumps;
-    double widening = 1;  // errors times this
+    double widening = 1;     // errors times this
+    double disturbance = 0;  // what the other rows hold in a disturbed record, and count no more than; else 0
   };
-  // What a segment repeats to, in units of its channels' noise. It belongs to the record: every model leaves it,
-  // and more, so that the least that any has left is the best that is known of it.
+  // What a segment repeats to, in units of its channels' noise, as the unknowns leave it at which errors are taken:
+  // no trial before them has a part in it. Only how the first rows repeat from segment to segment, which a few
+  // segments tell roughly, is the largest since errors were coarse: an explanation that fits better does not take
+  // it back.
   struct Noise {
-    Eigen::VectorXd change_sd;  // of the first rows; empty: not measured yet
+    Eigen::VectorXd change_sd;  // of the first rows
     double rest_sd = 1;         // of the others
-    double left = 1;            // root mean square of the others
-    bool disturbed = false;     // the others count for no more than they hold
-    double rest_rows_sd() const { return disturbed ? std::max(rest_sd, left) : rest_sd; }
   };
   /// `jumps`: see StretchOfMotion.
   Eigen::VectorXd errors(const Segment& segment, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& state,
                          Eigen::Index samples, const std::vector<LinearChange>& change,
                          std::vector<Eigen::Index>* jumps = nullptr) const;
   void measure_noise(const Eigen::VectorXd& unknowns);
+  /// Of a record's segments; `white`: their variances of what is white, `changes` and `rest`: what they leave in
+  /// the first and in the other rows.
+  Noise noise_of(const Eigen::VectorXd& white, const Eigen::MatrixXd& changes, const std::vector<double>& rest,
+                 bool repeats) const;
   Eigen::VectorXd guessed_state(const Segment& segment, const Eigen::VectorXd& unknowns) const;
   /// Gauss-Newton over the first `samples`; returns the sum of squared errors.
   double improve_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state,
