@@ -50,6 +50,20 @@ double roughness(const std::vector<double>& values) {
   return *middle / (0.6745 * std::sqrt(20.0));
 }
 
+// Errors, channel after channel, with nothing at some samples.
+VectorXd silenced(VectorXd error, Index samples, const std::vector<Index>& at) {
+  for (Index first = 0; first + samples <= error.size(); first += samples)
+    for (const Index sample : at)
+      if (sample < samples) error(first + sample) = 0;
+  return error;
+}
+
+double lower_quartile(std::vector<double> values) {
+  const auto quarter = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
+  std::nth_element(values.begin(), quarter, values.end());
+  return *quarter;
+}
+
 // Variance of what is white in a series, channel after channel: third differences of it have 20 times its variance,
 // those of anything sampled this densely have next to none.
 double third_difference_variance(const VectorXd& error, Index samples) {
@@ -99,11 +113,13 @@ SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateFo
 }
 
 Index SegmentEvidence::freedom() const {
-  return size() - static_cast<Index>(4 * model_->modes() * segments_.size());
+  Index at_jumps = 0;
+  for (const Frozen& f : frozen_) at_jumps += static_cast<Index>(f.at_jumps.size() * sensors_.responses.size());
+  return size() - static_cast<Index>(4 * model_->modes() * segments_.size()) - at_jumps;
 }
 
 VectorXd SegmentEvidence::errors(const Segment& s, const VectorXd& unknowns, const VectorXd& state, Index samples,
-                                 const std::vector<LinearChange>& change) const {
+                                 const std::vector<LinearChange>& change, std::vector<Index>* jumps) const {
   const std::size_t symbols = model_->symbols.size();
   const Faults faults = table_.faults(unknowns.data() + symbols);
   std::vector<double> parameters(unknowns.data(), unknowns.data() + symbols);
@@ -132,6 +148,7 @@ VectorXd SegmentEvidence::errors(const Segment& s, const VectorXd& unknowns, con
   const SideOscillator side{faults.extra.frequency, faults.extra.damping};
   const StretchOfMotion motion = integrate_stretch(*model_, forces_, parameters, signal, state, samples, s.substeps,
                                                    change, extra ? &side : nullptr);
+  if (jumps) *jumps = motion.jumps;
   MatrixXd shapes = sensors_.shapes;
   if (!faults.mixing.isZero(0)) shapes += sensors_.shapes * faults.mixing;
   MatrixXd seen = shapes * (sensors_.derivatives == 2   ? motion.acceleration
@@ -185,10 +202,12 @@ VectorXd SegmentEvidence::guessed_state(const Segment& s, const VectorXd& unknow
   return state;
 }
 
-double SegmentEvidence::improve_state(const Segment& s, const VectorXd& unknowns, VectorXd& state,
-                                      Index samples) const {
+double SegmentEvidence::improve_state(const Segment& s, const VectorXd& unknowns, VectorXd& state, Index samples,
+                                      const std::vector<Index>& at_jumps) const {
   const auto size = static_cast<Index>(2 * model_->modes());
-  const std::vector<LinearChange> unchanged;
+  const auto errors_from = [&](const VectorXd& at) {
+    return silenced(errors(s, unknowns, at, samples, {}), samples, at_jumps);
+  };
   // Scales of displacement and velocity from the channels.
   const double frequency = unknowns(0);
   const double largest = s.response.cwiseAbs().maxCoeff() /
@@ -197,20 +216,20 @@ double SegmentEvidence::improve_state(const Segment& s, const VectorXd& unknowns
   VectorXd step(size);
   step.head(size / 2).setConstant(1e-4 * largest);
   step.tail(size / 2).setConstant(1e-4 * largest * frequency);
-  VectorXd error = errors(s, unknowns, state, samples, unchanged);
+  VectorXd error = errors_from(state);
   for (int i = 0; i < 10; ++i) {
     MatrixXd slope(error.size(), size);
     for (Index k = 0; k < size; ++k) {
       VectorXd moved = state;
       moved(k) += step(k);
-      slope.col(k) = errors(s, unknowns, moved, samples, unchanged) - error;
+      slope.col(k) = errors_from(moved) - error;
     }
     const VectorXd change = -slope.colPivHouseholderQr().solve(error);
     if (!change.allFinite()) break;
     double factor = 1, gain = -1;
     for (int half = 0; half < 5 && gain < 0; ++half, factor *= 0.3) {
       const VectorXd moved = state + factor * change.cwiseProduct(step);
-      const VectorXd next = errors(s, unknowns, moved, samples, unchanged);
+      const VectorXd next = errors_from(moved);
       if (!(next.squaredNorm() < error.squaredNorm())) continue;
       gain = error.squaredNorm() - next.squaredNorm();
       state = moved;
@@ -232,96 +251,102 @@ void SegmentEvidence::find_state(const Segment& s, const VectorXd& unknowns, Vec
   state = fresh;
 }
 
-void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
-  const std::vector<LinearChange> unchanged;
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const Segment& s = segments_[i];
-    Frozen& f = frozen_[i];
-    find_state(s, unknowns, f.state);
-    const Index samples = s.response.cols();
-    const VectorXd error = errors(s, unknowns, f.state, samples, unchanged);
-    f.widening = 1;
-    if (coarse > 0) {
-      const double size = (s.response.rowwise().norm().array() / s.noise_sd.array()).maxCoeff() /
-                          std::sqrt(static_cast<double>(samples));
-      f.widening = std::hypot(1.0, std::sqrt(coarse) * size);
-    }
-    const auto modes = static_cast<Index>(model_->modes());
-    MatrixXd slope(error.size(), 2 * modes);
-    const VectorXd size = f.state.cwiseAbs().cwiseMax(1e-3 * f.state.cwiseAbs().maxCoeff() + 1e-30);
-    for (Index k = 0; k < 2 * modes; ++k) {
-      VectorXd moved = f.state;
-      moved(k) += 1e-4 * size(k);
-      slope.col(k) = (errors(s, unknowns, moved, samples, unchanged) - error) / (1e-4 * size(k));
-      slope.col(k) *= size(k);
-    }
-    f.state_basis = beyond(MatrixXd(error.size(), 0), slope);
-    MatrixXd changes(error.size(), 2 * modes);
-    for (Index k = 0; k < modes; ++k) {
-      const double w = unknowns(k);
-      std::vector<LinearChange> change(static_cast<std::size_t>(modes));
-      change[static_cast<std::size_t>(k)].stiffness = 1e-6 * w * w;
-      changes.col(2 * k) = (errors(s, unknowns, f.state, samples, change) - error) * 1e6;
-      change[static_cast<std::size_t>(k)] = {0, 1e-6 * w};
-      changes.col(2 * k + 1) = (errors(s, unknowns, f.state, samples, change) - error) * 1e6;
-    }
-    f.change_basis = beyond(f.state_basis, changes);
-    // Far from the data there is no repeatability to measure: the channels' noise, widened, is the error.
-    if (coarse > 0 || !f.measured) {
-      const double start = coarse > 0 ? 1 : 1e-3;
-      f.change_sd = VectorXd::Constant(2 * modes, start);
-      f.rest_sd = start;
-      f.measured = coarse == 0;
-    }
-  }
-  if (coarse == 0) measure_repeatability(unknowns);
+VectorXd SegmentEvidence::frozen_errors(std::size_t segment, const VectorXd& unknowns, const VectorXd& state,
+                                        const std::vector<LinearChange>& change) const {
+  const Segment& s = segments_[segment];
+  const Index samples = s.response.cols();
+  return silenced(errors(s, unknowns, state, samples, change), samples, frozen_[segment].at_jumps);
 }
 
-void SegmentEvidence::measure_repeatability(const VectorXd& unknowns) {
-  std::vector<VectorXd> changes;
-  std::vector<double> rest, white;
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const Frozen& f = frozen_[i];
-    const VectorXd error = errors(segments_[i], unknowns, f.state, segments_[i].response.cols(), {});
-    changes.push_back(f.change_basis.transpose() * error);
-    white.push_back(third_difference_variance(error, segments_[i].response.cols()));
-    const double squares =
-        error.squaredNorm() - (f.state_basis.transpose() * error).squaredNorm() - changes.back().squaredNorm();
-    rest.push_back(std::sqrt(std::max(0.0, squares) /
-                             static_cast<double>(error.size() - f.state_basis.cols() - f.change_basis.cols())));
+void SegmentEvidence::freeze_segment(std::size_t segment, const VectorXd& unknowns, double coarse) {
+  const Segment& s = segments_[segment];
+  Frozen& f = frozen_[segment];
+  const Index samples = s.response.cols();
+  find_state(s, unknowns, f.state);
+  f.at_jumps.clear();
+  if (sensors_.derivatives == 2) {
+    std::vector<Index> jumps;
+    errors(s, unknowns, f.state, samples, {}, &jumps);
+    for (const Index before : jumps)
+      for (const Index sample : {before, before + 1})
+        if (f.at_jumps.empty() || f.at_jumps.back() < sample) f.at_jumps.push_back(sample);
+    if (!jumps.empty()) improve_state(s, unknowns, f.state, samples, f.at_jumps);
   }
-  for (std::size_t first = 0; first < segments_.size();) {
-    std::size_t end = first + 1;
+  f.widening = 1;
+  if (coarse > 0) {
+    const double size = (s.response.rowwise().norm().array() / s.noise_sd.array()).maxCoeff() /
+                        std::sqrt(static_cast<double>(samples));
+    f.widening = std::hypot(1.0, std::sqrt(coarse) * size);
+  }
+  const VectorXd error = frozen_errors(segment, unknowns, f.state, {});
+  const auto modes = static_cast<Index>(model_->modes());
+  MatrixXd slope(error.size(), 2 * modes);
+  const VectorXd size = f.state.cwiseAbs().cwiseMax(1e-3 * f.state.cwiseAbs().maxCoeff() + 1e-30);
+  for (Index k = 0; k < 2 * modes; ++k) {
+    VectorXd moved = f.state;
+    moved(k) += 1e-4 * size(k);
+    slope.col(k) = (frozen_errors(segment, unknowns, moved, {}) - error) * 1e4;
+  }
+  f.state_basis = beyond(MatrixXd(error.size(), 0), slope);
+  MatrixXd changes(error.size(), 2 * modes);
+  for (Index k = 0; k < modes; ++k) {
+    const double w = unknowns(k);
+    std::vector<LinearChange> change(static_cast<std::size_t>(modes));
+    change[static_cast<std::size_t>(k)].stiffness = 1e-6 * w * w;
+    changes.col(2 * k) = (frozen_errors(segment, unknowns, f.state, change) - error) * 1e6;
+    change[static_cast<std::size_t>(k)] = {0, 1e-6 * w};
+    changes.col(2 * k + 1) = (frozen_errors(segment, unknowns, f.state, change) - error) * 1e6;
+  }
+  f.change_basis = beyond(f.state_basis, changes);
+}
+
+void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
+  for (std::size_t i = 0; i < segments_.size(); ++i) freeze_segment(i, unknowns, coarse);
+  coarse_ = coarse > 0;
+  if (coarse_) noise_.clear();
+  if (!coarse_) measure_noise(unknowns);
+}
+
+SegmentEvidence::Noise SegmentEvidence::noise_of(const VectorXd& white, const MatrixXd& changes,
+                                                 const std::vector<double>& rest, bool repeats) const {
+  // What is white in the errors, whatever the channel's noise floor was taken for.
+  const double level = std::max(1e-3, std::sqrt(white.mean()));
+  Noise noise{VectorXd::Constant(changes.rows(), level), level};
+  if (!repeats) return noise;
+  noise.rest_sd = std::max(level, lower_quartile(rest));
+  for (Index row = 0; row < changes.rows(); ++row)
+    noise.change_sd(row) = std::max(level, roughness({changes.row(row).begin(), changes.row(row).end()}));
+  return noise;
+}
+
+void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
+  std::vector<Noise> found;
+  for (std::size_t first = 0, end = 0; first < segments_.size(); first = end) {
     while (end < segments_.size() && segments_[end].record == segments_[first].record) ++end;
-    // What is white in the errors, whatever the channel's noise floor was taken for.
-    double variance = 0;
-    for (std::size_t i = first; i < end; ++i) variance += white[i] / static_cast<double>(end - first);
-    const double level = std::max(1e-3, std::sqrt(variance));
+    const auto count = static_cast<Index>(end - first);
+    VectorXd white(count);
+    MatrixXd changes(frozen_[first].change_basis.cols(), count);
+    std::vector<double> rest, logarithm;
     for (std::size_t i = first; i < end; ++i) {
-      // A repeatability is not taken back by an explanation that fits better.
-      frozen_[i].rest_sd = std::max(level, frozen_[i].rest_sd);
-      frozen_[i].change_sd = frozen_[i].change_sd.cwiseMax(level);
+      const Frozen& f = frozen_[i];
+      const auto column = static_cast<Index>(i - first);
+      const VectorXd error = frozen_errors(i, unknowns, f.state, {});
+      white(column) = third_difference_variance(error, segments_[i].response.cols());
+      changes.col(column) = f.change_basis.transpose() * error;
+      const double squares = error.squaredNorm() - (f.state_basis.transpose() * error).squaredNorm() -
+                             changes.col(column).squaredNorm();
+      rest.push_back(std::sqrt(std::max(0.0, squares) /
+                               static_cast<double>(error.size() - f.state_basis.cols() - f.change_basis.cols())));
+      logarithm.push_back(std::log(std::max(rest.back(), std::sqrt(white(column)))));
     }
-    if (segments_[first].excitation.cols() == 0 && end - first >= fewest_segments) {
-      const auto begin = rest.begin() + static_cast<std::ptrdiff_t>(first);
-      std::vector<double> quiet(begin, begin + static_cast<std::ptrdiff_t>(end - first)), logarithm;
-      for (const double r : quiet) logarithm.push_back(std::log(std::max(r, level)));
-      const bool disturbed = roughness(logarithm) > irregular;
-      std::nth_element(quiet.begin(), quiet.begin() + static_cast<std::ptrdiff_t>(quiet.size() / 4), quiet.end());
-      for (std::size_t i = first; i < end; ++i) {
-        frozen_[i].rest_sd = std::max(frozen_[i].rest_sd, quiet[quiet.size() / 4]);
-        frozen_[i].disturbance = disturbed ? rest[i] : 0;
-      }
-      for (Index row = 0; row < changes[first].size(); ++row) {
-        std::vector<double> series;
-        for (std::size_t i = first; i < end; ++i) series.push_back(changes[i](row));
-        const double sd = roughness(series);
-        for (std::size_t i = first; i < end; ++i)
-          frozen_[i].change_sd(row) = std::max(frozen_[i].change_sd(row), sd);
-      }
-    }
-    first = end;
+    const bool repeats = segments_[first].excitation.cols() == 0 && end - first >= fewest_segments;
+    found.insert(found.end(), end - first, noise_of(white, changes, rest, repeats));
+    for (std::size_t i = first; repeats && i < end && !noise_.empty(); ++i)
+      found[i].change_sd = found[i].change_sd.cwiseMax(noise_[i].change_sd);
+    const bool disturbed = repeats && roughness(logarithm) > irregular;
+    for (std::size_t i = first; i < end; ++i) frozen_[i].disturbance = disturbed ? rest[i - first] : 0;
   }
+  noise_ = std::move(found);
 }
 
 void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const {
@@ -332,12 +357,14 @@ void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> ro
   Index first = 0;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const Frozen& f = frozen_[i];
-    VectorXd error = errors(segments_[i], unknowns, f.state, segments_[i].response.cols(), {}) / f.widening;
+    VectorXd error = frozen_errors(i, unknowns, f.state, {}) / f.widening;
     error -= f.state_basis * (f.state_basis.transpose() * error);
     const VectorXd changes = f.change_basis.transpose() * error;
-    rows.segment(first, changes.size()) = changes.cwiseQuotient(f.change_sd);
+    error -= f.change_basis * changes;
+    const Noise noise = coarse_ ? Noise{VectorXd::Ones(changes.size())} : noise_[i];
+    rows.segment(first, changes.size()) = changes.cwiseQuotient(noise.change_sd);
     rows.segment(first + changes.size(), error.size()) =
-        (error - f.change_basis * changes) / std::max(f.rest_sd, f.disturbance);
+        error / std::max(noise.rest_sd, coarse_ ? 0 : f.disturbance);
     first += changes.size() + error.size();
   }
 }
@@ -350,7 +377,7 @@ std::vector<SegmentEvidence::Disturbed> SegmentEvidence::disturbed() const {
       records.push_back({segments_[i].record, 0, {}});
     Disturbed& record = records.back();
     ++record.segments;
-    if (frozen_[i].disturbance > 2 * frozen_[i].rest_sd) record.worst_s.push_back(segments_[i].in_record_s);
+    if (frozen_[i].disturbance > 2 * noise_[i].rest_sd) record.worst_s.push_back(segments_[i].in_record_s);
   }
   return records;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "diagnose/evidence/discrepancy.hpp"
 #include "diagnose/evidence/segment.hpp"
 
@@ -43,20 +45,38 @@ class SegmentEvidence : public Evidence {
   struct Frozen {
     Eigen::VectorXd state;
     Eigen::MatrixXd state_basis, change_basis;  // samples*channels x 2 modes, orthonormal
-    Eigen::VectorXd change_sd;                  // repeatability of the first rows
-    double rest_sd = 1;                         // and of the others
-    bool measured = false;                      // whether these two come from the segments
-    double disturbance = 0;                     // what the others hold in a disturbed record; else 0
-    double widening = 1;                        // errors times this
+    // Samples at which a channel may read either side of a jump of its signal: errors there are not continuous in
+    // the unknowns and do not count.
+    std::vector<Eigen::Index> at_jumps;
+    double widening = 1;     // errors times this
+    double disturbance = 0;  // what the other rows hold in a disturbed record, and count no more than; else 0
   };
+  // What a segment repeats to, in units of its channels' noise, as the unknowns leave it at which errors are taken:
+  // no trial before them has a part in it. Only how the first rows repeat from segment to segment, which a few
+  // segments tell roughly, is the largest since errors were coarse: an explanation that fits better does not take
+  // it back.
+  struct Noise {
+    Eigen::VectorXd change_sd;  // of the first rows
+    double rest_sd = 1;         // of the others
+  };
+  /// `jumps`: see StretchOfMotion.
   Eigen::VectorXd errors(const Segment& segment, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& state,
-                         Eigen::Index samples, const std::vector<LinearChange>& change) const;
-  void measure_repeatability(const Eigen::VectorXd& unknowns);
+                         Eigen::Index samples, const std::vector<LinearChange>& change,
+                         std::vector<Eigen::Index>* jumps = nullptr) const;
+  void measure_noise(const Eigen::VectorXd& unknowns);
+  /// Of a record's segments; `white`: their variances of what is white, `changes` and `rest`: what they leave in
+  /// the first and in the other rows.
+  Noise noise_of(const Eigen::VectorXd& white, const Eigen::MatrixXd& changes, const std::vector<double>& rest,
+                 bool repeats) const;
   Eigen::VectorXd guessed_state(const Segment& segment, const Eigen::VectorXd& unknowns) const;
   /// Gauss-Newton over the first `samples`; returns the sum of squared errors.
   double improve_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state,
-                       Eigen::Index samples) const;
+                       Eigen::Index samples, const std::vector<Eigen::Index>& at_jumps = {}) const;
   void find_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state) const;
+  void freeze_segment(std::size_t segment, const Eigen::VectorXd& unknowns, double coarse);
+  /// Errors of a frozen segment.
+  Eigen::VectorXd frozen_errors(std::size_t segment, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& state,
+                                const std::vector<LinearChange>& change) const;
 
   const CompiledModel* model_;
   std::vector<StateForce> forces_;
@@ -64,6 +84,8 @@ class SegmentEvidence : public Evidence {
   FaultTable table_;
   std::vector<Segment> segments_;
   std::vector<Frozen> frozen_;
+  std::vector<Noise> noise_;
+  bool coarse_ = true;  // frozen at widened errors, beside which nothing repeats worse
   std::vector<RowLabel> labels_;
 };
 

@@ -29,12 +29,15 @@ struct DrivingSignal {
 struct StretchOfMotion {
   Eigen::MatrixXd displacement, velocity, acceleration;  ///< modes x samples
   Eigen::RowVectorXd side;                               ///< x'' of the side oscillator (empty without)
+  std::vector<Eigen::Index> jumps;                       ///< accelerations jump between this sample and the next
 };
 
 /// Integrates the full equations of motion over evenly spaced samples: fourth-order Runge-Kutta with `substeps`
-/// equal steps from sample to sample, the driving signal interpolated by parabolas. `state`: displacements, then
-/// velocities. Sliders among `forces` start unstretched. Samples after a state beyond 1e6 times its start stay
-/// zero.
+/// equal steps from sample to sample, the driving signal interpolated by parabolas. Where the equations jump with
+/// the sign of a coordinate's velocity (dry friction), a step holds to one side of the jump and ends where the
+/// velocity comes to zero, so that motions are continuous in the parameters; a coordinate that is pushed back
+/// either way stays where it is. `state`: displacements, then velocities. Sliders among `forces` start unstretched.
+/// Samples after a state beyond 1e6 times its start stay zero.
 StretchOfMotion integrate_stretch(const CompiledModel& model, const std::vector<StateForce>& forces,
                                   std::span<const double> parameters, const DrivingSignal& signal,
                                   const Eigen::VectorXd& state, Eigen::Index samples, int substeps,

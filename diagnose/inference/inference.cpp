@@ -22,10 +22,14 @@ using Eigen::VectorXd;
 /// Nonlinear fits: at most so many candidates, and only those whose gain is this share of the best.
 constexpr std::size_t most_fits = 16;
 constexpr double least_gain_share = 0.02;
+
+/// Among the true errors a gain of less than this (two standard deviations) is chance. Among wider ones no gain is
+/// too small.
 constexpr double least_gain = 4;
 
 /// Shares of the inertia to which the equations of motion count as known, one after the other.
 constexpr double coarse_levels[] = {1e-2, 1e-3, 1e-4, 0};
+constexpr std::size_t finest = std::size(coarse_levels) - 1;
 
 /// Rows that a model misses by more than this, mean square in variances, are no place to look for what it lacks:
 /// its numbers are bent by then.
@@ -96,13 +100,16 @@ class Search {
         all_own_(own),
         own_(own),
         options_(options),
-        rows_(static_cast<double>(discrepancy.freedom())),
-        price_(0.5 * std::log(std::max(2.0, rows_))),
+        price_(0.5 * std::log(std::max(2.0, rows()))),
         scales_(unknowns) {}
 
   Inference run(const VectorXd& start) {
     fit_null(start);
     fit_singles();
+    if (found_.empty() && level_ != finest) {
+      settle_null(result_.null);
+      fit_singles();
+    }
     if (!begin_afresh(start)) descend();
     add_pairs();
     if (start_afresh(start)) add_pairs();
@@ -122,6 +129,8 @@ class Search {
     frozen_ = {at, coarse};
     discrepancy_.freeze(at, coarse);
   }
+
+  double rows() const { return static_cast<double>(discrepancy_.freedom()); }  // that are independent
 
   RefitOptions refit_options(unsigned threads = 1) const {
     RefitOptions options;
@@ -151,7 +160,7 @@ class Search {
       for (int round = 0; round < 6; ++round) {
         freeze(unknowns, coarse);
         Refit next = refit_these(unknowns, free, coarse > 0 ? first_damping : 0);
-        if (next.chi_squared > reweighting * std::max(before, rows_)) break;
+        if (next.chi_squared > reweighting * std::max(before, rows())) break;
         fit = std::move(next);
         unknowns = fit.unknowns;
         if (round > 0 && std::abs(fit.chi_squared - before) < 0.02 * before + 1) break;
@@ -162,10 +171,10 @@ class Search {
     return fits;
   }
 
-  bool misses(const Refit& fit) const { return fit.chi_squared > most_misfit * rows_; }
+  bool misses(const Refit& fit) const { return fit.chi_squared > most_misfit * rows(); }
 
   double dispersion_of(const Explanation& e) const {
-    return e.fit.chi_squared / std::max(1.0, rows_ - static_cast<double>(e.fit.rank));
+    return e.fit.chi_squared / std::max(1.0, rows() - static_cast<double>(e.fit.rank));
   }
 
   bool is_open(const Explanation& e) const {
@@ -198,7 +207,7 @@ class Search {
       }
     }
     result_.null.fit = std::move(nulls[level_]);
-    result_.degrees_of_freedom = rows_ - static_cast<double>(result_.null.fit.rank);
+    result_.degrees_of_freedom = rows() - static_cast<double>(result_.null.fit.rank);
   }
 
   // A model that misses even coarse equations fits best with natural frequencies that nobody would believe, and
@@ -226,10 +235,11 @@ class Search {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return screened[a].gain > screened[b].gain; });
-    const double best = order.empty() ? 0 : screened[order.front()].gain;
+    const double best = order.empty() ? 0 : screened[order.front()].gain,
+                 least = frozen_.coarse > 0 ? 0 : least_gain;
     std::vector<std::size_t> kept;
     for (const std::size_t c : order)
-      if (kept.size() < most && screened[c].gain > std::max(least_gain, least_gain_share * best)) kept.push_back(c);
+      if (kept.size() < most && screened[c].gain > std::max(least, least_gain_share * best)) kept.push_back(c);
     return kept;
   }
 
@@ -245,9 +255,14 @@ class Search {
     return found;
   }
 
+  void take_gains(const std::vector<Screening>& screened) {
+    result_.linear_gain.clear();
+    for (const Screening& s : screened) result_.linear_gain.push_back(s.gain);
+  }
+
   void fit_singles() {
     singles_ = screen_from(result_.null.fit);
-    for (const Screening& s : singles_) result_.linear_gain.push_back(s.gain);
+    take_gains(singles_);
     const std::vector<std::size_t> chosen = promising(singles_, most_fits);
     found_.resize(chosen.size());
     in_parallel(chosen.size(), options_.threads,
@@ -286,7 +301,7 @@ class Search {
       if (paired) add_pairs();
       if (!found_.empty()) release_anchors();
     }
-    for (; level_ + 1 < std::size(coarse_levels) && !found_.empty(); ++level_) {
+    for (; level_ < finest && !found_.empty(); ++level_) {
       Explanation& best = found_.front();
       freeze(best.fit.unknowns, coarse_levels[level_ + 1]);
       Refit finer = refit(discrepancy_, best.fit.unknowns, best.fit.free, refit_options(options_.threads));
@@ -351,7 +366,8 @@ class Search {
                                        [](const Screening& a, const Screening& b) { return a.gain < b.gain; });
     const double worth =
         2 * (price_ - std::log(options_.prior_second)) * std::max(1.0, dispersion_of(alone.front()));
-    if (!leaves_more_than_noise(alone.front()) && !(most->gain > worth)) return;
+    const bool at_true_errors = frozen_.coarse == 0;
+    if (at_true_errors && !leaves_more_than_noise(alone.front()) && !(most->gain > worth)) return;
     Pairs pairs;
     expand(alone.front(), std::move(beside_best), pairs);
     for (std::size_t f = 1; f < std::min(most_firsts, alone.size()); ++f)
@@ -415,7 +431,7 @@ class Search {
       if (leaves_more_than_noise(again) || !is_possible(again, candidates_)) continue;
       freeze(again.fit.unknowns);
       if (left_by(found_.front()) <= left_by(again)) continue;  // it has run away with its own errors
-      level_ = std::size(coarse_levels) - 1;
+      level_ = finest;
       const VectorXd without = switched_off(again.fit.unknowns, again.members, candidates_);
       for (Explanation& e : found_) {
         VectorXd begin = without;
@@ -464,16 +480,24 @@ class Search {
     return true;
   }
 
-  // Once more with the errors and starting points that hold at the best explanation.
-  void settle() {
+  // The model as it is among the errors of the measurement at this explanation, from where it was and from there.
+  void settle_null(Explanation best) {
     own_ = all_own_;
-    if (found_.empty()) return;
-    const Explanation best = found_.front();
+    level_ = finest;
     freeze(best.fit.unknowns);
-    result_.null.fit = refit_own(result_.null.fit.unknowns);
+    Refit& null = result_.null.fit;
+    null = refit_own(null.unknowns);
     Refit from_best = refit_own(switched_off(best.fit.unknowns, best.members, candidates_));
-    if (from_best.chi_squared < result_.null.fit.chi_squared) result_.null.fit = std::move(from_best);
+    if (from_best.chi_squared < null.chi_squared) null = std::move(from_best);
+    result_.degrees_of_freedom = rows() - static_cast<double>(null.rank);
+  }
+
+  // Coarse errors are a way to walk; what a verdict is read from holds among the true ones.
+  void settle() {
+    settle_null(found_.empty() ? result_.null : found_.front());
     refit_found();
+    // Where all rows together show no gap, one candidate may still: beside this null.
+    if (!leaves_more_than_noise(result_.null)) take_gains(screen_from(result_.null.fit));
   }
 
   void weigh() {
@@ -497,7 +521,6 @@ class Search {
   const std::vector<std::size_t>& all_own_;
   std::vector<std::size_t> own_;  // that are fitted at present
   const InferenceOptions& options_;
-  double rows_;   // that are independent
   double price_;  // of one unknown more, in log evidence
   KnownScales scales_;
   Frozen frozen_;

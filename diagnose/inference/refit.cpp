@@ -15,6 +15,10 @@ using Eigen::VectorXd;
 /// Singular values of the scaled columns below this share of the largest count as zero: differences are not better.
 constexpr double rank_tolerance = 1e-6;
 
+/// Chi-squared to first order, of what a free step from the end of a converged fit may still promise at most, and
+/// in shares of all: ten times less than what any comparison of explanations turns on.
+constexpr double promise_kept = 0.1, promise_kept_share = 1e-6;
+
 /// Differences are taken over changes of the rows by this to one over this standard deviations.
 constexpr double least_change = 0.03;
 
@@ -115,15 +119,9 @@ Refit refit(const Discrepancy& discrepancy, const VectorXd& start, const std::ve
       fit.chi_squared = chi_squared;
       fresh = false;
       damping = damping < 1e-6 ? 0 : damping / 30;
-      if (gain < 1e-4 + 1e-7 * chi_squared) {
-        fit.converged = true;
-        break;
-      }
+      if (gain < 1e-4 + 1e-7 * chi_squared) break;
     } else {
-      if (promised < 1e-3 + 1e-6 * fit.chi_squared || damping > 1e6) {
-        fit.converged = true;
-        break;
-      }
+      if (promised < 1e-3 + 1e-6 * fit.chi_squared || damping > 1e6) break;
       damping = std::max(1e-4, 30 * damping);
     }
   }
@@ -133,23 +131,28 @@ Refit refit(const Discrepancy& discrepancy, const VectorXd& start, const std::ve
     const VectorXd unit = length.unaryExpr([](double x) { return x > 0 ? 1 / x : 0.0; });
     const Eigen::BDCSVD<MatrixXd> svd(fit.jacobian * unit.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);
     VectorXd inverse = VectorXd::Zero(svd.singularValues().size());
+    const VectorXd promised = svd.matrixU().transpose() * fit.rows;
+    double promise = 0;
     fit.rank = 0;
     fit.identifiable.assign(free.size(), true);
     for (Index i = 0; i < inverse.size(); ++i) {
       if (svd.singularValues()(i) > rank_tolerance * svd.singularValues()(0)) {
         inverse(i) = 1 / (svd.singularValues()(i) * svd.singularValues()(i));
+        promise += promised(i) * promised(i);
         ++fit.rank;
       } else {
         for (std::size_t f = 0; f < free.size(); ++f)
           if (std::abs(svd.matrixV()(static_cast<Index>(f), i)) > 1e-3) fit.identifiable[f] = false;
       }
     }
+    // Damping makes every promise small: only what a free step promises tells whether this is the minimum.
+    if (promise < promise_kept + promise_kept_share * fit.chi_squared) fit.ending = FitEnding::converged;
     for (std::size_t f = 0; f < free.size(); ++f)
       if (!(length(static_cast<Index>(f)) > 0)) fit.identifiable[f] = false;
     const MatrixXd turned = fit.scale.cwiseProduct(unit).asDiagonal() * svd.matrixV();
     fit.covariance = turned * inverse.asDiagonal() * turned.transpose();
   } else {
-    fit.converged = true;
+    fit.ending = FitEnding::converged;
     fit.jacobian.resize(fit.rows.size(), 0);
     fit.covariance.resize(0, 0);
   }

@@ -7,6 +7,12 @@
 
 namespace secular {
 
+/// How a fit ended.
+enum class FitEnding {
+  converged,  ///< no step that the slopes promise is worth anything
+  stalled,    ///< steps that promise something do not bring it, or there were too many
+};
+
 /// Least squares over some of the unknowns.
 struct Refit {
   Eigen::VectorXd unknowns;
@@ -18,7 +24,7 @@ struct Refit {
   Eigen::Index rank = 0;
   Eigen::MatrixXd covariance;  ///< of the free unknowns, for rows of unit variance; identifiable directions only
   std::vector<bool> identifiable;  ///< by free unknown
-  bool converged = false;
+  FitEnding ending = FitEnding::stalled;
 };
 
 struct RefitOptions {

@@ -33,7 +33,8 @@ constexpr double structure_alarm = 1e-4;
 /// what was there,
 constexpr double small_structure = 0.1;
 
-/// and if held-out conditions show that at least this share was closed (the lower end of its interval).
+/// and if held-out conditions show that at least this share was closed (the lower end of its interval). No cause
+/// closes less than it leaves.
 constexpr double least_closing = 0.5;
 
 /// One row counts with no more standard deviations than this: outliers are no smooth function.
@@ -104,6 +105,10 @@ ResidualStructure residual_structure_of(const Refit& fit, const std::vector<RowL
   left.smooth_p_value = smooth.p_value;
   left.smooth_share = smooth.excess() > 0 ? std::sqrt(smooth.excess() / (smooth.excess() + explained)) : 0;
   return left;
+}
+
+bool closes_gap(const ClosedShare& closing) {
+  return closing.closed >= least_closing;
 }
 
 bool leaves_structure(const ResidualStructure& structure, const ClosedShare& closing, double floor) {

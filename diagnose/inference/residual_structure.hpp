@@ -31,6 +31,11 @@ struct ResidualStructure {
 ResidualStructure residual_structure_of(const Refit& fit, const std::vector<RowLabel>& labels, double freedom,
                                         double explained);
 
+/// Whether an explanation closes more of the gap than it leaves, on conditions that were held out. None that does
+/// not is a cause, however likely it is beside others; nor is one of a gap that is smaller than repeatability,
+/// where there is nothing to close.
+bool closes_gap(const ClosedShare& closing);
+
 /// Whether an explanation leaves structure that forbids to call it the cause. Real structures always leave some: it
 /// may, where held-out conditions show that it closes most of the gap and what it leaves beyond repeatability is
 /// less than a tenth of what was there.

@@ -108,8 +108,19 @@ class Diagnoser {
     }
   }
 
+  // A stalled fit names nothing; and one that is likelier than all that have converged lets none of these be named.
+  std::vector<Rival> only_converged(std::vector<Rival> all) {
+    const auto has_converged = [](const Rival& r) { return r.explanation->fit.ending == FitEnding::converged; };
+    const auto first = std::find_if(all.begin(), all.end(), has_converged);
+    stalled_ = first == all.end() || !is_credible(*first, all.front());
+    if (stalled_) return all;
+    std::erase_if(all, [&](const Rival& r) { return !has_converged(r); });
+    rank(all);
+    return all;
+  }
+
   // The model's own numbers moved: an explanation when numbers were given.
-  std::vector<Rival> rivals() const {
+  std::vector<Rival> rivals() {
     std::vector<Rival> all;
     if (options_.given) all.push_back({&inference_.null, inference_.null.log_evidence, 0, {"parameters"}, false});
     for (const Explanation& e : inference_.explanations) {
@@ -121,7 +132,7 @@ class Diagnoser {
       all.push_back(std::move(rival));
     }
     if (!all.empty()) rank(all);
-    return all;
+    return only_converged(std::move(all));
   }
 
   // `named`: those of `all` that the catalogue holds.
@@ -162,8 +173,9 @@ class Diagnoser {
         result_.gap.wrong_cause = wrong->effects.front();
         result_.gap.wrong_cause_closed = reporter.closed_share(*wrong->explanation);
       }
-      if (!leaves_structure(result_.residual_structure, closing, result_.gap.floor) && !is_restless() &&
-          !best.open_law) {
+      const bool is_found = !stalled_ && !best.open_law;
+      if (is_found && closes_gap(closing) && !is_restless() &&
+          !leaves_structure(result_.residual_structure, closing, result_.gap.floor)) {
         result_.verdict = naming.set.size() == 1 ? "cause" : "set";
         result_.cause = naming.set.size() == 1 ? naming.set.front() : "";
       }
@@ -224,6 +236,7 @@ class Diagnoser {
   JudgedNumbers judged_;  // where numbers were given
   Inference inference_;
   const Explanation* best_ = nullptr;
+  bool stalled_ = false;  // the likeliest explanation is no minimum, and no other comes near it
   Diagnosis result_;
 };
 

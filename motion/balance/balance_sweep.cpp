@@ -4,14 +4,27 @@
 #include <cmath>
 #include <utility>
 
+#include "numerics/hertz.hpp"
+
 namespace secular {
 
 using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
+using Eigen::RowVectorXcd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
+
+namespace {
+
+/// A velocity beside zero.
+constexpr double vanishing = 1e-300;
+
+/// Lines beyond the torus move turnings by a few hundredths of a radian, and one another's effect by that share.
+constexpr int turning_rounds = 3;
+
+}  // namespace
 
 std::vector<SlavedLine> slaved_lines(const MotionSetting& setting, const CompiledModel& model,
                                      std::span<const double> parameters) {
@@ -108,6 +121,57 @@ const MatrixXd& BalanceSweep::accelerations(const MatrixXd& position, const Matr
   return acceleration_;
 }
 
+// Of the excitation the nearest point's counts: jumps that it multiplies change little from there.
+template <class Side>
+void BalanceSweep::beside_turnings(const Path& path, const std::vector<Turning>& turnings,
+                                   const std::vector<Signal>& signals, const Side& side) {
+  const MatrixXcd velocity_lines = path.lines * rates_.asDiagonal();
+  const Index points = path.position.cols();
+  for (std::size_t t = 0; t < turnings.size(); ++t) {
+    RowVectorXcd waves(rates_.size());
+    for (Index n = 0; n < waves.size(); ++n)
+      waves(n) = std::polar(n == 0 ? 1.0 : 2.0, static_cast<double>(n) * turnings[t].seen);
+    position_ = (path.lines * waves.transpose()).real();
+    velocity_ = (velocity_lines * waves.transpose()).real();
+    excite(static_cast<Index>(turnings[t].seen / two_pi * static_cast<double>(points)) % points, signals);
+    for (const int sign : {1, -1}) {
+      velocity_(turnings[t].mode) = std::copysign(vanishing, sign * turnings[t].slope);
+      side(static_cast<Index>(t), sign);
+    }
+  }
+}
+
+double BalanceSweep::moves(const Turning& jump, const Turning& moved, std::span<const double> parameters) const {
+  if (jump.mode != moved.mode) return 0;
+  return -velocity_beyond(moved.phase - jump.phase, static_cast<int>(torus_.lines() - 1), rates_(1).imag(),
+                          parameters[static_cast<std::size_t>(jump.mode)]) /
+         moved.slope;
+}
+
+// Jumps make lines beyond the torus, whose velocity moves the turnings.
+BalanceSweep::Jumps BalanceSweep::jumps(const Path& path, std::span<const double> parameters,
+                                        const std::vector<Signal>& signals) {
+  Jumps jumps{turnings(torus_, path.lines * rates_.asDiagonal(), path.velocity), {}};
+  const auto count = static_cast<Index>(jumps.at.size());
+  jumps.sizes = MatrixXd::Zero(path.position.rows(), count);
+  VectorXd acceleration(path.position.rows());
+  beside_turnings(path, jumps.at, signals, [&](Index turning, int sign) {
+    model_.acceleration(parameters.data(), excitation_.data(), position_.data(), velocity_.data(),
+                        acceleration.data());
+    jumps.sizes.col(turning) += sign * acceleration;
+  });
+  if (jumps.sizes.isZero(0)) return jumps;
+  const double most = 1 / static_cast<double>(torus_.lines());
+  for (int i = 0; i < turning_rounds; ++i)
+    for (Turning& moved : jumps.at) {
+      double way = 0;
+      for (Index j = 0; j < count; ++j)
+        way += jumps.sizes(moved.mode, j) * moves(jumps.at[static_cast<std::size_t>(j)], moved, parameters);
+      moved.phase = moved.seen + std::clamp(way, -most, most);
+    }
+  return jumps;
+}
+
 std::vector<MatrixXcd> BalanceSweep::parameter_slopes(const Path& path, std::span<const double> parameters,
                                                       const std::vector<std::size_t>& symbols) {
   if (symbols.empty()) return {};
@@ -125,15 +189,39 @@ std::vector<MatrixXcd> BalanceSweep::parameter_slopes(const Path& path, std::spa
       for (Index k = 0; k < modes; ++k)
         felt(i * modes + k, p) = slope(k * all + static_cast<Index>(symbols[static_cast<std::size_t>(i)]));
   }
-  const MatrixXcd lines = torus_.coefficients(felt);
+  const Jumps jumps = this->jumps(path, parameters, signals);
+  MatrixXd sizes = MatrixXd::Zero(count * modes, jumps.sizes.cols());
+  beside_turnings(path, jumps.at, signals, [&](Index turning, int sign) {
+    model_.acceleration_by_parameters(parameters.data(), excitation_.data(), position_.data(), velocity_.data(),
+                                      slope.data());
+    for (Index i = 0; i < count; ++i)
+      for (Index k = 0; k < modes; ++k)
+        sizes(i * modes + k, turning) +=
+            sign * slope(k * all + static_cast<Index>(symbols[static_cast<std::size_t>(i)]));
+  });
+  MatrixXcd lines = lines_with_jumps(torus_, felt, jumps.at, sizes);
+  for (Index j = 0; j < sizes.cols(); ++j) {
+    const Turning& moved = jumps.at[static_cast<std::size_t>(j)];
+    if (jumps.sizes.col(j).isZero(0)) continue;
+    const RowVectorXcd by_phase = slope_by_phase(torus_, moved.phase);
+    for (Index i = 0; i < count; ++i) {
+      double way = 0;
+      for (Index other = 0; other < sizes.cols(); ++other)
+        way += sizes(i * modes + moved.mode, other) *
+               moves(jumps.at[static_cast<std::size_t>(other)], moved, parameters);
+      lines.middleRows(i * modes, modes) += way * jumps.sizes.col(j) * by_phase;
+    }
+  }
   std::vector<MatrixXcd> slopes;
   for (Index i = 0; i < count; ++i) slopes.push_back(lines.middleRows(i * modes, modes));
   return slopes;
 }
 
 MatrixXcd BalanceSweep::residual(const Path& path, std::span<const double> parameters) {
-  return torus_.coefficients(accelerations(path.position, path.velocity, parameters,
-                                           signals(path.position, path.velocity, parameters))) -
+  const std::vector<Signal> signals = this->signals(path.position, path.velocity, parameters);
+  const Jumps jumps = this->jumps(path, parameters, signals);
+  return lines_with_jumps(torus_, accelerations(path.position, path.velocity, parameters, signals), jumps.at,
+                          jumps.sizes) -
          path.lines * rates_.cwiseProduct(rates_).asDiagonal();
 }
 
@@ -149,6 +237,9 @@ MatrixXcd BalanceSweep::residual_slopes(const Path& path, std::span<const double
   for (Index k = 0; k < modes; ++k) {
     const auto slope = [&](bool of_velocity, double step) {
       MatrixXd position = path.position, velocity = path.velocity;
+      // No difference is taken across a jump.
+      if (of_velocity)
+        for (double& v : velocity.row(k)) v = std::copysign(std::max(std::abs(v), 2 * step), v);
       (of_velocity ? velocity : position).row(k).array() += step;
       MatrixXd change = accelerations(position, velocity, parameters, signals(position, velocity, parameters));
       (of_velocity ? velocity : position).row(k).array() -= 2 * step;
@@ -203,10 +294,19 @@ MatrixXcd BalanceSweep::residual_slopes(const Path& path, std::span<const double
     }
   }
   const MatrixXcd changes = torus_.coefficients(felt);
+  const Jumps jumps = this->jumps(path, parameters, signals);
   MatrixXcd slopes(modes * lines, count);
   for (Index e = 0; e < count; ++e) {
     const Entry& entry = entries[static_cast<std::size_t>(e)];
     MatrixXcd change = changes.middleRows(e * modes, modes);
+    for (Index j = 0; j < jumps.sizes.cols(); ++j) {
+      const Turning& moved = jumps.at[static_cast<std::size_t>(j)];
+      if (moved.mode != entry.mode || entry.line == 0) continue;
+      const double velocity =
+          2 *
+          (entry.unit * rates_(entry.line) * std::polar(1.0, static_cast<double>(entry.line) * moved.phase)).real();
+      change -= velocity / moved.slope * jumps.sizes.col(j) * slope_by_phase(torus_, moved.phase);
+    }
     change(entry.mode, entry.line) -= entry.unit * rates_(entry.line) * rates_(entry.line);
     slopes.col(e) = change.reshaped();
   }

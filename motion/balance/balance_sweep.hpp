@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "motion/balance/motion_balance.hpp"
+#include "motion/balance/velocity_jumps.hpp"
 
 namespace secular {
 
@@ -67,6 +68,19 @@ class BalanceSweep {
   std::vector<Signal> signals(const Eigen::MatrixXd& position, const Eigen::MatrixXd& velocity,
                               std::span<const double> parameters,
                               const std::vector<std::size_t>& strengths = {}) const;
+  /// What jumps at the turnings of a path.
+  struct Jumps {
+    std::vector<Turning> at;
+    Eigen::MatrixXd sizes;  ///< of the accelerations: modes x turnings
+  };
+  Jumps jumps(const Path& path, std::span<const double> parameters, const std::vector<Signal>& signals);
+  /// Calls `side(turning, +1 or -1)` with the model's state at every turning, its velocity vanishing on either
+  /// side.
+  template <class Side>
+  void beside_turnings(const Path& path, const std::vector<Turning>& turnings, const std::vector<Signal>& signals,
+                       const Side& side);
+  /// How far a jump at one turning moves another: phase by size.
+  double moves(const Turning& jump, const Turning& moved, std::span<const double> parameters) const;
   /// What excites the model at one point.
   void excite(Eigen::Index point, const std::vector<Signal>& signals);
   /// Accelerations over one turn: modes x points.
@@ -80,6 +94,7 @@ class BalanceSweep {
   Eigen::MatrixXd force_, force_rate_, force_acceleration_, acceleration_;
   std::vector<Eigen::Index> driven_;  ///< excitations that are not zero
   std::vector<ExcitationSample> excitation_;
+  Eigen::VectorXd position_, velocity_;  ///< at one point
 };
 
 }  // namespace secular

@@ -18,23 +18,24 @@ constexpr Index few_rows = 8;
 
 }  // namespace
 
-Torus::Torus(int dimensions, int highest, Index points) : dimensions_(dimensions) {
+Torus::Torus(int dimensions, int highest, Index points) : dimensions_(dimensions), turn_points_(points) {
   phases_.push_back({0, 0});
   for (int m = 0; m <= (dimensions == 1 ? 0 : highest); ++m)
     for (int n = m == 0 ? 1 : m - highest; n <= highest - m; ++n) phases_.push_back({n, m});
   const Index total = dimensions == 1 ? points : points * points;
   basis_.resize(total, 2 * lines());
-  // Half a step off zero: turning points of the leading line then fall between two samples, where a jump of dry
-  // friction is represented best.
   for (Index p = 0; p < total; ++p) {
-    const double first = two_pi * (static_cast<double>(p % points) + 0.5) / static_cast<double>(points);
-    const double second = two_pi * (static_cast<double>(p / points) + 0.5) / static_cast<double>(points);
+    const double first = angle(p), second = angle(p / points);
     for (Index l = 0; l < lines(); ++l) {
       const double angle = phase(l)[0] * first + phase(l)[1] * second;
       basis_(p, 2 * l) = std::cos(angle);
       basis_(p, 2 * l + 1) = -std::sin(angle);
     }
   }
+}
+
+double Torus::angle(Index point) const {
+  return two_pi * (static_cast<double>(point % turn_points_) + 0.5) / static_cast<double>(turn_points_);
 }
 
 std::optional<Index> Torus::find(const LinePhase& wanted) const {

@@ -22,6 +22,8 @@ class Torus {
   Eigen::Index lines() const { return static_cast<Eigen::Index>(phases_.size()); }
   Eigen::Index points() const { return basis_.rows(); }
   const LinePhase& phase(Eigen::Index line) const { return phases_[static_cast<std::size_t>(line)]; }
+  /// First base phase of a point. Half a step off zero: points do not fall on the turning points of a leading line.
+  double angle(Eigen::Index point) const;
   std::optional<Eigen::Index> find(const LinePhase& phase) const;
 
   /// coefficients: rows x lines -> rows x points.
@@ -31,6 +33,7 @@ class Torus {
 
  private:
   int dimensions_;
+  Eigen::Index turn_points_;  // in one dimension
   std::vector<LinePhase> phases_;
   Eigen::MatrixXd basis_;  // points x (cosine, -sine of every line)
 };

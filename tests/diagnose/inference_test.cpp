@@ -33,9 +33,10 @@ class Signal : public Evidence {
 
   Index size() const override { return samples; }
   const std::vector<RowLabel>& labels() const override { return labels_; }
-  void freeze(const VectorXd& /*unknowns*/, double /*coarse*/) override {}
+  // Coarse errors are a multiple of the noise that is far beyond what any tone leaves.
+  void freeze(const VectorXd& /*unknowns*/, double coarse) override { widening_ = 1 + 1e6 * coarse; }
   void evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const override {
-    rows = (measured_ - signal(unknowns)) / sd;
+    rows = (measured_ - signal(unknowns)) / (widening_ * sd);
   }
 
  private:
@@ -50,6 +51,7 @@ class Signal : public Evidence {
     return y;
   }
 
+  double widening_ = 1;
   VectorXd measured_;
   std::vector<RowLabel> labels_;
 };
@@ -83,6 +85,65 @@ TEST(Inference, FindsWhatIsMissingThoughTheModelsOwnNumbersRunAwayFromIt) {
     // Chi-squared on 118 degrees of freedom stays below this in 9999 of 10000 draws.
     EXPECT_LT(best.fit.chi_squared, 181) << strength;
   }
+}
+
+// The natural frequency is known: what is left is a tone of 40 to 90 standard deviations, a trifle among coarse
+// errors.
+TEST(Inference, NoGainIsTooSmallAmongErrorsThatAreCoarse) {
+  for (const double strength : {0.1, 0.2}) {
+    VectorXd truth = VectorXd::Zero(std::size(tones) + 1), start = truth;
+    start(0) = truth(0) = 1;
+    truth(3) = strength;
+    Discrepancy discrepancy;
+    discrepancy.add(std::make_unique<Signal>(truth));
+    const Inference found = infer(discrepancy, candidates(), start, {}, {});
+    ASSERT_FALSE(found.explanations.empty());
+    EXPECT_EQ(found.explanations.front().members, std::vector<std::size_t>{2});
+    EXPECT_NEAR(found.explanations.front().fit.unknowns(3), strength, 0.02);
+    EXPECT_GT(found.null.fit.chi_squared, 1000);
+  }
+}
+
+// Nothing explains what is missing: the model is judged at the errors of the measurement all the same.
+TEST(Inference, WithoutCandidatesTheModelIsJudgedAtTheTrueErrors) {
+  for (const double strength : {0.3, 3.0}) {
+    VectorXd truth = VectorXd::Zero(std::size(tones) + 1), start = truth;
+    start(0) = truth(0) = 1;
+    truth(3) = strength;
+    Discrepancy discrepancy;
+    discrepancy.add(std::make_unique<Signal>(truth));
+    const Inference found = infer(discrepancy, {}, start, {}, {});
+    EXPECT_NEAR(found.null.fit.rows.norm(), strength * std::sqrt(samples / 2.0) / sd,
+                0.1 * strength * std::sqrt(samples / 2.0) / sd);
+  }
+}
+
+// Stairs that end at a wall: slopes over their length promise what no step brings.
+class Stairs : public Evidence {
+ public:
+  Index size() const override { return 1; }
+  const std::vector<RowLabel>& labels() const override { return labels_; }
+  void freeze(const VectorXd& /*unknowns*/, double /*coarse*/) override {}
+  void evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const override {
+    const double x = unknowns(0);
+    rows(0) = x < 20.3 ? 30 - std::floor(x) : 40;
+  }
+
+ private:
+  std::vector<RowLabel> labels_ = std::vector<RowLabel>(1);
+};
+
+TEST(Refit, AStepThatDoesNotBringWhatItPromisesHasNotConverged) {
+  Discrepancy discrepancy;
+  discrepancy.add(std::make_unique<Stairs>());
+  const Refit stairs = refit(discrepancy, VectorXd::Constant(1, 0.4), {0});
+  EXPECT_GT(stairs.chi_squared, 1);
+  EXPECT_EQ(stairs.ending, FitEnding::stalled);
+  VectorXd truth = VectorXd::Zero(std::size(tones) + 1);
+  truth(0) = 1;
+  Discrepancy smooth;
+  smooth.add(std::make_unique<Signal>(truth));
+  EXPECT_EQ(refit(smooth, truth, {0, 1}).ending, FitEnding::converged);
 }
 
 TEST(Inference, WhatTheModelExplainsNeedsNoSecondEffect) {

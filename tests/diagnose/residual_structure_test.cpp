@@ -128,5 +128,20 @@ TEST(LeavesStructure, ItIsNotWhereNothingShowsThatTheGapWasClosed) {
   EXPECT_FALSE(leaves_structure(plain, closing(93, 4.7, 0.6), 1));
 }
 
+// Whatever the evidence: neither where nothing was closed, nor where there was nothing to close.
+TEST(ClosesGap, NoCauseClosesNothing) {
+  const auto closes = [](double before, double after) {
+    const std::vector<RowLabel> labels(4);
+    return closes_gap(
+        closed_share(Eigen::VectorXd::Constant(4, before), Eigen::VectorXd::Constant(4, after), labels, 1));
+  };
+  EXPECT_FALSE(closes(2.5, 2.5));
+  EXPECT_FALSE(closes(2.5, 2.8));
+  EXPECT_FALSE(closes(0.94, 0.5));
+  EXPECT_FALSE(closes(0.144, 0.1));
+  EXPECT_FALSE(closes(11, 7));
+  EXPECT_TRUE(closes(11, 3));
+}
+
 }  // namespace
 }  // namespace secular
