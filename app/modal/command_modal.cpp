@@ -15,6 +15,8 @@
 #include "app/shared/result_files.hpp"
 #include "input/input_error.hpp"
 #include "measure/modal/modal_survey.hpp"
+#include "measure/modal/pole.hpp"
+#include "numerics/hertz.hpp"
 #include "report/number_format.hpp"
 #include "report/whole_file.hpp"
 
@@ -61,6 +63,7 @@ void print_summary(const ModalSurvey& survey, const Options& options) {
     fmt::print("  v{:<3} {:>16} Hz  damping {:>12} %", r + 1,
                report::format_uncertain(mode.natural_frequency_hz, mode.natural_frequency_sd_hz),
                report::format_uncertain(100 * mode.damping_ratio, 100 * mode.damping_ratio_sd));
+    if (mode.trend() == MotionTrend::grows) fmt::print("  GROWS");
     if (mode.mass) fmt::print("  modal mass {} kg", report::format_uncertain(*mode.mass, mode.mass_sd));
     fmt::print("\n");
     if (mode.amplitude)
@@ -72,6 +75,12 @@ void print_summary(const ModalSurvey& survey, const Options& options) {
           report::format_uncertain(mode.amplitude->damping_factor_hz.slope,
                                    mode.amplitude->damping_factor_hz.slope_sd),
           survey.unit);
+  }
+  if (!survey.dropped.empty()) {
+    std::string list;
+    for (const DroppedPole& dropped : survey.dropped)
+      list += fmt::format("{}{:.4g}", list.empty() ? "" : ", ", natural_frequency(dropped.pole) * to_hz);
+    fmt::print("not modes, though stable in the diagram (reasons in modal.json): {} Hz\n", list);
   }
   fmt::print("written: {0}/modal.json, {0}/report.html{1}\n", options.folder,
              options.basis.empty() ? "" : ", " + options.basis);

@@ -42,6 +42,7 @@ Json mode_json(const ModalSurvey& survey, std::size_t r) {
                 {"natural_frequency_sd_hz", mode.natural_frequency_sd_hz},
                 {"damping_ratio", mode.damping_ratio},
                 {"damping_ratio_sd", mode.damping_ratio_sd},
+                {"motion", to_string(mode.trend())},
                 {"from", mode.from},
                 {"pole_rad_per_s", {mode.pole.real(), mode.pole.imag()}}};
   const Eigen::VectorXd real = mode.shape.mean.real(), imaginary = mode.shape.mean.imag();
@@ -93,6 +94,11 @@ std::string modal_json(const ModalSurvey& survey) {
   result["unit"] = survey.unit;
   result["modes"] = Json::array();
   for (std::size_t r = 0; r < survey.modes.size(); ++r) result["modes"].push_back(mode_json(survey, r));
+  result["dropped_poles"] = Json::array();
+  for (const DroppedPole& dropped : survey.dropped)
+    result["dropped_poles"].push_back({{"natural_frequency_hz", natural_frequency(dropped.pole) * to_hz},
+                                       {"damping_ratio", damping_ratio(dropped.pole)},
+                                       {"reason", dropped.reason}});
   result["modal_assurance"] = rows(survey.mac);
   if (const std::optional<Eigen::MatrixXd> shapes = survey.mass_normalised()) {
     result["mass_normalised_shapes"] = rows(*shapes);

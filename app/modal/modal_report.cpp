@@ -154,6 +154,7 @@ void add_modes(report::HtmlReport& page, const ModalSurvey& survey) {
   table.columns = {{"Mode", Column::Kind::text, ""},
                    {"Natural frequency", Column::Kind::number, "Hz"},
                    {"Damping ratio", Column::Kind::number, "%"},
+                   {"Motion", Column::Kind::text, ""},
                    {"Phase collinearity", Column::Kind::number, ""},
                    {"Modal mass", Column::Kind::number, "kg"},
                    {"Stable orders", Column::Kind::number, ""},
@@ -163,11 +164,21 @@ void add_modes(report::HtmlReport& page, const ModalSurvey& survey) {
     table.rows.push_back({mode_name(r),
                           report::format_uncertain(mode.natural_frequency_hz, mode.natural_frequency_sd_hz),
                           report::format_uncertain(100 * mode.damping_ratio, 100 * mode.damping_ratio_sd),
-                          report::format_number(mode.phase_collinearity, 3),
+                          to_string(mode.trend()), report::format_number(mode.phase_collinearity, 3),
                           mode.mass ? report::format_uncertain(*mode.mass, mode.mass_sd) : "",
                           std::to_string(mode.diagram.orders), mode.from});
   }
   page.table(table);
+  if (survey.dropped.empty()) return;
+  Table dropped;
+  dropped.caption = "Stable poles that are no modes";
+  dropped.columns = {{"Frequency", Column::Kind::number, "Hz"},
+                     {"Damping ratio", Column::Kind::number, "%"},
+                     {"Why", Column::Kind::text, ""}};
+  for (const DroppedPole& pole : survey.dropped)
+    dropped.rows.push_back({report::format_number(natural_frequency(pole.pole) * to_hz, 4),
+                            report::format_number(100 * damping_ratio(pole.pole), 3), pole.reason});
+  page.table(dropped);
 }
 
 void add_shapes(report::HtmlReport& page, const ModalSurvey& survey) {

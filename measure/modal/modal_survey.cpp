@@ -4,7 +4,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <unsupported/Eigen/FFT>
 
@@ -17,6 +19,7 @@
 #include "measure/modal/pole_fit.hpp"
 #include "measure/modal/survey_records.hpp"
 #include "measure/signal/transform_length.hpp"
+#include "numerics/confidence.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
@@ -28,6 +31,8 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 std::string toml_of(const ModalSurvey& survey) {
   return (survey.campaign.folder / "campaign.toml").string();
@@ -57,15 +62,79 @@ void keep_strongest(StabilisationDiagram& diagram, int count) {
   std::erase_if(modes, [&](const StableMode& mode) { return mode.strength < least; });
 }
 
+// Takes the poles that the free motions do not support out of the diagram.
+void keep_supported(ModalSurvey& survey, const FreeMotions& motions) {
+  const std::array<std::vector<StableMode>*, 2> lists = {&survey.diagram.modes, &survey.diagram.others};
+  std::vector<Complex> candidates;
+  for (const std::vector<StableMode>* list : lists)
+    for (const StableMode& mode : *list) candidates.push_back(mode.pole);
+  std::vector<PoleSupport> support = pole_support(motions, candidates);
+  std::size_t next = 0;
+  for (std::vector<StableMode>* list : lists) {
+    for (StableMode& mode : *list) {
+      mode.support = std::move(support[next++]);
+      if (!mode.support.stands) survey.dropped.push_back({mode.pole, mode.support.reason});
+    }
+    std::erase_if(*list, [](const StableMode& mode) { return !mode.support.stands; });
+  }
+  std::sort(survey.dropped.begin(), survey.dropped.end(), [](const DroppedPole& a, const DroppedPole& b) {
+    return natural_frequency(a.pole) < natural_frequency(b.pole);
+  });
+}
+
+// Heads of records side by side, as long as the shortest; those at another rate than the first are left out.
+class MotionsBeside {
+ public:
+  void add(const MatrixXd& head, double rate, const std::string& group, bool grows) {
+    if (!heads_.empty() && rate != motions_.sample_rate_hz) return;
+    motions_.sample_rate_hz = rate;
+    motions_.channels = head.cols();
+    motions_.groups.push_back(group);
+    heads_.push_back({&head, grows});
+  }
+
+  // The first rows, or the last ones of motions that grow.
+  FreeMotions motions(Index most_rows = std::numeric_limits<Index>::max()) const {
+    FreeMotions result = motions_;
+    Index rows = most_rows, column = 0;
+    for (const Head& head : heads_) rows = std::min(rows, head.samples->rows());
+    const Index p = result.channels;
+    result.samples.resize(rows, p * static_cast<Index>(heads_.size()));
+    for (const Head& head : heads_) {
+      result.samples.middleCols(column, p) =
+          head.grows ? head.samples->bottomRows(rows) : head.samples->topRows(rows);
+      column += p;
+    }
+    return result;
+  }
+
+ private:
+  struct Head {
+    const MatrixXd* samples;
+    bool grows;
+  };
+  FreeMotions motions_;
+  std::vector<Head> heads_;
+};
+
 SurveyMode begin_mode(const StableMode& stable) {
+  const PoleSupport& support = stable.support;
   SurveyMode mode;
   mode.diagram = stable;
-  mode.pole = stable.pole;
-  mode.natural_frequency_hz = natural_frequency(stable.pole) * to_hz;
-  mode.damping_ratio = damping_ratio(stable.pole);
-  mode.natural_frequency_sd_hz = stable.frequency_spread * to_hz;
-  mode.damping_ratio_sd = stable.damping_spread;
-  mode.from = "stabilisation diagram, spread over orders";
+  mode.pole = support.stands ? support.pole : stable.pole;
+  const double omega = natural_frequency(mode.pole);
+  mode.natural_frequency_hz = omega * to_hz;
+  mode.damping_ratio = damping_ratio(mode.pole);
+  if (support.stands) {
+    const double along = mode.pole.imag() / omega, across = mode.pole.real() / omega;
+    mode.natural_frequency_sd_hz = std::hypot(along * support.omega_sd, across * support.growth_sd) * to_hz;
+    mode.damping_ratio_sd = along * std::hypot(along * support.growth_sd, across * support.omega_sd) / omega;
+    mode.from = "maximum likelihood over the free motions, in their own noise";
+  } else {
+    mode.natural_frequency_sd_hz = stable.frequency_spread * to_hz;
+    mode.damping_ratio_sd = stable.damping_spread;
+    mode.from = "stabilisation diagram, spread over orders";
+  }
   mode.shape = mean_shape(std::vector<VectorXcd>{scale_shape(stable.shape).shape});
   return mode;
 }
@@ -241,15 +310,14 @@ SurveyMode impact_mode(const StableMode& stable, const ImpactModes& found, std::
                        const std::vector<ImpactModes>& without) {
   const auto row = static_cast<Index>(r);
   SurveyMode mode = begin_mode(stable);
-  mode.pole = found.poles(row);
-  mode.natural_frequency_hz = natural_frequency(mode.pole) * to_hz;
-  mode.damping_ratio = damping_ratio(mode.pole);
-  mode.from = without.empty() ? "frequency responses; spread over model orders"
-                              : "frequency responses; leaving out one impact at a time";
   mode.shape = mean_shape(std::vector<VectorXcd>{found.shapes[r]});
   mode.masses = found.masses[r];
   mode.mass = found.mass[r];
   if (without.empty()) return mode;
+  mode.pole = found.poles(row);
+  mode.natural_frequency_hz = natural_frequency(mode.pole) * to_hz;
+  mode.damping_ratio = damping_ratio(mode.pole);
+  mode.from = "frequency responses; leaving out one impact at a time";
   const auto sd = [&](const auto& value, double whole) { return jackknife_sd(without, value, whole); };
   mode.natural_frequency_sd_hz =
       sd([&](const ImpactModes& m) { return natural_frequency(m.poles(row)) * to_hz; }, mode.natural_frequency_hz);
@@ -266,6 +334,26 @@ SurveyMode impact_mode(const StableMode& stable, const ImpactModes& found, std::
   return mode;
 }
 
+// The swings after the blows, or where they are many some of them, spread over the campaign: signals enough to tell
+// noise from motion, and not so many that the fits take long.
+void keep_supported_by_swings(ModalSurvey& survey, const SurveyRecords& records) {
+  const std::vector<FreeSwing>& swings = records.swings();
+  if (swings.empty()) {
+    survey.warnings.push_back(
+        "the records end with the blows: their poles could not be held against noise; give more time after them");
+    return;
+  }
+  constexpr std::size_t most_signals = 64;
+  const std::size_t most = std::max<std::size_t>(1, most_signals / survey.channels.size());
+  const std::size_t count = std::min(most, swings.size());
+  MotionsBeside beside;
+  for (std::size_t i = 0; i < count; ++i) {
+    const FreeSwing& swing = swings[i * swings.size() / count];
+    beside.add(swing.head, swing.sample_rate_hz, swing.group, false);
+  }
+  keep_supported(survey, beside.motions());
+}
+
 void survey_impacts(ModalSurvey& survey, SurveyRecords& records) {
   check_driving_points(survey, records);
   const double decay = survey.options.response_decay ? *survey.options.response_decay : chosen_decay(records);
@@ -280,23 +368,25 @@ void survey_impacts(ModalSurvey& survey, SurveyRecords& records) {
   for (const SurveyReference& reference : survey.references) lines.push_back(reference.response.h1);
   const PulseResponse pulse = pulse_response(first.frequency_hz, lines, top);
   survey.diagram = diagram_of(survey, pulse.samples, pulse.sample_rate_hz, true);
+  for (std::vector<StableMode>* list : {&survey.diagram.modes, &survey.diagram.others})
+    for (StableMode& stable : *list) stable.pole += decay;
+  for (StabilisationPole& pole : survey.diagram.poles) pole.pole += decay;
+  keep_supported_by_swings(survey, records);
   keep_strongest(survey.diagram, survey.options.modes);
   const MatrixXcd all = side_by_side(survey.references);
   survey.spectrum_hz = first.frequency_hz;
   survey.spectrum = (all.cwiseAbs2().rowwise().sum() / static_cast<double>(all.cols())).cwiseSqrt();
   if (survey.diagram.modes.empty()) return;
-  for (StableMode& stable : survey.diagram.modes) stable.pole += decay;
-  for (StableMode& stable : survey.diagram.others) stable.pole += decay;
   // Modes that nobody asked for are fitted too where their resonance lies on the lines.
   std::vector<Complex> fitted;
-  for (const StableMode& stable : survey.diagram.modes) fitted.push_back(stable.pole);
+  const auto start_of = [](const StableMode& m) { return m.support.stands ? m.support.pole : m.pole; };
+  for (const StableMode& stable : survey.diagram.modes) fitted.push_back(start_of(stable));
   for (const StableMode& stable : survey.diagram.others) {
     const double hz = natural_frequency(stable.pole) * to_hz;
     if (hz >= survey.options.lowest_hz && hz <= (survey.options.highest_hz > 0 ? survey.options.highest_hz : top))
-      fitted.push_back(stable.pole);
+      fitted.push_back(start_of(stable));
   }
   const VectorXcd start = Eigen::Map<const VectorXcd>(fitted.data(), static_cast<Index>(fitted.size()));
-  for (StabilisationPole& pole : survey.diagram.poles) pole.pole += decay;
   const ImpactModes found = modes_of_lines(survey, survey.references, start);
   const std::vector<ImpactModes> without =
       leaving_one_out(survey, records, std::move(sums), impact_windows, found.poles);
@@ -343,19 +433,24 @@ class DecaySpectrum {
 };
 
 void diagram_of_decays(ModalSurvey& survey, const SurveyRecords& records) {
-  Index samples = std::numeric_limits<Index>::max();
-  for (const DecaySummary& decay : records.decays()) samples = std::min(samples, decay.head.rows());
   // Decays of one structure resemble each other: many of them would fill the Hankel matrix with repetitions in the
   // place of delays. A few, spread over the campaign, show every mode.
-  constexpr Index most_decays = 8;
-  const auto p = static_cast<Index>(survey.channels.size()), all = static_cast<Index>(records.decays().size());
-  const Index q = std::min(all, most_decays);
-  ResponseSequence responses(static_cast<std::size_t>(samples), MatrixXd(p, q));
-  for (Index k = 0; k < samples; ++k)
-    for (Index j = 0; j < q; ++j)
-      responses[static_cast<std::size_t>(k)].col(j) =
-          records.decays()[static_cast<std::size_t>(j * all / q)].head.row(k).transpose();
-  survey.diagram = diagram_of(survey, responses, records.decays().front().sample_rate_hz, false);
+  constexpr std::size_t most_decays = 8;
+  const std::vector<DecaySummary>& decays = records.decays();
+  const std::size_t count = std::min(decays.size(), most_decays);
+  MotionsBeside beside;
+  for (std::size_t j = 0; j < count; ++j) {
+    const DecaySummary& decay = decays[j * decays.size() / count];
+    beside.add(decay.head, decay.sample_rate_hz, survey.campaign.records[decay.record].group, decay.to_the_end);
+  }
+  // As many rows as the Hankel matrix can take, from where every mode still moves.
+  const auto p = static_cast<Index>(survey.channels.size());
+  const FreeMotions motions = beside.motions(4000 / p + 2 * survey.options.largest_order);
+  ResponseSequence responses(static_cast<std::size_t>(motions.samples.rows()));
+  for (Index k = 0; k < motions.samples.rows(); ++k)
+    responses[static_cast<std::size_t>(k)] = motions.samples.row(k).reshaped(p, motions.samples.cols() / p);
+  survey.diagram = diagram_of(survey, responses, motions.sample_rate_hz, false);
+  keep_supported(survey, beside.motions());
   keep_strongest(survey.diagram, survey.options.modes);
   for (const StableMode& stable : survey.diagram.modes) survey.modes.push_back(begin_mode(stable));
 }
@@ -366,7 +461,7 @@ double chosen_window(const ModalSurvey& survey, const SurveyRecords& records) {
   double periods = 0, loss = 0, limit = std::numeric_limits<double>::infinity();
   for (const SurveyMode& mode : survey.modes) {
     periods = std::max(periods, 8 / mode.natural_frequency_hz);
-    loss = std::max(loss, 0.25 / std::max(1e-12, -mode.pole.real()));
+    loss = std::max(loss, 0.25 / std::max(1e-12, std::abs(mode.pole.real())));
   }
   double least = 0;
   for (const DecaySummary& decay : records.decays()) {
@@ -384,7 +479,19 @@ void add_others(const ModalSurvey& survey, double rate, std::vector<Complex>& po
             [](const StableMode& a, const StableMode& b) { return a.strength > b.strength; });
   const double fits = survey.window_s * rate / 12;
   for (const StableMode& mode : others)
-    if (static_cast<double>(poles.size()) + 1 < fits) poles.push_back(mode.pole);
+    if (static_cast<double>(poles.size()) + 1 < fits) poles.push_back(mode.support.pole);
+}
+
+// Whether the line through a mode's windows speaks of that mode: it is known to better than the resonance is wide,
+// and no other mode is nearer.
+bool follows(const ModalSurvey& survey, std::size_t r, const AmplitudeDependence& line) {
+  const Complex pole = survey.modes[r].diagram.support.pole;
+  const double bandwidth_hz = 2 * std::abs(pole.real()) * to_hz;
+  if (!(std::max(line.frequency_hz.intercept_sd, line.damping_factor_hz.intercept_sd) < bandwidth_hz)) return false;
+  const Complex found(line.damping_factor_hz.intercept / to_hz, line.frequency_hz.intercept / to_hz);
+  return std::none_of(survey.modes.begin(), survey.modes.end(), [&](const SurveyMode& other) {
+    return std::abs(found - other.diagram.support.pole) < std::abs(found - pole);
+  });
 }
 
 void survey_decays(ModalSurvey& survey, SurveyRecords& records) {
@@ -425,16 +532,26 @@ void survey_decays(ModalSurvey& survey, SurveyRecords& records) {
     const AmplitudeDependence dependence =
         amplitude_dependence(survey.windows, static_cast<Index>(r), options.overlap, survey.options.fit_below);
     if (dependence.windows < 3) {
+      survey.warnings.push_back(
+          fmt::format("mode {} ({:.4g} Hz) is seen in {} windows of {:.3g} s only: its values are those of one fit "
+                      "to the beginning "
+                      "of the records, whatever the amplitude; a narrower --band or another --window may help",
+                      r + 1, mode.natural_frequency_hz, dependence.windows, options.length_s));
+      continue;
+    }
+    if (!alone) {
+      mode.amplitude = dependence;
+      continue;
+    }
+    if (!follows(survey, r, dependence)) {
       survey.warnings.push_back(fmt::format(
-          "mode {} ({:.4g} Hz) is seen in {} windows of {:.3g} s only: its values are those of the stabilisation "
-          "diagram, their spread over orders is no error bar; a narrower --band or another --window may help",
-          r + 1, mode.natural_frequency_hz, dependence.windows, options.length_s));
+          "mode {} ({:.4g} Hz): windows of {:.3g} s do not follow it, its values are those of one fit to the "
+          "beginning of the records, whatever the amplitude; a narrower --band or another --window may help",
+          r + 1, mode.natural_frequency_hz, options.length_s));
       continue;
     }
     mode.amplitude = dependence;
-    if (!alone) continue;
-    const MeanShape shape = mean_shape(survey.windows, static_cast<Index>(r));
-    mode.shape = shape;
+    mode.shape = mean_shape(survey.windows, static_cast<Index>(r));
     mode.natural_frequency_hz = dependence.natural_frequency_hz;
     mode.natural_frequency_sd_hz = dependence.natural_frequency_sd_hz;
     mode.damping_ratio = dependence.damping_ratio;
@@ -464,7 +581,53 @@ void give_masses(ModalSurvey& survey) {
   }
 }
 
+std::string nothing_stands(const ModalSurvey& survey) {
+  if (survey.dropped.empty()) return "no mode stands in the stabilisation diagram";
+  std::string list;
+  for (const DroppedPole& dropped : survey.dropped)
+    list += fmt::format("{}{:.4g} Hz {}", list.empty() ? "" : "; ", natural_frequency(dropped.pole) * to_hz,
+                        dropped.reason);
+  return "no pole of the stabilisation diagram stands out of the noise: " + list;
+}
+
+// What grows, and what does not tell whether it does.
+void warn_of_growth(ModalSurvey& survey) {
+  for (std::size_t r = 0; r < survey.modes.size(); ++r) {
+    const SurveyMode& mode = survey.modes[r];
+    const std::string name = fmt::format("mode {} ({:.4g} Hz)", r + 1, mode.natural_frequency_hz);
+    const PoleSupport& support = mode.diagram.support;
+    if (mode.trend() == MotionTrend::grows)
+      survey.warnings.push_back(fmt::format(
+          "{} grows in the records: by {:.4g} a second with a standard deviation of {:.2g}, a damping of "
+          "{:.3g} %",
+          name, support.pole.real(), support.growth_sd, 100 * damping_ratio(support.pole)));
+    if (mode.trend() == MotionTrend::undetermined)
+      survey.warnings.push_back(fmt::format(
+          "{}: the records do not tell its damping from zero; a tone from outside looks the same", name));
+  }
+}
+
 }  // namespace
+
+std::string to_string(MotionTrend trend) {
+  switch (trend) {
+    case MotionTrend::decays:
+      return "decays";
+    case MotionTrend::grows:
+      return "grows";
+    case MotionTrend::undetermined:
+      return "undetermined";
+  }
+  throw std::logic_error("MotionTrend without a name");
+}
+
+MotionTrend SurveyMode::trend() const {
+  const PoleSupport& support = diagram.support;
+  if (!support.stands) return MotionTrend::undetermined;
+  const Interval growth = confidence_interval(support.pole.real(), support.growth_sd, infinite);
+  if (growth.high < 0) return MotionTrend::decays;
+  return growth.low > 0 ? MotionTrend::grows : MotionTrend::undetermined;
+}
 
 std::optional<MatrixXd> ModalSurvey::mass_normalised() const {
   if (modes.empty()) return std::nullopt;
@@ -494,7 +657,7 @@ ModalSurvey modal_survey(const std::filesystem::path& folder, const ModalSurveyO
   if (!records.impacts().empty()) survey_impacts(survey, records);
   if (!records.decays().empty()) survey_decays(survey, records);
   if (survey.modes.empty())
-    throw InputError(toml_of(survey), "", "no mode stands in the stabilisation diagram",
+    throw InputError(toml_of(survey), "", nothing_stands(survey),
                      "try another --band, a larger --order, or a part with less noise (--from, --to)");
   MatrixXcd shapes(static_cast<Index>(survey.channels.size()), static_cast<Index>(survey.modes.size()));
   for (std::size_t r = 0; r < survey.modes.size(); ++r) {
@@ -507,6 +670,7 @@ ModalSurvey modal_survey(const std::filesystem::path& folder, const ModalSurveyO
                       r + 1, survey.modes[r].natural_frequency_hz, survey.modes[r].phase_collinearity));
   }
   survey.mac = modal_assurance_matrix(shapes, shapes);
+  warn_of_growth(survey);
   give_masses(survey);
   for (std::string& warning : records.faults()) survey.warnings.push_back(std::move(warning));
   return survey;

@@ -11,6 +11,7 @@
 #include "measure/data/time_span.hpp"
 #include "measure/modal/amplitude_dependence.hpp"
 #include "measure/modal/frequency_response.hpp"
+#include "measure/modal/pole_support.hpp"
 #include "measure/modal/residue_conversion.hpp"
 #include "measure/modal/stabilisation.hpp"
 
@@ -51,6 +52,10 @@ struct MassEstimate {
   bool used = false;  ///< false: the reference hardly moves in this mode
 };
 
+/// What a motion did in the records: the 95 % interval of its damping over them (PoleSupport).
+enum class MotionTrend { decays, grows, undetermined };
+std::string to_string(MotionTrend trend);
+
 struct SurveyMode {
   double natural_frequency_hz = 0, natural_frequency_sd_hz = 0;
   double damping_ratio = 0, damping_ratio_sd = 0;
@@ -63,6 +68,14 @@ struct SurveyMode {
   std::vector<MassEstimate> masses;
   std::optional<double> mass;  ///< kg
   double mass_sd = 0;          ///< kg; zero where it was given or cannot be told
+
+  MotionTrend trend() const;
+};
+
+/// A pole that stood in the stabilisation diagram and is no mode.
+struct DroppedPole {
+  std::complex<double> pole;  ///< rad/s
+  std::string reason;
 };
 
 /// Modal parameters of a campaign of impacts or free decays.
@@ -74,6 +87,7 @@ struct ModalSurvey {
   std::string unit;  ///< of the responses
   StabilisationDiagram diagram;
   std::vector<SurveyMode> modes;            ///< by frequency
+  std::vector<DroppedPole> dropped;         ///< by frequency
   Eigen::MatrixXd mac;                      ///< of the modes' shapes
   std::vector<SurveyReference> references;  ///< empty without measured forces
   std::vector<ModeWindow> windows;          ///< of the free decays; centre_s in record time
@@ -88,9 +102,10 @@ struct ModalSurvey {
 
 /// Modes from the impacts where the campaign has records of kind `impact` with a force channel (H1, realization
 /// with feed-through, poles and residues refined on the lines of the band, error bars by leaving out one impact at
-/// a time); otherwise from the free decays (an impact without a force channel is one). Frequency and damping
-/// against amplitude from the free decays where there are any. Throws InputError for a campaign with neither,
-/// responses of different quantities, options that do not fit the campaign, records too short.
+/// a time); otherwise from the free decays (an impact without a force channel is one). Of the poles that stand in
+/// the stabilisation diagram those that the free motions do not support (pole_support) are dropped. Frequency and
+/// damping against amplitude from the free decays where there are any. Throws InputError for a campaign with
+/// neither, responses of different quantities, options that do not fit the campaign, records too short.
 ModalSurvey modal_survey(const std::filesystem::path& campaign, const ModalSurveyOptions& options);
 
 /// The [modal_basis] table of campaign.toml, mode names v1, v2, ... Throws InputError where a mass is missing.

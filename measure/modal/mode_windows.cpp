@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "measure/modal/eigensystem_realization.hpp"
 #include "measure/modal/mode_scaling.hpp"
@@ -66,6 +67,11 @@ std::vector<ModeWindow> mode_windows(const Eigen::Ref<const MatrixXd>& samples, 
       1, static_cast<Index>(std::lround((1 - options.overlap) * options.length_s * sample_rate_hz)));
   std::vector<Index> followed;
   for (Index r = 0; r < modes; ++r) followed.push_back(r);
+  // One that grows comes out of the noise at some time: until then it is waited for.
+  std::vector<bool> seen(poles.size(), false);
+  const auto awaited = [&](Index mode) {
+    return poles[static_cast<std::size_t>(mode)].real() > 0 && !seen[static_cast<std::size_t>(mode)];
+  };
   std::vector<Complex> expected = poles;
   std::vector<ModeWindow> windows;
   for (Index first = 0; first + length <= samples.rows() && !followed.empty(); first += step) {
@@ -76,24 +82,32 @@ std::vector<ModeWindow> mode_windows(const Eigen::Ref<const MatrixXd>& samples, 
     VectorXcd start = starting_poles(window, sample_rate_hz, near, options.search);
     // Poles that are not refined yet leave more than noise: only what is lost for good is left out here.
     const PoleFit first_fit = fit_residues(window, sample_rate_hz, start);
-    std::vector<Index> heard, left;
-    for (Index i = 0; i < near.size(); ++i)
-      if (audible(first_fit, i, 0.1 * options.end_at_noise)) heard.push_back(i);
-    if (heard.empty()) break;
-    for (const Index i : heard) left.push_back(followed[static_cast<std::size_t>(i)]);
-    followed = std::move(left);
+    std::vector<Index> heard, left, still;
+    for (Index i = 0; i < near.size(); ++i) {
+      const Index mode = followed[static_cast<std::size_t>(i)];
+      if (audible(first_fit, i, 0.1 * options.end_at_noise)) {
+        heard.push_back(i);
+        left.push_back(mode);
+      } else if (awaited(mode)) {
+        still.push_back(mode);
+      }
+    }
+    followed = heard.empty() ? still : left;
+    if (heard.empty()) continue;
     start = start(heard).eval();
     near = near(heard).eval();
     const PoleFit fit = refine_poles(window, sample_rate_hz, start);
-    std::vector<Index> still;
     for (Index i = 0; i < near.size(); ++i) {
       const Index mode = followed[static_cast<std::size_t>(i)];
       const Complex pole = fit.poles(i);
       // A pole that has run away has no mode left to follow.
       if (!audible(fit, i, options.end_at_noise) || std::abs(pole.imag() / near(i).imag() - 1) > options.search ||
-          std::abs(damping_ratio(pole)) > 0.2 || !std::isfinite(fit.omega_sd(i)))
+          std::abs(damping_ratio(pole)) > 0.2 || !std::isfinite(fit.omega_sd(i))) {
+        if (awaited(mode)) still.push_back(mode);
         continue;
+      }
       still.push_back(mode);
+      seen[static_cast<std::size_t>(mode)] = true;
       const ScaledShape scaled = scale_shape(fit.residues.row(i).transpose());
       const double gained = pole.real() * static_cast<double>(length) / sample_rate_hz;
       const double mean = std::abs(gained) > 1e-12 ? std::expm1(gained) / gained : 1;

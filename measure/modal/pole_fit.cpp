@@ -29,7 +29,13 @@ struct Separable {
   MatrixXd data;   // rows x signals
   MatrixXd fixed;  // rows x terms that no pole changes
   std::function<PoleColumns(Complex)> columns;
+  double duration = 0;  // s, of samples in time
 };
+
+// Columns of a pole can be numbers: below the square root of the largest double at the end of the record.
+bool representable(Complex pole, double duration) {
+  return pole.real() * duration < 300;
+}
 
 MatrixXd design_of(const Separable& problem, const VectorXcd& poles) {
   MatrixXd design(problem.data.rows(), 2 * poles.size() + problem.fixed.cols());
@@ -46,6 +52,9 @@ void check(const Separable& problem, const VectorXcd& poles) {
   if (!problem.data.allFinite() || !poles.allFinite()) throw std::invalid_argument("pole fit: not finite");
   for (const Complex pole : poles)
     if (!(pole.imag() > 0)) throw std::invalid_argument("pole fit: a pole is not in the upper half plane");
+  for (const Complex pole : poles)
+    if (!representable(pole, problem.duration))
+      throw std::invalid_argument("pole fit: a pole grows out of all numbers");
 }
 
 PoleFit residues_of(const Separable& problem, const VectorXcd& poles) {
@@ -84,7 +93,7 @@ FitReport refine_once(const Separable& problem, const VectorXd& weight, const Ve
     design.rightCols(problem.fixed.cols()) = problem.fixed;
     for (Index r = 0; r < n; ++r) {
       const Complex pole = start(r) + unit(r) * Complex(x(2 * r), x(2 * r + 1));
-      if (!(pole.imag() > 0) || std::abs(pole.real()) > pole.imag()) {
+      if (!(pole.imag() > 0) || std::abs(pole.real()) > pole.imag() || !representable(pole, problem.duration)) {
         residual.setConstant(std::nan(""));  // a step too far, turned back
         jacobian.setZero();
         return;
@@ -161,7 +170,8 @@ Separable in_time(const Eigen::Ref<const MatrixXd>& samples, double rate) {
   if (!(rate > 0)) throw std::invalid_argument("pole fit: the sample rate is not positive");
   // 2 Re(R e) = Re R * 2 Re e - Im R * 2 Im e with e = exp(pole t): exact at every 32nd sample and for the offsets
   // in between, so that rounding does not grow along the record.
-  return {samples, MatrixXd::Ones(samples.rows(), 1), [rows = samples.rows(), rate](Complex pole) {
+  return {samples, MatrixXd::Ones(samples.rows(), 1),
+          [rows = samples.rows(), rate](Complex pole) {
             constexpr Index block = 32;
             Complex offset[block];
             for (Index j = 0; j < block; ++j) offset[j] = std::exp(pole * (static_cast<double>(j) / rate));
@@ -179,7 +189,8 @@ Separable in_time(const Eigen::Ref<const MatrixXd>& samples, double rate) {
               c.derivatives(i, 1) = -t * imaginary_part;
             }
             return c;
-          }};
+          },
+          static_cast<double>(samples.rows()) / rate};
 }
 
 MatrixXd stacked(const MatrixXcd& values) {
@@ -202,14 +213,16 @@ Separable in_frequency(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref
   if (omega.size() > 0 && !(omega.minCoeff() > 0))
     throw std::invalid_argument("pole fit: the frequencies are not positive");
   const VectorXcd s = imaginary * omega.cast<Complex>();
-  return {stacked(responses), stacked(outside_terms(omega, form)), [s](Complex pole) {
+  return {stacked(responses), stacked(outside_terms(omega, form)),
+          [s](Complex pole) {
             const VectorXcd up = (s.array() - pole).inverse(), down = (s.array() - std::conj(pole)).inverse();
             const VectorXcd du = up.cwiseProduct(up), dd = down.cwiseProduct(down);
             MatrixXcd c(s.size(), 2), d(s.size(), 2);
             c << up + down, imaginary * (up - down);
             d << du + dd, imaginary * (du - dd);
             return PoleColumns{stacked(c), stacked(d)};
-          }};
+          },
+          0};
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ struct PoleFit {
 };
 
 /// Residues for given poles by linear least squares: samples(k, s) = sum_r R(r, s) exp(pole_r k / rate) + conj
-/// + a constant. samples: N x signals. Throws std::invalid_argument for fewer samples than unknowns or poles off
-/// the upper half.
+/// + a constant. samples: N x signals. Throws std::invalid_argument for fewer samples than unknowns, poles off
+/// the upper half or poles that grow by e^300 within the samples.
 PoleFit fit_residues(const Eigen::Ref<const Eigen::MatrixXd>& samples, double sample_rate_hz,
                      const Eigen::Ref<const Eigen::VectorXcd>& poles);
 

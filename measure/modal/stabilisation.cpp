@@ -28,8 +28,8 @@ void add_order(StabilisationDiagram& diagram, const Realization& realization, in
   for (Index i = 0; i < realization.z.size(); ++i) {
     const std::complex<double> pole = realization.poles(i);
     const double damping = damping_ratio(pole);
-    if (!(pole.imag() > 0) || !(std::abs(realization.z(i).imag()) > 1e-12) || !(damping > 0) ||
-        damping > diagram.options.largest_damping)
+    if (!(pole.imag() > 0) || !(std::abs(realization.z(i).imag()) > 1e-12) ||
+        !(std::abs(damping) <= diagram.options.largest_damping))
       continue;
     StabilisationPole found;
     found.order = order;
@@ -83,15 +83,16 @@ StableMode mode_of(const StabilisationDiagram& diagram, const std::vector<std::s
 bool same_mode(const StableMode& a, const StableMode& b, const StabilisationOptions& options) {
   const double apart = std::abs(natural_frequency(a.pole) - natural_frequency(b.pole));
   const double tolerance = options.frequency_tolerance * natural_frequency(b.pole);
-  const double bandwidths = a.shape.size() > 1 ? -a.pole.real() - b.pole.real() : 0;
+  const double bandwidths = a.shape.size() > 1 ? std::abs(a.pole.real()) + std::abs(b.pole.real()) : 0;
   return apart <= std::max(tolerance, bandwidths) && modal_assurance(a.shape, b.shape) >= options.shape_tolerance;
 }
 
-// Of two chains of one mode the longer one, but where their damping differs the one that rings longer: the other
-// poles make up for the beginning of the decay.
+// Of two chains of one mode the longer one, but of two that decay with different damping the one that rings longer:
+// the other poles make up for the beginning of the decay.
 bool better(const StableMode& a, const StableMode& b, const StabilisationOptions& options) {
   const double ratio = damping_ratio(a.pole) / damping_ratio(b.pole);
-  return std::abs(ratio - 1) > options.damping_tolerance ? ratio < 1 : a.orders > b.orders;
+  const bool both_decay = damping_ratio(a.pole) > 0 && damping_ratio(b.pole) > 0;
+  return both_decay && std::abs(ratio - 1) > options.damping_tolerance ? ratio < 1 : a.orders > b.orders;
 }
 
 }  // namespace

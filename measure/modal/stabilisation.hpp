@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "measure/modal/eigensystem_realization.hpp"
+#include "measure/modal/pole_support.hpp"
 
 namespace secular {
 
@@ -24,7 +25,7 @@ struct StabilisationOptions {
   double frequency_tolerance = 0.005;    ///< relative
   double damping_tolerance = 0.1;        ///< relative, of the damping ratio
   double shape_tolerance = 0.95;         ///< smallest MAC
-  double largest_damping = 0.1;          ///< poles with more, or with none, are not shown
+  double largest_damping = 0.1;          ///< poles with more, or that grow as fast, are not shown
   double lowest_hz = 0, highest_hz = 0;  ///< modes outside are not selected; 0: no limit
   double persistence = 0.5;              ///< a mode is stable over this share of the orders above its first
 };
@@ -36,6 +37,7 @@ struct StableMode {
   double strength = 0;
   int orders = 0;                                   ///< length of the chain
   double frequency_spread = 0, damping_spread = 0;  ///< standard deviation over the chain: rad/s; of the ratio
+  PoleSupport support;                              ///< once the free motions were asked
 };
 
 struct StabilisationDiagram {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -40,21 +41,62 @@ void choose_channels(ModalSurvey& survey) {
   survey.unit = channels[survey.channels.front()].unit;
 }
 
-// Rows of a decay that the Hankel matrix can take: its beginning, where every mode still moves.
-Index realization_samples(Index channels, const ModalSurveyOptions& options) {
-  return 4000 / channels + 2 * options.largest_order;
+// Rows without which a decay is too short.
+constexpr Index least_rows = 48;
+
+// Rows of a decay that are kept: more than a realization takes, since poles are held against noise over all of
+// them, and few enough that some decays of many channels fit into memory and a fit of them into a second.
+constexpr Index most_rows = 8192;
+
+// Rows in which the structure is on its own.
+struct FreeRows {
+  Index begin = 0, end = 0;
+  bool to_the_end = false;  // of what went on up to its largest excursion
+};
+
+// How often the motion swings over from beyond -level to beyond level or back.
+int swings_beyond(const Eigen::Ref<const Eigen::VectorXd>& motion, double level) {
+  int count = 0, side = 0;
+  for (const double x : motion) {
+    const int now = x > level ? 1 : x < -level ? -1 : side;
+    count += now != side && side != 0;
+    side = now;
+  }
+  return count;
 }
 
-// First row after which the structure is on its own: the last one within 1 % of the largest excursion, and after a
-// blow the time that the hammer stays.
-Index release(const MatrixXd& responses, bool struck, double rate) {
+// Whether a motion that swings goes on up to its last row: its energy rises from quarter to quarter, or the last
+// quarter holds more than all before, or each quarter swings.
+bool goes_on(const Eigen::Ref<const Eigen::VectorXd>& motion, double level) {
+  const Index quarter = motion.size() / 4;
+  std::array<double, 4> energy{};
+  bool steady = true, rises = true;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Eigen::VectorXd part = motion.segment(static_cast<Index>(k) * quarter, quarter);
+    energy[k] = (part.array() - part.mean()).square().sum();
+    steady = steady && swings_beyond(part, level) >= 2;
+  }
+  for (std::size_t k = 0; k < 3; ++k) rises = rises && energy[k] < energy[k + 1];
+  rises = rises || energy[3] > energy[0] + energy[1] + energy[2];
+  return swings_beyond(motion, level) >= 4 && (steady || rises);
+}
+
+// After the last row within 1 % of the largest excursion, and after a blow the time that the hammer stays. Where
+// the motion grew up to that row and does not swing as often behind it, that growth is what the record shows.
+FreeRows free_rows(const MatrixXd& responses, bool struck, double rate) {
   Index row = 0, channel = 0;
   const Eigen::RowVectorXd rest = responses.bottomRows(responses.rows() / 4).colwise().mean();
-  const MatrixXd excursion = (responses.rowwise() - rest).cwiseAbs();
-  const double largest = excursion.maxCoeff(&row, &channel);
+  const MatrixXd motion = responses.rowwise() - rest;
+  const double largest = motion.cwiseAbs().maxCoeff(&row, &channel);
   for (Index i = row; i < responses.rows(); ++i)
-    if (excursion(i, channel) >= 0.99 * largest) row = i;
-  return row + 1 + (struck ? static_cast<Index>(0.01 * rate) : 0);
+    if (std::abs(motion(i, channel)) >= 0.99 * largest) row = i;
+  const Eigen::VectorXd seen = motion.col(channel);
+  // A tenth of the largest excursion: a decay with 5 % damping swings 14 times from one to the other.
+  const double level = 0.1 * largest;
+  const Index behind = responses.rows() - row - 1;
+  const bool ends = behind < least_rows || swings_beyond(seen.tail(behind), level) < 8;
+  if (ends && goes_on(seen.head(row + 1), level)) return {0, row + 1, true};
+  return {row + 1 + (struck ? static_cast<Index>(0.01 * rate) : 0), responses.rows(), false};
 }
 
 }  // namespace
@@ -81,11 +123,11 @@ SurveyRecords::SurveyRecords(ModalSurvey& survey) : survey_(survey) {
     if (entry.kind == RecordKind::impact && force_) {
       struck.push_back(r);
     } else if (entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact) {
-      decays_.push_back({r, 0, 0, {}});
+      decays_.push_back({r, 0, 0, false, {}});
       const SurveyDecay& whole = decay(decays_.size() - 1);
-      const Index kept =
-          std::min<Index>(whole.samples.rows(), realization_samples(whole.samples.cols(), survey.options));
-      decays_.back() = {r, whole.samples.rows(), whole.sample_rate_hz, whole.samples.topRows(kept)};
+      const Index kept = std::min<Index>(whole.samples.rows(), most_rows);
+      decays_.back() = {r, whole.samples.rows(), whole.sample_rate_hz, whole.to_the_end,
+                        whole.to_the_end ? whole.samples.bottomRows(kept) : whole.samples.topRows(kept)};
     }
   }
   if (struck.empty() && decays_.empty())
@@ -126,19 +168,20 @@ SurveyDecay SurveyRecords::cut_decay(std::size_t r) {
   const RecordEntry& entry = survey_.campaign.records[r];
   const Part& whole = part(r);
   const Index factor = decimation_factor(whole.rate, survey_.options.highest_hz);
-  const Index begin = release(whole.responses, entry.kind == RecordKind::impact, whole.rate);
+  const FreeRows free = free_rows(whole.responses, entry.kind == RecordKind::impact, whole.rate);
   const auto too_short = [&] {
     return InputError((survey_.campaign.folder / entry.file).string(), "",
-                      fmt::format("swings freely from {:.4g} s on, too short for this band",
-                                  whole.start_s + static_cast<double>(begin) / whole.rate),
+                      fmt::format("swings freely from {:.4g} s to {:.4g} s, too short for this band",
+                                  whole.start_s + static_cast<double>(free.begin) / whole.rate,
+                                  whole.start_s + static_cast<double>(free.end) / whole.rate),
                       "give a longer record, an earlier --from or a higher --band");
   };
-  if (begin >= whole.responses.rows() || whole.responses.rows() - begin < 64 * factor) throw too_short();
+  if (free.end - free.begin < 64 * factor) throw too_short();
   try {
-    Decimated slow = decimate(whole.responses.bottomRows(whole.responses.rows() - begin), whole.rate, factor);
-    if (slow.samples.rows() < 48) throw too_short();
-    return {whole.start_s + static_cast<double>(begin + slow.first) / whole.rate, std::move(slow.samples),
-            slow.sample_rate_hz};
+    Decimated slow = decimate(whole.responses.middleRows(free.begin, free.end - free.begin), whole.rate, factor);
+    if (slow.samples.rows() < least_rows) throw too_short();
+    return {whole.start_s + static_cast<double>(free.begin + slow.first) / whole.rate, free.to_the_end,
+            std::move(slow.samples), slow.sample_rate_hz};
   } catch (const std::invalid_argument&) {
     throw too_short();
   }
@@ -178,6 +221,7 @@ void SurveyRecords::find_places(const std::vector<std::size_t>& records) {
       const Index end = i + 1 < times.samples.size() ? begin(i + 1) : whole.force.size();
       length = std::min(length, end - begin(i));
       group->places.push_back({r, begin(i)});
+      keep_swing(whole, name, begin(i), end);
     }
     impact_rate_hz_ = whole.rate;
   }
@@ -185,6 +229,26 @@ void SurveyRecords::find_places(const std::vector<std::size_t>& records) {
   if (impact_length_ < 128)
     throw InputError(toml_of(survey_), "", fmt::format("the shortest impact has {} samples", impact_length_),
                      "records of 128 samples or more after each impact");
+}
+
+// From when the hammer has left: its force falls below a tenth of its largest value for the last time, and as long
+// a time again as it was above lets the rest of it pass.
+void SurveyRecords::keep_swing(const Part& part, const std::string& group, Index begin, Index end) {
+  const Eigen::VectorXd force = part.force.segment(begin, end - begin).cwiseAbs();
+  const double level = 0.1 * force.maxCoeff();
+  Index first = force.size(), last = 0;
+  for (Index i = 0; i < force.size(); ++i)
+    if (force(i) >= level) {
+      first = std::min(first, i);
+      last = i;
+    }
+  const Index left = begin + last + 1 + (last - first + 1);
+  if (end - left < least_rows) return;
+  const Index factor = decimation_factor(part.rate, survey_.options.highest_hz);
+  const MatrixXd swing = part.responses.middleRows(left, end - left);
+  const Decimated slow = decimate(swing, part.rate, end - left < 2 * least_rows * factor ? 1 : factor);
+  const Index kept = std::min<Index>(slow.samples.rows(), most_rows);
+  swings_.push_back({group, slow.sample_rate_hz, slow.samples.topRows(kept)});
 }
 
 ImpactBlock SurveyRecords::impact(const ImpactPlace& place) {

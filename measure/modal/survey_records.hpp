@@ -12,9 +12,11 @@
 
 namespace secular {
 
-/// One free decay, filtered down to the band, from where the structure swings freely.
+/// One free decay, filtered down to the band, from where the structure swings freely; or a motion that grows or
+/// goes on, up to its largest excursion.
 struct SurveyDecay {
   double start_s = 0;       ///< record time of the first row
+  bool to_the_end = false;  ///< up to the largest excursion
   Eigen::MatrixXd samples;  ///< rows x responses
   double sample_rate_hz = 0;
 };
@@ -24,7 +26,15 @@ struct DecaySummary {
   std::size_t record = 0;
   Eigen::Index rows = 0;
   double sample_rate_hz = 0;
-  Eigen::MatrixXd head;  ///< its first rows, as many as a realization takes
+  bool to_the_end = false;  ///< up to the largest excursion
+  Eigen::MatrixXd head;     ///< its first rows (the last ones of what went on to the end)
+};
+
+/// The structure after a blow, when the hammer has left it, filtered down to the band.
+struct FreeSwing {
+  std::string group;
+  double sample_rate_hz = 0;
+  Eigen::MatrixXd head;  ///< its first rows
 };
 
 struct ImpactPlace {
@@ -52,6 +62,8 @@ class SurveyRecords {
   const std::vector<DecaySummary>& decays() const { return decays_; }
   const std::vector<SurveyImpacts>& impacts() const { return impacts_; }
   double impact_rate_hz() const { return impact_rate_hz_; }
+  /// After the impacts, one each where enough rows follow.
+  const std::vector<FreeSwing>& swings() const { return swings_; }
 
   /// Samples of a decay by its place in decays(); valid until the next call.
   const SurveyDecay& decay(std::size_t i);
@@ -65,12 +77,14 @@ class SurveyRecords {
   const Part& part(std::size_t record);
   SurveyDecay cut_decay(std::size_t record);
   void find_places(const std::vector<std::size_t>& records);
+  void keep_swing(const Part& part, const std::string& group, Eigen::Index begin, Eigen::Index end);
 
   ModalSurvey& survey_;
   WatchedReader reader_{survey_.campaign};
   std::optional<std::size_t> force_;  // channel
   std::vector<DecaySummary> decays_;
   std::vector<SurveyImpacts> impacts_;
+  std::vector<FreeSwing> swings_;
   double impact_rate_hz_ = 0;
   Eigen::Index impact_length_ = 0;
   std::unique_ptr<Part> part_;  // of the record read last

@@ -1,0 +1,250 @@
+#include "measure/modal/pole_support.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "measure/modal/noise_whitening.hpp"
+#include "measure/modal/pole_fit.hpp"
+#include "numerics/distribution.hpp"
+
+namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+const std::string of_noise = "explains no more of the records than noise does";
+const std::string once = "one record shows it, others of the same kind do not";
+const std::string strays = "the records show no resonance where it is, but make up by it for another mode";
+const std::string too_many = "the records are too short to tell so many poles";
+const std::string too_wide = "its error bar is as wide as its resonance";
+
+VectorXcd as_vector(const std::vector<Complex>& poles) {
+  return Eigen::Map<const VectorXcd>(poles.data(), static_cast<Index>(poles.size()));
+}
+
+// Sums of squares that poles leave, by signal.
+VectorXd left_by(const MatrixXd& samples, const PoleFit& fit) {
+  const auto freedom = static_cast<double>(samples.rows() - 2 * fit.poles.size() - 1);
+  return fit.noise_sd.cwiseAbs2() * freedom;
+}
+
+class Selection {
+ public:
+  Selection(const FreeMotions& motions, const std::vector<Complex>& candidates, double false_alarm)
+      : motions_(motions),
+        candidates_(candidates),
+        false_alarm_(false_alarm),
+        support_(candidates.size()),
+        most_(static_cast<std::size_t>(motions.samples.rows() / 8)) {  // four unknowns a pole and channel, twice
+    for (std::size_t c = 0; c < candidates.size(); ++c) support_[c].pole = candidates[c];
+  }
+
+  std::vector<PoleSupport> run() {
+    // What grows by more than numbers hold is no motion over the records.
+    const double duration = static_cast<double>(motions_.samples.rows()) / motions_.sample_rate_hz;
+    for (std::size_t c = 0; c < candidates_.size(); ++c)
+      if (candidates_[c].real() * duration < 300)
+        open_.push_back(c);
+      else
+        support_[c].reason = of_noise;
+    if (open_.empty()) return support_;
+    whiten();
+    add_poles();
+    drop_redundant();
+    drop_unrepeated();
+    drop_wide();
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
+      PoleSupport& s = support_[chosen_[i]];
+      const auto row = static_cast<Index>(i);
+      s = {true, "", fit_.poles(row), fit_.growth_sd(row), fit_.omega_sd(row)};
+    }
+    return support_;
+  }
+
+ private:
+  // The noise is what the poles leave, each carried to where it explains most.
+  void whiten() {
+    const double rate = motions_.sample_rate_hz, largest = motions_.samples.cwiseAbs().maxCoeff();
+    const PoleFit fit = refine_poles(motions_.samples, rate, determined());
+    // Rounding of what a reader or a filter made of the samples.
+    constexpr double rounding = 1e-12;
+    const NoiseWhitening whitening(residual(fit), motions_.channels, 2 * fit.poles.size() + 1, rounding * largest);
+    samples_ = whitening(motions_.samples);
+    const Eigen::RowVectorXd mean = samples_.colwise().mean();
+    nothing_ = (samples_.rowwise() - mean).colwise().squaredNorm().transpose();
+  }
+
+  // As many as the rows determine together, those that explain most each by itself.
+  VectorXcd determined() const {
+    std::vector<std::pair<double, std::size_t>> by_rest;
+    for (const std::size_t c : open_) {
+      const PoleFit alone =
+          fit_residues(motions_.samples, motions_.sample_rate_hz, VectorXcd::Constant(1, candidates_[c]));
+      by_rest.emplace_back(alone.noise_sd.squaredNorm(), c);
+    }
+    std::sort(by_rest.begin(), by_rest.end());
+    by_rest.resize(std::min(by_rest.size(), most_));
+    std::vector<Complex> kept;
+    for (const auto& [rest, c] : by_rest) kept.push_back(candidates_[c]);
+    return as_vector(kept);
+  }
+
+  MatrixXd residual(const PoleFit& fit) const {
+    MatrixXd left = motions_.samples;
+    for (Index r = 0; r < fit.poles.size(); ++r)
+      for (Index i = 0; i < left.rows(); ++i) {
+        const Complex motion = std::exp(fit.poles(r) * (static_cast<double>(i) / motions_.sample_rate_hz));
+        left.row(i) -= 2 * (motion * fit.residues.row(r)).real();
+      }
+    return left.rowwise() - left.colwise().mean();
+  }
+
+  PoleFit refined(const VectorXcd& start) const { return refine_poles(samples_, motions_.sample_rate_hz, start); }
+  PoleFit residues(const VectorXcd& poles) const { return fit_residues(samples_, motions_.sample_rate_hz, poles); }
+  VectorXd left() const { return chosen_.empty() ? nothing_ : left_by(samples_, fit_); }
+
+  // A damped motion that fills a share of the rows has that share of the rows' half as its frequencies; over shares
+  // of 1, 1/2, 1/4, ... they add up to the rows, and growth counts like decay.
+  bool significant(double gain) const {
+    const auto cells = static_cast<double>(2 * samples_.rows());
+    const auto freedom = static_cast<double>(2 + 2 * samples_.cols());
+    return cells * chi_squared_upper_tail(gain, freedom) < false_alarm_;
+  }
+
+  void add_poles() {
+    while (!open_.empty() && chosen_.size() < most_) {
+      const auto with = [&](std::size_t candidate) {
+        VectorXcd start(static_cast<Index>(chosen_.size()) + 1);
+        start << fit_.poles, candidates_[candidate];
+        return start;
+      };
+      std::size_t best = 0;
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < open_.size(); ++k) {
+        const double sum = left_by(samples_, residues(with(open_[k]))).sum();
+        if (sum < least) best = k;
+        least = std::min(least, sum);
+      }
+      const std::size_t candidate = open_[best];
+      open_.erase(open_.begin() + static_cast<std::ptrdiff_t>(best));
+      PoleFit fit = refined(with(candidate));
+      const Complex from = candidates_[candidate];
+      if (!significant(left().sum() - left_by(samples_, fit).sum())) {
+        support_[candidate].reason = of_noise;
+      } else if (strayed(fit, from)) {
+        support_[candidate].reason = strays;
+      } else {
+        chosen_.push_back(candidate);
+        fit_ = std::move(fit);
+      }
+    }
+    for (const std::size_t candidate : open_) support_[candidate].reason = too_many;
+  }
+
+  // Whether the last pole came closer to another one than to where it was seen.
+  static bool strayed(const PoleFit& fit, Complex from) {
+    const Index last = fit.poles.size() - 1;
+    const double way = std::abs(fit.poles(last) - from);
+    for (Index r = 0; r < last; ++r)
+      if (std::abs(fit.poles(last) - fit.poles(r)) < way) return true;
+    return false;
+  }
+
+  VectorXcd without(Index row) const {
+    VectorXcd poles(fit_.poles.size() - 1);
+    poles << fit_.poles.head(row), fit_.poles.tail(poles.size() - row);
+    return poles;
+  }
+
+  void drop(Index row, const std::string& reason) {
+    const VectorXcd others = without(row);
+    const auto at = chosen_.begin() + row;
+    support_[*at].reason = reason;
+    chosen_.erase(at);
+    fit_ = chosen_.empty() ? PoleFit() : refined(others);
+  }
+
+  // The pole that is missed least, as long as leaving it out costs no more than noise.
+  void drop_redundant() {
+    while (chosen_.size() > 1) {
+      Index least = 0;
+      double cost = std::numeric_limits<double>::infinity();
+      for (Index r = 0; r < fit_.poles.size(); ++r) {
+        const double sum = left_by(samples_, residues(without(r))).sum();
+        if (sum < cost) least = r;
+        cost = std::min(cost, sum);
+      }
+      if (significant(left_by(samples_, refined(without(least))).sum() - left().sum())) return;
+      drop(least, of_noise);
+    }
+  }
+
+  bool repeats(const VectorXd& gains) const {
+    const Index records = gains.size() / motions_.channels;
+    std::map<std::string, std::vector<double>> by_group;
+    std::string of_best;
+    double best = -1;
+    for (Index r = 0; r < records; ++r) {
+      const std::string& group = motions_.groups[static_cast<std::size_t>(r)];
+      by_group[group].push_back(gains.segment(r * motions_.channels, motions_.channels).sum());
+      if (by_group[group].back() > best) of_best = group;
+      best = std::max(best, by_group[group].back());
+    }
+    double rest = -best;
+    for (const double gain : by_group[of_best]) rest += gain;
+    const auto others = static_cast<double>(by_group[of_best].size() - 1);
+    if (others == 0) return true;
+    const auto freedom = 2 * others * static_cast<double>(motions_.channels);  // the pole is known by now
+    return chi_squared_upper_tail(rest, freedom) < false_alarm_;
+  }
+
+  void drop_unrepeated() {
+    for (Index r = fit_.poles.size(); r-- > 0;) {
+      const VectorXd rest = chosen_.size() > 1 ? left_by(samples_, residues(without(r))) : nothing_;
+      if (!repeats(rest - left())) drop(r, once);
+    }
+  }
+
+  void drop_wide() {
+    for (Index r = fit_.poles.size(); r-- > 0;)
+      if (!(std::max(fit_.growth_sd(r), fit_.omega_sd(r)) < width(fit_.poles(r)))) drop(r, too_wide);
+  }
+
+  // Half-power bandwidth (rad/s), or what the record's length makes of it.
+  double width(Complex pole) const {
+    const double duration = static_cast<double>(samples_.rows()) / motions_.sample_rate_hz;
+    return 2 * std::max(std::abs(pole.real()), 1 / duration);
+  }
+
+  const FreeMotions& motions_;
+  const std::vector<Complex>& candidates_;
+  double false_alarm_;
+  std::vector<PoleSupport> support_;
+  std::vector<std::size_t> open_;  // candidates not decided on
+  std::size_t most_;               // poles at a time
+  MatrixXd samples_;               // whitened
+  VectorXd nothing_;               // sums of squares about the mean, by signal
+  std::vector<std::size_t> chosen_;
+  PoleFit fit_;  // of the chosen ones
+};
+
+}  // namespace
+
+std::vector<PoleSupport> pole_support(const FreeMotions& motions, const std::vector<Complex>& candidates,
+                                      double false_alarm) {
+  if (motions.channels < 1 ||
+      motions.samples.cols() != motions.channels * static_cast<Index>(motions.groups.size()))
+    throw std::invalid_argument("pole_support: channels and groups do not make up the signals");
+  if (candidates.empty()) return {};
+  return Selection(motions, candidates, false_alarm).run();
+}
+
+}  // namespace secular
