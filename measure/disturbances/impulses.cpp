@@ -12,10 +12,11 @@
 namespace secular {
 namespace {
 
-constexpr std::size_t block = 256;  // of samples that share a scale
+constexpr std::size_t block = 64;  // of samples that share a scale: their median is known to 15 %
 
 // How far every sample is off the cubic through two neighbours on either side, in units of the median of that over
-// the block around it. Rounding to a lattice changes it by 4/3 of a step at most.
+// the block around it, or beside it where that is larger: motion begins and dies away. Rounding to a lattice
+// changes it by 4/3 of a step at most.
 struct Roughness {
   std::vector<double> off, relative;  // signed, in the channel's unit; modulus over the block's scale
   double blur = 0;                    // how far rounding may change a relative one, in either direction
@@ -25,14 +26,21 @@ Roughness roughness(std::span<const double> x, double step) {
   Roughness result{std::vector<double>(x.size(), 0.0), std::vector<double>(x.size(), 0.0), 0};
   for (std::size_t i = 2; i + 2 < x.size(); ++i)
     result.off[i] = x[i] - (4 * (x[i - 1] + x[i + 1]) - x[i - 2] - x[i + 2]) / 6;
-  std::vector<double> size;
+  std::vector<double> medians, size;
   for (std::size_t begin = 2; begin + 2 < x.size(); begin += block) {
-    const std::size_t end = std::min(x.size() - 2, begin + block);
     size.clear();
-    for (std::size_t i = begin; i < end; ++i) size.push_back(std::abs(result.off[i]));
-    const double rounding = 4.0 / 3 * step, scale = std::max(upper_median(size), rounding);
-    if (scale > 0) result.blur = std::max(result.blur, rounding / scale);
-    for (std::size_t i = begin; i < end && scale > 0; ++i) result.relative[i] = std::abs(result.off[i]) / scale;
+    for (std::size_t i = begin; i < std::min(x.size() - 2, begin + block); ++i)
+      size.push_back(std::abs(result.off[i]));
+    medians.push_back(upper_median(size));
+  }
+  const double rounding = 4.0 / 3 * step;
+  for (std::size_t b = 0; b < medians.size(); ++b) {
+    const double scale =
+        std::max({medians[b == 0 ? 0 : b - 1], medians[b], medians[std::min(b + 1, medians.size() - 1)], rounding});
+    if (!(scale > 0)) continue;
+    result.blur = std::max(result.blur, rounding / scale);
+    for (std::size_t i = 2 + b * block; i < std::min(x.size() - 2, 2 + (b + 1) * block); ++i)
+      result.relative[i] = std::abs(result.off[i]) / scale;
   }
   return result;
 }
@@ -110,7 +118,7 @@ void add(const SearchedRecord& record, std::size_t c, std::string_view kind,
 Impulses find_impulses(std::span<const double> samples, const ValueGrid& grid, const HeldSamples& held,
                        double false_alarm) {
   Impulses impulses;
-  if (samples.size() < block) return impulses;
+  if (samples.size() < 4 * block) return impulses;
   const Roughness rough = roughness(samples, grid.step.value_or(0));
   std::vector<std::size_t> peaks;
   std::vector<double> sizes;
