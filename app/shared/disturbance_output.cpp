@@ -10,6 +10,7 @@
 #include "input/input_error.hpp"
 #include "measure/disturbances/disturbance_watch.hpp"
 #include "measure/disturbances/lines.hpp"
+#include "measure/signal/transform_length.hpp"
 #include "report/number_format.hpp"
 
 namespace secular::app {
@@ -44,7 +45,7 @@ Series marked(std::vector<double> x, std::vector<double> y) {
 
 Figure spectrum_of(const std::vector<double>& samples, double rate, const Disturbance& tone,
                    const std::string& unit) {
-  const std::size_t length = samples.size() / 2 * 2;
+  const auto length = static_cast<std::size_t>(cut_transform_length(static_cast<Eigen::Index>(samples.size())));
   const std::vector<double> window = lobe_window(length);
   std::vector<double> amplitude = windowed_powers(samples, window);
   double sum = 0;

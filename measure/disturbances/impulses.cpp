@@ -12,10 +12,11 @@
 namespace secular {
 namespace {
 
-constexpr std::size_t block = 256;  // of samples that share a scale
+constexpr std::size_t block = 64;  // of samples that share a scale: their median is known to 15 %
 
 // How far every sample is off the cubic through two neighbours on either side, in units of the median of that over
-// the block around it. Rounding to a lattice changes it by 4/3 of a step at most.
+// the block around it, or beside it where that is larger: motion begins and dies away. Rounding to a lattice
+// changes it by 4/3 of a step at most.
 struct Roughness {
   std::vector<double> off, relative;  // signed, in the channel's unit; modulus over the block's scale
   double blur = 0;                    // how far rounding may change a relative one, in either direction
@@ -25,14 +26,21 @@ Roughness roughness(std::span<const double> x, double step) {
   Roughness result{std::vector<double>(x.size(), 0.0), std::vector<double>(x.size(), 0.0), 0};
   for (std::size_t i = 2; i + 2 < x.size(); ++i)
     result.off[i] = x[i] - (4 * (x[i - 1] + x[i + 1]) - x[i - 2] - x[i + 2]) / 6;
-  std::vector<double> size;
+  std::vector<double> medians, size;
   for (std::size_t begin = 2; begin + 2 < x.size(); begin += block) {
-    const std::size_t end = std::min(x.size() - 2, begin + block);
     size.clear();
-    for (std::size_t i = begin; i < end; ++i) size.push_back(std::abs(result.off[i]));
-    const double rounding = 4.0 / 3 * step, scale = std::max(upper_median(size), rounding);
-    if (scale > 0) result.blur = std::max(result.blur, rounding / scale);
-    for (std::size_t i = begin; i < end && scale > 0; ++i) result.relative[i] = std::abs(result.off[i]) / scale;
+    for (std::size_t i = begin; i < std::min(x.size() - 2, begin + block); ++i)
+      size.push_back(std::abs(result.off[i]));
+    medians.push_back(upper_median(size));
+  }
+  const double rounding = 4.0 / 3 * step;
+  for (std::size_t b = 0; b < medians.size(); ++b) {
+    const double scale =
+        std::max({medians[b == 0 ? 0 : b - 1], medians[b], medians[std::min(b + 1, medians.size() - 1)], rounding});
+    if (!(scale > 0)) continue;
+    result.blur = std::max(result.blur, rounding / scale);
+    for (std::size_t i = 2 + b * block; i < std::min(x.size() - 2, 2 + (b + 1) * block); ++i)
+      result.relative[i] = std::abs(result.off[i]) / scale;
   }
   return result;
 }
@@ -79,6 +87,18 @@ bool is_beside_held(const HeldSamples& held, std::size_t i) {
   return near != held.at.end() && *near <= i + 2;
 }
 
+// What happens in every other turn of the motion or more is its own: dry friction that turns over, play that is
+// taken up, the steps of an encoder that is filtered.
+// The strongest bin says how many turns a record has.
+bool is_of_motion(const SearchedRecord& record, const SearchedChannel& channel) {
+  const std::vector<double>& powers = channel.powers;
+  if (powers.size() < 2) return false;
+  const auto strongest = std::max_element(powers.begin() + 1, powers.end()) - powers.begin();
+  const double turns = 0.5 * static_cast<double>(record.samples()) / (static_cast<double>(powers.size()) - 1) *
+                       static_cast<double>(strongest);
+  return 2 * static_cast<double>(channel.impulses.spikes.size() + channel.impulses.knocks.size()) >= turns;
+}
+
 void add(const SearchedRecord& record, std::size_t c, std::string_view kind,
          const std::vector<Impulses::One>& impulses, std::vector<Disturbance>& found) {
   if (impulses.empty()) return;
@@ -98,7 +118,7 @@ void add(const SearchedRecord& record, std::size_t c, std::string_view kind,
 Impulses find_impulses(std::span<const double> samples, const ValueGrid& grid, const HeldSamples& held,
                        double false_alarm) {
   Impulses impulses;
-  if (samples.size() < block) return impulses;
+  if (samples.size() < 4 * block) return impulses;
   const Roughness rough = roughness(samples, grid.step.value_or(0));
   std::vector<std::size_t> peaks;
   std::vector<double> sizes;
@@ -117,7 +137,8 @@ Impulses find_impulses(std::span<const double> samples, const ValueGrid& grid, c
 
 void find_spikes(const SearchedRecord& record, std::vector<Disturbance>& found) {
   for (std::size_t c = 0; c < record.channels.size(); ++c)
-    if (record.entry().kind != RecordKind::impact || !record.is_excitation(c))
+    if ((record.entry().kind != RecordKind::impact || !record.is_excitation(c)) &&
+        !is_of_motion(record, record.channels[c]))
       add(record, c, "spikes", record.channels[c].impulses.spikes, found);
 }
 
@@ -125,6 +146,7 @@ void find_knocks(const SearchedRecord& record, std::vector<Disturbance>& found) 
   const RecordKind kind = record.entry().kind;
   if (kind == RecordKind::impact) return;  // the blow is the record's subject
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
+    if (is_of_motion(record, record.channels[c])) continue;
     std::vector<Impulses::One> knocks = record.channels[c].impulses.knocks;
     const std::span<const double> samples = record.channels[c].samples;
     const auto largest = std::max_element(samples.begin(), samples.end(),

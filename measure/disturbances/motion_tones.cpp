@@ -17,6 +17,10 @@ const Line* strongest(const SearchedChannel& channel) {
   return found == channel.lines.end() ? nullptr : &*found;
 }
 
+// A decay has no subharmonics, but a softening spring swings slower while it swings far: a pendulum at 160 degrees
+// with half the frequency of small angles.
+constexpr int softest = 2;
+
 // A partner at one given place: by chance beside one foreign tone of a hundred, which is then taken for motion. To
 // miss a tone in one record costs less than to call a mode's motion foreign.
 constexpr double weak_partner = 0.01;
@@ -117,10 +121,9 @@ bool MotionTones::start_at(double frequency_hz, const std::vector<double>& other
 }
 
 double MotionTones::lowest_hz() const {
-  double lowest = 0;
-  for (const double generator : generators_)
-    lowest = lowest > 0 ? std::min(lowest, generator / largest_divisor) : generator / largest_divisor;
-  return lowest;
+  const auto lowest = std::min_element(generators_.begin(), generators_.end());
+  if (lowest == generators_.end()) return 0;
+  return *lowest / (forced_ ? largest_divisor : softest);
 }
 
 }  // namespace secular

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "measure/data/noise_floor.hpp"
 #include "measure/disturbances/motion_tones.hpp"
 #include "measure/disturbances/rows.hpp"
 #include "numerics/confidence.hpp"
@@ -18,8 +19,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index slow_terms = 4;      // cosines of up to two periods a record: what is slower than all else in it
-constexpr Index fewest_blocks = 16;  // so that as many are left to tell the noise
+constexpr Index slow_terms = 4;     // cosines of up to two periods a record: what is slower than all else in it
+constexpr Index fewest_blocks = 8;  // beyond the terms fitted: what tells the noise
 
 // Means of blocks under the window of the lines, half overlapping (which leaves 4 % of their noise in common), and
 // the mean square about them.
@@ -67,6 +68,11 @@ MatrixXd columns(const VectorXd& square, Index own) {
   return x;
 }
 
+// Powers of the motion's mean square that its own mean may follow, with quadratic and quartic terms.
+Index own_terms(const Channel& channel) {
+  return has_no_mean(channel) ? 0 : 2;
+}
+
 // The course of a channel's zero.
 struct Zero {
   double offset = 0, offset_sd = 0;
@@ -75,9 +81,39 @@ struct Zero {
   double freedom = 0;
 };
 
-std::optional<Zero> zero_of(const SearchedChannel& channel, Index own, std::size_t length) {
-  const BlockMeans blocks = block_means(channel.samples, length);
-  const Index rows = blocks.mean.size();
+// Blocks up to the last in which the motion is as large as noise and step: where it comes to rest, dry friction has
+// a say.
+Index blocks_in_motion(const SearchedChannel& channel, const VectorXd& square) {
+  const double noise = std::max(noise_floor(channel.samples).value_or(0), channel.values->grid.step.value_or(0));
+  Index last = square.size();
+  while (last > 0 && square(last - 1) <= 2 * noise * noise) --last;
+  return last;
+}
+
+// A decay begins behind its largest sample: before that the structure is led or held there.
+std::span<const double> motion_of(const SearchedRecord& record, std::span<const double> samples) {
+  if (record.entry().kind != RecordKind::free_decay) return samples;
+  double mean = 0, largest = 0;
+  for (const double x : samples) mean += x / static_cast<double>(samples.size());
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (std::abs(samples[i] - mean) >= largest) {
+      largest = std::abs(samples[i] - mean);
+      begin = i;
+    }
+  return samples.subspan(begin);
+}
+
+// The zero of a channel, from means of blocks of that length.
+std::optional<Zero> zero_of(const SearchedRecord& record, std::size_t c, std::size_t length) {
+  const SearchedChannel& channel = record.channels[c];
+  const Index own = own_terms(record.channel(c));
+  const std::span<const double> samples = motion_of(record, channel.samples);
+  if (samples.size() < 2 * length) return std::nullopt;
+  BlockMeans blocks = block_means(samples, length);
+  const Index rows = own > 0 ? blocks_in_motion(channel, blocks.square) : blocks.mean.size();
+  blocks.mean.conservativeResize(rows);
+  blocks.square.conservativeResize(rows);
   if (rows < fewest_blocks + 1 + own + slow_terms) return std::nullopt;
   const MatrixXd x = columns(blocks.square, own);
   const Eigen::ColPivHouseholderQR<MatrixXd> all(x), without(x.leftCols(1 + own));
@@ -109,11 +145,6 @@ std::size_t block_length(const SearchedRecord& record) {
   return length > record.samples() / 2 ? 0 : length;
 }
 
-// Powers of the motion's mean square that its own mean may follow, with quadratic and quartic terms.
-Index own_terms(const Channel& channel) {
-  return has_no_mean(channel) ? 0 : 2;
-}
-
 }  // namespace
 
 void find_offsets(const SearchedRecord& record, std::vector<Disturbance>& found) {
@@ -121,7 +152,7 @@ void find_offsets(const SearchedRecord& record, std::vector<Disturbance>& found)
   for (std::size_t c = 0; length > 0 && c < record.channels.size(); ++c) {
     const bool no_mean = has_no_mean(record.channel(c));
     if (!no_mean && record.entry().kind == RecordKind::dwell) continue;  // the motion's own mean is as steady
-    const std::optional<Zero> zero = zero_of(record.channels[c], own_terms(record.channel(c)), length);
+    const std::optional<Zero> zero = zero_of(record, c, length);
     if (!zero || two_sided_p_value(zero->offset / zero->offset_sd, zero->freedom) > record.level) continue;
     Disturbance offset = record.found("offset", c, std::abs(zero->offset));
     offset.text = fmt::format("the zero is off by {:.3g} {} (sd {:.1g}){}", zero->offset, offset.unit,
@@ -133,7 +164,7 @@ void find_offsets(const SearchedRecord& record, std::vector<Disturbance>& found)
 void find_wander(const SearchedRecord& record, std::vector<Disturbance>& found) {
   const std::size_t length = block_length(record);
   for (std::size_t c = 0; length > 0 && c < record.channels.size(); ++c) {
-    const std::optional<Zero> zero = zero_of(record.channels[c], own_terms(record.channel(c)), length);
+    const std::optional<Zero> zero = zero_of(record, c, length);
     if (!zero || zero->probability > record.level) continue;
     Disturbance wander =
         record.found("wander", c, std::sqrt(zero->wander.squaredNorm() / static_cast<double>(zero->wander.size())));

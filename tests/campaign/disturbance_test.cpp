@@ -229,6 +229,13 @@ TEST(Disturbances, TheMotionItselfIsNone) {
   for (std::size_t i = 0; i < count; ++i)
     record.channels[1][i] = (std::sin(two_pi * drive_hz * at(i)) > 0 ? 1 : -1) + 0.01 * normal();
   for (const Disturbance& d : find_disturbances(campaign, 0, record)) ADD_FAILURE() << d.kind << ": " << d.text;
+  // Dry friction: the acceleration jumps at every turn, twelve of them in all.
+  for (std::size_t i = 0; i < count; ++i) {
+    const double p = two_pi * 0.4 * at(i);
+    record.channels[1][i] = std::sin(p) + 0.3 * (std::cos(p) > 0 ? 1 : -1) + 0.001 * normal();
+  }
+  for (const Disturbance& d : find_disturbances(campaign, 0, record))
+    EXPECT_TRUE(d.kind != "spikes" && d.kind != "knocks") << d.text;
   campaign = campaign_of(1, RecordKind::free_decay);
   campaign.channels[1].quantity = Quantity::displacement;
   record = clean(RecordKind::free_decay, 12);
