@@ -72,7 +72,10 @@ void print_summary(const Prediction& prediction, const std::vector<PredictionFig
   for (const std::string& note : prediction.diagram.notes) fmt::print("  {}\n", note);
   for (std::size_t b = 0; b < prediction.diagram.branches.size(); ++b) {
     const ResponseBranch& branch = prediction.diagram.branches[b];
-    fmt::print("branch {}{}: {} points\n", b + 1, branch.at_rest ? ", at rest" : "", branch.points.size());
+    const auto outside = std::count_if(branch.points.begin(), branch.points.end(),
+                                       [](const ResponsePoint& point) { return point.outside; });
+    fmt::print("branch {}{}: {} points{}\n", b + 1, branch.at_rest ? ", at rest" : "", branch.points.size(),
+               outside > 0 ? fmt::format(", {} outside of the expansion's range", outside) : "");
     std::set<std::string> said;  // solutions that differ in phase alone
     for (const ResponseSpecial& special : branch.special) {
       std::string line = fmt::format("  {:<12} {} = {}", special_name(special), prediction.vary->name,
@@ -81,6 +84,7 @@ void print_summary(const Prediction& prediction, const std::vector<PredictionFig
         if (!prediction.resonance->mode_at_rest[k] && !special.at.at_rest)
           line += fmt::format("  amplitude of {} = {}", prediction.model->coordinates[k],
                               report::format_number(2 * std::abs(special.at.modes.amplitude[k]), 4));
+      if (special.at.outside) line += "  (outside of the expansion's range)";
       if (said.insert(line).second) fmt::print("{}\n", line);
     }
   }

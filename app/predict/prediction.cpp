@@ -64,6 +64,11 @@ class Predictor {
     take_vary();
     read_parameters();
     const ResponseField field(*result_.model, *result_.resonance);
+    try {
+      outside_ = source.outside_expansion(std::string(result_.resonance->name));
+    } catch (const InputError& error) {  // a compiled model without its file
+      result_.warnings.push_back(std::string("where the expansion ends is not known: ") + error.what());
+    }
     if (!result_.resonance->excited) {
       add_backbones(field);
       return std::move(result_);
@@ -190,6 +195,75 @@ class Predictor {
                          "a natural frequency in rad/s was expected");
   }
 
+  bool is_outside(const VectorXd& parameters, const std::vector<std::complex<double>>& amplitude) const {
+    const double* const frequency = parameters.data() + result_.model->symbols.size();
+    const std::size_t excitations = result_.model->excitations.size();
+    std::vector<std::complex<double>> forcing(std::max<std::size_t>(1, excitations));
+    for (std::size_t j = 0; j < excitations && result_.resonance->excited; ++j)
+      forcing[j] = frequency[excitations + j];
+    return outside_ && outside_(parameters.data(), frequency, amplitude.data(), forcing.data());
+  }
+
+  void warn_of_outside(std::size_t outside, std::size_t all) {
+    if (outside == 0) return;
+    result_.warnings.push_back(fmt::format(
+        "{} of {} points lie outside of the expansion's range: there its last order exceeds every order before, "
+        "and the full equations need not have such a motion. They are marked (outside_expansion)",
+        outside, all));
+  }
+
+  void mark_diagram(const ResponseRequest& response) {
+    std::size_t outside = 0, all = 0;
+    const auto mark = [&](ResponsePoint& point) {
+      VectorXd parameters = response.parameters;
+      parameters(response.parameter) = point.parameter;
+      point.outside = !point.at_rest && is_outside(parameters, point.modes.amplitude);
+    };
+    for (ResponseBranch& branch : result_.diagram.branches) {
+      for (ResponsePoint& point : branch.points) {
+        mark(point);
+        outside += point.outside;
+      }
+      all += branch.points.size();
+      for (ResponseSpecial& special : branch.special) mark(special.at);
+    }
+    warn_of_outside(outside, all);
+  }
+
+  void mark_curves(const CurveRequest& request) {
+    std::size_t outside = 0, all = 0;
+    const auto mark = [&](ResponseCurvePoint& point) {
+      VectorXd parameters = request.response.parameters;
+      parameters(request.response.parameter) = point.first;
+      parameters(request.second) = point.second;
+      const bool at_rest = std::all_of(point.modes.amplitude.begin(), point.modes.amplitude.end(),
+                                       [](const std::complex<double>& b) { return b == 0.0; });
+      point.outside = !at_rest && is_outside(parameters, point.modes.amplitude);
+    };
+    for (ResponseCurve& curve : result_.curves) {
+      for (ResponseCurvePoint& point : curve.points) {
+        mark(point);
+        outside += point.outside;
+      }
+      all += curve.points.size();
+      for (auto& [kind, at] : curve.special) mark(at);
+    }
+    warn_of_outside(outside, all);
+  }
+
+  void mark_backbones(const ResponseField& field) {
+    std::size_t outside = 0, all = 0;
+    for (std::size_t k = 0; k < result_.backbones.size(); ++k)
+      for (BackbonePoint& point : result_.backbones[k].second) {
+        std::vector<std::complex<double>> amplitude(result_.model->modes());
+        amplitude[field.active()[k]] = point.amplitude;
+        point.outside = is_outside(result_.parameters, amplitude);
+        outside += point.outside;
+        ++all;
+      }
+    warn_of_outside(outside, all);
+  }
+
   void add_backbones(const ResponseField& field) {
     double largest = request_.largest / 2;
     if (largest == 0)
@@ -198,10 +272,12 @@ class Predictor {
     for (std::size_t k = 0; k < field.active().size(); ++k)
       result_.backbones.emplace_back(std::string(result_.model->coordinates[field.active()[k]]),
                                      backbone(field, result_.parameters, k, largest, backbone_points));
+    mark_backbones(field);
   }
 
   void add_diagram(const ResponseField& field, const ResponseRequest& response) {
     result_.diagram = response_diagram(field, response);
+    mark_diagram(response);
     if (result_.diagram.status != DiagramStatus::complete)
       result_.warnings.push_back("some responses may be missing: " + result_.diagram.reason);
     if (!request_.measured.empty()) result_.measured = measured_points(request_, result_, result_.warnings);
@@ -278,6 +354,7 @@ class Predictor {
                    : request_.curve == "peak"      ? CurveKind::peak
                                                    : CurveKind::hopf;
     result_.curves = response_curves(field, request);
+    mark_curves(request);
     result_.diagram.notes.push_back(field.description());
     if (result_.curves.empty())
       result_.warnings.push_back("no point of kind " + request_.curve + " was found in these ranges");
@@ -285,6 +362,7 @@ class Predictor {
 
   const PredictionRequest& request_;
   const SweepProgress& progress_;
+  ModelSource::OutsideExpansion outside_;
   Prediction result_;
 };
 

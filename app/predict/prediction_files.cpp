@@ -36,6 +36,7 @@ Json point_json(const Prediction& prediction, const ResponsePoint& point) {
   result["modes"] = modes_json(prediction, point.modes);
   result["stable"] = point.unstable == 0;
   result["unstable_eigenvalues"] = point.unstable;
+  result["outside_expansion"] = point.outside;
   result["eigenvalues"] = Json::array();
   for (const std::complex<double>& value : point.eigenvalues)
     result["eigenvalues"].push_back({value.real(), value.imag()});
@@ -52,6 +53,7 @@ Json curve_point_json(const Prediction& prediction, const ResponseCurvePoint& po
   put_parameter(result, prediction.against->name, point.second, prediction.against_unit);
   result["modes"] = modes_json(prediction, point.modes);
   if (point.frequency != 0) result["frequency"] = point.frequency;
+  result["outside_expansion"] = point.outside;
   return result;
 }
 
@@ -209,7 +211,8 @@ std::string prediction_json(const Prediction& prediction) {
       entry["points"].push_back({{"amplitude", 2 * at.amplitude},
                                  {"frequency", at.frequency},
                                  {"frequency_hz", at.frequency / two_pi},
-                                 {"growth", at.growth}});
+                                 {"growth", at.growth},
+                                 {"outside_expansion", at.outside}});
     result["backbones"].push_back(std::move(entry));
   }
   if (!prediction.sweeps.empty()) result["simulated_sweeps"] = sweeps_json(prediction);

@@ -27,6 +27,28 @@ using report::Table;
 
 constexpr double to_degrees = 180 / std::numbers::pi;
 
+constexpr const char* outside_name = "outside of the expansion's range";
+
+// The line's points from `first` on that lie outside of the expansion's range move to a line of their own, drawn
+// from the last point inside.
+template <class Points>
+void split_outside(const Points& points, std::size_t first, Series& inside, Series& outside) {
+  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+  outside.name = outside_name;
+  outside.role = SeriesRole::reference;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double x = inside.x[first + i], y = inside.y[first + i];
+    const bool here = points[i].outside, before = i > 0 && points[i - 1].outside;
+    if (here && !before && i > 0 && std::isfinite(inside.y[first + i - 1])) {
+      outside.x.push_back(inside.x[first + i - 1]);
+      outside.y.push_back(inside.y[first + i - 1]);
+    }
+    outside.x.push_back(here ? x : gap);
+    outside.y.push_back(here ? y : gap);
+    if (here) inside.y[first + i] = gap;
+  }
+}
+
 SeriesRole role_of(int unstable) {
   return unstable == 0 ? SeriesRole::model : unstable == 1 ? SeriesRole::unstable : SeriesRole::hopf;
 }
@@ -34,8 +56,8 @@ SeriesRole role_of(int unstable) {
 // Lines of one role from all branches, interrupted where stability changes and between branches.
 class StabilityLines {
  public:
-  void put(double x, double y, int unstable) {
-    const std::size_t now = index(unstable);
+  void put(double x, double y, int unstable, bool outside) {
+    const std::size_t now = outside ? beyond : index(unstable);
     if (last_ && *last_ != now) {  // the change lies between: both lines reach it
       line(now, previous_x_, previous_y_);
       gap(*last_);
@@ -50,12 +72,13 @@ class StabilityLines {
     last_.reset();
   }
   void move_to(std::vector<Series>& series) {
-    static constexpr const char* names[] = {"stable", "unstable", "unstable, two or more growing directions"};
-    for (std::size_t i = 0; i < 3; ++i) {
+    static constexpr const char* names[] = {"stable", "unstable", "unstable, two or more growing directions",
+                                            outside_name};
+    for (std::size_t i = 0; i <= beyond; ++i) {
       if (lines_[i].x.empty()) continue;
       lines_[i].name = names[i];
       lines_[i].style = SeriesStyle::line;
-      lines_[i].role = role_of(static_cast<int>(i));
+      lines_[i].role = i == beyond ? SeriesRole::reference : role_of(static_cast<int>(i));
       series.push_back(std::move(lines_[i]));
     }
   }
@@ -70,7 +93,8 @@ class StabilityLines {
     line(i, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN());
   }
 
-  Series lines_[3];
+  static constexpr std::size_t beyond = 3;
+  Series lines_[beyond + 1];
   std::optional<std::size_t> last_;
   double previous_x_ = 0, previous_y_ = 0;
 };
@@ -96,11 +120,11 @@ Panel response_panel(const Prediction& prediction, std::size_t mode, const repor
         lines.interrupt();
         continue;
       }
-      lines.put(at.parameter / prediction.axis, value(at.modes, mode), at.unstable);
+      lines.put(at.parameter / prediction.axis, value(at.modes, mode), at.unstable, at.outside);
     }
     lines.interrupt();
     for (const ResponseSpecial& special : branch.special) {
-      if (special.at.at_rest && !rest) continue;
+      if (special.at.outside || (special.at.at_rest && !rest)) continue;
       marks.x.push_back(special.at.parameter / prediction.axis);
       marks.y.push_back(value(special.at.modes, mode));
     }
@@ -212,7 +236,7 @@ template <class X, class Y>
 Panel curve_panel(const Prediction& prediction, const report::Axis& axis, const X& x, const Y& y) {
   Panel panel;
   panel.y = axis;
-  Series line;
+  Series line, outside;
   line.role = SeriesRole::model;
   for (const ResponseCurve& curve : prediction.curves) {
     line.name = curve_name(curve);
@@ -224,8 +248,11 @@ Panel curve_panel(const Prediction& prediction, const report::Axis& axis, const 
       line.x.push_back(x(at));
       line.y.push_back(y(at));
     }
+    split_outside(curve.points, line.x.size() - curve.points.size(), line, outside);
   }
+  const bool any = std::any_of(outside.y.begin(), outside.y.end(), [](double v) { return std::isfinite(v); });
   panel.series.push_back(std::move(line));
+  if (any) panel.series.push_back(std::move(outside));
   return panel;
 }
 
@@ -272,8 +299,15 @@ Figure backbone_figure(const Prediction& prediction, std::size_t b) {
     decay.x.push_back(2 * at.amplitude);
     decay.y.push_back(-at.growth);
   }
-  figure.panels.push_back({"", {"Frequency", "Hz", false, {}}, {frequency}});
-  figure.panels.push_back({"", {"Decay rate", "1/s", false, {}}, {decay}});
+  const auto add = [&](const report::Axis& axis, Series& line) {
+    Series outside;
+    split_outside(points, 0, line, outside);
+    figure.panels.push_back({"", axis, {line}});
+    if (std::any_of(points.begin(), points.end(), [](const BackbonePoint& at) { return at.outside; }))
+      figure.panels.back().series.push_back(std::move(outside));
+  };
+  add({"Frequency", "Hz", false, {}}, frequency);
+  add({"Decay rate", "1/s", false, {}}, decay);
   return figure;
 }
 

@@ -8,6 +8,7 @@
 #include "app/shared/install_layout.hpp"
 #include "app/shared/shipped_models.hpp"
 #include "codegen/canonical/canonical_model.hpp"
+#include "codegen/runtime/expansion_sizes.hpp"
 #include "codegen/runtime/runtime_model.hpp"
 #include "generated/registry.hpp"
 #include "perturb/model.hpp"
@@ -86,6 +87,15 @@ void ModelSource::outline_file() {
 std::shared_ptr<const CompiledModel> ModelSource::load(const std::vector<std::string>& cases) const {
   if (compiled_in_) return {std::shared_ptr<void>(), compiled_in_};
   return load_file(file_, cases, {});
+}
+
+ModelSource::OutsideExpansion ModelSource::outside_expansion(const std::string& resonance) const {
+  const CanonicalModel model = canonical_model(read_model(model_file()), resonance);
+  const auto sizes = std::make_shared<const ExpansionSizes>(model, model.cases.at(0));
+  return [sizes](const double* parameters, const double* excitation_frequency,
+                 const std::complex<double>* amplitude, const std::complex<double>* forcing) {
+    return sizes->outside({parameters, excitation_frequency, amplitude, forcing});
+  };
 }
 
 AugmentedCompiledModel ModelSource::load_with_effects(std::span<const EffectTerm> effects,

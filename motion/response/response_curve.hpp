@@ -18,6 +18,7 @@ struct ResponsePoint {
   Eigen::VectorXcd eigenvalues;  ///< 1/s, by falling real part; without the zero ones of free phases
   int unstable = 0;              ///< eigenvalues with a positive real part
   bool at_rest = false;          ///< no mode oscillates
+  bool outside = false;          ///< of the expansion's range; marked by whoever knows that range
 };
 
 struct ResponseSpecial {
@@ -62,6 +63,7 @@ struct ResponseCurvePoint {
   double first = 0, second = 0;
   ModeAmplitudes modes;
   double frequency = 0;  ///< rad/s, of Hopf points
+  bool outside = false;  ///< as ResponsePoint::outside
 };
 
 enum class CurveKind {
@@ -96,6 +98,7 @@ struct BackbonePoint {
   double amplitude = 0;  ///< |B|
   double frequency = 0;  ///< rad/s
   double growth = 0;     ///< 1/s, of the amplitude; negative: decay
+  bool outside = false;  ///< as ResponsePoint::outside
 };
 
 /// Frequency and decay of active mode `mode` (index into ResponseField::active) for amplitudes |B| to `largest`,

@@ -1,0 +1,169 @@
+// Branches that only the truncated expansion has are marked; those that the full equations have are not.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+
+#include "tests/app/program_run.hpp"
+#include "tests/places.hpp"
+#include "tests/process_folder.hpp"
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+using testing_support::text_of;
+
+struct Oscillator {
+  double w, d, b1, b2, k, F = 1;
+};
+
+// Amplitude of the motion at `multiple` times the excitation's frequency after 300 periods from a state, by
+// classical Runge-Kutta steps; infinite where it runs away.
+double settled_amplitude(const Oscillator& o, double omega, double multiple, double x, double v) {
+  constexpr int steps = 200, periods = 300, seen = 20;
+  const double period = 2 * std::numbers::pi / omega, h = period / steps;
+  const auto rate = [&](double t, double y, double u) {
+    return o.k * o.F * std::cos(omega * t) - o.d * u - o.w * o.w * y - o.b1 * y * y - o.b2 * y * y * y;
+  };
+  std::complex<double> sum = 0;
+  for (int i = 0; i < steps * periods; ++i) {
+    const double t = i * h;
+    if (i >= steps * (periods - seen)) sum += x * std::polar(1.0, -multiple * omega * t);
+    const double a1 = rate(t, x, v), v2 = v + h / 2 * a1;
+    const double a2 = rate(t + h / 2, x + h / 2 * v, v2), v3 = v + h / 2 * a2;
+    const double a3 = rate(t + h / 2, x + h / 2 * v2, v3), v4 = v + h * a3;
+    const double a4 = rate(t + h, x + h * v3, v4);
+    x += h / 6 * (v + 2 * v2 + 2 * v3 + v4);
+    v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    if (!(std::abs(x) < 1e6)) return std::numeric_limits<double>::infinity();
+  }
+  return 2 * std::abs(sum) / (steps * seen);
+}
+
+class PredictRange : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    std::ofstream(folder / "oscillator.toml") << R"toml(schema = 1
+name = "quadratic_cubic"
+[[mode]]
+coordinate = "x"
+frequency = "w"
+equation = "D2(x) + d*D(x) + w^2*x + b1*x^2 + b2*x^3 = k*F*cos(Omega*t)"
+[[case]]
+name = "half"
+relations = ["Omega = 2*w + eps*sigma"]
+order = { d = 1, b1 = 1, b2 = 1, k = 0 }
+expand_to = 2
+[[case]]
+name = "super2"
+relations = ["2*Omega = w + eps*sigma"]
+order = { d = 1, b1 = 1, b2 = 1, k = 0 }
+expand_to = 2
+)toml";
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  nlohmann::json predict(const std::string& arguments) {
+    fs::remove_all(folder / "out");
+    outcome = testing_support::run_program(folder, "predict " + arguments + " -o " + (folder / "out").string());
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return nlohmann::json::parse(text_of(folder / "out/prediction.json"));
+  }
+  nlohmann::json predict(const Oscillator& o, const std::string& arguments) {
+    std::ofstream(folder / "numbers.json")
+        << nlohmann::json{{"w", o.w}, {"d", o.d}, {"b1", o.b1}, {"b2", o.b2}, {"k", o.k}, {"F", o.F}};
+    return predict((folder / "oscillator.toml").string() + " --parameters " + (folder / "numbers.json").string() +
+                   " " + arguments);
+  }
+
+  // Whether the full equations, started on the predicted motion (with its forced part), stay near its amplitude.
+  static bool exists(const Oscillator& o, const nlohmann::json& point, double multiple) {
+    const double omega = point["Omega"].get<double>(), a = point["modes"][0]["amplitude"].get<double>();
+    const double phase = point["modes"][0]["phase"].get<double>();
+    const double forced = o.k * o.F / (o.w * o.w - omega * omega);
+    const double x = a * std::cos(phase) + forced, v = -multiple * omega * a * std::sin(phase);
+    return std::abs(settled_amplitude(o, omega, multiple, x, v) / a - 1) < 0.15;
+  }
+
+  fs::path folder = testing_support::process_folder() /
+                    (std::string("secular_range_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  testing_support::Outcome outcome;
+};
+
+TEST_F(PredictRange, WhatTheFullEquationsDoNotHaveIsMarked) {
+  const Oscillator o{2, 0.02, 0.62, 0.21, 3.5};
+  const nlohmann::json half = predict(o, "--case half --vary Omega 3.4 4.4");
+  int inside = 0, outside = 0;
+  for (const auto& branch : half["branches"])
+    for (const auto& point : branch["points"]) {
+      const double amplitude = point["modes"][0]["amplitude"].get<double>();
+      outside += point["outside_expansion"].get<bool>();
+      EXPECT_TRUE(amplitude < 6 || point["outside_expansion"].get<bool>()) << amplitude;
+      // Far from its ends the branch that exists is unmarked.
+      if (amplitude > 1 && amplitude < 2.2 && point["stable"].get<bool>() && inside++ % 8 == 0) {
+        EXPECT_FALSE(point["outside_expansion"].get<bool>()) << amplitude;
+        EXPECT_TRUE(exists(o, point, 0.5)) << point.dump();
+      }
+    }
+  EXPECT_GT(inside, 8);
+  EXPECT_GT(outside, 50);
+  EXPECT_NE(outcome.output.find("outside of the expansion's range"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.errors.find("outside of the expansion's range"), std::string::npos) << outcome.errors;
+  EXPECT_NE(text_of(folder / "out/response.svg").find("outside of the expansion"), std::string::npos);
+}
+
+TEST_F(PredictRange, StableMotionsThatAreMarkedDoNotExist) {
+  const Oscillator o{2, 0.02, 0.6, 0.2, 3.6};
+  int marked = 0;
+  const nlohmann::json found = predict(o, "--case super2 --vary Omega 0.8 1.2");
+  for (const auto& branch : found["branches"])
+    for (const auto& point : branch["points"]) {
+      if (!point["outside_expansion"].get<bool>() || !point["stable"].get<bool>()) continue;
+      ++marked;
+      EXPECT_FALSE(exists(o, point, 2)) << point.dump();
+    }
+  EXPECT_GT(marked, 0);
+}
+
+TEST_F(PredictRange, SpuriousBranchesOfTheFault) {
+  const fs::path place = testing_support::source_folder().parent_path() / "shared/faults/spurious_branches";
+  if (!fs::exists(place / "p3b.json")) GTEST_SKIP() << place << " is not there";
+  for (const std::string numbers : {"p3b.json", "p3c.json"})
+    for (const std::string resonance : {"half --vary Omega 1.6 2.4", "super2 --vary Omega 0.4 0.6"}) {
+      int outside = 0;
+      const nlohmann::json found = predict((place / "s03_helmholtz_duffing.toml").string() + " --parameters " +
+                                           (place / numbers).string() + " --case " + resonance);
+      for (const auto& branch : found["branches"])
+        for (const auto& point : branch["points"]) {
+          const double amplitude = point["modes"][0]["amplitude"].get<double>();
+          outside += point["outside_expansion"].get<bool>();
+          EXPECT_TRUE(amplitude > 1.7 || !point["outside_expansion"].get<bool>()) << amplitude;
+          EXPECT_TRUE(amplitude < 6 || point["outside_expansion"].get<bool>()) << amplitude;
+        }
+      EXPECT_GT(outside, 50) << numbers << " " << resonance;
+    }
+}
+
+TEST_F(PredictRange, ShippedPredictionsAreInside) {
+  const std::string five = "two_mass_mode1 --case principal_parametric --parameters predictions/table_5_4 --hz ";
+  const std::string six = "two_mass_lumps --parameters predictions/table_6_2 --hz ";
+  for (const std::string& arguments : {five + "--at F=22.55 --vary Omega 24.3 25.1",
+                                       five + "--vary Omega 23 26 --against F 8 40 --curve saddle_node",
+                                       six + "--at F=23.3 --vary Omega 45.3 45.75"}) {
+    const nlohmann::json found = predict(arguments);
+    EXPECT_EQ(found.dump().find("\"outside_expansion\":true"), std::string::npos) << arguments;
+    EXPECT_NE(found.dump().find("\"outside_expansion\":false"), std::string::npos) << arguments;
+  }
+}
+
+}  // namespace
+}  // namespace secular
