@@ -111,7 +111,7 @@ Json damping_json(const DampingComparison& comparison) {
 
 Json lateness_json(const CaseLateness& lateness, const Identification& id) {
   Json entry;
-  entry["kind"] = "late_records";
+  entry["kind"] = lateness.finding == PhaseFinding::like_a_law ? "phases_by_amplitude" : "late_records";
   entry["case"] = lateness.resonance;
   entry["text"] = text_of(lateness);
   entry["records"] = Json::array();
@@ -121,7 +121,7 @@ Json lateness_json(const CaseLateness& lateness, const Identification& id) {
                                 {"period_s", record.period_s}});
   entry["f"] = lateness.f;
   entry["p_value"] = lateness.p_value;
-  entry["sign_of_excitation_told"] = lateness.sign_told;
+  if (!lateness.assumed_positive.empty()) entry["assumed_positive"] = lateness.assumed_positive;
   return entry;
 }
 

@@ -255,9 +255,14 @@ class CaseRegression {
     }
     VectorXd taken = VectorXd::Zero(whitened.size());  // of a row's variance, by the unknown phase
     begin = 0;
-    for (const VectorXd& direction : system.by_phase) {
-      taken.segment(begin, direction.size()) = direction.cwiseAbs2();
-      begin += direction.size();
+    for (std::size_t n = 0; n < system.by_phase.size(); ++n) {
+      const VectorXd own = system.colouring[n].triangularView<Eigen::Lower>() * system.by_phase[n];
+      for (Index r = 0; r < own.size(); ++r) {
+        const auto at = static_cast<std::size_t>(begin + r);
+        taken(begin + r) =
+            result_.weight[system.observation[at]] * std::pow(own(r) / scale_.at(system.block[at]), 2);
+      }
+      begin += own.size();
     }
     std::map<std::size_t, std::pair<double, double>> sums;
     for (Index r = 0; r < whitened.size(); ++r) {
@@ -449,6 +454,11 @@ class CaseRegression {
     adjusted_data_.emplace(adjusted_, result_.blocks);
   }
 
+  // Of an observation's rows, those that an unknown phase does not take up.
+  double free_rows(std::size_t rows) const {
+    return std::max(1.0, static_cast<double>(rows) - (set_.phase_unknown ? 1 : 0));
+  }
+
   // By the deviation of each ensemble's whitened residual from the median of its condition.
   void weigh_ensembles() {
     result_.weight.assign(result_.weight.size(), 1.0);
@@ -475,13 +485,13 @@ class CaseRegression {
         for (std::size_t e = 0; e < ensembles.size(); ++e) square[e] += (values[e] - centre) * (values[e] - centre);
       }
       for (std::size_t e = 0; e < ensembles.size(); ++e) {
-        result_.distance[ensembles[e]] = std::sqrt(square[e] / static_cast<double>(size));
+        result_.distance[ensembles[e]] = std::sqrt(square[e] / free_rows(size));
         all.push_back(result_.distance[ensembles[e]]);
       }
       largest = std::max(largest, size);
     }
     if (all.empty()) return;
-    const double rows = static_cast<double>(largest);
+    const double rows = free_rows(largest);
     const double usual = upper_median(all) / std::sqrt(chi_squared_upper_quantile(0.5, rows) / rows);
     if (!(usual > 0)) return;
     const double tail = outlier_false_alarm / static_cast<double>(all.size());

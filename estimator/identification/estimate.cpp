@@ -13,19 +13,6 @@ std::string label_of(const EstimatedValue& value, const Estimate& estimate) {
   return lump && estimate.cases.size() > 1 ? value.resonance + ":" + value.name : value.name;
 }
 
-namespace {
-
-bool does_not_fit(const Estimate& estimate) {
-  const auto misfits = [](const CaseLackOfFit& tests) {
-    return std::any_of(tests.equations.begin(), tests.equations.end(),
-                       [](const LackOfFit& test) { return test.significant; });
-  };
-  return estimate.consistency.significant ||
-         std::any_of(estimate.lack_of_fit.begin(), estimate.lack_of_fit.end(), misfits);
-}
-
-}  // namespace
-
 Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& units,
                   const EstimateOptions& options) {
   const bool any =
@@ -57,7 +44,8 @@ Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& uni
   report_parameters(e);
   report_lumps(e);
   report_quality(e);
-  if (does_not_fit(e.result)) take_out_unsupported(e.result, "the equations do not hold");
+  take_out_unsupported(e.result);
+  if (options.judge_fit) doubt_without_force(e.result, e.fits);
   e.result.state = std::make_shared<const EstimationState>(EstimationState{
       std::move(e.blocks), std::move(e.states), e.knowledge.natural_frequency, std::move(e.frequency_shifts)});
   return std::move(e.result);

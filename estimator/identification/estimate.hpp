@@ -36,9 +36,10 @@ struct EstimatedValue {
   bool doubtful = false;
   std::string unit;
   bool identifiable = false;
-  bool significant = false;  ///< differs from zero at 95 %
-  bool fixed = false;        ///< given by the user
-  std::string from;          ///< the equations it comes from
+  bool significant = false;          ///< differs from zero at 95 %
+  bool fixed = false;                ///< given by the user
+  std::string from;                  ///< the equations it comes from
+  std::vector<std::string> told_by;  ///< cases
   std::vector<std::string> entangled_with;
   /// Of the same case: those it is hard to tell from on this data (condition index above 30, variance shared).
   std::vector<std::string> nearly_entangled_with;

@@ -68,17 +68,35 @@ std::vector<std::size_t> blocks_of(const CaseFit& fit, std::size_t column) {
   return found;
 }
 
+// What part of a parameter's variance a case's lump, or combination of lumps, has to make to count as its source.
+constexpr double least_part = 1e-6;
+
+bool moves(const Estimation& e, std::size_t s, Index row, Index p) {
+  const MatrixXd& slope = e.shared.slope[s];
+  return slope(p, row) * slope(p, row) * e.lump_estimates[s].plain(row, row) >
+         least_part * e.shared.covariance(p, p);
+}
+
+// Cases whose lumps move the parameter.
+std::vector<std::string> cases_of(const Estimation& e, Index p) {
+  std::vector<std::string> cases;
+  for (std::size_t s = 0; s < e.fits.size(); ++s) {
+    bool any = false;
+    for (Index row = 0; row < e.shared.slope[s].cols(); ++row) any = any || moves(e, s, row, p);
+    if (any) cases.emplace_back(e.fits[s].set->resonance->name);
+  }
+  return cases;
+}
+
 // The blocks of the cases whose lumps move the parameter, by their share of its weight.
 std::string source_of(const Estimation& e, Index p) {
   std::string text;
   for (std::size_t s = 0; s < e.fits.size(); ++s) {
-    const MatrixXd& slope = e.shared.slope[s];
-    if (slope.rows() == 0) continue;
+    if (e.shared.slope[s].rows() == 0) continue;
     std::set<std::size_t> blocks;
     const MatrixXd& combination = e.lump_estimates[s].combination;
     for (Index row = 0; row < combination.rows(); ++row) {
-      const double part = slope(p, row) * slope(p, row) * e.lump_estimates[s].plain(row, row);
-      if (!(part > 1e-6 * e.shared.covariance(p, p))) continue;
+      if (!moves(e, s, row, p)) continue;
       for (Index i = 0; i < combination.cols(); ++i)
         if (combination(row, i) != 0)
           for (const std::size_t b :
@@ -129,6 +147,7 @@ void fill_lump(const Estimation& e, std::size_t s, std::size_t l, const ColumnQu
       return;
     }
     value.identifiable = true;
+    value.told_by = {value.resonance};
     value.value = fit.fit.coefficients(at);
     const bool open = s < e.open_variance.size() && e.open_variance[s].size() > 0;
     set_errors(value, fit.fit.covariance(at, at), open ? e.open_variance[s](at) : 0);
@@ -164,6 +183,7 @@ void report_parameters(Estimation& e) {
       add_misfit(value, misfit_of_parameter(e, at));
       value.degrees_of_freedom = e.shared.degrees_of_freedom(at);
       value.from = source_of(e, at);
+      value.told_by = cases_of(e, at);
       value.significant = significant(value);
       value.nearly_entangled_with = near_parameters(e, value.name);
       if (e.bootstrap.cols() > 0) value.bootstrap = interval_of(e.bootstrap.row(at).transpose());

@@ -48,6 +48,19 @@ Weighted weighted(const EquationData::Rows& noise, const EquationData::Rows& of)
   return {{whiten(of.design), whiten(of.response)}, whiten(noise.phase)};
 }
 
+std::complex<double> effect_on_modulation(const PhaseProblem& problem, const EquationData& data, const CaseFit& fit,
+                                          std::size_t observation) {
+  const EquationData::Rows rows =
+      data.rows(observation, fit.columns, fit.state.at, problem.known.natural_frequency);
+  std::complex<double> effect = 0;
+  for (std::size_t r = 0; r < rows.block.size(); ++r) {
+    if (rows.block[r] != rows.block.front()) break;
+    const double part = rows.phase(static_cast<Index>(r));
+    effect += rows.part[r] == EquationPart::in_phase ? std::complex<double>(part) : std::complex<double>(0, part);
+  }
+  return effect;
+}
+
 // One Gauss-Newton step of every record's phase; by how much of its error the largest moves.
 double step_phases(const PhaseProblem& problem, const CaseFit& fit, const EquationData& data, PhaseFit& phases) {
   const VectorXd values = fit.fit.coefficients - fit.reference;
@@ -63,6 +76,7 @@ double step_phases(const PhaseProblem& problem, const CaseFit& fit, const Equati
     if (!(curvature > 0)) continue;
     const double step = -gradient / curvature;
     phases.ahead[r] += std::clamp(step, -1.0, 1.0);
+    phases.effect[r] = effect_on_modulation(problem, data, fit, problem.records[r].observations.front());
     largest = std::max(largest, std::abs(step) * std::sqrt(curvature));
   }
   return largest;
@@ -119,6 +133,7 @@ void test_phases(const PhaseProblem& problem, const CaseFit& fit, const Equation
 std::optional<PhaseFit> refined(const PhaseProblem& problem, std::vector<double> start) {
   PhaseFit phases;
   phases.ahead = std::move(start);
+  phases.effect.assign(phases.ahead.size(), 0);
   for (int step = 0; step < most_steps; ++step) {
     const ObservationSet set = with_phases(problem, phases.ahead);
     const CaseFit fit = fit_case(set, problem.blocks, problem.known, {.threads = problem.threads});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
 #include <vector>
 
 #include "estimator/identification/phase_problem.hpp"
@@ -9,9 +10,11 @@ namespace secular {
 
 /// A minimum of docs/inference.md (17) at the measured noise.
 struct PhaseFit {
-  std::vector<double> ahead;     ///< by record: what the excitation has to be put ahead by
-  double f = 0, p_value = 1;     ///< (18)
-  double misfit = 0, left = 0;   ///< what phases leave, squared, and its degrees of freedom
+  std::vector<double> ahead;    ///< by record: what the excitation has to be put ahead by
+  double f = 0, p_value = 1;    ///< (18)
+  double misfit = 0, left = 0;  ///< what phases leave, squared, and its degrees of freedom
+  /// By record: what a phase a radian ahead does to the modulation equation (balance of energy, of frequency).
+  std::vector<std::complex<double>> effect;
   Eigen::VectorXd coefficient;   ///< by column of the regression
   Eigen::VectorXd contribution;  ///< by column: its size in all rows, in units of their noise
 };

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "estimator/identification/equation_data.hpp"
+#include "numerics/distribution.hpp"
 
 namespace secular {
 namespace {
@@ -80,7 +81,7 @@ class PhaseGrid {
   }
 
   // The lowest minima first.
-  std::vector<std::vector<double>> minima() const {
+  GridMinima minima() const {
     std::map<std::vector<std::size_t>, Solution> found;
     const auto consider = [&](std::vector<std::size_t> start) {
       Minimum minimum = from(std::move(start));
@@ -94,22 +95,33 @@ class PhaseGrid {
       consider(std::move(start));
     }
     std::vector<Minimum> all;
-    std::vector<std::vector<double>> result;
+    std::vector<std::vector<double>> low;
     for (auto& [phase, solution] : found) all.push_back({phase, std::move(solution)});
     std::stable_sort(all.begin(), all.end(),
                      [](const Minimum& a, const Minimum& b) { return a.solution.misfit < b.solution.misfit; });
     for (const Minimum& minimum : all) {
-      if (result.size() == most_minima || minimum.solution.misfit > grid_misfit * all.front().solution.misfit)
-        break;
-      const bool known = std::any_of(result.begin(), result.end(), [&](const std::vector<double>& other) {
+      if (low.size() == most_minima || minimum.solution.misfit > grid_misfit * all.front().solution.misfit) break;
+      const bool known = std::any_of(low.begin(), low.end(), [&](const std::vector<double>& other) {
         return agree(other, angles(minimum.phase), same_on_grid);
       });
-      if (!known) result.push_back(angles(minimum.phase));
+      if (!known) low.push_back(angles(minimum.phase));
     }
-    return result;
+    return {std::move(low), p_value(all.front())};
   }
 
  private:
+  // The misfit of the grid makes it larger than it is.
+  double p_value(const Minimum& lowest) const {
+    const Solution measured = at(std::vector<std::size_t>(rows_.size(), 0));
+    double rows = 0;
+    for (const std::vector<Equations>& record : rows_) rows += static_cast<double>(record.front().response.size());
+    const auto phases = static_cast<double>(rows_.size());
+    const double left = rows - phases - static_cast<double>(lowest.solution.rank);
+    if (left < 1 || !(lowest.solution.misfit > 0)) return 1;
+    const double f = (measured.misfit - lowest.solution.misfit) / phases / (lowest.solution.misfit / left);
+    return f_upper_tail(std::max(0.0, f), phases, left);
+  }
+
   static Equations mean_equations(const EquationData& data, const PhaseProblem& problem,
                                   const RecordMembers& record, const CaseFit& together) {
     Equations mean;
@@ -145,7 +157,7 @@ class PhaseGrid {
 
 }  // namespace
 
-std::vector<std::vector<double>> minima_on_grid(const PhaseProblem& problem, const CaseFit& together) {
+GridMinima minima_on_grid(const PhaseProblem& problem, const CaseFit& together) {
   return PhaseGrid(problem, together).minima();
 }
 

@@ -6,8 +6,14 @@
 
 namespace secular {
 
-/// Low minima of docs/inference.md (17) on a grid of phases, by record, the lowest first: where the search for
-/// phases at the measured noise may start. `together`: the case's regression with phases as measured.
-std::vector<std::vector<double>> minima_on_grid(const PhaseProblem& problem, const CaseFit& together);
+/// docs/inference.md (17) on a grid of phases, with equations over the size of the motion.
+struct GridMinima {
+  std::vector<std::vector<double>>
+      low;             ///< by record, the lowest first: where a search at the measured noise may start
+  double p_value = 1;  ///< (18), of the lowest one against phases as measured
+};
+
+/// `together`: the case's regression with phases as measured.
+GridMinima minima_on_grid(const PhaseProblem& problem, const CaseFit& together);
 
 }  // namespace secular

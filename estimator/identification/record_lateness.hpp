@@ -15,16 +15,23 @@ struct RecordLateness {
   double period_s = 0;
 };
 
+/// What phases that are free numbers show of a case whose equations do not hold.
+enum class PhaseFinding {
+  shifted,       ///< records out of step: the phases are unknowns of the case
+  nothing_told,  ///< the same, but the conditions tell nothing without phases
+  like_a_law     ///< phases that follow the amplitude, as a law that the model lacks makes them
+};
+
 /// What records of one case say of it.
 struct CaseLateness {
   std::string resonance;
-  std::vector<RecordLateness> records;
-  double f =
-      0;  ///< what phases of their own explain of the misfit by phase, over what they leave by degree of freedom
-  double p_value = 1;  ///< that records without lateness look like this
-  /// Half a period more or less turns the sign of the coefficients of the excitation: whether phases are near
-  /// enough to those that were measured to tell it. If not, the excitation acts in its positive direction.
-  bool sign_told = true;
+  PhaseFinding finding = PhaseFinding::shifted;
+  std::vector<RecordLateness> records;  ///< where they are shifted
+  double f = 0;                         ///< docs/inference.md (18)
+  double p_value = 1;                   ///< that records in step, of a model that holds, look like this
+  /// Half a period more or less turns the sign of the coefficients of the excitation. Where phases are too far from
+  /// those that were measured to tell it: the coefficient that is taken as positive.
+  std::string assumed_positive;
 };
 
 /// The same in a sentence for a user.
@@ -38,9 +45,10 @@ struct UnknownPhases {
 
 /// Equations that rest on the phase between excitation and response are satisfied by nothing (no damping, no force)
 /// where that phase is off at random, and nothing shrinks its own noise: an estimate that looks sharp and is wrong.
-/// Every case of dwells whose equations did not hold in `estimate` is therefore fitted once more with the phase of
-/// each record unknown. Where this explains the misfit (F test of nested models on the records' means, 0.1 %), the
-/// set's excitations are turned by what was found and its phases marked as unknown.
+/// Every case of dwells with one excitation whose equations did not hold in `estimate`, or could not be judged, is
+/// therefore fitted once more with the phase of each record unknown. Where this explains the misfit (F test of
+/// nested models on the records' means, 0.1 %), and phases do not follow the amplitude as those of a missing
+/// stiffness do, the set's excitations are turned by what was found and its phases marked as unknown.
 ///
 /// docs/inference.md (16) to (18).
 UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const MeasuredUnits& units,

@@ -137,13 +137,12 @@ Estimate with_unsettled_correction(Estimate latest, const VectorXd& before, cons
 }
 
 Estimate with_failed_correction(Estimate raw, const std::string& why) {
-  for (std::vector<EstimatedValue>* values : {&raw.parameters, &raw.lumps})
-    for (EstimatedValue& value : *values)
-      if (value.value && !value.fixed) value.doubtful = true;
+  doubt_all(raw);
   raw.warnings.push_back(
       "the full equations with these numbers do not make the motion that was measured (" + why +
       "): every value is doubtful, and standard deviations do not contain the expansion's truncation");
-  take_out_unsupported(raw, "the full equations with these numbers do not make the measured motion");
+  take_out(raw, cases_of_few_conditions(raw),
+           "of too few conditions, and the full equations with these numbers do not make the measured motion");
   return raw;
 }
 

@@ -1,33 +1,108 @@
 #include "estimator/identification/unsupported_values.hpp"
 
 #include <algorithm>
-#include <set>
+#include <complex>
 #include <vector>
 
+#include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/short_list.hpp"
 
 namespace secular {
+namespace {
 
-void take_out_unsupported(Estimate& estimate, const std::string& what) {
-  std::set<std::string> with_scatter;
-  for (const BlockQuality& block : estimate.blocks)
-    if (block.clustered) with_scatter.insert(block.resonance);
-  std::vector<std::string> names;
-  const auto take_out = [&](EstimatedValue& value) {
-    if (!value.value || value.fixed) return;
-    const std::string label = label_of(value, estimate);
-    if (std::find(names.begin(), names.end(), label) == names.end()) names.push_back(label);
-    value.value.reset();
-    value.identifiable = value.significant = value.doubtful = false;
-    value.from = "not determined: of too few conditions, and " + what;
+// Lumps of the modulation equations whose columns change with the force.
+std::set<std::string> lumps_of_force(const CaseFit& fit) {
+  const CompiledCase& resonance = *fit.set->resonance;
+  ObservationSet one = *fit.set, free = one;
+  one.observations.resize(1);
+  free.observations.resize(1);
+  for (std::complex<double>& force : free.observations.front().forcing) force = 0;
+  std::vector<std::size_t> blocks;
+  for (const std::size_t b : fit.blocks)
+    if (resonance.blocks[b].kind == BlockKind::modulation) blocks.push_back(b);
+  const auto design = [&](const ObservationSet& set) {
+    EquationData data(set, blocks, EquationData::Errors::none);
+    data.evaluate(fit.state.at.natural_frequency);
+    return data.rows(0, fit.columns, fit.state.at, fit.state.at.natural_frequency).design;
   };
-  if (with_scatter.empty())
-    for (EstimatedValue& value : estimate.parameters) take_out(value);
-  for (EstimatedValue& value : estimate.lumps)
-    if (with_scatter.count(value.resonance) == 0) take_out(value);
-  if (!names.empty())
-    estimate.warnings.push_back("of too few conditions, and " + what + ": no numbers are given for " +
-                                short_list(names));
+  const Eigen::MatrixXd change = design(one) - design(free);
+  std::set<std::string> names;
+  for (std::size_t c = 0; c < fit.columns.size(); ++c)
+    if (fit.columns[c].kind == CaseColumn::Kind::lump && change.col(static_cast<Eigen::Index>(c)).squaredNorm() > 0)
+      names.emplace(resonance.lumps[fit.columns[c].index].name);
+  return names;
+}
+
+}  // namespace
+
+std::set<std::string> cases_that_misfit(const Estimate& estimate) {
+  std::set<std::string> cases;
+  for (const CaseLackOfFit& tests : estimate.lack_of_fit)
+    if (std::any_of(tests.equations.begin(), tests.equations.end(),
+                    [](const LackOfFit& test) { return test.significant; }))
+      cases.insert(tests.resonance);
+  return cases;
+}
+
+std::set<std::string> cases_of_few_conditions(const Estimate& estimate) {
+  std::set<std::string> cases;
+  for (const BlockQuality& block : estimate.blocks)
+    if (!block.clustered) cases.insert(block.resonance);
+  return cases;
+}
+
+void take_out(Estimate& estimate, const std::set<std::string>& cases, const std::string& why) {
+  std::vector<std::string> names;
+  for (std::vector<EstimatedValue>* values : {&estimate.parameters, &estimate.lumps})
+    for (EstimatedValue& value : *values) {
+      const bool by_these = std::all_of(value.told_by.begin(), value.told_by.end(),
+                                        [&](const std::string& resonance) { return cases.contains(resonance); });
+      if (!value.value || value.fixed || value.told_by.empty() || !by_these) continue;
+      const std::string label = label_of(value, estimate);
+      if (std::find(names.begin(), names.end(), label) == names.end()) names.push_back(label);
+      value.value.reset();
+      value.identifiable = value.significant = value.doubtful = false;
+      value.from = "not determined: " + why;
+    }
+  if (!names.empty()) estimate.warnings.push_back(why + ": no numbers are given for " + short_list(names));
+}
+
+void take_out_unsupported(Estimate& estimate) {
+  std::set<std::string> cases = cases_of_few_conditions(estimate);
+  if (!estimate.consistency.significant) {
+    const std::set<std::string> misfit = cases_that_misfit(estimate);
+    std::erase_if(cases, [&](const std::string& resonance) { return !misfit.contains(resonance); });
+  }
+  take_out(estimate, cases, "of too few conditions, and the equations do not hold");
+}
+
+void doubt_without_force(Estimate& estimate, std::span<const CaseFit> fits) {
+  for (const CaseFit& fit : fits) {
+    const CompiledCase& resonance = *fit.set->resonance;
+    if (!resonance.excited || fit.fit.coefficients.size() == 0) continue;
+    const std::set<std::string> of_force = lumps_of_force(fit);
+    bool any = of_force.empty();
+    for (const EstimatedValue& value : estimate.lumps)
+      if (value.resonance == resonance.name && of_force.contains(value.name))
+        any = any || !value.value || value.fixed || value.significant;
+    if (any) continue;
+    for (std::vector<EstimatedValue>* values : {&estimate.parameters, &estimate.lumps})
+      for (EstimatedValue& value : *values)
+        if (value.value && !value.fixed && value.told_by == std::vector<std::string>{std::string(resonance.name)})
+          value.doubtful = true;
+    estimate.warnings.push_back(
+        "case " + std::string(resonance.name) +
+        ": no coefficient of the excitation differs from zero, although the motion is excited. No damping and no "
+        "force satisfy the equations at any phase: every value of the case is doubtful. Are the records in step "
+        "with "
+        "their excitation?");
+  }
+}
+
+void doubt_all(Estimate& estimate) {
+  for (std::vector<EstimatedValue>* values : {&estimate.parameters, &estimate.lumps})
+    for (EstimatedValue& value : *values)
+      if (value.value && !value.fixed) value.doubtful = true;
 }
 
 }  // namespace secular

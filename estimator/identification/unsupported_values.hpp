@@ -1,15 +1,33 @@
 #pragma once
 
+#include <set>
+#include <span>
 #include <string>
 
 #include "estimator/identification/estimate.hpp"
 
 namespace secular {
 
+/// Cases of which an equation does not hold (lack_of_fit).
+std::set<std::string> cases_that_misfit(const Estimate& estimate);
+
+/// Cases whose error bars come from the scatter of repeats, for want of conditions.
+std::set<std::string> cases_of_few_conditions(const Estimate& estimate);
+
+/// Takes out all numbers that these cases alone tell, for the reason `why` (in words), and says which.
+void take_out(Estimate& estimate, const std::set<std::string>& cases, const std::string& why);
+
 /// docs/inference.md, "No number". What an equation lacks differs from condition to condition, and error bars by
-/// the scatter between conditions know something of it. Those by the scatter of repeats, where there are too few
-/// conditions, know nothing: once something is known to be wrong (`what`, in words), no number of such a case is
-/// left, nor a parameter if no case has another kind. A warning names them.
-void take_out_unsupported(Estimate& estimate, const std::string& what);
+/// the scatter between conditions know something of it. Those by the scatter of repeats know nothing: where
+/// equations of such a case do not hold, or lumps contradict one another, there is no number.
+void take_out_unsupported(Estimate& estimate);
+
+/// A motion that an excitation keeps up has a coefficient of it. Where none of a case differs from zero, nothing
+/// satisfies the balance of damping and force (docs/inference.md, "Phases that do not hold"): every value that such
+/// cases alone tell is doubtful, with a warning.
+void doubt_without_force(Estimate& estimate, std::span<const CaseFit> fits);
+
+/// Nothing that was estimated can be relied upon.
+void doubt_all(Estimate& estimate);
 
 }  // namespace secular

@@ -58,7 +58,7 @@ std::span<const DisturbanceKind> disturbance_catalogue() {
       DisturbanceKind{"time_scatter", "time stamps that scatter about even ones", "rms, s",
                       "beyond the rounding of the stamps", "noise of 2 pi f times the scatter in a tone of f Hz",
                       find_time_scatter},
-      DisturbanceKind{"late_records", "responses that come later than their excitation, by record", "s",
+      DisturbanceKind{"late_records", "responses shifted in time against their excitation, by record", "s",
                       "by identify, from a case's equations with and without phases of their own (F law)",
                       "phases tell neither damping nor force: the fit does without them"},
   };

@@ -72,11 +72,13 @@ TEST_P(Lateness, IsFoundAndIntervalsHold) {
     const ObservationSet measured = with_lateness(in_step, late);
     const UnknownPhases found = phases_of(measured, estimate_of(measured));
     ASSERT_EQ(found.cases.size(), 1U) << kind.name << ", draw " << draw;
+    ASSERT_EQ(found.cases.front().finding, PhaseFinding::shifted) << kind.name << ", draw " << draw;
     const CaseLateness& what = found.cases.front();
     ASSERT_EQ(what.records.size(), late.size());
     // Up to half a period, common to all, where the sign of the excitation is not told.
-    const double turn =
-        what.sign_told ? 0 : std::round(2 * (what.records[0].late_s - late[0]) / period(in_step)) / 2;
+    const double turn = what.assumed_positive.empty()
+                            ? 0
+                            : std::round(2 * (what.records[0].late_s - late[0]) / period(in_step)) / 2;
     for (std::size_t r = 0; r < late.size(); ++r)
       EXPECT_NEAR(std::remainder(what.records[r].late_s - late[r] - turn * period(in_step), period(in_step)), 0,
                   0.02 * period(in_step))
@@ -130,6 +132,88 @@ TEST(RecordLateness, IsNotFoundForADampingLawThatIsMissing) {
     const Estimate so_far = estimate(std::span(&set, 1), units, without);
     EXPECT_TRUE(find_unknown_phases(std::span(&set, 1), units, without, so_far).cases.empty()) << draw;
   }
+}
+
+// Dwells that stand still, as measured ones do: within `spread` radians of phase resonance, the force as large as
+// the damping needs. `quintic`: of a stiffness that the model lacks, in the balance of frequency.
+ObservationSet steady(const OneMode& truth, double spread, double quintic, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  ObservationSet set = truth.set(seed);
+  set.observations.clear();
+  for (int c = 0; c < truth.conditions; ++c) {
+    const double peak = 0.8e-3 + truth.peak_spread * c / (truth.conditions - 1), b = 0.5 * peak;
+    const double damping = truth.mu1 + 1.5 * truth.mu3 * w0 * w0 * b * b;
+    const double away = spread * (2 * static_cast<double>(random() >> 11) * 0x1p-53 - 1);
+    const double force = damping * w0 / truth.eta_e / std::cos(away);
+    for (int e = 0; e < truth.ensembles; ++e) {
+      const double instant = 2.3 * e + 0.7 * c;
+      Observation o = truth.exact(c, peak, force, 0.5 * (away - std::numbers::pi / 2), instant);
+      o.rate[0] += std::complex<double>(0, quintic * b * b * b * b);
+      o.excitation_frequency[0] = 2 * o.rate[0].imag();
+      o.centre_s = e;
+      NoiseStream noise(seed, static_cast<std::uint64_t>(c), static_cast<std::uint64_t>(e));
+      const std::complex<double> turn = std::polar(1.0, instant);
+      o.amplitude[0] += truth.amplitude_sd * std::complex<double>(noise.gaussian(), noise.gaussian()) * turn;
+      o.forcing[0] += truth.forcing_sd * std::complex<double>(noise.gaussian(), noise.gaussian()) * turn * turn;
+      o.rate[0] += o.growth_sd[0] * noise.gaussian();
+      set.observations.push_back(std::move(o));
+    }
+  }
+  return set;
+}
+
+EstimateOptions without_drag() {
+  EstimateOptions options;
+  options.fixed = {{"mu2", 0}};
+  options.damping_laws = false;
+  return options;
+}
+
+// A stiffness that the model lacks changes phases near resonance as much as a late record does.
+TEST(RecordLateness, IsNotFoundForAStiffnessThatIsMissing) {
+  OneMode truth;
+  truth.ensembles = 4;
+  const EstimateOptions options = without_drag();
+  for (const double spread : {0.1, 0.2, 0.4, 0.8})
+    for (const double quintic : {2e10, 1e11})
+      for (std::uint64_t draw = 1; draw <= 4; ++draw) {
+        const ObservationSet set = steady(truth, spread, quintic, draw);
+        const Estimate so_far = estimate(std::span(&set, 1), units, options);
+        for (const CaseLateness& found : find_unknown_phases(std::span(&set, 1), units, options, so_far).cases)
+          EXPECT_NE(found.finding, PhaseFinding::shifted) << spread << ", " << quintic << ", draw " << draw;
+      }
+}
+
+// Away from phase resonance amplitudes tell damping and force; at it nothing does, and that is said.
+TEST(RecordLateness, IsFoundOrSaidWhereverDwellsStand) {
+  OneMode truth;
+  truth.ensembles = 4;
+  const EstimateOptions options = without_drag();
+  for (const double spread : {0.01, 0.4, 1.2})
+    for (std::uint64_t draw = 1; draw <= 6; ++draw) {
+      const ObservationSet in_step = steady(truth, spread, 0, draw);
+      const ObservationSet measured =
+          with_lateness(in_step, uniform_lateness(truth, 0.3 * period(in_step), 50 + draw));
+      const Estimate so_far = estimate(std::span(&measured, 1), units, options);
+      const UnknownPhases found = find_unknown_phases(std::span(&measured, 1), units, options, so_far);
+      if (spread < 0.1) {
+        for (const CaseLateness& one : found.cases) EXPECT_NE(one.finding, PhaseFinding::shifted) << draw;
+        if (found.cases.empty()) {
+          EXPECT_TRUE(value_of(so_far, "mu1").doubtful) << draw;
+          EXPECT_TRUE(value_of(so_far, "eta_e").doubtful) << draw;
+        }
+        continue;
+      }
+      ASSERT_EQ(found.cases.size(), 1U) << spread << ", draw " << draw;
+      EXPECT_EQ(found.cases.front().finding, PhaseFinding::shifted) << spread << ", draw " << draw;
+      EXPECT_EQ(found.cases.front().records.size(), static_cast<std::size_t>(truth.conditions));
+      const Estimate result = estimate(found.sets, units, options);
+      for (const auto& [name, value] :
+           {std::pair{"mu1", truth.mu1}, std::pair{"mu3", truth.mu3}, std::pair{"eta_e", truth.eta_e}})
+        if (const EstimatedValue& v = value_of(result, name); v.value) {
+          EXPECT_LT(std::abs(*v.value - value), 6 * v.sd) << name << ", " << spread << ", draw " << draw;
+        }
+    }
 }
 
 // Numbers with unknown phases do not depend on what the phases were.
