@@ -111,7 +111,8 @@ Json damping_json(const DampingComparison& comparison) {
 
 Json lateness_json(const CaseLateness& lateness, const Identification& id) {
   Json entry;
-  entry["kind"] = lateness.finding == PhaseFinding::like_a_law ? "phases_by_amplitude" : "late_records";
+  entry["kind"] = "late_records";
+  entry["finding"] = name_of(lateness.finding);
   entry["case"] = lateness.resonance;
   entry["text"] = text_of(lateness);
   entry["records"] = Json::array();

@@ -188,33 +188,38 @@ void estimate_corrected(const IdentificationRequest& request, Identification& id
   }
 }
 
-// Once more with phases as unknowns where that explains what does not hold; false: where it would, in part.
-bool free_phases(const IdentificationRequest& request, const std::vector<ObservationSet>& observed,
+// Once more with phases as unknowns where equations do not hold. Numbers stay as they were, and those that this
+// moves are doubtful, where it is no explanation: equations still do not hold, or phases follow a law of the
+// amplitude.
+void free_phases(const IdentificationRequest& request, const std::vector<ObservationSet>& observed,
                  Identification& id) {
-  try {
-    UnknownPhases unknown =
-        find_unknown_phases(observed, {id.coordinate_unit, id.excitation_units}, options_of(request), id.estimate);
-    if (unknown.cases.empty()) return true;
-    const auto is_solved = [](const CaseLateness& lateness) { return lateness.finding == PhaseFinding::shifted; };
-    if (std::any_of(unknown.cases.begin(), unknown.cases.end(), is_solved)) {
-      id.measured = std::move(unknown.sets);
-      estimate_corrected(request, id);
-    }
+  UnknownPhases unknown =
+      find_unknown_phases(observed, {id.coordinate_unit, id.excitation_units}, options_of(request), id.estimate);
+  const auto is_freed = [](const CaseLateness& lateness) { return lateness.finding != PhaseFinding::nothing_told; };
+  if (std::any_of(unknown.cases.begin(), unknown.cases.end(), is_freed)) {
+    Identification in_step = id;
+    id.measured = std::move(unknown.sets);
+    estimate_corrected(request, id);
     const std::set<std::string> misfit = cases_that_misfit(id.estimate);
-    for (const CaseLateness& lateness : unknown.cases)
-      if (is_solved(lateness) && misfit.contains(lateness.resonance)) return false;
-    for (const CaseLateness& lateness : unknown.cases) {
-      id.estimate.warnings.push_back(text_of(lateness));
-      if (lateness.finding == PhaseFinding::like_a_law) doubt_all(id.estimate);
-      if (lateness.finding == PhaseFinding::nothing_told)
-        take_out(id.estimate, {lateness.resonance}, "phases do not hold, and nothing tells it without them");
+    bool explained = true;
+    for (CaseLateness& lateness : unknown.cases) {
+      if (lateness.finding == PhaseFinding::shifted && misfit.contains(lateness.resonance))
+        lateness.finding = PhaseFinding::in_part;
+      explained = explained && (lateness.finding == PhaseFinding::shifted || !is_freed(lateness));
     }
-    id.lateness = std::move(unknown.cases);
-    return true;
-  } catch (const NumericalFailure&) {
-  } catch (const InputError&) {  // no observations are left that the numbers reproduce
+    if (!explained) {
+      const Estimate freed = std::move(id.estimate);
+      id = std::move(in_step);
+      doubt_what_differs(id.estimate, freed);
+      std::erase_if(unknown.cases, [](const CaseLateness& l) { return l.finding == PhaseFinding::shifted; });
+    }
   }
-  return false;
+  for (const CaseLateness& lateness : unknown.cases) {
+    id.estimate.warnings.push_back(text_of(lateness));
+    if (!is_freed(lateness))
+      take_out(id.estimate, {lateness.resonance}, "phases do not hold, and nothing tells it without them");
+  }
+  id.lateness = std::move(unknown.cases);
 }
 
 }  // namespace
@@ -228,16 +233,14 @@ void estimate_observed(const IdentificationRequest& request, Identification& id)
       id.excitation_units.push_back(id.campaign.channels[channel].unit);
   const std::vector<ObservationSet> observed = id.measured;
   estimate_corrected(request, id);
-  Identification in_step = id;
-  if (free_phases(request, observed, id)) return;
-  // Phases alone do not explain what does not hold, or nothing is left without them: which numbers to believe is
-  // open.
-  id = std::move(in_step);
-  doubt_all(id.estimate);
-  id.estimate.warnings.emplace_back(
-      "if the phases between excitation and responses were free numbers, the equations would hold better, though "
-      "not "
-      "well: records may be out of step, or the model may lack a law; every value is doubtful");
+  const Identification in_step = id;
+  try {
+    free_phases(request, observed, id);
+  } catch (const NumericalFailure&) {
+    id = in_step;
+  } catch (const InputError&) {  // without phases nothing is left to estimate from
+    id = in_step;
+  }
 }
 
 }  // namespace secular::app

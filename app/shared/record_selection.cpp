@@ -67,6 +67,24 @@ void require_samples(const Campaign& campaign, const Window& window) {
                    longest + reach);
 }
 
+// Looks at what the window leaves of a record.
+WatchedReader::Look at_what_counts(const Campaign& campaign, const Window& window, WatchedReader::Look look) {
+  const Window everything;
+  if (!look || (!window.band && window.from_s == everything.from_s && window.to_s == everything.to_s)) return look;
+  return [&campaign, window, look](std::size_t index, const Record& whole, const std::vector<ChannelValues>&) {
+    Record record = passed_record(campaign, index, whole, window);
+    const SampleRange range = range_of(record, window);
+    if (range.count == 0) return;
+    std::vector<ChannelValues> values;
+    for (std::vector<double>& samples : record.channels) {
+      samples = {samples.begin() + range.first, samples.begin() + range.first + range.count};
+      values.push_back(values_of(samples));
+    }
+    record.start_s += static_cast<double>(range.first) / record.sample_rate_hz;
+    look(index, record, values);
+  };
+}
+
 }  // namespace
 
 void SelectionOptions::add_to(CLI::App& command, SelectionParts parts, CLI::Option* of) {
@@ -125,7 +143,7 @@ void require_sampled(const Window& window, double sample_rate_hz) {
 }
 
 SelectedRecords::SelectedRecords(const Campaign& campaign, const Window& window, WatchedReader::Look look)
-    : campaign_(campaign), window_(window), reader_(campaign, std::move(look)) {
+    : campaign_(campaign), window_(window), reader_(campaign, at_what_counts(campaign, window, std::move(look))) {
   require_match(campaign, window);
   require_sampled(window, campaign.sample_rate_hz);
   require_samples(campaign, window);

@@ -45,8 +45,8 @@ void require_sampled(const Window& window, double sample_rate_hz);
 /// be read by several threads. The campaign must live as long.
 class SelectedRecords {
  public:
-  /// `look`: what else looks at records, whole as they are. Throws InputError as the two above do, and where no
-  /// record has a sample in the window.
+  /// `look`: what else looks at what the window leaves of records. Throws InputError as the two above do, and where
+  /// no record has a sample in the window.
   SelectedRecords(const Campaign& campaign, const Window& window, WatchedReader::Look look = {});
 
   Record read(std::size_t record);

@@ -155,21 +155,41 @@ CaseLateness lateness_of(const PhaseProblem& problem, const PhaseFit& phases, st
 
 }  // namespace
 
+std::string_view name_of(PhaseFinding finding) {
+  switch (finding) {
+    case PhaseFinding::shifted:
+      return "shifted";
+    case PhaseFinding::in_part:
+      return "in_part";
+    case PhaseFinding::nothing_told:
+      return "nothing_told";
+    case PhaseFinding::like_a_law:
+      return "like_a_law";
+  }
+  return "";
+}
+
 std::string text_of(const CaseLateness& lateness) {
+  const char* const better =
+      "the equations hold far better if the phase between excitation and responses is a free number in each record";
   if (lateness.finding == PhaseFinding::like_a_law)
     return fmt::format(
-        "case {}: the equations hold far better if the phase between excitation and responses is a free number in "
-        "each record, and these phases follow the amplitude: the model lacks a stiffness or a damping, or records "
+        "case {}: {}, and these phases follow the amplitude: the model lacks a stiffness or a damping, or records "
         "are "
-        "out of step; every value is doubtful",
-        lateness.resonance);
+        "out of step; numbers that free phases move are doubtful",
+        lateness.resonance, better);
+  if (lateness.finding == PhaseFinding::in_part)
+    return fmt::format(
+        "case {}: {}, though not well: records are out of step, or the model lacks something; numbers that free "
+        "phases "
+        "move are doubtful",
+        lateness.resonance, better);
   if (lateness.finding == PhaseFinding::nothing_told)
     return fmt::format(
-        "case {}: the equations hold far better if the phase between excitation and responses is a free number in "
-        "each record, but without that phase these conditions do not tell the parameters: no numbers are given. "
+        "case {}: {}, but without that phase these conditions do not tell the parameters: no numbers are given. "
         "Check that excitation and responses are recorded by one clock, with one trigger and filters alike, and "
         "that the model lacks no stiffness; dwells further from phase resonance would tell",
-        lateness.resonance);
+        lateness.resonance, better);
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const RecordLateness& record : lateness.records) {
     least = std::min(least, record.late_s);
@@ -233,6 +253,7 @@ UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const Me
     }
     result.sets[place] = with_phases(problem, choice.phases.ahead);
     result.cases.push_back(lateness_of(problem, choice.phases, choice.assumed_positive));
+    if (follow_the_amplitude(problem, choice.phases)) result.cases.back().finding = PhaseFinding::like_a_law;
   }
   return result;
 }

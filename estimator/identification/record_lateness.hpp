@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "estimator/identification/estimate.hpp"
@@ -18,9 +19,12 @@ struct RecordLateness {
 /// What phases that are free numbers show of a case whose equations do not hold.
 enum class PhaseFinding {
   shifted,       ///< records out of step: the phases are unknowns of the case
-  nothing_told,  ///< the same, but the conditions tell nothing without phases
+  in_part,       ///< the equations hold better then, but do not hold
+  nothing_told,  ///< records out of step, but the conditions tell nothing without phases
   like_a_law     ///< phases that follow the amplitude, as a law that the model lacks makes them
 };
+
+std::string_view name_of(PhaseFinding finding);
 
 /// What records of one case say of it.
 struct CaseLateness {

@@ -1,6 +1,7 @@
 #include "estimator/identification/unsupported_values.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <vector>
 
@@ -97,6 +98,20 @@ void doubt_without_force(Estimate& estimate, std::span<const CaseFit> fits) {
         "with "
         "their excitation?");
   }
+}
+
+void doubt_what_differs(Estimate& estimate, const Estimate& other) {
+  const auto compare = [](std::vector<EstimatedValue>& values, const std::vector<EstimatedValue>& others) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      EstimatedValue& value = values[i];
+      if (!value.value || value.fixed) continue;
+      const EstimatedValue& free = others[i];
+      if (!free.value || std::abs(*value.value - *free.value) > 2 * std::hypot(value.sd, free.sd))
+        value.doubtful = true;
+    }
+  };
+  compare(estimate.parameters, other.parameters);
+  compare(estimate.lumps, other.lumps);
 }
 
 void doubt_all(Estimate& estimate) {
