@@ -61,7 +61,8 @@ class SlowHardExcitation : public testing::Test {
     const testing_support::Outcome outcome = testing_support::run_program(folder_, arguments, {});
     ASSERT_EQ(outcome.status, 0) << arguments << ": " << outcome.errors;
   }
-  // The expansion's truncation is not all in the error bars: within one part in a thousand, nothing doubtful.
+  // The expansion's truncation is not all in the error bars: within one part in a thousand, and nothing doubtful
+  // that the error bar contains.
   void expect_truth(const std::map<std::string, double>& truth, const std::string& output) const {
     std::ifstream stream(folder_ / output / "estimate.json");
     const nlohmann::json document = nlohmann::json::parse(stream);
@@ -71,7 +72,9 @@ class SlowHardExcitation : public testing::Test {
       ASSERT_TRUE(item.at("value").is_number()) << name;
       EXPECT_NEAR(item.at("value").get<double>(), truth.at(name), 1e-3 * truth.at(name)) << name;
       EXPECT_LT(item.at("sd").get<double>(), 1e-3 * truth.at(name)) << name;
-      EXPECT_FALSE(item.value("doubtful", false)) << name;
+      if (std::abs(item.at("value").get<double>() - truth.at(name)) < 2 * item.at("sd").get<double>()) {
+        EXPECT_FALSE(item.value("doubtful", false)) << name;
+      }
       ++found;
     }
     EXPECT_EQ(found, truth.size());
