@@ -109,21 +109,25 @@ Json damping_json(const DampingComparison& comparison) {
   return entry;
 }
 
-Json lateness_json(const CaseLateness& lateness, const Identification& id) {
-  Json entry;
-  entry["kind"] = "late_records";
-  entry["finding"] = name_of(lateness.finding);
-  entry["case"] = lateness.resonance;
-  entry["text"] = text_of(lateness);
-  entry["records"] = Json::array();
-  for (const RecordLateness& record : lateness.records)
-    entry["records"].push_back({{"record", id.campaign.records[record.record].file},
-                                {"late_s", record.late_s},
-                                {"period_s", record.period_s}});
-  entry["f"] = lateness.f;
-  entry["p_value"] = lateness.p_value;
-  if (!lateness.assumed_positive.empty()) entry["assumed_positive"] = lateness.assumed_positive;
-  return entry;
+// One entry a record; one of the case where no time of a record is known.
+void add_lateness(Json& list, const CaseLateness& lateness, const Identification& id) {
+  Json common = {{"kind", "late_records"}, {"case", lateness.resonance}, {"finding", name_of(lateness.finding)}};
+  common["treated"] = lateness.finding == PhaseFinding::shifted ? "fitted" : "listed";
+  common["p_value"] = lateness.p_value;
+  if (!lateness.assumed_positive.empty()) common["assumed_positive"] = lateness.assumed_positive;
+  if (lateness.records.empty()) {
+    common["text"] = text_of(lateness);
+    list.push_back(std::move(common));
+    return;
+  }
+  for (const RecordLateness& record : lateness.records) {
+    Json entry = common;
+    entry["record"] = id.campaign.records[record.record].file;
+    entry["size"] = record.late_s;
+    entry["unit"] = "s";
+    entry["period_s"] = record.period_s;
+    list.push_back(std::move(entry));
+  }
 }
 
 // Of parameters that the data cannot tell, values that go with all that they tell: for commands that need numbers.
@@ -217,7 +221,7 @@ std::string estimate_json(const Identification& identification) {
   result["quality"] = std::move(quality);
   result["disturbances"] = disturbances_json(identification.disturbances, identification.campaign);
   for (const CaseLateness& lateness : identification.lateness)
-    result["disturbances"].push_back(lateness_json(lateness, identification));
+    add_lateness(result["disturbances"], lateness, identification);
   return result.dump(2) + "\n";
 }
 
