@@ -26,9 +26,14 @@ void release(void* memory) {
 }  // namespace
 
 // The whole test program allocates through these.
-void* operator new(std::size_t size) {
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   largest = std::max(largest, size);
-  if (void* const memory = std::malloc(std::max<std::size_t>(size, 1))) return counted(memory);
+  void* const memory = std::malloc(std::max<std::size_t>(size, 1));
+  return memory ? counted(memory) : nullptr;
+}
+
+void* operator new(std::size_t size) {
+  if (void* const memory = operator new(size, std::nothrow)) return memory;
   throw std::bad_alloc();
 }
 
