@@ -190,7 +190,8 @@ TEST(Disturbances, UnitsDoNotCount) {
     for (const double factor : {25.4, -1e-3, 1.0 / 3}) {
       Record record = clean(c.record, 5);
       c.disturb(record.channels[1]);
-      const Disturbance* one = of_kind(found_in(record, c.record), c.kind);
+      const std::vector<Disturbance> found = found_in(record, c.record);
+      const Disturbance* one = of_kind(found, c.kind);
       ASSERT_NE(one, nullptr) << c.kind;
       const double size = one->size;
       for (Samples& samples : record.channels)
