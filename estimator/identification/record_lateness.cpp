@@ -241,16 +241,6 @@ UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const Me
       result.sets[place] = with_phases(problem, phases.ahead);
       return stable_motions(result.sets[place], secular::estimate(result.sets, units, quick).parameter_values);
     });
-    if (follow_the_amplitude(problem, choice.phases)) {
-      result.sets[place] = set;
-      result.cases.push_back({std::string(set.resonance->name),
-                              PhaseFinding::like_a_law,
-                              {},
-                              choice.phases.f,
-                              choice.phases.p_value,
-                              ""});
-      continue;
-    }
     result.sets[place] = with_phases(problem, choice.phases.ahead);
     result.cases.push_back(lateness_of(problem, choice.phases, choice.assumed_positive));
     if (follow_the_amplitude(problem, choice.phases)) result.cases.back().finding = PhaseFinding::like_a_law;

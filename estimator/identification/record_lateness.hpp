@@ -43,8 +43,8 @@ std::string text_of(const CaseLateness& lateness);
 
 /// Sets whose equations are freed of phases that do not hold, and what was found.
 struct UnknownPhases {
-  std::vector<ObservationSet> sets;
-  std::vector<CaseLateness> cases;  ///< none: phases hold everywhere
+  std::vector<ObservationSet> sets;  ///< freed where phases are shifted or follow the amplitude
+  std::vector<CaseLateness> cases;   ///< none: phases hold everywhere
 };
 
 /// Equations that rest on the phase between excitation and response are satisfied by nothing (no damping, no force)
@@ -52,9 +52,10 @@ struct UnknownPhases {
 /// Every case of dwells with one excitation whose equations did not hold in `estimate`, or could not be judged, is
 /// therefore fitted once more with the phase of each record unknown. Where this explains the misfit (F test of
 /// nested models on the records' means, 0.1 %), and phases do not follow the amplitude as those of a missing
-/// stiffness do, the set's excitations are turned by what was found and its phases marked as unknown.
+/// stiffness do, records are out of step. The set's excitations are turned by what was found and its phases marked
+/// as unknown, also where phases follow the amplitude: to see which numbers that moves.
 ///
-/// docs/inference.md (16) to (18).
+/// docs/inference.md (16) to (19).
 UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const MeasuredUnits& units,
                                   const EstimateOptions& options, const Estimate& estimate);
 

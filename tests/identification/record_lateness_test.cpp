@@ -179,8 +179,12 @@ TEST(RecordLateness, IsNotFoundForAStiffnessThatIsMissing) {
       for (std::uint64_t draw = 1; draw <= 4; ++draw) {
         const ObservationSet set = steady(truth, spread, quintic, draw);
         const Estimate so_far = estimate(std::span(&set, 1), units, options);
-        for (const CaseLateness& found : find_unknown_phases(std::span(&set, 1), units, options, so_far).cases)
-          EXPECT_NE(found.finding, PhaseFinding::shifted) << spread << ", " << quintic << ", draw " << draw;
+        const UnknownPhases found = find_unknown_phases(std::span(&set, 1), units, options, so_far);
+        for (const CaseLateness& one : found.cases) {
+          EXPECT_NE(one.finding, PhaseFinding::shifted) << spread << ", " << quintic << ", draw " << draw;
+          // What it is compared with has to differ from it.
+          EXPECT_EQ(found.sets.front().phase_unknown, one.finding == PhaseFinding::like_a_law);
+        }
       }
 }
 
