@@ -10,6 +10,7 @@
 
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/residual_information.hpp"
+#include "estimator/identification/row_noise.hpp"
 #include "estimator/model/zero_frequency.hpp"
 #include "estimator/regression/condensed_rows.hpp"
 #include "numerics/distribution.hpp"
@@ -58,12 +59,6 @@ void multiply_lower(const MatrixXd& factor, const MatrixXd& sparse, Matrix&& pro
     for (Index r = 0; r < size; ++r)
       if (const double value = sparse(r, c); value != 0)
         product.col(c).tail(size - r) += value * factor.col(r).tail(size - r);
-}
-
-// What is left of whitened rows beside the direction in which an unknown moves them.
-template <class Rows>
-void take_out(const VectorXd& direction, Rows&& rows) {
-  rows -= (direction * (direction.transpose() * rows)).eval();
 }
 
 class CaseRegression {
@@ -301,7 +296,7 @@ class CaseRegression {
           rows(r, d) = -part_of(all, system.part[at]) / system.noise_sd[at];
         }
       colouring.triangularView<Eigen::Lower>().solveInPlace(rows);
-      if (!system.by_phase.empty()) take_out(system.by_phase[n], rows);
+      if (!system.by_phase.empty()) take_out_direction(system.by_phase[n], rows);
     });
     return change;
   }
@@ -367,7 +362,7 @@ class CaseRegression {
     const Index count = rows.response.size();
     // From the adjusted values back to the measured ones, along the tangent.
     if (adjusted_data_) rows.response += rows.variants * moved_[i];
-    const VectorXd noise_sd = (rows.variants.rowwise().squaredNorm() + rows.own_variance).cwiseSqrt();
+    const VectorXd noise_sd = row_noise_sd(rows);
     for (Index r = 0; r < count; ++r) {
       const auto at = static_cast<std::size_t>(begin + r), from = static_cast<std::size_t>(r);
       system.condition[at] = set_.observations[i].condition;
@@ -384,27 +379,21 @@ class CaseRegression {
       }
       return;
     }
-    MatrixXd covariance = rows.variants * rows.variants.transpose();
-    covariance.diagonal() += rows.own_variance;
     VectorXd scale(count);
     for (Index r = 0; r < count; ++r) scale(r) = scale_.at(rows.block[static_cast<std::size_t>(r)]);
-    const VectorXd inverse_sd = noise_sd.cwiseInverse();
-    MatrixXd correlation = inverse_sd.asDiagonal() * covariance * inverse_sd.asDiagonal();
-    // Equations that share all their noise (noise-free data, or a common error) stay a little apart.
-    correlation.diagonal().array() += 1e-9;
-    const Eigen::LLT<MatrixXd> cholesky(correlation);
+    const RowNoise noise(rows);
     const double weight = std::sqrt(result_.weight[i]);
     MatrixXd factor = weight * MatrixXd::Identity(count, count);
-    cholesky.matrixL().solveInPlace(factor);
-    factor *= inverse_sd.cwiseQuotient(scale).asDiagonal();
-    system.colouring[number] = (scale / weight).asDiagonal() * MatrixXd(cholesky.matrixL());
+    noise.correlation.matrixL().solveInPlace(factor);
+    factor *= noise.sd.cwiseInverse().cwiseQuotient(scale).asDiagonal();
+    system.colouring[number] = (scale / weight).asDiagonal() * MatrixXd(noise.correlation.matrixL());
     multiply_lower(factor, rows.design, system.design.middleRows(begin, count));
     system.response.segment(begin, count) = factor.triangularView<Eigen::Lower>() * rows.response;
     if (set_.phase_unknown) {
       VectorXd& direction = system.by_phase[number];
       direction = (factor.triangularView<Eigen::Lower>() * rows.phase).stableNormalized();
-      take_out(direction, system.design.middleRows(begin, count));
-      take_out(direction, system.response.segment(begin, count));
+      take_out_direction(direction, system.design.middleRows(begin, count));
+      take_out_direction(direction, system.response.segment(begin, count));
     }
     if (!errors) return;
     const std::vector<EquationData::ColumnError> changes = data.column_errors(i, result_.columns);
@@ -418,8 +407,8 @@ class CaseRegression {
       response.segment(at, count) = factor.triangularView<Eigen::Lower>() *
                                     VectorXd(rows.variants.col(change.quantity) + change.design * values_);
       if (set_.phase_unknown) {
-        take_out(system.by_phase[number], whitened.middleRows(at, count));
-        take_out(system.by_phase[number], response.segment(at, count));
+        take_out_direction(system.by_phase[number], whitened.middleRows(at, count));
+        take_out_direction(system.by_phase[number], response.segment(at, count));
       }
       at += count;
     }
@@ -440,13 +429,9 @@ class CaseRegression {
       const EquationData::Rows rows = adjusted_data_->rows(i, result_.columns, at_, reference_);
       if (rows.response.size() == 0) continue;
       const VectorXd misfit = rows.response + rows.variants * moved_[i] - rows.design * values_;
-      MatrixXd covariance = rows.variants * rows.variants.transpose();
-      covariance.diagonal() += rows.own_variance;
-      const VectorXd sd = covariance.diagonal().cwiseSqrt();
-      const MatrixXd correlation = sd.cwiseInverse().asDiagonal() * covariance * sd.cwiseInverse().asDiagonal() +
-                                   1e-9 * MatrixXd::Identity(sd.size(), sd.size());
-      const VectorXd solved =
-          sd.cwiseInverse().asDiagonal() * correlation.llt().solve(sd.cwiseInverse().asDiagonal() * misfit);
+      const RowNoise noise(rows);
+      const VectorXd solved = noise.sd.cwiseInverse().asDiagonal() *
+                              noise.correlation.solve(VectorXd(noise.sd.cwiseInverse().asDiagonal() * misfit));
       moved_[i] = rows.variants.transpose() * solved;
       adjusted_data_->move(next.observations[i], moved_[i]);
     }

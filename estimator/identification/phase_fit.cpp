@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "estimator/identification/equation_data.hpp"
+#include "estimator/identification/row_noise.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -26,27 +27,6 @@ constexpr double same_phase = 0.02;
 
 /// Probability that noise makes a minimum higher than it is by what tells it apart.
 constexpr double told_apart = 0.001;
-
-/// Rows of one observation in units of the noise that an EquationData gives them.
-struct Weighted {
-  Equations rows;
-  VectorXd phase;
-};
-
-// `noise`: of equations with the phase unknown; `of`: those that are weighed, the same or others.
-Weighted weighted(const EquationData::Rows& noise, const EquationData::Rows& of) {
-  MatrixXd covariance = noise.variants * noise.variants.transpose();
-  covariance.diagonal() += noise.own_variance;
-  const VectorXd inverse_sd = covariance.diagonal().cwiseSqrt().cwiseInverse();
-  MatrixXd correlation = inverse_sd.asDiagonal() * covariance * inverse_sd.asDiagonal();
-  // As in the regression: equations that share all their noise stay a little apart.
-  correlation.diagonal().array() += 1e-9;
-  const Eigen::LLT<MatrixXd> cholesky(correlation);
-  const auto whiten = [&](const MatrixXd& m) -> MatrixXd {
-    return cholesky.matrixL().solve(MatrixXd(inverse_sd.asDiagonal() * m));
-  };
-  return {{whiten(of.design), whiten(of.response)}, whiten(noise.phase)};
-}
 
 std::complex<double> effect_on_modulation(const PhaseProblem& problem, const EquationData& data, const CaseFit& fit,
                                           std::size_t observation) {
@@ -69,14 +49,14 @@ double step_phases(const PhaseProblem& problem, const CaseFit& fit, const Equati
     double gradient = 0, curvature = 0;
     for (const std::size_t i : problem.records[r].observations) {
       const EquationData::Rows rows = data.rows(i, fit.columns, fit.state.at, problem.known.natural_frequency);
-      const Weighted w = weighted(rows, rows);
-      gradient += w.phase.dot(w.rows.response - w.rows.design * values);
-      curvature += w.phase.squaredNorm();
+      const RowNoise noise(rows);
+      const VectorXd phase = noise.whitened(rows.phase);
+      gradient += phase.dot(noise.whitened(rows.response - rows.design * values).col(0));
+      curvature += phase.squaredNorm();
     }
     if (!(curvature > 0)) continue;
     const double step = -gradient / curvature;
     phases.ahead[r] += std::clamp(step, -1.0, 1.0);
-    phases.effect[r] = effect_on_modulation(problem, data, fit, problem.records[r].observations.front());
     largest = std::max(largest, std::abs(step) * std::sqrt(curvature));
   }
   return largest;
@@ -86,7 +66,7 @@ double step_phases(const PhaseProblem& problem, const CaseFit& fit, const Equati
 void test_phases(const PhaseProblem& problem, const CaseFit& fit, const EquationData& data, PhaseFit& phases) {
   EquationData as_measured(problem.set, problem.blocks);
   as_measured.evaluate(fit.state.at.natural_frequency);
-  std::vector<Equations> held, free;
+  std::vector<Equations> held, freed;
   double rows = 0, unknown = 0;
   for (const RecordMembers& record : problem.records) {
     Equations with, without;
@@ -95,33 +75,28 @@ void test_phases(const PhaseProblem& problem, const CaseFit& fit, const Equation
       const auto rows_of = [&](const EquationData& equations) {
         return equations.rows(i, fit.columns, fit.state.at, problem.known.natural_frequency);
       };
-      const EquationData::Rows noise = rows_of(data);
-      Equations measured = weighted(noise, rows_of(as_measured)).rows;
-      Weighted own = weighted(noise, noise);
-      const VectorXd direction = own.phase.stableNormalized();
+      const EquationData::Rows turned = rows_of(data), measured = rows_of(as_measured);
+      const RowNoise noise(turned);
+      Equations free{noise.whitened(turned.design), noise.whitened(turned.response)};
+      const VectorXd direction = noise.whitened(turned.phase).col(0).stableNormalized();
       moves = moves || direction.squaredNorm() > 0;
-      own.rows.design -= (direction * (direction.transpose() * own.rows.design)).eval();
-      own.rows.response -= direction * direction.dot(own.rows.response);
-      const bool first = with.response.size() == 0;
-      const auto add = [&](Equations& sum, const Equations& part) {
-        const double share = 1 / std::sqrt(static_cast<double>(record.observations.size()));
-        sum.design = first ? MatrixXd(share * part.design) : MatrixXd(sum.design + share * part.design);
-        sum.response = first ? VectorXd(share * part.response) : VectorXd(sum.response + share * part.response);
-      };
-      add(with, measured);
-      add(without, own.rows);
+      take_out_direction(direction, free.design);
+      take_out_direction(direction, free.response);
+      const double share = 1 / std::sqrt(static_cast<double>(record.observations.size()));
+      add_to(with, share, {noise.whitened(measured.design), noise.whitened(measured.response)});
+      add_to(without, share, free);
     }
     rows += static_cast<double>(with.response.size());
     unknown += moves ? 1 : 0;
     held.push_back(std::move(with));
-    free.push_back(std::move(without));
+    freed.push_back(std::move(without));
   }
   const auto solve = [](const std::vector<Equations>& parts) {
     std::vector<const Equations*> pointers;
     for (const Equations& part : parts) pointers.push_back(&part);
     return least_squares(stacked(pointers));
   };
-  const Solution in_step = solve(held), late = solve(free);
+  const Solution in_step = solve(held), late = solve(freed);
   const double left = rows - unknown - static_cast<double>(late.rank);
   if (left < 1 || unknown < 1 || !(late.misfit > 0)) return;
   phases.misfit = late.misfit;
@@ -133,17 +108,19 @@ void test_phases(const PhaseProblem& problem, const CaseFit& fit, const Equation
 std::optional<PhaseFit> refined(const PhaseProblem& problem, std::vector<double> start) {
   PhaseFit phases;
   phases.ahead = std::move(start);
-  phases.effect.assign(phases.ahead.size(), 0);
   for (int step = 0; step < most_steps; ++step) {
     const ObservationSet set = with_phases(problem, phases.ahead);
     const CaseFit fit = fit_case(set, problem.blocks, problem.known, {.threads = problem.threads});
     if (fit.fit.coefficients.size() == 0) return std::nullopt;
     EquationData data(set, problem.blocks);
     data.evaluate(fit.state.at.natural_frequency);
+    if (!(step_phases(problem, fit, data, phases) < step_share)) continue;
     test_phases(problem, fit, data, phases);
     phases.coefficient = fit.fit.coefficients - fit.reference;
     phases.contribution = fit.system.design.colwise().norm().transpose().cwiseProduct(phases.coefficient);
-    if (step_phases(problem, fit, data, phases) < step_share) return phases;
+    for (const RecordMembers& record : problem.records)
+      phases.effect.push_back(effect_on_modulation(problem, data, fit, record.observations.front()));
+    return phases;
   }
   return std::nullopt;
 }

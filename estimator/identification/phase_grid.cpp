@@ -130,12 +130,9 @@ class PhaseGrid {
           data.rows(i, together.columns, together.state.at, problem.known.natural_frequency);
       VectorXd weight(rows.response.size());
       for (Index r = 0; r < weight.size(); ++r)
-        weight(r) = 1 / (data.first_scale(i, rows.block[static_cast<std::size_t>(r)]) *
-                         std::sqrt(static_cast<double>(record.observations.size())));
-      const MatrixXd design = weight.asDiagonal() * rows.design;
-      const VectorXd response = weight.cwiseProduct(rows.response);
-      mean.design = mean.response.size() == 0 ? design : MatrixXd(mean.design + design);
-      mean.response = mean.response.size() == 0 ? response : VectorXd(mean.response + response);
+        weight(r) = 1 / data.first_scale(i, rows.block[static_cast<std::size_t>(r)]);
+      add_to(mean, 1 / std::sqrt(static_cast<double>(record.observations.size())),
+             {weight.asDiagonal() * rows.design, weight.cwiseProduct(rows.response)});
     }
     return mean;
   }

@@ -55,6 +55,13 @@ ObservationSet turned(const PhaseProblem& problem, const std::vector<double>& ah
   return result;
 }
 
+void add_to(Equations& sum, double share, const Equations& part) {
+  if (sum.response.size() == 0)
+    sum = {MatrixXd::Zero(part.design.rows(), part.design.cols()), VectorXd::Zero(part.response.size())};
+  sum.design += share * part.design;
+  sum.response += share * part.response;
+}
+
 Equations stacked(const std::vector<const Equations*>& parts) {
   Index rows = 0;
   for (const Equations* part : parts) rows += part->response.size();

@@ -13,6 +13,9 @@ struct Equations {
   Eigen::VectorXd response;
 };
 
+/// Adds equations of the same rows to their sum, which begins empty.
+void add_to(Equations& sum, double share, const Equations& part);
+
 /// One below the other.
 Equations stacked(const std::vector<const Equations*>& parts);
 
