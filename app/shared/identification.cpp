@@ -160,11 +160,7 @@ void estimate_corrected(const IdentificationRequest& request, Identification& id
   StageClock clock(id.seconds);
   const MeasuredUnits units{id.coordinate_unit, id.excitation_units};
   const EstimateOptions options = options_of(request);
-  EstimateOptions first = options;
-  first.judge_fit = first.damping_laws = false;
-  first.rough_errors = true;
-  first.bootstrap = 0;
-  Estimate raw = first_estimate(id, units, first);
+  Estimate raw = first_estimate(id, units, on_the_way(options));
   clock.done("regression");
   const auto replay = [&](const ObservationSet& set, const Eigen::VectorXd& parameters) {
     return observe_replay(id.campaign, set, parameters, request.threads);
@@ -190,27 +186,27 @@ void estimate_corrected(const IdentificationRequest& request, Identification& id
 
 // Once more with phases as unknowns where equations do not hold. Numbers stay as they were, and those that this
 // moves are doubtful, where it is no explanation: equations still do not hold, or phases follow a law of the
-// amplitude.
+// amplitude. `id` is as it was if this throws.
 void free_phases(const IdentificationRequest& request, const std::vector<ObservationSet>& observed,
                  Identification& id) {
   UnknownPhases unknown =
       find_unknown_phases(observed, {id.coordinate_unit, id.excitation_units}, options_of(request), id.estimate);
   const auto is_freed = [](const CaseLateness& lateness) { return lateness.finding != PhaseFinding::nothing_told; };
   if (std::any_of(unknown.cases.begin(), unknown.cases.end(), is_freed)) {
-    Identification in_step = id;
-    id.measured = std::move(unknown.sets);
-    estimate_corrected(request, id);
-    const std::set<std::string> misfit = cases_that_misfit(id.estimate);
+    Identification freed = id;
+    freed.measured = std::move(unknown.sets);
+    estimate_corrected(request, freed);
+    const std::set<std::string> misfit = cases_that_misfit(freed.estimate);
     bool explained = true;
     for (CaseLateness& lateness : unknown.cases) {
       if (lateness.finding == PhaseFinding::shifted && misfit.contains(lateness.resonance))
         lateness.finding = PhaseFinding::in_part;
       explained = explained && (lateness.finding == PhaseFinding::shifted || !is_freed(lateness));
     }
-    if (!explained) {
-      const Estimate freed = std::move(id.estimate);
-      id = std::move(in_step);
-      doubt_what_differs(id.estimate, freed);
+    if (explained) {
+      id = std::move(freed);
+    } else {
+      doubt_what_differs(id.estimate, freed.estimate);
       std::erase_if(unknown.cases, [](const CaseLateness& l) { return l.finding == PhaseFinding::shifted; });
     }
   }
@@ -233,13 +229,10 @@ void estimate_observed(const IdentificationRequest& request, Identification& id)
       id.excitation_units.push_back(id.campaign.channels[channel].unit);
   const std::vector<ObservationSet> observed = id.measured;
   estimate_corrected(request, id);
-  const Identification in_step = id;
   try {
     free_phases(request, observed, id);
-  } catch (const NumericalFailure&) {
-    id = in_step;
-  } catch (const InputError&) {  // without phases nothing is left to estimate from
-    id = in_step;
+  } catch (const NumericalFailure&) {  // the numbers with phases as measured stay
+  } catch (const InputError&) {        // and where without phases nothing is left to estimate from
   }
 }
 

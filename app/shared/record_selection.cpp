@@ -41,8 +41,7 @@ Band parse_band(const std::string& text) {
 
 // Throws unless some record has a sample in the window.
 void require_samples(const Campaign& campaign, const Window& window) {
-  const Window everything;
-  if (!window.band && window.from_s == everything.from_s && window.to_s == everything.to_s) return;
+  if (!window.cuts()) return;
   std::string longest;
   double most = -1;
   for (std::size_t r = 0; r < campaign.records.size(); ++r) {
@@ -69,8 +68,7 @@ void require_samples(const Campaign& campaign, const Window& window) {
 
 // Looks at what the window leaves of a record.
 WatchedReader::Look at_what_counts(const Campaign& campaign, const Window& window, WatchedReader::Look look) {
-  const Window everything;
-  if (!look || (!window.band && window.from_s == everything.from_s && window.to_s == everything.to_s)) return look;
+  if (!look || !window.cuts()) return look;
   return [&campaign, window, look](std::size_t index, const Record& whole, const std::vector<ChannelValues>&) {
     Record record = passed_record(campaign, index, whole, window);
     const SampleRange range = range_of(record, window);

@@ -8,6 +8,13 @@
 
 namespace secular {
 
+EstimateOptions on_the_way(EstimateOptions options) {
+  options.bootstrap = 0;
+  options.damping_laws = options.judge_fit = false;
+  options.rough_errors = true;
+  return options;
+}
+
 std::string label_of(const EstimatedValue& value, const Estimate& estimate) {
   const bool lump = !value.resonance.empty() && value.definition != value.name;
   return lump && estimate.cases.size() > 1 ? value.resonance + ":" + value.name : value.name;

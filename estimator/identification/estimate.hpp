@@ -113,6 +113,9 @@ struct EstimateOptions {
   unsigned threads = 1;  ///< the result does not depend on it
 };
 
+/// For estimates on the way to another one: of the same numbers, which nobody reads.
+EstimateOptions on_the_way(EstimateOptions options);
+
 /// What a value is called in a list of several. CASE:NAME where the name alone does not say which one: a lump that
 /// is no symbol, of one of several cases.
 std::string label_of(const EstimatedValue& value, const Estimate& estimate);

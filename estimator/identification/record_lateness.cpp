@@ -9,12 +9,14 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "estimator/identification/case_quality.hpp"
 #include "estimator/identification/estimation.hpp"
 #include "estimator/identification/phase_fit.hpp"
 #include "estimator/identification/phase_grid.hpp"
+#include "estimator/identification/unsupported_values.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -94,13 +96,9 @@ Choice choose(const CaseFit& columns, const std::vector<PhaseFit>& minima,
   return {*positive->second, column_name(columns, static_cast<std::size_t>(turns))};
 }
 
-// Whether an equation of a case did not hold, or could not be judged.
-bool misfits(const Estimate& estimate, std::string_view resonance) {
-  for (const CaseLackOfFit& tests : estimate.lack_of_fit)
-    if (tests.resonance == resonance)
-      return std::any_of(tests.equations.begin(), tests.equations.end(),
-                         [](const LackOfFit& test) { return test.significant; });
-  return true;
+bool is_judged(const Estimate& estimate, std::string_view resonance) {
+  return std::any_of(estimate.lack_of_fit.begin(), estimate.lack_of_fit.end(),
+                     [&](const CaseLackOfFit& tests) { return tests.resonance == resonance; });
 }
 
 // A law that the model lacks turns phases, too: with D_r what a phase does to the modulation equation, a law
@@ -214,11 +212,13 @@ UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const Me
                                   const EstimateOptions& options, const Estimate& estimate) {
   UnknownPhases result{{sets.begin(), sets.end()}, {}};
   const Estimation e(sets, units, options);
+  const std::set<std::string> misfit = cases_that_misfit(estimate);
   for (std::size_t s = 0; s < e.sets.size(); ++s) {
     const ObservationSet& set = *e.sets[s];
     // The delay of several excitations has no period that a grid of phases covers.
     if (!set.resonance->excited || set.model->excitations.size() != 1 || set.phase_unknown) continue;
-    if (!misfits(estimate, set.resonance->name)) continue;
+    const std::string name(set.resonance->name);
+    if (is_judged(estimate, name) && !misfit.contains(name)) continue;
     const std::vector<std::size_t>& blocks = estimate.state->blocks[s];
     const PhaseProblem problem(set, blocks, e.knowledge, options.threads);
     const CaseFit together = fit_case(set, blocks, e.knowledge, {.rough = true, .threads = options.threads});
@@ -227,19 +227,15 @@ UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const Me
     const std::vector<PhaseFit> minima = equal_minima(problem, on_grid.low);
     if (minima.empty()) {
       if (on_grid.p_value < false_alarm)
-        result.cases.push_back(
-            {std::string(set.resonance->name), PhaseFinding::nothing_told, {}, 0, on_grid.p_value, ""});
+        result.cases.push_back({name, PhaseFinding::nothing_told, {}, 0, on_grid.p_value, ""});
       continue;
     }
     if (minima.front().p_value >= false_alarm) continue;
     const std::size_t place = static_cast<std::size_t>(&set - sets.data());
-    EstimateOptions quick = options;
-    quick.judge_fit = quick.damping_laws = false;
-    quick.rough_errors = true;
-    quick.bootstrap = 0;
     const Choice choice = choose(together, minima, [&](const PhaseFit& phases) {
       result.sets[place] = with_phases(problem, phases.ahead);
-      return stable_motions(result.sets[place], secular::estimate(result.sets, units, quick).parameter_values);
+      return stable_motions(result.sets[place],
+                            secular::estimate(result.sets, units, on_the_way(options)).parameter_values);
     });
     result.sets[place] = with_phases(problem, choice.phases.ahead);
     result.cases.push_back(lateness_of(problem, choice.phases, choice.assumed_positive));

@@ -14,9 +14,11 @@ namespace {
 // Lumps of the modulation equations whose columns change with the force.
 std::set<std::string> lumps_of_force(const CaseFit& fit) {
   const CompiledCase& resonance = *fit.set->resonance;
-  ObservationSet one = *fit.set, free = one;
-  one.observations.resize(1);
-  free.observations.resize(1);
+  ObservationSet one;
+  one.model = fit.set->model;
+  one.resonance = fit.set->resonance;
+  one.observations = {fit.set->observations.front()};
+  ObservationSet free = one;
   for (std::complex<double>& force : free.observations.front().forcing) force = 0;
   std::vector<std::size_t> blocks;
   for (const std::size_t b : fit.blocks)
@@ -32,6 +34,19 @@ std::set<std::string> lumps_of_force(const CaseFit& fit) {
     if (fit.columns[c].kind == CaseColumn::Kind::lump && change.col(static_cast<Eigen::Index>(c)).squaredNorm() > 0)
       names.emplace(resonance.lumps[fit.columns[c].index].name);
   return names;
+}
+
+// Numbers that were estimated.
+template <class Do>
+void for_each_number(Estimate& estimate, const Do& act) {
+  for (std::vector<EstimatedValue>* values : {&estimate.parameters, &estimate.lumps})
+    for (EstimatedValue& value : *values)
+      if (value.value && !value.fixed) act(value);
+}
+
+bool told_by_these_alone(const EstimatedValue& value, const std::set<std::string>& cases) {
+  return !value.told_by.empty() && std::all_of(value.told_by.begin(), value.told_by.end(),
+                                               [&](const std::string& name) { return cases.contains(name); });
 }
 
 }  // namespace
@@ -54,17 +69,14 @@ std::set<std::string> cases_of_few_conditions(const Estimate& estimate) {
 
 void take_out(Estimate& estimate, const std::set<std::string>& cases, const std::string& why) {
   std::vector<std::string> names;
-  for (std::vector<EstimatedValue>* values : {&estimate.parameters, &estimate.lumps})
-    for (EstimatedValue& value : *values) {
-      const bool by_these = std::all_of(value.told_by.begin(), value.told_by.end(),
-                                        [&](const std::string& resonance) { return cases.contains(resonance); });
-      if (!value.value || value.fixed || value.told_by.empty() || !by_these) continue;
-      const std::string label = label_of(value, estimate);
-      if (std::find(names.begin(), names.end(), label) == names.end()) names.push_back(label);
-      value.value.reset();
-      value.identifiable = value.significant = value.doubtful = false;
-      value.from = "not determined: " + why;
-    }
+  for_each_number(estimate, [&](EstimatedValue& value) {
+    if (!told_by_these_alone(value, cases)) return;
+    const std::string label = label_of(value, estimate);
+    if (std::find(names.begin(), names.end(), label) == names.end()) names.push_back(label);
+    value.value.reset();
+    value.identifiable = value.significant = value.doubtful = false;
+    value.from = "not determined: " + why;
+  });
   if (!names.empty()) estimate.warnings.push_back(why + ": no numbers are given for " + short_list(names));
 }
 
@@ -87,10 +99,10 @@ void doubt_without_force(Estimate& estimate, std::span<const CaseFit> fits) {
       if (value.resonance == resonance.name && of_force.contains(value.name))
         any = any || !value.value || value.fixed || value.significant;
     if (any) continue;
-    for (std::vector<EstimatedValue>* values : {&estimate.parameters, &estimate.lumps})
-      for (EstimatedValue& value : *values)
-        if (value.value && !value.fixed && value.told_by == std::vector<std::string>{std::string(resonance.name)})
-          value.doubtful = true;
+    const std::set<std::string> this_one{std::string(resonance.name)};
+    for_each_number(estimate, [&](EstimatedValue& value) {
+      if (told_by_these_alone(value, this_one)) value.doubtful = true;
+    });
     estimate.warnings.push_back(
         "case " + std::string(resonance.name) +
         ": no coefficient of the excitation differs from zero, although the motion is excited. No damping and no "
@@ -115,9 +127,7 @@ void doubt_what_differs(Estimate& estimate, const Estimate& other) {
 }
 
 void doubt_all(Estimate& estimate) {
-  for (std::vector<EstimatedValue>* values : {&estimate.parameters, &estimate.lumps})
-    for (EstimatedValue& value : *values)
-      if (value.value && !value.fixed) value.doubtful = true;
+  for_each_number(estimate, [](EstimatedValue& value) { value.doubtful = true; });
 }
 
 }  // namespace secular

@@ -32,11 +32,6 @@ struct Separable {
   double duration = 0;  // s, of samples in time
 };
 
-// Columns of a pole can be numbers: below the square root of the largest double at the end of the record.
-bool representable(Complex pole, double duration) {
-  return pole.real() * duration < 300;
-}
-
 MatrixXd design_of(const Separable& problem, const VectorXcd& poles) {
   MatrixXd design(problem.data.rows(), 2 * poles.size() + problem.fixed.cols());
   for (Index r = 0; r < poles.size(); ++r) design.middleCols(2 * r, 2) = problem.columns(poles(r)).columns;
@@ -226,6 +221,10 @@ Separable in_frequency(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref
 }
 
 }  // namespace
+
+bool representable(Complex pole, double duration_s) {
+  return pole.real() * duration_s < 300;
+}
 
 PoleFit fit_residues(const Eigen::Ref<const MatrixXd>& samples, double sample_rate_hz,
                      const Eigen::Ref<const VectorXcd>& poles) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
 
 #include "measure/modal/residue_conversion.hpp"
 #include "numerics/nonlinear_fit.hpp"
@@ -17,6 +18,10 @@ struct PoleFit {
   Eigen::MatrixXcd residues;  ///< n x signals
   Eigen::VectorXd noise_sd;   ///< by signal: rms of what is left (of real and imaginary part in frequency)
 };
+
+/// Whether columns of a pole are numbers up to the end of a record: it grows by less than e^300, the square root of
+/// the largest double.
+bool representable(std::complex<double> pole, double duration_s);
 
 /// Residues for given poles by linear least squares: samples(k, s) = sum_r R(r, s) exp(pole_r k / rate) + conj
 /// + a constant. samples: N x signals. Throws std::invalid_argument for fewer samples than unknowns, poles off

@@ -51,7 +51,7 @@ class Selection {
     // What grows by more than numbers hold is no motion over the records.
     const double duration = static_cast<double>(motions_.samples.rows()) / motions_.sample_rate_hz;
     for (std::size_t c = 0; c < candidates_.size(); ++c)
-      if (candidates_[c].real() * duration < 300)
+      if (representable(candidates_[c], duration))
         open_.push_back(c);
       else
         support_[c].reason = of_noise;

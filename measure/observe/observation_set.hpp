@@ -63,6 +63,8 @@ struct Window {
   unsigned threads = 1;      ///< for reading and observing; the result does not depend on it
 
   bool takes(std::size_t record, const std::string& file) const;
+  /// Whether it uses a part of each record only.
+  bool cuts() const { return band || from_s != Window{}.from_s || to_s != Window{}.to_s; }
   /// Whether a frequency (rad/s) is in the band.
   bool passes(double frequency) const;
   /// Of standard deviations that come from what a fit of lines leaves of the samples, as if that were white noise:

@@ -169,17 +169,14 @@ class Correction {
       : measured_(measured),
         raw_(raw),
         units_(units),
-        quick_(options),
+        quick_(on_the_way(options)),
         full_(options),
         motions_(measured, replay, options.threads),
         done_(done),
         estimate_(begin),
         place_(begin.parameter_values),
         next_(place_) {
-    quick_.bootstrap = 0;
-    quick_.damping_laws = quick_.judge_fit = false;
     quick_.keep_weights = !options.refine;
-    quick_.rough_errors = true;
   }
 
   TruncationCorrection run() {
