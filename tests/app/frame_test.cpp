@@ -3,21 +3,17 @@
 
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "measure/data/campaign.hpp"
 #include "tests/app/program_run.hpp"
+#include "tests/campaign/temporary_folder.hpp"
 #include "tests/campaign/write_campaign.hpp"
-#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* experiment_text = R"toml(schema = 1
 name = "duff"
@@ -47,17 +43,15 @@ ensemble_s = 1.0
 settle_s = 12.0
 )toml";
 
-class AbsoluteFrame : public testing::Test {
+class AbsoluteFrame : public TemporaryFolder {
  protected:
   void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    std::ofstream(folder_ / "experiment.toml") << experiment_text;
+    TemporaryFolder::SetUp();
+    write("experiment.toml", experiment_text);
     ASSERT_EQ(run("simulate experiment.toml -o relative --seed 1"), 0) << errors_;
     campaign_ = read_campaign(folder_ / "relative");
     for (const RecordEntry& entry : campaign_.records) samples_.push_back(read_record(campaign_, entry));
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   int run(const std::string& arguments) {
     const testing_support::Outcome outcome = testing_support::run_program(folder_, arguments);
@@ -96,17 +90,15 @@ class AbsoluteFrame : public testing::Test {
   // campaign_ with `frame` behind the last response's unit.
   void refuses(const std::string& frame, const std::vector<std::string>& parts) {
     write_campaign(campaign_, samples_, folder_ / "changed");
-    std::string text = testing_support::text_of(folder_ / "changed/campaign.toml");
+    std::string text = read("changed/campaign.toml");
     text.insert(text.find("\n", text.rfind("\nunit = ") + 1) + 1, "frame = \"" + frame + "\"\n");
-    std::ofstream(folder_ / "changed/campaign.toml") << text;
+    write("changed/campaign.toml", text);
     for (const std::string command : {"identify changed --model duffing -o out", "inspect changed"}) {
       EXPECT_EQ(run(command), 2) << output_;
       for (const std::string& part : parts) EXPECT_NE(errors_.find(part), std::string::npos) << errors_;
     }
   }
 
-  const fs::path folder_ = testing_support::process_folder() /
-                           ("frame_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
   Campaign campaign_;
   std::vector<Record> samples_;
   std::string output_, errors_;

@@ -4,21 +4,19 @@
 #include <cmath>
 #include <complex>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 
 #include "tests/app/program_run.hpp"
+#include "tests/campaign/temporary_folder.hpp"
 #include "tests/places.hpp"
-#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
 
 namespace fs = std::filesystem;
-using testing_support::text_of;
 
 struct Oscillator {
   double w, d, b1, b2, k, F = 1;
@@ -47,12 +45,11 @@ double settled_amplitude(const Oscillator& o, double omega, double multiple, dou
   return 2 * std::abs(sum) / (steps * seen);
 }
 
-class PredictRange : public testing::Test {
+class PredictRange : public TemporaryFolder {
  protected:
   void SetUp() override {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-    std::ofstream(folder / "oscillator.toml") << R"toml(schema = 1
+    TemporaryFolder::SetUp();
+    write("oscillator.toml", R"toml(schema = 1
 name = "quadratic_cubic"
 [[mode]]
 coordinate = "x"
@@ -68,20 +65,19 @@ name = "super2"
 relations = ["2*Omega = w + eps*sigma"]
 order = { d = 1, b1 = 1, b2 = 1, k = 0 }
 expand_to = 2
-)toml";
+)toml");
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   nlohmann::json predict(const std::string& arguments) {
-    fs::remove_all(folder / "out");
-    outcome = testing_support::run_program(folder, "predict " + arguments + " -o " + (folder / "out").string());
+    fs::remove_all(folder_ / "out");
+    outcome = testing_support::run_program(folder_, "predict " + arguments + " -o " + (folder_ / "out").string());
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
-    return nlohmann::json::parse(text_of(folder / "out/prediction.json"));
+    return nlohmann::json::parse(read("out/prediction.json"));
   }
   nlohmann::json predict(const Oscillator& o, const std::string& arguments) {
-    std::ofstream(folder / "numbers.json")
-        << nlohmann::json{{"w", o.w}, {"d", o.d}, {"b1", o.b1}, {"b2", o.b2}, {"k", o.k}, {"F", o.F}};
-    return predict((folder / "oscillator.toml").string() + " --parameters " + (folder / "numbers.json").string() +
+    const nlohmann::json numbers{{"w", o.w}, {"d", o.d}, {"b1", o.b1}, {"b2", o.b2}, {"k", o.k}, {"F", o.F}};
+    write("numbers.json", numbers.dump());
+    return predict((folder_ / "oscillator.toml").string() + " --parameters " + (folder_ / "numbers.json").string() +
                    " " + arguments);
   }
 
@@ -94,8 +90,6 @@ expand_to = 2
     return std::abs(settled_amplitude(o, omega, multiple, x, v) / a - 1) < 0.15;
   }
 
-  fs::path folder = testing_support::process_folder() /
-                    (std::string("secular_range_") + testing::UnitTest::GetInstance()->current_test_info()->name());
   testing_support::Outcome outcome;
 };
 
@@ -118,7 +112,7 @@ TEST_F(PredictRange, WhatTheFullEquationsDoNotHaveIsMarked) {
   EXPECT_GT(outside, 50);
   EXPECT_NE(outcome.output.find("outside of the expansion's range"), std::string::npos) << outcome.output;
   EXPECT_NE(outcome.errors.find("outside of the expansion's range"), std::string::npos) << outcome.errors;
-  EXPECT_NE(text_of(folder / "out/response.svg").find("outside of the expansion"), std::string::npos);
+  EXPECT_NE(read("out/response.svg").find("outside of the expansion"), std::string::npos);
 }
 
 TEST_F(PredictRange, StableMotionsThatAreMarkedDoNotExist) {

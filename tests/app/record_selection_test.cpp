@@ -14,6 +14,7 @@
 
 #include "measure/data/campaign.hpp"
 #include "tests/app/program_run.hpp"
+#include "tests/campaign/temporary_folder.hpp"
 #include "tests/campaign/write_campaign.hpp"
 #include "tests/process_folder.hpp"
 
@@ -21,7 +22,6 @@ namespace secular {
 namespace {
 
 namespace fs = std::filesystem;
-using testing_support::text_of;
 
 constexpr double rate = 128, omega0 = 2 * std::numbers::pi * 10, damping = 0.8;
 
@@ -157,19 +157,14 @@ MadeCampaign cut_by_hand(const MadeCampaign& whole, const std::string& part, dou
   return test;
 }
 
-class RecordSelection : public testing::TestWithParam<Command> {
+class RecordSelection : public TemporaryFolder, public testing::WithParamInterface<Command> {
  protected:
   void SetUp() override {
-    std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::replace(name.begin(), name.end(), '/', '-');
-    folder_ = testing_support::process_folder() / ("record_selection_" + name);
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    std::ofstream(folder_ / "model.toml") << model_text;
-    std::ofstream(folder_ / "numbers.json") << R"({"omega0": 62.83, "mu": 0.8, "a3": 0, "e": 1})";
+    TemporaryFolder::SetUp();
+    write("model.toml", model_text);
+    write("numbers.json", R"({"omega0": 62.83, "mu": 0.8, "a3": 0, "e": 1})");
     write_campaign(test_.campaign, test_.samples, folder_ / "whole");
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   // The command on a campaign; its status.
   int run(const std::string& campaign, const std::string& options) {
@@ -189,7 +184,6 @@ class RecordSelection : public testing::TestWithParam<Command> {
     EXPECT_FALSE(fs::exists(folder_ / "out"));
   }
 
-  fs::path folder_;
   MadeCampaign test_ = test_of_one_mode();
   testing_support::Outcome outcome_;
 };

@@ -1,19 +1,15 @@
 // A motion that excites itself: its growth out of rest and its decay onto the limit cycle tell the same numbers.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/app/program_run.hpp"
-#include "tests/process_folder.hpp"
+#include "tests/campaign/temporary_folder.hpp"
 
 namespace secular {
 namespace {
-
-namespace fs = std::filesystem;
 
 const std::map<std::string, double> truth{{"w", 6.0}, {"m", 0.2}, {"p", 1.0}};
 
@@ -30,22 +26,18 @@ std::string experiment(double released) {
 }
 
 // The limit cycle has an amplitude of 2/sqrt(p).
-class SelfExcited : public testing::TestWithParam<double> {};
+class SelfExcited : public TemporaryFolder, public testing::WithParamInterface<double> {};
 
 TEST_P(SelfExcited, GrowthAndDecayOntoTheLimitCycleIdentify) {
-  const fs::path folder = testing_support::process_folder() / "self_excited";
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  std::ofstream(folder / "model.toml") << model;
-  std::ofstream(folder / "experiment.toml") << experiment(GetParam());
+  write("model.toml", model);
+  write("experiment.toml", experiment(GetParam()));
   for (const std::string& arguments :
        {std::string("simulate experiment.toml -o campaign --seed 1"),
         std::string("identify campaign --model model.toml --interpret -o results")}) {
-    const testing_support::Outcome outcome = testing_support::run_program(folder, arguments, {});
+    const testing_support::Outcome outcome = testing_support::run_program(folder_, arguments);
     ASSERT_EQ(outcome.status, 0) << arguments << ": " << outcome.errors;
   }
-  std::ifstream stream(folder / "results" / "estimate.json");
-  const nlohmann::json document = nlohmann::json::parse(stream);
+  const nlohmann::json document = nlohmann::json::parse(read("results/estimate.json"));
   ASSERT_EQ(document.at("estimates").size(), truth.size());
   for (const auto& item : document.at("estimates")) {
     const std::string name = item.at("name").get<std::string>();
