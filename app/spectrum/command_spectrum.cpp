@@ -20,8 +20,8 @@
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/data_file.hpp"
-#include "measure/data/time_span.hpp"
 #include "measure/observe/observation_set.hpp"
+#include "measure/observe/record_window.hpp"
 #include "measure/signal/band_pass.hpp"
 #include "measure/signal/modal_filter.hpp"
 
@@ -157,9 +157,11 @@ RecordSpectrum analysed(const Options& options, const Columns& columns) {
                        fmt::format("has {} samples, {} has {}", columns.values[c].size(),
                                    columns.names[chosen.front()], samples),
                        "choose channels of one length with --channel");
-  const SpanOfSamples span = samples_within({options.window.from_s, options.window.to_s}, columns.start_s,
-                                            columns.sample_rate_hz, samples);
-  const auto first = static_cast<Index>(span.first), count = static_cast<Index>(span.count);
+  Record axis;
+  axis.start_s = columns.start_s;
+  axis.sample_rate_hz = columns.sample_rate_hz;
+  axis.channels = {columns.values[chosen.front()]};
+  const auto [first, count] = range_of(axis, options.window);
   const auto part = [&](std::size_t c) {
     return Eigen::Map<const Eigen::VectorXd>(columns.values[c].data(), static_cast<Index>(samples))
         .segment(first, count);

@@ -140,7 +140,7 @@ class Cutter {
     const Eigen::VectorXd modal = m.part.samples.leftCols(responses_) * sensors_.filter.row(0).transpose();
     const auto start = find_decay_start(modal, m.rate_hz);
     if (!start) return left_out(entry, "no free decay is found in it");
-    m.first = start->sample;
+    m.first = cut_.window.band ? 0 : start->sample;  // what has passed a band begins at the release
     m.thinning = std::max<Index>(1, static_cast<Index>(std::floor(two_pi * m.rate_hz / highest_ / wanted_samples)));
     return m;
   }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "measure/data/time_span.hpp"
 #include "measure/observe/record_window.hpp"
 #include "measure/signal/free_decay.hpp"
 
@@ -17,19 +18,21 @@ using Eigen::VectorXd;
 
 // Sample of the record from which the response that moves most swings freely; 0 where no decay is found.
 Index release(const Campaign& campaign, const Record& record, const Window& window) {
-  const SampleRange range = range_of(record, window);
+  const SpanOfSamples range =
+      samples_within({window.from_s, window.to_s}, record.start_s, record.sample_rate_hz, record.samples());
+  const auto first = static_cast<Index>(range.first), count = static_cast<Index>(range.count);
   std::optional<VectorXd> leading;
   double most = -1;
-  for (std::size_t c = 0; c < campaign.channels.size() && range.count > 0; ++c) {
+  for (std::size_t c = 0; c < campaign.channels.size() && count > 0; ++c) {
     if (campaign.channels[c].role != ChannelRole::response) continue;
-    VectorXd samples = samples_of(record, {c}, range.first, range.count).col(0);
+    VectorXd samples = samples_of(record, {c}, first, count).col(0);
     const double size = (samples.array() - samples.mean()).matrix().norm();
     if (size <= most) continue;
     most = size;
     leading = std::move(samples);
   }
   const auto start = leading ? find_decay_start(*leading, record.sample_rate_hz) : std::nullopt;
-  return start ? range.first + start->sample : 0;
+  return start ? first + start->sample : 0;
 }
 
 }  // namespace

@@ -21,8 +21,12 @@ MatrixXd samples_of(const Record& record, const std::vector<std::size_t>& channe
 }
 
 SampleRange range_of(const Record& record, const Window& window) {
-  const SpanOfSamples span =
-      samples_within({window.from_s, window.to_s}, record.start_s, record.sample_rate_hz, record.samples());
+  // What is outside of the window has no say in what is used: the filter reaches nothing of it.
+  const double reach = window.band ? static_cast<double>(band_pass_reach(*window.band, record.sample_rate_hz)) /
+                                         record.sample_rate_hz
+                                   : 0;
+  const SpanOfSamples span = samples_within({window.from_s + reach, window.to_s - reach}, record.start_s,
+                                            record.sample_rate_hz, record.samples());
   return {static_cast<Index>(span.first), static_cast<Index>(span.count)};
 }
 
