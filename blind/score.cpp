@@ -53,8 +53,17 @@ bool can_be_told(const Label& label) {
          std::all_of(label.same_as.begin(), label.same_as.end(), [](const auto& alike) { return alike.empty(); });
 }
 
+// An approximate explanation says that it is not all.
+bool left_open(const Said& said) {
+  return said.verdict == "unknown" || said.verdict == "approximate";
+}
+
+bool is_named(const Said& said) {
+  return said.verdict == "cause" || said.verdict == "set" || said.verdict == "approximate";
+}
+
 bool names(const Said& said, const std::string& effect) {
-  return (said.verdict == "cause" || said.verdict == "set") && (said.cause == effect || contains(said.set, effect));
+  return is_named(said) && (said.cause == effect || contains(said.set, effect));
 }
 
 double probability_of(const Said& said, const std::string& effect) {
@@ -75,7 +84,7 @@ std::string truth_text(const Label& label) {
 }
 
 std::string named_text(const Said& said) {
-  if (said.verdict != "cause" && said.verdict != "set") return said.verdict;
+  if (!is_named(said)) return said.verdict;
   return said.cause;
 }
 
@@ -85,8 +94,8 @@ bool right(const Label& label, const Said& said) {
   if (label.kind == "none") return said.verdict == "no_gap";
   if (!visible(label) && said.verdict == "no_gap") return true;
   if (label.kind == "outside")
-    return said.verdict == "unknown" || std::any_of(label.same_as[0].begin(), label.same_as[0].end(),
-                                                    [&](const auto& n) { return names(said, n); });
+    return left_open(said) || std::any_of(label.same_as[0].begin(), label.same_as[0].end(),
+                                          [&](const auto& n) { return names(said, n); });
   return std::all_of(label.effects.begin(), label.effects.end(),
                      [&](const std::string& effect) { return found_among(said, effect); });
 }
@@ -175,7 +184,7 @@ Said what_was_said(const json& diagnosis) {
       if (diagnosis.contains(key) && diagnosis[key].is_array())
         for (const json& name : diagnosis[key])
           said.set.push_back(name.is_string() ? name.get<std::string>() : name.at("effect").get<std::string>());
-    static const std::vector<std::string> verdicts = {"no_gap", "cause", "set", "unknown"};
+    static const std::vector<std::string> verdicts = {"no_gap", "cause", "set", "approximate", "unknown"};
     if (contains(verdicts, verdict)) said.verdict = verdict;
   } catch (const json::exception&) {
     said = Said{};
@@ -211,7 +220,7 @@ Score score_of(const json& sealed, const std::vector<Said>& said) {
     if (visible(label)) detected.count(s.detected);
     if (label.kind == "outside") {
       if (can_be_told(label)) {
-        unknown.count(s.verdict == "unknown");
+        unknown.count(left_open(s));
         misnamed.count(s.verdict == "cause" || s.verdict == "set");
       }
       continue;
@@ -231,11 +240,11 @@ Score score_of(const json& sealed, const std::vector<Said>& said) {
     }
     (visible(label) ? contained : weak).count(names(s, truth));
     if (visible(label) && !s.verdict_without.empty() && s.explained_by_rest.empty()) {
-      unknown_without.count(s.verdict_without == "unknown");
+      unknown_without.count(s.verdict_without == "unknown" || s.verdict_without == "approximate");
       misnamed_without.count(s.verdict_without == "cause" || s.verdict_without == "set");
     }
     if (!can_be_told(label)) continue;
-    const bool first = (s.verdict == "cause" || s.verdict == "set") && s.cause == truth;
+    const bool first = is_named(s) && s.cause == truth;
     top[label.snr_db].count(first);
     probability.push_back(probability_of(s, truth));
     if (first && s.closed) {

@@ -49,7 +49,8 @@ void print_next_experiment(const DiagnosisRun& run) {
 
 void print_summary(const DiagnosisRun& run, const std::string& folder) {
   const Diagnosis& d = run.diagnosis;
-  fmt::print("model {}: {} conditions, {} rows\n", run.model->name, d.conditions, d.labels.size());
+  fmt::print("model {}: {} conditions, {} rows, {} of the recorded time\n", run.model->name, d.conditions,
+             d.labels.size(), report::format_percent(d.data_used));
   fmt::print("gap: {} (p = {:.2g}); {:.3g} times the repeatability", d.gap.detected ? "yes" : "none detected",
              d.gap.p_value, d.gap.before);
   if (d.gap.judged == Judged::given) fmt::print(" as given");
@@ -60,11 +61,15 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
     fmt::print(", {:.3g} after; closed {} [{}, {}]", d.gap.after, report::format_percent(d.gap.closed),
                report::format_percent(d.gap.closed_low), report::format_percent(d.gap.closed_high));
   fmt::print("\n");
+  if (d.gap.noise_misjudged) fmt::print("noise: misjudged; {}\n", misjudged_noise_sentence());
   for (std::size_t i = 0; i < std::min<std::size_t>(5, d.where.size()); ++i)
     fmt::print("  {:>7} {} of {} at {}, {}\n", report::format_percent(d.where[i].share),
                to_string(d.where[i].component), d.where[i].mode, d.where[i].harmonic, d.where[i].region);
   if (d.verdict == "cause") fmt::print("cause: {}\n", d.cause);
   if (d.verdict == "set") fmt::print("one of: {}\n", fmt::join(d.set, ", "));
+  if (d.verdict == "approximate")
+    fmt::print("acts like: {}; a structured {} of the gap is left\n", fmt::join(d.set, " or "),
+               report::format_percent(*d.gap.left_share));
   if (d.verdict == "unknown")
     fmt::print("cause: unknown{}\n", d.set.empty() ? "" : fmt::format("; nearest: {}", fmt::join(d.set, ", ")));
   if (d.open_law) fmt::print("  {}\n", open_law_sentence(*d.open_law));

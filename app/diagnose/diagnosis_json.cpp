@@ -1,6 +1,8 @@
 #include "app/diagnose/diagnosis_json.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "app/shared/disturbance_output.hpp"
 #include "numerics/hertz.hpp"
@@ -63,6 +65,8 @@ std::string diagnosis_json(const DiagnosisRun& run) {
   gap["floor"] = d.gap.floor;
   gap["closed"] = d.gap.closed;
   gap["closed_ci95"] = {d.gap.closed_low, d.gap.closed_high};
+  if (d.gap.left_share) gap["left_share"] = *d.gap.left_share;
+  if (d.gap.noise_misjudged) gap["noise"] = "misjudged";
   gap["metric"] = d.gap.metric;
   if (!d.gap.wrong_cause.empty())
     gap["best_other_cause"] = {{"effect", d.gap.wrong_cause}, {"closed", d.gap.wrong_cause_closed}};
@@ -109,6 +113,17 @@ std::string diagnosis_json(const DiagnosisRun& run) {
       root["parameters_moved"].push_back(
           {{"name", move.name}, {"from", move.from}, {"to", move.to}, {"sd", move.sd}});
   }
+  root["parameters"] = Json::array();
+  for (std::size_t n = 0; n < d.fitted.names.size(); ++n) {
+    const auto at = static_cast<Eigen::Index>(n);
+    root["parameters"].push_back({{"name", d.fitted.names[n]},
+                                  {"value", d.fitted.values(at)},
+                                  {"sd", std::sqrt(d.fitted.covariance(at, at))},
+                                  {"unit", d.fitted.units[n]}});
+  }
+  root["covariance"] = {{"names", d.fitted.names}, {"matrix", Json::array()}};
+  for (const auto& row : d.fitted.covariance.rowwise())
+    root["covariance"]["matrix"].push_back(std::vector<double>(row.begin(), row.end()));
   if (d.simulated) {
     root["simulated"] = {{"dwells", simulated_errors(d.simulated->dwells)},
                          {"steady", d.simulated->steady},
@@ -124,6 +139,7 @@ std::string diagnosis_json(const DiagnosisRun& run) {
   }
   root["next_experiment"] = next_experiment(run);
   root["conditions"] = d.conditions;
+  root["data_used"] = d.data_used;
   root["warnings"] = d.warnings;
   root["disturbances"] = disturbances_json(run.disturbances, run.campaign);
   return root.dump(2) + "\n";

@@ -39,6 +39,8 @@ std::string verdict_text(const Diagnosis& d) {
   if (d.verdict == "no_gap") return "no gap";
   if (d.verdict == "cause") return d.together.size() > 1 ? joined(d.together, " and ") : spaced(d.cause);
   if (d.verdict == "set") return "one of " + std::to_string(d.set.size());
+  if (d.verdict == "approximate")
+    return "acts like " + (d.together.size() > 1 ? joined(d.together, " and ") : joined(d.set, " or "));
   return "unknown";
 }
 
@@ -58,6 +60,14 @@ std::string sentence(const Diagnosis& d) {
   if (d.verdict == "set")
     return "The gap is explained by one of " + joined(d.set, " or ") +
            ". This campaign cannot say which: they change what was measured in the same way.";
+  if (d.verdict == "approximate")
+    return "The structure acts like " +
+           (d.together.size() > 1 ? joined(d.together, " and ") : joined(d.set, " or ")) + ": that closes " +
+           report::format_percent(d.gap.closed) + " [" + report::format_percent(d.gap.closed_low) + ", " +
+           report::format_percent(d.gap.closed_high) + "] of the gap on conditions that were held out. The " +
+           report::format_percent(*d.gap.left_share) +
+           " that is left has structure: something else acts as well, or the law is a neighbouring one.";
+  if (d.gap.noise_misjudged) return "There is no verdict: " + misjudged_noise_sentence();
   if (d.unsteady.detected && d.causes.empty())
     return "The mean motion of every dwell is what the model does, but within dwells it varies by " +
            report::format_number(d.unsteady.ratio, 2) +
@@ -324,6 +334,12 @@ std::string open_law_sentence(const OpenLaw& law) {
          (one_sided ? " in either direction of motion with the same sign (a damping of one direction, beside a "
                       "viscous one)"
                     : "");
+}
+
+std::string misjudged_noise_sentence() {
+  return "what the model leaves scatters far less than the repeatability that it is measured in, so that a gap as "
+         "large as the noise would not be seen. Ensembles that differ by more than noise (a drift, a beat) make "
+         "repeatability look worse than it is.";
 }
 
 std::string diagnosis_report(const DiagnosisRun& run, const std::string& command) {

@@ -16,6 +16,7 @@ struct Condition {
   std::size_t record = 0;  ///< index into Campaign::records
   int fold = 0;            ///< what is left out together when a prediction is checked
   double time_s = 0;       ///< of its middle, of record_times
+  double length_s = 0;     ///< of all ensembles
   std::shared_ptr<const Torus> torus;
   std::array<std::complex<double>, 2> rate;
   std::vector<MasterLine> masters;

@@ -29,13 +29,11 @@ constexpr double same_setting = 1e-3;
 /// The best explanation leaves structure where noise alone would leave as much less often than this.
 constexpr double structure_alarm = 1e-4;
 
-/// An explanation that leaves structure is still the cause if what it leaves beyond repeatability is this share of
-/// what was there,
-constexpr double small_structure = 0.1;
-
-/// and if held-out conditions show that at least this share was closed (the lower end of its interval). No cause
-/// closes less than it leaves.
+/// A cause closes more of the gap than it leaves.
 constexpr double least_closing = 0.5;
+
+/// An explanation that leaves structure beside it is an approximate one from this share of the gap on.
+constexpr double most_of_the_gap = 0.9;
 
 /// One row counts with no more standard deviations than this: outliers are no smooth function.
 constexpr double largest_row = 3;
@@ -107,17 +105,10 @@ ResidualStructure residual_structure_of(const Refit& fit, const std::vector<RowL
   return left;
 }
 
-bool closes_gap(const ClosedShare& closing) {
-  return closing.closed >= least_closing;
-}
-
-bool leaves_structure(const ResidualStructure& structure, const ClosedShare& closing, double floor) {
-  const auto beyond_floor = [&](double rms) { return std::sqrt(std::max(0.0, rms * rms - floor * floor)); };
-  const bool is_shown = closing.low >= least_closing;
-  const bool little = is_shown && beyond_floor(closing.after) <= small_structure * beyond_floor(closing.before);
-  const bool little_smooth = is_shown && structure.smooth_share <= small_structure;
-  return (structure.p_value < structure_alarm && !little) ||
-         (structure.smooth_p_value < structure_alarm && !little_smooth);
+Reach reach_of(const ResidualStructure& structure, const ClosedShare& closing) {
+  if (!(closing.closed >= least_closing)) return Reach::little;
+  if (structure.p_value >= structure_alarm && structure.smooth_p_value >= structure_alarm) return Reach::all;
+  return closing.low >= least_closing && closing.closed >= most_of_the_gap ? Reach::approximate : Reach::little;
 }
 
 }  // namespace secular

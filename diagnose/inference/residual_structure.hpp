@@ -31,14 +31,16 @@ struct ResidualStructure {
 ResidualStructure residual_structure_of(const Refit& fit, const std::vector<RowLabel>& labels, double freedom,
                                         double explained);
 
-/// Whether an explanation closes more of the gap than it leaves, on conditions that were held out. None that does
-/// not is a cause, however likely it is beside others; nor is one of a gap that is smaller than repeatability,
-/// where there is nothing to close.
-bool closes_gap(const ClosedShare& closing);
+/// How far an explanation goes.
+enum class Reach {
+  little,       ///< it closes less of the gap than it leaves, or leaves structure and is not shown to close most
+  approximate,  ///< it closes most of the gap, and structure is left beside it
+  all           ///< what it leaves is what repeatability leaves
+};
 
-/// Whether an explanation leaves structure that forbids to call it the cause. Real structures always leave some: it
-/// may, where held-out conditions show that it closes most of the gap and what it leaves beyond repeatability is
-/// less than a tenth of what was there.
-bool leaves_structure(const ResidualStructure& structure, const ClosedShare& closing, double floor);
+/// Of an explanation that closes so much on conditions that were held out and leaves this structure. One that
+/// closes less than it leaves is no cause, however likely it is beside others; nor is one of a gap that is smaller
+/// than repeatability, where there is nothing to close. `closing.low`, its lower end, has to show as much.
+Reach reach_of(const ResidualStructure& structure, const ClosedShare& closing);
 
 }  // namespace secular

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <numeric>
 
 #include "diagnose/evidence/line_evidence.hpp"
 #include "diagnose/evidence/observe_conditions.hpp"
 #include "estimator/identification/short_list.hpp"
 #include "input/input_error.hpp"
+#include "measure/observe/record_window.hpp"
 
 namespace secular {
 namespace {
@@ -19,6 +22,35 @@ using Eigen::VectorXd;
 
 /// Samples of decays, sweeps and broadband records that are compared, in all.
 constexpr Index most_samples = 6000;
+
+// Reads records and notes how long each is within a window.
+class TimedReader {
+ public:
+  TimedReader(const RecordReader& read, const Window& window) : read_(read), window_(window) {}
+
+  Record operator()(std::size_t index) {
+    Record record = read_(index);
+    length_s_[index] = static_cast<double>(range_of(record, window_).count) / record.sample_rate_hz;
+    return record;
+  }
+
+  double length_s() const {
+    return std::accumulate(length_s_.begin(), length_s_.end(), 0.0,
+                           [](double sum, const auto& record) { return sum + record.second; });
+  }
+
+ private:
+  const RecordReader& read_;
+  const Window& window_;
+  std::map<std::size_t, double> length_s_;  // by record
+};
+
+double compared_s(const std::vector<Condition>& conditions, const std::vector<Segment>& segments) {
+  double sum = 0;
+  for (const Condition& condition : conditions) sum += condition.length_s;
+  for (const Segment& segment : segments) sum += segment.length_s();
+  return sum;
+}
 
 // What the records tell, where they do.
 double seen_frequency(const DiagnosisOptions& options, std::size_t mode) {
@@ -104,10 +136,12 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
     const double seen = seen_frequency(options, k);
     natural.push_back(std::isfinite(seen) ? seen : result.start(static_cast<Index>(k)));
   }
-  ObservedConditions observed = observe_conditions(campaign, read, model, sensors, natural, options.window);
+  TimedReader timed(read, options.window);
+  const RecordReader timed_read = [&](std::size_t r) { return timed(r); };
+  ObservedConditions observed = observe_conditions(campaign, timed_read, model, sensors, natural, options.window);
   result.warnings = std::move(observed.warnings);
   const auto cut = [&](const Window& window, SegmentLength length) {
-    return cut_segments(campaign, read, sensors, natural, {window, length, most_samples}, result.warnings);
+    return cut_segments(campaign, timed_read, sensors, natural, {window, length, most_samples}, result.warnings);
   };
   std::vector<Segment> segments = cut(options.window, SegmentLength::turns);
   if (observed.conditions.empty() && segments.empty())
@@ -124,6 +158,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
       leave_out_unsteady(result.conditions, observed.nonstationarity, campaign);
   if (!left_out.empty())
     result.warnings.push_back(fmt::format("left out because their motion is not steady: {}", short_list(left_out)));
+  result.data_used = compared_s(result.conditions, segments) / timed.length_s();
   const VectorXd largest = largest_displacements(result.conditions, segments, sensors, natural);
   set_scales(result.forces, largest, natural);
   result.candidates =

@@ -16,6 +16,10 @@ using Eigen::VectorXd;
 /// A gap is there where noise alone would look like it less often than this.
 constexpr double false_alarm = 0.003;
 
+/// Repeatability that is overestimated by more than this, as a variance: a gap as large as the noise itself would
+/// not be seen.
+constexpr double most_overestimated = 2;
+
 constexpr const char* metric =
     "root mean square over held-out rows (balance of every resonant line, lines of every channel) in units "
     "of measured repeatability";
@@ -30,6 +34,7 @@ class Diagnoser {
     result_.labels = discrepancy().labels();
     result_.conditions = comparison_.conditions.size() + comparison_.segments;
     result_.unsteady = comparison_.unsteady;
+    result_.data_used = comparison_.data_used;
     result_.gap.judged = whose_gap(options_.given);
     result_.gap.metric = metric;
     InferenceOptions inference_options;
@@ -90,6 +95,13 @@ class Diagnoser {
       moved = moved_p_value(options_.given, judged_, model_, comparison_.start, inference_.null.fit);
     gap.p_value = std::min(1.0, (options_.given ? 3 : 2) * std::min({omnibus, targeted, moved}));
     gap.detected = gap.p_value < false_alarm;
+    gap.noise_misjudged = chi_squared * most_overestimated < freedom && 1 - omnibus < false_alarm;
+  }
+
+  // Of the fit that the verdict is about.
+  void take_numbers(const Refit& fit) {
+    result_.fitted = fitted_numbers(fit, comparison_.unknown_names(model_),
+                                    static_cast<double>(discrepancy().freedom()), campaign_, model_);
   }
 
   // Mean motions agree with the model; what varies within dwells may not.
@@ -97,7 +109,11 @@ class Diagnoser {
     GapReport& gap = result_.gap;
     gap.before = gap.after =
         std::sqrt(result_.rows_before.squaredNorm() / static_cast<double>(discrepancy().freedom()));
-    if (result_.unsteady.detected) {
+    take_numbers(inference_.null.fit);
+    if (gap.noise_misjudged) {
+      result_.verdict = "unknown";
+      result_.next_experiment.reason = "the noise is misjudged: no gap could be seen";
+    } else if (result_.unsteady.detected) {
       result_.verdict = "unknown";
       gap.detected = true;
       gap.p_value = result_.unsteady.p_value;
@@ -151,6 +167,7 @@ class Diagnoser {
     const ClosedShare closing = closed_share(before, held_out_rows(*best_), result_.labels, result_.gap.floor);
     fill_gap(closing);
     result_.rows_after = best_->fit.rows;
+    take_numbers(best_->fit);
     if (!best_->members.empty())
       result_.gap.placebo_closed = placebo_closed(inference_.null.fit, best_->fit.rows - inference_.null.fit.rows,
                                                   result_.labels, result_.gap.floor);
@@ -173,11 +190,14 @@ class Diagnoser {
         result_.gap.wrong_cause = wrong->effects.front();
         result_.gap.wrong_cause_closed = reporter.closed_share(*wrong->explanation);
       }
-      const bool is_found = !stalled_ && !best.open_law;
-      if (is_found && closes_gap(closing) && !is_restless() &&
-          !leaves_structure(result_.residual_structure, closing, result_.gap.floor)) {
+      const bool is_found = !stalled_ && !best.open_law && !is_restless() && !result_.gap.noise_misjudged;
+      const Reach reach = is_found ? reach_of(result_.residual_structure, closing) : Reach::little;
+      if (reach == Reach::all) {
         result_.verdict = naming.set.size() == 1 ? "cause" : "set";
         result_.cause = naming.set.size() == 1 ? naming.set.front() : "";
+      } else if (reach == Reach::approximate) {
+        result_.verdict = "approximate";
+        result_.gap.left_share = 1 - closing.closed;
       }
     }
     if (options_.given) result_.parameters_moved = moved_parameters(model_, comparison_.start, inference_.null.fit);
@@ -202,7 +222,7 @@ class Diagnoser {
 
   // The gap row by row: what the named effect does to the rows, all else as it is; without a name, what is left.
   VectorXd gap_rows() const {
-    if (result_.verdict != "cause" && result_.verdict != "set") return result_.rows_before;
+    if (result_.verdict == "unknown") return result_.rows_before;
     if (!best_ || best_->members.empty()) return result_.rows_before - result_.rows_after;
     return discrepancy()(switched_off(best_->fit.unknowns, best_->members, comparison_.candidates)) -
            best_->fit.rows;

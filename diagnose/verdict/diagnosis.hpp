@@ -9,6 +9,7 @@
 #include "diagnose/inference/residual_structure.hpp"
 #include "diagnose/verdict/cause_report.hpp"
 #include "diagnose/verdict/diagnosis_options.hpp"
+#include "diagnose/verdict/fitted_numbers.hpp"
 #include "diagnose/verdict/gap_shares.hpp"
 #include "diagnose/verdict/proposal.hpp"
 #include "diagnose/verdict/simulated_check.hpp"
@@ -22,6 +23,8 @@ struct GapReport {
   double p_value = 1;
   double before = 0, after = 0, floor = 1;
   double closed = 0, closed_low = 0, closed_high = 0;
+  std::optional<double> left_share;  ///< of the gap, where the verdict is approximate
+  bool noise_misjudged = false;      ///< the rows scatter far less than the repeatability that they are measured in
   std::string metric;
   double wrong_cause_closed = 0;  ///< by the best explanation outside the set
   std::string wrong_cause;
@@ -39,6 +42,8 @@ struct Diagnosis {
   std::optional<OpenLaw> open_law;  ///< where it is a better explanation than any effect or pair of the catalogue
   std::vector<CauseReport> causes;
   std::vector<ParameterMove> parameters_moved;
+  FittedNumbers fitted;  ///< of the best explanation, or of the model as it is where there is no gap
+  double data_used = 0;  ///< see Comparison
   ResidualStructure residual_structure;
   NextExperiment next_experiment;
   std::optional<SimulatedCheck> simulated;  ///< where a gap was found

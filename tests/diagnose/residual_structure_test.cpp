@@ -100,40 +100,41 @@ TEST(SmoothStructure, SaysNothingOfAFewRows) {
   EXPECT_EQ(left.p_value, 1);
 }
 
-ClosedShare closing(double before, double after, double low) {
+ClosedShare closing(double closed, double low) {
   ClosedShare share;
-  share.before = before;
-  share.after = after;
+  share.closed = closed;
   share.low = low;
   return share;
 }
 
-TEST(LeavesStructure, NoiseIsNone) {
-  EXPECT_FALSE(
-      leaves_structure({.p_value = 0.01, .smooth_p_value = 0.5, .smooth_share = 0}, closing(2, 1.9, -1), 1));
+constexpr ResidualStructure nothing{.p_value = 0.01, .smooth_p_value = 0.5},
+    rows_left{.p_value = 1e-9, .smooth_p_value = 1}, smooth_left{.p_value = 1, .smooth_p_value = 1e-9};
+
+TEST(Reach, WhereNothingIsLeftItGoesAllTheWay) {
+  EXPECT_EQ(reach_of(nothing, closing(0.99, 0.9)), Reach::all);
+  EXPECT_EQ(reach_of(nothing, closing(0.7, -1)), Reach::all);  // few conditions, a small gap
 }
 
-TEST(LeavesStructure, ATenthOfTheGapIsAllowedToRealStructures) {
-  const ResidualStructure plain{.p_value = 1e-9, .smooth_p_value = 1, .smooth_share = 0};
-  EXPECT_FALSE(leaves_structure(plain, closing(50, 4, 0.9), 1));
-  EXPECT_TRUE(leaves_structure(plain, closing(50, 6, 0.9), 1));
-  const ResidualStructure smooth{.p_value = 1, .smooth_p_value = 1e-9, .smooth_share = 0.2};
-  EXPECT_TRUE(leaves_structure(smooth, closing(50, 1, 0.9), 1));
+TEST(Reach, BesideStructureItIsApproximateFromNineTenthsOn) {
+  for (const ResidualStructure& left : {rows_left, smooth_left}) {
+    EXPECT_EQ(reach_of(left, closing(0.999, 0.99)), Reach::approximate);
+    EXPECT_EQ(reach_of(left, closing(0.9, 0.6)), Reach::approximate);
+    EXPECT_EQ(reach_of(left, closing(0.89, 0.6)), Reach::little);
+  }
 }
 
-TEST(LeavesStructure, ItIsNotWhereNothingShowsThatTheGapWasClosed) {
-  const ResidualStructure plain{.p_value = 1e-9, .smooth_p_value = 1e-9, .smooth_share = 0.03};
-  EXPECT_TRUE(leaves_structure(plain, closing(93, 4.7, -1), 1));
-  EXPECT_TRUE(leaves_structure(plain, closing(93, 4.7, std::nan("")), 1));
-  EXPECT_FALSE(leaves_structure(plain, closing(93, 4.7, 0.6), 1));
+TEST(Reach, IsNotShownWhereTheIntervalReachesBelowOneHalf) {
+  EXPECT_EQ(reach_of(rows_left, closing(0.95, -1)), Reach::little);
+  EXPECT_EQ(reach_of(rows_left, closing(0.95, std::nan(""))), Reach::little);
+  EXPECT_EQ(reach_of(rows_left, closing(0.95, 0.6)), Reach::approximate);
 }
 
 // Whatever the evidence: neither where nothing was closed, nor where there was nothing to close.
-TEST(ClosesGap, NoCauseClosesNothing) {
+TEST(Reach, NoCauseClosesNothing) {
   const auto closes = [](double before, double after) {
     const std::vector<RowLabel> labels(4);
-    return closes_gap(
-        closed_share(Eigen::VectorXd::Constant(4, before), Eigen::VectorXd::Constant(4, after), labels, 1));
+    return reach_of(nothing, closed_share(Eigen::VectorXd::Constant(4, before), Eigen::VectorXd::Constant(4, after),
+                                          labels, 1)) == Reach::all;
   };
   EXPECT_FALSE(closes(2.5, 2.5));
   EXPECT_FALSE(closes(2.5, 2.8));

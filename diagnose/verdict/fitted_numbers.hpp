@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "diagnose/inference/refit.hpp"
+#include "estimator/model/compiled_model.hpp"
+#include "measure/data/campaign.hpp"
+
+namespace secular {
+
+/// Numbers that a fit chose and that the data identify: symbols of the model and faults of the measurement.
+struct FittedNumbers {
+  std::vector<std::string> names;
+  std::vector<std::string> units;  ///< "1" for none, empty where the equations do not fix it
+  Eigen::VectorXd values;
+  Eigen::MatrixXd covariance;
+};
+
+/// `names`: of all unknowns, those of the model's symbols first. `rows`: how many of the fit's rows are
+/// independent; what they leave beyond repeatability widens the covariance. Units follow from those of the channels
+/// of `campaign`; a symbol that multiplies a force with a signal of its own (memory, time, a power) has none.
+FittedNumbers fitted_numbers(const Refit& fit, const std::vector<std::string>& names, double rows,
+                             const Campaign& campaign, const CompiledModel& model);
+
+}  // namespace secular
