@@ -71,7 +71,8 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
     fmt::print("acts like: {}; a structured {} of the gap is left\n", fmt::join(d.set, " or "),
                report::format_percent(*d.gap.left_share));
   if (d.verdict == "unknown")
-    fmt::print("cause: unknown{}\n", d.set.empty() ? "" : fmt::format("; nearest: {}", fmt::join(d.set, ", ")));
+    fmt::print("cause: unknown{}; {}\n", d.set.empty() ? "" : fmt::format(", nearest: {}", fmt::join(d.set, ", ")),
+               d.unknown_because);
   if (d.open_law) fmt::print("  {}\n", open_law_sentence(*d.open_law));
   if (!d.together.empty())
     fmt::print("  together: {}{}\n", fmt::join(d.together, " and "),

@@ -85,6 +85,7 @@ std::string diagnosis_json(const DiagnosisRun& run) {
   root["verdict"] = d.verdict;
   root["cause"] = d.cause.empty() ? Json(nullptr) : Json(d.cause);
   root["set"] = d.set;
+  if (!d.unknown_because.empty()) root["unknown_because"] = d.unknown_because;
   if (!d.together.empty()) root["together"] = d.together;
   if (!d.second_or.empty()) root["second_or"] = d.second_or;
   if (d.open_law)

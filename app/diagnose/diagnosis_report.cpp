@@ -75,11 +75,11 @@ std::string sentence(const Diagnosis& d) {
   if (d.open_law)
     return "There is a gap, and no effect of the catalogue explains it: it " + open_law_sentence(*d.open_law) +
            ", which does so better than any effect of the catalogue or two of them.";
-  return "There is a gap, and no effect of the catalogue explains it: the best one" +
-         (d.set.empty() ? std::string() : " (" + joined(d.set, ", ") + ")") +
-         (d.unsteady.detected ? " has no part in how the motion varies within dwells, " +
-                                    report::format_number(d.unsteady.ratio, 2) + " times what noise explains."
-                              : " leaves residual structure.");
+  return "There is a gap, and no effect of the catalogue explains it" +
+         (d.set.empty() ? std::string() : " (nearest: " + joined(d.set, " or ") + ")") + ": " + d.unknown_because +
+         (d.unsteady.detected
+              ? "; it varies by " + report::format_number(d.unsteady.ratio, 2) + " times what noise explains."
+              : ".");
 }
 
 // Rows of the equations of motion against amplitude, before and after.

@@ -15,9 +15,9 @@ using Eigen::VectorXd;
 /// Singular values of the scaled columns below this share of the largest count as zero: differences are not better.
 constexpr double rank_tolerance = 1e-6;
 
-/// Chi-squared to first order, of what a free step from the end of a converged fit may still promise at most, and
-/// in shares of all: ten times less than what any comparison of explanations turns on.
-constexpr double promise_kept = 0.1, promise_kept_share = 1e-6;
+/// Chi-squared to first order, in variances of the rows about the fit, that a free step from the end of a converged
+/// one may still promise at most: explanations are compared in these variances, and none by so little.
+constexpr double promise_kept = 0.1;
 
 /// Differences are taken over changes of the rows by this to one over this standard deviations.
 constexpr double least_change = 0.03;
@@ -146,7 +146,9 @@ Refit refit(const Discrepancy& discrepancy, const VectorXd& start, const std::ve
       }
     }
     // Damping makes every promise small: only what a free step promises tells whether this is the minimum.
-    if (promise < promise_kept + promise_kept_share * fit.chi_squared) fit.ending = FitEnding::converged;
+    const double freedom = static_cast<double>(discrepancy.freedom() - fit.rank);
+    const double dispersion = freedom > 0 ? std::max(1.0, fit.chi_squared / freedom) : 1;
+    if (promise < promise_kept * dispersion) fit.ending = FitEnding::converged;
     for (std::size_t f = 0; f < free.size(); ++f)
       if (!(length(static_cast<Index>(f)) > 0)) fit.identifiable[f] = false;
     const MatrixXd turned = fit.scale.cwiseProduct(unit).asDiagonal() * svd.matrixV();

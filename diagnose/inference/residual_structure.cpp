@@ -1,5 +1,7 @@
 #include "diagnose/inference/residual_structure.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -109,6 +111,15 @@ Reach reach_of(const ResidualStructure& structure, const ClosedShare& closing) {
   if (!(closing.closed >= least_closing)) return Reach::little;
   if (structure.p_value >= structure_alarm && structure.smooth_p_value >= structure_alarm) return Reach::all;
   return closing.low >= least_closing && closing.closed >= most_of_the_gap ? Reach::approximate : Reach::little;
+}
+
+std::string what_is_missing(const ResidualStructure& structure, const ClosedShare& closing) {
+  if (!(closing.closed >= least_closing)) return "the best explanation closes less of the gap than it leaves";
+  if (closing.closed >= most_of_the_gap)
+    return "structure is left beside the best explanation, and held-out conditions do not show that it closes half "
+           "of the gap";
+  return fmt::format("the best explanation closes less than {:.0f} % of the gap and leaves structure (p = {:.1g})",
+                     100 * most_of_the_gap, std::min(structure.p_value, structure.smooth_p_value));
 }
 
 }  // namespace secular

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "diagnose/inference/held_out.hpp"
@@ -42,5 +43,8 @@ enum class Reach {
 /// closes less than it leaves is no cause, however likely it is beside others; nor is one of a gap that is smaller
 /// than repeatability, where there is nothing to close. `closing.low`, its lower end, has to show as much.
 Reach reach_of(const ResidualStructure& structure, const ClosedShare& closing);
+
+/// In words: what keeps an explanation of little reach from being named.
+std::string what_is_missing(const ResidualStructure& structure, const ClosedShare& closing);
 
 }  // namespace secular

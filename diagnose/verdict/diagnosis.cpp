@@ -112,12 +112,14 @@ class Diagnoser {
     take_numbers(inference_.null.fit);
     if (gap.noise_misjudged) {
       result_.verdict = "unknown";
-      result_.next_experiment.reason = "the noise is misjudged: no gap could be seen";
+      result_.unknown_because = "the noise is misjudged: a gap could not be seen";
+      result_.next_experiment.reason = result_.unknown_because;
     } else if (result_.unsteady.detected) {
       result_.verdict = "unknown";
       gap.detected = true;
       gap.p_value = result_.unsteady.p_value;
-      result_.next_experiment.reason = "the mean motions agree with the model; what varies is not the excitation";
+      result_.unknown_because = "the mean motions agree with the model; what varies is not the excitation";
+      result_.next_experiment.reason = result_.unknown_because;
     } else {
       result_.verdict = "no_gap";
       result_.next_experiment.reason = "there is no gap to explain";
@@ -154,6 +156,7 @@ class Diagnoser {
   // `named`: those of `all` that the catalogue holds.
   Naming name_cause(const std::vector<Rival>& all, const std::vector<Rival>& named) {
     result_.verdict = "unknown";
+    result_.unknown_because = "no effect that was tried fits";
     const VectorXd before = options_.given ? judged_.rows : held_out_rows(inference_.null);
     if (all.empty()) {
       fill_gap(closed_share(before, before, result_.labels, result_.gap.floor));
@@ -190,18 +193,30 @@ class Diagnoser {
         result_.gap.wrong_cause = wrong->effects.front();
         result_.gap.wrong_cause_closed = reporter.closed_share(*wrong->explanation);
       }
-      const bool is_found = !stalled_ && !best.open_law && !is_restless() && !result_.gap.noise_misjudged;
-      const Reach reach = is_found ? reach_of(result_.residual_structure, closing) : Reach::little;
+      result_.unknown_because = why_nothing_is_named(best);
+      const Reach reach =
+          result_.unknown_because.empty() ? reach_of(result_.residual_structure, closing) : Reach::little;
       if (reach == Reach::all) {
         result_.verdict = naming.set.size() == 1 ? "cause" : "set";
         result_.cause = naming.set.size() == 1 ? naming.set.front() : "";
       } else if (reach == Reach::approximate) {
         result_.verdict = "approximate";
         result_.gap.left_share = 1 - closing.closed;
+      } else if (result_.unknown_because.empty()) {
+        result_.unknown_because = what_is_missing(result_.residual_structure, closing);
       }
     }
     if (options_.given) result_.parameters_moved = moved_parameters(model_, comparison_.start, inference_.null.fit);
     return naming;
+  }
+
+  // Whatever an explanation closes; empty: nothing speaks against it.
+  std::string why_nothing_is_named(const Rival& best) const {
+    if (result_.gap.noise_misjudged) return "the noise is misjudged";
+    if (stalled_) return "the fit that explains most did not converge";
+    if (best.open_law) return "a law outside of the catalogue explains better than all that are in it";
+    if (is_restless()) return "the motion varies within dwells by more than the best explanation removes";
+    return "";
   }
 
   void fill_gap(const ClosedShare& share) {

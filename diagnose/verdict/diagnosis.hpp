@@ -36,6 +36,7 @@ struct Diagnosis {
   Unsteadiness unsteady;
   std::vector<GapShare> where;
   std::string verdict, cause;
+  std::string unknown_because;  ///< where the verdict is unknown
   std::vector<std::string> set;
   std::vector<std::string> together;   ///< two effects that act at once, each by name, the leading one first
   std::vector<std::string> second_or;  ///< effects that the data cannot tell from the second of them
