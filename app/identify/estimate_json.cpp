@@ -144,6 +144,27 @@ void add_representative(Json& result, const Identification& identification) {
   result["representative"] = {{"values", std::move(open)}, {"steady_motions_of", std::move(cases)}};
 }
 
+// Of all parameters that were estimated. A misfit that widened an error bar counts as that parameter's own.
+Json covariance_json(const Estimate& estimate) {
+  std::vector<Eigen::Index> places;
+  Json names = Json::array(), matrix = Json::array();
+  for (std::size_t p = 0; p < estimate.parameters.size(); ++p) {
+    const EstimatedValue& value = estimate.parameters[p];
+    if (!value.value || value.fixed) continue;
+    places.push_back(static_cast<Eigen::Index>(p));
+    names.push_back(value.name);
+  }
+  for (const Eigen::Index row : places) {
+    Json entries = Json::array();
+    for (const Eigen::Index column : places) {
+      const double sd = estimate.parameters[static_cast<std::size_t>(row)].sd;
+      entries.push_back(row == column ? sd * sd : estimate.covariance(row, column));
+    }
+    matrix.push_back(std::move(entries));
+  }
+  return {{"names", std::move(names)}, {"matrix", std::move(matrix)}};
+}
+
 }  // namespace
 
 std::string estimate_json(const Identification& identification) {
@@ -166,6 +187,7 @@ std::string estimate_json(const Identification& identification) {
   result["lumps"] = Json::array();
   for (const EstimatedValue& value : identification.estimate.lumps)
     result["lumps"].push_back(value_json(value, true));
+  result["covariance"] = covariance_json(identification.estimate);
   add_representative(result, identification);
   Json quality;
   quality["observations"] = observations;

@@ -82,6 +82,8 @@ struct Estimate {
   /// Symbols x independent directions: how far representative_parameters may be along each, one standard deviation,
   /// by the noise of the measurement, and by what it leaves open.
   Eigen::MatrixXd noise, open;
+  /// Symbols x symbols: of parameters with a number. Without what misfits and doubts add to single error bars.
+  Eigen::MatrixXd covariance;
   Eigen::VectorXd parameter_sd;  ///< of `parameter_values` by the noise of the lumps; 0 where they say nothing
   std::vector<std::string> warnings;
   std::shared_ptr<const EstimationState> state;

@@ -195,6 +195,7 @@ void report_parameters(Estimation& e) {
     e.result.parameters.push_back(std::move(value));
   }
   e.result.null_directions = null_directions(known);
+  e.result.covariance = e.shared.covariance;
 }
 
 void report_lumps(Estimation& e) {

@@ -3,6 +3,8 @@
 // table with more draws.
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -33,6 +35,35 @@ struct Coverage {
   int inside = 0;  ///< draws whose interval holds the truth
   double bias = 0, truncation = 0, truth = 0, mean_sd = 0, scatter = 0, mean = 0;
 };
+
+// Errors of two parameters go together over the draws as their covariance says: Fisher's transformation of a
+// correlation from n draws has standard deviation 1/sqrt(n - 3), whatever the correlation.
+void check_correlations(const std::vector<Estimate>& estimates, const std::vector<std::string>& names) {
+  const auto draws = static_cast<double>(estimates.size());
+  const auto place = [&](const std::string& name) {
+    const std::vector<EstimatedValue>& all = estimates.front().parameters;
+    return std::find_if(all.begin(), all.end(), [&](const EstimatedValue& v) { return v.name == name; }) -
+           all.begin();
+  };
+  const auto parameters = static_cast<Eigen::Index>(estimates.front().parameters.size());
+  for (std::size_t a = 0; a < names.size(); ++a)
+    for (std::size_t b = a + 1; b < names.size(); ++b) {
+      const Eigen::Index i = place(names[a]), j = place(names[b]);
+      if (i == parameters || j == parameters) continue;  // a lump that is no parameter
+      Eigen::MatrixX2d values(estimates.size(), 2);
+      double told = 0;
+      for (std::size_t e = 0; e < estimates.size(); ++e) {
+        const Estimate& one = estimates[e];
+        values.row(static_cast<Eigen::Index>(e)) << *one.parameters[static_cast<std::size_t>(i)].value,
+            *one.parameters[static_cast<std::size_t>(j)].value;
+        told += one.covariance(i, j) / std::sqrt(one.covariance(i, i) * one.covariance(j, j)) / draws;
+      }
+      const Eigen::MatrixX2d about = values.rowwise() - values.colwise().mean();
+      const double seen = about.col(0).dot(about.col(1)) / (about.col(0).norm() * about.col(1).norm());
+      std::printf("%s, %s: correlation %.2f, told %.2f\n", names[a].c_str(), names[b].c_str(), seen, told);
+      EXPECT_NEAR(std::atanh(seen), std::atanh(told), 4 / std::sqrt(draws - 3)) << names[a] << ", " << names[b];
+    }
+}
 
 // How often the interval contains the truth, the expansion's truncation taken out as `identify` does it, with the
 // full equations at the true parameters: what is left is statistics. The truncation is listed by itself.
@@ -92,6 +123,7 @@ std::vector<Coverage> coverage(const Experiment& experiment, const std::string& 
         name.c_str(), c.truth, c.truncation, c.bias, c.mean_sd, c.scatter, 100.0 * c.inside / draws, draws);
     result.push_back(c);
   }
+  check_correlations(estimates, names);
   return result;
 }
 
