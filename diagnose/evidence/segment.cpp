@@ -30,6 +30,10 @@ constexpr double decay_turns = 6, driven_turns = 40;
 /// Of a segment.
 constexpr Index fewest_samples = 48;
 
+/// A decay keeps so many segments whatever the others hold: its laws of the amplitude are read from them, and how
+/// they repeat, which takes half as many.
+constexpr Index fewest_of_a_decay = 16;
+
 /// A decay ends where its amplitude is below this many noise levels.
 constexpr double end_at_noise = 8;
 
@@ -101,15 +105,26 @@ class Cutter {
     return noise;
   }
 
-  // Thinned samples at which segments begin: of a driven record no more than its share, spread over it.
-  std::vector<Index> starts(const Movement& m, Index length, std::size_t records) const {
-    const Index pieces = m.available() / length;
-    const Index share = std::max<Index>(1, cut_.most_samples / static_cast<Index>(records) / length);
+  // Thinned samples at which segments begin, one after the other or, where the record holds more than its share,
+  // evenly spread over it: over a decay as far as it stands out from the noise.
+  std::vector<Index> starts(const Movement& m, Index length, const Eigen::VectorXd& noise,
+                            std::size_t records) const {
+    Index pieces = m.available() / length;
+    if (!m.driven) {
+      const auto stands_out = [&](Index piece) {
+        const auto samples =
+            m.part.samples.col(0)(Eigen::seqN(m.first + piece * length * m.thinning, length, m.thinning));
+        return samples.cwiseAbs().maxCoeff() >= end_at_noise * noise(0);
+      };
+      Index loud = 0;
+      while (loud < pieces && stands_out(loud)) ++loud;
+      pieces = loud;
+    }
+    const Index share = std::max<Index>(m.driven ? 1 : fewest_of_a_decay,
+                                        cut_.most_samples / static_cast<Index>(records) / length),
+                kept = std::min(pieces, share);
     std::vector<Index> starts;
-    if (m.driven && pieces > share)
-      for (Index s = 0; s < share; ++s) starts.push_back(s * pieces / share * length);
-    else
-      for (Index s = 0; s < pieces; ++s) starts.push_back(s * length);
+    for (Index s = 0; s < kept; ++s) starts.push_back(s * pieces / kept * length);
     return starts;
   }
 
@@ -191,9 +206,8 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
     if (length == 0) continue;
     const Eigen::VectorXd noise = cutter.noise(*movement);
     int number = 0;
-    for (const Index begin : cutter.starts(*movement, length, records.size())) {
+    for (const Index begin : cutter.starts(*movement, length, noise, records.size())) {
       Segment segment = cutter.segment(*movement, record, begin, length);
-      if (!movement->driven && segment.response.row(0).cwiseAbs().maxCoeff() < end_at_noise * noise(0)) break;
       segment.record = r;
       segment.fold = static_cast<int>(r) + 1000 * (1 + number++ % 10);
       segment.time_s = began[r] + segment.in_record_s;

@@ -38,9 +38,9 @@ struct SegmentCut {
 };
 
 /// Free decays, impacts, sweeps and broadband records as segments, evenly spread over the record where it holds
-/// more samples than are needed. Decays begin where the structure swings freely. Samples are thinned where the
-/// record is much faster than the highest mode. Throws InputError for driven records with a band: what is nonlinear
-/// answers to all of its excitation.
+/// more than its share of `most_samples`. Decays begin where the structure swings freely. Samples are thinned where
+/// the record is much faster than the highest mode. Throws InputError for driven records with a band: what is
+/// nonlinear answers to all of its excitation.
 std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& read, const SensorModel& sensors,
                                   const std::vector<double>& natural_frequency, const SegmentCut& cut,
                                   std::vector<std::string>& warnings);
