@@ -8,6 +8,8 @@
 
 #include "diagnose/evidence/saturation.hpp"
 #include "numerics/hertz.hpp"
+#include "numerics/median.hpp"
+#include "numerics/third_differences.hpp"
 
 namespace secular {
 namespace {
@@ -39,15 +41,11 @@ MatrixXd beyond(const MatrixXd& basis, MatrixXd columns) {
   return columns;
 }
 
-// Standard deviation of what is independent from one value to the next: third differences of that have 20 times its
-// variance, those of a smooth law next to none. By the median of |normal|, 0.6745.
+// Standard deviation of what is independent from one value to the next, by the median of |normal|, 0.6745.
 double roughness(const std::vector<double>& values) {
-  std::vector<double> third;
-  for (std::size_t i = 0; i + 3 < values.size(); ++i)
-    third.push_back(std::abs(values[i + 3] - 3 * values[i + 2] + 3 * values[i + 1] - values[i]));
-  const auto middle = third.begin() + static_cast<std::ptrdiff_t>(third.size() / 2);
-  std::nth_element(third.begin(), middle, third.end());
-  return *middle / (0.6745 * std::sqrt(20.0));
+  std::vector<double> third = third_differences(values);
+  for (double& difference : third) difference = std::abs(difference);
+  return upper_median(std::move(third)) / (0.6745 * std::sqrt(third_difference_variance));
 }
 
 // Errors, channel after channel, with nothing at some samples.
@@ -64,14 +62,12 @@ double lower_quartile(std::vector<double> values) {
   return *quarter;
 }
 
-// Variance of what is white in a series, channel after channel: third differences of it have 20 times its variance,
-// those of anything sampled this densely have next to none.
-double third_difference_variance(const VectorXd& error, Index samples) {
+// Variance of what is white in a series, channel after channel: anything sampled this densely is smooth.
+double white_variance(const VectorXd& error, Index samples) {
   double sum = 0, count = 0;
   for (Index first = 0; first + samples <= error.size(); first += samples)
-    for (Index i = first; i + 3 < first + samples; ++i) {
-      const double third = error(i + 3) - 3 * error(i + 2) + 3 * error(i + 1) - error(i);
-      sum += third * third / 20;
+    for (const double third : third_differences({error.data() + first, static_cast<std::size_t>(samples)})) {
+      sum += third * third / third_difference_variance;
       count += 1;
     }
   return count > 0 ? sum / count : 1;
@@ -331,7 +327,7 @@ void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
       const Frozen& f = frozen_[i];
       const auto column = static_cast<Index>(i - first);
       const VectorXd error = frozen_errors(i, unknowns, f.state, {});
-      white(column) = third_difference_variance(error, segments_[i].response.cols());
+      white(column) = white_variance(error, segments_[i].response.cols());
       changes.col(column) = f.change_basis.transpose() * error;
       const double squares = error.squaredNorm() - (f.state_basis.transpose() * error).squaredNorm() -
                              changes.col(column).squaredNorm();

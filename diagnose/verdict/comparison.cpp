@@ -21,7 +21,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// Samples of decays, sweeps and broadband records that are compared, in all.
-constexpr Index most_samples = 12000;
+constexpr Index most_samples = 6000;
 
 // Reads records and notes how long each is within a window.
 class TimedReader {

@@ -33,11 +33,13 @@ void test_fit(Estimation& e) {
       worst += fmt::format("{}{} ({:.1f} times)", worst.empty() ? "" : "; ", test.name, test.misfit);
     }
     if (!worst.empty())
-      e.result.warnings.push_back(
-          fmt::format("case {}: the model does not fit as well as repeats of one condition agree: {}. It lacks "
-                      "something there, and its parameters have absorbed part of it: error bars are widened by as "
-                      "much again as is seen to be wrong",
-                      tests.resonance, worst));
+      e.result.warnings.push_back(fmt::format(
+          "case {}: the model does not fit as well as {} agree: {}. It lacks something there, and its "
+          "parameters have absorbed part of it: error bars are widened by as much again as is seen to "
+          "be wrong",
+          tests.resonance,
+          fit.set->resonance->excited ? "repeats of one condition" : "windows of a decay that follow one another",
+          worst));
     if (!tests.equations.empty()) e.result.lack_of_fit.push_back(std::move(tests));
   }
 }

@@ -6,9 +6,11 @@
 #include <complex>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "numerics/distribution.hpp"
+#include "numerics/third_differences.hpp"
 
 namespace secular {
 namespace {
@@ -20,8 +22,12 @@ using Eigen::VectorXd;
 /// Probability that a case whose equations hold shows a significant lack of fit.
 constexpr double false_alarm = 0.001;
 
-/// Fewer degrees of freedom among repeats say too little of the noise.
-constexpr double fewest_repeats = 10;
+/// Of a window's length, by which its neighbour may seem to overlap it.
+constexpr double rounding = 1e-3;
+
+/// Where there are fewer degrees of freedom among the repeats of dwells, the measured noise stands for them. What
+/// repeats in a decay is not the noise alone (other modes ring, too): it takes this many, or there is no test.
+constexpr double fewest_repeats = 10, fewest_repeats_of_decays = 4;
 
 using Equation = std::pair<std::size_t, EquationPart>;
 
@@ -36,6 +42,20 @@ std::string name_of(const CaseFit& fit, const Equation& equation) {
   return std::string(block.name) + (block.kind == BlockKind::modulation
                                         ? (in_phase ? ", balance of energy" : ", balance of frequency")
                                         : (in_phase ? ", in phase" : ", in quadrature"));
+}
+
+// By observation: whether it shares no samples with those before it that count as repeats of its condition.
+std::vector<bool> repeats_of(const ObservationSet& set) {
+  std::vector<bool> repeats(set.observations.size(), true);
+  const Observation* last = nullptr;
+  for (std::size_t i = 0; i < set.observations.size(); ++i) {
+    const Observation& here = set.observations[i];
+    const bool overlaps = last && last->condition == here.condition && last->record == here.record &&
+                          here.centre_s - last->centre_s < (1 - rounding) * here.length_s;
+    repeats[i] = !overlaps;
+    if (!overlaps) last = &here;
+  }
+  return repeats;
 }
 
 // What is not known of the truncation that was subtracted from an equation, over the equation's noise: what each of
@@ -57,22 +77,35 @@ VectorXd unknown_truncation(const CaseFit& fit, const MatrixXd& unknown, Index r
   return unknown.rows() == change.size() ? VectorXd(unknown.transpose() * change) : change;
 }
 
-}  // namespace
+// Residuals of one equation at one condition, over their measured noise.
+struct Group {
+  double weights = 0, sum = 0, squares = 0, count = 0;  // of repeats
+  double all_weights = 0, all_count = 0;                // with windows that overlap them
+  double by_phase = 0;                                  // variances that unknown phases take up
+  VectorXd truncation;                                  // what is not known of it, weighted
 
-std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) {
-  std::vector<LackOfFit> result;
-  if (!fit.set->resonance->excited || fit.fit.coefficients.size() == 0) return result;
-  struct Group {
-    double weights = 0, sum = 0, squares = 0, count = 0;
-    double by_phase = 0;  // variances of repeats that unknown phases take up
-    VectorXd truncation;
-  };
-  std::map<Equation, std::map<int, Group>> groups;
-  std::map<Equation, double> unknowns;
+  double between() const { return sum * sum / weights; }
+  double phase_share() const { return by_phase / all_count; }
+};
+
+struct Conditions {
+  std::map<int, Group> groups;
+  std::map<std::size_t, std::vector<double>> in_time;  // residuals of repeats, by record
+};
+
+std::map<Equation, Conditions> gathered(const CaseFit& fit, const MatrixXd& unknown) {
+  const std::vector<bool> repeats = repeats_of(*fit.set);
+  std::map<Equation, Conditions> equations;
   for (Index r = 0; r < fit.residual.size(); ++r) {
     const auto at = static_cast<std::size_t>(r);
-    const double weight = fit.weight[fit.system.observation[at]], z = fit.residual(r);
-    Group& group = groups[equation_of(fit, r)][fit.system.condition[at]];
+    const std::size_t observation = fit.system.observation[at];
+    const double weight = fit.weight[observation], z = fit.residual(r);
+    Conditions& conditions = equations[equation_of(fit, r)];
+    Group& group = conditions.groups[fit.system.condition[at]];
+    group.all_weights += weight;
+    group.all_count += 1;
+    if (!repeats[observation]) continue;
+    conditions.in_time[fit.set->observations[observation].record].push_back(z);
     group.weights += weight;
     group.sum += weight * z;
     group.squares += weight * z * z;
@@ -80,55 +113,100 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) 
     const VectorXd left = weight * unknown_truncation(fit, unknown, r);
     group.truncation = group.truncation.size() == 0 ? left : VectorXd(group.truncation + left);
   }
-  // What the fit takes of the variance of a condition's mean: n m'Cm for its mean design row m in units of the
-  // equation's own noise and the covariance C of the coefficients (the weights of a block that misfits are lower).
-  std::map<Equation, std::map<int, VectorXd>> rows;
   Index begin = 0;
-  for (std::size_t n = 0; n < fit.system.colouring.size(); ++n) {
+  for (std::size_t n = 0; n < fit.system.by_phase.size(); ++n) {
     const auto colouring = fit.system.colouring[n].triangularView<Eigen::Lower>();
-    const MatrixXd own = colouring * fit.fit.orthonormal.middleRows(begin, colouring.rows());
-    const VectorXd by_phase =
-        fit.system.by_phase.empty() ? VectorXd::Zero(own.rows()) : VectorXd(colouring * fit.system.by_phase[n]);
-    for (Index r = 0; r < own.rows(); ++r) {
+    const VectorXd by_phase = colouring * fit.system.by_phase[n];
+    for (Index r = 0; r < by_phase.size(); ++r) {
       const auto at = static_cast<std::size_t>(begin + r);
       const Equation equation = equation_of(fit, begin + r);
-      const double weight = fit.weight[fit.system.observation[at]];
-      VectorXd& sum = rows[equation][fit.system.condition[at]];
-      if (sum.size() == 0) sum = VectorXd::Zero(own.cols());
-      sum += weight * own.row(r).transpose();
       const double scale = std::max(1.0, fit.block_misfit.at(equation.first));
-      groups[equation][fit.system.condition[at]].by_phase += weight * by_phase(r) * by_phase(r) / (scale * scale);
+      equations[equation].groups[fit.system.condition[at]].by_phase +=
+          fit.weight[fit.system.observation[at]] * by_phase(r) * by_phase(r) / (scale * scale);
+    }
+    begin += by_phase.size();
+  }
+  return equations;
+}
+
+// What the fit takes of the variance of a condition's mean: n m'Cm for its mean design row m in units of the
+// equation's own noise and the covariance C of the coefficients (the weights of a block that misfits are lower).
+std::map<Equation, double> unknowns_of(const CaseFit& fit, const std::map<Equation, Conditions>& equations) {
+  std::map<Equation, std::map<int, VectorXd>> rows;
+  Index begin = 0;
+  for (const MatrixXd& factor : fit.system.colouring) {
+    const MatrixXd own =
+        factor.triangularView<Eigen::Lower>() * fit.fit.orthonormal.middleRows(begin, factor.rows());
+    for (Index r = 0; r < own.rows(); ++r) {
+      const auto at = static_cast<std::size_t>(begin + r);
+      VectorXd& sum = rows[equation_of(fit, begin + r)][fit.system.condition[at]];
+      if (sum.size() == 0) sum = VectorXd::Zero(own.cols());
+      sum += fit.weight[fit.system.observation[at]] * own.row(r).transpose();
     }
     begin += own.rows();
   }
-  for (const auto& [equation, conditions] : groups) {
+  std::map<Equation, double> unknowns;
+  for (const auto& [equation, conditions] : equations) {
     const double scale = std::max(1.0, fit.block_misfit.at(equation.first));
-    for (const auto& [label, group] : conditions)
-      unknowns[equation] += rows[equation][label].squaredNorm() / group.weights / (scale * scale);
+    for (const auto& [label, group] : conditions.groups)
+      unknowns[equation] +=
+          rows[equation][label].squaredNorm() / group.all_weights / (scale * scale) + group.phase_share();
   }
-  for (const auto& [equation, conditions] : groups) {
+  return unknowns;
+}
+
+// How repeats scatter, in variances of the measured noise.
+struct Scatter {
+  double variance = 1, freedom = std::numeric_limits<double>::infinity();
+};
+
+// Ensembles of dwells about their condition's mean. What follows one another in a decay without overlap: about any
+// smooth law of the time, since a law that the model lacks changes from window to window by more than noise does.
+// Nothing: there are too few.
+std::optional<Scatter> scatter_of(const Conditions& conditions, bool of_dwells) {
+  double squares = 0, freedom = 0;
+  if (of_dwells) {
+    for (const auto& [label, group] : conditions.groups) {
+      squares += std::max(0.0, group.squares - group.between());
+      freedom += (group.count - 1) * (1 - group.phase_share());
+    }
+    return freedom >= fewest_repeats ? Scatter{squares / freedom, freedom} : Scatter{};
+  }
+  double count = 0;
+  for (const auto& [record, values] : conditions.in_time)
+    for (const double third : third_differences(values)) {
+      squares += third * third / third_difference_variance;
+      count += 1;
+    }
+  freedom = third_difference_freedom * count;
+  if (freedom < fewest_repeats_of_decays) return std::nullopt;
+  return Scatter{squares / count, freedom};
+}
+
+}  // namespace
+
+std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) {
+  std::vector<LackOfFit> result;
+  if (fit.fit.coefficients.size() == 0) return result;
+  const std::map<Equation, Conditions> equations = gathered(fit, unknown);
+  const std::map<Equation, double> unknowns = unknowns_of(fit, equations);
+  for (const auto& [equation, conditions] : equations) {
     LackOfFit test;
     test.block = equation.first;
     test.part = equation.second;
     test.name = name_of(fit, equation);
-    test.conditions = conditions.size();
-    double means = 0, repeats = 0, repeat_df = 0, truncation = 0;
-    for (const auto& [label, group] : conditions) {
-      const double between = group.sum * group.sum / group.weights;
-      means += between;
-      repeats += std::max(0.0, group.squares - between);
-      const double phase_share = group.by_phase / group.count;
-      unknowns[equation] += phase_share;
-      repeat_df += (group.count - 1) * (1 - phase_share);
+    test.conditions = conditions.groups.size();
+    const std::optional<Scatter> scatter = scatter_of(conditions, fit.set->resonance->excited);
+    double means = 0, truncation = 0;
+    for (const auto& [label, group] : conditions.groups) {
+      means += group.between();
       truncation += group.truncation.squaredNorm() / group.weights;
     }
-    test.numerator_df = static_cast<double>(conditions.size()) - unknowns[equation];
-    if (test.numerator_df < 1) continue;
-    const bool enough = repeat_df >= fewest_repeats;
-    test.denominator_df = enough ? repeat_df : std::numeric_limits<double>::infinity();
-    const double variance = enough ? repeats / repeat_df : 1;
-    test.repeatability = std::sqrt(variance);
-    test.f = means / (test.numerator_df * variance + truncation);
+    test.numerator_df = static_cast<double>(test.conditions) - unknowns.at(equation);
+    if (test.numerator_df < 1 || !scatter) continue;
+    test.denominator_df = scatter->freedom;
+    test.repeatability = std::sqrt(scatter->variance);
+    test.f = means / (test.numerator_df * scatter->variance + truncation);
     test.misfit = std::sqrt(test.f);
     test.p_value = f_upper_tail(test.f, test.numerator_df, test.denominator_df);
     result.push_back(std::move(test));
@@ -145,6 +223,7 @@ MatrixXd hidden_misfit(const CaseFit& fit, const std::vector<LackOfFit>& tests) 
           test.repeatability * std::sqrt(std::max(0.0, (test.f - 1) * test.numerator_df));
   const Index columns = fit.fit.coefficients.size();
   if (seen.empty()) return MatrixXd::Zero(columns, 0);
+  const std::vector<bool> repeats_at = repeats_of(*fit.set);
   // Coefficients, in the basis, by the equations' misfit in units of their own noise, summed over the repeats of a
   // condition.
   std::map<std::pair<Equation, int>, std::pair<VectorXd, double>> sums;
@@ -158,7 +237,8 @@ MatrixXd hidden_misfit(const CaseFit& fit, const std::vector<LackOfFit>& tests) 
       const auto key = std::pair{equation, fit.system.condition[static_cast<std::size_t>(begin + r)]};
       const auto sum = sums.try_emplace(key, VectorXd::Zero(part.cols()), 0.0).first;
       sum->second.first += part.row(r).transpose();
-      sum->second.second += fit.weight[fit.system.observation[static_cast<std::size_t>(begin + r)]];
+      const std::size_t observation = fit.system.observation[static_cast<std::size_t>(begin + r)];
+      if (repeats_at[observation]) sum->second.second += fit.weight[observation];
     }
     begin += part.rows();
   }

@@ -14,7 +14,7 @@ struct LackOfFit {
   std::size_t block = 0;  ///< index into CompiledCase::blocks
   EquationPart part = EquationPart::in_phase;
   std::string name;            ///< readable
-  std::size_t conditions = 0;  ///< with observations of it
+  std::size_t conditions = 0;  ///< with observations of it; of a decay: stretches
   double misfit = 0;  ///< root mean square of the conditions' means over what repeatability gives; 1 is perfect
   double repeatability = 0;   ///< scatter of repeats over what the measured noise explains; 1 is perfect
   double f = 0;               ///< misfit squared: F of lack of fit against pure error
@@ -24,11 +24,12 @@ struct LackOfFit {
   bool significant = false;   ///< with all equations of the case allowed for (Bonferroni, 0.1 %)
 };
 
-/// docs/inference.md (14). F test of lack of fit for every equation of a case of dwells (nothing for decays, whose
-/// windows are no repeats): residuals in the frame of the motion, over their measured noise, are split into the
-/// conditions' means and the scatter about them. An equation with fewer means than unknowns is left out. `unknown`:
-/// how far parameters may be along the moves of ObservationSet::truncation_of_moves and then along the directions
-/// of truncation_change, by independent unknowns; empty: one standard deviation each.
+/// docs/inference.md (14). F test of lack of fit for every equation of a case: residuals in the frame of the
+/// motion, over their measured noise, are split into the conditions' means and the scatter about them. Repeats are
+/// the ensembles of a dwell; of a decay, what windows that do not overlap leave from one to the next beyond any
+/// smooth law counts as scatter. An equation with fewer means than unknowns is left out. `unknown`: how far
+/// parameters may be along the moves of ObservationSet::truncation_of_moves and then along the directions of
+/// truncation_change, by independent unknowns; empty: one standard deviation each.
 std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const Eigen::MatrixXd& unknown);
 
 /// docs/inference.md (15). Columns x perturbations: what a misfit as large as the one that is seen, in each
