@@ -14,6 +14,7 @@
 #include "app/shared/commands.hpp"
 #include "app/shared/disturbance_output.hpp"
 #include "app/shared/left_out.hpp"
+#include "app/shared/progress_line.hpp"
 #include "app/shared/record_selection.hpp"
 #include "app/shared/result_files.hpp"
 #include "input/input_error.hpp"
@@ -111,6 +112,8 @@ int run(Options& options, const CLI::App& command) {
                      "--check-from must be before --check-to");
   if (options.request.fit_check && !options.request.check_from_s && !options.request.check_to_s)
     throw InputError("--fit-check", "", "has no window", "give --check-from and --check-to");
+  ProgressLine line("explanations tried (about)");
+  options.request.progress = [&line](std::size_t done, std::size_t expected) { line(done, expected); };
   const DiagnosisRun result = run_diagnosis(options.request);
   const std::string json = diagnosis_json(result);
   const std::string html = diagnosis_report(result, command_line_of(command));

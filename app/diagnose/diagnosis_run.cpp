@@ -57,6 +57,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   options.catalogue = request.catalogue;
   options.window = request.window;
   options.threads = request.threads;
+  options.progress = request.progress;
   options.left_out.insert(request.without.begin(), request.without.end());
   if (request.check_from_s || request.check_to_s) {
     options.check = request.window;

@@ -23,6 +23,7 @@ struct DiagnosisRequest {
   EffectCatalogue catalogue = effect_catalogue();
   bool interpret = false;
   unsigned threads = 1;
+  SearchProgress progress = {};
 };
 
 /// A diagnosis and what it was made of.

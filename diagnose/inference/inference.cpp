@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -115,6 +116,7 @@ class Search {
     if (start_afresh(start)) add_pairs();
     settle();
     weigh();
+    if (options_.progress) options_.progress(fitted_, fitted_);
     return std::move(result_);
   }
 
@@ -265,6 +267,7 @@ class Search {
     take_gains(singles_);
     const std::vector<std::size_t> chosen = promising(singles_, most_fits);
     found_.resize(chosen.size());
+    expected_ = fitted_ + chosen.size();
     in_parallel(chosen.size(), options_.threads,
                 [&](std::size_t i) { found_[i] = explain({chosen[i]}, singles_[chosen[i]].start); });
     keep_best_of_each(found_, candidates_);
@@ -279,8 +282,11 @@ class Search {
     return e;
   }
 
-  Explanation explain(const std::vector<std::size_t>& members, const VectorXd& start) const {
-    return explanation(members, refit(discrepancy_, start, free_of(members), refit_options()));
+  Explanation explain(const std::vector<std::size_t>& members, const VectorXd& start) {
+    Explanation fitted = explanation(members, refit(discrepancy_, start, free_of(members), refit_options()));
+    const std::size_t done = ++fitted_;
+    if (options_.progress) options_.progress(done, std::max(done + 1, expected_));
+    return fitted;
   }
 
   // A strength that another member or the model frees already counts once.
@@ -368,6 +374,7 @@ class Search {
         2 * (price_ - std::log(options_.prior_second)) * std::max(1.0, dispersion_of(alone.front()));
     const bool at_true_errors = frozen_.coarse == 0;
     if (at_true_errors && !leaves_more_than_noise(alone.front()) && !(most->gain > worth)) return;
+    expected_ = fitted_ + most_firsts * most_partners;
     Pairs pairs;
     expand(alone.front(), std::move(beside_best), pairs);
     for (std::size_t f = 1; f < std::min(most_firsts, alone.size()); ++f)
@@ -527,6 +534,8 @@ class Search {
   std::size_t level_ = 0;  // index into coarse_levels that the errors are frozen at
   std::vector<Screening> singles_;
   std::vector<Explanation> found_;
+  std::atomic<std::size_t> fitted_ = 0;
+  std::size_t expected_ = 0;  // when those at hand are done
   Inference result_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,12 @@ struct Inference {
   std::vector<double> linear_gain;        ///< by candidate: fall of chi-squared to first order at the null
 };
 
+/// How many explanations have been fitted, of about how many; the last call names the same number twice. Calls may
+/// come from several threads.
+using SearchProgress = std::function<void(std::size_t done, std::size_t expected)>;
+
 struct InferenceOptions {
+  SearchProgress progress = {};
   unsigned threads = 1;
   /// Unknowns whose start is trusted more than a model that is far from the data: held until one explanation is
   /// near.

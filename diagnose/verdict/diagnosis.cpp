@@ -39,6 +39,7 @@ class Diagnoser {
     result_.gap.metric = metric;
     InferenceOptions inference_options;
     inference_options.threads = options_.threads;
+    inference_options.progress = options_.progress;
     for (const std::size_t s : own_)
       if (s < model_.modes()) inference_options.anchors.push_back(s);  // natural frequencies
     inference_ = infer(comparison_.discrepancy, comparison_.candidates, comparison_.start, own_, inference_options);

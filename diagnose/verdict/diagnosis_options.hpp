@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagnose/evidence/segment.hpp"
+#include "diagnose/inference/inference.hpp"
 #include "diagnose/verdict/given_numbers.hpp"
 #include "effects/catalogue.hpp"
 #include "measure/observe/observation_set.hpp"
@@ -24,6 +25,7 @@ struct DiagnosisOptions {
   std::optional<Window> check;     ///< part of the records on which the explanation is tried, whatever was fitted
   bool fit_check = false;          ///< and once more with the numbers that fit that part best
   unsigned threads = 1;
+  SearchProgress progress = {};
 };
 
 }  // namespace secular
