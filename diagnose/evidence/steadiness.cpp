@@ -13,7 +13,7 @@ Unsteadiness judge_steadiness(const std::vector<Nonstationarity>& nonstationarit
 }
 
 std::vector<std::string> leave_out_unsteady(std::vector<Condition>& conditions,
-                                            const std::vector<Nonstationarity>& nonstationarity,
+                                            std::vector<Nonstationarity>& nonstationarity,
                                             const Campaign& campaign) {
   std::set<std::size_t> records;
   for (const Nonstationarity& w : nonstationarity)
@@ -22,6 +22,7 @@ std::vector<std::string> leave_out_unsteady(std::vector<Condition>& conditions,
   const auto count = std::count_if(conditions.begin(), conditions.end(), unsteady);
   if (count == 0 || 2 * static_cast<std::size_t>(count) > conditions.size()) return {};
   std::erase_if(conditions, unsteady);
+  std::erase_if(nonstationarity, [&](const Nonstationarity& w) { return records.contains(w.record); });
   std::vector<std::string> files;
   for (const std::size_t record : records) files.push_back(campaign.records[record].file);
   return files;

@@ -152,12 +152,12 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
                      "expected");
   result.conditions = std::move(observed.conditions);
   result.segments = segments.size();
-  result.unsteady = judge_steadiness(observed.nonstationarity, campaign);
-  if (result.unsteady.detected) result.warnings.push_back(unsteady_warning(result.unsteady));
   const std::vector<std::string> left_out =
       leave_out_unsteady(result.conditions, observed.nonstationarity, campaign);
   if (!left_out.empty())
     result.warnings.push_back(fmt::format("left out because their motion is not steady: {}", short_list(left_out)));
+  result.unsteady = judge_steadiness(observed.nonstationarity, campaign);
+  if (result.unsteady.detected) result.warnings.push_back(unsteady_warning(result.unsteady));
   result.data_used = compared_s(result.conditions, segments) / timed.length_s();
   const VectorXd largest = largest_displacements(result.conditions, segments, sensors, natural);
   set_scales(result.forces, largest, natural);
