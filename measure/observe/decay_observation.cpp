@@ -84,12 +84,7 @@ class DecayObserver {
     const double shortest = windows_.shortest_s(frequency, rate);
     const std::vector<Scanned> scan = scanned(modal, rate, shortest, frequency);
     const double duration = shortest * static_cast<double>(scan.size());
-    if (scan.size() < 3)
-      return leave_out(fmt::format(
-          "its {} sink into the noise within {:.3g} s, and windows that separate {} are {:.3g} s long",
-          windows_.oscillating().size() > 1 ? "modes" : "oscillation", duration,
-          windows_.oscillating().size() > 1 ? "the modes and their combinations" : "the oscillation's harmonics",
-          shortest));
+    if (scan.size() < 3) return leave_out(too_short(duration, shortest));
     std::vector<FoundWindow> found =
         cut(modal, rate, shortest, std::max(shortest, duration / windows_in_a_decay), duration, scan);
     std::vector<bool> bad = disturbed(found);
@@ -136,6 +131,19 @@ class DecayObserver {
   }
 
  private:
+  // `heard`: for how long the decay stands out; `window`: the length of the shortest, s.
+  std::string too_short(double heard, double window) const {
+    const bool several = windows_.oscillating().size() > 1;
+    const std::string windows =
+        fmt::format("windows that separate {} are {:.3g} s long",
+                    several ? "the modes and their combinations" : "the oscillation's harmonics", window);
+    if (heard > 0) return fmt::format("{}, and its free decay lasts {:.3g} s: three are needed", windows, heard);
+    return fmt::format(
+        "{}, and in none of them {} beside what else the record holds (noise, other modes: --band takes their part "
+        "of the spectrum away)",
+        windows, several ? "the modes stand out" : "the oscillation stands out");
+  }
+
   // By time along the decay.
   struct Scanned {
     VectorXd frequency;
