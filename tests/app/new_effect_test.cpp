@@ -185,11 +185,16 @@ TEST(Catalogue, HoldsOnlyRowsThatTheProgramCanFollow) {
     for (const EffectForm& form : effect.forms) {
       const std::size_t parameters = form.parameter_names().size();
       EXPECT_GE(parameters, 1u) << effect.name;
-      EXPECT_LE(parameters, 2u) << effect.name;
+      EXPECT_LE(parameters, 3u) << effect.name;
+      EXPECT_LE(form.shapes.size(), parameters - 1) << effect.name;
       EXPECT_EQ(form.couples(), effect.forms.front().couples()) << effect.name;
       EXPECT_EQ(form.term.find("{s}") != std::string::npos, form.law.kind != ForceLaw::Kind::none) << effect.name;
       EXPECT_EQ(form.law.kind == ForceLaw::Kind::state, form.law.value != nullptr) << effect.name;
     }
+    for (const std::string& simpler : effect.contains)
+      EXPECT_NE(std::find(effect.mistaken_for.begin(), effect.mistaken_for.end(), simpler),
+                effect.mistaken_for.end())
+          << effect.name << " and " << simpler;
     for (const std::string& other : effect.mistaken_for) {
       const Effect* like = catalogue.find(other);
       ASSERT_NE(like, nullptr) << effect.name << " and " << other;
