@@ -9,9 +9,10 @@ namespace {
 
 bool either_sign(const std::string& effect) {
   static const std::set<std::string> of_one_sign = {
-      "viscous_damping",   "quadratic_damping", "cubic_damping",   "amplitude_dependent_damping",
-      "coulomb_friction",  "freeplay",          "hysteresis",      "clipping",
-      "one_sided_damping", "threshold_damping", "quartic_damping", "channel_skew"};
+      "viscous_damping",   "quadratic_damping", "cubic_damping",        "amplitude_dependent_damping",
+      "coulomb_friction",  "freeplay",          "hysteresis",           "clipping",
+      "one_sided_stop",    "two_sided_stop",    "saturating_stiffness", "one_sided_damping",
+      "threshold_damping", "quartic_damping",   "channel_skew"};
   return !of_one_sign.contains(effect);
 }
 
@@ -42,7 +43,8 @@ void switch_on(const Withheld& w, const Specimen& specimen, const std::vector<do
     reality.third = w.coefficient * w.detail;
   } else {
     *coefficient(reality.structure, w.effect, w.mode) += w.coefficient;
-    if (w.effect == "freeplay") mode.gap = w.detail * a;
+    if (w.effect == "freeplay" || w.effect.ends_with("_stop")) mode.gap = w.detail * a;
+    if (w.effect == "saturating_stiffness") mode.level = w.detail * a;
     if (w.effect == "threshold_damping") mode.threshold = w.detail * a;
     if (w.effect == "hysteresis") {
       mode.slip = w.detail * a;
@@ -64,11 +66,12 @@ bool is_measurement_fault(const std::string& effect) {
 
 std::vector<std::string> effects_of_family(const std::string& family) {
   std::vector<std::string> effects = {
-      "quadratic_damping", "cubic_damping",     "coulomb_friction",        "amplitude_dependent_damping",
-      "cubic_stiffness",   "quintic_stiffness", "bilinear_stiffness",      "freeplay",
-      "cubic_inertia",     "hysteresis",        "natural_frequency_drift", "extra_mode",
-      "shaker_harmonics",  "sensor_gain",       "sensor_offset",           "sensor_cross_axis",
-      "channel_skew",      "clipping"};
+      "quadratic_damping",    "cubic_damping",     "coulomb_friction",        "amplitude_dependent_damping",
+      "cubic_stiffness",      "quintic_stiffness", "bilinear_stiffness",      "freeplay",
+      "cubic_inertia",        "hysteresis",        "natural_frequency_drift", "extra_mode",
+      "shaker_harmonics",     "sensor_gain",       "sensor_offset",           "sensor_cross_axis",
+      "channel_skew",         "clipping",          "one_sided_stop",          "two_sided_stop",
+      "saturating_stiffness", "level_stiffness"};
   const auto also = [&](const std::vector<std::string>& more) {
     effects.insert(effects.end(), more.begin(), more.end());
   };
@@ -84,8 +87,7 @@ std::vector<std::string> effects_of_family(const std::string& family) {
 }
 
 std::vector<std::string> uncatalogued_effects() {
-  return {"septic_stiffness", "one_sided_damping", "threshold_damping",
-          "quartic_damping",  "level_stiffness",   "modulated_force"};
+  return {"septic_stiffness", "one_sided_damping", "threshold_damping", "quartic_damping", "modulated_force"};
 }
 
 std::vector<std::string> look_alikes(const std::string& effect, const std::string& family) {
@@ -94,7 +96,9 @@ std::vector<std::string> look_alikes(const std::string& effect, const std::strin
                                                                {"cubic_damping", "amplitude_dependent_damping"},
                                                                {"quintic_stiffness", "septic_stiffness"},
                                                                {"coulomb_friction", "hysteresis"},
-                                                               {"freeplay", "hysteresis"},
+                                                               {"freeplay", "hysteresis", "two_sided_stop"},
+                                                               {"bilinear_stiffness", "one_sided_stop"},
+                                                               {"cubic_stiffness", "saturating_stiffness"},
                                                                {"viscous_damping", "quadratic_damping"},
                                                                {"sensor_cross_axis", "extra_mode"},
                                                                {"sensor_cross_axis", "parametric_excitation"}};
@@ -126,6 +130,8 @@ Withheld draw_withheld(const std::string& effect, const Specimen& s, Random& ran
   w.channel = is_measurement_fault(effect) ? 1 + random.below(channels - 1) : 0;
   if (effect == "sensor_offset" && random.chance(0.2)) w.channel = 0;
   if (effect == "freeplay") w.detail = random.uniform(0.2, 0.6);
+  if (effect.ends_with("_stop")) w.detail = random.uniform(0.3, 0.8);
+  if (effect == "saturating_stiffness") w.detail = random.uniform(0.3, 1);
   if (effect == "hysteresis") w.detail = random.uniform(0.1, 0.5);
   if (effect == "threshold_damping") w.detail = random.uniform(0.4, 0.8);
   if (effect == "shaker_harmonics") w.detail = random.uniform(-1, 1);

@@ -54,7 +54,7 @@ void Integrator::start() {
     regime_.beyond[k] = band_of(q, m.threshold);
     regime_.slipping[k] = m.slider != 0 && std::abs(s) >= m.slip && s * p > 0 ? sign_of(p) : 0;
     nonsmooth_ = nonsmooth_ || m.friction != 0 || (m.slider != 0 && !m.smooth_slider) || m.bilinear != 0 ||
-                 m.freeplay != 0 || m.threshold_damping != 0;
+                 m.has_gap() || m.threshold_damping != 0;
   }
   for (std::size_t k = 0; k < structure_.modes; ++k)
     if (structure_.mode[k].friction != 0 && velocity(x_, k) == 0) cross(k * guards_per_mode + friction_guard);
@@ -109,7 +109,7 @@ double Integrator::guard(std::size_t number, double t, const Stepped& at) const 
     case contact_guard:
       return m.bilinear == 0 ? never : displacement(x, k) * regime_.side[k];
     case band_guard:
-      return m.freeplay == 0 ? never : band_distance(regime_.band[k], displacement(x, k), m.gap);
+      return !m.has_gap() ? never : band_distance(regime_.band[k], displacement(x, k), m.gap);
     default:
       return m.threshold_damping == 0 ? never : band_distance(regime_.beyond[k], displacement(x, k), m.threshold);
   }

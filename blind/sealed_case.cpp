@@ -100,12 +100,14 @@ struct Shape {
 // power.
 std::vector<Shape> shapes_of(const std::string& effect) {
   std::vector<Shape> shapes;
-  if (effect == "hysteresis" || effect == "freeplay")
+  if (effect == "hysteresis" || effect == "freeplay" || effect.ends_with("_stop"))
     for (const double width : {0.15, 0.4, 0.6, 0.75, 0.9}) shapes.push_back({width, false});
   if (effect == "hysteresis") {
     shapes.push_back({0.03, false});
     for (const double width : {0.15, 0.4}) shapes.push_back({width, true});
   }
+  if (effect == "saturating_stiffness")
+    for (const double width : {0.2, 0.5, 1.0, 3.0}) shapes.push_back({width, false});
   if (shapes.empty()) shapes.emplace_back();
   return shapes;
 }

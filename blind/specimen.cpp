@@ -146,7 +146,9 @@ double coefficient_of_share(const Specimen& s, const std::string& effect, std::s
   if (effect == "cubic_stiffness") return unit / (a * a * a);
   if (effect == "quintic_stiffness") return unit / std::pow(a, 5);
   if (effect == "septic_stiffness") return unit / std::pow(a, 7);
-  if (effect == "bilinear_stiffness" || effect == "freeplay" || effect == "hysteresis") return unit / a;
+  if (effect == "bilinear_stiffness" || effect == "freeplay" || effect == "hysteresis" ||
+      effect.ends_with("_stop") || effect == "saturating_stiffness")
+    return unit / a;
   if (effect == "quadratic_inertia") return unit / (w * w * a * a);
   if (effect == "cubic_inertia") return unit / (w * w * a * a * a);
   if (effect == "direct_excitation") return unit / f;

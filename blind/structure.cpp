@@ -24,6 +24,9 @@ double force(const Structure& structure, const Drive& drive, const Regime& regim
   f += (m.direct + m.parametric * q) * excitation;
   if (m.bilinear != 0 && regime.side[k] > 0) f -= m.bilinear * q;
   if (m.freeplay != 0) f += m.freeplay * (regime.band[k] == 0 ? q : regime.band[k] * m.gap);
+  if (m.one_sided_stop != 0 && regime.band[k] > 0) f -= m.one_sided_stop * (q - m.gap);
+  if (m.two_sided_stop != 0 && regime.band[k] != 0) f -= m.two_sided_stop * (q - regime.band[k] * m.gap);
+  if (m.saturating != 0) f += m.saturating * (q - m.level * std::tanh(q / m.level));
   if (m.slider != 0) f -= m.slider * slider_spring(x, k);
   if (m.one_sided != 0) f -= m.one_sided * std::max(p, 0.0);
   if (m.threshold_damping != 0 && regime.beyond[k] != 0) f -= m.threshold_damping * p;
@@ -110,6 +113,9 @@ double* coefficient(Structure& structure, const std::string& effect, std::size_t
                            {"quintic_stiffness", &m.alpha5},
                            {"bilinear_stiffness", &m.bilinear},
                            {"freeplay", &m.freeplay},
+                           {"one_sided_stop", &m.one_sided_stop},
+                           {"two_sided_stop", &m.two_sided_stop},
+                           {"saturating_stiffness", &m.saturating},
                            {"quadratic_inertia", &m.delta2},
                            {"cubic_inertia", &m.delta3},
                            {"hysteresis", &m.slider},

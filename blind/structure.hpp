@@ -12,34 +12,38 @@ inline constexpr std::size_t most_modes = 2;
 ///   (1 + 2 delta2 q + delta3 q^2) q'' + delta2 q'^2 + delta3 q q'^2 + omega^2 q,
 /// right-hand side the other terms, each with the sign that its comment shows.
 struct ModeTerms {
-  double omega = 1;     ///< natural frequency, rad/s
-  double drift = 0;     ///< omega (1 + drift t), t since the campaign began, 1/s
-  double mu1 = 0;       ///< -2 mu1 q'
-  double mu2 = 0;       ///< -mu2 |q'| q'
-  double mu3 = 0;       ///< -mu3 q'^3
-  double mu4 = 0;       ///< -mu4 q^2 q'
-  double friction = 0;  ///< -friction sgn(q'), with rest
-  double alpha2 = 0;    ///< -alpha2 q^2
-  double alpha3 = 0;    ///< -alpha3 q^3
-  double alpha5 = 0;    ///< -alpha5 q^5
-  double bilinear = 0;  ///< -bilinear max(q, 0)
-  double freeplay = 0;  ///< +freeplay clamp(q, -gap, gap): this stiffness is lost within the gap
-  double gap = 0;       ///< of the dead band, > 0 with freeplay
-  double delta2 = 0;    ///< quadratic inertia, see above
-  double delta3 = 0;    ///< cubic inertia, see above
+  double omega = 1;           ///< natural frequency, rad/s
+  double drift = 0;           ///< omega (1 + drift t), t since the campaign began, 1/s
+  double mu1 = 0;             ///< -2 mu1 q'
+  double mu2 = 0;             ///< -mu2 |q'| q'
+  double mu3 = 0;             ///< -mu3 q'^3
+  double mu4 = 0;             ///< -mu4 q^2 q'
+  double friction = 0;        ///< -friction sgn(q'), with rest
+  double alpha2 = 0;          ///< -alpha2 q^2
+  double alpha3 = 0;          ///< -alpha3 q^3
+  double alpha5 = 0;          ///< -alpha5 q^5
+  double bilinear = 0;        ///< -bilinear max(q, 0)
+  double freeplay = 0;        ///< +freeplay clamp(q, -gap, gap): this stiffness is lost within the gap
+  double gap = 0;             ///< of the dead band or in front of a stop, > 0 with either
+  double one_sided_stop = 0;  ///< -one_sided_stop max(q - gap, 0)
+  double two_sided_stop = 0;  ///< -two_sided_stop (q - clamp(q, -gap, gap))
+  double saturating = 0;      ///< -saturating (level tanh(q/level) - q)
+  double level = 1;           ///< > 0
+  double delta2 = 0;          ///< quadratic inertia, see above
+  double delta3 = 0;          ///< cubic inertia, see above
   double slider =
       0;            ///< -slider s, s the elastic displacement of a spring behind a slider that slips at |s| = slip
   double slip = 0;  ///< > 0 with a slider
   bool smooth_slider = false;  ///< Bouc-Wen, s' = q' - |q'| s |s| / slip^2, instead of Jenkins
   double direct = 0;           ///< +direct f(t)
   double parametric = 0;       ///< +parametric q f(t)
+  double level_stiffness = 0;  ///< -level_stiffness F^2 q: the excitation's level loosens a joint
   // Outside of the catalogue
   double alpha7 = 0;             ///< -alpha7 q^7
   double one_sided = 0;          ///< -one_sided max(q', 0)
   double threshold_damping = 0;  ///< -threshold_damping q' where |q| > threshold
   double threshold = 0;
   double quartic_damping = 0;  ///< -quartic_damping q^4 q'
-  double level_stiffness = 0;  ///< -level_stiffness F^2 q: the excitation's level loosens a joint
   double modulated_force = 0;  ///< +modulated_force F sin(2 pi t/9) cos(Omega t): a force that no channel records
   // With the other mode u of two
   double damping_coupling = 0;     ///< -damping_coupling u'
@@ -47,6 +51,8 @@ struct ModeTerms {
   double cubic_coupling = 0;       ///< potential cubic_coupling q^2 u^2 / 2 (of either mode)
   double third_coupling = 0;       ///< potential third_coupling q^3 u
   double parametric_coupling = 0;  ///< +parametric_coupling u f(t)
+
+  bool has_gap() const { return freeplay != 0 || one_sided_stop != 0 || two_sided_stop != 0; }
 };
 
 /// A linear mode that no model knows: z'' + 2 mu z' + omega^2 z = direct f(t), seen by every response channel.

@@ -11,25 +11,51 @@ using Kind = Effect::Kind;
 using Order = EffectForm::Order;
 using Shape = EffectForm::Shape;
 
-// Couplings are Lagrangian: from V = c v^2 u, V = c v^2 u^2/2 and V = c v^3 u.
+constexpr Shape any_exponent{Shape::Kind::exponent};
+
+// Couplings are Lagrangian: from V = c v^2 u, V = c v^2 u^2/2 and V = c v^3 u, and of inertia from T = c u D(v)^2/2
+// and T = c v D(v) D(u).
 std::vector<Effect> rows() {
   return {
       {.name = "viscous_damping",
        .component = Component::dissipative,
-       .forms = {{.parameters = "mu1", .term = "-2*{0}*D({v})"}}},
+       .forms = {{.parameters = "mu1", .term = "-2*{0}*D({v})"}},
+       .mistaken_for = {"power_damping", "relaxation"}},
       {.name = "quadratic_damping",
        .component = Component::dissipative,
        .forms = {{.parameters = "mu2", .term = "-{0}*abs(D({v}))*D({v})", .degree = 2, .order = Order::last}},
-       .sign_known = true},
+       .sign_known = true,
+       .mistaken_for = {"power_damping"}},
       {.name = "cubic_damping",
        .component = Component::dissipative,
        .forms = {{.parameters = "mu3", .term = "-{0}*D({v})^3", .degree = 3}},
-       .mistaken_for = {"amplitude_dependent_damping"}},
+       .mistaken_for = {"amplitude_dependent_damping", "power_damping"}},
       {.name = "coulomb_friction",
        .component = Component::dissipative,
        .forms = {{.parameters = "fc", .term = "-{0}*sgn(D({v}))", .order = Order::last}},
        .sign_known = true,
-       .mistaken_for = {"hysteresis"}},
+       .mistaken_for = {"hysteresis", "stribeck_friction", "power_damping"}},
+      // Of the friction at rest the share s is gone at speeds far beyond v0.
+      {.name = "stribeck_friction",
+       .component = Component::dissipative,
+       .forms = {{.parameters = "fk s v0",
+                  .term = "-{0}*(1 + {1}*{s})*sgn(D({v}))",
+                  .order = Order::outside,
+                  .law = force_law::decay_with_speed,
+                  .shapes = {{Shape::Kind::share}, {Shape::Kind::speed}}}},
+       .sign_known = true,
+       .mistaken_for = {"coulomb_friction"},
+       .contains = {"coulomb_friction"}},
+      {.name = "power_damping",
+       .component = Component::dissipative,
+       .forms = {{.parameters = "cp p",
+                  .term = "-{0}*{s}",
+                  .order = Order::outside,
+                  .law = force_law::velocity_power,
+                  .shapes = {{Shape::Kind::exponent, 4}}}},
+       .sign_known = true,
+       .mistaken_for = {"viscous_damping", "quadratic_damping", "cubic_damping", "coulomb_friction"},
+       .contains = {"viscous_damping", "quadratic_damping", "cubic_damping", "coulomb_friction"}},
       {.name = "amplitude_dependent_damping",
        .component = Component::dissipative,
        .forms = {{.parameters = "mu4", .term = "-{0}*{v}^2*D({v})", .degree = 3}},
@@ -41,20 +67,56 @@ std::vector<Effect> rows() {
       {.name = "cubic_stiffness",
        .component = Component::conservative,
        .forms = {{.parameters = "alpha3", .term = "-{0}*{v}^3", .degree = 3}},
-       .mistaken_for = {"cubic_inertia"}},
+       .mistaken_for = {"cubic_inertia", "saturating_stiffness", "two_sided_stop"}},
       {.name = "quintic_stiffness",
        .component = Component::conservative,
        .forms = {{.parameters = "alpha5", .term = "-{0}*{v}^5", .degree = 5}}},
       {.name = "bilinear_stiffness",
        .component = Component::conservative,
-       .forms = {{.parameters = "kb", .term = "-{0}*max({v}, 0)", .order = Order::last}}},
+       .forms = {{.parameters = "kb", .term = "-{0}*max({v}, 0)", .order = Order::last}},
+       .mistaken_for = {"one_sided_stop"}},
       // The stiffness kf that is lost within the gap: kf*(v - max(v - gap, 0) - min(v + gap, 0)).
       {.name = "freeplay",
        .component = Component::conservative,
        .forms = {{.parameters = "kf gap",
                   .term = "+{0}/2*(abs({v} + {1}) - abs({v} - {1}))",
                   .order = Order::last}},
-       .sign_known = true},
+       .sign_known = true,
+       .mistaken_for = {"two_sided_stop"}},
+      // A contact behind a clearance, on the one side or on the other: a shape's sign is the campaign's choice.
+      {.name = "one_sided_stop",
+       .component = Component::conservative,
+       .forms = {{.parameters = "ks gap",
+                  .term = "-{0}*max({v} - {1}, 0)",
+                  .order = Order::last,
+                  .shapes = {{Shape::Kind::gap}}},
+                 {.parameters = "kn gap",
+                  .term = "-{0}*min({v} + {1}, 0)",
+                  .order = Order::last,
+                  .shapes = {{Shape::Kind::gap}}}},
+       .sign_known = true,
+       .mistaken_for = {"bilinear_stiffness"},
+       .contains = {"bilinear_stiffness"}},
+      // Freeplay in a structure whose stiffness is that within the gap.
+      {.name = "two_sided_stop",
+       .component = Component::conservative,
+       .forms = {{.parameters = "kb2 gap",
+                  .term = "-{0}*({v} - (abs({v} + {1}) - abs({v} - {1}))/2)",
+                  .order = Order::last,
+                  .shapes = {{Shape::Kind::gap}}}},
+       .sign_known = true,
+       .mistaken_for = {"freeplay", "cubic_stiffness"}},
+      // Gives no more than strength times level: cubic as long as displacements are far below the level.
+      {.name = "saturating_stiffness",
+       .component = Component::conservative,
+       .forms = {{.parameters = "kt v0",
+                  .term = "-{0}*{s}",
+                  .order = Order::outside,
+                  .law = force_law::saturation,
+                  .shapes = {{Shape::Kind::level}}}},
+       .sign_known = true,
+       .mistaken_for = {"cubic_stiffness"},
+       .contains = {"cubic_stiffness"}},
       {.name = "quadratic_inertia",
        .component = Component::conservative,
        .forms = {{.parameters = "delta2",
@@ -79,13 +141,31 @@ std::vector<Effect> rows() {
                   .order = Order::outside,
                   .law = force_law::smooth_slider}},
        .sign_known = true,
-       .mistaken_for = {"coulomb_friction"}},
+       .mistaken_for = {"coulomb_friction", "relaxation"}},
+      // A spring and a damper in series: at one frequency viscous damping and a stiffness.
+      {.name = "relaxation",
+       .component = Component::dissipative,
+       .forms = {{.parameters = "kr tau",
+                  .term = "-{0}*{s}",
+                  .order = Order::outside,
+                  .law = force_law::relaxation,
+                  .shapes = {{Shape::Kind::time}}}},
+       .sign_known = true,
+       .mistaken_for = {"viscous_damping", "hysteresis"},
+       .contains = {"viscous_damping"}},
       {.name = "direct_excitation",
        .component = Component::direct_excitation,
        .forms = {{.parameters = "eta1", .term = "+{0}*{F}", .order = Order::unless_resonant}}},
       {.name = "parametric_excitation",
        .component = Component::parametric_excitation,
        .forms = {{.parameters = "eta2", .term = "+{0}*{v}*{F}", .order = Order::unless_resonant}}},
+      // A stiffness that the level of the excitation sets: a suspension that warms, a joint that loosens with it.
+      {.name = "level_stiffness",
+       .component = Component::conservative,
+       .forms = {{.parameters = "kl", .term = "-{0}*{s}*{v}", .order = Order::outside, .law = force_law::level}}},
+      {.name = "cubic_base_excitation",
+       .component = Component::parametric_excitation,
+       .forms = {{.parameters = "eta3", .term = "+{0}*{v}^3*{F}", .degree = 3, .order = Order::first}}},
       {.name = "damping_coupling",
        .component = Component::coupling,
        .forms = {{.parameters = "mu12", .term = "-{0}*D({u})", .order = Order::first}}},
@@ -95,7 +175,8 @@ std::vector<Effect> rows() {
                   .term = "-2*{0}*{v}*{u}",
                   .other_term = "-{0}*{v}^2",
                   .degree = 2,
-                  .order = Order::first}}},
+                  .order = Order::first}},
+       .mistaken_for = {"inertia_coupling"}},
       {.name = "cubic_coupling",
        .component = Component::coupling,
        .forms = {{.parameters = "c22",
@@ -104,6 +185,19 @@ std::vector<Effect> rows() {
                   .degree = 3,
                   .symmetric = true},
                  {.parameters = "c31", .term = "-3*{0}*{v}^2*{u}", .other_term = "-{0}*{v}^3", .degree = 3}}},
+      {.name = "inertia_coupling",
+       .component = Component::coupling,
+       .forms = {{.parameters = "d12",
+                  .term = "-{0}*({u}*D2({v}) + D({u})*D({v}))",
+                  .other_term = "+{0}/2*D({v})^2",
+                  .degree = 2,
+                  .order = Order::first},
+                 {.parameters = "d21",
+                  .term = "-{0}*{v}*D2({u})",
+                  .other_term = "-{0}*(D({v})^2 + {v}*D2({v}))",
+                  .degree = 2,
+                  .order = Order::first}},
+       .mistaken_for = {"quadratic_coupling"}},
       // The second form: through an energy -F*eta*v*u, as every parametric excitation of elastic or gravitational
       // origin.
       {.name = "parametric_coupling",
@@ -146,7 +240,7 @@ std::vector<Effect> rows() {
                   .term = "-{0}*{s}",
                   .order = Order::outside,
                   .law = force_law::displacement_power,
-                  .shape = Shape::exponent}}},
+                  .shapes = {any_exponent}}}},
       {.name = "open_damping",
        .component = Component::dissipative,
        .kind = Kind::open_law,
@@ -154,7 +248,7 @@ std::vector<Effect> rows() {
                   .term = "-{0}*{s}",
                   .order = Order::outside,
                   .law = force_law::velocity_power,
-                  .shape = Shape::exponent}}},
+                  .shapes = {any_exponent}}}},
       {.name = "open_loss",
        .component = Component::dissipative,
        .kind = Kind::open_law,
@@ -162,7 +256,7 @@ std::vector<Effect> rows() {
                   .term = "-{0}*{s}",
                   .order = Order::outside,
                   .law = force_law::loss_power,
-                  .shape = Shape::exponent}}},
+                  .shapes = {any_exponent}}}},
       {.name = "open_one_sided_damping",
        .component = Component::dissipative,
        .kind = Kind::open_law,
@@ -170,7 +264,7 @@ std::vector<Effect> rows() {
                   .term = "-{0}*{s}",
                   .order = Order::outside,
                   .law = force_law::speed_power,
-                  .shape = Shape::exponent}}},
+                  .shapes = {any_exponent}}}},
   };
 }
 
@@ -205,7 +299,7 @@ bool EffectForm::couples() const {
 }
 
 bool EffectForm::needs_excitation() const {
-  return term.find("{F}") != std::string::npos;
+  return term.find("{F}") != std::string::npos || law.kind == ForceLaw::Kind::level;
 }
 
 std::vector<std::string> EffectForm::parameter_names() const {
@@ -213,6 +307,10 @@ std::vector<std::string> EffectForm::parameter_names() const {
   std::vector<std::string> names;
   for (std::string name; stream >> name;) names.push_back(name);
   return names;
+}
+
+EffectForm::Shape EffectForm::shape(std::size_t parameter) const {
+  return parameter < shapes.size() ? shapes[parameter] : Shape{};
 }
 
 bool Effect::is_of_time() const {

@@ -46,7 +46,20 @@ struct EffectForm {
     unless_resonant,  ///< first, but last where the excitation is resonant through this very term
     outside,          ///< beyond expand_to: the term is in the equations of motion only
   };
-  enum class Shape { displacement, exponent };
+  /// What a shape parameter is: where a search for it begins, and within which limits it is what it is called.
+  struct Shape {
+    enum class Kind {
+      displacement,  ///< any number; a share of the largest displacement to begin with
+      gap,           ///< a displacement, > 0
+      level,         ///< a displacement that may be beyond the largest one, > 0
+      speed,         ///< > 0
+      time,          ///< > 0; about a period
+      share,         ///< without unit, > 0
+      exponent,      ///< between 0 and `most`; without one, any number
+    };
+    Kind kind = Kind::displacement;
+    double most = 0;  ///< 0: no bound
+  };
   /// Names, separated by blanks: of the strength's symbol, then of the shape parameters, which are keys of an
   /// experiment file, too.
   std::string parameters = {};
@@ -56,11 +69,12 @@ struct EffectForm {
   Order order = Order::second;
   bool symmetric = false;  ///< (mode, other) and (other, mode) are the same term
   ForceLaw law = {};
-  Shape shape = Shape::displacement;  ///< what the shape parameters are
+  std::vector<Shape> shapes = {};  ///< of the shape parameters, in their order; empty: displacements
 
   bool couples() const;  ///< needs another mode
   bool needs_excitation() const;
   std::vector<std::string> parameter_names() const;
+  Shape shape(std::size_t parameter) const;  ///< of a shape parameter, counted from 0
 };
 
 /// One effect: a row of the catalogue.
@@ -84,6 +98,9 @@ struct Effect {
   ChannelFault fault = ChannelFault::none;
   /// Effects that some data cannot tell from it: near one resonance, or in a limit of its shape.
   std::vector<std::string> mistaken_for = {};
+  /// Simpler effects that it becomes at an end, or a value, of its shape: where it explains no better than they do,
+  /// they are named.
+  std::vector<std::string> contains = {};
 
   /// Whether it changes with time, so that no line of a steady motion shows it.
   bool is_of_time() const;

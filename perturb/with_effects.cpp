@@ -80,6 +80,7 @@ class Augmentation {
 
   static std::string signal_name(const ForceLaw& law, const std::string& effect) {
     if (law.kind == ForceLaw::Kind::time) return "time";
+    if (law.kind == ForceLaw::Kind::level) return "level";
     return law.has_memory() ? "z" : "law_" + effect;
   }
 

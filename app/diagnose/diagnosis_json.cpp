@@ -105,6 +105,8 @@ std::string diagnosis_json(const DiagnosisRun& run) {
       entry["sd"] = cause.sd;
       entry["symbol"] = cause.coefficient_name;
     }
+    for (const CauseReport::Shape& shape : cause.shapes)
+      entry["shapes"].push_back({{"symbol", shape.name}, {"value", shape.value}, {"sd", shape.sd}});
     if (cause.closed) entry["closed"] = *cause.closed;
     root["causes"].push_back(std::move(entry));
   }

@@ -110,7 +110,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
     }
     if (effect.signal != EffectTerm::none)
       options.forces.push_back({effect.law, effect.signal, effect.term.mode, equation.strength,
-                                equation.shapes.empty() ? StateForce::none : equation.shapes.front()});
+                                equation.shapes.empty() ? StateForce::none : equation.shapes.back()});
     effects.push_back(std::move(equation));
   }
   std::vector<std::size_t> own;

@@ -74,24 +74,89 @@ std::vector<VectorXd> extra_mode_starts(const std::vector<Condition>& conditions
   return starts;
 }
 
-// Values of the shape parameters to begin with.
-std::vector<VectorXd> shape_starts(const EffectForm& form, std::size_t shapes, double largest) {
-  std::vector<VectorXd> starts;
-  const auto start = [&](double value) { starts.push_back(VectorXd::Constant(static_cast<Index>(shapes), value)); };
-  if (shapes == 0)
-    starts.push_back(VectorXd());
-  else if (form.shape == EffectForm::Shape::exponent)
-    for (const double exponent : {0.5, 2.0, 3.0, 4.5, 7.0, 10.0}) start(exponent);
-  else
-    for (const double share : {0.02, 0.06, 0.15, 0.3, 0.5, 0.75, 0.95}) start(share * largest);
+// Values of one shape parameter to begin with. Those of an exponent and of displacements that a law ends at lie
+// closer than two of them can be told apart; a search goes the rest.
+std::vector<double> starts_of(const EffectForm::Shape& shape, const LargestMotions& largest, Index mode) {
+  using Kind = EffectForm::Shape::Kind;
+  const auto times = [](double unit, std::vector<double> shares) {
+    for (double& share : shares) share *= unit;
+    return shares;
+  };
+  switch (shape.kind) {
+    case Kind::exponent:
+      return shape.most > 0 ? times(shape.most / 4, {0.5, 1.5, 2.5, 3.5})
+                            : std::vector<double>{0.5, 2.0, 3.0, 4.5, 7.0, 10.0};
+    case Kind::level:
+      return times(largest.displacement(mode), {0.1, 0.25, 0.6, 1.5});
+    case Kind::speed:
+      return times(largest.speed(mode), {0.03, 0.1, 0.3, 0.8});
+    case Kind::time:
+      return times(1 / largest.frequency(mode), {0.1, 0.3, 1, 3, 10});
+    case Kind::share:
+      return {1.0};
+    case Kind::displacement:
+    case Kind::gap:
+      break;
+  }
+  return times(largest.displacement(mode), {0.02, 0.06, 0.15, 0.3, 0.5, 0.75, 0.95});
+}
+
+// Values of all shape parameters to begin with: every one with every other.
+std::vector<VectorXd> shape_starts(const EffectForm& form, std::size_t shapes, const LargestMotions& largest,
+                                   Index mode) {
+  std::vector<VectorXd> starts = {VectorXd()};
+  for (std::size_t s = 0; s < shapes; ++s) {
+    std::vector<VectorXd> longer;
+    for (const VectorXd& start : starts)
+      for (const double value : starts_of(form.shape(s), largest, mode)) {
+        longer.emplace_back(start.size() + 1);
+        longer.back() << start, value;
+      }
+    starts = std::move(longer);
+  }
   return starts;
+}
+
+// Whether shapes are what they are called; empty: any number is.
+std::function<bool(const VectorXd&)> shapes_within(const EffectForm& form, const std::vector<std::size_t>& shapes) {
+  struct Limit {
+    std::size_t unknown;
+    double most;
+  };
+  std::vector<Limit> limits;
+  for (std::size_t s = 0; s < shapes.size(); ++s) {
+    const EffectForm::Shape shape = form.shape(s);
+    const bool any = shape.kind == EffectForm::Shape::Kind::displacement ||
+                     (shape.kind == EffectForm::Shape::Kind::exponent && !(shape.most > 0));
+    if (!any) limits.push_back({shapes[s], shape.most > 0 ? shape.most : INFINITY});
+  }
+  if (limits.empty()) return {};
+  return [limits](const VectorXd& unknowns) {
+    return std::all_of(limits.begin(), limits.end(), [&](const Limit& limit) {
+      const double value = unknowns(static_cast<Index>(limit.unknown));
+      return value > 0 && value < limit.most;
+    });
+  };
 }
 
 }  // namespace
 
-VectorXd largest_displacements(const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
+Candidate::Strength Candidate::strength_of_term(const VectorXd& unknowns) const {
+  const double strength = unknowns(static_cast<Index>(strengths.front()));
+  if (power_scale == 0) return {strength};
+  const double factor = std::pow(power_scale, 1 - unknowns(static_cast<Index>(shapes.front())));
+  return {strength * factor, factor, -strength * factor * std::log(power_scale)};
+}
+
+LargestMotions largest_motions(const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
                                const SensorModel& sensors, const std::vector<double>& natural_frequency) {
-  VectorXd largest = VectorXd::Zero(sensors.shapes.cols());
+  LargestMotions all;
+  all.frequency = Eigen::Map<const VectorXd>(natural_frequency.data(), sensors.shapes.cols());
+  all.displacement = all.speed = VectorXd::Zero(sensors.shapes.cols());
+  const auto take = [&](Index mode, double displacement, double frequency) {
+    all.displacement(mode) = std::max(all.displacement(mode), displacement);
+    all.speed(mode) = std::max(all.speed(mode), displacement * frequency);
+  };
   for (const Condition& c : conditions)
     for (const MasterLine& m : c.masters) {
       const auto mode = static_cast<Index>(m.mode);
@@ -99,15 +164,15 @@ VectorXd largest_displacements(const std::vector<Condition>& conditions, const s
       const auto column = static_cast<Index>(std::find(c.lines.begin(), c.lines.end(), m.line) - c.lines.begin());
       const double modal = std::abs((shape.transpose().cast<std::complex<double>>() * c.response.col(column))(0)) /
                            shape.squaredNorm() / std::pow(std::abs(c.line_rate(m.line)), sensors.derivatives);
-      largest(mode) = std::max(largest(mode), 2 * modal);
+      take(mode, 2 * modal, std::abs(c.line_rate(m.line)));
     }
   for (const Segment& s : segments)
-    for (Index k = 0; k < largest.size(); ++k) {
-      const double frequency = natural_frequency[static_cast<std::size_t>(k)];
+    for (Index k = 0; k < all.frequency.size(); ++k) {
+      const double frequency = all.frequency(k);
       const double peak = (sensors.filter.row(k) * s.response).cwiseAbs().maxCoeff();
-      largest(k) = std::max(largest(k), peak / std::pow(frequency, sensors.derivatives));
+      take(k, peak / std::pow(frequency, sensors.derivatives), frequency);
     }
-  return largest;
+  return all;
 }
 
 std::vector<std::string> effect_names(const EffectCatalogue& catalogue) {
@@ -122,13 +187,14 @@ std::vector<std::string> effect_names(const EffectCatalogue& catalogue) {
 std::vector<Candidate> candidates_of(const EffectCatalogue& catalogue, const std::vector<EquationEffect>& effects,
                                      const CompiledModel& model, const SensorModel& sensors,
                                      const FaultTable& faults, const std::vector<Condition>& conditions,
-                                     const std::vector<Segment>& segments, const VectorXd& largest) {
+                                     const std::vector<Segment>& segments, const LargestMotions& largest) {
   std::vector<Candidate> all;
   const auto add = [&](const Effect& effect, Candidate c) {
     c.effect = effect.name;
     c.component = effect.component;
     c.passive = effect.sign_known;
     c.open_law = effect.kind == Effect::Kind::open_law;
+    c.contains = effect.contains;
     all.push_back(std::move(c));
   };
   for (const EquationEffect& e : effects) {
@@ -140,7 +206,8 @@ std::vector<Candidate> candidates_of(const EffectCatalogue& catalogue, const std
     c.equation = true;
     c.strengths = {e.strength};
     c.shapes = e.shapes;
-    c.shape_starts = shape_starts(*form, e.shapes.size(), largest(static_cast<Index>(e.mode)));
+    c.shape_starts = shape_starts(*form, e.shapes.size(), largest, static_cast<Index>(e.mode));
+    c.plausible = shapes_within(*form, e.shapes);
     add(*catalogue.find(e.effect), std::move(c));
   }
   const std::size_t first_fault = model.symbols.size();

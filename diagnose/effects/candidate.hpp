@@ -35,21 +35,36 @@ struct Candidate {
   double least_strength = 0;                  ///< a strength that must begin away from zero (saturation)
   /// Whether unknowns make sense as this explanation; empty: always.
   std::function<bool(const Eigen::VectorXd& unknowns)> plausible;
-  bool open_law = false;  ///< stands for a law outside of the catalogue: no cause by itself
+  bool open_law = false;              ///< stands for a law outside of the catalogue: no cause by itself
+  std::vector<std::string> contains;  ///< Effect::contains
+  /// Of a law that is the power of displacement/scale or velocity/scale, times scale, with the first shape as its
+  /// exponent; 0: it is none.
+  double power_scale = 0;
+
+  /// Strength as the catalogue's term has it, and its slopes by strength and first shape.
+  struct Strength {
+    double value = 0, by_strength = 1, by_shape = 0;
+  };
+  Strength strength_of_term(const Eigen::VectorXd& unknowns) const;
+};
+
+/// How far the modes move, by mode.
+struct LargestMotions {
+  Eigen::VectorXd displacement, speed;
+  Eigen::VectorXd frequency;  ///< natural ones, rad/s
 };
 
 /// Names of all effects that a campaign can be tried with, in alphabetical order; open laws are not among them.
 std::vector<std::string> effect_names(const EffectCatalogue& catalogue);
 
-/// Largest displacement (peak) of every mode over conditions and segments.
-Eigen::VectorXd largest_displacements(const std::vector<Condition>& conditions,
-                                      const std::vector<Segment>& segments, const SensorModel& sensors,
-                                      const std::vector<double>& natural_frequency);
+/// Largest displacement (peak) and speed of every mode over conditions and segments.
+LargestMotions largest_motions(const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
+                               const SensorModel& sensors, const std::vector<double>& natural_frequency);
 
-/// Every explanation in the catalogue that the campaign can speak of at all. `largest`: see largest_displacements.
+/// Every explanation in the catalogue that the campaign can speak of at all.
 std::vector<Candidate> candidates_of(const EffectCatalogue& catalogue, const std::vector<EquationEffect>& effects,
                                      const CompiledModel& model, const SensorModel& sensors,
                                      const FaultTable& faults, const std::vector<Condition>& conditions,
-                                     const std::vector<Segment>& segments, const Eigen::VectorXd& largest);
+                                     const std::vector<Segment>& segments, const LargestMotions& largest);
 
 }  // namespace secular

@@ -35,6 +35,7 @@ struct ActiveForce {
   double shape;
   std::vector<Slider> sliders;
   std::vector<double> stretch;
+  Index relaxing = -1;  // place in the state of what relaxes
 };
 
 class Stretch {
@@ -49,20 +50,24 @@ class Stretch {
         modes_(static_cast<Index>(model.modes())),
         excitation_(model.excitations.size()),
         jumps_(model.modes()),
+        size_(2 * modes_ + (side ? 2 : 0)),
         driven_(std::min(signal.half_steps.rows(), static_cast<Index>(excitation_.size()))) {
     for (const StateForce& force : forces) {
       if (parameters[force.strength_symbol] == 0) continue;
       const double shape = force.shape(parameters);
       std::vector<Slider> sliders = sliders_of(force, shape);
       std::vector<double> stretch(sliders.size(), 0.0);
-      active_.push_back({&force, shape, std::move(sliders), std::move(stretch)});
+      const bool relaxes = force.law.kind == ForceLaw::Kind::relaxation;
+      active_.push_back({&force, shape, std::move(sliders), std::move(stretch), relaxes ? size_++ : -1});
     }
+    if (signal.half_steps.rows() > 0) level_ = squared_amplitude(signal.half_steps.row(0));
   }
 
   StretchOfMotion run(const VectorXd& start, Index samples, int substeps) {
-    const Index size = 2 * modes_ + (side_ ? 2 : 0);
-    VectorXd state = VectorXd::Zero(size);
+    VectorXd state = VectorXd::Zero(size_);
     state.head(2 * modes_) = start;
+    for (const ActiveForce& active : active_)
+      if (active.relaxing >= 0) state(active.relaxing) = swung_in(active, start);
     StretchOfMotion motion;
     motion.displacement = Eigen::MatrixXd::Zero(modes_, samples);
     motion.velocity = motion.displacement;
@@ -70,7 +75,7 @@ class Stretch {
     if (side_) motion.side = Eigen::RowVectorXd::Zero(samples);
     const double bound = 1e6 * (start.cwiseAbs().maxCoeff() + 1e-3);
     const double step = signal_.sample_s / substeps, half_steps = 2.0 / substeps;
-    for (VectorXd* v : {&k1_, &k2_, &k3_, &k4_, &stage_, &moved_}) v->resize(size);
+    for (VectorXd* v : {&k1_, &k2_, &k3_, &k4_, &stage_, &moved_}) v->resize(size_);
     find_jumps(state);
     for (Index i = 0; i < samples; ++i) {
       const auto begin = static_cast<double>(2 * i);
@@ -97,6 +102,13 @@ class Stretch {
     int side = 0;
   };
 
+  // What relaxes, in the middle of a free vibration at the natural frequency: z = i w tau/(1 + i w tau) x.
+  double swung_in(const ActiveForce& active, const VectorXd& start) const {
+    const auto mode = static_cast<Index>(active.force->mode);
+    const double tau = active.shape, turns = parameters_[active.force->mode] * tau;
+    return (turns * turns * start(mode) + tau * start(modes_ + mode)) / (1 + turns * turns);
+  }
+
   // Values of the driving signal; time in half steps of the samples.
   void drive(double at) {
     for (Index j = 0; j < driven_; ++j)
@@ -108,8 +120,13 @@ class Stretch {
     for (const ActiveForce& active : active_) {
       const StateForce& force = *active.force;
       const auto mode = static_cast<Index>(force.mode);
-      double value =
-          active.sliders.empty() ? force.law.value(state(mode), velocity(mode), active.shape, force.scale) : 0;
+      double value = 0;
+      if (force.law.kind == ForceLaw::Kind::state)
+        value = force.law.value(state(mode), velocity(mode), active.shape, force.scale);
+      else if (force.law.kind == ForceLaw::Kind::level)
+        value = level_;
+      else if (active.relaxing >= 0)
+        value = state(active.relaxing);
       for (std::size_t i = 0; i < active.sliders.size(); ++i)
         value += active.sliders[i].advanced(active.stretch[i], state(mode) - origin(mode)) /
                  static_cast<double>(active.sliders.size());
@@ -178,6 +195,10 @@ class Stretch {
       rate(modes_ + i) -= change_[k].stiffness * state(i) + change_[k].damping * state(modes_ + i);
     }
     for (const Index k : held_) rate(modes_ + k) = 0;
+    for (const ActiveForce& active : active_)
+      if (active.relaxing >= 0)
+        rate(active.relaxing) =
+            rate(static_cast<Index>(active.force->mode)) - state(active.relaxing) / active.shape;
     if (side_) {
       const double x = state(2 * modes_), v = state(2 * modes_ + 1);
       const double force = excitation_.empty() ? 0 : excitation_[0].value;
@@ -273,6 +294,8 @@ class Stretch {
   Index modes_;
   std::vector<ExcitationSample> excitation_;  // zero where neither the signal nor a force drives
   std::vector<Jump> jumps_;                   // by coordinate
+  Index size_;        // of the state: displacements, velocities, the side oscillator, what relaxes
+  double level_ = 0;  // squared amplitude of the first excitation
   Index driven_;
   std::vector<ActiveForce> active_;
   std::vector<Index> held_;

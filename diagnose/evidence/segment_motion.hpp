@@ -36,7 +36,8 @@ struct StretchOfMotion {
 /// equal steps from sample to sample, the driving signal interpolated by parabolas. Where the equations jump with
 /// the sign of a coordinate's velocity (dry friction), a step holds to one side of the jump and ends where the
 /// velocity comes to zero, so that motions are continuous in the parameters; a coordinate that is pushed back
-/// either way stays where it is. `state`: displacements, then velocities. Sliders among `forces` start unstretched.
+/// either way stays where it is. `state`: displacements, then velocities. Sliders among `forces` start unstretched,
+/// what relaxes in the middle of a vibration at its mode's natural frequency.
 /// Samples after a state beyond 1e6 times its start stay zero.
 StretchOfMotion integrate_stretch(const CompiledModel& model, const std::vector<StateForce>& forces,
                                   std::span<const double> parameters, const DrivingSignal& signal,

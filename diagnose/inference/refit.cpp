@@ -47,6 +47,26 @@ Step damped_step(const MatrixXd& jacobian, const VectorXd& rows, double damping)
   return result;
 }
 
+// Unknowns after a step of those that are free, in units of their scales.
+VectorXd moved_by(const Refit& fit, const VectorXd& step) {
+  VectorXd moved = fit.unknowns;
+  for (std::size_t f = 0; f < fit.free.size(); ++f)
+    moved(static_cast<Index>(fit.free[f])) += fit.scale(static_cast<Index>(f)) * step(static_cast<Index>(f));
+  return moved;
+}
+
+// Along a curved valley straight steps must be short. The second derivative of the rows in the direction of a step
+// bends it (geodesic acceleration, Transtrum and Sethna 2012, with their numbers for the difference and for the
+// longest bend by the step).
+VectorXd bent(const Discrepancy& discrepancy, const Refit& fit, const VectorXd& step, double damping) {
+  constexpr double part = 0.1, longest = 0.75;
+  const VectorXd ahead = discrepancy(moved_by(fit, part * step));
+  const VectorXd curvature = 2 / part * ((ahead - fit.rows) / part - fit.jacobian * step);
+  if (!curvature.allFinite()) return step;
+  const VectorXd bend = 0.5 * damped_step(fit.jacobian, curvature, damping).step;
+  return 2 * bend.norm() > longest * step.norm() ? step : VectorXd(step + bend);
+}
+
 }  // namespace
 
 UnitSlopes unit_slopes(const Discrepancy& discrepancy, const VectorXd& unknowns,
@@ -106,9 +126,7 @@ Refit refit(const Discrepancy& discrepancy, const VectorXd& start, const std::ve
     }
     const Step step = damped_step(fit.jacobian, fit.rows, damping);
     fit.rank = step.rank;
-    VectorXd next = fit.unknowns;
-    for (std::size_t f = 0; f < free.size(); ++f)
-      next(static_cast<Index>(free[f])) += fit.scale(static_cast<Index>(f)) * step.step(static_cast<Index>(f));
+    const VectorXd next = moved_by(fit, damping > 0 ? bent(discrepancy, fit, step.step, damping) : step.step);
     const VectorXd rows = discrepancy(next);
     const double chi_squared = rows.squaredNorm();
     const double promised = fit.chi_squared - (fit.rows + fit.jacobian * step.step).squaredNorm();

@@ -17,11 +17,6 @@ namespace {
 /// one) are not seen by the data.
 constexpr double unseen = 1e-3;
 
-// By the slopes of its strengths: where these are all that it has.
-bool is_plain(const Candidate& candidate) {
-  return candidate.shapes.empty() && !(candidate.least_strength > 0);
-}
-
 // What strengths with these slopes (per scale) would explain from `unknowns` on.
 Screening screen_slopes(const Refit& base, const MatrixXd& basis, const Candidate& candidate, VectorXd unknowns,
                         const MatrixXd& slopes, const VectorXd& scale) {
@@ -37,31 +32,78 @@ Screening screen_slopes(const Refit& base, const MatrixXd& basis, const Candidat
   return {gain, std::move(unknowns), scale};
 }
 
-// Shape by shape; a strength has much the same scale at the next one.
-Screening screen(const Discrepancy& discrepancy, const Refit& base, const MatrixXd& basis,
-                 const Candidate& candidate, VectorXd scales) {
+// Whether it acts in these unknowns.
+bool acts(const Candidate& candidate, const VectorXd& unknowns) {
+  return std::any_of(candidate.strengths.begin(), candidate.strengths.end(),
+                     [&](std::size_t u) { return unknowns(static_cast<Index>(u)) != 0; });
+}
+
+void put_shapes(const Candidate& candidate, const VectorXd& shape, VectorXd& unknowns) {
+  for (std::size_t s = 0; s < candidate.shapes.size(); ++s)
+    unknowns(static_cast<Index>(candidate.shapes[s])) = shape(static_cast<Index>(s));
+}
+
+// A strength that begins away from zero, for every shape.
+Screening screen_from_least(const Discrepancy& discrepancy, const Refit& base, const MatrixXd& basis,
+                            const Candidate& candidate) {
   Screening best;
   for (const VectorXd& shape : candidate.shape_starts) {
     VectorXd unknowns = base.unknowns;
-    for (std::size_t s = 0; s < candidate.shapes.size(); ++s)
-      unknowns(static_cast<Index>(candidate.shapes[s])) = shape(static_cast<Index>(s));
-    if (candidate.least_strength > 0) {
-      unknowns(static_cast<Index>(candidate.strengths[0])) = candidate.least_strength;
-      const VectorXd rows = discrepancy(unknowns);
-      if ((rows - base.rows).norm() < unseen) continue;
-      const double gain = base.chi_squared - without_span(basis, rows).squaredNorm();
-      if (gain > best.gain || best.start.size() == 0) best = {std::max(0.0, gain), unknowns, {}};
-      continue;
-    }
-    const UnitSlopes slopes = unit_slopes(discrepancy, unknowns, candidate.strengths, scales, 1);
-    for (std::size_t s = 0; s < candidate.strengths.size(); ++s)
-      if (const double scale = slopes.scale(static_cast<Index>(s)); scale > 0)
-        scales(static_cast<Index>(candidate.strengths[s])) = scale;
-    Screening found = screen_slopes(base, basis, candidate, unknowns, slopes.columns, slopes.scale);
-    if (found.gain > best.gain) best = std::move(found);
+    put_shapes(candidate, shape, unknowns);
+    unknowns(static_cast<Index>(candidate.strengths[0])) = candidate.least_strength;
+    const VectorXd rows = discrepancy(unknowns);
+    if ((rows - base.rows).norm() < unseen) continue;
+    const double gain = base.chi_squared - without_span(basis, rows).squaredNorm();
+    if (gain > best.gain || best.start.size() == 0) best = {std::max(0.0, gain), unknowns, {}};
   }
   return best;
 }
+
+// One start of the shapes of many candidates at a time: without a strength no shape moves anything, and slopes by
+// many strengths cost little more than those by one.
+class Rounds {
+ public:
+  Rounds(const Discrepancy& discrepancy, const Refit& base, const MatrixXd& basis,
+         const std::vector<Candidate>& candidates)
+      : discrepancy_(discrepancy), base_(base), basis_(basis), candidates_(candidates) {}
+
+  // `together`: indices of candidates; the best start of each goes to its place in `found`.
+  void screen(const std::vector<std::size_t>& together, KnownScales& scales, unsigned threads,
+              std::vector<Screening>& found) const {
+    for (std::size_t round = 0;; ++round) {
+      VectorXd unknowns = base_.unknowns;
+      std::vector<std::size_t> asked, strengths;
+      std::vector<Index> first;
+      for (const std::size_t c : together) {
+        const Candidate& candidate = candidates_[c];
+        if (round >= candidate.shape_starts.size()) continue;
+        put_shapes(candidate, candidate.shape_starts[round], unknowns);
+        asked.push_back(c);
+        first.push_back(static_cast<Index>(strengths.size()));
+        strengths.insert(strengths.end(), candidate.strengths.begin(), candidate.strengths.end());
+      }
+      if (asked.empty()) return;
+      const UnitSlopes slopes = unit_slopes(discrepancy_, unknowns, strengths, scales.all(), threads);
+      scales.remember(strengths, slopes.scale);
+      for (std::size_t i = 0; i < asked.size(); ++i) {
+        const Candidate& candidate = candidates_[asked[i]];
+        const auto count = static_cast<Index>(candidate.strengths.size());
+        VectorXd start = base_.unknowns;
+        put_shapes(candidate, candidate.shape_starts[round], start);
+        Screening screened =
+            screen_slopes(base_, basis_, candidate, std::move(start), slopes.columns.middleCols(first[i], count),
+                          slopes.scale.segment(first[i], count));
+        if (screened.gain > found[asked[i]].gain) found[asked[i]] = std::move(screened);
+      }
+    }
+  }
+
+ private:
+  const Discrepancy& discrepancy_;
+  const Refit& base_;
+  const MatrixXd& basis_;
+  const std::vector<Candidate>& candidates_;
+};
 
 }  // namespace
 
@@ -87,28 +129,21 @@ void KnownScales::remember(const std::vector<std::size_t>& which, const VectorXd
 
 std::vector<Screening> screen_all(Discrepancy& discrepancy, const Refit& base,
                                   const std::vector<Candidate>& candidates, KnownScales& scales, unsigned threads) {
-  std::vector<std::size_t> strengths;
-  std::vector<Index> first(candidates.size(), 0);
-  for (std::size_t c = 0; c < candidates.size(); ++c) {
-    first[c] = static_cast<Index>(strengths.size());
-    if (is_plain(candidates[c]))
-      strengths.insert(strengths.end(), candidates[c].strengths.begin(), candidates[c].strengths.end());
-  }
   const MatrixXd basis = basis_of(base.jacobian);
   discrepancy.approach(base.unknowns);
-  const UnitSlopes slopes = unit_slopes(discrepancy, base.unknowns, strengths, scales.all(), threads);
-  scales.remember(strengths, slopes.scale);
   std::vector<Screening> found(candidates.size());
-  in_parallel(candidates.size(), threads, [&](std::size_t c) {
-    const Candidate& candidate = candidates[c];
-    const auto count = static_cast<Index>(candidate.strengths.size());
-    found[c] = is_plain(candidate) ? screen_slopes(base, basis, candidate, base.unknowns,
-                                                   slopes.columns.middleCols(first[c], count),
-                                                   slopes.scale.segment(first[c], count))
-                                   : screen(discrepancy, base, basis, candidate, scales.all());
-  });
+  std::vector<std::size_t> still, acting, from_least;
   for (std::size_t c = 0; c < candidates.size(); ++c)
-    if (found[c].scale.size() > 0) scales.remember(candidates[c].strengths, found[c].scale);
+    (candidates[c].least_strength > 0     ? from_least
+     : acts(candidates[c], base.unknowns) ? acting
+                                          : still)
+        .push_back(c);
+  const Rounds rounds(discrepancy, base, basis, candidates);
+  rounds.screen(still, scales, threads, found);
+  for (const std::size_t c : acting) rounds.screen({c}, scales, threads, found);
+  in_parallel(from_least.size(), threads, [&](std::size_t i) {
+    found[from_least[i]] = screen_from_least(discrepancy, base, basis, candidates[from_least[i]]);
+  });
   return found;
 }
 

@@ -17,6 +17,19 @@ double sd_of(const Refit& fit, std::size_t unknown, double dispersion) {
   return std::sqrt(std::max(0.0, fit.covariance(at, at) * dispersion));
 }
 
+// The strength as its term in the catalogue has it.
+void say_strength(const Candidate& candidate, const Refit& fit, double dispersion, CauseReport& cause) {
+  const Candidate::Strength strength = candidate.strength_of_term(fit.unknowns);
+  Eigen::VectorXd slopes = Eigen::VectorXd::Zero(fit.covariance.rows());
+  const auto place = [&](std::size_t unknown) {
+    return static_cast<Index>(std::find(fit.free.begin(), fit.free.end(), unknown) - fit.free.begin());
+  };
+  slopes(place(candidate.strengths.front())) = strength.by_strength;
+  if (strength.by_shape != 0) slopes(place(candidate.shapes.front())) = strength.by_shape;
+  cause.coefficient = strength.value;
+  cause.sd = std::sqrt(std::max(0.0, slopes.dot(fit.covariance * slopes) * dispersion));
+}
+
 }  // namespace
 
 std::vector<CauseReport> CauseReporter::causes(const std::vector<Rival>& rivals) const {
@@ -37,11 +50,12 @@ std::vector<CauseReport> CauseReporter::causes(const std::vector<Rival>& rivals)
       cause.effect = r.effects[m];
       cause.probability = r.probability;
       if (candidate) {
-        const std::size_t strength = candidate->strengths.front();
         cause.subject = candidate->subject;
-        cause.coefficient = fit.unknowns(static_cast<Index>(strength));
-        cause.coefficient_name = unknown_names[strength];
-        cause.sd = sd_of(fit, strength, dispersion);
+        cause.coefficient_name = unknown_names[candidate->strengths.front()];
+        say_strength(*candidate, fit, dispersion, cause);
+        for (const std::size_t shape : candidate->shapes)
+          cause.shapes.push_back(
+              {unknown_names[shape], fit.unknowns(static_cast<Index>(shape)), sd_of(fit, shape, dispersion)});
       }
       if (r.effects.size() == 1 && found.size() < most_closed_shares) cause.closed = closed_share(*r.explanation);
       found.push_back(std::move(cause));

@@ -15,6 +15,12 @@ struct CauseReport {
   double probability = 0;
   double coefficient = 0, sd = 0;
   std::string coefficient_name;
+  /// A gap, an exponent, ...
+  struct Shape {
+    std::string name;
+    double value = 0, sd = 0;
+  };
+  std::vector<Shape> shapes;
   std::optional<double> closed;
 };
 

@@ -86,6 +86,13 @@ void set_scales(std::vector<StateForce>& forces, const VectorXd& largest, const 
   }
 }
 
+void note_scales(const std::vector<StateForce>& forces, std::vector<Candidate>& candidates) {
+  for (const StateForce& force : forces)
+    for (Candidate& c : candidates)
+      if (c.equation && c.strengths.front() == force.strength_symbol && force.law.is_power)
+        c.power_scale = force.scale;
+}
+
 void check_left_out(const std::set<std::string>& left_out, const EffectCatalogue& catalogue) {
   const std::vector<std::string> names = effect_names(catalogue);
   for (const std::string& name : left_out)
@@ -159,10 +166,11 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
   result.unsteady = judge_steadiness(observed.nonstationarity, campaign);
   if (result.unsteady.detected) result.warnings.push_back(unsteady_warning(result.unsteady));
   result.data_used = compared_s(result.conditions, segments) / timed.length_s();
-  const VectorXd largest = largest_displacements(result.conditions, segments, sensors, natural);
-  set_scales(result.forces, largest, natural);
+  const LargestMotions largest = largest_motions(result.conditions, segments, sensors, natural);
+  set_scales(result.forces, largest.displacement, natural);
   result.candidates =
       candidates_of(options.catalogue, effects, model, sensors, faults, result.conditions, segments, largest);
+  note_scales(result.forces, result.candidates);
   check_left_out(options.left_out, options.catalogue);
   std::erase_if(result.candidates, [&](const Candidate& c) { return options.left_out.contains(c.effect); });
   if (!result.conditions.empty())

@@ -146,7 +146,9 @@ class Diagnoser {
       Rival rival{&e, e.log_evidence, 0, {}, false};
       for (const std::size_t m : e.members) {
         rival.effects.push_back(comparison_.candidates[m].effect);
-        rival.open_law = rival.open_law || comparison_.candidates[m].open_law;
+        const Candidate& c = comparison_.candidates[m];
+        rival.open_law = rival.open_law || c.open_law;
+        rival.contains.insert(rival.contains.end(), c.contains.begin(), c.contains.end());
       }
       all.push_back(std::move(rival));
     }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "diagnose/verdict/next_experiment.hpp"
+#include "numerics/distribution.hpp"
 
 namespace secular {
 namespace {
@@ -42,6 +43,17 @@ bool is_the_same(const Rival& rival, const Rival& best, const Explanation& null)
          expected_separation(*best.explanation, *rival.explanation, null) < separable;
 }
 
+// A law that has an effect of the best rival as a limit and is better by no more than its further unknowns bring by
+// chance: the simpler one is named.
+bool is_its_limit(const Rival& rival, const Rival& best, double dispersion) {
+  const Names instead = only_in(best.effects, rival.effects);
+  if (instead.size() != 1 || !holds(rival.contains, instead.front())) return false;
+  const auto more =
+      static_cast<double>(rival.explanation->unknowns) - static_cast<double>(best.explanation->unknowns);
+  const double gain = (best.explanation->fit.chi_squared - rival.explanation->fit.chi_squared) / dispersion;
+  return more > 0 && chi_squared_upper_tail(std::max(0.0, gain), more) > told_apart;
+}
+
 }  // namespace
 
 bool Naming::names(const std::string& effect) const {
@@ -76,6 +88,7 @@ Naming name_effects(const std::vector<Rival>& rivals, const Inference& inference
     if (own_parameters || r.effects.size() != best.effects.size()) continue;
     const Names instead = only_in(r.effects, best.effects);
     if (instead.size() != 1 || !holds(only_in(best.effects, r.effects), leading)) continue;
+    if (is_its_limit(r, best, inference.dispersion)) continue;
     if (is_credible(r, best) || is_the_same(r, best, inference.null)) add(instead.front());
   }
   for (const Rival& r : rivals)
@@ -85,7 +98,7 @@ Naming name_effects(const std::vector<Rival>& rivals, const Inference& inference
   const std::string second = best.effects[best.effects.front() == leading ? 1 : 0];
   naming.together = {leading, second};
   for (const Rival& r : rivals) {
-    if (r.effects.size() != 2 || !is_credible(r, best)) continue;
+    if (r.effects.size() != 2 || !is_credible(r, best) || is_its_limit(r, best, inference.dispersion)) continue;
     const Names instead = only_in(r.effects, naming.together);
     if (instead.size() == 1 && only_in(naming.together, r.effects) == Names{second})
       naming.second_or.push_back(instead.front());

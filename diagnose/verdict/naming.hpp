@@ -12,8 +12,9 @@ namespace secular {
 struct Rival {
   const Explanation* explanation = nullptr;
   double log_evidence = 0, probability = 0;
-  std::vector<std::string> effects;  ///< of its members, in their order
-  bool open_law = false;             ///< holds a law outside of the catalogue
+  std::vector<std::string> effects;        ///< of its members, in their order
+  bool open_law = false;                   ///< holds a law outside of the catalogue
+  std::vector<std::string> contains = {};  ///< simpler effects that one of its members has as limits
 };
 
 /// Gives rivals their probabilities and puts the likeliest first (of equals the earlier one).

@@ -83,12 +83,23 @@ BalanceSweep::BalanceSweep(const CompiledModel& model, std::vector<StateForce> f
   force_acceleration_ = torus_.samples(setting.excitation * rates_.cwiseAbs2().asDiagonal() * Complex(-1));
   for (Index j = 0; j < force_.rows(); ++j)
     if (!setting.excitation.row(j).isZero(0)) driven_.push_back(j);
+  if (force_.rows() > 0) level_ = squared_amplitude(force_.row(0));
 }
 
 BalanceSweep::Path BalanceSweep::path(MatrixXcd displacement) const {
   MatrixXd position = torus_.samples(displacement);
   MatrixXd velocity = torus_.samples(displacement * rates_.asDiagonal());
   return {std::move(displacement), std::move(position), std::move(velocity)};
+}
+
+// Laws of the whole turn, linear in it, line by line: dz/dt + z/tau = dx/dt.
+RowVectorXd BalanceSweep::values_of(const StateForce& force, const MatrixXd& position, const MatrixXd& velocity,
+                                    double shape) const {
+  if (force.law.kind == ForceLaw::Kind::level) return RowVectorXd::Constant(position.cols(), level_);
+  if (force.law.kind != ForceLaw::Kind::relaxation) return signal_over_turn(force, position, velocity, shape);
+  MatrixXcd lines = torus_.coefficients(position.row(static_cast<Index>(force.mode)));
+  for (Index l = 0; l < lines.cols(); ++l) lines(0, l) *= rates_(l) / (rates_(l) + 1 / shape);
+  return torus_.samples(lines);
 }
 
 std::vector<BalanceSweep::Signal> BalanceSweep::signals(const MatrixXd& position, const MatrixXd& velocity,
@@ -98,7 +109,8 @@ std::vector<BalanceSweep::Signal> BalanceSweep::signals(const MatrixXd& position
   for (const StateForce& force : forces_)
     if (parameters[force.strength_symbol] != 0 ||
         std::find(strengths.begin(), strengths.end(), force.strength_symbol) != strengths.end())
-      signals.push_back({&force, signal_over_turn(force, position, velocity, force.shape(parameters))});
+      signals.push_back(
+          {&force, values_of(force, position, velocity, force.shape(parameters)), force.shape(parameters)});
   return signals;
 }
 
@@ -136,6 +148,11 @@ void BalanceSweep::beside_turnings(const Path& path, const std::vector<Turning>&
     excite(static_cast<Index>(turnings[t].seen / two_pi * static_cast<double>(points)) % points, signals);
     for (const int sign : {1, -1}) {
       velocity_(turnings[t].mode) = std::copysign(vanishing, sign * turnings[t].slope);
+      for (const Signal& signal : signals)
+        if (const StateForce& force = *signal.force; force.law.kind == ForceLaw::Kind::state)
+          excitation_[force.excitation].value =
+              force.law.value(position_(static_cast<Index>(force.mode)), velocity_(static_cast<Index>(force.mode)),
+                              signal.shape, force.scale);
       side(static_cast<Index>(t), sign);
     }
   }
@@ -288,8 +305,7 @@ MatrixXcd BalanceSweep::residual_slopes(const Path& path, std::span<const double
       MatrixXd position = path.position;
       position.row(entry.mode) += length * moved.position.row(0);
       const RowVectorXd change =
-          (signal_over_turn(force, position, path.velocity, force.shape(parameters)) - memory.signal.values) /
-          length;
+          (values_of(force, position, path.velocity, force.shape(parameters)) - memory.signal.values) / length;
       felt.middleRows(e * modes, modes) += memory.felt * change.asDiagonal();
     }
   }

@@ -62,8 +62,11 @@ class BalanceSweep {
   struct Signal {
     const StateForce* force;
     Eigen::RowVectorXd values;
+    double shape = 0;
   };
 
+  Eigen::RowVectorXd values_of(const StateForce& force, const Eigen::MatrixXd& position,
+                               const Eigen::MatrixXd& velocity, double shape) const;
   /// Of the forces that are switched on, and of those whose strength is among `strengths`.
   std::vector<Signal> signals(const Eigen::MatrixXd& position, const Eigen::MatrixXd& velocity,
                               std::span<const double> parameters,
@@ -92,6 +95,7 @@ class BalanceSweep {
   const Torus& torus_;
   Eigen::RowVectorXcd rates_;
   Eigen::MatrixXd force_, force_rate_, force_acceleration_, acceleration_;
+  double level_ = 0;                  ///< squared_amplitude of the first excitation
   std::vector<Eigen::Index> driven_;  ///< excitations that are not zero
   std::vector<ExcitationSample> excitation_;
   Eigen::VectorXd position_, velocity_;  ///< at one point

@@ -106,6 +106,10 @@ RowVectorXd slider_stretch(const RowVectorXd& path, const Slider& slider) {
   return stretch;
 }
 
+double squared_amplitude(const RowVectorXd& signal) {
+  return 2 * (signal.array() - signal.mean()).square().mean();
+}
+
 RowVectorXd signal_over_turn(const StateForce& force, const MatrixXd& displacement, const MatrixXd& velocity,
                              double shape) {
   const auto mode = static_cast<Index>(force.mode);

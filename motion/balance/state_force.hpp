@@ -43,7 +43,10 @@ std::vector<Slider> sliders_of(const StateForce& force, double shape);
 /// Stretch of the spring of a slider along a closed path, after so many turns that it is closed, too.
 Eigen::RowVectorXd slider_stretch(const Eigen::RowVectorXd& path, const Slider& slider);
 
-/// The signal over a closed turn of the motion: modes x points each.
+/// Of a signal that is a harmonic over whole turns: twice its variance.
+double squared_amplitude(const Eigen::RowVectorXd& signal);
+
+/// The signal over a closed turn of the motion, by a slider or a law without memory: modes x points each.
 Eigen::RowVectorXd signal_over_turn(const StateForce& force, const Eigen::MatrixXd& displacement,
                                     const Eigen::MatrixXd& velocity, double shape);
 

@@ -30,7 +30,8 @@ void read_term(const TomlTable& table, const Effect& row, ExperimentEffect& effe
   const std::int64_t form = several && table.has("form") ? table.integer("form") : 0;
   if (form < 0 || form >= static_cast<std::int64_t>(row.forms.size()))
     table.fail("form", "is " + std::to_string(form), "the catalogue counts an effect's forms from 0");
-  std::vector<std::string> keys = row.forms[static_cast<std::size_t>(form)].parameter_names();
+  const EffectForm& term = row.forms[static_cast<std::size_t>(form)];
+  std::vector<std::string> keys = term.parameter_names();
   keys.erase(keys.begin());  // the strength has a key of its own
   std::vector<std::string_view> allowed = {"name", "strength", "mode"};
   if (couples) allowed.push_back("other");
@@ -41,7 +42,12 @@ void read_term(const TomlTable& table, const Effect& row, ExperimentEffect& effe
   if (couples) effect.other = table.string_or("other", "");
   if (several && table.has("form")) effect.form = std::to_string(form);
   if (!effect.form.empty() && effect.other.empty()) table.fail("form", "stands without `other`", "name both modes");
-  for (const std::string& key : keys) effect.shape.push_back(shape_parameter(table, key));
+  for (const std::string& key : keys) {
+    const double value = shape_parameter(table, key), most = term.shape(effect.shape.size()).most;
+    if (most > 0 && value > most)
+      table.fail(key, "is too large", "a number up to " + std::to_string(static_cast<int>(most)));
+    effect.shape.push_back(value);
+  }
 }
 
 ExperimentEffect read_effect(const TomlTable& table, const EffectCatalogue& catalogue) {

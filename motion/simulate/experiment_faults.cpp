@@ -62,7 +62,7 @@ void mix_shapes(const TomlTable& table, const ExperimentEffect& effect, const Ta
 // What the simulation has to supply beside the equations of motion.
 void supply_signal(const TomlTable& table, const ExperimentEffect& effect, const InstalledEffect& installed,
                    MotionSettings& motion) {
-  const double shape = effect.shape.empty() ? 0 : effect.shape.front();
+  const double shape = effect.shape.empty() ? 0 : effect.shape.back();
   switch (installed.law.kind) {
     case ForceLaw::Kind::none:
       break;
@@ -76,6 +76,12 @@ void supply_signal(const TomlTable& table, const ExperimentEffect& effect, const
     case ForceLaw::Kind::smooth_slider:
       table.fail("name", "'" + effect.name + "' has a memory that is not integrated in time",
                  "a single spring and slider is");
+    case ForceLaw::Kind::relaxation:
+      motion.relaxing_elements.push_back({installed.mode, installed.signal, shape});
+      break;
+    case ForceLaw::Kind::level:
+      motion.levels.push_back(installed.signal);
+      break;
     case ForceLaw::Kind::state:
       motion.law_elements.push_back({installed.mode, installed.signal, installed.law.value, shape});
       break;

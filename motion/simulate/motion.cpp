@@ -11,7 +11,8 @@
 namespace secular {
 namespace {
 
-using State = OdeState;  // displacements, velocities, then the armature's displacement and velocity if there is one
+// Displacements, velocities, then the armature's displacement and velocity if there is one, then what relaxes.
+using State = OdeState;
 
 constexpr std::size_t most_steps_in_a_sample_interval = 100000;
 
@@ -57,6 +58,10 @@ class Motion {
     if (settings_.armature) {
       rate[2 * modes_] = x[2 * modes_ + 1];
       rate[2 * modes_ + 1] = samples_[0].value;
+    }
+    for (std::size_t e = 0; e < settings_.relaxing_elements.size(); ++e) {
+      const RelaxingElement& element = settings_.relaxing_elements[e];
+      rate[relaxing_at() + e] = rate[element.mode] - x[relaxing_at() + e] / element.time_constant;
     }
     const double largest = std::abs(
         *std::max_element(x.begin(), x.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
@@ -113,6 +118,8 @@ class Motion {
   }
 
   std::size_t modes() const { return modes_; }
+  /// Place in the state of the first element that relaxes.
+  std::size_t relaxing_at() const { return 2 * modes_ + (settings_.armature ? 2 : 0); }
   bool held(std::size_t k) const { return held_[k]; }
   /// The sign of mode k's velocity in this step; 0: either.
   int side(std::size_t k) const { return side_[k]; }
@@ -165,6 +172,9 @@ class Motion {
     supplied_at_ = time;
     for (std::size_t e = 0; e < phases_.size(); ++e)
       samples_[settings_.slip_elements[e].excitation] = {elastic(x, e), 0, 0};
+    for (std::size_t e = 0; e < settings_.relaxing_elements.size(); ++e)
+      samples_[settings_.relaxing_elements[e].excitation] = {x[relaxing_at() + e], 0, 0};
+    for (const std::size_t level : settings_.levels) samples_[level] = {settings_.level * settings_.level, 0, 0};
     for (const LawElement& e : settings_.law_elements)
       samples_[e.excitation] = {e.law(x[e.mode], one_side(x)[e.mode], e.shape, 1), 0, 0};
     for (const std::size_t clock : settings_.clocks) samples_[clock] = {settings_.clock_origin + time, 1, 0};
@@ -348,6 +358,9 @@ class Integration {
       x_.push_back(begin.base);
       x_.push_back(begin.base_rate);
     }
+    x_.resize(motion_.relaxing_at());
+    x_.insert(x_.end(), begin.relaxing_displacement.begin(), begin.relaxing_displacement.end());
+    x_.resize(motion_.relaxing_at() + settings_.relaxing_elements.size(), 0.0);
     for (std::size_t e = 0; e < motion_.elements(); ++e) {
       const bool loaded = e < begin.elastic_displacement.size();
       motion_.place(x_, e, loaded ? begin.elastic_displacement[e] : x_[motion_.element_mode(e)]);
@@ -379,6 +392,8 @@ class Integration {
     last_.velocity = out_.velocity;
     last_.elastic_displacement.resize(motion_.elements());
     for (std::size_t e = 0; e < motion_.elements(); ++e) last_.elastic_displacement[e] = motion_.elastic(state, e);
+    last_.relaxing_displacement.assign(state.begin() + static_cast<std::ptrdiff_t>(motion_.relaxing_at()),
+                                       state.end());
     if (settings_.armature) {
       last_.base = state[2 * motion_.modes()];
       last_.base_rate = state[2 * motion_.modes() + 1];

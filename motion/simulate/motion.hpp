@@ -28,6 +28,13 @@ struct SlipElement {
   double slip = 0;
 };
 
+/// A spring in series with a damper (Maxwell element) on one mode: its elastic displacement z follows
+/// dz/dt = v - z/time_constant.
+struct RelaxingElement {
+  std::size_t mode = 0, excitation = 0;
+  double time_constant = 1;  ///< s
+};
+
 /// A force of one mode by a law of its displacement and velocity, handed to the model as the value of an
 /// excitation.
 struct LawElement {
@@ -57,9 +64,12 @@ struct MotionSettings {
   double fixed_step = 0;              ///< s, of runge_kutta_4; 0: a sixteenth of `step`
   std::string label = "motion";       ///< names the record in messages
   std::vector<SlipElement> slip_elements;
+  std::vector<RelaxingElement> relaxing_elements;
   std::vector<LawElement> law_elements;
   std::vector<std::size_t> clocks;  ///< excitations whose value is the time plus `clock_origin`
   double clock_origin = 0;
+  std::vector<std::size_t> levels;   ///< excitations whose value is the square of `level`
+  double level = 0;                  ///< amplitude of the first excitation
   std::optional<Armature> armature;  ///< of the first excitation
 };
 
@@ -83,7 +93,8 @@ struct MotionState {
   std::vector<double> displacement, velocity;
   /// By MotionSettings::slip_elements; empty: first loaded from z = 0.
   std::vector<double> elastic_displacement = {};
-  double base = 0, base_rate = 0;  ///< displacement and velocity of the armature
+  std::vector<double> relaxing_displacement = {};  ///< by MotionSettings::relaxing_elements; empty: relaxed
+  double base = 0, base_rate = 0;                  ///< displacement and velocity of the armature
 };
 
 /// Integrates the full equations of motion from `state` and hands over samples, by a method of Boost.Odeint with

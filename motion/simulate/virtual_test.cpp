@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <utility>
 
 #include "input/input_error.hpp"
@@ -204,6 +205,7 @@ class VirtualTest {
     MotionSettings settings = experiment_.motion;
     settings.largest_step = largest_step;
     settings.clock_origin = task.started_s - first;
+    settings.level = level(task);
     settings.label = fmt::format("{}, record {}", experiment_.file, task.record + 1);
     std::vector<ChannelChain> chains;
     if (excited) chains.emplace_back(*experiment_.excitation, experiment_.anti_alias, rate);
@@ -228,6 +230,14 @@ class VirtualTest {
           ++i;
         });
     return record;
+  }
+
+  // Amplitude of a harmonic as strong as what drives a record.
+  static double level(const Task& task) {
+    if (!task.signal) return task.amplitude;
+    const SignalProgramme& p = *task.signal;
+    if (p.kind == SignalProgramme::Kind::impact) return 0;
+    return p.kind == SignalProgramme::Kind::sweep ? p.amplitude : std::numbers::sqrt2 * p.amplitude;
   }
 
   // Time after which the filters have forgotten how they began, to 1e-8 or so.

@@ -101,7 +101,8 @@ class NewEffect : public TemporaryFolder {
     return load_experiment(write("swings.toml", swings(effect)), true, catalogue);
   }
 
-  Diagnosis diagnosed(const std::string& effect, const EffectCatalogue& catalogue) const {
+  Diagnosis diagnosed(const std::string& effect, const EffectCatalogue& catalogue,
+                      const std::vector<std::string>& without = {}) const {
     const auto [model, experiment] = loaded(effect, catalogue);
     CampaignWriter writer(folder_ / "campaign");
     const RecordSink keep = [&writer](const Campaign& made, const RecordEntry& entry, Record&& record) {
@@ -113,6 +114,7 @@ class NewEffect : public TemporaryFolder {
     request.model = model_;
     request.catalogue = catalogue;
     request.interpret = true;
+    request.without = without;
     return run_diagnosis(request).diagnosis;
   }
 
@@ -165,9 +167,10 @@ TEST_F(SlowNewEffect, OfTextIsSimulatedAndNamed) {
   EXPECT_EQ(d.where.front().component, EffectComponent::dissipative);
 }
 
+// Beside a stiffness that is fitted it is the catalogue's own spring that levels off.
 TEST_F(SlowNewEffect, WithALawIsSimulatedAndNamed) {
-  const Diagnosis d =
-      diagnosed("name = \"yielding_spring\"\nstrength = 60.0\nlevel = 0.015\n", with(yielding_spring()));
+  const Diagnosis d = diagnosed("name = \"yielding_spring\"\nstrength = 60.0\nlevel = 0.015\n",
+                                with(yielding_spring()), {"saturating_stiffness"});
   EXPECT_EQ(d.cause, "yielding_spring") << d.verdict;
   ASSERT_FALSE(d.causes.empty());
   EXPECT_NEAR(d.causes.front().coefficient, 60, 4 * d.causes.front().sd);
@@ -185,11 +188,16 @@ TEST(Catalogue, HoldsOnlyRowsThatTheProgramCanFollow) {
     for (const EffectForm& form : effect.forms) {
       const std::size_t parameters = form.parameter_names().size();
       EXPECT_GE(parameters, 1u) << effect.name;
-      EXPECT_LE(parameters, 2u) << effect.name;
+      EXPECT_LE(parameters, 3u) << effect.name;
+      EXPECT_LE(form.shapes.size(), parameters - 1) << effect.name;
       EXPECT_EQ(form.couples(), effect.forms.front().couples()) << effect.name;
       EXPECT_EQ(form.term.find("{s}") != std::string::npos, form.law.kind != ForceLaw::Kind::none) << effect.name;
       EXPECT_EQ(form.law.kind == ForceLaw::Kind::state, form.law.value != nullptr) << effect.name;
     }
+    for (const std::string& simpler : effect.contains)
+      EXPECT_NE(std::find(effect.mistaken_for.begin(), effect.mistaken_for.end(), simpler),
+                effect.mistaken_for.end())
+          << effect.name << " and " << simpler;
     for (const std::string& other : effect.mistaken_for) {
       const Effect* like = catalogue.find(other);
       ASSERT_NE(like, nullptr) << effect.name << " and " << other;

@@ -217,6 +217,9 @@ TEST(BlindStructure, EveryTermIsItsFormula) {
                                                                 {"septic_stiffness", -std::pow(q, 7)},
                                                                 {"bilinear_stiffness", -q},
                                                                 {"freeplay", 0.1},  // clamped at the gap
+                                                                {"one_sided_stop", -(q - 0.1)},
+                                                                {"two_sided_stop", -(q - 0.1)},
+                                                                {"saturating_stiffness", q - std::tanh(q)},
                                                                 {"hysteresis", -s},
                                                                 {"direct_excitation", f},
                                                                 {"parametric_excitation", q * f},

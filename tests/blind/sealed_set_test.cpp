@@ -88,8 +88,9 @@ TEST(BlindPlans, EveryEffectIsDrawnAndKindsKeepTheirShares) {
   EXPECT_EQ(kinds["outside"], 60);
   EXPECT_EQ(kinds["parameters"], 20);
   EXPECT_EQ(noise, (std::set<double>{10, 20, 30, 40}));
-  // All of EFFECTS.md but `parameters`, which is a kind of its own.
-  EXPECT_EQ(effects.size(), 28u);
+  // All of the catalogue that the generator can make but `parameters`, which is a kind of its own: level_stiffness,
+  // stops and the spring that levels off among them.
+  EXPECT_EQ(effects.size(), 32u);
 }
 
 // A coefficient's step of a strength that is known: linear response q = eta1 F H, so 1 % more eta1 is 1 % more q,

@@ -114,7 +114,8 @@ TEST_P(SweepWithForce, ParametersMoveTheResidualAsDifferencesSay) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, SweepWithForce,
                          testing::Values(force_law::slider, force_law::spread_slider, force_law::smooth_slider,
-                                         force_law::velocity_power, force_law::displacement_power));
+                                         force_law::velocity_power, force_law::displacement_power,
+                                         force_law::relaxation));
 
 }  // namespace
 }  // namespace secular

@@ -73,6 +73,22 @@ TEST(Naming, WhatCannotBeToldApartStaysUnlessItHasMoreUnknowns) {
   EXPECT_EQ(competition.named().set, (Names{"a", "b"}));
 }
 
+// A law of which the best effect is a limit is better by its further unknown alone, 1 in the mean: only a gain that
+// chance does not bring once in twenty, 3.84, speaks for its shape.
+TEST(Naming, ALawThatContainsTheBestStaysWhereItsShapeIsSeen) {
+  for (const auto& [gain, set] : {std::pair{2.0, Names{"a"}}, {5.0, Names{"a", "b"}}}) {
+    Competition competition;
+    competition.enter({"a"}, 1, 0);
+    competition.enter({"b"}, 0.3, 1, 2);
+    Rival& general = competition.rivals()[1];
+    Explanation better = *general.explanation;
+    better.fit.chi_squared = -gain;
+    general.explanation = &better;
+    general.contains = {"a"};
+    EXPECT_EQ(competition.named().set, set) << gain;
+  }
+}
+
 TEST(Naming, OfTwoTogetherTheOneThatExplainsMoreLeads) {
   Competition competition;
   competition.enter({"d", "b"}, 1, 0);

@@ -59,7 +59,7 @@ Model model_text(const std::string& kind) {
 
 /// State of a mode and what else a term may need.
 struct Moment {
-  double v, dv, a, u, du, force, signal, w, strength, shape;
+  double v, dv, a, u, du, b, force, signal, w, strength, shape;
 };
 /// Terms on the right-hand sides of the mode and of the other mode, with the accelerations put in.
 using Term = std::function<std::pair<double, double>(const Moment&)>;
@@ -84,11 +84,27 @@ std::map<std::pair<std::string, std::size_t>, Term> hand_written() {
   terms[{"bilinear_stiffness", 0}] = own([](const Moment& m) { return -std::max(m.v, 0.0); });
   terms[{"freeplay", 0}] =
       own([](const Moment& m) { return m.v - std::max(m.v - m.shape, 0.0) - std::min(m.v + m.shape, 0.0); });
+  terms[{"one_sided_stop", 0}] = own([](const Moment& m) { return -std::max(m.v - m.shape, 0.0); });
+  terms[{"one_sided_stop", 1}] = own([](const Moment& m) { return std::max(-m.v - m.shape, 0.0); });
+  terms[{"two_sided_stop", 0}] =
+      own([](const Moment& m) { return -std::max(m.v - m.shape, 0.0) - std::min(m.v + m.shape, 0.0); });
+  terms[{"stribeck_friction", 0}] = own([](const Moment& m) { return -(1 + m.shape * m.signal) * sign(m.dv); });
+  terms[{"level_stiffness", 0}] = own([](const Moment& m) { return -m.signal * m.v; });
+  terms[{"cubic_base_excitation", 0}] = own([](const Moment& m) { return m.v * m.v * m.v * m.force; });
+  terms[{"inertia_coupling", 0}] = [](const Moment& m) {
+    return std::pair(-m.strength * (m.u * m.a + m.du * m.dv), m.strength * m.dv * m.dv / 2);
+  };
+  terms[{"inertia_coupling", 1}] = [](const Moment& m) {
+    return std::pair(-m.strength * m.v * m.b, -m.strength * (m.dv * m.dv + m.v * m.a));
+  };
   terms[{"quadratic_inertia", 0}] = own([](const Moment& m) { return -2 * m.v * m.a - m.dv * m.dv; });
   terms[{"cubic_inertia", 0}] = own([](const Moment& m) { return -m.v * m.v * m.a - m.v * m.dv * m.dv; });
   terms[{"hysteresis", 0}] = own([](const Moment& m) { return -m.signal; });
   for (const auto& name : std::vector<std::pair<std::string, std::size_t>>{{"hysteresis", 1},
                                                                            {"hysteresis", 2},
+                                                                           {"saturating_stiffness", 0},
+                                                                           {"power_damping", 0},
+                                                                           {"relaxation", 0},
                                                                            {"open_stiffness", 0},
                                                                            {"open_damping", 0},
                                                                            {"open_loss", 0},
@@ -169,7 +185,7 @@ TEST_F(ModelEffects, AccelerationsAreThoseOfTheTermsByHand) {
         std::vector<double> expected = accelerations(*base, without(*base, *code, p));
         const std::size_t j = term.other == EffectTerm::none ? term.mode : term.other;
         const auto [own, other] = by_hand(
-            {p.displacement[term.mode], p.velocity[term.mode], a[term.mode], p.displacement[j], p.velocity[j],
+            {p.displacement[term.mode], p.velocity[term.mode], a[term.mode], p.displacement[j], p.velocity[j], a[j],
              p.excitation[0].value, added.signal == EffectTerm::none ? 0 : p.excitation[added.signal].value,
              p.parameters[term.mode], p.parameters[index_of(*code, added.parameters[0])],
              added.parameters.size() > 1 ? p.parameters[index_of(*code, added.parameters[1])] : 0});

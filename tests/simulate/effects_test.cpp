@@ -108,6 +108,29 @@ TEST(Hysteresis, MemoryIsCarriedOn) {
   for (std::size_t i = 0; i < whole.size(); ++i) EXPECT_NEAR(whole[i], parts[i], 1e-7) << i;
 }
 
+// A spring and a damper in series on x = X cos(w t): z = X Re(i w tau/(1 + i w tau) exp(i w t)), from a relaxed
+// beginning after some time constants, and also where the motion is interrupted.
+TEST(Relaxation, StretchIsThatOfTheMaxwellElement) {
+  for (const double tau : {0.05, 0.5, 3.0}) {
+    MotionSettings settings;
+    settings.relaxing_elements = {{0, 1, tau}};
+    const std::complex<double> turn(0, omega * tau);
+    MotionState state{{amplitude}, {0}};
+    double phase_begun = 0;
+    for (const double seconds : {20 * tau, 3.0}) {
+      const double begun = phase_begun;
+      const ExcitationSignal moved = [begun](double t, ExcitationSample* s) { prescribed(t + begun, s); };
+      integrate_motion(
+          {free_point(), nullptr, moved}, {0, 0, seconds / 50, 51}, settings, state, [&](const MotionSample& s) {
+            if (begun == 0 && s.time < 20 * tau) return;
+            const double z = (amplitude * turn / (1.0 + turn) * std::polar(1.0, omega * (s.time + begun))).real();
+            EXPECT_NEAR(s.excitation[1].value, z, 1e-7 * amplitude) << tau << " s, at " << s.time;
+          });
+      phase_begun += seconds;
+    }
+  }
+}
+
 // omega = omega0*(1 + drift*t), to first order in the drift: the free vibration's period at campaign time t.
 TEST(Drift, MovesTheFrequencyByTheStatedAmount) {
   const double w = 2 * pi * 10, drift = 1e-4;
