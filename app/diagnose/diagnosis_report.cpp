@@ -35,12 +35,19 @@ std::string joined(const std::vector<std::string>& names, const std::string& las
   return text;
 }
 
+// "cubic inertia or cubic stiffness, with quadratic stiffness": what acts, with what would do in the place of each.
+std::string effects_with_neighbours(const Diagnosis& d) {
+  if (d.together.size() < 2) return joined(d.set, " or ");
+  std::vector<std::string> second = {d.together[1]};
+  second.insert(second.end(), d.second_or.begin(), d.second_or.end());
+  return joined(d.set, " or ") + ", with " + joined(second, " or ");
+}
+
 std::string verdict_text(const Diagnosis& d) {
   if (d.verdict == "no_gap") return "no gap";
   if (d.verdict == "cause") return d.together.size() > 1 ? joined(d.together, " and ") : spaced(d.cause);
   if (d.verdict == "set") return "one of " + std::to_string(d.set.size());
-  if (d.verdict == "approximate")
-    return "acts like " + (d.together.size() > 1 ? joined(d.together, " and ") : joined(d.set, " or "));
+  if (d.verdict == "approximate") return "acts like " + effects_with_neighbours(d);
   return "unknown";
 }
 
@@ -61,8 +68,7 @@ std::string sentence(const Diagnosis& d) {
     return "The gap is explained by one of " + joined(d.set, " or ") +
            ". This campaign cannot say which: they change what was measured in the same way.";
   if (d.verdict == "approximate")
-    return "The structure acts like " +
-           (d.together.size() > 1 ? joined(d.together, " and ") : joined(d.set, " or ")) + ": that closes " +
+    return "The structure acts like " + effects_with_neighbours(d) + ": that closes " +
            report::format_percent(d.gap.closed) + " [" + report::format_percent(d.gap.closed_low) + ", " +
            report::format_percent(d.gap.closed_high) + "] of the gap on conditions that were held out. The " +
            report::format_percent(*d.gap.left_share) +

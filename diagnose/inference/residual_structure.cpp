@@ -107,10 +107,14 @@ ResidualStructure residual_structure_of(const Refit& fit, const std::vector<RowL
   return left;
 }
 
+bool closes_most(const ClosedShare& closing) {
+  return closing.low >= least_closing && closing.closed >= most_of_the_gap;
+}
+
 Reach reach_of(const ResidualStructure& structure, const ClosedShare& closing) {
   if (!(closing.closed >= least_closing)) return Reach::little;
   if (structure.p_value >= structure_alarm && structure.smooth_p_value >= structure_alarm) return Reach::all;
-  return closing.low >= least_closing && closing.closed >= most_of_the_gap ? Reach::approximate : Reach::little;
+  return closes_most(closing) ? Reach::approximate : Reach::little;
 }
 
 std::string what_is_missing(const ResidualStructure& structure, const ClosedShare& closing) {

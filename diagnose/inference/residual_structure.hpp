@@ -44,6 +44,9 @@ enum class Reach {
 /// than repeatability, where there is nothing to close. `closing.low`, its lower end, has to show as much.
 Reach reach_of(const ResidualStructure& structure, const ClosedShare& closing);
 
+/// Whether held-out conditions show that an explanation closes nine tenths of the gap.
+bool closes_most(const ClosedShare& closing);
+
 /// In words: what keeps an explanation of little reach from being named.
 std::string what_is_missing(const ResidualStructure& structure, const ClosedShare& closing);
 

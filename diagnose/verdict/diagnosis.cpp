@@ -20,6 +20,9 @@ constexpr double false_alarm = 0.003;
 /// not be seen.
 constexpr double most_overestimated = 2;
 
+/// Predicting what was held out takes longer than all else that is said of a rival.
+constexpr int most_neighbours = 6;
+
 constexpr const char* metric =
     "root mean square over held-out rows (balance of every resonant line, lines of every channel) in units "
     "of measured repeatability";
@@ -205,12 +208,29 @@ class Diagnoser {
       } else if (reach == Reach::approximate) {
         result_.verdict = "approximate";
         result_.gap.left_share = 1 - closing.closed;
+        add_neighbours(best, named, before);
       } else if (result_.unknown_because.empty()) {
         result_.unknown_because = what_is_missing(result_.residual_structure, closing);
       }
     }
     if (options_.given) result_.parameters_moved = moved_parameters(model_, comparison_.start, inference_.null.fit);
     return naming;
+  }
+
+  // Where even the best explanation is not all, how much likelier it is than others rests on a model that does not
+  // hold: effects in the place of one of its own that close most of the gap as well act as much like what is there.
+  void add_neighbours(const Rival& best, const std::vector<Rival>& named, const VectorXd& before) {
+    int tried = 0;
+    for (const Rival& rival : named) {
+      const std::vector<std::string> instead = only_in(rival.effects, best.effects),
+                                     of = only_in(best.effects, rival.effects);
+      if (rival.effects.size() != best.effects.size() || instead.size() != 1 || of.size() != 1) continue;
+      std::vector<std::string>& names = of.front() == result_.set.front() ? result_.set : result_.second_or;
+      if (std::find(names.begin(), names.end(), instead.front()) != names.end()) continue;
+      if (tried++ == most_neighbours) return;
+      if (closes_most(closed_share(before, held_out_rows(*rival.explanation), result_.labels, result_.gap.floor)))
+        names.push_back(instead.front());
+    }
   }
 
   // Whatever an explanation closes; empty: nothing speaks against it.

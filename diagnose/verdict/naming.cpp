@@ -22,13 +22,6 @@ bool holds(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-Names only_in(const Names& a, const Names& b) {
-  Names only;
-  for (const std::string& name : a)
-    if (!holds(b, name)) only.push_back(name);
-  return only;
-}
-
 // Of two effects together the one that alone explains more.
 std::string leading_effect(const Rival& best, const Inference& inference) {
   if (best.effects.size() == 1) return best.effects.front();
@@ -55,6 +48,13 @@ bool is_its_limit(const Rival& rival, const Rival& best, double dispersion) {
 }
 
 }  // namespace
+
+std::vector<std::string> only_in(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  Names only;
+  for (const std::string& name : a)
+    if (!holds(b, name)) only.push_back(name);
+  return only;
+}
 
 bool Naming::names(const std::string& effect) const {
   return holds(set, effect) || holds(together, effect);

@@ -17,6 +17,9 @@ struct Rival {
   std::vector<std::string> contains = {};  ///< simpler effects that one of its members has as limits
 };
 
+/// Those of `a` that are not in `b`.
+std::vector<std::string> only_in(const std::vector<std::string>& a, const std::vector<std::string>& b);
+
 /// Gives rivals their probabilities and puts the likeliest first (of equals the earlier one).
 void rank(std::vector<Rival>& rivals);
 
