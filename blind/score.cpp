@@ -267,9 +267,9 @@ Score score_of(const json& sealed, const std::vector<Said>& said) {
   figures.push_back(mean_figure("mean probability put on the true cause, where data can tell", probability, 0.8));
   figures.push_back(false_alarm.figure("false alarm on campaigns without a gap", 0.01, true));
   figures.push_back(detected.figure("gap detected (at least 3 sigma)", 0.99));
-  figures.push_back(unknown.figure("effect outside of the catalogue is called unknown", 0.9));
+  figures.push_back(unknown.figure("effect outside of the catalogue is called unknown or approximate", 0.9));
   figures.push_back(misnamed.figure("effect outside of the catalogue is named as another one", 0.05, true));
-  figures.push_back(unknown_without.figure("effect left out of the catalogue in turn: called unknown", 0.9));
+  figures.push_back(unknown_without.figure("effect left out of the catalogue in turn: called unknown or approximate", 0.9));
   figures.push_back(
       misnamed_without.figure("effect left out of the catalogue in turn: another one is named", 0.05, true));
   figures.push_back(pairs30.figure("two effects, both found, 30 dB", 0.7));

@@ -133,6 +133,27 @@ TEST(BlindScore, WithoutTheTruthOnlyWhatTheRestCannotExplainCounts) {
   EXPECT_NEAR(figure(score, "placebo regressor, 30 dB").value, 0.005, 1e-12);
 }
 
+// It names effects, and says that they are not all.
+TEST(BlindScore, AnApproximateExplanationNamesAndLeavesOpen) {
+  const json sealed = {{"labels",
+                        {label(1, "single", 40, {"cubic_stiffness"}), label(2, "single", 40, {"cubic_inertia"}),
+                         label(3, "single", 40, {"coulomb_friction"}),
+                         label(4, "outside", 30, {"septic_stiffness"}), label(5, "none", 30, {})}}};
+  const Said approximate = what_was_said({{"gap", {{"detected", true}, {"closed", 0.95}}},
+                                          {"verdict", "approximate"},
+                                          {"cause", nullptr},
+                                          {"set", {"cubic_stiffness", "cubic_inertia"}},
+                                          {"causes",
+                                           {{{"effect", "cubic_stiffness"}, {"probability", 1.0}},
+                                            {{"effect", "cubic_inertia"}, {"probability", 0.0}}}}});
+  const Score score = score_of(sealed, std::vector<Said>(5, approximate));
+  EXPECT_NEAR(figure(score, "contains the truth (at least").value, 2.0 / 3, 1e-12);
+  EXPECT_NEAR(figure(score, "40 dB").value, 1.0 / 3, 1e-12);  // the first of those that it names
+  EXPECT_DOUBLE_EQ(figure(score, "is called unknown").value, 1);
+  EXPECT_DOUBLE_EQ(figure(score, "named as another").value, 0);
+  EXPECT_DOUBLE_EQ(figure(score, "false alarm").value, 1);
+}
+
 TEST(BlindScore, CalibrationCountsEveryStatedProbability) {
   const json sealed = {{"labels", {label(1, "single", 40, {"a"}), label(2, "single", 40, {"b"})}}};
   Said first = cause("a", 0.95), second = cause("c", 0.97);
