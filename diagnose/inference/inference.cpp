@@ -492,10 +492,28 @@ class Search {
     result_.degrees_of_freedom = rows() - static_cast<double>(null.rank);
   }
 
+  // Fits that have not come to an end, though nothing that has is better by what an unknown costs: a law whose
+  // shape trades with its strength and the model's own numbers ends in a curved valley.
+  void end_stalled() {
+    const auto has_ended = [](const Explanation& e) { return e.fit.ending == FitEnding::converged; };
+    double least = result_.null.fit.chi_squared;
+    for (const Explanation& e : found_)
+      if (has_ended(e)) least = std::min(least, e.fit.chi_squared);
+    RefitOptions options = refit_options();
+    options.bends = true;
+    in_parallel(found_.size(), options_.threads, [&](std::size_t i) {
+      Refit& fit = found_[i].fit;
+      if (!has_ended(found_[i]) && fit.chi_squared < least + 2 * price_)
+        fit = refit(discrepancy_, fit.unknowns, fit.free, options);
+    });
+    keep_best_of_each(found_, candidates_);
+  }
+
   // Coarse errors are a way to walk; what a verdict is read from holds among the true ones.
   void settle() {
     settle_null(found_.empty() ? result_.null : found_.front());
     refit_found();
+    end_stalled();
     // Where all rows together show no gap, one candidate may still: beside this null.
     if (!leaves_more_than_noise(result_.null)) take_gains(screen_from(result_.null.fit));
   }
