@@ -42,6 +42,9 @@ constexpr double least_relief = 0.5;
 /// factor, or that fit has run away with its own errors.
 constexpr double reweighting = 1.3;
 
+/// A fit along a curved valley takes so many times the steps of others: two of its three only set their length.
+constexpr int longer_in_valleys = 4;
+
 /// Of fits with numbers that may be far off, relative to the squared length of a column.
 constexpr double first_damping = 1e-2;
 
@@ -501,6 +504,7 @@ class Search {
       if (has_ended(e)) least = std::min(least, e.fit.chi_squared);
     RefitOptions options = refit_options();
     options.bends = true;
+    options.iterations *= longer_in_valleys;
     in_parallel(found_.size(), options_.threads, [&](std::size_t i) {
       Refit& fit = found_[i].fit;
       if (!has_ended(found_[i]) && fit.chi_squared < least + 2 * price_)
