@@ -54,8 +54,8 @@ struct EffectForm {
       level,         ///< a displacement that may be beyond the largest one, > 0
       speed,         ///< > 0
       time,          ///< > 0; about a period
-      share,         ///< without unit, > 0
-      exponent,      ///< between 0 and `most`; without one, any number
+      share,         ///< without unit, between 0 and `most`
+      exponent,      ///< the same; without `most`, any number
     };
     Kind kind = Kind::displacement;
     double most = 0;  ///< 0: no bound

@@ -43,6 +43,9 @@ constexpr double least_relief = 0.5;
 /// factor, or that fit has run away with its own errors.
 constexpr double reweighting = 1.3;
 
+/// A fit along a curved valley takes so many times the steps of others: two of its three only set their length.
+constexpr int longer_in_valleys = 4;
+
 /// Of fits with numbers that may be far off, relative to the squared length of a column.
 constexpr double first_damping = 1e-2;
 
@@ -499,10 +502,29 @@ class Search {
     result_.degrees_of_freedom = rows() - static_cast<double>(null.rank);
   }
 
+  // Fits that have not come to an end, though nothing that has is better by what an unknown costs: a law whose
+  // shape trades with its strength and the model's own numbers ends in a curved valley.
+  void end_stalled() {
+    const auto has_ended = [](const Explanation& e) { return e.fit.ending == FitEnding::converged; };
+    double least = result_.null.fit.chi_squared;
+    for (const Explanation& e : found_)
+      if (has_ended(e)) least = std::min(least, e.fit.chi_squared);
+    RefitOptions options = refit_options();
+    options.bends = true;
+    options.iterations *= longer_in_valleys;
+    in_parallel(found_.size(), options_.threads, [&](std::size_t i) {
+      Refit& fit = found_[i].fit;
+      if (!has_ended(found_[i]) && fit.chi_squared < least + 2 * price_)
+        fit = refit(discrepancy_, fit.unknowns, fit.free, options);
+    });
+    keep_best_of_each(found_, candidates_);
+  }
+
   // Coarse errors are a way to walk; what a verdict is read from holds among the true ones.
   void settle() {
     settle_null(found_.empty() ? result_.null : found_.front());
     refit_found();
+    end_stalled();
     // Where all rows together show no gap, one candidate may still: beside this null.
     if (!leaves_more_than_noise(result_.null)) take_gains(screen_from(result_.null.fit));
   }

@@ -126,7 +126,7 @@ Refit refit(const Discrepancy& discrepancy, const VectorXd& start, const std::ve
     }
     const Step step = damped_step(fit.jacobian, fit.rows, damping);
     fit.rank = step.rank;
-    const VectorXd next = moved_by(fit, damping > 0 ? bent(discrepancy, fit, step.step, damping) : step.step);
+    const VectorXd next = moved_by(fit, options.bends ? bent(discrepancy, fit, step.step, damping) : step.step);
     const VectorXd rows = discrepancy(next);
     const double chi_squared = rows.squaredNorm();
     const double promised = fit.chi_squared - (fit.rows + fit.jacobian * step.step).squaredNorm();

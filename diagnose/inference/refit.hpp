@@ -29,6 +29,7 @@ struct Refit {
 
 struct RefitOptions {
   int iterations = 25;
+  bool bends = false;  ///< steps follow the second derivative of the rows: one evaluation more each
   unsigned threads = 1;
   double damping = 0;           ///< at first: holds back what the rows hardly see, far from the goal
   Eigen::VectorXd scale_guess;  ///< of unit_slopes
