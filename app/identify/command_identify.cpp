@@ -55,7 +55,7 @@ void print_summary(const Identification& id, const std::string& folder) {
     else if (v.value)
       fmt::print("  {:<12} {:>20} {:<14} sd {} %{}{}\n", v.name, report::format_uncertain(*v.value, v.sd), v.unit,
                  report::format_number(100 * v.sd / std::abs(*v.value), 2),
-                 v.significant ? "" : ", not significant", v.doubtful ? ", doubtful: the model does not fit" : "");
+                 v.significant ? "" : ", not significant", v.doubtful ? ", doubtful" : "");
     else {
       std::string with;
       for (const std::string& other : v.entangled_with) with += (with.empty() ? "" : ", ") + other;

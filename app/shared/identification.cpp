@@ -186,7 +186,8 @@ void estimate_corrected(const IdentificationRequest& request, Identification& id
 
 // Once more with phases as unknowns where equations do not hold. Numbers stay as they were, and those that this
 // moves are doubtful, where it is no explanation: equations still do not hold, or phases follow a law of the
-// amplitude. `id` is as it was if this throws.
+// amplitude. Where it is one, those that the other sign of the excitation moves are doubtful if that is not told.
+// `id` is as it was if this throws.
 void free_phases(const IdentificationRequest& request, const std::vector<ObservationSet>& observed,
                  Identification& id) {
   UnknownPhases unknown =
@@ -194,7 +195,7 @@ void free_phases(const IdentificationRequest& request, const std::vector<Observa
   const auto is_freed = [](const CaseLateness& lateness) { return lateness.finding != PhaseFinding::nothing_told; };
   if (std::any_of(unknown.cases.begin(), unknown.cases.end(), is_freed)) {
     Identification freed = id;
-    freed.measured = std::move(unknown.sets);
+    freed.measured = unknown.sets;
     estimate_corrected(request, freed);
     const std::set<std::string> misfit = cases_that_misfit(freed.estimate);
     bool explained = true;
@@ -204,6 +205,13 @@ void free_phases(const IdentificationRequest& request, const std::vector<Observa
       explained = explained && (lateness.finding == PhaseFinding::shifted || !is_freed(lateness));
     }
     if (explained) {
+      for (UnknownPhases::Rival& rival : unknown.rivals) {
+        Identification other = id;
+        other.measured = unknown.sets;
+        other.measured[rival.place] = std::move(rival.set);
+        estimate_corrected(request, other);
+        doubt_what_differs(freed.estimate, other.estimate);
+      }
       id = std::move(freed);
     } else {
       doubt_what_differs(id.estimate, freed.estimate);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "estimator/identification/equation_data.hpp"
+#include "estimator/identification/record_scatter.hpp"
 #include "estimator/identification/residual_information.hpp"
 #include "estimator/identification/row_noise.hpp"
 #include "estimator/model/zero_frequency.hpp"
@@ -121,6 +122,7 @@ class CaseRegression {
       result_.fit = linear_fit(system.design, system.response, system.condition, 1e-9, system.errors,
                                reweighting_.start ? reweighting_.start->noisy : std::nullopt, reweighting_.threads);
       take_phases_into_account(result_.fit);
+      take_records_into_account();
       take(result_.fit.coefficients);
       block_misfits(result_.fit.residual);
     }
@@ -183,6 +185,23 @@ class CaseRegression {
     if (fit.covariance_kind == CovarianceKind::clustered) return;
     fit.covariance *= factor;
     fit.degrees_of_freedom -= taken;
+  }
+
+  // The degrees of freedom are those of the coefficient that records move most.
+  void take_records_into_account() {
+    LinearFit& fit = result_.fit;
+    result_.record_moves = record_scatter(result_);
+    if (result_.record_moves.cols() == 0) return;
+    std::set<std::size_t> records;
+    for (const Observation& o : set_.observations) records.insert(o.record);
+    result_.record_freedom = static_cast<double>(records.size()) - 1;
+    const MatrixXd between = result_.record_moves * result_.record_moves.transpose();
+    fit.covariance += between;
+    double share = 0;
+    for (Index c = 0; c < between.cols(); ++c)
+      if (fit.covariance(c, c) > 0) share = std::max(share, between(c, c) / fit.covariance(c, c));
+    fit.degrees_of_freedom =
+        1 / (std::pow(1 - share, 2) / fit.degrees_of_freedom + share * share / result_.record_freedom);
   }
 
   // Until no coefficient moves by more than `enough` standard deviations.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <complex>
 #include <map>
 #include <optional>
@@ -88,6 +89,8 @@ struct CaseFit {
   /// Columns x directions: how coefficients change with ObservationSet::truncation_change.
   Eigen::MatrixXd truncation_effect, moves_effect;  ///< the second with ObservationSet::truncation_of_moves
   ResidualInformation residual_information;
+  Eigen::MatrixXd record_moves;                ///< record_scatter; part of the fit's covariance
+  double record_freedom = INFINITY;            ///< of that part
   std::map<std::size_t, double> block_misfit;  ///< by block: residual over what noise explains, unscaled
   std::vector<double> weight;                  ///< by observation: 1, less where it is an outlier
   std::vector<double> distance;  ///< by observation: deviation from its condition over what is usual; 0 if unknown

@@ -214,6 +214,8 @@ void share_parameters(Estimation& e) {
       part.values = part.combination * fit.fit.coefficients(used);
       part.plain = part.combination * MatrixXd(fit.fit.plain_covariance(used, used)) * part.combination.transpose();
       part.influence = MatrixXd(fit.fit.influence(Eigen::all, used)) * part.combination.transpose();
+      part.record_moves = fit.record_moves(used, Eigen::all);
+      part.record_freedom = fit.record_freedom;
       part.truncation_effect = fit.truncation_effect(used, Eigen::all);
       part.residual_information = fit.residual_information;
       e.truncation_slope.back() = truncation_slope(e, fit);

@@ -9,11 +9,13 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "estimator/identification/case_quality.hpp"
 #include "estimator/identification/estimation.hpp"
+#include "estimator/identification/lateness_sign.hpp"
 #include "estimator/identification/phase_fit.hpp"
 #include "estimator/identification/phase_grid.hpp"
 #include "estimator/identification/unsupported_values.hpp"
@@ -28,9 +30,6 @@ using Eigen::VectorXd;
 
 /// Probability that records whose phases hold, of a model that holds, are said to be late.
 constexpr double false_alarm = 0.001;
-
-/// Probability that phases that say nothing of a sign seem to.
-constexpr double sign_alarm = 0.005;
 
 /// Of a rate of growth, next to the largest rate of the motion: rounding, and the frequency that a resonance leaves
 /// free.
@@ -58,42 +57,74 @@ std::size_t stable_motions(const ObservationSet& set, const VectorXd& parameters
   return stable;
 }
 
-// Without the phase, amplitudes alone do not tell a damping from its negative, nor which way the force acts. Of the
-// minima that fit alike, those count whose measured motions are stable; of these the one with phases nearest to the
-// measured ones, if those tell it (with phases at random, twice the squared sum of their cosines over their number
-// is chi-squared with one degree of freedom), else that in which the coefficient that turns its sign is positive.
-struct Choice {
-  PhaseFit phases;
-  std::string assumed_positive;  // CaseLateness
+// A case whose records are late, or look like that.
+struct LateCase {
+  std::size_t place = 0;  // among the sets
+  PhaseProblem problem;
+  CaseFit together;                 // with phases as measured
+  std::vector<PhaseFit> minima;     // that neither noise nor stability tells apart
+  std::optional<std::size_t> told;  // of them
 };
 
-double resultant(const std::vector<double>& ahead) {
-  double sum = 0;
-  for (const double angle : ahead) sum += std::cos(angle);
-  return sum;
+// Without the phase, amplitudes alone do not tell a damping from its negative: of the minima that fit alike, those
+// count whose measured motions are stable.
+void keep_stable(std::vector<PhaseFit>& minima, const std::function<std::size_t(const PhaseFit&)>& stable) {
+  std::vector<std::size_t> motions;
+  for (const PhaseFit& minimum : minima) motions.push_back(stable(minimum));
+  const std::size_t most = *std::max_element(motions.begin(), motions.end());
+  std::vector<PhaseFit> kept;
+  for (std::size_t m = 0; m < minima.size(); ++m)
+    if (motions[m] == most) kept.push_back(std::move(minima[m]));
+  minima = std::move(kept);
 }
 
-Choice choose(const CaseFit& columns, const std::vector<PhaseFit>& minima,
-              const std::function<std::size_t(const PhaseFit&)>& stable) {
-  std::vector<std::pair<std::size_t, const PhaseFit*>> by_stability;
-  for (const PhaseFit& minimum : minima) by_stability.emplace_back(stable(minimum), &minimum);
-  const std::size_t most = std::max_element(by_stability.begin(), by_stability.end())->first;
-  std::erase_if(by_stability, [&](const auto& one) { return one.first < most; });
-  const auto nearest = std::max_element(by_stability.begin(), by_stability.end(), [](const auto& a, const auto& b) {
-    return resultant(a.second->ahead) < resultant(b.second->ahead);
-  });
-  if (by_stability.size() == 1) return {*nearest->second, ""};
-  const double sum = resultant(nearest->second->ahead);
-  if (2 * sum * sum / static_cast<double>(nearest->second->ahead.size()) >
-      chi_squared_upper_quantile(sign_alarm, 1))
-    return {*nearest->second, ""};
-  const VectorXd difference = by_stability[0].second->contribution - by_stability[1].second->contribution;
+// Half a turn of every phase fits as well with the other sign: both are looked at, whichever the search has met.
+std::vector<std::vector<double>> with_half_turns(std::vector<std::vector<double>> starts) {
+  for (std::size_t s = 0, found = starts.size(); s < found; ++s) {
+    starts.push_back(starts[s]);
+    for (double& angle : starts.back()) angle += std::numbers::pi;
+  }
+  return starts;
+}
+
+std::vector<LatenessOfRecords> lateness_by_minimum(const LateCase& late) {
+  std::vector<double> frequency;
+  for (const RecordMembers& record : late.problem.records)
+    frequency.push_back(late.problem.set.observations[record.observations.front()].excitation_frequency.front());
+  std::vector<LatenessOfRecords> result;
+  for (const PhaseFit& minimum : late.minima) result.push_back(lateness_of_records(minimum.ahead, frequency));
+  return result;
+}
+
+// Nor which way the force acts: minima half a period apart. What a case does not tell itself others may, whose
+// records the same recorder took.
+void tell_signs(std::vector<LateCase>& cases) {
+  std::vector<double> known;
+  for (LateCase& late : cases) {
+    const std::vector<LatenessOfRecords> minima = lateness_by_minimum(late);
+    late.told = minima.size() == 1 ? 0 : told_by_own_lateness(minima);
+    if (late.told) known.insert(known.end(), minima[*late.told].late_s.begin(), minima[*late.told].late_s.end());
+  }
+  for (LateCase& late : cases)
+    if (!late.told) late.told = told_by_other_lateness(lateness_by_minimum(late), known);
+}
+
+// By column: what differs most between the first two minima turns its sign.
+Index turning_column(const LateCase& late) {
+  const VectorXd difference = late.minima[0].contribution - late.minima[1].contribution;
   Index turns = 0;
   difference.cwiseAbs().maxCoeff(&turns);
+  return turns;
+}
+
+// The one that was told, or that in which the coefficient that turns its sign is positive.
+std::size_t chosen(const LateCase& late) {
+  if (late.told) return *late.told;
+  const Index turns = turning_column(late);
   const auto positive = std::max_element(
-      by_stability.begin(), by_stability.end(),
-      [&](const auto& a, const auto& b) { return a.second->coefficient(turns) < b.second->coefficient(turns); });
-  return {*positive->second, column_name(columns, static_cast<std::size_t>(turns))};
+      late.minima.begin(), late.minima.end(),
+      [&](const PhaseFit& a, const PhaseFit& b) { return a.coefficient(turns) < b.coefficient(turns); });
+  return static_cast<std::size_t>(positive - late.minima.begin());
 }
 
 bool is_judged(const Estimate& estimate, std::string_view resonance) {
@@ -196,8 +227,10 @@ std::string text_of(const CaseLateness& lateness) {
   const std::string sign =
       lateness.assumed_positive.empty()
           ? ""
-          : fmt::format("; the sign of the excitation's effect is not told: {} is taken as positive",
-                        lateness.assumed_positive);
+          : fmt::format(
+                "; the sign of the excitation's effect is not told: {} is taken as positive, and numbers that this "
+                "turns are doubtful",
+                lateness.assumed_positive);
   return fmt::format(
       "case {}: excitation and responses are not in step. In {} records the responses are shifted in time by "
       "{:.3g} "
@@ -210,9 +243,10 @@ std::string text_of(const CaseLateness& lateness) {
 
 UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const MeasuredUnits& units,
                                   const EstimateOptions& options, const Estimate& estimate) {
-  UnknownPhases result{{sets.begin(), sets.end()}, {}};
+  UnknownPhases result{{sets.begin(), sets.end()}, {}, {}};
   const Estimation e(sets, units, options);
   const std::set<std::string> misfit = cases_that_misfit(estimate);
+  std::vector<LateCase> cases;
   for (std::size_t s = 0; s < e.sets.size(); ++s) {
     const ObservationSet& set = *e.sets[s];
     // The delay of several excitations has no period that a grid of phases covers.
@@ -220,26 +254,44 @@ UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const Me
     const std::string name(set.resonance->name);
     if (is_judged(estimate, name) && !misfit.contains(name)) continue;
     const std::vector<std::size_t>& blocks = estimate.state->blocks[s];
-    const PhaseProblem problem(set, blocks, e.knowledge, options.threads);
-    const CaseFit together = fit_case(set, blocks, e.knowledge, {.rough = true, .threads = options.threads});
-    if (together.columns.empty() || problem.records.empty()) continue;
-    const GridMinima on_grid = minima_on_grid(problem, together);
-    const std::vector<PhaseFit> minima = equal_minima(problem, on_grid.low);
-    if (minima.empty()) {
+    LateCase late{static_cast<std::size_t>(&set - sets.data()),
+                  PhaseProblem(set, blocks, e.knowledge, options.threads),
+                  fit_case(set, blocks, e.knowledge, {.rough = true, .threads = options.threads}),
+                  {},
+                  {}};
+    if (late.together.columns.empty() || late.problem.records.empty()) continue;
+    const GridMinima on_grid = minima_on_grid(late.problem, late.together);
+    late.minima = equal_minima(late.problem, with_half_turns(on_grid.low));
+    if (late.minima.empty()) {
       if (on_grid.p_value < false_alarm)
         result.cases.push_back({name, PhaseFinding::nothing_told, {}, 0, on_grid.p_value, ""});
       continue;
     }
-    if (minima.front().p_value >= false_alarm) continue;
-    const std::size_t place = static_cast<std::size_t>(&set - sets.data());
-    const Choice choice = choose(together, minima, [&](const PhaseFit& phases) {
-      result.sets[place] = with_phases(problem, phases.ahead);
-      return stable_motions(result.sets[place],
+    if (late.minima.front().p_value >= false_alarm) continue;
+    const auto freed = [&](const PhaseFit& phases) { return with_phases(late.problem, phases.ahead); };
+    keep_stable(late.minima, [&](const PhaseFit& phases) {
+      result.sets[late.place] = freed(phases);
+      return stable_motions(result.sets[late.place],
                             secular::estimate(result.sets, units, on_the_way(options)).parameter_values);
     });
-    result.sets[place] = with_phases(problem, choice.phases.ahead);
-    result.cases.push_back(lateness_of(problem, choice.phases, choice.assumed_positive));
-    if (follow_the_amplitude(problem, choice.phases)) result.cases.back().finding = PhaseFinding::like_a_law;
+    result.sets[late.place] = freed(late.minima.front());
+    cases.push_back(std::move(late));
+  }
+  tell_signs(cases);
+  for (const LateCase& late : cases) {
+    const std::size_t choice = chosen(late);
+    for (std::size_t m = 0; m < late.minima.size(); ++m) {
+      ObservationSet freed = with_phases(late.problem, late.minima[m].ahead);
+      if (m == choice)
+        result.sets[late.place] = std::move(freed);
+      else if (!late.told)
+        result.rivals.push_back({late.place, std::move(freed)});
+    }
+    const PhaseFit& phases = late.minima[choice];
+    result.cases.push_back(
+        lateness_of(late.problem, phases,
+                    late.told ? "" : column_name(late.together, static_cast<std::size_t>(turning_column(late)))));
+    if (follow_the_amplitude(late.problem, phases)) result.cases.back().finding = PhaseFinding::like_a_law;
   }
   return result;
 }

@@ -33,8 +33,8 @@ struct CaseLateness {
   std::vector<RecordLateness> records;  ///< where they are shifted
   double f = 0;                         ///< docs/inference.md (18)
   double p_value = 1;                   ///< that records in step, of a model that holds, look like this
-  /// Half a period more or less turns the sign of the coefficients of the excitation. Where phases are too far from
-  /// those that were measured to tell it: the coefficient that is taken as positive.
+  /// Half a period more or less turns the sign of the coefficients of the excitation. Where lateness does not tell
+  /// it (docs/inference.md (20) to (22)): the coefficient that is taken as positive.
   std::string assumed_positive;
 };
 
@@ -45,6 +45,12 @@ std::string text_of(const CaseLateness& lateness);
 struct UnknownPhases {
   std::vector<ObservationSet> sets;  ///< freed where phases are shifted or follow the amplitude
   std::vector<CaseLateness> cases;   ///< none: phases hold everywhere
+  /// Where a sign was assumed: in place of which of `sets` another one would be as good.
+  struct Rival {
+    std::size_t place = 0;
+    ObservationSet set;
+  };
+  std::vector<Rival> rivals;
 };
 
 /// Equations that rest on the phase between excitation and response are satisfied by nothing (no damping, no force)
@@ -55,7 +61,7 @@ struct UnknownPhases {
 /// stiffness do, records are out of step. The set's excitations are turned by what was found and its phases marked
 /// as unknown, also where phases follow the amplitude: to see which numbers that moves.
 ///
-/// docs/inference.md (16) to (19).
+/// docs/inference.md (16) to (22).
 UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const MeasuredUnits& units,
                                   const EstimateOptions& options, const Estimate& estimate);
 

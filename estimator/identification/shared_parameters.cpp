@@ -405,6 +405,10 @@ class SharedFit {
       slope << result_.slope[c], result_.null_coordinate_slope[c];
       const MatrixXd plain = slope * part.plain * slope.transpose();
       result_.plain_covariance += plain.topLeftCorner(count_, count_);
+      if (part.record_moves.cols() > 0) {
+        const MatrixXd moved = slope * part.combination * part.record_moves;
+        add(moved * moved.transpose(), VectorXd::Constant(count_, part.record_freedom));
+      }
       const VectorXd freedom = VectorXd::Constant(count_, part.degrees_of_freedom);
       if (!part.clustered) {
         add(plain, freedom);
@@ -447,12 +451,15 @@ class SharedFit {
       const Index size = part.values.size();
       if (size == 0) continue;
       const auto of_case = left.middleCols(r, size);
-      if (part.clustered) {
+      const auto also_known = [&](const MatrixXd& change) {
+        scatter.known.conservativeResize(Eigen::NoChange, scatter.known.cols() + change.cols());
+        scatter.known.rightCols(change.cols()) = of_case * change;
+      };
+      if (part.record_moves.cols() > 0) also_known(whitening_[c](part.combination * part.record_moves));
+      if (part.clustered)
         scatter.influence.push_back(whitening_[c](part.influence.transpose()).transpose() * of_case.transpose());
-      } else {
-        scatter.known.conservativeResize(Eigen::NoChange, scatter.known.cols() + size);
-        scatter.known.rightCols(size) = of_case;
-      }
+      else
+        also_known(MatrixXd::Identity(size, size));
       r += size;
     }
     result_.misfit = clustered_chi_squared(residual_, result_.surplus, scatter);

@@ -83,6 +83,11 @@ TEST_P(Lateness, IsFoundAndIntervalsHold) {
       EXPECT_NEAR(std::remainder(what.records[r].late_s - late[r] - turn * period(in_step), period(in_step)), 0,
                   0.02 * period(in_step))
           << kind.name << ", draw " << draw << ", record " << r;
+    // What is assumed has a rival of the other sign.
+    ASSERT_EQ(found.rivals.empty(), what.assumed_positive.empty()) << kind.name << ", draw " << draw;
+    for (const UnknownPhases::Rival& rival : found.rivals) {
+      EXPECT_LT(*value_of(estimate_of(rival.set), "eta_e").value, 0) << kind.name << ", draw " << draw;
+    }
     const Estimate result = estimate_of(found.sets.front());
     for (const auto& [name, value] : values) {
       const EstimatedValue& v = value_of(result, name);

@@ -1,0 +1,85 @@
+#include "estimator/identification/record_scatter.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <cstddef>
+#include <map>
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// A record's rows, of the column x of one natural frequency.
+struct RecordPart {
+  double squares = 0;                                  // |x_r|^2
+  double product = 0;                                  // x_r'e
+  VectorXd seen;                                       // U_r'x_r
+  std::map<int, std::pair<double, double>> stretches;  // |x_g|^2, x_g'e
+};
+
+std::map<std::size_t, RecordPart> parts_of(const CaseFit& fit, Index column) {
+  std::map<std::size_t, RecordPart> records;
+  for (Index row = 0; row < fit.system.design.rows(); ++row) {
+    const auto at = static_cast<std::size_t>(row);
+    const double x = fit.system.design(row, column), e = fit.fit.residual(row);
+    if (x == 0) continue;
+    RecordPart& part = records[fit.set->observations[fit.system.observation[at]].record];
+    if (part.seen.size() == 0) part.seen = VectorXd::Zero(fit.fit.rank);
+    auto& [squares, product] = part.stretches[fit.system.condition[at]];
+    squares += x * x;
+    product += x * e;
+    part.squares += x * x;
+    part.product += x * e;
+    part.seen += x * fit.fit.orthonormal.row(row).transpose();
+  }
+  return records;
+}
+
+// Variance of x_r'e by what the stretches of the record scatter about their common shift.
+double variance_of_product(const RecordPart& part) {
+  const auto count = static_cast<double>(part.stretches.size());
+  double sum = 0;
+  for (const auto& [label, stretch] : part.stretches)
+    sum += std::pow(stretch.second - stretch.first / part.squares * part.product, 2);
+  return count > 1 ? sum * count / (count - 1) : 0;
+}
+
+// Variance of the natural frequency between records, by moments: what x_r'e show of it beyond the scatter of
+// stretches.
+double variance_between(const std::map<std::size_t, RecordPart>& records) {
+  double excess = 0, share = 0;
+  for (const auto& [index, part] : records) {
+    const double leverage = part.seen.squaredNorm() / part.squares;
+    excess += (part.product * part.product - variance_of_product(part) * (1 - leverage)) / part.squares;
+    for (const auto& [other, of_other] : records) {
+      const double own = index == other ? part.squares : 0;
+      share += std::pow(own - part.seen.dot(of_other.seen), 2) / part.squares;
+    }
+  }
+  return share > 0 ? excess / share : 0;
+}
+
+}  // namespace
+
+MatrixXd record_scatter(const CaseFit& fit) {
+  MatrixXd moves(fit.fit.coefficients.size(), 0);
+  if (fit.set->resonance->excited || fit.fit.rank == 0) return moves;
+  const Eigen::LDLT<MatrixXd> kept(fit.fit.kept);
+  for (std::size_t c = 0; c < fit.columns.size(); ++c) {
+    if (fit.columns[c].kind != CaseColumn::Kind::natural_frequency) continue;
+    const std::map<std::size_t, RecordPart> records = parts_of(fit, static_cast<Index>(c));
+    if (records.size() < 2) continue;
+    const double variance = variance_between(records);
+    if (!(variance > 0)) continue;
+    for (const auto& [index, part] : records) {
+      moves.conservativeResize(Eigen::NoChange, moves.cols() + 1);
+      moves.rightCols(1) = std::sqrt(variance) * (fit.fit.basis * kept.solve(part.seen));
+    }
+  }
+  return moves;
+}
+
+}  // namespace secular
