@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "input/input_error.hpp"
+#include "input/toml_text.hpp"
 
 namespace secular {
 
@@ -58,6 +59,7 @@ TomlTable TomlTable::from_text(std::string_view text, std::string name) {
   auto document = std::make_shared<Document>();
   document->file = std::move(name);
   document->lines = split_lines(text);
+  check_toml_text(text, document->file);
   try {
     document->root = toml::parse(text, document->file);
   } catch (const toml::parse_error& error) {

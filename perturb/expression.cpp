@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "input/input_error.hpp"
+#include "perturb/expression_size.hpp"
 
 namespace secular {
 
@@ -260,6 +261,7 @@ Expression parse_expression(const FormulaSource& source, std::span<const Formula
   Parser parser(source, functions);
   Expression expression = parser.sum();
   parser.expect_end();
+  refuse_out_of_proportion(expression, source);
   return expression;
 }
 
@@ -272,6 +274,8 @@ Equation parse_equation(const FormulaSource& source) {
   }
   equation.right.push_back(parser.sum());
   parser.expect_end();
+  refuse_out_of_proportion(equation.left, source);
+  refuse_out_of_proportion(equation.right.front(), source);
   return equation;
 }
 

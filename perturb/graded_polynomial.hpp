@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -47,7 +46,7 @@ EpsSeries<Number> reciprocal(const EpsSeries<Number>& a, const Inverse& inverse)
 template <class Number>
 class GradedPolynomial {
  public:
-  using Powers = std::vector<std::int8_t>;
+  using Powers = std::vector<int>;
   using Terms = std::map<Powers, Number>;
 
   GradedPolynomial() = default;
@@ -85,7 +84,7 @@ class GradedPolynomial {
         for (const auto& [left, x] : a.orders_[i])
           for (const auto& [right, y] : b.orders_[j]) {
             sum = left;
-            for (std::size_t v = 0; v < sum.size(); ++v) sum[v] = static_cast<std::int8_t>(sum[v] + right[v]);
+            for (std::size_t v = 0; v < sum.size(); ++v) sum[v] += right[v];
             result.orders_[i + j][sum] += x * y;
           }
     return result;

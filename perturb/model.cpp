@@ -168,8 +168,10 @@ ResonanceRelation read_relation(const TomlTable& table, const std::string& text,
   for (std::size_t i = 0; i < model.frequency_count(); ++i) {
     const GiNaC::ex multiple = difference.coeff(model.frequency(i), 1);
     if (!GiNaC::is_a<GiNaC::numeric>(multiple) || !GiNaC::ex_to<GiNaC::numeric>(multiple).is_integer() ||
-        GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(multiple)) > 1000)
-      fail_at(source, {source.first_line, 1}, "the factor of " + model.frequency_name(i) + " is not an integer",
+        GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(multiple)) > largest_multiple)
+      fail_at(source, {source.first_line, 1},
+              "the factor of " + model.frequency_name(i) + " is not an integer up to " +
+                  std::to_string(largest_multiple),
               expected);
     relation.multiples.push_back(GiNaC::ex_to<GiNaC::numeric>(multiple).to_int());
     rest -= multiple * model.frequency(i);

@@ -28,6 +28,10 @@ struct Excitation {
   std::string frequency;
 };
 
+/// Multiples of frequencies that formulas may hold: far beyond any harmonic that is measured, and small enough for
+/// powers of such terms to be counted in an int.
+inline constexpr int largest_multiple = 1000;
+
 /// An integer relation between frequencies: sum_j multiples[j] * f_j = coefficient * eps^order * detuning, over the
 /// natural frequencies and then the excitation frequencies.
 struct ResonanceRelation {

@@ -195,11 +195,11 @@ auto Substitution<Arithmetic>::clock(const Expression& e, const FormulaSource& s
     const GiNaC::ex multiple = (phase / (model_.frequency(i) * time)).normal();
     if (!GiNaC::is_a<GiNaC::numeric>(multiple)) continue;
     TrueTimePowers powers(motion_.variables().size(), 0);
-    powers[i] = static_cast<std::int8_t>(GiNaC::ex_to<GiNaC::numeric>(multiple).to_int());
+    powers[i] = GiNaC::ex_to<GiNaC::numeric>(multiple).to_int();
     const bool cosine = e.text == "cos";
     const Number half = Arithmetic::inverse(Number(2)), turned = cosine ? half : -(half * Arithmetic::i());
     wave.add(0, powers, turned);
-    powers[i] = static_cast<std::int8_t>(-powers[i]);
+    powers[i] = -powers[i];
     wave.add(0, powers, cosine ? turned : -turned);
   }
   return wave;
@@ -223,7 +223,7 @@ auto Substitution<Arithmetic>::nonsmooth_function(bool absolute, const Polynomia
     const auto put = [&](std::size_t order, const TrueTimePowers& waves, int harmonic, const Number& value) {
       TrueTimePowers powers(variables.size(), 0);
       std::copy(waves.begin(), waves.end(), powers.begin());
-      powers[*mode] = static_cast<std::int8_t>(powers[*mode] + harmonic);
+      powers[*mode] += harmonic;
       if (absolute) powers[variables.degree()] = 1;
       result.add(order, powers, value);
     };

@@ -1,5 +1,7 @@
 #include "perturb/term_sum.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -257,6 +259,9 @@ class TermReader {
     for (std::size_t i = 0; i < model_.excitations.size(); ++i) {
       const GiNaC::ex multiple = phase / (model_.symbols.at(model_.excitations[i].frequency) * time);
       if (!GiNaC::is_a<GiNaC::numeric>(multiple) || !GiNaC::ex_to<GiNaC::numeric>(multiple).is_integer()) continue;
+      if (GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(multiple)) > largest_multiple)
+        fail_at(source_, e.place, fmt::format("a multiple of a frequency beyond {}", largest_multiple),
+                "a harmonic of the excitation that the motion has something of was expected");
       int n = GiNaC::ex_to<GiNaC::numeric>(multiple).to_int();
       const bool cosine = e.text == "cos";
       const int sign = n < 0 && !cosine ? -1 : 1;

@@ -109,11 +109,11 @@ auto TrueTimeMotion<Arithmetic>::in_true_time(const Derivation& d, const FieldSe
     for (const auto& [key, value] : fields[n].terms()) {
       TrueTimePowers powers(variables_.size(), 0);
       const Phase phase = d.full_phase(key);
-      for (std::size_t i = 0; i < phase.size(); ++i) powers[i] = static_cast<std::int8_t>(phase[i]);
+      for (std::size_t i = 0; i < phase.size(); ++i) powers[i] = phase[i];
       for (std::size_t k = 0; k < layout.modes; ++k) {
-        powers[variables_.amplitude(k)] = static_cast<std::int8_t>(key[layout.amplitude(k)]);
-        powers[variables_.conjugate(k)] = static_cast<std::int8_t>(key[layout.conjugate(k)]);
-        powers[variables_.modulus(k)] = static_cast<std::int8_t>(key[layout.modulus(k)]);
+        powers[variables_.amplitude(k)] = key[layout.amplitude(k)];
+        powers[variables_.conjugate(k)] = key[layout.conjugate(k)];
+        powers[variables_.modulus(k)] = key[layout.modulus(k)];
       }
       if (coordinate) powers[variables_.degree()] = 1;
       Series factor = coefficient(value);
@@ -130,11 +130,11 @@ auto TrueTimeMotion<Arithmetic>::time_derivative(const Polynomial& p) const -> P
   Polynomial sum = zero();
   const auto through = [&](std::size_t order, TrueTimePowers powers, const Number& value, std::size_t variable,
                            int lowered, const Polynomial& rate) {
-    powers[variable] = static_cast<std::int8_t>(powers[variable] - lowered);
+    powers[variable] -= lowered;
     for (std::size_t n = 0; order + n < size_; ++n)
       for (const auto& [factor, number] : rate.orders()[n]) {
         TrueTimePowers whole = powers;
-        for (std::size_t v = 0; v < whole.size(); ++v) whole[v] = static_cast<std::int8_t>(whole[v] + factor[v]);
+        for (std::size_t v = 0; v < whole.size(); ++v) whole[v] += factor[v];
         sum.add(order + n, whole, value * number);
       }
   };

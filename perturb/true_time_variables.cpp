@@ -14,9 +14,8 @@ TrueTimePowers normal_form(TrueTimePowers powers, const TrueTimeVariables& varia
   for (std::size_t k = 0; k < variables.modes; ++k) {
     auto& modulus = powers[variables.modulus(k)];
     const int odd = std::abs(modulus % 2), pairs = (modulus - odd) / 2;
-    for (const std::size_t at : {variables.amplitude(k), variables.conjugate(k)})
-      powers[at] = static_cast<std::int8_t>(powers[at] + pairs);
-    modulus = static_cast<std::int8_t>(odd);
+    for (const std::size_t at : {variables.amplitude(k), variables.conjugate(k)}) powers[at] += pairs;
+    modulus = odd;
   }
   powers[variables.degree()] = 0;
   return powers;

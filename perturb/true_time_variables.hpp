@@ -26,7 +26,7 @@ struct TrueTimeVariables {
 };
 
 /// Powers of the variables of one term.
-using TrueTimePowers = std::vector<std::int8_t>;
+using TrueTimePowers = std::vector<int>;
 
 bool has_odd_modulus(const TrueTimePowers& powers, const TrueTimeVariables& variables);
 
@@ -62,7 +62,7 @@ GradedPolynomial<typename Arithmetic::Number> conjugated(const GradedPolynomial<
   for (std::size_t n = 0; n < p.orders().size(); ++n)
     for (const auto& [powers, value] : p.orders()[n]) {
       TrueTimePowers mirrored = powers;
-      for (std::size_t i = 0; i < variables.frequencies; ++i) mirrored[i] = static_cast<std::int8_t>(-powers[i]);
+      for (std::size_t i = 0; i < variables.frequencies; ++i) mirrored[i] = -powers[i];
       for (std::size_t k = 0; k < variables.modes; ++k)
         std::swap(mirrored[variables.amplitude(k)], mirrored[variables.conjugate(k)]);
       result.add(n, mirrored, Arithmetic::conjugate(value));

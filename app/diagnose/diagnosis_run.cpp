@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string_view>
 
 #include "app/shared/model_loading.hpp"
+#include "app/shared/number_file.hpp"
 #include "app/shared/parameter_file.hpp"
 #include "app/shared/record_assignment.hpp"
 #include "app/shared/record_selection.hpp"
@@ -116,6 +119,11 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   std::vector<std::size_t> own;
   for (std::size_t s = 0; s < added.size(); ++s)
     if (!added[s]) own.push_back(s);
+  std::set<std::string, std::less<>> known;
+  for (const auto& symbol : run.model->symbols) known.emplace(symbol.name);
+  for (const std::string_view name : run.model->excitations) known.emplace(name);
+  for (const std::string_view name : run.model->excitation_frequencies) known.emplace(name);
+  const std::string unused = unused_numbers(request.parameters, options.given.values, known);
   const bool rough = only_rough_frequencies(options.given, source, *run.model, own);
   if (rough) options.given = {};
   run.diagnosis = diagnose(run.campaign, read, *run.model, own, effects, options);
@@ -124,6 +132,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
     run.diagnosis.warnings.push_back(
         request.parameters +
         ": holds natural frequencies alone, which are taken as a start: all parameters are fitted");
+  if (!unused.empty()) run.diagnosis.warnings.push_back(unused);
   for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
   run.disturbances = watch.found();
   run.looked_at = watch.records();

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "app/shared/commands.hpp"
@@ -33,7 +35,13 @@ void add_evaluate_command(CLI::App& root, Action& chosen) {
       const Model model = read_model(resolve_model(options->model));
       const OmegaPolicy policy = options->policy == "kept" ? OmegaPolicy::kept : OmegaPolicy::nominal;
       const Derivation derivation = derive(model, model.find_case(options->resonance), policy);
-      fmt::print("{}", evaluation_json(derivation, read_numbers(options->values), options->values));
+      const std::map<std::string, double> values = read_numbers(options->values);
+      fmt::print("{}", evaluation_json(derivation, values, options->values));
+      std::set<std::string, std::less<>> known;
+      for (const auto& [name, value] : values)
+        if (model.symbols.contains(name)) known.insert(name);
+      if (const std::string unused = unused_numbers(options->values, values, known); !unused.empty())
+        fmt::print(stderr, "warning: {}\n", unused);
       return 0;
     };
   });

@@ -38,6 +38,10 @@ void add_generate_command(CLI::App& root, Action& chosen) {
         const CanonicalModel model = canonical_model(read_model(path));
         for (const std::string& other : names)
           if (other == model.name) throw InputError(path, "", "a second model named " + model.name, "names differ");
+        if (model.name == registry_name)
+          throw InputError(path, "",
+                           fmt::format("its files {0}.hpp and {0}.cpp are those that list all models", model.name),
+                           "give the model another name");
         for (const CanonicalCase& resonance : model.cases)
           if (!resonance.certificate.holds)
             throw InputError(path, "case " + resonance.name, "its certificate does not hold",

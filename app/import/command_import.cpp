@@ -100,6 +100,8 @@ void add_import_command(CLI::App& root, Action& chosen) {
       ->expected(1)
       ->take_all();
   command->add_option("--ensemble", import.ensemble_s, "seconds of an ensemble that dwells are cut into");
+  command->add_option("--decimal-mark", import.decimal_mark,
+                      ". or , of a CSV that has both; the other one then parts thousands");
   command->add_flag("--json", options->json, "what was made, as JSON");
   command->footer(
       "ROLE: excitation or response. QUANTITY and UNIT: acceleration m/s^2, velocity m/s, displacement m, force "

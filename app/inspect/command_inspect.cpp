@@ -183,8 +183,24 @@ std::string shown_unit(const VariableInspection& variable) {
   return fmt::format("{} (from {})", variable.unit, variable.stated_unit);
 }
 
+// A file, and what is in it beside a motion that nothing is said of.
+struct InspectedFile {
+  FileInspection file;
+  Campaign campaign;  // of this one record
+  std::vector<Disturbance> disturbances;
+};
+
+InspectedFile inspected_file(const std::filesystem::path& path, const InspectionLimit& limit) {
+  InspectedFile result;
+  result.file = inspect_file(path, limit, [&](const Campaign& campaign, const Record& record) {
+    result.campaign = campaign;
+    result.disturbances = find_disturbances(campaign, 0, record);
+  });
+  return result;
+}
+
 void print_file(const std::filesystem::path& path, const InspectionLimit& limit) {
-  const FileInspection file = inspect_file(path, limit);
+  const auto [file, campaign, disturbances] = inspected_file(path, limit);
   fmt::print("{}: {} with {}\n", path.string(), file.format, count(file.variables.size(), "numeric variable"));
   if (file.variables.empty()) {
     fmt::print("nothing in it can be imported\n");
@@ -210,9 +226,11 @@ void print_file(const std::filesystem::path& path, const InspectionLimit& limit)
   if (file.partial) fmt::print("{}Values are{}\n", file.estimated ? "Lengths are estimated. " : "", partial_note);
   for (const std::string& variable : unusable) fmt::print("no channel: {}\n", variable);
   print_faults(faults);
-  const bool stated = std::any_of(
-      file.variables.begin(), file.variables.end(),
-      [&](const VariableInspection& variable) { return variable.name != file.time && !variable.unit.empty(); });
+  print_disturbances(disturbances, campaign, 1);
+  const bool stated = std::any_of(file.variables.begin(), file.variables.end(),
+                                  [&, &file = file](const VariableInspection& variable) {
+                                    return variable.name != file.time && !variable.unit.empty();
+                                  });
   const bool plain = file.time.find_first_of(" ()[]{}") == std::string::npos;
   const char* const rest = stated ? "" : file.format == "WAV" ? ":QUANTITY:UNIT:FACTOR" : ":QUANTITY:UNIT";
   fmt::print("\nTo use it: secular import {} -o CAMPAIGN --kind KIND --channel NAME:ROLE{}{}\n", path.string(),
@@ -293,7 +311,7 @@ Json campaign_json(const std::filesystem::path& folder, const Window& window, co
 }
 
 Json file_json(const std::filesystem::path& path, const InspectionLimit& limit) {
-  const FileInspection file = inspect_file(path, limit);
+  const auto [file, campaign, disturbances] = inspected_file(path, limit);
   Json root = {{"file", path.string()}, {"format", file.format}};
   if (file.partial) root["judged"] = "the first samples";
   if (file.estimated) root["lengths_estimated"] = true;
@@ -320,6 +338,7 @@ Json file_json(const std::filesystem::path& path, const InspectionLimit& limit) 
     root["variables"].push_back(std::move(entry));
   }
   root["faults_found"] = faults;
+  root["disturbances"] = disturbances_json(disturbances, campaign);
   return root;
 }
 

@@ -11,6 +11,7 @@
 
 #include "app/predict/measured_points.hpp"
 #include "app/shared/model_loading.hpp"
+#include "app/shared/number_file.hpp"
 #include "app/shared/parameter_file.hpp"
 #include "input/input_error.hpp"
 #include "numerics/hertz.hpp"
@@ -171,6 +172,10 @@ class Predictor {
     result_.parameters = VectorXd::Constant(count, std::numeric_limits<double>::quiet_NaN());
     for (std::size_t s = 0; s < model.nominal.size(); ++s)
       result_.parameters(static_cast<Index>(s)) = model.nominal[s];
+    if (std::string unused =
+            unused_numbers(request_.parameters, given.values, {result_.names.begin(), result_.names.end()});
+        !unused.empty())
+      result_.warnings.push_back(std::move(unused));
     const auto take = [&](const std::string& name, double value) {
       const auto found = std::find(result_.names.begin(), result_.names.end(), name);
       if (found != result_.names.end()) result_.parameters(found - result_.names.begin()) = value;

@@ -1,8 +1,13 @@
 #include "app/shared/number_file.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "input/input_error.hpp"
 
@@ -18,6 +23,12 @@ std::map<std::string, double> read_numbers(const std::string& path) {
   } catch (const nlohmann::json::parse_error& error) {
     throw InputError(path, "byte " + std::to_string(error.byte), "is not JSON",
                      "an object such as {\"omega0\": 77.85, \"mu1\": 0.222} was expected");
+  } catch (const nlohmann::json::out_of_range& error) {  // its message quotes the number
+    const std::string message = error.what();
+    throw InputError(path, "",
+                     "holds a number beyond the range of double precision (" +
+                         message.substr(std::min(message.find('\''), message.size())) + ")",
+                     "numbers up to 1.8e308 in magnitude were expected");
   }
   if (!document.is_object())
     throw InputError(path, "", "is not a JSON object", "an object such as {\"omega0\": 77.85} was expected");
@@ -28,6 +39,17 @@ std::map<std::string, double> read_numbers(const std::string& path) {
     numbers[key] = value.get<double>();
   }
   return numbers;
+}
+
+std::string unused_numbers(const std::string& path, const std::map<std::string, double>& numbers,
+                           const std::set<std::string, std::less<>>& known) {
+  std::vector<std::string> unused;
+  for (const auto& [name, value] : numbers)
+    if (!known.contains(name)) unused.push_back(name);
+  if (unused.empty()) return {};
+  return fmt::format("{}: {} not used: the model has no such symbol; it has {}", path,
+                     fmt::format("{} {}", fmt::join(unused, ", "), unused.size() == 1 ? "is" : "are"),
+                     fmt::join(known, ", "));
 }
 
 }  // namespace secular::app

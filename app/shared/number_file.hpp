@@ -1,11 +1,18 @@
 #pragma once
 
+#include <functional>
 #include <map>
+#include <set>
 #include <string>
 
 namespace secular::app {
 
 /// A JSON object of symbol to number. Throws InputError naming the file, the place and the key.
 std::map<std::string, double> read_numbers(const std::string& path);
+
+/// A warning that names the numbers of a file that stand for nothing here, such as misspelled ones, and the names
+/// there are; empty if each is `known`.
+std::string unused_numbers(const std::string& path, const std::map<std::string, double>& numbers,
+                           const std::set<std::string, std::less<>>& known);
 
 }  // namespace secular::app

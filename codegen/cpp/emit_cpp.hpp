@@ -35,6 +35,9 @@ void refuse_unsupported_motion(const CanonicalModel& model);
 /// which the case is steady, an excitation clock without an amplitude.
 void refuse_unsupported(const CanonicalModel& model, const CanonicalCase& resonance);
 
+/// Of the files that list all models, which no model may be called.
+inline constexpr const char* registry_name = "registry";
+
 /// registry.hpp and registry.cpp: all models by name.
 std::vector<GeneratedFile> emit_registry(const std::vector<std::string>& model_names);
 

@@ -226,6 +226,34 @@ FieldFault parse_number(std::string_view field, bool decimal_comma, double& valu
   return FieldFault::none;
 }
 
+FieldFault parse_grouped_number(std::string_view field, bool decimal_comma, double& value) {
+  constexpr std::size_t group = 3;
+  field = unquoted(field);
+  const std::string_view parting = decimal_comma ? ". '" : ", '";
+  std::string plain;
+  std::size_t digits = 0;  // since the last mark
+  bool parted = false, whole = true;
+  const auto is_mark = [&](char c) { return parting.find(c) != std::string_view::npos; };
+  for (const char c : field) {
+    if (whole && is_mark(c)) {
+      if (parted ? digits != group : digits == 0 || digits > group) return FieldFault::text;
+      parted = true;
+      digits = 0;
+      continue;
+    }
+    const bool digit = c >= '0' && c <= '9', sign = plain.empty() && (c == '-' || c == '+');
+    if (whole && !digit && !sign) {
+      whole = false;
+      if (parted && digits != group) return FieldFault::text;
+    }
+    if (!whole && c == (decimal_comma ? '.' : ',')) return FieldFault::text;
+    if (digit) ++digits;
+    plain += c;
+  }
+  if (whole && parted && digits != group) return FieldFault::text;
+  return parse_number(plain, decimal_comma, value);
+}
+
 CsvHeader read_header(std::string_view text, const std::string& file) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw InputError(file, "", "is UTF-16 text", "save it as UTF-8 or ASCII");

@@ -38,4 +38,8 @@ enum class FieldFault { none, empty, text, not_finite };
 
 FieldFault parse_number(std::string_view field, bool decimal_comma, double& value);
 
+/// A number whose decimal mark is known: the other mark, a blank or an apostrophe may part its whole part into
+/// groups of three digits (the first of one to three).
+FieldFault parse_grouped_number(std::string_view field, bool decimal_comma, double& value);
+
 }  // namespace secular

@@ -13,6 +13,7 @@
 #include "input/input_error.hpp"
 #include "measure/data/hdf5_file.hpp"
 #include "measure/data/mat_file.hpp"
+#include "measure/data/matrix_lines.hpp"
 #include "measure/data/uff_file.hpp"
 #include "measure/data/uff_variables.hpp"
 #include "measure/data/unit.hpp"
@@ -51,6 +52,7 @@ struct TimeName {
 TimeName time_name(const std::string& path) {
   std::string name = path.substr(path.rfind('.') + 1);
   TimeName found;
+  if (name.ends_with(",:)") || name.find("(:,") != std::string::npos) return found;  // a line of a matrix
   if (const CsvName bracketed = bracketed_unit(name); !bracketed.unit.empty()) {
     found.unit = bracketed.unit;
     name = bracketed.name;
@@ -82,8 +84,8 @@ DataFile with_variables(const fs::path& path, const char* format, std::vector<Ma
 }
 
 DataFile read_csv_file(const fs::path& path, const std::vector<std::string>& wanted, MissingNumbers missing,
-                       std::size_t limit) {
-  NumberTable table = read_csv(path, wanted, missing, limit);
+                       std::size_t limit, DecimalMark mark) {
+  NumberTable table = read_csv(path, wanted, missing, limit, mark);
   DataFile data{path.string(), "CSV", {}, {"line", table.first_line}};
   data.partial = table.rows() < table.total_rows;
   data.last_row = std::move(table.last_row);
@@ -174,9 +176,14 @@ std::string DataFile::names() const {
 std::size_t DataFile::index_of(const std::string& name) const {
   const auto found =
       std::find_if(variables.begin(), variables.end(), [&](const DataVariable& v) { return v.name == name; });
-  if (found == variables.end())
+  if (found == variables.end()) {
+    std::vector<std::string> all;
+    for (const DataVariable& variable : variables) all.push_back(variable.name);
+    if (const std::string fault = matrix_fault(name, all); !fault.empty())
+      throw InputError(file, "variable " + name, fault, "a row or a column of real numbers was expected");
     throw InputError(file, "", "has no numeric variable '" + name + "'",
                      variables.empty() ? "it holds no numeric variables" : "its variables are " + names());
+  }
   if (!found->fault.empty())
     throw InputError(file, "variable " + name, found->fault, "a row or a column of real numbers was expected");
   return static_cast<std::size_t>(found - variables.begin());
@@ -191,9 +198,11 @@ DataVariable& DataFile::vector(const std::string& name) {
 }
 
 DataFile read_data_file(const fs::path& path, const std::vector<std::string>& wanted, MissingNumbers missing,
-                        std::size_t limit) {
+                        std::size_t limit, DecimalMark mark) {
   const Format* format = format_of(path);
-  if (!format) return read_csv_file(path, wanted, missing, limit);
+  if (!format) return read_csv_file(path, wanted, missing, limit, mark);
+  if (mark != DecimalMark::by_dialect)
+    throw InputError("--decimal-mark", "", fmt::format("{} is no CSV", path.string()), "leave it out");
   DataFile data = format->read(path, wanted, limit);
   if (missing == MissingNumbers::keep_as_nan) return data;
   for (const DataVariable& variable : data.variables)

@@ -19,7 +19,7 @@ struct DataVariable {
   std::vector<std::size_t> shape;
   std::string type;                    ///< "double", "int16", ...; "text" for a CSV column without any number
   std::vector<double> values;          ///< NaN where no number stands (MissingNumbers::keep_as_nan)
-  std::string fault;                   ///< why it has no values: "is a matrix", ...; empty if it has
+  std::string fault;                   ///< why it has no values: "is complex", ...; empty if it has
   std::optional<Quantity> quantity{};  ///< what it measures, where the file says so in terms that are known
   std::string unit{};                  ///< of `values` where `quantity` is known: its SI unit
   std::string stated_unit{};   ///< as the file spells it; values were converted from it if `unit` is not empty
@@ -58,9 +58,11 @@ struct DataFile {
 
 /// Reads the variables (values of `wanted` only; empty: of all; at most `limit` of each, and then nothing is read
 /// of the rest where the format lets it be skipped). The format is told by content, then by name. Throws InputError
-/// for a file of another format, a damaged one, and (MissingNumbers::refuse) a value that is no finite number.
+/// for a file of another format, a damaged one, and (MissingNumbers::refuse) a value that is no finite number. The
+/// decimal mark is that of a CSV.
 DataFile read_data_file(const std::filesystem::path& path, const std::vector<std::string>& wanted = {},
-                        MissingNumbers missing = MissingNumbers::refuse, std::size_t limit = all_values);
+                        MissingNumbers missing = MissingNumbers::refuse, std::size_t limit = all_values,
+                        DecimalMark mark = DecimalMark::by_dialect);
 
 /// Takes the columns of a CSV whose header states a known unit of what a channel measures to SI, and says so in
 /// `quantity` and `unit`, as readers of other formats do themselves: a campaign's own records are in SI, whatever

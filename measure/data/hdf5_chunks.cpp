@@ -19,7 +19,7 @@ class ChunkList {
     chunk.stored = file_.at(chunk.address, size);
     stored_ += size;
     if (stored_ > file_.size()) throw Hdf5Damage{"chunks lie upon each other", chunk.address};
-    chunks.push_back(chunk);
+    chunks.push_back(std::move(chunk));
   }
 
   std::vector<Hdf5Chunk> chunks;
@@ -32,11 +32,7 @@ class ChunkList {
 class ChunkTree {
  public:
   ChunkTree(const Hdf5Bytes& file, const Hdf5Object& data_set, ChunkList& list)
-      : file_(file),
-        list_(list),
-        rank_(data_set.shape->size()),
-        dimension_(hdf5_long_dimension(*data_set.shape)),
-        nodes_left_(file.size() / 24) {
+      : file_(file), list_(list), rank_(data_set.shape->size()), nodes_left_(file.size() / 24) {
     read_node(data_set.layout.address, hdf5_deepest_tree);
   }
 
@@ -52,27 +48,19 @@ class ChunkTree {
       Hdf5Chunk chunk;
       const std::uint64_t size = entries.number(4);
       chunk.filter_mask = entries.number(4);
-      bool in_the_first_row = true;
-      for (std::uint64_t d = 0; d <= rank_; ++d) {
-        const std::uint64_t begin = entries.number(8);
-        if (d == dimension_)
-          chunk.begin = begin;
-        else
-          in_the_first_row = in_the_first_row && begin == 0;
-      }
+      for (std::uint64_t d = 0; d < rank_; ++d) chunk.begin.push_back(entries.number(8));
+      entries.skip(8);  // place within an element
       chunk.address = entries.number(8);
-      if (level > 0) {
+      if (level > 0)
         read_node(chunk.address, levels - 1);
-      } else if (in_the_first_row) {
-        list_.add(chunk, size);
-      }
+      else
+        list_.add(std::move(chunk), size);
     }
   }
 
   const Hdf5Bytes& file_;
   ChunkList& list_;
   std::uint64_t rank_;
-  std::size_t dimension_;
   std::uint64_t nodes_left_;
 };
 
@@ -235,54 +223,92 @@ class ExtensibleArray : public ChunkArray {
   std::optional<std::uint64_t> index_;
 };
 
-// Entries of an array are those of the long dimension alone, if the data set cannot grow to several chunks in
-// another one. One without limit counts last.
-bool counts_along(const Hdf5Object& data_set, std::size_t dimension) {
-  for (std::size_t d = 0; d < data_set.limits.size(); ++d)
-    if (d != dimension && data_set.limits[d] != hdf5_nowhere && data_set.limits[d] > data_set.layout.chunk[d])
-      return false;
-  return true;
-}
+/// The chunks that a shape is cut into, one after the other as a list of them counts: row by row, by the numbers of
+/// chunks that the shape may grow to; the dimension without limit, of which a list has but one, counts first.
+class ChunkGrid {
+ public:
+  explicit ChunkGrid(const Hdf5Object& data_set) : chunk_(data_set.layout.chunk), at_(chunk_.size(), 0) {
+    const std::vector<std::uint64_t>& shape = *data_set.shape;
+    std::vector<std::uint64_t> most;
+    std::uint64_t all = 1;
+    for (std::size_t d = 0; d < chunk_.size(); ++d) {
+      const auto chunks = [&](std::uint64_t length) {
+        return length / chunk_[d] + (length % chunk_[d] != 0 ? 1 : 0);
+      };
+      here_.push_back(chunks(shape[d]));
+      const bool may_grow = d < data_set.limits.size();
+      const bool endless = may_grow && data_set.limits[d] == hdf5_nowhere;
+      most.push_back(endless ? 0 : chunks(may_grow ? data_set.limits[d] : shape[d]));
+      if (here_[d] != 0 && all > most_chunks / here_[d])
+        throw Hdf5Damage{"a shape has more chunks than are read", 0};
+      all *= here_[d];
+    }
+    end_ = all == 0;
+    std::vector<std::size_t> order;
+    for (std::size_t d = 0; d < most.size(); ++d) order.insert(most[d] == 0 ? order.begin() : order.end(), d);
+    stride_.resize(most.size());
+    std::uint64_t stride = 1;
+    for (std::size_t i = order.size(); i-- > 0;) {
+      stride_[order[i]] = stride;
+      stride *= std::max<std::uint64_t>(1, most[order[i]]);
+    }
+  }
+
+  bool at_end() const { return end_; }
+  std::uint64_t index() const {
+    std::uint64_t sum = 0;
+    for (std::size_t d = 0; d < at_.size(); ++d) sum += at_[d] * stride_[d];
+    return sum;
+  }
+  std::vector<std::uint64_t> begin() const {
+    std::vector<std::uint64_t> begin;
+    for (std::size_t d = 0; d < at_.size(); ++d) begin.push_back(at_[d] * chunk_[d]);
+    return begin;
+  }
+  void next() {
+    for (std::size_t d = at_.size(); d-- > 0;) {
+      if (++at_[d] < here_[d]) return;
+      at_[d] = 0;
+    }
+    end_ = true;
+  }
+
+ private:
+  /// A guard: each is looked up, written or not.
+  static constexpr std::uint64_t most_chunks = std::uint64_t{1} << 24;
+
+  const std::vector<std::uint64_t>& chunk_;
+  std::vector<std::uint64_t> at_, here_, stride_;
+  bool end_ = false;
+};
 
 void take_all(const ChunkArray& array, const Hdf5Object& data_set, std::uint64_t plain_size, ChunkList& list) {
-  const std::size_t dimension = hdf5_long_dimension(*data_set.shape);
-  const std::uint64_t length = data_set.layout.chunk[dimension], count = (*data_set.shape)[dimension];
-  for (std::uint64_t i = 0; i * length < count; ++i) {
-    auto found = array.entry(i, plain_size);
-    if (!found) return;
-    found->first.begin = i * length;
-    list.add(found->first, found->second);
+  for (ChunkGrid grid(data_set); !grid.at_end(); grid.next()) {
+    auto found = array.entry(grid.index(), plain_size);
+    if (!found) continue;
+    found->first.begin = grid.begin();
+    list.add(std::move(found->first), found->second);
   }
 }
 
 }  // namespace
 
-std::size_t hdf5_long_dimension(const std::vector<std::uint64_t>& shape) {
-  const auto found = std::find_if(shape.begin(), shape.end(), [](std::uint64_t n) { return n > 1; });
-  return found == shape.end() ? 0 : static_cast<std::size_t>(found - shape.begin());
-}
-
-std::vector<Hdf5Chunk> hdf5_chunks(const Hdf5Bytes& file, const Hdf5Object& data_set, std::string& fault) {
+std::vector<Hdf5Chunk> hdf5_chunks(const Hdf5Bytes& file, const Hdf5Object& data_set) {
   const Hdf5Layout& layout = data_set.layout;
-  const std::size_t dimension = hdf5_long_dimension(*data_set.shape);
   const std::uint64_t size = hdf5_count(layout.chunk) * data_set.type->size;
   ChunkList list(file);
   if (layout.address == hdf5_nowhere) return {};
-  if (layout.index != Hdf5ChunkIndex::tree && !counts_along(data_set, dimension)) {
-    fault = "is stored in a form that is not read (it may grow in several dimensions)";
-    return {};
-  }
+  const std::vector<std::uint64_t> origin(layout.chunk.size(), 0);
   switch (layout.index) {
     case Hdf5ChunkIndex::tree:
       ChunkTree(file, data_set, list);
       break;
     case Hdf5ChunkIndex::single:
-      list.add({0, {}, layout.filter_mask, layout.address}, layout.size > 0 ? layout.size : size);
+      list.add({origin, {}, layout.filter_mask, layout.address}, layout.size > 0 ? layout.size : size);
       break;
     case Hdf5ChunkIndex::contiguous:
-      for (std::uint64_t begin = 0, at = layout.address; begin < (*data_set.shape)[dimension];
-           begin += layout.chunk[dimension], at += size)
-        list.add({begin, {}, 0, at}, size);
+      for (ChunkGrid grid(data_set); !grid.at_end(); grid.next())
+        list.add({grid.begin(), {}, 0, layout.address + grid.index() * size}, size);
       break;
     case Hdf5ChunkIndex::fixed_array:
       take_all(FixedArray(file, layout.address), data_set, size, list);

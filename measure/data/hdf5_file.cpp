@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -11,6 +13,7 @@
 #include "measure/data/hdf5_data.hpp"
 #include "measure/data/hdf5_object.hpp"
 #include "measure/data/mapped_file.hpp"
+#include "measure/data/matrix_lines.hpp"
 
 namespace secular {
 namespace {
@@ -18,7 +21,8 @@ namespace {
 constexpr std::string_view hdf5_signature("\x89HDF\r\n\x1a\n", 8);
 constexpr std::size_t largest_user_block = 1 << 16;
 constexpr int deepest_group = 16;
-constexpr std::uint64_t smallest_object = 16;  // bytes
+constexpr std::uint64_t smallest_object = 16;   // bytes
+constexpr std::size_t most_other_names = 4096;  // of variables by symbolic links: a guard
 
 // The signature stands at the begin or behind a user block of 512, 1024, ... bytes.
 std::optional<std::size_t> signature_place(const std::filesystem::path& path) {
@@ -57,6 +61,20 @@ std::string type_name(const Hdf5Type& type) {
   return fmt::format("{}int{}", type.is_signed ? "" : "u", 8 * type.size);
 }
 
+/// What further names of the same numbers may cost where nobody asks for them by name: they could make any amount
+/// out of a small file.
+class Repeats {
+ public:
+  bool take(std::uint64_t bytes) {
+    if (bytes > left_) return false;
+    left_ -= bytes;
+    return true;
+  }
+
+ private:
+  std::uint64_t left_ = std::uint64_t{1} << 26;
+};
+
 /// Goes through all objects of a file and collects the numeric ones.
 class Walk {
  public:
@@ -71,16 +89,20 @@ class Walk {
   void visit(const std::string& path, std::uint64_t address, int depth) {
     if (objects_left_ == 0) throw Hdf5Damage{"groups contain each other", address};
     --objects_left_;
-    if (depth > deepest_group) return;
+    // A group may be a member of itself: all of it is known already.
+    if (depth > deepest_group || std::find(open_.begin(), open_.end(), address) != open_.end()) return;
     const Hdf5Object object = read_hdf5_object(file_, address);
+    open_.push_back(address);
     if (object.shape)
       visit_data_set(path, object, depth);
     else
       visit_group(path, object, depth);
+    open_.pop_back();
   }
 
   std::vector<MatVariable> variables;
   std::vector<MatVariable> unread_groups;
+  std::vector<std::pair<std::string, std::string>> symbolic_links;  ///< name of each and what it leads to
 
  private:
   static std::string class_of(const Hdf5Object& object) {
@@ -98,14 +120,27 @@ class Walk {
     if (!type.empty() && visit_struct_array(path, members, depth)) return;
     for (const Hdf5Link& member : members) {
       if (matlab_ && path.empty() && member.name.starts_with('#')) continue;  // MATLAB's own: what cells refer to
-      visit(path.empty() ? member.name : path + "." + member.name, member.address, depth + 1);
+      const std::string name = path.empty() ? member.name : path + "." + member.name;
+      if (member.target.empty())
+        visit(name, member.address, depth + 1);
+      else
+        symbolic_links.emplace_back(name, name_of_target(path, member.target));
     }
+  }
+
+  // "/run/a" and, from group "run", "a": both are "run.a".
+  static std::string name_of_target(const std::string& group, std::string target) {
+    const bool absolute = target.starts_with('/');
+    target.erase(0, target.find_first_not_of("/."));
+    std::replace(target.begin(), target.end(), '/', '.');
+    return absolute || group.empty() ? target : group + "." + target;
   }
 
   // The fields of a struct array are data sets of references, one for each element.
   bool visit_struct_array(const std::string& path, const std::vector<Hdf5Link>& fields, int depth) {
     std::vector<std::vector<std::uint64_t>> elements;
     for (const Hdf5Link& field : fields) {
+      if (!field.target.empty()) return false;
       const Hdf5Object object = read_hdf5_object(file_, field.address);
       if (!object.shape || !is_reference(object) || !class_of(object).empty()) return false;
       elements.push_back(references(object));
@@ -156,17 +191,62 @@ class Walk {
       found.type = type;
     }
     found.fault = vector_fault(object, complex);
-    const double scale = packing(object, "scale_factor", 1, found.fault);
-    const double offset = packing(object, "add_offset", 0, found.fault);
     if (const auto unit = object.attributes.find("units"); unit != object.attributes.end())
       found.unit = unit->second;
-    const bool read = wanted_.empty() || std::find(wanted_.begin(), wanted_.end(), path) != wanted_.end();
-    if (read && found.fault.empty()) {
-      spend(object);
-      found.values = hdf5_numbers(file_, object, found.fault, limit_);
-      for (double& value : found.values) value = scale * value + offset;
+    const std::optional<MatrixLines> lines =
+        found.fault.empty() ? matrix_lines(found.shape) : std::optional<MatrixLines>();
+    if (found.fault.empty() && !lines) found.fault = array_fault(found.shape);
+    add_lines(std::move(found), lines, object, !type.empty());
+  }
+
+  bool is_wanted(const std::string& name) const {
+    return std::find(wanted_.begin(), wanted_.end(), name) != wanted_.end();
+  }
+
+  // The variable, or one for each line of a matrix, with the numbers of those that are wanted.
+  void add_lines(MatVariable whole, const std::optional<MatrixLines>& matrix, const Hdf5Object& object,
+                 bool reversed) {
+    const double scale = packing(object, "scale_factor", 1, whole.fault);
+    const double offset = packing(object, "add_offset", 0, whole.fault);
+    const auto [first, is_new] = first_names_.emplace(open_.back(), whole.path);
+    const std::uint64_t bytes = sizeof(double) * hdf5_count(*object.shape);
+    if (!is_new && wanted_.empty() && whole.fault.empty() && !repeats_left_.take(bytes))
+      whole.fault = "is another name of " + first->second;
+    Hdf5Lines lines = hdf5_only_line(*object.shape);
+    if (matrix) {
+      lines.along = matrix->columns != reversed ? 0 : 1;
+      lines.across = 1 - lines.along;
+      lines.places.clear();
     }
-    variables.push_back(std::move(found));
+    std::vector<MatVariable*> read;
+    const std::size_t before = variables.size(), count = matrix ? matrix->count : 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      variables.push_back(whole);
+      if (!matrix) continue;
+      variables.back().path = matrix->name(whole.path, i);
+      variables.back().shape = {matrix->length};
+    }
+    for (std::size_t i = 0; i < count && whole.fault.empty(); ++i) {
+      MatVariable& variable = variables[before + i];
+      if (!wanted_.empty() && !is_wanted(variable.path)) continue;
+      read.push_back(&variable);
+      if (matrix) lines.places.push_back(i);
+    }
+    if (read.empty()) return;
+    if (is_new) spend(object);
+    std::string fault;
+    std::vector<std::vector<double>> numbers = hdf5_numbers(file_, object, lines, fault, limit_);
+    const std::uint64_t announced = object.shape->empty() ? 1 : (*object.shape)[lines.along];
+    for (std::size_t i = 0; i < read.size(); ++i) {
+      MatVariable& variable = *read[i];
+      variable.fault = fault;
+      variable.values = std::move(numbers[i]);
+      for (double& value : variable.values) value = scale * value + offset;
+      if (fault.empty() && variable.values.size() < std::min<std::uint64_t>(announced, limit_)) {
+        variable.type += fmt::format(", {} of {} written", variable.values.size(), announced);
+        variable.shape = {variable.values.size()};
+      }
+    }
   }
 
   // Values are stored as (value - add_offset)/scale_factor, by the conventions of netCDF.
@@ -192,9 +272,7 @@ class Walk {
 
   static std::string vector_fault(const Hdf5Object& object, bool complex) {
     if (complex) return "is complex";
-    if (object.attributes.contains("MATLAB_empty") || hdf5_count(*object.shape) == 0) return "is empty";
-    const auto longer = std::count_if(object.shape->begin(), object.shape->end(), [](auto n) { return n > 1; });
-    return longer > 1 ? "is a matrix" : "";
+    return object.attributes.contains("MATLAB_empty") || hdf5_count(*object.shape) == 0 ? "is empty" : "";
   }
 
   const Hdf5Bytes& file_;
@@ -202,7 +280,50 @@ class Walk {
   std::size_t limit_;
   bool matlab_;
   std::uint64_t objects_left_, bytes_left_;
+  Repeats repeats_left_;
+  std::vector<std::uint64_t> open_;                   // addresses of the object and of the groups it stands in
+  std::map<std::uint64_t, std::string> first_names_;  // of data sets, by address
 };
+
+/// What a symbolic link leads to goes by its name, too: a variable, or the variables of a group.
+void add_symbolic_links(const Hdf5Bytes& content, std::uint64_t root, const std::vector<std::string>& wanted,
+                        std::size_t limit, bool matlab, Walk& walk) {
+  Repeats repeats;
+  std::vector<MatVariable> others;
+  std::vector<std::string> targets, names;  // of those that are wanted
+  for (const auto& [name, target] : walk.symbolic_links)
+    for (const MatVariable& variable : walk.variables) {
+      const std::string_view rest =
+          std::string_view(variable.path).substr(std::min(target.size(), variable.path.size()));
+      if (!variable.path.starts_with(target) ||
+          (!rest.empty() && std::string_view(".({").find(rest[0]) == std::string_view::npos))
+        continue;
+      if (others.size() > most_other_names) return;
+      others.push_back(variable);
+      MatVariable& other = others.back();
+      other.path = name + std::string(rest);
+      if (std::find(wanted.begin(), wanted.end(), other.path) != wanted.end()) {
+        targets.push_back(variable.path);
+        names.push_back(other.path);
+      } else if (wanted.empty() && other.fault.empty() && !repeats.take(sizeof(double) * other.values.size())) {
+        other.values.clear();
+        other.fault = "is another name of " + variable.path;
+      }
+    }
+  if (!targets.empty()) {
+    Walk again(content, targets, limit, matlab);
+    again.visit("", root, 0);
+    for (const MatVariable& variable : again.variables)
+      for (std::size_t i = 0; i < targets.size(); ++i)
+        if (variable.path == targets[i])
+          for (MatVariable& other : others)
+            if (other.path == names[i]) {
+              other = variable;
+              other.path = names[i];
+            }
+  }
+  std::move(others.begin(), others.end(), std::back_inserter(walk.variables));
+}
 
 }  // namespace
 
@@ -220,6 +341,7 @@ std::vector<MatVariable> read_hdf5(const std::filesystem::path& path, const std:
     const Hdf5Bytes content(bytes, superblock.base);
     Walk walk(content, wanted, limit, bytes.starts_with("MATLAB"));
     walk.visit("", superblock.root, 0);
+    add_symbolic_links(content, superblock.root, wanted, limit, bytes.starts_with("MATLAB"), walk);
     if (walk.variables.empty() && !walk.unread_groups.empty())
       throw InputError(file, walk.unread_groups.front().path, walk.unread_groups.front().fault,
                        "save it for an earlier version of HDF5, or as MAT v7 or CSV");

@@ -47,13 +47,22 @@ class SymbolTable {
     Hdf5Cursor symbols(file_.at(address + 8, symbol_size * count), address + 8);
     for (std::uint64_t i = 0; i < count; ++i) {
       const std::uint64_t name = symbols.number(8), object = symbols.number(8), kind = symbols.number(4);
-      symbols.skip(20);
-      if (name >= names_.size()) symbols.fail("a name stands outside of the names of its group");
-      const std::string_view rest = names_.substr(name);
-      const std::size_t end = rest.find('\0');
-      if (end == std::string_view::npos) symbols.fail("a name has no end");
-      if (kind != 2) links.push_back({as_utf8(rest.substr(0, end)), object});  // 2: a symbolic link
+      symbols.skip(4);
+      const std::uint64_t target = symbols.number(4);
+      symbols.skip(12);
+      constexpr std::uint64_t symbolic = 2;
+      Hdf5Link link{text_at(name, symbols), object};
+      if (kind == symbolic) link.target = text_at(target, symbols);
+      links.push_back(std::move(link));
     }
+  }
+
+  std::string text_at(std::uint64_t place, const Hdf5Cursor& symbols) const {
+    if (place >= names_.size()) symbols.fail("a name stands outside of the names of its group");
+    const std::string_view rest = names_.substr(place);
+    const std::size_t end = rest.find('\0');
+    if (end == std::string_view::npos) symbols.fail("a name has no end");
+    return as_utf8(rest.substr(0, end));
   }
 
   const Hdf5Bytes& file_;

@@ -342,8 +342,14 @@ std::optional<Hdf5Link> read_hdf5_link(Hdf5Cursor cursor) {
   if ((flags & 16) != 0) cursor.skip(1);
   const std::uint64_t name_size = cursor.number(std::uint64_t{1} << (flags & 3));
   link.name = as_utf8(cursor.take(name_size));
-  if (kind != 0) return std::nullopt;
-  link.address = cursor.number(8);
+  constexpr std::uint64_t hard = 0, symbolic = 1;
+  if (kind == hard) {
+    link.address = cursor.number(8);
+  } else if (kind == symbolic) {
+    link.target = as_utf8(cursor.take(cursor.number(2)));
+  } else {
+    return std::nullopt;
+  }
   return link;
 }
 

@@ -48,6 +48,7 @@ struct Hdf5Link {
   std::string name;
   std::uint64_t address = 0;               ///< of the object
   std::optional<std::uint64_t> created{};  ///< number in order of creation, where the group keeps it
+  std::string target{};  ///< of a symbolic link: the path that it leads to, in place of an address
 };
 
 struct Hdf5SymbolTable {
@@ -80,7 +81,7 @@ double hdf5_number(std::string_view bytes, const Hdf5Type& type);
 /// Reads the header at this address (versions 1 and 2). Throws Hdf5Damage.
 Hdf5Object read_hdf5_object(const Hdf5Bytes& file, std::uint64_t address);
 
-/// The link that a message or an object of a heap describes; none if it leads elsewhere by name (soft, external).
+/// The link that a message or an object of a heap describes; none if it leads out of the file.
 std::optional<Hdf5Link> read_hdf5_link(Hdf5Cursor cursor);
 
 /// The members of a group: in order of creation where the group keeps it, else in stored order, which is that of

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "input/input_error.hpp"
+#include "measure/data/matrix_lines.hpp"
 #include "measure/data/names.hpp"
 #include "measure/data/unit.hpp"
 
@@ -24,6 +25,12 @@ bool take_last_field(std::string& text, std::string& field) {
   return true;
 }
 
+std::vector<std::string> all_names(const Variables& variables) {
+  std::vector<std::string> names;
+  for (const DataVariable& variable : variables) names.push_back(variable.name);
+  return names;
+}
+
 // NAME may hold colons and, where the file has such a variable, equals signs: the fields behind it are fixed.
 DescribedChannel named_channel(const std::string& option, const std::string& name, const Variables& variables,
                                const std::string& file) {
@@ -33,6 +40,9 @@ DescribedChannel named_channel(const std::string& option, const std::string& nam
     described.channel.name = name.substr(0, equals);
     described.variable = name.substr(equals + 1);
   }
+  if (const std::string fault = matrix_fault(described.variable, all_names(variables)); !fault.empty())
+    throw InputError(option, "", fmt::format("variable {} of {} {}", described.variable, file, fault),
+                     fmt::format("name one of them, as in --channel NEWNAME='{}(:,1)':...", described.variable));
   if (!find_variable(variables, described.variable))
     throw InputError(option, "", fmt::format("{} has no variable '{}'", file, described.variable),
                      "its variables are " + listed_names(variables));

@@ -12,6 +12,7 @@
 #include "measure/data/data_file.hpp"
 #include "measure/data/import_channels.hpp"
 #include "measure/data/jitter.hpp"
+#include "measure/data/matrix_lines.hpp"
 #include "measure/data/names.hpp"
 #include "measure/data/time_axis.hpp"
 #include "measure/data/unit.hpp"
@@ -23,22 +24,29 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-struct TimeChoice {
-  std::string variable;  // empty where --sample-rate stands for it
+// How the rows of files are read.
+struct RowChoice {
+  std::string variable;  // of time; empty where --sample-rate stands for it
   std::string unit;      // given with --time
+  DecimalMark mark = DecimalMark::by_dialect;
 };
 
-TimeChoice time_variable(const ImportOptions& options, const Variables& variables, const std::string& file) {
+RowChoice time_variable(const ImportOptions& options, const Variables& variables, const std::string& file) {
   if (!options.time.empty()) {
-    if (find_variable(variables, options.time)) return {options.time, ""};
+    if (find_variable(variables, options.time)) return {options.time, "", {}};
     const std::size_t colon = options.time.rfind(':');
     if (colon != std::string::npos && find_variable(variables, options.time.substr(0, colon)))
-      return {options.time.substr(0, colon), options.time.substr(colon + 1)};
+      return {options.time.substr(0, colon), options.time.substr(colon + 1), {}};
+    std::vector<std::string> names;
+    for (const DataVariable& variable : variables) names.push_back(variable.name);
+    if (const std::string fault = matrix_fault(options.time, names); !fault.empty())
+      throw InputError("--time " + options.time, "", fmt::format("this variable of {} {}", file, fault),
+                       "name one of them, or give --sample-rate HZ");
     throw InputError("--time " + options.time, "", fmt::format("{} has no such variable", file),
                      "its variables are " + listed_names(variables));
   }
   if (options.sample_rate_hz) return {};
-  if (find_variable(variables, "t")) return {"t", ""};
+  if (find_variable(variables, "t")) return {"t", "", {}};
   throw InputError(file, "", "what its time is, is not known: its variables are " + listed_names(variables),
                    "name the variable with --time NAME, or give --sample-rate HZ");
 }
@@ -80,15 +88,22 @@ std::string record_file(const std::filesystem::path& source, std::set<std::strin
   return name;
 }
 
+DecimalMark decimal_mark(const std::string& text) {
+  if (text.empty()) return DecimalMark::by_dialect;
+  if (text == ".") return DecimalMark::point;
+  if (text == ",") return DecimalMark::comma;
+  throw InputError("--decimal-mark", "", "is '" + text + "'", ". or , was expected");
+}
+
 Record read_file(const std::filesystem::path& path, const std::vector<DescribedChannel>& channels,
-                 const TimeChoice& choice, std::optional<double> sample_rate_hz, const char* rate_from,
+                 const RowChoice& choice, std::optional<double> sample_rate_hz, const char* rate_from,
                  std::string& time_unit, std::vector<std::string>& warnings) {
   const std::string& time = choice.variable;
   std::vector<std::string> wanted;
   for (const DescribedChannel& described : channels)
     if (!contains(wanted, described.variable)) wanted.push_back(described.variable);
   if (!time.empty() && !contains(wanted, time)) wanted.push_back(time);
-  DataFile data = read_data_file(path, wanted);
+  DataFile data = read_data_file(path, wanted, MissingNumbers::refuse, all_values, choice.mark);
   convert_csv_units(data);
   Record record;
   if (time.empty()) {
@@ -164,7 +179,8 @@ ImportedCampaign import_files(const ImportOptions& options, const RecordSink& si
     throw InputError("--ensemble", "", "is not positive", "a duration in seconds was expected");
   const Variables variables = describe_data_file(options.files.front());
   const std::vector<DescribedChannel> channels = describe_channels(options, variables);
-  const TimeChoice time = time_variable(options, variables, options.files.front().string());
+  RowChoice time = time_variable(options, variables, options.files.front().string());
+  time.mark = decimal_mark(options.decimal_mark);
   const RecordKind kind = record_kind(options.kind);
 
   ImportedCampaign imported;

@@ -131,6 +131,42 @@ std::vector<std::vector<double>> channels_beside(const DataFile& data, const std
   return channels;
 }
 
+// The lines of a matrix have no names: one that rises evenly is time, whatever it is called.
+void find_time_column(const DataFile& data, FileInspection& inspection) {
+  constexpr std::size_t fewest = 16;  // of a line of so many numbers chance makes no ramp
+  for (const DataVariable& variable : data.variables) {
+    if (!inspection.time.empty()) return;
+    const bool line = variable.name.find("(:,") != std::string::npos || variable.name.ends_with(",:)");
+    if (!line || variable.values.size() < fewest) continue;
+    std::vector<DataFault> ignored;
+    std::optional<TimeAxis> axis = judged_axis(variable.values, data.place, std::nullopt, ignored);
+    if (!axis || axis->jitter_s > 0) continue;
+    inspection.time = variable.name;
+    inspection.axis = axis;
+  }
+}
+
+void look_at_file(const FileLook& look, const DataFile& data, const FileInspection& inspection) {
+  Campaign campaign;
+  Record record{inspection.axis->start_s, inspection.axis->sample_rate_hz, {}, inspection.axis->jitter_s};
+  campaign.sample_rate_hz = record.sample_rate_hz;
+  const std::size_t samples = data.vector(inspection.time).values.size();
+  for (const DataVariable& variable : data.variables) {
+    if (is_called_time(variable.name) || variable.name == inspection.time || !variable.fault.empty() ||
+        variable.values.size() != samples)
+      continue;
+    campaign.channels.push_back({variable.name, ChannelRole::response,
+                                 variable.quantity.value_or(Quantity::displacement),
+                                 variable.unit.empty() ? variable.stated_unit : variable.unit});
+    record.channels.push_back(variable.values);
+  }
+  RecordEntry entry;
+  entry.file = std::filesystem::path(data.file).filename().string();
+  entry.kind = RecordKind::free_decay;
+  campaign.records.push_back(std::move(entry));
+  if (!record.channels.empty()) look(campaign, record);
+}
+
 // The time and what goes with it, cut to a span.
 void cut_file(const TimeSpan& span, DataFile& data, FileInspection& inspection) {
   if (!inspection.axis)
@@ -160,7 +196,7 @@ std::vector<RecordInspection> inspect_records(const Campaign& campaign, const In
   return inspections;
 }
 
-FileInspection inspect_file(const std::filesystem::path& path, const InspectionLimit& limit) {
+FileInspection inspect_file(const std::filesystem::path& path, const InspectionLimit& limit, const FileLook& look) {
   const std::uintmax_t bytes = size_of(path);
   const std::size_t channels = bytes <= limit.whole_bytes ? 1 : describe_data_file(path).size();
   DataFile data = read_data_file(path, {}, MissingNumbers::keep_as_nan, share_of(limit, bytes, channels));
@@ -174,13 +210,15 @@ FileInspection inspect_file(const std::filesystem::path& path, const InspectionL
       inspection.time = variable.name;
       inspection.axis = judged_time(variable, data, inspection.faults);
     }
+  find_time_column(data, inspection);
   if (!limit.span.all()) cut_file(limit.span, data, inspection);
   for (DataVariable& variable : data.variables) {
     inspection.variables.push_back({variable.name, variable.shape, variable.type, variable.unit,
                                     variable.stated_unit, variable.fault, std::nullopt});
     if (!variable.fault.empty()) continue;
     inspection.variables.back().quality = check_channel(variable.values);
-    if (is_called_time(variable.name)) {  // neither an offset nor a ramp is a fault of time
+    if (is_called_time(variable.name) ||
+        variable.name == inspection.time) {  // neither an offset nor a ramp is a fault of time
       inspection.variables.back().quality->faults.clear();
       inspection.variables.back().quality->noise.reset();
       inspection.variables.back().quality->resolution.reset();
@@ -188,6 +226,7 @@ FileInspection inspect_file(const std::filesystem::path& path, const InspectionL
   }
   if (inspection.axis && inspection.axis->jitter_s > 0)
     inspection.faults.push_back({"time", jitter_text(*inspection.axis, channels_beside(data, inspection.time))});
+  if (look && inspection.axis) look_at_file(look, data, inspection);
   if (!data.partial || data.last_row.empty()) {
     inspection.estimated = data.partial && data.format == "CSV";
     return inspection;

@@ -60,7 +60,13 @@ struct FileInspection {
   bool estimated = false;  ///< and the lengths of a CSV are estimated
 };
 
+/// What else looks at a file that has a time axis: as a campaign of one record, a free decay, whose responses are
+/// the variables beside the time. Displacements, where the file does not say what they are; missing samples are
+/// NaN.
+using FileLook = std::function<void(const Campaign&, const Record&)>;
+
 /// Throws InputError as read_data_file does.
-FileInspection inspect_file(const std::filesystem::path& path, const InspectionLimit& limit = {});
+FileInspection inspect_file(const std::filesystem::path& path, const InspectionLimit& limit = {},
+                            const FileLook& look = {});
 
 }  // namespace secular

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 #include <matio.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -10,12 +12,15 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string_view>
 #include <type_traits>
 #include <utility>
 
 #include "input/input_error.hpp"
 #include "measure/data/mat_structure.hpp"
+#include "measure/data/matrix_lines.hpp"
 #include "measure/data/stored_numbers.hpp"
 
 namespace secular {
@@ -27,6 +32,31 @@ struct Closer {
 };
 using File = std::unique_ptr<mat_t, Closer>;
 using Variable = std::unique_ptr<matvar_t, Closer>;
+
+/// Bytes under a name that can be opened while this lasts; what was opened stays readable afterwards.
+class FileInMemory {
+ public:
+  explicit FileInMemory(const std::vector<unsigned char>& bytes) {
+    if (bytes.empty()) return;
+    handle_ = memfd_create("secular", MFD_CLOEXEC);
+    for (std::size_t written = 0; handle_ >= 0 && written < bytes.size();) {
+      const ssize_t count = write(handle_, bytes.data() + written, bytes.size() - written);
+      if (count <= 0) throw std::runtime_error("no memory for a copy of a MAT file");
+      written += static_cast<std::size_t>(count);
+    }
+  }
+  ~FileInMemory() {
+    if (handle_ >= 0) close(handle_);
+  }
+  FileInMemory(const FileInMemory&) = delete;
+  FileInMemory& operator=(const FileInMemory&) = delete;
+
+  bool exists() const { return handle_ >= 0; }
+  std::string path() const { return fmt::format("/proc/self/fd/{}", handle_); }
+
+ private:
+  int handle_ = -1;
+};
 
 constexpr int deepest_struct = 16;
 
@@ -67,8 +97,8 @@ File open(const std::filesystem::path& path) {
     if (text.size() < 128 || text.rfind("MATLAB 5.0", 0) != 0)
       throw InputError(name, "", "is not a MAT v5 file", "a MAT v5 file or a CSV was expected");
   }
-  check_mat_structure(path);
-  File file(Mat_Open(name.c_str(), MAT_ACC_RDONLY));
+  const FileInMemory repaired(check_mat_structure(path));
+  File file(Mat_Open(repaired.exists() ? repaired.path().c_str() : name.c_str(), MAT_ACC_RDONLY));
   if (!file || Mat_GetVersion(file.get()) != MAT_FT_MAT5)
     throw InputError(name, "", "is not a readable MAT v5 file", "it may be damaged or cut short");
   return file;
@@ -146,12 +176,17 @@ void visit_all(mat_t* file, const std::filesystem::path& path, const Visitor& vi
   for (const Variable& variable : variables) walk(variable->name, variable.get(), 0, visit);
 }
 
-// The first numbers of a variable whose header was read, in file order; empty if they cannot be read.
+// Numbers of a variable whose header was read: `count` of them in stored order, from `start` on, `stride` apart.
+struct Stretch {
+  std::size_t start = 0, stride = 1, count = 0;
+};
+
+// Empty if they cannot be read.
 template <class Element>
-std::vector<double> converted(mat_t* file, matvar_t& variable, std::size_t limit) {
-  const std::size_t count = std::min(element_count(variable), limit);
-  std::vector<Element> stored(count);
-  if (count == 0 || Mat_VarReadDataLinear(file, &variable, stored.data(), 0, 1, static_cast<int>(count)) != 0)
+std::vector<double> converted(mat_t* file, matvar_t& variable, const Stretch& part) {
+  std::vector<Element> stored(part.count);
+  if (part.count == 0 || Mat_VarReadDataLinear(file, &variable, stored.data(), static_cast<int>(part.start),
+                                               static_cast<int>(part.stride), static_cast<int>(part.count)) != 0)
     return {};
   if constexpr (std::is_same_v<Element, double>)
     return stored;
@@ -159,42 +194,97 @@ std::vector<double> converted(mat_t* file, matvar_t& variable, std::size_t limit
     return {stored.begin(), stored.end()};
 }
 
-std::vector<double> numbers(mat_t* file, matvar_t& variable, std::size_t limit) {
+std::vector<double> numbers(mat_t* file, matvar_t& variable, const Stretch& part) {
   switch (variable.class_type) {
     case MAT_C_DOUBLE:
-      return converted<double>(file, variable, limit);
+      return converted<double>(file, variable, part);
     case MAT_C_SINGLE:
-      return converted<float>(file, variable, limit);
+      return converted<float>(file, variable, part);
     case MAT_C_INT8:
-      return converted<std::int8_t>(file, variable, limit);
+      return converted<std::int8_t>(file, variable, part);
     case MAT_C_UINT8:
-      return converted<std::uint8_t>(file, variable, limit);
+      return converted<std::uint8_t>(file, variable, part);
     case MAT_C_INT16:
-      return converted<std::int16_t>(file, variable, limit);
+      return converted<std::int16_t>(file, variable, part);
     case MAT_C_UINT16:
-      return converted<std::uint16_t>(file, variable, limit);
+      return converted<std::uint16_t>(file, variable, part);
     case MAT_C_INT32:
-      return converted<std::int32_t>(file, variable, limit);
+      return converted<std::int32_t>(file, variable, part);
     case MAT_C_UINT32:
-      return converted<std::uint32_t>(file, variable, limit);
+      return converted<std::uint32_t>(file, variable, part);
     case MAT_C_INT64:
-      return converted<std::int64_t>(file, variable, limit);
+      return converted<std::int64_t>(file, variable, part);
     case MAT_C_UINT64:
-      return converted<std::uint64_t>(file, variable, limit);
+      return converted<std::uint64_t>(file, variable, part);
     default:
       return {};
   }
 }
 
-// Why a variable is no vector of real numbers; empty if it is one.
-std::string vector_fault(const matvar_t& variable) {
+// Why a variable holds no real numbers; empty if it does.
+std::string number_fault(const matvar_t& variable) {
   if (variable.isComplex) return "is complex";
-  const auto longer =
-      std::count_if(variable.dims, variable.dims + variable.rank, [](std::size_t n) { return n > 1; });
-  if (longer > 1) return "is a matrix";
   const std::size_t count = element_count(variable);
   if (count == 0) return "is empty";
   return count > std::numeric_limits<int>::max() ? "is longer than this format can be" : "";
+}
+
+// The first numbers of a line of a matrix, which is stored column by column. Of a compressed one all is read at
+// once, since each part would inflate what stands before it.
+std::vector<std::vector<double>> read_lines(mat_t* file, matvar_t& variable, const MatrixLines& matrix,
+                                            const std::vector<std::size_t>& places, std::size_t limit) {
+  const std::size_t rows = variable.dims[0], count = std::min(matrix.length, limit);
+  const std::size_t across = matrix.columns ? rows : 1, along = matrix.columns ? 1 : rows;
+  const bool at_once = variable.compression != MAT_COMPRESSION_NONE;
+  const std::vector<double> whole =
+      at_once ? numbers(file, variable, {0, 1, element_count(variable)}) : std::vector<double>();
+  std::vector<std::vector<double>> lines;
+  for (const std::size_t place : places) {
+    if (!at_once) {
+      lines.push_back(numbers(file, variable, {place * across, along, count}));
+      continue;
+    }
+    std::vector<double>& line = lines.emplace_back();
+    for (std::size_t i = 0; i < count && !whole.empty(); ++i) line.push_back(whole[place * across + i * along]);
+  }
+  return lines;
+}
+
+// A variable, or one for each line of a matrix, with the numbers of those that are wanted.
+void add_variable(mat_t* file, matvar_t& variable, const std::string& name, const std::vector<std::string>& wanted,
+                  std::size_t limit, std::vector<MatVariable>& variables) {
+  const auto is_wanted = [&](const std::string& path) {
+    return wanted.empty() || std::find(wanted.begin(), wanted.end(), path) != wanted.end();
+  };
+  MatVariable found;
+  found.path = name;
+  found.shape.assign(variable.dims, variable.dims + variable.rank);
+  found.type = (variable.isComplex ? "complex " : "") + std::string(type_name(variable.class_type));
+  found.fault = number_fault(variable);
+  const std::optional<MatrixLines> matrix =
+      found.fault.empty() ? matrix_lines(found.shape) : std::optional<MatrixLines>();
+  if (found.fault.empty() && !matrix) found.fault = array_fault(found.shape);
+  std::vector<std::size_t> places;
+  const std::size_t before = variables.size();
+  for (std::size_t i = 0; i < (matrix ? matrix->count : 1); ++i) {
+    variables.push_back(found);
+    if (matrix) {
+      variables.back().path = matrix->name(name, i);
+      variables.back().shape = {matrix->length};
+    }
+    if (found.fault.empty() && is_wanted(variables.back().path)) places.push_back(i);
+  }
+  if (places.empty()) return;
+  std::vector<std::vector<double>> lines;
+  if (matrix)
+    lines = read_lines(file, variable, *matrix, places, limit);
+  else
+    lines.push_back(numbers(file, variable, {0, 1, std::min(element_count(variable), limit)}));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    MatVariable& line = variables[before + places[i]];
+    line.values = std::move(lines[i]);
+    if (line.values.empty() && limit > 0) line.fault = "has no complete data";
+  }
 }
 
 }  // namespace
@@ -211,17 +301,7 @@ std::vector<MatVariable> read_mat(const std::filesystem::path& path, const std::
   const File file = open(path);
   std::vector<MatVariable> variables;
   visit_all(file.get(), path, [&](const std::string& name, matvar_t& variable) {
-    MatVariable found;
-    found.path = name;
-    found.shape.assign(variable.dims, variable.dims + variable.rank);
-    found.type = (variable.isComplex ? "complex " : "") + std::string(type_name(variable.class_type));
-    found.fault = vector_fault(variable);
-    const bool read = wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
-    if (read && found.fault.empty()) {
-      found.values = numbers(file.get(), variable, limit);
-      if (found.values.empty() && limit > 0) found.fault = "has no complete data";
-    }
-    variables.push_back(std::move(found));
+    add_variable(file.get(), variable, name, wanted, limit, variables);
   });
   return variables;
 }

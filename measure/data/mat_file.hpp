@@ -16,7 +16,7 @@ struct MatVariable {
   std::vector<std::size_t> shape;
   std::string type;            ///< "double", "int16", "complex double", ...
   std::vector<double> values;  ///< if it was wanted and is a vector
-  std::string fault;           ///< why it has no values: "is complex", "is a matrix", ...; empty if it has
+  std::string fault;           ///< why it has no values: "is complex", "is empty", ...; empty if it has
   std::string unit{};          ///< as the file spells it (HDF5: the attribute `units`)
 };
 

@@ -20,6 +20,7 @@ namespace {
 
 using Bytes = std::span<const unsigned char>;
 
+constexpr const char* right_file = "the file is damaged or cut short: copy or save it again";
 constexpr std::size_t header_size = 128;
 constexpr std::size_t tag_size = 8;
 constexpr std::size_t padding_limit = 8;  // that may follow a compressed variable
@@ -27,7 +28,7 @@ constexpr int deepest_nesting = 32;
 constexpr std::uint64_t most_elements = std::uint64_t{1} << 40;
 
 // Data types (mi...) and array classes (mx...) of the format, as far as their layout differs.
-enum DataType : std::uint32_t { mi_matrix = 14, mi_compressed = 15 };
+enum DataType : std::uint32_t { mi_int32 = 5, mi_uint32 = 6, mi_matrix = 14, mi_compressed = 15 };
 enum ArrayClass : std::uint32_t {
   mx_cell = 1,
   mx_struct = 2,
@@ -121,14 +122,17 @@ std::vector<unsigned char> inflated(Bytes compressed, bool swapped) {
   return output;
 }
 
-void check_matrix(Bytes content, bool swapped, int depth);
+/// Where the type of an array's dimensions stands that are not of the type that the format asks for.
+using UnsignedDimensions = std::vector<const unsigned char*>;
 
-void check_matrices(ElementReader& reader, std::uint64_t count, int depth) {
+void check_matrix(Bytes content, bool swapped, int depth, UnsignedDimensions& found);
+
+void check_matrices(ElementReader& reader, std::uint64_t count, int depth, UnsignedDimensions& found) {
   if (count > reader.left() / 8) throw Damage{"a cell or struct has fewer members than its dimensions say"};
   for (std::uint64_t i = 0; i < count; ++i) {
     const Element member = reader.next();
     if (member.type != mi_matrix) throw Damage{"a member of a cell or struct is no array"};
-    check_matrix(member.content, reader.swapped(), depth + 1);
+    check_matrix(member.content, reader.swapped(), depth + 1, found);
   }
 }
 
@@ -139,7 +143,7 @@ void check_numbers(ElementReader& reader, std::uint64_t count) {
     throw Damage{"an array holds another count of numbers than its dimensions say"};
 }
 
-void check_matrix(Bytes content, bool swapped, int depth) {
+void check_matrix(Bytes content, bool swapped, int depth, UnsignedDimensions& found) {
   if (content.empty()) return;  // an empty field
   if (depth > deepest_nesting) throw Damage{"structs are nested too deep"};
   ElementReader reader(content, swapped);
@@ -152,6 +156,7 @@ void check_matrix(Bytes content, bool swapped, int depth) {
   const std::size_t rank = dimensions.content.size() / 4;
   if (number_size(dimensions.type) != 4 || dimensions.content.size() % 4 != 0 || rank < 2 || rank > 64)
     throw Damage{"an array has no dimensions"};
+  if (dimensions.type == mi_uint32) found.push_back(dimensions.content.data() - (swapped ? 5 : 8));
   std::uint64_t count = 1;
   for (std::size_t i = 0; i < rank; ++i) {
     const std::uint32_t length = reader.word(dimensions.content, 4 * i);
@@ -161,7 +166,7 @@ void check_matrix(Bytes content, bool swapped, int depth) {
   }
   if (number_size(reader.next().type) != 1) throw Damage{"an array has no name"};
   if (array_class == mx_cell) {
-    check_matrices(reader, count, depth);
+    check_matrices(reader, count, depth, found);
   } else if (array_class == mx_struct || array_class == mx_object) {
     if (array_class == mx_object) reader.next();  // class name
     const Element width = reader.next();
@@ -176,7 +181,7 @@ void check_matrix(Bytes content, bool swapped, int depth) {
       if (names.content[f * name_width - 1] != 0) throw Damage{"a struct's field name has no end"};
     if (fields > 0 && count > reader.left() / fields)
       throw Damage{"a struct has fewer members than its dimensions say"};
-    check_matrices(reader, count * fields, depth);
+    check_matrices(reader, count * fields, depth, found);
   } else if (array_class >= mx_first_number) {
     check_numbers(reader, count);
     if ((flag_word & complex_flag) != 0) check_numbers(reader, count);
@@ -185,35 +190,64 @@ void check_matrix(Bytes content, bool swapped, int depth) {
   }
 }
 
-void check_top_level(const Element& element, bool swapped) {
-  if (element.type == mi_matrix) return check_matrix(element.content, swapped, 0);
+/// A variable as it stands in the file, or what its compressed form inflates to.
+struct TopLevel {
+  std::vector<unsigned char> inflated;  // with its tag; empty if it is not compressed
+  UnsignedDimensions found;
+};
+
+TopLevel check_top_level(const Element& element, bool swapped) {
+  TopLevel top;
+  if (element.type == mi_matrix) {
+    check_matrix(element.content, swapped, 0, top.found);
+    return top;
+  }
   if (element.type != mi_compressed) throw Damage{"something stands where a variable should be"};
-  const std::vector<unsigned char> content = inflated(element.content, swapped);
-  ElementReader reader(content, swapped);
+  top.inflated = inflated(element.content, swapped);
+  ElementReader reader(top.inflated, swapped);
   const Element matrix = reader.next();
   if (matrix.type != mi_matrix) throw Damage{"a compressed element holds no variable"};
-  check_matrix(matrix.content, swapped, 0);
+  check_matrix(matrix.content, swapped, 0, top.found);
+  return top;
+}
+
+bool is_swapped(Bytes bytes, const std::string& file) {
+  const bool little = bytes[126] == 'I' && bytes[127] == 'M';
+  const bool big = bytes[126] == 'M' && bytes[127] == 'I';
+  if (!little && !big) throw InputError(file, "byte 127", "does not say its byte order", right_file);
+  return big;
+}
+
+// Appends bytes with the types of dimensions as the format asks for.
+void append_repaired(std::vector<unsigned char>& copy, Bytes bytes, const UnsignedDimensions& found) {
+  const std::size_t begin = copy.size();
+  copy.insert(copy.end(), bytes.begin(), bytes.end());
+  for (const unsigned char* type : found) copy[begin + static_cast<std::size_t>(type - bytes.data())] = mi_int32;
 }
 
 }  // namespace
 
-void check_mat_structure(const std::filesystem::path& path) {
+std::vector<unsigned char> check_mat_structure(const std::filesystem::path& path) {
   const MappedFile mapped(path);
   const Bytes bytes(reinterpret_cast<const unsigned char*>(mapped.bytes().data()), mapped.bytes().size());
-  const char* const right = "the file is damaged or cut short: copy or save it again";
-  if (bytes.size() < header_size) throw InputError(path.string(), "", "ends inside of its header", right);
-  const bool little = bytes[126] == 'I' && bytes[127] == 'M';
-  const bool big = bytes[126] == 'M' && bytes[127] == 'I';
-  if (!little && !big) throw InputError(path.string(), "byte 127", "does not say its byte order", right);
-  ElementReader reader(bytes.subspan(header_size), big);
+  if (bytes.size() < header_size) throw InputError(path.string(), "", "ends inside of its header", right_file);
+  const bool swapped = is_swapped(bytes, path.string());
+  std::vector<unsigned char> repaired;
+  ElementReader reader(bytes.subspan(header_size), swapped);
   while (!reader.at_end()) {
     const std::size_t at = bytes.size() - reader.left();
     try {
-      check_top_level(reader.next(), big);
+      const TopLevel top = check_top_level(reader.next(), swapped);
+      const std::size_t end = bytes.size() - reader.left();
+      if (!top.found.empty() && repaired.empty()) append_repaired(repaired, bytes.first(at), {});
+      if (!repaired.empty())
+        append_repaired(repaired, top.inflated.empty() ? bytes.subspan(at, end - at) : Bytes(top.inflated),
+                        top.found);
     } catch (const Damage& damage) {
-      throw InputError(path.string(), fmt::format("variable at byte {}", at + 1), damage.what, right);
+      throw InputError(path.string(), fmt::format("variable at byte {}", at + 1), damage.what, right_file);
     }
   }
+  return repaired;
 }
 
 }  // namespace secular

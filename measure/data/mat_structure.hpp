@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace secular {
 
@@ -8,6 +9,9 @@ namespace secular {
 /// it, compressed ones inflate with the right check sum, and the numbers stored for an array are as many as its
 /// dimensions say (MathWorks, "MAT-File Format", level 5). libmatio allocates what a damaged header announces; with
 /// this check it never sees one. Throws InputError naming the byte.
-void check_mat_structure(const std::filesystem::path& path);
+///
+/// Some writers give dimensions as unsigned numbers, which libmatio does not take: then the file's bytes are
+/// returned with the type that the format asks for, else nothing.
+std::vector<unsigned char> check_mat_structure(const std::filesystem::path& path);
 
 }  // namespace secular

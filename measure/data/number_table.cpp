@@ -36,11 +36,21 @@ struct DecimalMarks {
     if (point == 0 && field.find('.') != std::string_view::npos) point = line;
     if (comma == 0 && field.find(',') != std::string_view::npos) comma = line;
     if (point > 0 && comma > 0)
-      throw InputError(file, fmt::format("line {}", std::max(point, comma)),
-                       fmt::format("numbers have decimal points (line {}) and commas (line {})", point, comma),
-                       "one decimal mark, and nothing that parts thousands");
+      throw InputError(
+          file, fmt::format("line {}", std::max(point, comma)),
+          fmt::format("numbers have decimal points (line {}) and commas (line {})", point, comma),
+          "say which mark is decimal: secular import with --decimal-mark . or --decimal-mark , (the other one "
+          "then parts thousands)");
   }
 };
+
+// Where the first field of a line ends at the earliest: separators inside of quotes part nothing.
+std::size_t behind_quotes(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of(" \t");
+  if (begin == std::string_view::npos || line[begin] != '"') return 0;
+  const std::size_t end = line.find('"', begin + 1);
+  return end == std::string_view::npos ? 0 : end + 1;
+}
 
 /// Puts the fields of rows into the columns of a table.
 struct RowReader {
@@ -49,11 +59,12 @@ struct RowReader {
   MissingNumbers missing;
   const std::string& file;
   DecimalMarks& marks;
+  DecimalMark mark;  // where it is known
 
   void read(std::string_view line, std::size_t line_number, NumberTable& table) const {
     std::size_t fields = 0;
     for (bool more = true; more;) {
-      const std::size_t end = line.find(header.dialect.separator);
+      const std::size_t end = line.find(header.dialect.separator, behind_quotes(line));
       more = end != std::string_view::npos;
       const std::string_view field = trimmed(line.substr(0, end));
       if (more) line.remove_prefix(end + 1);
@@ -61,8 +72,10 @@ struct RowReader {
       ++fields;
       if (fields > target.size() || target[fields - 1] == skipped) continue;
       double value = 0;
-      const FieldFault fault = parse_number(field, header.dialect.decimal_comma, value);
-      if (fault == FieldFault::none && header.dialect.decimal_comma) marks.see(field, line_number, file);
+      const bool known = mark != DecimalMark::by_dialect;
+      const FieldFault fault = known ? parse_grouped_number(field, mark == DecimalMark::comma, value)
+                                     : parse_number(field, header.dialect.decimal_comma, value);
+      if (fault == FieldFault::none && header.dialect.decimal_comma && !known) marks.see(field, line_number, file);
       if (fault != FieldFault::none) {
         if (missing == MissingNumbers::refuse && (more || fields == target.size()))
           refuse(file, fmt::format("line {}, column {}", line_number, header.names[fields - 1]), fault, field);
@@ -98,7 +111,8 @@ std::string_view last_line(std::string_view rows, char line_break) {
 void read_last_row(const RowReader& reader, NumberTable& table) {
   NumberTable last;
   last.columns.resize(table.columns.size());
-  const RowReader forgiving{reader.header, reader.target, MissingNumbers::keep_as_nan, reader.file, reader.marks};
+  RowReader forgiving = reader;
+  forgiving.missing = MissingNumbers::keep_as_nan;
   try {
     const CsvHeader& header = reader.header;
     forgiving.read(row_of(last_line(header.rows, header.line_break), header.dialect.separator), 0, last);
@@ -171,7 +185,7 @@ NumberTable read_csv_header(const std::filesystem::path& path) {
 }
 
 NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& wanted,
-                     MissingNumbers missing, std::size_t limit) {
+                     MissingNumbers missing, std::size_t limit, DecimalMark mark) {
   const std::string file = path.string();
   MappedFile mapped(path);
   const CsvHeader header = read_header(mapped.bytes(), file);
@@ -190,7 +204,7 @@ NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::s
   const std::size_t lines = count_lines(header, mapped, limit);
   for (std::vector<double>& column : table.columns) column.reserve(lines);
   DecimalMarks marks;
-  read_rows({header, target, missing, file, marks}, mapped, limit, table);
+  read_rows({header, target, missing, file, marks, mark}, mapped, limit, table);
   if (table.rows() == 0) throw InputError(file, "", "has a header but no rows", "rows of numbers were expected");
   return table;
 }

@@ -26,6 +26,10 @@ inline constexpr std::size_t all_values = std::numeric_limits<std::size_t>::max(
 /// What becomes of a field that holds no finite number (empty, text, NaN, infinity).
 enum class MissingNumbers { refuse, keep_as_nan };
 
+/// The decimal mark of a CSV: as its dialect has it, or one that is known, and then the other mark, a blank or an
+/// apostrophe between groups of three digits part thousands.
+enum class DecimalMark { by_dialect, point, comma };
+
 struct CsvName {
   std::string name, unit;
 };
@@ -39,7 +43,8 @@ CsvName bracketed_unit(const std::string& name);
 /// length, a field that is no finite number (MissingNumbers::refuse), a wanted column that is not there, two
 /// columns of one name, and for a file without rows.
 NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& wanted = {},
-                     MissingNumbers missing = MissingNumbers::refuse, std::size_t limit = all_values);
+                     MissingNumbers missing = MissingNumbers::refuse, std::size_t limit = all_values,
+                     DecimalMark mark = DecimalMark::by_dialect);
 
 /// The header of a CSV, by the same rules: names and units.
 NumberTable read_csv_header(const std::filesystem::path& path);

@@ -185,18 +185,36 @@ void read_ascii_numbers(UffLines& lines, UffHeader& header, std::size_t limit) {
   lines.fail("the data set does not end: the delimiter -1 is missing", whole_again);
 }
 
-// The abscissa of double numbers is single in the ASCII format; binary writers store it so or as double.
+// What writers fill blocks with: zeros, blanks, ends of lines.
+bool is_padding(std::string_view bytes) {
+  return bytes.find_first_not_of(std::string_view("\0 \t\r\n", 5)) == std::string_view::npos;
+}
+
+// Whether what is counted behind the numbers fills a block, and nothing of the delimiter is.
+bool ends_in_padding(std::string_view padding, std::string_view behind) {
+  if (padding.empty()) return true;
+  return is_padding(padding) &&
+         behind.substr(std::min(behind.find_first_not_of("\r\n"), behind.size())).starts_with("    -1");
+}
+
+// The abscissa of double numbers is single in the ASCII format; binary writers store it so or as double. Some count
+// what fills their last block, too.
 std::size_t abscissa_size(const UffLines& lines, const UffHeader& header, std::size_t bytes) {
   const UffFunction& function = header.function;
   const std::size_t size = is_double(function.ordinate) ? 8 : 4;
   const std::size_t ordinate = is_complex(function.ordinate) ? 2 * size : size;
+  const auto fits = [&](std::size_t a_value) {
+    const std::size_t used = header.count * a_value;
+    return header.count <= bytes / a_value &&
+           ends_in_padding(lines.rest().substr(used, bytes - used), lines.rest().substr(bytes));
+  };
   if (header.count > bytes / ordinate)
     lines.fail(fmt::format("announces {} values and {} bytes for them", header.count, bytes), whole_again);
   if (function.even) {
-    if (bytes == header.count * ordinate) return 0;
+    if (fits(ordinate)) return 0;
   } else {
     for (const std::size_t abscissa : {size, std::size_t{4}})
-      if (bytes == header.count * (ordinate + abscissa)) return abscissa;
+      if (fits(ordinate + abscissa)) return abscissa;
   }
   lines.fail(fmt::format("announces {} bytes for {} {} of {} bytes", bytes, header.count,
                          function.even ? "values" : "pairs", ordinate),
@@ -214,14 +232,15 @@ void read_binary_numbers(UffLines& lines, const DataSetHead& head, UffHeader& he
   const ByteOrder order = head.byte_order == 1 ? ByteOrder::little : ByteOrder::big;
   NumberSink sink(header);
   std::size_t at = 0;
-  while (at < data.size() && sink.taken() / sink.a_value() < limit) {
+  while (sink.taken() / sink.a_value() < std::min(header.count, limit)) {
     const bool of_abscissa = !function.even && sink.taken() % sink.a_value() == 0;
     const std::size_t size = of_abscissa ? abscissa : is_double(function.ordinate) ? 8 : 4;
     sink.put(float_at(data, at, size, order));
     at += size;
   }
   std::string_view line = lines.take();
-  if (stripped(line).empty() && !lines.at_end()) line = lines.take();
+  while (is_padding(line) && !lines.at_end()) line = lines.take();
+  line.remove_prefix(std::min(line.find_first_not_of('\0'), line.size()));
   if (!is_uff_delimiter(line)) lines.fail("the delimiter -1 does not follow the binary data", whole_again);
 }
 

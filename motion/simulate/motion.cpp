@@ -16,6 +16,9 @@ using State = OdeState;
 
 constexpr std::size_t most_steps_in_a_sample_interval = 100000;
 
+/// Peak over rms of the motion before: below 5 for one that builds up, and without bound for one that escapes.
+constexpr double escape_factor = 10;
+
 // Of a message: which motion, and when.
 std::string heading(const MotionSettings& settings, double time) {
   return fmt::format("{}{}t = {:.6g} s: ", settings.label, settings.label.empty() ? "" : ", ", time);
@@ -317,7 +320,8 @@ class Integration {
         motion_(equations, settings),
         rate_(std::ref(motion_)),
         stepper_(make_stepper(stepper_settings(settings, times.step))),
-        acceleration_(motion_.modes()) {}
+        acceleration_(motion_.modes()),
+        squares_(motion_.modes(), 0.0) {}
 
   void run(MotionState& state) {
     start(state);
@@ -334,11 +338,7 @@ class Integration {
         continue;
       }
       if (++steps_taken % most_steps_in_a_sample_interval == 0) {
-        if (stepper_->time() - checked_time < times_.step)
-          throw NumericalFailure(Ending::stalled,
-                                 heading(settings_, stepper_->time()) +
-                                     "the integration makes no progress; the equations may be stiff or "
-                                     "discontinuous there");
+        if (stepper_->time() - checked_time < times_.step) stop_without_progress();
         checked_time = stepper_->time();
       }
       previous_ = stepper_->state();
@@ -372,6 +372,26 @@ class Integration {
     settle_friction();
   }
 
+  // A motion that leaves its potential well, or comes to where the inertia vanishes, makes the steps ever smaller
+  // on its way.
+  [[noreturn]] void stop_without_progress() const {
+    const State& now = stepper_->state();
+    for (std::size_t k = 0; k < motion_.modes() && next_ > 0; ++k) {
+      const double rms = std::sqrt(squares_[k] / static_cast<double>(next_));
+      if (!(std::abs(now[k]) > escape_factor * rms)) continue;
+      throw NumericalFailure(
+          Ending::ran_away,
+          heading(settings_, stepper_->time()) +
+              fmt::format(
+                  "the simulated motion escapes: coordinate {} is at {:.3g}, its rms so far is {:.3g}; stiffness "
+                  "or inertia vanish out there: lower the excitation, or check the signs of the model",
+                  k + 1, now[k], rms));
+    }
+    throw NumericalFailure(Ending::stalled, heading(settings_, stepper_->time()) +
+                                                "the integration makes no progress; the equations may be stiff or "
+                                                "discontinuous there");
+  }
+
   void settle_friction() {
     for (std::size_t k = 0; dry_ && k < motion_.modes(); ++k)
       if (jumps_[k]) motion_.take_side(x_, stepper_->time(), k);
@@ -387,6 +407,7 @@ class Integration {
     out_.displacement.assign(part(0), part(1));
     out_.velocity.assign(part(1), part(2));
     out_.acceleration = acceleration_;
+    for (std::size_t k = 0; k < motion_.modes(); ++k) squares_[k] += out_.displacement[k] * out_.displacement[k];
     out_.excitation = motion_.excitation();
     last_.displacement = out_.displacement;
     last_.velocity = out_.velocity;
@@ -437,6 +458,7 @@ class Integration {
   State x_, previous_;
   std::size_t next_ = 0;  // sample
   std::vector<double> acceleration_;
+  std::vector<double> squares_;  // sum over samples of displacements squared, by mode
   MotionSample out_;
   MotionState last_;
 };

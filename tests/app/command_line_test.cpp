@@ -103,12 +103,48 @@ TEST_F(CommandLine, EvaluateIsTheContractsJsonAndByteStable) {
   expect_bad_input(run("evaluate pendulum --case free --at " + written("bad.json", "{")), "is not JSON");
 }
 
+TEST_F(CommandLine, NumbersBeyondDoublePrecisionAreBadInput) {
+  const std::string predict = "predict duffing --case primary --vary Omega 0.8 1.2 -o " + (folder / "out").string();
+  for (const char* const number : {"1e999", "-1e400"}) {
+    const std::string file = written("big.json", std::string(R"({"omega0": 1, "mu": )") + number + "}");
+    expect_bad_input(run("evaluate pendulum --case free --at " + file), number);
+    expect_bad_input(run(predict + " --parameters " + file), number);
+    const std::string estimate =
+        written("estimate.json", std::string(R"({"estimates": [{"name": "mu", "value": )") + number + "}]}");
+    expect_bad_input(run(predict + " --parameters " + estimate), number);
+  }
+}
+
+// A misspelled name changes nothing, and that is said.
+TEST_F(CommandLine, NumbersThatStandForNothingAreNamed) {
+  const std::string file = written(
+      "typo.json", R"({"omega0": 1, "mu": 0.01, "a2": 0, "a3": 0.1, "e": 1, "F": 0.01, "muu": 3, "A3": 2})");
+  const Outcome predicted = run("predict duffing --case primary --parameters " + file +
+                                " --vary Omega 0.8 1.2 -o " + (folder / "out").string());
+  EXPECT_EQ(predicted.status, 0) << predicted.errors;
+  EXPECT_NE(predicted.errors.find("A3, muu are not used"), std::string::npos) << predicted.errors;
+  const Outcome evaluated = run("evaluate duffing --case free --at " +
+                                written("free.json", R"({"omega0": 1, "mu": 0.01, "a2": 0, "a3": 0.1, "mu2": 3})"));
+  EXPECT_EQ(evaluated.status, 0) << evaluated.errors;
+  EXPECT_NE(evaluated.errors.find("mu2 is not used"), std::string::npos) << evaluated.errors;
+}
+
 TEST_F(CommandLine, GenerateWritesWhatIsCommitted) {
   const Outcome outcome = run("generate two_mass_mode1 two_mass_lumps pendulum -o " + (folder / "g").string());
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   for (const char* name : {"two_mass_mode1.hpp", "two_mass_mode1.cpp", "two_mass_lumps.hpp", "two_mass_lumps.cpp",
                            "pendulum.hpp", "pendulum.cpp"})
     EXPECT_EQ(text_of(folder / "g" / name), text_of(root / "generated" / name)) << name;
+}
+
+// The files that list all models are not overwritten by a model's own.
+TEST_F(CommandLine, GenerateRefusesTheNameOfTheRegistry) {
+  const std::string text = text_of(root / "models" / "pendulum.toml");
+  std::string renamed = text;
+  renamed.replace(renamed.find("\"pendulum\""), 10, "\"registry\"");
+  const std::string file = written("mine.toml", renamed);
+  expect_bad_input(run("generate duffing " + file + " -o " + (folder / "g").string()), "registry.hpp");
+  EXPECT_FALSE(fs::exists(folder / "g"));
 }
 
 // Options that make sense, and a motion that leaves every bound: neither bad input nor a fault of the program.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "measure/data/data_file.hpp"
+#include "measure/data/import_files.hpp"
 #include "measure/data/inspection.hpp"
 #include "measure/data/number_table.hpp"
 #include "tests/campaign/temporary_folder.hpp"
@@ -77,6 +78,35 @@ TEST_F(CsvAround, DecimalCommasStandBesideTabulatorsAndSemicolons) {
   }
 }
 
+// Which mark parts thousands is said, not guessed.
+TEST_F(CsvAround, ADecimalMarkThatIsKnownMakesTheOtherOnePartThousands) {
+  const auto columns = [&](const std::string& text, DecimalMark mark) {
+    return read_csv(write("a.csv", text), {}, MissingNumbers::refuse, all_values, mark).columns;
+  };
+  const Columns right = {{0, 0.5, 1}, {4777, -1234567.25, 12}};
+  const DecimalMark point = DecimalMark::point, comma = DecimalMark::comma;
+  EXPECT_EQ(columns("t;a\n0;4,777\n0.5;-1,234,567.25\n1;12\n", point), right);
+  EXPECT_EQ(columns("t;a\n0;4.777\n0,5;-1.234.567,25\n1;12\n", comma), right);
+  EXPECT_EQ(columns("t\ta\n0\t4'777\n0.5\t-1'234'567.25\n1\t12\n", point), right);
+  EXPECT_EQ(columns("t;a\n0;4 777\n0,5;-1 234 567,25\n1;12\n", comma), right);
+  EXPECT_EQ(columns("t,a\n0,\"4,777\"\n0.5,\"-1,234,567.25\"\n1,12\n", point), right);
+  EXPECT_EQ(columns("t,a\n0,4777\n0.5,-1234567.25\n1,1.2e1\n", point), right);
+  for (const char* const field :
+       {"4,77", "4,7777", ",777", "4,,777", "1234,567", "4.5,777", "4,777,", "4,777,12.5"}) {
+    const std::string text = std::string("t;a\n0.5;1\n1;") + field + "\n";
+    EXPECT_TRUE(contains(refusal([&] { columns(text, point); }), "line 3, column a")) << field;
+  }
+  ImportOptions options;
+  options.files = {write("a.csv", "t;a\n0;4,777\n0.5;-1,234,567.25\n1;12\n")};
+  options.kind = "free_decay";
+  options.channels = {"a:response:angle:rad"};
+  EXPECT_TRUE(contains(refusal([&] { import_files(options); }), "--decimal-mark ."));
+  options.decimal_mark = ".";
+  EXPECT_EQ(import_files(options).samples[0].channels[0], right[1]);
+  options.decimal_mark = "point";
+  EXPECT_TRUE(contains(refusal([&] { import_files(options); }), ". or , was expected"));
+}
+
 TEST_F(CsvAround, LinesAboveTheNamesArePassedOver) {
   const Columns columns = {{0, 0.5}, {1, 2}};
   for (const std::string& above :
@@ -126,6 +156,10 @@ TEST_F(CsvAround, SharedFilesAreRead) {
     EXPECT_EQ(read_csv(faults / file).columns, plain.columns) << file;
   EXPECT_TRUE(contains(refusal([&] { read_csv(faults / "small_ones/d42b_thousands_en.csv"); }),
                        "numbers have decimal points"));
+  EXPECT_EQ(read_csv(faults / "small_ones/d42b_thousands_en.csv", {}, MissingNumbers::refuse, all_values,
+                     DecimalMark::point)
+                .columns[1][0],
+            4777);
   const FileInspection rounded = inspect_file(faults / "rounded_stamps/d17_rounded_stamps.csv");
   ASSERT_TRUE(rounded.axis);
   EXPECT_EQ(rounded.axis->sample_rate_hz, 2048);

@@ -98,7 +98,8 @@ TEST_F(DenseGroup, LinksThatLeadElsewhereAndNamesOfAnyLength) {
     for (int i = 0; i < 60; ++i) writer.add_link(name, std::to_string(i) + name);
   }
   const DataFile data = read_data_file(path());
-  EXPECT_EQ(data.variables.size(), 62u);
+  EXPECT_EQ(data.variables.size(), 82u);
+  EXPECT_EQ(data.vector("soft 19").values, (Numbers{1, 2}));
   EXPECT_EQ(data.vector(longer).values, (Numbers{1, 2}));
   EXPECT_EQ(data.vector("59" + name).values, (Numbers{3, 4}));
 }

@@ -57,6 +57,28 @@ class Hdf5Writer {
     H5Pclose(creation);
   }
 
+  /// A data set in chunks of which but a part is written.
+  void add_part(const std::string& path, const std::vector<hsize_t>& shape, const std::vector<hsize_t>& chunk,
+                const std::vector<hsize_t>& begin, const std::vector<hsize_t>& count,
+                const std::vector<double>& values, bool deflate) {
+    Form form;
+    form.chunk = chunk;
+    form.deflate = deflate;
+    form.unwritten = form.bounded = true;
+    add(path, shape, {}, form);
+    write_part(path, begin, count, values);
+  }
+  void write_part(const std::string& path, const std::vector<hsize_t>& begin, const std::vector<hsize_t>& count,
+                  const std::vector<double>& values) {
+    const hid_t set = H5Dopen2(file_, path.c_str(), H5P_DEFAULT), space = H5Dget_space(set);
+    const hid_t memory = H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr);
+    H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, count.data(), nullptr);
+    H5Dwrite(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data());
+    H5Sclose(memory);
+    H5Sclose(space);
+    H5Dclose(set);
+  }
+
   /// A number, or a text of its own length or of any length, beside a data set.
   void add_number(const std::string& set, const std::string& name, double value, std::vector<hsize_t> shape = {}) {
     add_attribute(set, name, H5T_IEEE_F64BE, H5T_NATIVE_DOUBLE, shape, std::vector<double>(8, value).data());

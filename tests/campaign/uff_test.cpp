@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "measure/data/campaign.hpp"
@@ -10,6 +12,7 @@
 #include "tests/campaign/uff_write.hpp"
 #include "tests/campaign/variable_names.hpp"
 #include "tests/campaign/write_campaign.hpp"
+#include "tests/places.hpp"
 
 namespace secular {
 namespace {
@@ -74,6 +77,56 @@ TEST_F(Uff, AcceptsWhatProgramsWrite) {
         data_set("tip", "         2         3         1 0.00000E+000 1.00000E-002 0.00000E+000\n",
                  "1 -2.5 3.0-3\n")})
     EXPECT_EQ(functions(text).at(0).real, expected) << text;
+}
+
+// Blocks that are filled up with zeros, blanks or ends of lines, which the header counts or does not.
+TEST_F(Uff, PaddedBinaryDataAreRead) {
+  UffFunction even;
+  even.id_lines[0] = "tip";
+  even.rate = 100;
+  UffFunction uneven = even;
+  uneven.even = false;
+  for (int i = 0; i < 21; ++i) {
+    even.real.push_back(0.25 * i);
+    uneven.uneven_abscissa.push_back(0.5 * i * i);
+  }
+  even.count = uneven.count = 21;
+  uneven.real = even.real;
+  int read = 0;
+  for (const UffEncoding encoding : {UffEncoding::little_endian, UffEncoding::big_endian})
+    for (UffFunction function : {even, uneven})
+      for (const UffOrdinate ordinate : {UffOrdinate::real_single, UffOrdinate::real_double}) {
+        function.ordinate = ordinate;
+        const std::string text = uff_text({function}, encoding);
+        const std::string end = "    -1\n";
+        const std::size_t begin = text.find("    58b") + 7, last = text.size() - end.size();
+        const std::string bytes = text.substr(begin + 24, 12);
+        for (const std::string padding : {"\n", "\r\n", "   ", "    \n", "\n\n"})
+          for (const std::size_t zeros : {0u, 1u, 5u, 43u}) {
+            const std::string fill = std::string(zeros, '\0') + padding;
+            std::string counted = text.substr(0, last) + fill + end;
+            counted.replace(begin + 24, 12, fmt::format("{:12}", std::stoul(bytes) + fill.size()));
+            for (const std::string& file :
+                 {counted, text.substr(0, last) + fill + (fill.ends_with('\n') ? "" : "\n") + end,
+                  counted + text}) {
+              const std::vector<UffFunction> found = functions(file);
+              ASSERT_FALSE(found.empty());
+              EXPECT_EQ(found[0].real, function.real);
+              EXPECT_EQ(found[0].uneven_abscissa, function.uneven_abscissa);
+              ++read;
+            }
+          }
+        std::string other = text.substr(0, last) + "x" + end;
+        other.replace(begin + 24, 12, fmt::format("{:12}", std::stoul(bytes) + 1));
+        EXPECT_TRUE(contains(complaint(other), "bytes for 21"));
+      }
+  EXPECT_EQ(read, 480);
+}
+
+TEST_F(Uff, SharedPaddedFileIsRead) {
+  const fs::path file = testing_support::source_folder() / "../shared/faults/small_ones/d04_58b_bytes_pad.uff";
+  if (!fs::exists(file)) GTEST_SKIP() << "../shared/faults is not there";
+  EXPECT_EQ(read_data_file(file).vector("tip").values.size(), 600u);
 }
 
 TEST_F(Uff, FortranNumbers) {

@@ -7,8 +7,10 @@
 #include <functional>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "input/input_error.hpp"
+#include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {
@@ -110,6 +112,42 @@ TEST(TomlTable, TextThatIsNotTomlIsRefusedWithItsPlace) {
         "[[a]\n", "[a]]\n", "[ [a]]", "a = 1e", "a = 0x", "a = 99999999999999999999"})
     EXPECT_TRUE(contains(refusal([&] { parse(text); }), "line ")) << text;
   EXPECT_TRUE(contains(refusal([] { parse(std::string("[\0a]\n", 5)); }), "line 1"));
+}
+
+// Texts on which toml++ 3.3 asserts, reaches what it holds for unreachable, or recurses as deep as keys are.
+TEST(TomlTable, TextThatTheParserIsNotMadeForIsRefused) {
+  for (const char* const text :
+       {"[[[a]]]\n", "a = 1\n[\x01]\n", "[a]\n  [(b)]\n", "\xC2\xB5 = 1\n", "a \xE3\x80\x80= 1\n",
+        "a = 1 \xC4\x98\n", "a = [1,\xC2\xA0 2]\n", "a = 'x\x7Fy'\n"})
+    EXPECT_TRUE(contains(refusal([&] { parse(text); }), "a.toml, line ")) << text;
+  for (const std::size_t parts : {33u, 5000u, 60000u}) {
+    std::string key = "k";
+    for (std::size_t i = 1; i < parts; ++i) key += i % 3 == 0 ? " . k" : ".k";
+    for (const std::string& text :
+         {key + " = 1\n", "[" + key + "]\n", "a = { " + key + " = 1 }\n", "[[" + key + "]]\nb = 1\n"})
+      EXPECT_TRUE(contains(refusal([&] { parse("x = 1\n" + text); }), "line 2, column ")) << parts;
+  }
+}
+
+TEST(TomlTable, TextThatIsUnusualIsRead) {
+  const TomlTable table = parse(
+      "\xEF\xBB\xBF# \xC2\xB5m\na = '\xC2\xB5'\nb = \"\"\"x\\\"\"\" y\"\"\"\"\"\nc = [\n  [1.5, 2.5],\n  [3]\n]\n"
+      "d = [[[1]],\n[[2]]]\nx.'y.z'.w = 1\n[ e . \"f.g\" ]\nh = 1\n[[-k]]\n");
+  EXPECT_EQ(table.string("a"), "\xC2\xB5");
+  EXPECT_EQ(table.string("b"), "x\"\"\" y\"\"");
+  EXPECT_EQ(table.table("e").table("f.g").integer("h"), 1);
+  EXPECT_EQ(table.table("x").table("y.z").integer("w"), 1);
+  EXPECT_TRUE(table.has("-k"));
+}
+
+TEST(TomlTable, SharedFilesAreRefusedWithTheirPlace) {
+  const std::filesystem::path place = testing_support::source_folder() / "../shared/faults/robustness";
+  if (!std::filesystem::exists(place)) GTEST_SKIP() << place << " is not there";
+  std::vector<std::filesystem::path> files = {place / "segv_dotted_key_40000.toml"};
+  for (const auto& entry : std::filesystem::directory_iterator(place / "toml_parser"))
+    files.push_back(entry.path());
+  for (const std::filesystem::path& file : files)
+    EXPECT_TRUE(contains(refusal([&] { TomlTable::from_file(file); }), "line ")) << file;
 }
 
 TEST(TomlTable, DamagedTextIsReadOrRefused) {

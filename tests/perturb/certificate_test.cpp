@@ -1,5 +1,6 @@
 #include "perturb/certificate.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "input/input_error.hpp"
 #include "tests/places.hpp"
 
 namespace secular {
@@ -39,6 +41,26 @@ TEST_P(ShippedModel, EveryCaseIsCertifiedUnderBothOmegaPolicies) {
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedModel, testing::ValuesIn(shipped_names()),
                          [](const auto& name) { return name.param; });
+
+// Powers of exp(i Omega t) beyond those of small integers.
+TEST(Certificate, HoldsForHighMultiplesOfAFrequency) {
+  const auto text = [](int multiple, const char* term) {
+    return fmt::format(
+        "schema = 1\nname = \"m\"\n[[mode]]\ncoordinate = \"v\"\nfrequency = \"w\"\nequation = \"D2(v) + w^2*v = "
+        "-2*mu*D(v) - a*v^3 + f*F*cos(Omega*t) + g*{1}({0}*Omega*t)\"\n[[case]]\nname = \"c\"\nrelations = "
+        "[\"{0}*Omega = 2*w + eps^2*sigma\"]\norder = {{ mu = 2, a = 2, f = 2, g = 2 }}\nexpand_to = 2\n",
+        multiple, term);
+  };
+  for (const int multiple : {65, 129, 257, 999})
+    for (const char* const term : {"v*cos", "v*sin"}) {
+      const Model model = read_model_text(text(multiple, term), "model.toml");
+      const Certificate certificate = certify(derive(model, model.find_case("c")));
+      EXPECT_TRUE(certificate.holds) << multiple << term;
+      EXPECT_GT(certificate.coefficients_checked, 10U);
+    }
+  for (const std::string& beyond : {text(1001, "v*cos"), text(1 << 30, "v*cos")})
+    EXPECT_THROW(read_model_text(beyond, "model.toml"), InputError);
+}
 
 // The certificate must refuse an expansion with any single coefficient changed.
 TEST(Certificate, NoticesEveryChangedCoefficient) {

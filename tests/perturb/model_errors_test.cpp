@@ -1,9 +1,12 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "input/input_error.hpp"
 #include "perturb/derivation.hpp"
+#include "tests/places.hpp"
 #include "textbook_models.hpp"
 
 namespace secular {
@@ -46,6 +49,33 @@ TEST(ModelErrors, DeepNestingIsAnErrorNotACrash) {
   expect_complaint("D2(x) + w^2*x = " + std::string(depth, '(') + "x" + std::string(depth, ')'), "",
                    "nested deeper");
   expect_complaint("D2(x) + w^2*x = " + std::string(depth, '-') + "x", "", "nested deeper");
+}
+
+// Short to write, and nothing that algebra comes to an end with: refused before any is done.
+TEST(ModelErrors, TowersOfPowersAreRefused) {
+  expect_complaint("D2(x) + w^2*x = -(((((g^64)^64)^64)^64)^64)^64*x^3", "", "line 6, column");
+  expect_complaint("D2(x) + w^2*x = -g*(x^64)^64", "", "has a degree beyond");
+  expect_complaint("D2(x) + w^2*x = -g*((1 + x + w)^40)^40", "", "terms when it is multiplied out");
+  expect_complaint("D2(x) + w^2*x = -g*(1+x)^20*(1+w)^20*(1+g)^20*(2+x)^20", "", "terms when it is multiplied out");
+  expect_complaint("D2(x) + w^2*x = -g*D(D(D(D((x+w)^60))))", "", "terms when it is multiplied out");
+  expect_complaint("D2(x) + w^2*x = -((((3^64)^64)^64)^64)^64*x^3", "", "digits");
+  expect_complaint("D2(x) + w^2*x = -g*1e999999999*x^3", "", "digits");
+  expect_complaint("D2(x) + w^2*x = -g*x^(2^(2^64))", "", "digits");
+  for (const char* const relation : {"Omega = (((((2^64)^64)^64)^64)^64)*w + eps*s",
+                                     "Omega = w + ((eps + eps^2 + s)^64)^64", "Omega = w + eps*s*(s+w+eps)^64^2"})
+    expect_complaint("D2(x) + w^2*x = g*F*cos(Omega*t)",
+                     fmt::format("order = {{ g = 1 }}\nrelations = [\"{}\"]", relation), "model.toml, line");
+}
+
+TEST(ModelErrors, SharedTowersAreRefused) {
+  const std::filesystem::path place = testing_support::source_folder() / "../shared/faults/robustness";
+  if (!std::filesystem::exists(place)) GTEST_SKIP() << place << " is not there";
+  for (const char* const file : {"reltower.toml", "relexp.toml", "coef_pow.toml"}) try {
+      read_model(place / file);
+      ADD_FAILURE() << file << " was read";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("line "), std::string::npos) << error.what();
+    }
 }
 
 TEST(ModelErrors, OrdersAndResonances) {

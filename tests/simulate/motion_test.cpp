@@ -179,5 +179,38 @@ TEST(Motion, GrowthBeyondBoundsIsReportedWithItsTime) {
   }
 }
 
+// Out of a potential well, and to where the inertia vanishes: steps become smaller than the clock can count while
+// the numbers are still finite. A stiffness that jumps there is no escape.
+TEST(Motion, AnEscapeIsToldFromAStall) {
+  const auto ending = [](void (*acceleration)(const double*, const ExcitationSample*, const double*, const double*,
+                                              double*),
+                         Integrator method) {
+    const CompiledModel model = model_of(acceleration);
+    const ExcitationSignal growing = [](double t, ExcitationSample* s) { s[0] = {1e-3 * t * std::cos(t), 0, 0}; };
+    MotionSettings settings;
+    settings.method = method;
+    MotionState state{{0.01}, {0}};
+    try {
+      integrate_motion({model, nullptr, growing}, {0, 0, 0.1, 100000}, settings, state, [](const MotionSample&) {});
+    } catch (const NumericalFailure& failure) {
+      return std::pair(failure.ending(), std::string(failure.what()));
+    }
+    return std::pair(Ending::out_of_range, std::string("no failure"));
+  };
+  for (const Integrator method :
+       {Integrator::dormand_prince, Integrator::bulirsch_stoer, Integrator::dormand_prince_87}) {
+    const auto well = ending([](const double*, const ExcitationSample* u, const double* x, const double*,
+                                double* a) { a[0] = u[0].value - x[0] - x[0] * x[0]; },
+                             method);
+    EXPECT_EQ(well.first, Ending::ran_away) << well.second;
+    const auto inertia =
+        ending([](const double*, const ExcitationSample* u, const double* x, const double* v,
+                  double* a) { a[0] = (u[0].value - x[0] - x[0] * x[0] - 0.05 * v[0] * v[0]) / (1 + 0.1 * x[0]); },
+               method);
+    EXPECT_EQ(inertia.first, Ending::ran_away) << inertia.second;
+    EXPECT_NE(inertia.second.find("coordinate 1 is at "), std::string::npos) << inertia.second;
+  }
+}
+
 }  // namespace
 }  // namespace secular
