@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -18,8 +19,11 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Gauss-Newton steps converge quadratically; they end where phases move by less than this share of their error.
-constexpr int most_steps = 12;
+/// Phases move at the present coefficients and coefficients at the present phases: steps shrink by a factor that is
+/// small where conditions part both. They end where phases move by less than this share of their error. A start
+/// from which they do not come to rest in so many leads to no minimum that conditions tell; from half a turn of a
+/// minimum they are followed as long as they shrink by a fifth each, over six decades.
+constexpr int most_steps = 12, most_steps_of_mate = 60;
 constexpr double step_share = 0.03;
 
 /// Phases of all records nearer than this (radians) are one minimum.
@@ -105,10 +109,10 @@ void test_phases(const PhaseProblem& problem, const CaseFit& fit, const Equation
   phases.p_value = f_upper_tail(std::max(0.0, phases.f), unknown, left);
 }
 
-std::optional<PhaseFit> refined(const PhaseProblem& problem, std::vector<double> start) {
+std::optional<PhaseFit> refined(const PhaseProblem& problem, std::vector<double> start, int steps) {
   PhaseFit phases;
   phases.ahead = std::move(start);
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < steps; ++step) {
     const ObservationSet set = with_phases(problem, phases.ahead);
     const CaseFit fit = fit_case(set, problem.blocks, problem.known, {.threads = problem.threads});
     if (fit.fit.coefficients.size() == 0) return std::nullopt;
@@ -129,13 +133,22 @@ std::optional<PhaseFit> refined(const PhaseProblem& problem, std::vector<double>
 
 std::vector<PhaseFit> equal_minima(const PhaseProblem& problem, const std::vector<std::vector<double>>& starts) {
   std::vector<PhaseFit> found;
-  for (const std::vector<double>& start : starts) {
-    std::optional<PhaseFit> phases = refined(problem, start);
-    if (!phases || !(phases->left >= 1)) continue;
+  const auto search = [&](const std::vector<double>& start, int steps) {
+    std::optional<PhaseFit> phases = refined(problem, start, steps);
+    if (!phases || !(phases->left >= 1)) return;
     const bool known = std::any_of(found.begin(), found.end(), [&](const PhaseFit& other) {
       return agree(other.ahead, phases->ahead, same_phase);
     });
     if (!known) found.push_back(std::move(*phases));
+  };
+  for (const std::vector<double>& start : starts) search(start, most_steps);
+  // Half a turn of every phase fits as well with the other sign, whether or not a start has led there.
+  for (std::size_t m = 0, reached = found.size(); m < reached; ++m) {
+    std::vector<double> start = found[m].ahead;
+    for (double& angle : start) angle += std::numbers::pi;
+    if (std::none_of(found.begin(), found.end(),
+                     [&](const PhaseFit& other) { return agree(other.ahead, start, same_phase); }))
+      search(start, most_steps_of_mate);
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const PhaseFit& a, const PhaseFit& b) { return a.misfit < b.misfit; });

@@ -78,15 +78,6 @@ void keep_stable(std::vector<PhaseFit>& minima, const std::function<std::size_t(
   minima = std::move(kept);
 }
 
-// Half a turn of every phase fits as well with the other sign: both are looked at, whichever the search has met.
-std::vector<std::vector<double>> with_half_turns(std::vector<std::vector<double>> starts) {
-  for (std::size_t s = 0, found = starts.size(); s < found; ++s) {
-    starts.push_back(starts[s]);
-    for (double& angle : starts.back()) angle += std::numbers::pi;
-  }
-  return starts;
-}
-
 std::vector<LatenessOfRecords> lateness_by_minimum(const LateCase& late) {
   std::vector<double> frequency;
   for (const RecordMembers& record : late.problem.records)
@@ -261,7 +252,7 @@ UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const Me
                   {}};
     if (late.together.columns.empty() || late.problem.records.empty()) continue;
     const GridMinima on_grid = minima_on_grid(late.problem, late.together);
-    late.minima = equal_minima(late.problem, with_half_turns(on_grid.low));
+    late.minima = equal_minima(late.problem, on_grid.low);
     if (late.minima.empty()) {
       if (on_grid.p_value < false_alarm)
         result.cases.push_back({name, PhaseFinding::nothing_told, {}, 0, on_grid.p_value, ""});

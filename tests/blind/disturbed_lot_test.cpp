@@ -10,7 +10,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <set>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -131,10 +130,11 @@ void disturb_file(const fs::path& file, const Lot& lot, double neighbour_hz, Ran
     }
   }
   const double late = random.uniform(0, lot.late_s);
-  for (std::size_t c = 1; c < columns.size(); ++c) {
-    if (c > 1 && late > 0) columns[c] = delayed(columns[c], late);
-    disturb(columns[c], lot, c > 1, neighbour_hz, random);
-  }
+  for (std::size_t c = 2; c < columns.size() && late > 0; ++c) columns[c] = delayed(columns[c], late);
+  // What came before the record is not known.
+  const auto unknown = static_cast<std::ptrdiff_t>(std::ceil(lot.late_s * sample_rate)) + (lot.late_s > 0 ? 4 : 0);
+  for (Samples& column : columns) column.erase(column.begin(), column.begin() + unknown);
+  for (std::size_t c = 1; c < columns.size(); ++c) disturb(columns[c], lot, c > 1, neighbour_hz, random);
   std::ofstream out(file);
   out.precision(10);
   out << header << '\n';
