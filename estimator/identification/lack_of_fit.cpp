@@ -77,6 +77,53 @@ VectorXd unknown_truncation(const CaseFit& fit, const MatrixXd& unknown, Index r
   return unknown.rows() == change.size() ? VectorXd(unknown.transpose() * change) : change;
 }
 
+// Residuals over their measured noise, those of decays without what each record's own natural frequencies make of
+// them: how far records differ is scatter of the structure (record_scatter), and no law that the model lacks.
+struct Residuals {
+  VectorXd values;
+  std::map<Equation, double> unknowns;  // that this takes beyond those of the fit
+};
+
+Residuals residuals_of(const CaseFit& fit) {
+  Residuals result{fit.residual, {}};
+  if (fit.set->resonance->excited) return result;
+  for (std::size_t c = 0; c < fit.columns.size(); ++c) {
+    if (fit.columns[c].kind != CaseColumn::Kind::natural_frequency) continue;
+    struct Shift {
+      double squares = 0, product = 0;
+    };
+    std::map<std::pair<Equation, std::size_t>, Shift> shifts;  // by record
+    VectorXd column(fit.residual.size());
+    Index begin = 0;
+    for (const MatrixXd& factor : fit.system.colouring) {
+      column.segment(begin, factor.rows()) =
+          factor.triangularView<Eigen::Lower>() *
+          fit.system.design.col(static_cast<Index>(c)).segment(begin, factor.rows());
+      begin += factor.rows();
+    }
+    const auto key = [&](Index r) {
+      const std::size_t observation = fit.system.observation[static_cast<std::size_t>(r)];
+      return std::pair{equation_of(fit, r), fit.set->observations[observation].record};
+    };
+    for (Index r = 0; r < column.size(); ++r) {
+      Shift& shift = shifts[key(r)];
+      shift.squares += column(r) * column(r);
+      shift.product += column(r) * result.values(r);
+    }
+    double all = 0;
+    for (const auto& [place, shift] : shifts) all += shift.squares;
+    std::map<Equation, double> records;
+    for (const auto& [place, shift] : shifts)
+      if (shift.squares > rounding * all / static_cast<double>(shifts.size())) records[place.first] += 1;
+    for (const auto& [equation, count] : records) result.unknowns[equation] += count - 1;
+    for (Index r = 0; r < column.size(); ++r) {
+      const Shift& shift = shifts[key(r)];
+      if (shift.squares > 0) result.values(r) -= column(r) * shift.product / shift.squares;
+    }
+  }
+  return result;
+}
+
 // Residuals of one equation at one condition, over their measured noise.
 struct Group {
   double weights = 0, sum = 0, squares = 0, count = 0;  // of repeats
@@ -93,13 +140,13 @@ struct Conditions {
   std::map<std::size_t, std::vector<double>> in_time;  // residuals of repeats, by record
 };
 
-std::map<Equation, Conditions> gathered(const CaseFit& fit, const MatrixXd& unknown) {
+std::map<Equation, Conditions> gathered(const CaseFit& fit, const VectorXd& residuals, const MatrixXd& unknown) {
   const std::vector<bool> repeats = repeats_of(*fit.set);
   std::map<Equation, Conditions> equations;
-  for (Index r = 0; r < fit.residual.size(); ++r) {
+  for (Index r = 0; r < residuals.size(); ++r) {
     const auto at = static_cast<std::size_t>(r);
     const std::size_t observation = fit.system.observation[at];
-    const double weight = fit.weight[observation], z = fit.residual(r);
+    const double weight = fit.weight[observation], z = residuals(r);
     Conditions& conditions = equations[equation_of(fit, r)];
     Group& group = conditions.groups[fit.system.condition[at]];
     group.all_weights += weight;
@@ -188,8 +235,10 @@ std::optional<Scatter> scatter_of(const Conditions& conditions, bool of_dwells) 
 std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) {
   std::vector<LackOfFit> result;
   if (fit.fit.coefficients.size() == 0) return result;
-  const std::map<Equation, Conditions> equations = gathered(fit, unknown);
-  const std::map<Equation, double> unknowns = unknowns_of(fit, equations);
+  const Residuals residuals = residuals_of(fit);
+  const std::map<Equation, Conditions> equations = gathered(fit, residuals.values, unknown);
+  std::map<Equation, double> unknowns = unknowns_of(fit, equations);
+  for (const auto& [equation, taken] : residuals.unknowns) unknowns[equation] += taken;
   for (const auto& [equation, conditions] : equations) {
     LackOfFit test;
     test.block = equation.first;

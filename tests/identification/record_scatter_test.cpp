@@ -73,6 +73,9 @@ TEST(SlowRecordScatter, IsInTheErrorBars) {
       held += interval.low <= truth && truth <= interval.high;
       square += v.sd * v.sd / (truth * truth);
       EXPECT_LT(std::abs(*v.value - truth), 6 * v.sd) << scatter << ", " << seed;
+      for (const CaseLackOfFit& tests : estimate.lack_of_fit)  // how records differ is no law that the model lacks
+        for (const LackOfFit& test : tests.equations)
+          EXPECT_FALSE(test.significant) << test.name << ", " << scatter;
     }
     const double sd = std::sqrt(square / count);
     if (scatter == 0)
