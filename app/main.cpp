@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "app/shared/commands.hpp"
 #include "input/input_error.hpp"
@@ -28,6 +29,11 @@ int main(int argc, char** argv) {
     return 2;
   } catch (const secular::NumericalFailure& failure) {
     fmt::print(stderr, "secular: {}\n", failure.what());
+    return 1;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr,
+               "secular: this needs more memory than there is; shorter records, fewer of them or a lower order "
+               "need less\n");
     return 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "secular: internal error: {}\nPlease report this with the command that led to it.\n",

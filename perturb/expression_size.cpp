@@ -10,9 +10,10 @@
 namespace secular {
 namespace {
 
-// Guards, no statements about models: a formula of a structure has some tens of terms of degree below ten, and
-// numbers of double precision. What stays below all three is multiplied out within seconds.
-constexpr double most_terms = 1e5;
+// Guards, no statements about models: a formula of a structure has some tens of terms of degree below ten (a
+// quintic spring between ten modes 2002), and numbers of double precision. What stays below all three comes to an
+// end within minutes, most of it at once.
+constexpr double most_terms_by_degree = 2e4;
 constexpr double highest_degree = 512;
 constexpr double most_digits = 4000;
 
@@ -65,8 +66,9 @@ class Measure {
 
   Size of(const Expression& e) const {
     const Size size = unchecked(e);
-    if (size.terms > most_terms)
-      fail_at(source_, e.place, fmt::format("has more than {} terms when it is multiplied out", most_terms),
+    if (size.terms * std::max(1.0, size.degree) > most_terms_by_degree)
+      fail_at(source_, e.place,
+              fmt::format("has {:.3g} terms of degree {:g} when it is multiplied out", size.terms, size.degree),
               "lower its powers, or name a part of it by a symbol");
     if (size.degree > highest_degree)
       fail_at(source_, e.place, fmt::format("has a degree beyond {}", highest_degree), "lower its powers");

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "input/input_error.hpp"
+#include "perturb/factored_fraction.hpp"
 #include "perturb/formula_value.hpp"
 #include "perturb/prime_field.hpp"
 #include "perturb/row_reduction.hpp"
@@ -16,6 +17,26 @@ namespace {
 
 using GiNaC::ex;
 using GiNaC::numeric;
+
+GiNaC::exvector terms_of(const ex& sum) {
+  if (!GiNaC::is_exactly_a<GiNaC::add>(sum)) return {sum};
+  return {sum.begin(), sum.end()};
+}
+
+// above/below in few factors, by what is known of their denominators: greatest common divisors in the frequencies
+// of several modes come to no end.
+ex quotient(const ex& above, const ex& below) {
+  FractionSums sums;
+  const auto numerator = sums.sum(terms_of(above.expand())), denominator = sums.sum(terms_of(below.expand()));
+  if (!numerator || !denominator) return (above / below).normal();
+  ex ratio;
+  if (!GiNaC::divide(numerator->numerator, denominator->numerator, ratio))
+    ratio = (numerator->numerator / denominator->numerator).normal();
+  FactorPowers powers = denominator->denominator;
+  for (const auto& [factor, power] : numerator->denominator) powers[factor] -= power;
+  for (const auto& [factor, power] : powers) ratio *= GiNaC::pow(factor, power);
+  return ratio;
+}
 
 class LumpFinder {
  public:
@@ -94,7 +115,7 @@ class LumpFinder {
       try {
         const ex below = definition.subs(values, GiNaC::subs_options::no_pattern);
         if (vanishes(below)) continue;
-        return (coefficient.subs(values, GiNaC::subs_options::no_pattern) / below).normal();
+        return quotient(coefficient.subs(values, GiNaC::subs_options::no_pattern), below);
       } catch (const GiNaC::pole_error&) {
         continue;
       }
@@ -102,9 +123,8 @@ class LumpFinder {
     long next = 2;  // every single parameter alone makes it vanish, as in a product of two
     GiNaC::exmap values;
     for (const std::string& name : model_.parameters) values[model_.symbols.at(name)] = next++;
-    return (coefficient.subs(values, GiNaC::subs_options::no_pattern) /
-            definition.subs(values, GiNaC::subs_options::no_pattern))
-        .normal();
+    return quotient(coefficient.subs(values, GiNaC::subs_options::no_pattern),
+                    definition.subs(values, GiNaC::subs_options::no_pattern));
   }
 
   std::size_t use(Candidate candidate) {

@@ -103,8 +103,10 @@ class Predictor {
       throw InputError("--measured " + request_.measured, "", "there is no response to draw it on",
                        "measured dwells belong to a response over --vary of a case with excitation");
     if (!excited && (request_.vary || request_.against || request_.sweep_up || request_.sweep_down))
-      throw InputError("--vary, --curve, --sweep", "", "case " + name + " is without excitation",
-                       "leave them out: its backbone is computed; --largest sets how far");
+      throw InputError(
+          "--vary, --curve, --sweep", "", "case " + name + " is without excitation",
+          "leave them out: its backbone is computed; --largest sets how far. Limit cycles of a model that "
+          "excites itself are found over a parameter in a case that does not say excitation = false");
     if (!excited) return;
     if (!request_.vary)
       throw InputError("--vary", "", "is missing",

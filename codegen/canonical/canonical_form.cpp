@@ -1,9 +1,14 @@
 #include "codegen/canonical/canonical_form.hpp"
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
+
+#include "perturb/factored_fraction.hpp"
 
 namespace secular {
 namespace {
@@ -63,6 +68,27 @@ void CanonicalForm::mark_denominators(const GiNaC::ex& expression, std::vector<b
     for (std::size_t i = 0; i < expression.nops(); ++i) mark_denominators(expression.op(i), marked);
 }
 
+// By the factors of denominators as they stand; false, and nothing is added, where they are not all seen.
+bool CanonicalForm::add_factored(const Groups& groups, Terms& above, Terms& below) const {
+  FractionSums sums;
+  std::vector<std::pair<const std::vector<int>*, FactoredFraction>> fractions;
+  FactorPowers denominator;
+  for (const auto& [common, parts] : groups) {
+    std::optional<FactoredFraction> fraction = sums.sum(parts);
+    if (!fraction) return false;
+    for (const auto& [factor, power] : fraction->denominator)
+      denominator[factor] = std::max(denominator[factor], power);
+    fractions.emplace_back(&common, std::move(*fraction));
+  }
+  for (const auto& [common, fraction] : fractions) {
+    FactorPowers missing = denominator;
+    for (const auto& [factor, power] : fraction.denominator) missing[factor] -= power;
+    if (!fraction.numerator.is_zero()) add_terms(expanded_product(fraction.numerator, missing), *common, above);
+  }
+  add_terms(expanded_product(1, denominator), std::vector<int>(place_.size(), 0), below);
+  return true;
+}
+
 // N/D without common factors. Symbols that are in no denominator take no part in the search for common factors:
 // with x = sum of m_g N_g/D_g over their monomials m_g, each N_g/D_g in lowest terms, D = lcm(D_g) and N = sum of
 // m_g N_g D/D_g, a prime factor of D is in full power in some D_g: neither in its D/D_g nor in its N_g, so that it
@@ -71,7 +97,7 @@ void CanonicalForm::lowest_terms(const GiNaC::ex& expanded, Terms& above, Terms&
   std::vector<bool> in_denominator(place_.size(), false);
   mark_denominators(expanded, in_denominator);
   const std::vector<int> unity(place_.size(), 0);
-  std::map<std::vector<int>, GiNaC::exvector> groups;
+  Groups groups;
   const bool is_sum = GiNaC::is_a<GiNaC::add>(expanded);
   for (std::size_t i = 0; i < (is_sum ? expanded.nops() : 1); ++i) {
     std::vector<int> exponents = unity;
@@ -79,6 +105,7 @@ void CanonicalForm::lowest_terms(const GiNaC::ex& expanded, Terms& above, Terms&
                                  [&](std::size_t symbol) { return !in_denominator[symbol]; });
     groups[std::move(exponents)].push_back(rest);
   }
+  if (add_factored(groups, above, below)) return;
   struct Fraction {
     const std::vector<int>* common;
     GiNaC::ex above, below;

@@ -26,6 +26,8 @@ class CanonicalForm {
   GiNaC::ex split(const GiNaC::ex& product, std::vector<int>& exponents, const Taken& taken) const;
   void add_terms(const GiNaC::ex& expanded, const std::vector<int>& common, Terms& terms) const;
   void mark_denominators(const GiNaC::ex& expression, std::vector<bool>& marked) const;
+  using Groups = std::map<std::vector<int>, GiNaC::exvector>;
+  bool add_factored(const Groups& groups, Terms& above, Terms& below) const;
   void lowest_terms(const GiNaC::ex& expanded, Terms& above, Terms& below) const;
 
   std::map<GiNaC::ex, std::size_t, GiNaC::ex_is_less> place_;  ///< of a symbol in the order

@@ -1,5 +1,7 @@
 #include "motion/simulate/experiment.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -131,6 +133,33 @@ void read_integrator(const TomlTable& root, Experiment& experiment) {
   motion.fixed_step = 1 / (experiment.sample_rate_hz * positive(table, "steps_per_sample", 16.0));
 }
 
+/// Of a record, or while it settles: eight gigabytes a channel, and hours of integration.
+constexpr double most_samples = 1e9;
+
+// A time that no computer comes to the end of, or a record that is over before it begins.
+void refuse_length(const Experiment& experiment, const char* what, double seconds, bool recorded) {
+  const double samples = seconds * experiment.sample_rate_hz;
+  const std::string given = fmt::format("{} of {:g} s at {:g} Hz", what, seconds, experiment.sample_rate_hz);
+  if (!(samples <= most_samples))
+    throw InputError(experiment.file, "", fmt::format("{} is more than {:g} samples", given, most_samples),
+                     "check the unit (s, Hz)");
+  if (recorded && samples < 2)
+    throw InputError(experiment.file, "", given + " is fewer than two samples", "check the unit (s, Hz)");
+}
+
+void refuse_lengths(const Experiment& experiment) {
+  for (const DwellProgramme& dwell : experiment.dwells) {
+    refuse_length(experiment, "a dwell's settle_s", dwell.settle_s, false);
+    refuse_length(experiment, "a dwell", dwell.ensembles * dwell.ensemble_s, true);
+  }
+  for (const FreeDecayProgramme& decay : experiment.free_decays)
+    refuse_length(experiment, "a free_decay", decay.duration_s, true);
+  for (const SignalProgramme& signal : experiment.signals) {
+    refuse_length(experiment, "a record's settle_s", signal.settle_s, false);
+    refuse_length(experiment, "a sweep, impact or broadband record", signal.duration_s, true);
+  }
+}
+
 }  // namespace
 
 std::string experiment_model(const std::filesystem::path& path) {
@@ -202,6 +231,7 @@ Experiment read_experiment(const std::filesystem::path& path, const CompiledMode
   for (SimulatedChannel& response : experiment.responses) response.shape.resize(model.modes(), 0.0);
   if (experiment.dwells.empty() && experiment.free_decays.empty() && experiment.signals.empty())
     root.fail("dwell", "nothing to run", "add a [[dwell]], [[free_decay]], [[sweep]], [[impact]] or [[broadband]]");
+  refuse_lengths(experiment);
   return experiment;
 }
 

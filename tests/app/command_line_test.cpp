@@ -137,6 +137,24 @@ TEST_F(CommandLine, GenerateWritesWhatIsCommitted) {
     EXPECT_EQ(text_of(folder / "g" / name), text_of(root / "generated" / name)) << name;
 }
 
+// Limit cycles are found where a case leaves excitation = false out; where it says so, the message leads there.
+TEST_F(CommandLine, PredictFindsLimitCycles) {
+  std::string text =
+      "schema = 1\nname = \"rayleigh\"\n[[mode]]\ncoordinate = \"x\"\nfrequency = \"w\"\nequation = \"D2(x) + "
+      "w^2*x = "
+      "m*(1 - p*x^2 - r*D(x)^2)*D(x)\"\n[[case]]\nname = \"free\"\nrelations = []\norder = { m = 1, p = 0, r = 0 "
+      "}\n"
+      "expand_to = 2\n";
+  const std::string rest = " --case free --parameters " +
+                           written("values.json", R"({"w": 1, "m": 0.1, "p": 1, "r": 0.5})") +
+                           " --vary m 0.05 0.1 -o " + (folder / "out").string();
+  expect_bad_input(run("predict " + written("backbone.toml", text + "excitation = false\n") + rest),
+                   "in a case that does not say excitation = false");
+  const Outcome found = run("predict " + written("cycle.toml", text) + rest);
+  EXPECT_EQ(found.status, 0) << found.errors;
+  EXPECT_NE(found.output.find("branch 2: "), std::string::npos) << found.output;
+}
+
 // The files that list all models are not overwritten by a model's own.
 TEST_F(CommandLine, GenerateRefusesTheNameOfTheRegistry) {
   const std::string text = text_of(root / "models" / "pendulum.toml");

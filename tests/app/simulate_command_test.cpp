@@ -90,6 +90,18 @@ class SimulateCommand : public TemporaryFolder {
   int run(const std::string& arguments) const { return testing_support::run_program(folder_, arguments).status; }
 };
 
+// Times in another unit than was meant: nothing that would never end, and no record without samples.
+TEST_F(SimulateCommand, LengthsThatNobodyMeantAreRefused) {
+  EXPECT_TRUE(
+      contains(refusal([&] { loaded("", "1e15"); }), "settle_s of 1e+15 s at 128 Hz is more than 1e+09 samples"));
+  for (const char* const length : {"1e9", "1e300"})
+    EXPECT_TRUE(
+        contains(refusal([&] { loaded(std::string("[[free_decay]]\nduration_s = ") + length + "\n", "0.25"); }),
+                 "more than 1e+09 samples"));
+  EXPECT_TRUE(
+      contains(refusal([&] { loaded("[[free_decay]]\nduration_s = 1e-6\n", "0.25"); }), "fewer than two samples"));
+}
+
 std::string effect(const std::string& name, const std::string& keys) {
   return "[[effect]]\nname = \"" + name + "\"\n" + keys + "\n";
 }
