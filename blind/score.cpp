@@ -269,7 +269,8 @@ Score score_of(const json& sealed, const std::vector<Said>& said) {
   figures.push_back(detected.figure("gap detected (at least 3 sigma)", 0.99));
   figures.push_back(unknown.figure("effect outside of the catalogue is called unknown or approximate", 0.9));
   figures.push_back(misnamed.figure("effect outside of the catalogue is named as another one", 0.05, true));
-  figures.push_back(unknown_without.figure("effect left out of the catalogue in turn: called unknown or approximate", 0.9));
+  figures.push_back(
+      unknown_without.figure("effect left out of the catalogue in turn: called unknown or approximate", 0.9));
   figures.push_back(
       misnamed_without.figure("effect left out of the catalogue in turn: another one is named", 0.05, true));
   figures.push_back(pairs30.figure("two effects, both found, 30 dB", 0.7));

@@ -50,7 +50,7 @@ void print_next_experiment(const DiagnosisRun& run) {
 
 void print_summary(const DiagnosisRun& run, const std::string& folder) {
   const Diagnosis& d = run.diagnosis;
-  fmt::print("model {}: {} conditions, {} rows, {} of the recorded time\n", run.model->name, d.conditions,
+  fmt::print("model {}: {} conditions, {} rows, {} of the samples\n", run.model->name, d.conditions,
              d.labels.size(), report::format_percent(d.data_used));
   fmt::print("gap: {} (p = {:.2g}); {:.3g} times the repeatability", d.gap.detected ? "yes" : "none detected",
              d.gap.p_value, d.gap.before);

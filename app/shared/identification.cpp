@@ -184,6 +184,30 @@ void estimate_corrected(const IdentificationRequest& request, Identification& id
   }
 }
 
+// Numbers that the other sign of a case's excitation moves are doubtful, all of them where that cannot be
+// estimated. `before`: with phases as measured.
+void doubt_by_rival(const IdentificationRequest& request, const UnknownPhases& unknown, UnknownPhases::Rival& rival,
+                    const Identification& before, Estimate& estimate) {
+  Identification other = before;
+  other.measured = unknown.sets;
+  other.measured[rival.place] = std::move(rival.set);
+  const auto doubt = [&](const std::exception& failure) {
+    doubt_all(estimate);
+    estimate.warnings.push_back(
+        fmt::format("what the other sign of the excitation would make of the numbers cannot be said ({}): all are "
+                    "doubtful",
+                    failure.what()));
+  };
+  try {
+    estimate_corrected(request, other);
+    doubt_what_differs(estimate, other.estimate);
+  } catch (const NumericalFailure& failure) {
+    doubt(failure);
+  } catch (const InputError& failure) {
+    doubt(failure);
+  }
+}
+
 // Once more with phases as unknowns where equations do not hold. Numbers stay as they were, and those that this
 // moves are doubtful, where it is no explanation: equations still do not hold, or phases follow a law of the
 // amplitude. Where it is one, those that the other sign of the excitation moves are doubtful if that is not told.
@@ -205,13 +229,8 @@ void free_phases(const IdentificationRequest& request, const std::vector<Observa
       explained = explained && (lateness.finding == PhaseFinding::shifted || !is_freed(lateness));
     }
     if (explained) {
-      for (UnknownPhases::Rival& rival : unknown.rivals) {
-        Identification other = id;
-        other.measured = unknown.sets;
-        other.measured[rival.place] = std::move(rival.set);
-        estimate_corrected(request, other);
-        doubt_what_differs(freed.estimate, other.estimate);
-      }
+      for (UnknownPhases::Rival& rival : unknown.rivals)
+        doubt_by_rival(request, unknown, rival, id, freed.estimate);
       id = std::move(freed);
     } else {
       doubt_what_differs(id.estimate, freed.estimate);
@@ -237,10 +256,16 @@ void estimate_observed(const IdentificationRequest& request, Identification& id)
       id.excitation_units.push_back(id.campaign.channels[channel].unit);
   const std::vector<ObservationSet> observed = id.measured;
   estimate_corrected(request, id);
+  // The numbers with phases as measured stay where without them nothing can be estimated.
+  const auto say = [&](const std::exception& failure) {
+    id.estimate.warnings.push_back(fmt::format("whether records are late was not found out: {}", failure.what()));
+  };
   try {
     free_phases(request, observed, id);
-  } catch (const NumericalFailure&) {  // the numbers with phases as measured stay
-  } catch (const InputError&) {        // and where without phases nothing is left to estimate from
+  } catch (const NumericalFailure& failure) {
+    say(failure);
+  } catch (const InputError& failure) {
+    say(failure);
   }
 }
 

@@ -459,7 +459,7 @@ std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, 
     c.response = mean_of(ensembles, &Ensemble::response);
     c.excitation = mean_of(ensembles, &Ensemble::excitation);
     dwell.ensembles = ensembles.size();
-    c.length_s = static_cast<double>(ensembles.size()) * static_cast<double>(length) / rate;
+    c.samples = static_cast<Index>(ensembles.size()) * length;
     dwell.degrees_of_freedom = static_cast<double>(ensembles.size() - 1);
     dwell.response_scatter = scatter_of(ensembles, &Ensemble::response, c.response, About::mean, lines);
     dwell.excitation_scatter =

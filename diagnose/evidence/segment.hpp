@@ -21,8 +21,6 @@ struct Segment {
   Eigen::MatrixXd response;    ///< response channels x samples
   Eigen::VectorXd noise_sd;    ///< response channels
   int substeps = 1;
-
-  double length_s() const { return sample_s * static_cast<double>(response.cols()); }
 };
 
 enum class SegmentLength {

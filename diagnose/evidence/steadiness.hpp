@@ -20,9 +20,9 @@ struct Unsteadiness {
 
 Unsteadiness judge_steadiness(const std::vector<Nonstationarity>& nonstationarity, const Campaign& campaign);
 
-/// Takes out the conditions whose motion is not steady, and their nonstationarity, as long as most are: a few dwells
-/// that vary have no mean motion to compare; where most do, the mean is all there is. Returns the files they came
-/// from.
+/// Takes out the conditions whose motion is not steady, and their nonstationarity, as long as most are: a few
+/// dwells that vary have no mean motion to compare; where most do, the mean is all there is. Returns the files they
+/// came from.
 std::vector<std::string> leave_out_unsteady(std::vector<Condition>& conditions,
                                             std::vector<Nonstationarity>& nonstationarity,
                                             const Campaign& campaign);

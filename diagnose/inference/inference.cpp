@@ -509,12 +509,13 @@ class Search {
     double least = result_.null.fit.chi_squared;
     for (const Explanation& e : found_)
       if (has_ended(e)) least = std::min(least, e.fit.chi_squared);
+    const double dispersion = std::max(1.0, least / std::max(1.0, result_.degrees_of_freedom));
     RefitOptions options = refit_options();
     options.bends = true;
     options.iterations *= longer_in_valleys;
     in_parallel(found_.size(), options_.threads, [&](std::size_t i) {
       Refit& fit = found_[i].fit;
-      if (!has_ended(found_[i]) && fit.chi_squared < least + 2 * price_)
+      if (!has_ended(found_[i]) && fit.chi_squared < least + 2 * price_ * dispersion)
         fit = refit(discrepancy_, fit.unknowns, fit.free, options);
     });
     keep_best_of_each(found_, candidates_);

@@ -34,9 +34,6 @@ constexpr double structure_alarm = 1e-4;
 /// A cause closes more of the gap than it leaves.
 constexpr double least_closing = 0.5;
 
-/// An explanation that leaves structure beside it is an approximate one from this share of the gap on.
-constexpr double most_of_the_gap = 0.9;
-
 /// One row counts with no more standard deviations than this: outliers are no smooth function.
 constexpr double largest_row = 3;
 

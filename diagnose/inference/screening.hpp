@@ -27,8 +27,8 @@ class KnownScales {
   Eigen::VectorXd scales_;
 };
 
-/// Screens every candidate from the fit `base` on, start by start of their shapes, by slopes in the strengths of all
-/// at once.
+/// Screens every candidate from the fit `base` on, start by start of their shapes, by slopes in the strengths of
+/// all at once.
 std::vector<Screening> screen_all(Discrepancy& discrepancy, const Refit& base,
                                   const std::vector<Candidate>& candidates, KnownScales& scales, unsigned threads);
 

@@ -23,32 +23,32 @@ using Eigen::VectorXd;
 /// Samples of decays, sweeps and broadband records that are compared, in all.
 constexpr Index most_samples = 6000;
 
-// Reads records and notes how long each is within a window.
-class TimedReader {
+// Reads records and notes how many samples of each are within a window.
+class CountingReader {
  public:
-  TimedReader(const RecordReader& read, const Window& window) : read_(read), window_(window) {}
+  CountingReader(const RecordReader& read, const Window& window) : read_(read), window_(window) {}
 
   Record operator()(std::size_t index) {
     Record record = read_(index);
-    length_s_[index] = static_cast<double>(range_of(record, window_).count) / record.sample_rate_hz;
+    samples_[index] = range_of(record, window_).count;
     return record;
   }
 
-  double length_s() const {
-    return std::accumulate(length_s_.begin(), length_s_.end(), 0.0,
-                           [](double sum, const auto& record) { return sum + record.second; });
+  Index samples() const {
+    return std::accumulate(samples_.begin(), samples_.end(), Index{0},
+                           [](Index sum, const auto& record) { return sum + record.second; });
   }
 
  private:
   const RecordReader& read_;
   const Window& window_;
-  std::map<std::size_t, double> length_s_;  // by record
+  std::map<std::size_t, Index> samples_;  // by record
 };
 
-double compared_s(const std::vector<Condition>& conditions, const std::vector<Segment>& segments) {
-  double sum = 0;
-  for (const Condition& condition : conditions) sum += condition.length_s;
-  for (const Segment& segment : segments) sum += segment.length_s();
+Index compared_samples(const std::vector<Condition>& conditions, const std::vector<Segment>& segments) {
+  Index sum = 0;
+  for (const Condition& condition : conditions) sum += condition.samples;
+  for (const Segment& segment : segments) sum += segment.response.cols();
   return sum;
 }
 
@@ -143,12 +143,12 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
     const double seen = seen_frequency(options, k);
     natural.push_back(std::isfinite(seen) ? seen : result.start(static_cast<Index>(k)));
   }
-  TimedReader timed(read, options.window);
-  const RecordReader timed_read = [&](std::size_t r) { return timed(r); };
-  ObservedConditions observed = observe_conditions(campaign, timed_read, model, sensors, natural, options.window);
+  CountingReader counting(read, options.window);
+  const RecordReader counted = [&](std::size_t r) { return counting(r); };
+  ObservedConditions observed = observe_conditions(campaign, counted, model, sensors, natural, options.window);
   result.warnings = std::move(observed.warnings);
   const auto cut = [&](const Window& window, SegmentLength length) {
-    return cut_segments(campaign, timed_read, sensors, natural, {window, length, most_samples}, result.warnings);
+    return cut_segments(campaign, counted, sensors, natural, {window, length, most_samples}, result.warnings);
   };
   std::vector<Segment> segments = cut(options.window, SegmentLength::turns);
   if (observed.conditions.empty() && segments.empty())
@@ -165,7 +165,8 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
     result.warnings.push_back(fmt::format("left out because their motion is not steady: {}", short_list(left_out)));
   result.unsteady = judge_steadiness(observed.nonstationarity, campaign);
   if (result.unsteady.detected) result.warnings.push_back(unsteady_warning(result.unsteady));
-  result.data_used = compared_s(result.conditions, segments) / timed.length_s();
+  result.data_used =
+      static_cast<double>(compared_samples(result.conditions, segments)) / static_cast<double>(counting.samples());
   const LargestMotions largest = largest_motions(result.conditions, segments, sensors, natural);
   set_scales(result.forces, largest.displacement, natural);
   result.candidates =

@@ -24,7 +24,7 @@ struct Comparison {
   Eigen::VectorXd start;  ///< given or nominal values; zero where there is neither
   std::vector<Condition> conditions;
   std::size_t segments = 0;
-  double data_used = 0;  ///< what is compared, of the time that the records hold within the window
+  double data_used = 0;  ///< of the samples that the records hold within the window
   std::vector<Candidate> candidates;
   Discrepancy discrepancy;
   const SegmentEvidence* segment_evidence = nullptr;  ///< part of `discrepancy`; null: there is none

@@ -102,9 +102,11 @@ class Diagnoser {
     gap.noise_misjudged = chi_squared * most_overestimated < freedom && 1 - omnibus < false_alarm;
   }
 
-  // Of the fit that the verdict is about.
-  void take_numbers(const Refit& fit) {
-    result_.fitted = fitted_numbers(fit, comparison_.unknown_names(model_),
+  // Of the explanation that the verdict is about.
+  void take_numbers(const Explanation& explanation) {
+    std::vector<const Candidate*> members;
+    for (const std::size_t m : explanation.members) members.push_back(&comparison_.candidates[m]);
+    result_.fitted = fitted_numbers(explanation.fit, members, comparison_.unknown_names(model_),
                                     static_cast<double>(discrepancy().freedom()), campaign_, model_);
   }
 
@@ -113,7 +115,7 @@ class Diagnoser {
     GapReport& gap = result_.gap;
     gap.before = gap.after =
         std::sqrt(result_.rows_before.squaredNorm() / static_cast<double>(discrepancy().freedom()));
-    take_numbers(inference_.null.fit);
+    take_numbers(inference_.null);
     if (gap.noise_misjudged) {
       result_.verdict = "unknown";
       result_.unknown_because = "the noise is misjudged: a gap could not be seen";
@@ -176,7 +178,7 @@ class Diagnoser {
     const ClosedShare closing = closed_share(before, held_out_rows(*best_), result_.labels, result_.gap.floor);
     fill_gap(closing);
     result_.rows_after = best_->fit.rows;
-    take_numbers(best_->fit);
+    take_numbers(*best_);
     if (!best_->members.empty())
       result_.gap.placebo_closed = placebo_closed(inference_.null.fit, best_->fit.rows - inference_.null.fit.rows,
                                                   result_.labels, result_.gap.floor);
@@ -207,8 +209,8 @@ class Diagnoser {
         result_.cause = naming.set.size() == 1 ? naming.set.front() : "";
       } else if (reach == Reach::approximate) {
         result_.verdict = "approximate";
-        result_.gap.left_share = 1 - closing.closed;
-        add_neighbours(best, named, before);
+        if (!own_numbers_will_do(before) && !best.explanation->members.empty()) add_neighbours(best, named, before);
+        result_.gap.left_share = 1 - result_.gap.closed;
       } else if (result_.unknown_because.empty()) {
         result_.unknown_because = what_is_missing(result_.residual_structure, closing);
       }
@@ -217,18 +219,50 @@ class Diagnoser {
     return naming;
   }
 
+  // Whether the model's own numbers, fitted, close most of the gap of those that were given: what an effect that is
+  // tried beside them closes is their doing then.
+  bool own_numbers_will_do(const VectorXd& before) {
+    if (!options_.given || best_->members.empty()) return false;
+    const ClosedShare closing =
+        closed_share(before, held_out_rows(inference_.null), result_.labels, result_.gap.floor);
+    if (!closes_most(closing)) return false;
+    best_ = &inference_.null;
+    fill_gap(closing);
+    take_numbers(inference_.null);
+    result_.rows_after = inference_.null.fit.rows;
+    result_.set = {"parameters"};
+    result_.together.clear();
+    result_.second_or.clear();
+    return true;
+  }
+
   // Where even the best explanation is not all, how much likelier it is than others rests on a model that does not
-  // hold: effects in the place of one of its own that close most of the gap as well act as much like what is there.
+  // hold: an effect in the place of one of its own acts as much like what is there if it does nine tenths of what
+  // that one does beside the other.
   void add_neighbours(const Rival& best, const std::vector<Rival>& named, const VectorXd& before) {
+    const auto left_by = [&](const VectorXd& rows) {
+      return closed_share(before, rows, result_.labels, result_.gap.floor).after;
+    };
+    const auto alone = [&](const std::vector<std::string>& effects) {
+      return std::find_if(named.begin(), named.end(), [&](const Rival& r) { return r.effects == effects; });
+    };
+    const double left = left_by(held_out_rows(*best.explanation));
     int tried = 0;
     for (const Rival& rival : named) {
       const std::vector<std::string> instead = only_in(rival.effects, best.effects),
                                      of = only_in(best.effects, rival.effects);
       if (rival.effects.size() != best.effects.size() || instead.size() != 1 || of.size() != 1) continue;
       std::vector<std::string>& names = of.front() == result_.set.front() ? result_.set : result_.second_or;
-      if (std::find(names.begin(), names.end(), instead.front()) != names.end()) continue;
+      const auto holds = [&](const std::vector<std::string>& list, const std::string& name) {
+        return std::find(list.begin(), list.end(), name) != list.end();
+      };
+      if (holds(names, instead.front()) || holds(rival.contains, of.front())) continue;
+      const std::vector<std::string> shared = only_in(best.effects, of);
+      const auto beside = alone(shared);
+      if (!shared.empty() && beside == named.end()) continue;
       if (tried++ == most_neighbours) return;
-      if (closes_most(closed_share(before, held_out_rows(*rival.explanation), result_.labels, result_.gap.floor)))
+      const double without = shared.empty() ? result_.gap.before : left_by(held_out_rows(*beside->explanation));
+      if (without - left_by(held_out_rows(*rival.explanation)) >= most_of_the_gap * (without - left))
         names.push_back(instead.front());
     }
   }

@@ -36,8 +36,9 @@ class Units {
 
 }  // namespace
 
-FittedNumbers fitted_numbers(const Refit& fit, const std::vector<std::string>& names, double rows,
-                             const Campaign& campaign, const CompiledModel& model) {
+FittedNumbers fitted_numbers(const Refit& fit, const std::vector<const Candidate*>& members,
+                             const std::vector<std::string>& names, double rows, const Campaign& campaign,
+                             const CompiledModel& model) {
   FittedNumbers numbers;
   const Units units(campaign, model);
   std::vector<Index> places, unknowns;
@@ -52,6 +53,21 @@ FittedNumbers fitted_numbers(const Refit& fit, const std::vector<std::string>& n
   const double freedom = rows - static_cast<double>(fit.rank);
   numbers.covariance =
       (freedom > 0 ? std::max(1.0, fit.chi_squared / freedom) : 1.0) * fit.covariance(places, places);
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Identity(numbers.values.size(), numbers.values.size());
+  const auto place = [&](std::size_t unknown) {
+    return std::find(unknowns.begin(), unknowns.end(), static_cast<Index>(unknown)) - unknowns.begin();
+  };
+  for (const Candidate* member : members) {
+    const Index at = place(member->strengths.front());
+    if (at == numbers.values.size()) continue;
+    const Candidate::Strength strength = member->strength_of_term(fit.unknowns);
+    numbers.values(at) = strength.value;
+    slopes(at, at) = strength.by_strength;
+    if (strength.by_shape == 0) continue;
+    if (const Index shape = place(member->shapes.front()); shape < numbers.values.size())
+      slopes(at, shape) = strength.by_shape;
+  }
+  numbers.covariance = slopes * numbers.covariance * slopes.transpose();
   return numbers;
 }
 

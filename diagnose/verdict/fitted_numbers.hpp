@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/effects/candidate.hpp"
 #include "diagnose/inference/refit.hpp"
 #include "estimator/model/compiled_model.hpp"
-#include "measure/data/campaign.hpp"
+#include "measure/observe/observation_set.hpp"
 
 namespace secular {
 
@@ -18,10 +19,12 @@ struct FittedNumbers {
   Eigen::MatrixXd covariance;
 };
 
+/// `members`: candidates of the explanation whose fit this is; their strengths are given as their terms have them.
 /// `names`: of all unknowns, those of the model's symbols first. `rows`: how many of the fit's rows are
 /// independent; what they leave beyond repeatability widens the covariance. Units follow from those of the channels
 /// of `campaign`; a symbol that multiplies a force with a signal of its own (memory, time, a power) has none.
-FittedNumbers fitted_numbers(const Refit& fit, const std::vector<std::string>& names, double rows,
-                             const Campaign& campaign, const CompiledModel& model);
+FittedNumbers fitted_numbers(const Refit& fit, const std::vector<const Candidate*>& members,
+                             const std::vector<std::string>& names, double rows, const Campaign& campaign,
+                             const CompiledModel& model);
 
 }  // namespace secular

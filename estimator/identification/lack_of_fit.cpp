@@ -22,7 +22,8 @@ using Eigen::VectorXd;
 /// Probability that a case whose equations hold shows a significant lack of fit.
 constexpr double false_alarm = 0.001;
 
-/// Of a window's length, by which its neighbour may seem to overlap it.
+/// Less is rounding: of a window's length, by which its neighbour may seem to overlap it; of a column's squares, in
+/// rows where the column is not.
 constexpr double rounding = 1e-3;
 
 /// Where there are fewer degrees of freedom among the repeats of dwells, the measured noise stands for them. What
@@ -107,8 +108,9 @@ Residuals residuals_of(const CaseFit& fit) {
     };
     for (Index r = 0; r < column.size(); ++r) {
       Shift& shift = shifts[key(r)];
-      shift.squares += column(r) * column(r);
-      shift.product += column(r) * result.values(r);
+      const double weight = fit.weight[fit.system.observation[static_cast<std::size_t>(r)]];
+      shift.squares += weight * column(r) * column(r);
+      shift.product += weight * column(r) * result.values(r);
     }
     double all = 0;
     for (const auto& [place, shift] : shifts) all += shift.squares;
@@ -137,7 +139,7 @@ struct Group {
 
 struct Conditions {
   std::map<int, Group> groups;
-  std::map<std::size_t, std::vector<double>> in_time;  // residuals of repeats, by record
+  std::map<std::size_t, std::vector<double>> in_time;  // residuals of repeats that are no outliers, by record
 };
 
 std::map<Equation, Conditions> gathered(const CaseFit& fit, const VectorXd& residuals, const MatrixXd& unknown) {
@@ -152,7 +154,7 @@ std::map<Equation, Conditions> gathered(const CaseFit& fit, const VectorXd& resi
     group.all_weights += weight;
     group.all_count += 1;
     if (!repeats[observation]) continue;
-    conditions.in_time[fit.set->observations[observation].record].push_back(z);
+    if (weight == 1) conditions.in_time[fit.set->observations[observation].record].push_back(z);
     group.weights += weight;
     group.sum += weight * z;
     group.squares += weight * z * z;

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 
 namespace secular {
@@ -38,13 +39,16 @@ std::map<std::size_t, RecordPart> parts_of(const CaseFit& fit, Index column) {
   return records;
 }
 
-// Variance of x_r'e by what the stretches of the record scatter about their common shift.
+// Variance V of x_r'e by what the stretches of the record scatter about their common shift: with shares w_g of
+// |x_r|^2, sum (x_g'e - w_g x_r'e)^2 is (1 - sum w_g^2) V on average. Infinite where one stretch is all.
 double variance_of_product(const RecordPart& part) {
-  const auto count = static_cast<double>(part.stretches.size());
-  double sum = 0;
-  for (const auto& [label, stretch] : part.stretches)
-    sum += std::pow(stretch.second - stretch.first / part.squares * part.product, 2);
-  return count > 1 ? sum * count / (count - 1) : 0;
+  double sum = 0, left = 1;
+  for (const auto& [label, stretch] : part.stretches) {
+    const double share = stretch.first / part.squares;
+    sum += std::pow(stretch.second - share * part.product, 2);
+    left -= share * share;
+  }
+  return left > 1e-6 ? sum / left : std::numeric_limits<double>::infinity();
 }
 
 // Variance of the natural frequency between records, by moments: what x_r'e show of it beyond the scatter of
@@ -53,7 +57,9 @@ double variance_between(const std::map<std::size_t, RecordPart>& records) {
   double excess = 0, share = 0;
   for (const auto& [index, part] : records) {
     const double leverage = part.seen.squaredNorm() / part.squares;
-    excess += (part.product * part.product - variance_of_product(part) * (1 - leverage)) / part.squares;
+    const double by_stretches = variance_of_product(part);
+    if (!std::isfinite(by_stretches)) return 0;
+    excess += (part.product * part.product - by_stretches * (1 - leverage)) / part.squares;
     for (const auto& [other, of_other] : records) {
       const double own = index == other ? part.squares : 0;
       share += std::pow(own - part.seen.dot(of_other.seen), 2) / part.squares;

@@ -29,12 +29,12 @@ std::span<const DisturbanceKind> disturbance_catalogue() {
                       "means of blocks longer than four turns against their scatter (Student's t)",
                       "a force or a spring of even order seems to act", find_offsets},
       DisturbanceKind{
-          "wander", "a zero that moves slower than all motion", "rms about its mean, in the channel's unit",
+          "offset_wander", "a zero that moves slower than all motion", "rms about its mean, in the channel's unit",
           "four slow cosines against what the means of blocks scatter beside them, coloured as it is "
           "(F law); what follows the square of the motion is the motion's own",
           "looks like a stiffness or a position of rest that changes; leaks into slow lines", find_wander},
       DisturbanceKind{
-          "ringing", "in a dwell: a line that has gone in the second half, of another mode or of the start",
+          "neighbour_mode", "in a dwell: a line that has gone in the second half, of another mode or of the start",
           "amplitude at the begin, in the channel's unit",
           "the first block's line over that of 8 to 32 late ones (F law), blocks of many lengths",
           "early ensembles differ from late ones; a mode outside of the model seems to be driven", find_ringing},
@@ -43,7 +43,7 @@ std::span<const DisturbanceKind> disturbance_catalogue() {
                       "a gap between the largest and the tail of all (spacings of ordered values, F law); putting "
                       "the one sample right puts its neighbours right",
                       "white noise of the spikes' energy in every line", find_spikes},
-      DisturbanceKind{"knocks", "a few samples that stand out together: a blow beside the test, a loose contact",
+      DisturbanceKind{"knock", "a few samples that stand out together: a blow beside the test, a loose contact",
                       "the largest, in the channel's unit", "as spikes, but neighbours stand out too",
                       "the motion starts anew: what follows rings", find_knocks},
       DisturbanceKind{"held_samples", "samples that repeat the one before although the signal goes on",
@@ -55,10 +55,10 @@ std::span<const DisturbanceKind> disturbance_catalogue() {
       DisturbanceKind{"clipping", "samples stuck at the ends of the range", "number of samples",
                       "more peaks end at one value than smooth peaks do (binomial law, one in a million)",
                       "amplitudes are too small, and harmonics appear that the motion has not", find_clipped},
-      DisturbanceKind{"time_scatter", "time stamps that scatter about even ones", "rms, s",
+      DisturbanceKind{"uneven_time", "time stamps that scatter about even ones", "rms, s",
                       "beyond the rounding of the stamps", "noise of 2 pi f times the scatter in a tone of f Hz",
                       find_time_scatter},
-      DisturbanceKind{"late_records", "responses shifted in time against their excitation, by record", "s",
+      DisturbanceKind{"late_record", "responses shifted in time against their excitation, by record", "s",
                       "by identify, from a case's equations with and without phases of their own (F law)",
                       "phases tell neither damping nor force: the fit does without them"},
   };

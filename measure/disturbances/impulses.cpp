@@ -156,7 +156,7 @@ void find_knocks(const SearchedRecord& record, std::vector<Disturbance>& found) 
       std::erase_if(knocks, [&](const Impulses::One& knock) {
         return static_cast<std::ptrdiff_t>(knock.at) <= largest - samples.begin();
       });
-    add(record, c, "knocks", knocks, found);
+    add(record, c, "knock", knocks, found);
   }
 }
 

@@ -34,7 +34,7 @@ void find_lost_samples(const SearchedRecord& record, std::vector<Disturbance>& f
 
 void find_time_scatter(const SearchedRecord& record, std::vector<Disturbance>& found) {
   if (!(record.jitter_s > 0) || record.channels.empty()) return;
-  Disturbance scatter = record.found("time_scatter", 0, record.jitter_s);
+  Disturbance scatter = record.found("uneven_time", 0, record.jitter_s);
   scatter.channel.reset();
   scatter.unit = "s";
   scatter.share = record.jitter_s * record.rate;

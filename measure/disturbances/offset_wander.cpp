@@ -166,8 +166,8 @@ void find_wander(const SearchedRecord& record, std::vector<Disturbance>& found) 
   for (std::size_t c = 0; length > 0 && c < record.channels.size(); ++c) {
     const std::optional<Zero> zero = zero_of(record, c, length);
     if (!zero || zero->probability > record.level) continue;
-    Disturbance wander =
-        record.found("wander", c, std::sqrt(zero->wander.squaredNorm() / static_cast<double>(zero->wander.size())));
+    Disturbance wander = record.found(
+        "offset_wander", c, std::sqrt(zero->wander.squaredNorm() / static_cast<double>(zero->wander.size())));
     wander.text = fmt::format("the zero wanders by {:.3g} {} rms, from {:.3g} to {:.3g} about its mean",
                               wander.size, wander.unit, zero->wander.minCoeff(), zero->wander.maxCoeff());
     found.push_back(std::move(wander));

@@ -84,7 +84,7 @@ Disturbance described(const SearchedRecord& record, std::size_t c, const Ring& r
     sum += window[i] * std::exp(-rate * static_cast<double>(i) / record.rate);
     whole += window[i];
   }
-  Disturbance found = record.found("ringing", c, 2 * std::sqrt(ring.first) / sum);
+  Disturbance found = record.found("neighbour_mode", c, 2 * std::sqrt(ring.first) / sum);
   found.frequency_hz = ring.frequency_hz;
   const double noise = 2 * std::sqrt(ring.late) / whole;
   if (rate > 0 && found.size > noise)

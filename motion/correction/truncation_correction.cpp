@@ -508,10 +508,7 @@ TruncationCorrection correct_truncation(std::span<const ObservationSet> measured
   } catch (const NumericalFailure& beyond_bounds) {
     const std::string reason = beyond_bounds.what();
     const std::size_t all = count_of_observations(measured);
-    EstimateOptions quick = options;
-    quick.judge_fit = quick.damping_laws = false;
-    quick.rough_errors = true;
-    quick.bootstrap = 0;
+    const EstimateOptions quick = on_the_way(options);
     for (const double share : small_shares) {
       const std::vector<ObservationSet> small = small_motions(measured, share);
       const std::size_t left_out = all - count_of_observations(small);

@@ -178,7 +178,7 @@ TEST_F(SlowMeasuredMagnetBeam, WithACubicSpringActsLikeAnAsymmetryAndADampingTha
   ASSERT_TRUE(d.is_object()) << printed();
   EXPECT_EQ(d["verdict"], "approximate");
   EXPECT_TRUE(has(d["set"], {"quadratic_stiffness", "quadratic_inertia"})) << d["set"];
-  nlohmann::json second = d["second_or"];
+  nlohmann::json second = d.value("second_or", nlohmann::json::array());
   second.push_back(d["together"][1]);
   EXPECT_TRUE(has(second, {"quadratic_damping"})) << second;
   EXPECT_GT(d["gap"]["closed"].get<double>(), 0.9);

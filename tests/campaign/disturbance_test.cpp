@@ -133,14 +133,14 @@ std::vector<Case> cases() {
           {"converter_step", decay, rounded(0.08), 0.08, 1e-6},
           {"offset", dwell, add(zero, 0.005), 0.005, 0.2},
           {"offset", decay, add(zero, -0.05), 0.05, 0.1},
-          {"wander", dwell, add(wander, 0.01), 0.01, 0.2},
-          {"wander", decay, add(wander, 0.05), 0.05, 0.1},
-          {"ringing", dwell, add(ring, 0.1), 0.1, 0.4},
-          {"ringing", dwell, add(ring, 0.4), 0.4, 0.2},
+          {"offset_wander", dwell, add(wander, 0.01), 0.01, 0.2},
+          {"offset_wander", decay, add(wander, 0.05), 0.05, 0.1},
+          {"neighbour_mode", dwell, add(ring, 0.1), 0.1, 0.4},
+          {"neighbour_mode", dwell, add(ring, 0.4), 0.4, 0.2},
           {"spikes", dwell, spiked(0.5), 0.5, 0.1},
           {"spikes", decay, spiked(0.3), 0.3, 0.1},
-          {"knocks", dwell, knocked(0.5), 0.8, 0.3},
-          {"knocks", decay, knocked(0.3), 0.5, 0.3},
+          {"knock", dwell, knocked(0.5), 0.8, 0.3},
+          {"knock", decay, knocked(0.3), 0.5, 0.3},
           {"held_samples", dwell, held(1000), 4, 0.3},
           {"held_samples", dwell, held(40), 102, 0.1},
           {"clipping", dwell, clipped(0.9), 1216, 0.01, "offset"},
@@ -171,7 +171,7 @@ TEST(Disturbances, EveryKindIsFoundWithItsSizeAndNothingElse) {
 }
 
 TEST(Disturbances, EveryRowHasACase) {
-  std::set<std::string> tested = {"time_scatter", "late_records"};  // of stamps; of identify
+  std::set<std::string> tested = {"uneven_time", "late_record"};  // of stamps; of identify
   for (const Case& c : cases()) tested.insert(c.kind);
   for (const DisturbanceKind& kind : disturbance_catalogue())
     EXPECT_TRUE(tested.contains(std::string(kind.name))) << kind.name;
@@ -236,7 +236,7 @@ TEST(Disturbances, TheMotionItselfIsNone) {
     record.channels[1][i] = std::sin(p) + 0.3 * (std::cos(p) > 0 ? 1 : -1) + 0.001 * normal();
   }
   for (const Disturbance& d : find_disturbances(campaign, 0, record))
-    EXPECT_TRUE(d.kind != "spikes" && d.kind != "knocks") << d.text;
+    EXPECT_TRUE(d.kind != "spikes" && d.kind != "knock") << d.text;
   campaign = campaign_of(1, RecordKind::free_decay);
   campaign.channels[1].quantity = Quantity::displacement;
   record = clean(RecordKind::free_decay, 12);

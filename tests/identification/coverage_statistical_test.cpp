@@ -180,9 +180,8 @@ TEST(StatisticalCoverage, FreeDecay) {
   }
 }
 
-// A decay that is taken for one of a linear damping, or of a linear spring: windows that follow one another agree
-// with each other and not with the model, and what rests on the equation that lacks something is no confident
-// number.
+// A decay that is taken for one of a linear damping: windows that follow one another agree with each other and not
+// with the model, and what rests on the equation that lacks something is no confident number.
 TEST(LackOfFitOfDecays, ALawThatIsMissingIsTold) {
   const Experiment e = two_decays();
   const CompiledModel& model = *generated::find_compiled_model(e.model);

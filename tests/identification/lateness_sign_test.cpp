@@ -76,17 +76,19 @@ TEST(LatenessSign, OfACommonDelayIsToldIfItIsSmall) {
 
 // Records of a slower case have told how late the recorder is.
 TEST(LatenessSign, IsToldByOtherCasesOfTheCampaign) {
-  double wrong = 0;
+  double wrong = 0, right = 0;
   for (std::uint64_t draw = 1; draw <= 50; ++draw) {
     Delays delays(draw);
     const std::vector<LatenessOfRecords> minima = both(delays.between(0, 0.02, 12));
     const auto told = told_by_other_lateness(minima, delays.between(0, 0.02, 12));
     wrong += told == 1U;
+    right += told == 0U;
     EXPECT_FALSE(told_by_other_lateness(minima, {})) << draw;
     // Of another recorder, half way between both.
     EXPECT_FALSE(told_by_other_lateness(minima, delays.between(0.0224, 0.0226, 12))) << draw;
   }
   EXPECT_GT(binomial_upper_tail(wrong, 50, 0.005), 1e-4);
+  EXPECT_GT(right, 45);
 }
 
 }  // namespace
