@@ -13,7 +13,7 @@ namespace {
 // Guards, no statements about models: a formula of a structure has some tens of terms of degree below ten (a
 // quintic spring between ten modes 2002), and numbers of double precision. What stays below all three comes to an
 // end within minutes, most of it at once.
-constexpr double most_terms_by_degree = 2e4;
+constexpr double most_terms_by_degree = 5e4;
 constexpr double highest_degree = 512;
 constexpr double most_digits = 4000;
 

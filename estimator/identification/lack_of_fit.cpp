@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "numerics/distribution.hpp"
@@ -22,9 +23,11 @@ using Eigen::VectorXd;
 /// Probability that a case whose equations hold shows a significant lack of fit.
 constexpr double false_alarm = 0.001;
 
-/// Less is rounding: of a window's length, by which its neighbour may seem to overlap it; of a column's squares, in
-/// rows where the column is not.
+/// Of a window's length, by which its neighbour may seem to overlap it.
 constexpr double rounding = 1e-3;
+
+/// A column of a record of which others leave no more than this share is theirs.
+constexpr double dependent = 1e-6;
 
 /// Where there are fewer degrees of freedom among the repeats of dwells, the measured noise stands for them. What
 /// repeats in a decay is not the noise alone (other modes ring, too): it takes this many, or there is no test.
@@ -78,50 +81,50 @@ VectorXd unknown_truncation(const CaseFit& fit, const MatrixXd& unknown, Index r
   return unknown.rows() == change.size() ? VectorXd(unknown.transpose() * change) : change;
 }
 
-// Residuals over their measured noise, those of decays without what each record's own natural frequencies make of
-// them: how far records differ is scatter of the structure (record_scatter), and no law that the model lacks.
+// Residuals over their measured noise. Where there are several decays, without what coefficients of each record's
+// own would make of them: how records differ is scatter of the structure (record_scatter), and no law that the
+// model lacks.
 struct Residuals {
   VectorXd values;
-  std::map<Equation, double> unknowns;  // that this takes beyond those of the fit
+  std::map<Equation, double> unknowns;  // that this takes; none: those of the fit alone
 };
+
+std::size_t count_of_records(const ObservationSet& set) {
+  std::set<std::size_t> records;
+  for (const Observation& o : set.observations) records.insert(o.record);
+  return records.size();
+}
 
 Residuals residuals_of(const CaseFit& fit) {
   Residuals result{fit.residual, {}};
-  if (fit.set->resonance->excited) return result;
-  for (std::size_t c = 0; c < fit.columns.size(); ++c) {
-    if (fit.columns[c].kind != CaseColumn::Kind::natural_frequency) continue;
-    struct Shift {
-      double squares = 0, product = 0;
-    };
-    std::map<std::pair<Equation, std::size_t>, Shift> shifts;  // by record
-    VectorXd column(fit.residual.size());
-    Index begin = 0;
-    for (const MatrixXd& factor : fit.system.colouring) {
-      column.segment(begin, factor.rows()) =
-          factor.triangularView<Eigen::Lower>() *
-          fit.system.design.col(static_cast<Index>(c)).segment(begin, factor.rows());
-      begin += factor.rows();
-    }
-    const auto key = [&](Index r) {
-      const std::size_t observation = fit.system.observation[static_cast<std::size_t>(r)];
-      return std::pair{equation_of(fit, r), fit.set->observations[observation].record};
-    };
-    for (Index r = 0; r < column.size(); ++r) {
-      Shift& shift = shifts[key(r)];
-      const double weight = fit.weight[fit.system.observation[static_cast<std::size_t>(r)]];
-      shift.squares += weight * column(r) * column(r);
-      shift.product += weight * column(r) * result.values(r);
-    }
-    double all = 0;
-    for (const auto& [place, shift] : shifts) all += shift.squares;
-    std::map<Equation, double> records;
-    for (const auto& [place, shift] : shifts)
-      if (shift.squares > rounding * all / static_cast<double>(shifts.size())) records[place.first] += 1;
-    for (const auto& [equation, count] : records) result.unknowns[equation] += count - 1;
-    for (Index r = 0; r < column.size(); ++r) {
-      const Shift& shift = shifts[key(r)];
-      if (shift.squares > 0) result.values(r) -= column(r) * shift.product / shift.squares;
-    }
+  if (fit.set->resonance->excited || count_of_records(*fit.set) < 2) return result;
+  MatrixXd design(fit.system.design.rows(), fit.system.design.cols());  // over the measured noise, too
+  Index begin = 0;
+  for (const MatrixXd& factor : fit.system.colouring) {
+    design.middleRows(begin, factor.rows()) =
+        factor.triangularView<Eigen::Lower>() * fit.system.design.middleRows(begin, factor.rows());
+    begin += factor.rows();
+  }
+  std::map<std::pair<Equation, std::size_t>, std::vector<Index>> rows;  // by record
+  for (Index r = 0; r < design.rows(); ++r) {
+    const std::size_t observation = fit.system.observation[static_cast<std::size_t>(r)];
+    rows[{equation_of(fit, r), fit.set->observations[observation].record}].push_back(r);
+  }
+  for (const auto& [key, here] : rows) {
+    VectorXd scale(static_cast<Index>(here.size()));
+    for (Index r = 0; r < scale.size(); ++r)
+      scale(r) = std::sqrt(
+          fit.weight[fit.system.observation[static_cast<std::size_t>(here[static_cast<std::size_t>(r)])]]);
+    MatrixXd columns = scale.asDiagonal() * design(here, Eigen::all);
+    const Eigen::RowVectorXd lengths = columns.colwise().norm();
+    for (Index c = 0; c < columns.cols(); ++c)
+      if (lengths(c) > 0) columns.col(c) /= lengths(c);
+    Eigen::ColPivHouseholderQR<MatrixXd> own(columns);
+    own.setThreshold(dependent);
+    const VectorXd fitted = columns * own.solve(VectorXd(scale.cwiseProduct(result.values(here))));
+    for (Index r = 0; r < scale.size(); ++r)
+      if (scale(r) > 0) result.values(here[static_cast<std::size_t>(r)]) -= fitted(r) / scale(r);
+    result.unknowns[key.first] += static_cast<double>(own.rank());
   }
   return result;
 }
@@ -239,8 +242,8 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) 
   if (fit.fit.coefficients.size() == 0) return result;
   const Residuals residuals = residuals_of(fit);
   const std::map<Equation, Conditions> equations = gathered(fit, residuals.values, unknown);
-  std::map<Equation, double> unknowns = unknowns_of(fit, equations);
-  for (const auto& [equation, taken] : residuals.unknowns) unknowns[equation] += taken;
+  const std::map<Equation, double> unknowns =
+      residuals.unknowns.empty() ? unknowns_of(fit, equations) : residuals.unknowns;
   for (const auto& [equation, conditions] : equations) {
     LackOfFit test;
     test.block = equation.first;
