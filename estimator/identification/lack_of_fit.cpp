@@ -26,7 +26,8 @@ constexpr double false_alarm = 0.001;
 /// Of a window's length, by which its neighbour may seem to overlap it.
 constexpr double rounding = 1e-3;
 
-/// A column of a record of which others leave no more than this share is theirs.
+/// A column has no part in an equation of a record, or others have all of it, where no more than this share of its
+/// length is left.
 constexpr double dependent = 1e-6;
 
 /// Where there are fewer degrees of freedom among the repeats of dwells, the measured noise stands for them. What
@@ -105,6 +106,7 @@ Residuals residuals_of(const CaseFit& fit) {
         factor.triangularView<Eigen::Lower>() * fit.system.design.middleRows(begin, factor.rows());
     begin += factor.rows();
   }
+  const Eigen::RowVectorXd lengths = design.colwise().norm();
   std::map<std::pair<Equation, std::size_t>, std::vector<Index>> rows;  // by record
   for (Index r = 0; r < design.rows(); ++r) {
     const std::size_t observation = fit.system.observation[static_cast<std::size_t>(r)];
@@ -116,7 +118,6 @@ Residuals residuals_of(const CaseFit& fit) {
       scale(r) = std::sqrt(
           fit.weight[fit.system.observation[static_cast<std::size_t>(here[static_cast<std::size_t>(r)])]]);
     MatrixXd columns = scale.asDiagonal() * design(here, Eigen::all);
-    const Eigen::RowVectorXd lengths = columns.colwise().norm();
     for (Index c = 0; c < columns.cols(); ++c)
       if (lengths(c) > 0) columns.col(c) /= lengths(c);
     Eigen::ColPivHouseholderQR<MatrixXd> own(columns);
