@@ -171,6 +171,11 @@ class SlowCatalogueDiagnosis : public testing_support::DiagnosedFolder {
     ASSERT_NE(cause, d["causes"].end()) << printed();
     EXPECT_GT((*cause)["probability"].get<double>(), 0.4) << printed();
     EXPECT_NEAR((*cause)["coefficient"].get<double>(), acting.strength, 4 * (*cause)["sd"].get<double>());
+    // What the best explanation fitted is listed once more, in the same words.
+    for (const nlohmann::json& parameter : d["parameters"])
+      if (parameter["name"] == (*cause)["symbol"] && d["causes"][0] == *cause) {
+        EXPECT_NEAR(parameter["value"].get<double>() / (*cause)["coefficient"].get<double>(), 1, 1e-9);
+      }
     for (const auto& [key, value] : acting.shapes)
       EXPECT_TRUE(std::any_of((*cause)["shapes"].begin(), (*cause)["shapes"].end(),
                               [&](const nlohmann::json& s) {
