@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <string_view>
 
 #include "app/shared/model_loading.hpp"
 #include "app/shared/number_file.hpp"
@@ -119,11 +117,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   std::vector<std::size_t> own;
   for (std::size_t s = 0; s < added.size(); ++s)
     if (!added[s]) own.push_back(s);
-  std::set<std::string, std::less<>> known;
-  for (const auto& symbol : run.model->symbols) known.emplace(symbol.name);
-  for (const std::string_view name : run.model->excitations) known.emplace(name);
-  for (const std::string_view name : run.model->excitation_frequencies) known.emplace(name);
-  const std::string unused = unused_numbers(request.parameters, options.given.values, known);
+  const std::string unused = unused_numbers(request.parameters, options.given.values, *run.model);
   const bool rough = only_rough_frequencies(options.given, source, *run.model, own);
   if (rough) options.given = {};
   run.diagnosis = diagnose(run.campaign, read, *run.model, own, effects, options);

@@ -10,7 +10,6 @@
 #include <map>
 #include <set>
 #include <stdexcept>
-#include <string_view>
 
 #include "app/shared/model_loading.hpp"
 #include "app/shared/number_file.hpp"
@@ -74,11 +73,7 @@ class Planner {
     given.merge(file.representative);
     const CompiledModel& model = *result_.model;
     const auto count = static_cast<Index>(model.symbols.size());
-    std::set<std::string, std::less<>> known;
-    for (const auto& symbol : model.symbols) known.emplace(symbol.name);
-    for (const std::string_view name : model.excitations) known.emplace(name);
-    for (const std::string_view name : model.excitation_frequencies) known.emplace(name);
-    if (std::string unused = unused_numbers(request_.parameters, file.values, known); !unused.empty())
+    if (std::string unused = unused_numbers(request_.parameters, file.values, model); !unused.empty())
       result_.warnings.push_back(std::move(unused));
     result_.parameters.resize(count);
     std::string missing;

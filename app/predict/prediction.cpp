@@ -174,9 +174,7 @@ class Predictor {
     result_.parameters = VectorXd::Constant(count, std::numeric_limits<double>::quiet_NaN());
     for (std::size_t s = 0; s < model.nominal.size(); ++s)
       result_.parameters(static_cast<Index>(s)) = model.nominal[s];
-    if (std::string unused =
-            unused_numbers(request_.parameters, given.values, {result_.names.begin(), result_.names.end()});
-        !unused.empty())
+    if (std::string unused = unused_numbers(request_.parameters, given.values, model); !unused.empty())
       result_.warnings.push_back(std::move(unused));
     const auto take = [&](const std::string& name, double value) {
       const auto found = std::find(result_.names.begin(), result_.names.end(), name);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -184,6 +185,19 @@ void estimate_corrected(const IdentificationRequest& request, Identification& id
   }
 }
 
+// Why an estimate without phases came to no result; empty: it did. Without them nothing may be left to estimate
+// from.
+std::string failure_of(const std::function<void()>& estimate) {
+  try {
+    estimate();
+  } catch (const NumericalFailure& failure) {
+    return failure.what();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 // Numbers that the other sign of a case's excitation moves are doubtful, all of them where that cannot be
 // estimated. `before`: with phases as measured.
 void doubt_by_rival(const IdentificationRequest& request, const UnknownPhases& unknown, UnknownPhases::Rival& rival,
@@ -191,21 +205,13 @@ void doubt_by_rival(const IdentificationRequest& request, const UnknownPhases& u
   Identification other = before;
   other.measured = unknown.sets;
   other.measured[rival.place] = std::move(rival.set);
-  const auto doubt = [&](const std::exception& failure) {
-    doubt_all(estimate);
-    estimate.warnings.push_back(
-        fmt::format("what the other sign of the excitation would make of the numbers cannot be said ({}): all are "
-                    "doubtful",
-                    failure.what()));
-  };
-  try {
-    estimate_corrected(request, other);
-    doubt_what_differs(estimate, other.estimate);
-  } catch (const NumericalFailure& failure) {
-    doubt(failure);
-  } catch (const InputError& failure) {
-    doubt(failure);
-  }
+  const std::string failure = failure_of([&] { estimate_corrected(request, other); });
+  if (failure.empty()) return doubt_what_differs(estimate, other.estimate);
+  doubt_all(estimate);
+  estimate.warnings.push_back(
+      fmt::format("what the other sign of the excitation would make of the numbers cannot be said ({}): all are "
+                  "doubtful",
+                  failure));
 }
 
 // Once more with phases as unknowns where equations do not hold. Numbers stay as they were, and those that this
@@ -256,17 +262,9 @@ void estimate_observed(const IdentificationRequest& request, Identification& id)
       id.excitation_units.push_back(id.campaign.channels[channel].unit);
   const std::vector<ObservationSet> observed = id.measured;
   estimate_corrected(request, id);
-  // The numbers with phases as measured stay where without them nothing can be estimated.
-  const auto say = [&](const std::exception& failure) {
-    id.estimate.warnings.push_back(fmt::format("whether records are late was not found out: {}", failure.what()));
-  };
-  try {
-    free_phases(request, observed, id);
-  } catch (const NumericalFailure& failure) {
-    say(failure);
-  } catch (const InputError& failure) {
-    say(failure);
-  }
+  const std::string failure = failure_of([&] { free_phases(request, observed, id); });
+  if (!failure.empty())  // the numbers with phases as measured stay
+    id.estimate.warnings.push_back(fmt::format("whether records are late was not found out: {}", failure));
 }
 
 }  // namespace secular::app

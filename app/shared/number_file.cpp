@@ -52,4 +52,13 @@ std::string unused_numbers(const std::string& path, const std::map<std::string, 
                      fmt::join(known, ", "));
 }
 
+std::string unused_numbers(const std::string& path, const std::map<std::string, double>& numbers,
+                           const CompiledModel& model) {
+  std::set<std::string, std::less<>> known;
+  for (const CompiledSymbol& symbol : model.symbols) known.emplace(symbol.name);
+  known.insert(model.excitations.begin(), model.excitations.end());
+  known.insert(model.excitation_frequencies.begin(), model.excitation_frequencies.end());
+  return unused_numbers(path, numbers, known);
+}
+
 }  // namespace secular::app

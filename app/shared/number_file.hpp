@@ -5,6 +5,8 @@
 #include <set>
 #include <string>
 
+#include "estimator/model/compiled_model.hpp"
+
 namespace secular::app {
 
 /// A JSON object of symbol to number. Throws InputError naming the file, the place and the key.
@@ -14,5 +16,9 @@ std::map<std::string, double> read_numbers(const std::string& path);
 /// there are; empty if each is `known`.
 std::string unused_numbers(const std::string& path, const std::map<std::string, double>& numbers,
                            const std::set<std::string, std::less<>>& known);
+
+/// The same where a model's symbols, excitations and their frequencies are known.
+std::string unused_numbers(const std::string& path, const std::map<std::string, double>& numbers,
+                           const CompiledModel& model);
 
 }  // namespace secular::app

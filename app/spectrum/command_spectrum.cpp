@@ -157,11 +157,7 @@ RecordSpectrum analysed(const Options& options, const Columns& columns) {
                        fmt::format("has {} samples, {} has {}", columns.values[c].size(),
                                    columns.names[chosen.front()], samples),
                        "choose channels of one length with --channel");
-  Record axis;
-  axis.start_s = columns.start_s;
-  axis.sample_rate_hz = columns.sample_rate_hz;
-  axis.channels = {columns.values[chosen.front()]};
-  const auto [first, count] = range_of(axis, options.window);
+  const auto [first, count] = range_of(columns.start_s, columns.sample_rate_hz, samples, options.window);
   const auto part = [&](std::size_t c) {
     return Eigen::Map<const Eigen::VectorXd>(columns.values[c].data(), static_cast<Index>(samples))
         .segment(first, count);

@@ -43,7 +43,8 @@ constexpr double least_relief = 0.5;
 /// factor, or that fit has run away with its own errors.
 constexpr double reweighting = 1.3;
 
-/// A fit along a curved valley takes so many times the steps of others: two of its three only set their length.
+/// A fit along a curved valley takes so many times the steps of others (tuned: of three steps there, two are
+/// refused and only set the length of the third).
 constexpr int longer_in_valleys = 4;
 
 /// Of fits with numbers that may be far off, relative to the squared length of a column.
@@ -509,7 +510,7 @@ class Search {
     double least = result_.null.fit.chi_squared;
     for (const Explanation& e : found_)
       if (has_ended(e)) least = std::min(least, e.fit.chi_squared);
-    const double dispersion = std::max(1.0, least / std::max(1.0, result_.degrees_of_freedom));
+    const double dispersion = secular::dispersion_of(least, result_.degrees_of_freedom);
     RefitOptions options = refit_options();
     options.bends = true;
     options.iterations *= longer_in_valleys;

@@ -69,6 +69,10 @@ VectorXd bent(const Discrepancy& discrepancy, const Refit& fit, const VectorXd& 
 
 }  // namespace
 
+double dispersion_of(double chi_squared, double freedom) {
+  return freedom > 0 ? std::max(1.0, chi_squared / freedom) : 1;
+}
+
 UnitSlopes unit_slopes(const Discrepancy& discrepancy, const VectorXd& unknowns,
                        const std::vector<std::size_t>& which, const VectorXd& guess, unsigned threads) {
   const auto count = static_cast<Index>(which.size());
@@ -164,8 +168,7 @@ Refit refit(const Discrepancy& discrepancy, const VectorXd& start, const std::ve
       }
     }
     // Damping makes every promise small: only what a free step promises tells whether this is the minimum.
-    const double freedom = static_cast<double>(discrepancy.freedom() - fit.rank);
-    const double dispersion = freedom > 0 ? std::max(1.0, fit.chi_squared / freedom) : 1;
+    const double dispersion = dispersion_of(fit.chi_squared, static_cast<double>(discrepancy.freedom() - fit.rank));
     if (promise < promise_kept * dispersion) fit.ending = FitEnding::converged;
     for (std::size_t f = 0; f < free.size(); ++f)
       if (!(length(static_cast<Index>(f)) > 0)) fit.identifiable[f] = false;

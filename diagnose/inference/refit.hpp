@@ -27,6 +27,10 @@ struct Refit {
   FitEnding ending = FitEnding::stalled;
 };
 
+/// Variance of rows about a fit, with this many degrees of freedom: what it leaves, or that of repeatability where
+/// it leaves less.
+double dispersion_of(double chi_squared, double freedom);
+
 struct RefitOptions {
   int iterations = 25;
   bool bends = false;  ///< steps follow the second derivative of the rows: one evaluation more each

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "diagnose/inference/held_out.hpp"
 #include "diagnose/verdict/comparison.hpp"
@@ -73,8 +74,11 @@ class Diagnoser {
  private:
   const Discrepancy& discrepancy() const { return comparison_.discrepancy; }
 
-  VectorXd held_out_rows(const Explanation& explanation) const {
-    return predict_held_out(discrepancy(), explanation.fit, result_.labels).rows;
+  // Predicting what was held out takes long, and of some explanations is asked more than once.
+  const VectorXd& held_out_rows(const Explanation& explanation) {
+    const auto [place, fresh] = held_out_.try_emplace(&explanation);
+    if (fresh) place->second = predict_held_out(discrepancy(), explanation.fit, result_.labels).rows;
+    return place->second;
   }
 
   void detect() {
@@ -246,7 +250,6 @@ class Diagnoser {
     const auto alone = [&](const std::vector<std::string>& effects) {
       return std::find_if(named.begin(), named.end(), [&](const Rival& r) { return r.effects == effects; });
     };
-    const double left = left_by(held_out_rows(*best.explanation));
     int tried = 0;
     for (const Rival& rival : named) {
       const std::vector<std::string> instead = only_in(rival.effects, best.effects),
@@ -262,7 +265,7 @@ class Diagnoser {
       if (!shared.empty() && beside == named.end()) continue;
       if (tried++ == most_neighbours) return;
       const double without = shared.empty() ? result_.gap.before : left_by(held_out_rows(*beside->explanation));
-      if (without - left_by(held_out_rows(*rival.explanation)) >= most_of_the_gap * (without - left))
+      if (without - left_by(held_out_rows(*rival.explanation)) >= most_of_the_gap * (without - result_.gap.after))
         names.push_back(instead.front());
     }
   }
@@ -328,6 +331,7 @@ class Diagnoser {
   JudgedNumbers judged_;  // where numbers were given
   Inference inference_;
   const Explanation* best_ = nullptr;
+  std::map<const Explanation*, VectorXd> held_out_;
   bool stalled_ = false;  // the likeliest explanation is no minimum, and no other comes near it
   Diagnosis result_;
 };

@@ -50,9 +50,8 @@ FittedNumbers fitted_numbers(const Refit& fit, const std::vector<const Candidate
     numbers.units.push_back(units.of(fit.free[f]));
   }
   numbers.values = fit.unknowns(unknowns);
-  const double freedom = rows - static_cast<double>(fit.rank);
   numbers.covariance =
-      (freedom > 0 ? std::max(1.0, fit.chi_squared / freedom) : 1.0) * fit.covariance(places, places);
+      dispersion_of(fit.chi_squared, rows - static_cast<double>(fit.rank)) * fit.covariance(places, places);
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Identity(numbers.values.size(), numbers.values.size());
   const auto place = [&](std::size_t unknown) {
     return std::find(unknowns.begin(), unknowns.end(), static_cast<Index>(unknown)) - unknowns.begin();

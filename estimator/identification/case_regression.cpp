@@ -192,9 +192,7 @@ class CaseRegression {
     LinearFit& fit = result_.fit;
     result_.record_moves = record_scatter(result_);
     if (result_.record_moves.cols() == 0) return;
-    std::set<std::size_t> records;
-    for (const Observation& o : set_.observations) records.insert(o.record);
-    result_.record_freedom = static_cast<double>(records.size()) - 1;
+    result_.record_freedom = static_cast<double>(count_of_records(set_)) - 1;
     const MatrixXd between = result_.record_moves * result_.record_moves.transpose();
     fit.covariance += between;
     double share = 0;

@@ -7,9 +7,9 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
+#include "estimator/identification/record_scatter.hpp"
 #include "numerics/distribution.hpp"
 #include "numerics/third_differences.hpp"
 
@@ -82,6 +82,18 @@ VectorXd unknown_truncation(const CaseFit& fit, const MatrixXd& unknown, Index r
   return unknown.rows() == change.size() ? VectorXd(unknown.transpose() * change) : change;
 }
 
+// Whitened rows back to equations in units of their own noise.
+MatrixXd over_own_noise(const CaseFit& fit, const MatrixXd& whitened) {
+  MatrixXd rows(whitened.rows(), whitened.cols());
+  Index begin = 0;
+  for (const MatrixXd& factor : fit.system.colouring) {
+    rows.middleRows(begin, factor.rows()) =
+        factor.triangularView<Eigen::Lower>() * whitened.middleRows(begin, factor.rows());
+    begin += factor.rows();
+  }
+  return rows;
+}
+
 // Residuals over their measured noise. Where there are several decays, without what coefficients of each record's
 // own would make of them: how records differ is scatter of the structure (record_scatter), and no law that the
 // model lacks.
@@ -90,41 +102,28 @@ struct Residuals {
   std::map<Equation, double> unknowns;  // that this takes; none: those of the fit alone
 };
 
-std::size_t count_of_records(const ObservationSet& set) {
-  std::set<std::size_t> records;
-  for (const Observation& o : set.observations) records.insert(o.record);
-  return records.size();
-}
-
 Residuals residuals_of(const CaseFit& fit) {
   Residuals result{fit.residual, {}};
   if (fit.set->resonance->excited || count_of_records(*fit.set) < 2) return result;
-  MatrixXd design(fit.system.design.rows(), fit.system.design.cols());  // over the measured noise, too
-  Index begin = 0;
-  for (const MatrixXd& factor : fit.system.colouring) {
-    design.middleRows(begin, factor.rows()) =
-        factor.triangularView<Eigen::Lower>() * fit.system.design.middleRows(begin, factor.rows());
-    begin += factor.rows();
-  }
+  const MatrixXd design = over_own_noise(fit, fit.system.design);
+  VectorXd root_weight(design.rows());
   const Eigen::RowVectorXd lengths = design.colwise().norm();
   std::map<std::pair<Equation, std::size_t>, std::vector<Index>> rows;  // by record
   for (Index r = 0; r < design.rows(); ++r) {
     const std::size_t observation = fit.system.observation[static_cast<std::size_t>(r)];
     rows[{equation_of(fit, r), fit.set->observations[observation].record}].push_back(r);
+    root_weight(r) = std::sqrt(fit.weight[observation]);
   }
   for (const auto& [key, here] : rows) {
-    VectorXd scale(static_cast<Index>(here.size()));
-    for (Index r = 0; r < scale.size(); ++r)
-      scale(r) = std::sqrt(
-          fit.weight[fit.system.observation[static_cast<std::size_t>(here[static_cast<std::size_t>(r)])]]);
-    MatrixXd columns = scale.asDiagonal() * design(here, Eigen::all);
+    MatrixXd columns = root_weight(here).asDiagonal() * design(here, Eigen::all);
     for (Index c = 0; c < columns.cols(); ++c)
       if (lengths(c) > 0) columns.col(c) /= lengths(c);
     Eigen::ColPivHouseholderQR<MatrixXd> own(columns);
     own.setThreshold(dependent);
-    const VectorXd fitted = columns * own.solve(VectorXd(scale.cwiseProduct(result.values(here))));
-    for (Index r = 0; r < scale.size(); ++r)
-      if (scale(r) > 0) result.values(here[static_cast<std::size_t>(r)]) -= fitted(r) / scale(r);
+    const VectorXd fitted = columns * own.solve(VectorXd(root_weight(here).cwiseProduct(result.values(here))));
+    for (std::size_t r = 0; r < here.size(); ++r)
+      if (const double root = root_weight(here[r]); root > 0)
+        result.values(here[r]) -= fitted(static_cast<Index>(r)) / root;
     result.unknowns[key.first] += static_cast<double>(own.rank());
   }
   return result;
@@ -186,17 +185,12 @@ std::map<Equation, Conditions> gathered(const CaseFit& fit, const VectorXd& resi
 // equation's own noise and the covariance C of the coefficients (the weights of a block that misfits are lower).
 std::map<Equation, double> unknowns_of(const CaseFit& fit, const std::map<Equation, Conditions>& equations) {
   std::map<Equation, std::map<int, VectorXd>> rows;
-  Index begin = 0;
-  for (const MatrixXd& factor : fit.system.colouring) {
-    const MatrixXd own =
-        factor.triangularView<Eigen::Lower>() * fit.fit.orthonormal.middleRows(begin, factor.rows());
-    for (Index r = 0; r < own.rows(); ++r) {
-      const auto at = static_cast<std::size_t>(begin + r);
-      VectorXd& sum = rows[equation_of(fit, begin + r)][fit.system.condition[at]];
-      if (sum.size() == 0) sum = VectorXd::Zero(own.cols());
-      sum += fit.weight[fit.system.observation[at]] * own.row(r).transpose();
-    }
-    begin += own.rows();
+  const MatrixXd own = over_own_noise(fit, fit.fit.orthonormal);
+  for (Index r = 0; r < own.rows(); ++r) {
+    const auto at = static_cast<std::size_t>(r);
+    VectorXd& sum = rows[equation_of(fit, r)][fit.system.condition[at]];
+    if (sum.size() == 0) sum = VectorXd::Zero(own.cols());
+    sum += fit.weight[fit.system.observation[at]] * own.row(r).transpose();
   }
   std::map<Equation, double> unknowns;
   for (const auto& [equation, conditions] : equations) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace secular {
 namespace {
@@ -69,6 +70,12 @@ double variance_between(const std::map<std::size_t, RecordPart>& records) {
 }
 
 }  // namespace
+
+std::size_t count_of_records(const ObservationSet& set) {
+  std::set<std::size_t> records;
+  for (const Observation& o : set.observations) records.insert(o.record);
+  return records.size();
+}
 
 MatrixXd record_scatter(const CaseFit& fit) {
   MatrixXd moves(fit.fit.coefficients.size(), 0);

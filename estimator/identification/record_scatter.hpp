@@ -1,10 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 
 #include "estimator/identification/case_regression.hpp"
 
 namespace secular {
+
+/// How many records a set's observations are of.
+std::size_t count_of_records(const ObservationSet& set);
 
 /// Stretches of one decay share the structure as it was that day: what scatters from record to record, as natural
 /// frequencies do with temperature and clamping, is no scatter of conditions. Columns x (records and modes): what

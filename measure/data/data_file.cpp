@@ -52,7 +52,7 @@ struct TimeName {
 TimeName time_name(const std::string& path) {
   std::string name = path.substr(path.rfind('.') + 1);
   TimeName found;
-  if (name.ends_with(",:)") || name.find("(:,") != std::string::npos) return found;  // a line of a matrix
+  if (is_matrix_line(name)) return found;
   if (const CsvName bracketed = bracketed_unit(name); !bracketed.unit.empty()) {
     found.unit = bracketed.unit;
     name = bracketed.name;

@@ -10,6 +10,7 @@
 #include "input/input_error.hpp"
 #include "measure/data/data_file.hpp"
 #include "measure/data/jitter.hpp"
+#include "measure/data/matrix_lines.hpp"
 #include "measure/data/record_data.hpp"
 #include "measure/data/unit.hpp"
 
@@ -136,8 +137,7 @@ void find_time_column(const DataFile& data, FileInspection& inspection) {
   constexpr std::size_t fewest = 16;  // of a line of so many numbers chance makes no ramp
   for (const DataVariable& variable : data.variables) {
     if (!inspection.time.empty()) return;
-    const bool line = variable.name.find("(:,") != std::string::npos || variable.name.ends_with(",:)");
-    if (!line || variable.values.size() < fewest) continue;
+    if (!is_matrix_line(variable.name) || variable.values.size() < fewest) continue;
     std::vector<DataFault> ignored;
     std::optional<TimeAxis> axis = judged_axis(variable.values, data.place, std::nullopt, ignored);
     if (!axis || axis->jitter_s > 0) continue;

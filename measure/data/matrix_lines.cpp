@@ -17,6 +17,10 @@ std::string MatrixLines::name(const std::string& matrix, std::size_t line) const
   return columns ? fmt::format("{}(:,{})", matrix, line + 1) : fmt::format("{}({},:)", matrix, line + 1);
 }
 
+bool is_matrix_line(const std::string& name) {
+  return name.find("(:,") != std::string::npos || name.ends_with(",:)");
+}
+
 std::optional<MatrixLines> matrix_lines(const std::vector<std::size_t>& shape) {
   if (shape.size() != 2 || shape[0] < 2 || shape[1] < 2) return std::nullopt;
   const bool columns = shape[1] <= shape[0];

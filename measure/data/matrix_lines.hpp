@@ -16,6 +16,9 @@ struct MatrixLines {
   std::string name(const std::string& matrix, std::size_t line) const;
 };
 
+/// Whether a variable of this name is a line of a matrix.
+bool is_matrix_line(const std::string& name);
+
 /// None for what is no matrix (a vector, an array of more dimensions), and for a matrix that is rather a picture.
 std::optional<MatrixLines> matrix_lines(const std::vector<std::size_t>& shape);
 

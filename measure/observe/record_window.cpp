@@ -21,12 +21,15 @@ MatrixXd samples_of(const Record& record, const std::vector<std::size_t>& channe
 }
 
 SampleRange range_of(const Record& record, const Window& window) {
+  return range_of(record.start_s, record.sample_rate_hz, record.samples(), window);
+}
+
+SampleRange range_of(double start_s, double sample_rate_hz, std::size_t samples, const Window& window) {
   // What is outside of the window has no say in what is used: the filter reaches nothing of it.
-  const double reach = window.band ? static_cast<double>(band_pass_reach(*window.band, record.sample_rate_hz)) /
-                                         record.sample_rate_hz
-                                   : 0;
-  const SpanOfSamples span = samples_within({window.from_s + reach, window.to_s - reach}, record.start_s,
-                                            record.sample_rate_hz, record.samples());
+  const double reach =
+      window.band ? static_cast<double>(band_pass_reach(*window.band, sample_rate_hz)) / sample_rate_hz : 0;
+  const SpanOfSamples span =
+      samples_within({window.from_s + reach, window.to_s - reach}, start_s, sample_rate_hz, samples);
   return {static_cast<Index>(span.first), static_cast<Index>(span.count)};
 }
 

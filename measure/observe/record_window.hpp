@@ -21,6 +21,9 @@ struct SampleRange {
 };
 SampleRange range_of(const Record& record, const Window& window);
 
+/// The same of so many samples from `start_s` on.
+SampleRange range_of(double start_s, double sample_rate_hz, std::size_t samples, const Window& window);
+
 /// Complex amplitude of a tone that changes slowly, and what changes it, at one instant.
 struct SlowAmplitude {
   std::complex<double> value, slope = 0, curvature = 0;

@@ -13,42 +13,18 @@
 #include <string>
 #include <utility>
 
+#include "tests/app/beam_texts.hpp"
 #include "tests/app/diagnosed_folder.hpp"
 
 namespace secular {
 namespace {
 
-constexpr const char* beam = R"toml(schema = 1
-name = "beam"
-[[mode]]
-coordinate = "q"
-frequency = "omega0"
-equation = "D2(q) + omega0^2*q = -2*mu1*D(q) - alpha3*q^3 + eta1*F*cos(Omega*t)"
-[nominal]
-omega0 = 40
-[[case]]
-name = "primary"
-relations = ["Omega = omega0 + eps^2*sigma"]
-order = { mu1 = 2, alpha3 = 2, eta1 = 2 }
-expand_to = 2
-)toml";
+const std::string beam = testing_support::beam_model("40");
 
 // Three levels, 35 dB at the largest.
-constexpr const char* dwells = R"toml(schema = 1
-name = "dwells"
-model = "model.toml"
-sample_rate_hz = 128.0
-[parameters]
-omega0 = 40.3
-mu1 = 0.3
-alpha3 = 1.5e4
-eta1 = 0.8
-[excitation]
-name = "base"
-quantity = "acceleration"
-unit = "m/s^2"
-noise_sd = 0.005
-[[response]]
+const std::string dwells = "schema = 1\nname = \"dwells\"\nmodel = \"model.toml\"\n" +
+                           std::string(testing_support::slow_beam) +
+                           R"toml([[response]]
 name = "tip"
 quantity = "displacement"
 unit = "m"

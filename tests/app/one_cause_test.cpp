@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/app/beam_texts.hpp"
 #include "tests/app/diagnosed_folder.hpp"
 #include "tests/places.hpp"
 
@@ -17,20 +18,7 @@ namespace fs = std::filesystem;
 class SlowOneCause : public testing_support::DiagnosedFolder {
  protected:
   void write_model(const std::string& nominal) const {
-    std::ofstream(folder_ / "model.toml") << R"toml(schema = 1
-name = "beam"
-[[mode]]
-coordinate = "q"
-frequency = "omega0"
-equation = "D2(q) + omega0^2*q = -2*mu1*D(q) - alpha3*q^3 + eta1*F*cos(Omega*t)"
-[nominal]
-omega0 = )toml" << nominal << R"toml(
-[[case]]
-name = "primary"
-relations = ["Omega = omega0 + eps^2*sigma"]
-order = { mu1 = 2, alpha3 = 2, eta1 = 2 }
-expand_to = 2
-)toml";
+    std::ofstream(folder_ / "model.toml") << testing_support::beam_model(nominal);
   }
 
   nlohmann::json diagnosed(const fs::path& experiment, const std::string& seed) const {
@@ -67,18 +55,7 @@ TEST_F(SlowOneCause, FrictionOfTheSharedCampaignsActsAlone) {
 
 TEST_F(SlowOneCause, FrictionSeenByAVelocityOfASlowBeam) {
   write_model("40");
-  expect_friction_alone(diagnosed_text(R"toml(sample_rate_hz = 128.0
-[parameters]
-omega0 = 40.3
-mu1 = 0.3
-alpha3 = 1.5e4
-eta1 = 0.8
-[excitation]
-name = "base"
-quantity = "acceleration"
-unit = "m/s^2"
-noise_sd = 0.005
-[[response]]
+  expect_friction_alone(diagnosed_text(std::string(testing_support::slow_beam) + R"toml([[response]]
 name = "tip"
 quantity = "velocity"
 unit = "m/s"
