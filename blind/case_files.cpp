@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -79,21 +80,25 @@ std::string campaign_head(const Measurement& m, const std::vector<std::string>& 
   return text;
 }
 
-// Noise, then saturation, then the converter.
-void disturb(const SealedCase& c, Random& noise, std::vector<std::vector<double>>& channels) {
+// Disturbances and noise, then saturation, then the converter.
+void disturb(const SealedCase& c, Random& noise, Random& lot, std::vector<std::vector<double>>& channels) {
+  disturb_samples(c.disturbances, lot, channels);
   for (std::size_t i = 0; i < channels.size(); ++i)
     for (double& x : channels[i]) x += c.noise_sd[i] * noise.gaussian();
   clip(c.reality.measurement, channels);
   for (std::size_t i = 0; i < channels.size(); ++i)
     if (c.quantum[i] > 0)
       for (double& x : channels[i]) x = c.quantum[i] * std::round(x / c.quantum[i]);
+  convert_samples(c.disturbances, lot, channels);
 }
 
-std::string csv_text(const std::vector<std::string>& names, const std::vector<std::vector<double>>& channels) {
+std::string csv_text(const std::vector<std::string>& names, const std::vector<std::vector<double>>& channels,
+                     const std::vector<std::size_t>& lost) {
   fmt::memory_buffer text;
   fmt::format_to(std::back_inserter(text), "t");
   for (const std::string& name : names) fmt::format_to(std::back_inserter(text), ",{}", name);
   for (std::size_t i = 0; i < channels.front().size(); ++i) {
+    if (std::binary_search(lost.begin(), lost.end(), i)) continue;
     fmt::format_to(std::back_inserter(text), "\n{:.8f}", static_cast<double>(i) / sample_rate_hz);
     for (const std::vector<double>& channel : channels)
       fmt::format_to(std::back_inserter(text), ",{:.7g}", channel[i]);
@@ -102,13 +107,30 @@ std::string csv_text(const std::vector<std::string>& names, const std::vector<st
   return fmt::to_string(text);
 }
 
-// The record of a dwell and its entry of campaign.toml.
-std::string write_dwell(const SealedCase& c, const Dwell& dwell, const Motion& motion, const std::string& group,
-                        Random& noise, const fs::path& campaign, const std::string& file) {
-  const Drive drive = drive_of(dwell, c.reality);
-  std::vector<std::vector<double>> channels = measured(c.reality.measurement, drive, motion, false);
-  disturb(c, noise, channels);
-  write_text(campaign / file, csv_text(c.specimen.measurement.names, channels));
+// Where the files of a campaign go, and what their noise is drawn from.
+struct RecordWriter {
+  const SealedCase& sealed;
+  fs::path campaign;
+  Random noise;
+  std::uint64_t seed;
+
+  // The file of record number `record`; returns its name.
+  std::string write(std::size_t record, const Drive& drive, const Motion& motion) {
+    constexpr std::uint64_t streams_of_records = 6'000'000'000;
+    Random lot(seed, streams_of_records + 1000 * sealed.plan.number + record);
+    Measurement sensors = sealed.reality.measurement;
+    // Responses that are late by tau are those that came before, seen beside an excitation read tau ahead.
+    sensors.fault[0].late -= sealed.disturbances.of_record(record).late_s;
+    std::vector<std::vector<double>> channels = measured(sensors, drive, motion, false);
+    disturb(sealed, noise, lot, channels);
+    const std::vector<std::size_t> lost = lost_rows(sealed.disturbances, channels.front().size(), lot);
+    std::string file = dwell_file(record);
+    write_text(campaign / file, csv_text(sealed.specimen.measurement.names, channels, lost));
+    return file;
+  }
+};
+
+std::string dwell_text(const std::string& file, const Drive& drive, const std::string& group) {
   return record_text(file, "dwell", drive.started) + fmt::format(
                                                          "excitation_frequency_hz = {:.4f}\nexcitation_amplitude = "
                                                          "{:.10g}\nensemble_s = {:.1f}\ngroup = \"{}\"\n",
@@ -182,7 +204,6 @@ void write_case(const SealedCase& c, std::uint64_t seed, const fs::path& folder)
   fs::remove_all(partial, ignored);
   fs::create_directories(partial / "campaign" / "records");
   const Specimen& s = c.specimen;
-  Random noise(seed, 1'000'000 + c.plan.number);
   write_text(partial / "model.toml", model_text(s, seed + c.plan.number));
   if (!c.parameters.empty()) {
     nlohmann::ordered_json numbers;
@@ -190,19 +211,17 @@ void write_case(const SealedCase& c, std::uint64_t seed, const fs::path& folder)
     write_text(partial / "parameters.json", numbers.dump(1) + "\n");
   }
   std::string text = campaign_head(s.measurement, s.coordinates, fmt::format("case {}", c.plan.number));
-  std::size_t number = 0;
+  RecordWriter writer{c, partial / "campaign", Random(seed, 1'000'000 + c.plan.number), seed};
+  std::size_t record = 0;
   for (const Dwell& dwell : s.dwells) {
-    text +=
-        write_dwell(c, dwell, c.motions.at(number), dwell.group, noise, partial / "campaign", dwell_file(number));
-    ++number;
+    const Drive drive = drive_of(dwell, c.reality);
+    const std::string file = writer.write(record, drive, c.motions.at(record));
+    text += dwell_text(file, drive, dwell.group);
+    ++record;
   }
-  for (const Decay& decay : c.decays) {
-    std::vector<std::vector<double>> channels = measured(c.reality.measurement, decay.drive, decay.motion, false);
-    disturb(c, noise, channels);
-    const std::string file = dwell_file(number++);
-    write_text(partial / "campaign" / file, csv_text(s.measurement.names, channels));
-    text += record_text(file, "free_decay", decay.drive.started) + "group = \"free decays\"\n";
-  }
+  for (const Decay& decay : c.decays)
+    text += record_text(writer.write(record++, decay.drive, decay.motion), "free_decay", decay.drive.started) +
+            "group = \"free decays\"\n";
   write_text(partial / "campaign" / "campaign.toml", text);
   fs::remove_all(folder, ignored);
   fs::rename(partial, folder);
@@ -219,13 +238,37 @@ void write_extended_campaign(const SealedCase& c, std::uint64_t seed, const Furt
   dwell.drive.frequency = further.frequency;
   dwell.drive.started =
       c.specimen.dwells.back().drive.started + 90 * static_cast<double>(c.specimen.decay_starts.size() + 1);
-  Random noise(seed, 3'000'000 + c.plan.number);
-  const std::size_t number = c.specimen.dwells.size() + c.specimen.decay_starts.size();
-  const std::string entry = write_dwell(c, dwell, dwell_motion(c, dwell, further.length), dwell.group + ", further",
-                                        noise, partial, dwell_file(number));
-  write_text(partial / "campaign.toml", read_text(partial / "campaign.toml") + entry);
+  RecordWriter writer{c, partial, Random(seed, 3'000'000 + c.plan.number), seed};
+  const std::size_t record = c.specimen.dwells.size() + c.specimen.decay_starts.size();
+  const Drive drive = drive_of(dwell, c.reality);
+  const std::string file = writer.write(record, drive, dwell_motion(c, dwell, record, further.length));
+  write_text(partial / "campaign.toml",
+             read_text(partial / "campaign.toml") + dwell_text(file, drive, dwell.group + ", further"));
   fs::rename(partial, target);
 }
+
+namespace {
+
+nlohmann::ordered_json disturbances_json(const Disturbances& d) {
+  nlohmann::ordered_json sizes = nlohmann::ordered_json::object();
+  for (const std::string& kind : d.kinds) {
+    nlohmann::ordered_json& size = sizes[kind];
+    if (kind == "foreign_tone") size = d.hum;
+    if (kind == "converter_step") size = d.step;
+    if (kind == "coloured_noise") size = {{"sd", d.coloured}, {"correlation_s", d.correlation_s}};
+    if (kind == "neighbour_mode")
+      size = {{"amplitude", d.ringing}, {"hz", d.ringing_hz}, {"decay_rate", d.ringing_rate}};
+    if (kind == "spikes") size = {{"height", d.spike}, {"in_a_record", d.spikes_per_record}};
+    if (kind == "lost_samples") size = d.lost_per_record;
+    if (kind == "held_samples") size = d.held_share;
+    if (kind == "late_record") size = d.latest_s;
+    if (kind == "record_scatter") size = d.frequency_scatter;
+    if (kind == "offset_wander") size = d.wander;
+  }
+  return sizes;
+}
+
+}  // namespace
 
 nlohmann::ordered_json label_of(const SealedCase& c) {
   using nlohmann::ordered_json;
@@ -238,6 +281,7 @@ nlohmann::ordered_json label_of(const SealedCase& c) {
                         {"coarse_converter", c.quantum.front() > 0},
                         {"parameters_given", !c.parameters.empty()},
                         {"effects", ordered_json::array()}};
+  if (c.plan.disturbed) label["disturbances"] = disturbances_json(c.disturbances);
   if (!c.moved.empty()) label["parameters_moved"] = c.moved;
   for (const Truth& truth : c.truths) {
     const Withheld& w = truth.withheld;

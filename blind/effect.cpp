@@ -12,7 +12,8 @@ bool either_sign(const std::string& effect) {
       "viscous_damping",   "quadratic_damping", "cubic_damping",        "amplitude_dependent_damping",
       "coulomb_friction",  "freeplay",          "hysteresis",           "clipping",
       "one_sided_stop",    "two_sided_stop",    "saturating_stiffness", "one_sided_damping",
-      "threshold_damping", "quartic_damping",   "channel_skew"};
+      "threshold_damping", "quartic_damping",   "channel_skew",         "stribeck_friction",
+      "power_damping"};
   return !of_one_sign.contains(effect);
 }
 
@@ -45,6 +46,11 @@ void switch_on(const Withheld& w, const Specimen& specimen, const std::vector<do
     *coefficient(reality.structure, w.effect, w.mode) += w.coefficient;
     if (w.effect == "freeplay" || w.effect.ends_with("_stop")) mode.gap = w.detail * a;
     if (w.effect == "saturating_stiffness") mode.level = w.detail * a;
+    if (w.effect == "stribeck_friction") {
+      mode.falling_share = 1;
+      mode.falling_speed = w.detail * a * mode.omega;
+    }
+    if (w.effect == "power_damping") mode.exponent = w.detail;
     if (w.effect == "threshold_damping") mode.threshold = w.detail * a;
     if (w.effect == "hysteresis") {
       mode.slip = w.detail * a;
@@ -71,7 +77,7 @@ std::vector<std::string> effects_of_family(const std::string& family) {
       "cubic_inertia",        "hysteresis",        "natural_frequency_drift", "extra_mode",
       "shaker_harmonics",     "sensor_gain",       "sensor_offset",           "sensor_cross_axis",
       "channel_skew",         "clipping",          "one_sided_stop",          "two_sided_stop",
-      "saturating_stiffness", "level_stiffness"};
+      "saturating_stiffness", "level_stiffness",   "stribeck_friction",       "power_damping"};
   const auto also = [&](const std::vector<std::string>& more) {
     effects.insert(effects.end(), more.begin(), more.end());
   };
@@ -91,17 +97,20 @@ std::vector<std::string> uncatalogued_effects() {
 }
 
 std::vector<std::string> look_alikes(const std::string& effect, const std::string& family) {
-  static const std::vector<std::vector<std::string>> groups = {{"cubic_stiffness", "cubic_inertia"},
-                                                               {"quadratic_stiffness", "quadratic_inertia"},
-                                                               {"cubic_damping", "amplitude_dependent_damping"},
-                                                               {"quintic_stiffness", "septic_stiffness"},
-                                                               {"coulomb_friction", "hysteresis"},
-                                                               {"freeplay", "hysteresis", "two_sided_stop"},
-                                                               {"bilinear_stiffness", "one_sided_stop"},
-                                                               {"cubic_stiffness", "saturating_stiffness"},
-                                                               {"viscous_damping", "quadratic_damping"},
-                                                               {"sensor_cross_axis", "extra_mode"},
-                                                               {"sensor_cross_axis", "parametric_excitation"}};
+  static const std::vector<std::vector<std::string>> groups = {
+      {"cubic_stiffness", "cubic_inertia"},
+      {"quadratic_stiffness", "quadratic_inertia"},
+      {"cubic_damping", "amplitude_dependent_damping"},
+      {"quintic_stiffness", "septic_stiffness"},
+      {"coulomb_friction", "hysteresis"},
+      {"freeplay", "hysteresis", "two_sided_stop"},
+      {"bilinear_stiffness", "one_sided_stop"},
+      {"cubic_stiffness", "saturating_stiffness"},
+      {"viscous_damping", "quadratic_damping"},
+      {"coulomb_friction", "stribeck_friction"},
+      {"quadratic_damping", "cubic_damping", "power_damping"},
+      {"sensor_cross_axis", "extra_mode"},
+      {"sensor_cross_axis", "parametric_excitation"}};
   std::vector<std::string> alike;
   const std::vector<std::string> outside = uncatalogued_effects();
   const auto listed = effects_of_family(family);
@@ -133,6 +142,8 @@ Withheld draw_withheld(const std::string& effect, const Specimen& s, Random& ran
   if (effect.ends_with("_stop")) w.detail = random.uniform(0.3, 0.8);
   if (effect == "saturating_stiffness") w.detail = random.uniform(0.3, 1);
   if (effect == "hysteresis") w.detail = random.uniform(0.1, 0.5);
+  if (effect == "stribeck_friction") w.detail = random.uniform(0.1, 0.6);
+  if (effect == "power_damping") w.detail = random.uniform(1.3, 3.5);
   if (effect == "threshold_damping") w.detail = random.uniform(0.4, 0.8);
   if (effect == "shaker_harmonics") w.detail = random.uniform(-1, 1);
   if (effect == "extra_mode") w.detail = 1 + random.sign() * random.uniform(0.015, 0.05);

@@ -14,9 +14,10 @@ struct Withheld {
   std::size_t mode = 0;     ///< of the structure
   std::size_t channel = 0;  ///< of the measurement, for its faults
   double coefficient = 0;   ///< in SI; see `switch_on`
-  double detail = 0;    ///< gap or slip over the typical amplitude; third over second shaker harmonic; frequency
-                        ///< of an extra mode over the excited one; 0 without meaning
-  bool smooth = false;  ///< hysteresis of Bouc and Wen instead of Jenkins
+  double detail = 0;        ///< gap, slip or level over the typical amplitude; speed of falling friction over the
+                            ///< typical one; exponent of a power; third over second shaker harmonic; frequency of
+                            ///< an extra mode over the excited one; 0 without meaning
+  bool smooth = false;      ///< hysteresis of Bouc and Wen instead of Jenkins
 };
 
 /// A structure, its excitation and its sensors with effects switched on.

@@ -101,7 +101,7 @@ double Integrator::guard(std::size_t number, double t, const Stepped& at) const 
     case friction_guard:
       if (m.friction == 0) return never;
       if (regime_.sliding[k] != 0) return velocity(x, k) * regime_.sliding[k];
-      return m.friction - std::abs(force(structure_, drive_, regime_, k, t, at.excitation, x));
+      return m.friction_at(0) - std::abs(force(structure_, drive_, regime_, k, t, at.excitation, x));
     case slider_guard:
       if (m.slider == 0 || m.smooth_slider) return never;
       if (regime_.slipping[k] != 0) return velocity(x, k) * regime_.slipping[k];
@@ -124,7 +124,7 @@ void Integrator::cross(std::size_t number) {
     case friction_guard: {
       const double f = force(structure_, drive_, regime_, k, t_, excitation_, x_);
       const bool was_at_rest = regime_.sliding[k] == 0;
-      if (!was_at_rest && std::abs(f) <= m.friction) {
+      if (!was_at_rest && std::abs(f) <= m.friction_at(0)) {
         regime_.sliding[k] = 0;
         velocity(x_, k) = 0;
       } else {

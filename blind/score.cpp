@@ -20,6 +20,7 @@ struct Label {
   double snr_db = 0;
   std::vector<std::string> effects;
   std::vector<std::vector<std::string>> same_as;
+  std::vector<std::string> disturbances;
   double sigma = 0;  // of the weakest effect
 };
 
@@ -39,6 +40,8 @@ Label read_label(const json& text) {
     const double sigma = effect.at("sigma").get<double>();
     label.sigma = label.effects.size() == 1 ? sigma : std::min(label.sigma, sigma);
   }
+  if (text.contains("disturbances"))
+    for (const auto& [kind, size] : text.at("disturbances").items()) label.disturbances.push_back(kind);
   return label;
 }
 
@@ -146,6 +149,132 @@ std::vector<CalibrationBin> calibration_of(const std::vector<Label>& labels, con
   return bins;
 }
 
+// Mean distance of stated probabilities from the shares that were right, weighted by how often they were stated.
+Figure calibration_error(const std::vector<CalibrationBin>& bins) {
+  double total = 0, error = 0;
+  std::size_t stated = 0;
+  for (const CalibrationBin& bin : bins) {
+    stated += bin.stated;
+    total += static_cast<double>(bin.stated);
+    error += std::abs(bin.mean_stated * static_cast<double>(bin.stated) - static_cast<double>(bin.right));
+  }
+  return {"expected calibration error", total > 0 ? error / total : 0, {-INFINITY, INFINITY}, stated, 0.03, true};
+}
+
+// A verdict `cause` that is wrong: it names what is neither there nor the same thing to the data.
+bool wrong_cause(const Label& label, const Said& said) {
+  if (said.verdict != "cause") return false;
+  const auto there = [&](const std::string& name) {
+    if (label.kind != "outside" && contains(label.effects, name)) return true;
+    return std::any_of(label.same_as.begin(), label.same_as.end(),
+                       [&](const std::vector<std::string>& alike) { return contains(alike, name); });
+  };
+  std::vector<std::string> named = said.set;
+  named.push_back(said.cause);
+  return std::none_of(named.begin(), named.end(), there);
+}
+
+// What the figures count, case by case.
+class Tally {
+ public:
+  void count(const Label& label, const Said& s) {
+    if (s.seconds > 0) seconds_.push_back(s.seconds);
+    if (s.verdict == "cause") wrong_cause_.count(wrong_cause(label, s));
+    if (label.kind == "none") {
+      false_alarm_.count(s.detected || s.verdict != "no_gap");
+      return;
+    }
+    if (visible(label)) detected_.count(s.detected);
+    if (label.kind == "outside") {
+      if (!can_be_told(label)) return;
+      unknown_.count(left_open(s));
+      misnamed_.count(s.verdict == "cause" || s.verdict == "set");
+    } else if (label.kind == "pair") {
+      if (!visible(label)) return;
+      const bool both = found_among(s, label.effects[0]) && found_among(s, label.effects[1]);
+      pairs_.count(both);
+      if (label.snr_db == 30) pairs30_.count(both);
+    } else {
+      count_single(label, s);
+    }
+  }
+
+  std::vector<Figure> figures() const;
+
+ private:
+  void count_single(const Label& label, const Said& s) {
+    const std::string& truth = label.effects.front();
+    if (s.verdict == "set" && contains(s.set, truth) && s.named_after.contains("proposed") &&
+        s.named_after.contains("random")) {
+      resolved_.count(s.named_after.at("proposed") == truth);
+      resolved_by_chance_.count(s.named_after.at("random") == truth);
+    }
+    (visible(label) ? contained_ : weak_).count(names(s, truth));
+    if (visible(label) && !s.verdict_without.empty() && s.explained_by_rest.empty()) {
+      unknown_without_.count(s.verdict_without == "unknown" || s.verdict_without == "approximate");
+      misnamed_without_.count(s.verdict_without == "cause" || s.verdict_without == "set");
+    }
+    if (!can_be_told(label)) return;
+    const bool first = is_named(s) && s.cause == truth;
+    top_[label.snr_db].count(first);
+    probability_.push_back(probability_of(s, truth));
+    if (!first) return;
+    if (s.closed) {
+      closed_.push_back(*s.closed);
+      if (label.snr_db == 30) closed30_.push_back(*s.closed);
+    }
+    if (s.placebo_closed) {
+      placebo_.push_back(*s.placebo_closed);
+      if (label.snr_db == 30) placebo30_.push_back(*s.placebo_closed);
+    }
+  }
+
+  Share resolved_, resolved_by_chance_, contained_, weak_, false_alarm_, detected_, unknown_, misnamed_, pairs30_,
+      pairs_, unknown_without_, misnamed_without_, wrong_cause_;
+  std::map<double, Share, std::greater<>> top_;
+  std::vector<double> probability_, closed30_, closed_, placebo30_, placebo_, seconds_;
+};
+
+std::vector<Figure> Tally::figures() const {
+  const std::map<double, double> top_targets = {{40, 0.98}, {20, 0.97}, {10, 0.9}};
+  std::vector<Figure> figures;
+  figures.push_back(contained_.figure("named cause or its set contains the truth (at least 3 sigma)", 0.95));
+  for (const auto& [snr, share] : top_) {
+    const auto target = top_targets.find(snr);
+    figures.push_back(share.figure(fmt::format("top cause right, where data can tell, {:.0f} dB", snr),
+                                   target == top_targets.end() ? std::nullopt : std::optional(target->second)));
+  }
+  figures.push_back(mean_figure("mean probability put on the true cause, where data can tell", probability_, 0.8));
+  figures.push_back(wrong_cause_.figure("verdict `cause` that is wrong, of all such verdicts", 0.02, true));
+  figures.push_back(false_alarm_.figure("false alarm on campaigns without a gap", 0.01, true));
+  figures.push_back(detected_.figure("gap detected (at least 3 sigma)", 0.99));
+  figures.push_back(unknown_.figure("effect outside of the catalogue is called unknown or approximate", 0.9));
+  figures.push_back(misnamed_.figure("effect outside of the catalogue is named as another one", 0.05, true));
+  figures.push_back(
+      unknown_without_.figure("effect left out of the catalogue in turn: called unknown or approximate", 0.9));
+  figures.push_back(
+      misnamed_without_.figure("effect left out of the catalogue in turn: another one is named", 0.05, true));
+  figures.push_back(pairs30_.figure("two effects, both found, 30 dB", 0.7));
+  figures.push_back(pairs_.figure("two effects, both found, all noise levels", std::nullopt));
+  figures.push_back(mean_figure("of the reducible gap closed_, right cause, 30 dB", closed30_, 0.9));
+  figures.push_back(
+      mean_figure("of the reducible gap closed_, right cause, all noise levels", closed_, std::nullopt));
+  figures.push_back(mean_figure("the same by a placebo regressor, 30 dB", placebo30_, 0.05, true));
+  figures.push_back(mean_figure("the same by a placebo regressor, all noise levels", placebo_, std::nullopt));
+  figures.push_back(resolved_.figure("set that holds the truth: one proposed dwell resolves it", 0.8));
+  figures.push_back(resolved_by_chance_.figure("the same set: one random dwell resolves it", std::nullopt));
+  figures.push_back(weak_.figure("named cause or its set contains the truth (less than 3 sigma)", std::nullopt));
+  figures.push_back(mean_figure("wall time of a campaign, s", seconds_, 30, true));
+  if (!seconds_.empty())
+    figures.push_back({"longest wall time of a campaign, s",
+                       *std::max_element(seconds_.begin(), seconds_.end()),
+                       {-INFINITY, INFINITY},
+                       seconds_.size(),
+                       std::nullopt,
+                       true});
+  return figures;
+}
+
 }  // namespace
 
 Interval wilson(std::size_t hits, std::size_t trials) {
@@ -197,101 +326,28 @@ Score score_of(const json& sealed, const std::vector<Said>& said) {
   for (const json& label : sealed.at("labels")) labels.push_back(read_label(label));
   Score score;
   score.cases = labels.size();
-  Share resolved, resolved_by_chance, contained, weak, false_alarm, detected, unknown, misnamed, pairs30, pairs,
-      unknown_without, misnamed_without;
-  std::map<double, Share, std::greater<>> top;
-  std::vector<double> probability, closed30, closed, placebo30, placebo, seconds;
+  Tally tally;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const Label& label = labels[i];
     const Said& s = said.at(i);
+    const bool as_it_should = right(label, s);
+    tally.count(label, s);
     ++score.confusion[truth_text(label)][named_text(s)];
     if (s.verdict == "failed") ++score.failed;
-    if (s.seconds > 0) seconds.push_back(s.seconds);
-    if (!right(label, s)) {
-      std::string named = named_text(s);
-      for (const std::string& other : s.set)
-        if (s.verdict == "set" && other != s.cause) named += ", " + other;
-      score.wrong.push_back({label.number, truth_text(label), named, label.family, label.sigma, label.snr_db});
+    for (const std::string& kind : label.disturbances) {
+      ++score.by_disturbance[kind].cases;
+      if (as_it_should) ++score.by_disturbance[kind].right;
     }
-    if (label.kind == "none") {
-      false_alarm.count(s.detected || s.verdict != "no_gap");
-      continue;
-    }
-    if (visible(label)) detected.count(s.detected);
-    if (label.kind == "outside") {
-      if (can_be_told(label)) {
-        unknown.count(left_open(s));
-        misnamed.count(s.verdict == "cause" || s.verdict == "set");
-      }
-      continue;
-    }
-    if (label.kind == "pair") {
-      if (!visible(label)) continue;
-      const bool both = found_among(s, label.effects[0]) && found_among(s, label.effects[1]);
-      pairs.count(both);
-      if (label.snr_db == 30) pairs30.count(both);
-      continue;
-    }
-    const std::string& truth = label.effects.front();
-    if (s.verdict == "set" && contains(s.set, truth) && s.named_after.contains("proposed") &&
-        s.named_after.contains("random")) {
-      resolved.count(s.named_after.at("proposed") == truth);
-      resolved_by_chance.count(s.named_after.at("random") == truth);
-    }
-    (visible(label) ? contained : weak).count(names(s, truth));
-    if (visible(label) && !s.verdict_without.empty() && s.explained_by_rest.empty()) {
-      unknown_without.count(s.verdict_without == "unknown" || s.verdict_without == "approximate");
-      misnamed_without.count(s.verdict_without == "cause" || s.verdict_without == "set");
-    }
-    if (!can_be_told(label)) continue;
-    const bool first = is_named(s) && s.cause == truth;
-    top[label.snr_db].count(first);
-    probability.push_back(probability_of(s, truth));
-    if (first && s.closed) {
-      closed.push_back(*s.closed);
-      if (label.snr_db == 30) closed30.push_back(*s.closed);
-    }
-    if (first && s.placebo_closed) {
-      placebo.push_back(*s.placebo_closed);
-      if (label.snr_db == 30) placebo30.push_back(*s.placebo_closed);
-    }
+    if (as_it_should) continue;
+    std::string named = named_text(s);
+    for (const std::string& other : s.set)
+      if (s.verdict == "set" && other != s.cause) named += ", " + other;
+    score.wrong.push_back(
+        {label.number, truth_text(label), named, label.family, label.disturbances, label.sigma, label.snr_db});
   }
-  const std::map<double, double> top_targets = {{40, 0.9}, {20, 0.8}, {10, 0.6}};
-  auto& figures = score.figures;
-  figures.push_back(contained.figure("named cause or its set contains the truth (at least 3 sigma)", 0.95));
-  for (const auto& [snr, share] : top) {
-    const auto target = top_targets.find(snr);
-    figures.push_back(share.figure(fmt::format("top cause right, where data can tell, {:.0f} dB", snr),
-                                   target == top_targets.end() ? std::nullopt : std::optional(target->second)));
-  }
-  figures.push_back(mean_figure("mean probability put on the true cause, where data can tell", probability, 0.8));
-  figures.push_back(false_alarm.figure("false alarm on campaigns without a gap", 0.01, true));
-  figures.push_back(detected.figure("gap detected (at least 3 sigma)", 0.99));
-  figures.push_back(unknown.figure("effect outside of the catalogue is called unknown or approximate", 0.9));
-  figures.push_back(misnamed.figure("effect outside of the catalogue is named as another one", 0.05, true));
-  figures.push_back(
-      unknown_without.figure("effect left out of the catalogue in turn: called unknown or approximate", 0.9));
-  figures.push_back(
-      misnamed_without.figure("effect left out of the catalogue in turn: another one is named", 0.05, true));
-  figures.push_back(pairs30.figure("two effects, both found, 30 dB", 0.7));
-  figures.push_back(pairs.figure("two effects, both found, all noise levels", std::nullopt));
-  figures.push_back(mean_figure("of the reducible gap closed, right cause, 30 dB", closed30, 0.9));
-  figures.push_back(
-      mean_figure("of the reducible gap closed, right cause, all noise levels", closed, std::nullopt));
-  figures.push_back(mean_figure("the same by a placebo regressor, 30 dB", placebo30, 0.05, true));
-  figures.push_back(mean_figure("the same by a placebo regressor, all noise levels", placebo, std::nullopt));
-  figures.push_back(resolved.figure("set that holds the truth: one proposed dwell resolves it", 0.8));
-  figures.push_back(resolved_by_chance.figure("the same set: one random dwell resolves it", std::nullopt));
-  figures.push_back(weak.figure("named cause or its set contains the truth (less than 3 sigma)", std::nullopt));
-  figures.push_back(mean_figure("wall time of a campaign, s", seconds, 30, true));
-  if (!seconds.empty())
-    figures.push_back({"longest wall time of a campaign, s",
-                       *std::max_element(seconds.begin(), seconds.end()),
-                       {-INFINITY, INFINITY},
-                       seconds.size(),
-                       std::nullopt,
-                       true});
+  score.figures = tally.figures();
   score.calibration = calibration_of(labels, said);
+  score.figures.push_back(calibration_error(score.calibration));
   return score;
 }
 

@@ -31,10 +31,16 @@ struct CalibrationBin {
   std::size_t stated = 0, right = 0;
 };
 
+/// How often cases that bear one kind of disturbance ended as they should have.
+struct DisturbedShare {
+  std::size_t cases = 0, right = 0;
+};
+
 /// A case that did not end as it should have.
 struct WrongCase {
   std::size_t number = 0;
   std::string truth, named, family;
+  std::vector<std::string> disturbances;
   double sigma = 0, snr_db = 0;
 };
 
@@ -43,6 +49,7 @@ struct Score {
   std::vector<Figure> figures;
   std::map<std::string, std::map<std::string, std::size_t>> confusion;  ///< truth -> named -> cases
   std::vector<CalibrationBin> calibration;
+  std::map<std::string, DisturbedShare> by_disturbance;  ///< kind -> ...
   std::vector<WrongCase> wrong;
 };
 

@@ -26,6 +26,28 @@ ordered_json finite_or_null(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
+std::string disturbances_markdown(const Score& score) {
+  if (score.by_disturbance.empty()) return "";
+  std::string text =
+      "\n## Disturbances\n\nA case bears up to three; it counts for each of them.\n\n"
+      "| disturbance | cases | as they should be | 95 % interval |\n|---|---|---|---|\n";
+  for (const auto& [kind, share] : score.by_disturbance) {
+    const Interval ci = wilson(share.right, share.cases);
+    text += fmt::format("| {} | {} | {} | {:.3f} to {:.3f} |\n", kind, share.cases, share.right, ci.low, ci.high);
+  }
+  return text;
+}
+
+std::string wrong_markdown(const Score& score) {
+  std::string text =
+      "\n## Cases that went wrong\n\n| case | family | truth | sigma | SNR, dB | disturbances | named "
+      "|\n|---|---|---|---|---|---|---|\n";
+  for (const WrongCase& w : score.wrong)
+    text += fmt::format("| {} | {} | {} | {:.1f} | {:.0f} | {} | {} |\n", w.number, w.family, w.truth, w.sigma,
+                        w.snr_db, fmt::join(w.disturbances, ", "), w.named);
+  return text;
+}
+
 }  // namespace
 
 ordered_json score_json(const Score& score) {
@@ -48,10 +70,19 @@ ordered_json score_json(const Score& score) {
                      {"truth", w.truth},
                      {"named", w.named},
                      {"family", w.family},
+                     {"disturbances", w.disturbances},
                      {"sigma", w.sigma},
                      {"snr_db", w.snr_db}});
-  return {{"schema", 1},        {"cases", score.cases},         {"failed", score.failed},
-          {"figures", figures}, {"confusion", score.confusion}, {"calibration", bins},
+  ordered_json disturbed = ordered_json::object();
+  for (const auto& [kind, share] : score.by_disturbance)
+    disturbed[kind] = {{"cases", share.cases}, {"right", share.right}};
+  return {{"schema", 1},
+          {"cases", score.cases},
+          {"failed", score.failed},
+          {"figures", figures},
+          {"confusion", score.confusion},
+          {"calibration", bins},
+          {"disturbances", disturbed},
           {"wrong", wrong}};
 }
 
@@ -89,13 +120,7 @@ std::string score_markdown(const Score& score, const std::string& set_name) {
         fmt::format("| {:.1f} to {:.1f} | {} | {:.3f} | {:.3f} | {:.3f} to {:.3f} |\n", b.low, b.high, b.stated,
                     b.mean_stated, static_cast<double>(b.right) / static_cast<double>(b.stated), ci.low, ci.high);
   }
-  text +=
-      "\n## Cases that went wrong\n\n| case | family | truth | sigma | SNR, dB | named "
-      "|\n|---|---|---|---|---|---|\n";
-  for (const WrongCase& w : score.wrong)
-    text += fmt::format("| {} | {} | {} | {:.1f} | {:.0f} | {} |\n", w.number, w.family, w.truth, w.sigma, w.snr_db,
-                        w.named);
-  return text;
+  return text + disturbances_markdown(score) + wrong_markdown(score);
 }
 
 std::string calibration_svg(const std::vector<CalibrationBin>& bins) {

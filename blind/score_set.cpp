@@ -62,8 +62,9 @@ void write_score(const Score& score, const std::string& set_name, const fs::path
 
 std::string name_of_set(const fs::path& folder) {
   const nlohmann::json labels = read_labels(folder);
-  return fmt::format("{} set of {} cases, seed {}", labels.at("set").get<std::string>(),
-                     labels.at("cases").get<std::size_t>(), labels.at("seed").get<std::uint64_t>());
+  return fmt::format("{} set of {} cases, seed {}{}", labels.at("set").get<std::string>(),
+                     labels.at("cases").get<std::size_t>(), labels.at("seed").get<std::uint64_t>(),
+                     labels.value("disturbed", false) ? ", disturbed records" : "");
 }
 
 }  // namespace secular::blind

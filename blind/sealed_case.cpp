@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -32,6 +33,10 @@ constexpr std::uint64_t most_redraws = 8, redrawn = 10'000'000;
 constexpr double alarm = 3.7, for_certain = 1.6;
 // Stream of the search among the rest of the catalogue.
 constexpr std::uint64_t rest_of_catalogue = 3'000'000;
+// Stream of the disturbances, apart from that of structures and effects, which stay the same without them.
+constexpr std::uint64_t of_disturbances = 5'000'000;
+// Records of one more dwell, proposed or drawn by lot, come after those of the programme.
+constexpr std::size_t further_records = 2;
 
 bool changes_with_time(const std::string& effect) {
   return effect == "modulated_force";
@@ -106,6 +111,10 @@ std::vector<Shape> shapes_of(const std::string& effect) {
     shapes.push_back({0.03, false});
     for (const double width : {0.15, 0.4}) shapes.push_back({width, true});
   }
+  if (effect == "stribeck_friction")
+    for (const double width : {0.1, 0.3, 0.6}) shapes.push_back({width, false});
+  if (effect == "power_damping")
+    for (const double exponent : {1.3, 2.0, 3.0}) shapes.push_back({exponent, false});
   if (effect == "saturating_stiffness")
     for (const double width : {0.2, 0.5, 1.0, 3.0}) shapes.push_back({width, false});
   if (shapes.empty()) shapes.emplace_back();
@@ -250,7 +259,17 @@ void move_parameters(SealedCase& c, const Signatures& signatures, double target,
   c.truths.push_back(truth);
 }
 
-SealedCase draw_once(const CasePlan& plan, Random random) {
+Disturbances disturbances_of(const Specimen& specimen, const Levels& levels, Random random) {
+  DisturbedCampaign campaign{levels.median_rms, levels.peak, 1,
+                             specimen.dwells.size() + specimen.decay_starts.size() + further_records};
+  for (std::size_t k = 0; k < specimen.structure.modes; ++k)
+    campaign.highest_natural_hz =
+        std::max(campaign.highest_natural_hz, specimen.structure.mode[k].omega / (2 * std::numbers::pi));
+  return draw_disturbances(campaign, random);
+}
+
+SealedCase draw_once(const CasePlan& plan, std::uint64_t seed, std::uint64_t stream) {
+  Random random(seed, stream);
   SealedCase c;
   c.plan = plan;
   const std::set<std::string> withheld(plan.effects.begin(), plan.effects.end());
@@ -263,7 +282,8 @@ SealedCase draw_once(const CasePlan& plan, Random random) {
   // A converter of twelve bits whose range is three times the largest signal.
   const bool coarse = random.chance(0.2);
   for (const double peak : levels.peak) c.quantum.push_back(coarse ? 6 * peak / 4096 : 0);
-  const Signatures signatures(c.specimen, c.noise_sd);
+  if (plan.disturbed) c.disturbances = disturbances_of(c.specimen, levels, Random(seed, stream + of_disturbances));
+  const Signatures signatures(c.specimen, c.noise_sd, c.disturbances);
   for (const std::string& effect : plan.effects) {
     Truth truth;
     truth.withheld = draw_withheld(effect, c.specimen, random);
@@ -288,11 +308,17 @@ bool is_bounded(const Motion& motion) {
                      [](const std::vector<double>& x) { return std::isfinite(x.back()); });
 }
 
+Structure structure_of_record(const SealedCase& c, std::size_t record) {
+  Structure structure = c.reality.structure;
+  for (ModeTerms& mode : structure.mode) mode.omega *= c.disturbances.of_record(record).frequency_factor;
+  return structure;
+}
+
 // Dwells up to the first one that does not last: a softening force may let go only after the first seconds.
 std::vector<Motion> lasting_motions(const SealedCase& c) {
   std::vector<Motion> motions;
   for (const Dwell& dwell : c.specimen.dwells) {
-    Motion motion = dwell_motion(c, dwell);
+    Motion motion = dwell_motion(c, dwell, motions.size());
     if (!is_bounded(motion)) break;
     motions.push_back(std::move(motion));
   }
@@ -312,7 +338,8 @@ std::vector<Decay> lasting_decays(const SealedCase& c) {
     drive.started = started;
     State state{};
     displacement(state, 0) = initial;
-    Motion motion = recorded_motion(c.reality.structure, drive, state, samples, c.specimen.settling.substeps);
+    Motion motion = recorded_motion(structure_of_record(c, c.specimen.dwells.size() + decays.size()), drive, state,
+                                    samples, c.specimen.settling.substeps);
     if (!is_bounded(motion)) break;
     decays.push_back({drive, std::move(motion)});
   }
@@ -321,7 +348,7 @@ std::vector<Decay> lasting_decays(const SealedCase& c) {
 
 }  // namespace
 
-std::vector<CasePlan> draw_plans(std::size_t cases, std::uint64_t seed, SetSize size) {
+std::vector<CasePlan> draw_plans(std::size_t cases, std::uint64_t seed, SetSize size, bool disturbed) {
   Random random(seed, 0);
   const std::vector<double> noise =
       size == SetSize::short_set ? std::vector<double>{40, 30} : std::vector<double>{40, 30, 20, 10};
@@ -357,6 +384,7 @@ std::vector<CasePlan> draw_plans(std::size_t cases, std::uint64_t seed, SetSize 
     }
     plan.snr_db = noise[random.below(noise.size())];
     plan.dwells = size == SetSize::short_set ? 20 : 40;
+    plan.disturbed = disturbed;
     plans.push_back(plan);
   }
   return plans;
@@ -368,7 +396,7 @@ std::vector<std::string> rest_that_explains(const SealedCase& sealed, std::uint6
   truth.same_as.clear();
   std::vector<std::string> rest = effects_of_family(sealed.plan.family);
   std::erase(rest, truth.withheld.effect);
-  const Signatures signatures(sealed.specimen, sealed.noise_sd);
+  const Signatures signatures(sealed.specimen, sealed.noise_sd, sealed.disturbances);
   find_look_alikes(truth, rest, unnamed_norm(signatures), sealed, signatures,
                    levels_of(sealed.specimen, reality_of(sealed.specimen)).peak, random);
   // A mode far beyond the band that one channel sees answers in proportion to the excitation.
@@ -378,17 +406,18 @@ std::vector<std::string> rest_that_explains(const SealedCase& sealed, std::uint6
   return truth.same_as;
 }
 
-Motion dwell_motion(const SealedCase& c, const Dwell& dwell, std::size_t length) {
+Motion dwell_motion(const SealedCase& c, const Dwell& dwell, std::size_t record, std::size_t length) {
   const Drive drive = drive_of(dwell, c.reality);
   const Settling& settling = c.specimen.settling;
-  const State settled = settled_state(c.reality.structure, drive, dwell.state, settling);
-  return recorded_motion(c.reality.structure, drive, settled, length * ensembles_per_dwell * ensemble_samples,
+  const Structure structure = structure_of_record(c, record);
+  const State settled = settled_state(structure, drive, dwell.state, settling);
+  return recorded_motion(structure, drive, settled, length * ensembles_per_dwell * ensemble_samples,
                          settling.substeps);
 }
 
 SealedCase draw_case(const CasePlan& plan, std::uint64_t seed) {
   for (std::uint64_t attempt = 0; attempt <= most_redraws; ++attempt) {
-    SealedCase c = draw_once(plan, Random(seed, plan.number + redrawn * attempt));
+    SealedCase c = draw_once(plan, seed, plan.number + redrawn * attempt);
     c.motions = lasting_motions(c);
     if (c.motions.size() < c.specimen.dwells.size()) continue;
     c.decays = lasting_decays(c);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "blind/disturbances.hpp"
 #include "blind/effect.hpp"
 #include "blind/specimen.hpp"
 
@@ -20,10 +21,12 @@ struct CasePlan {
   std::string family;
   double snr_db = 30;
   std::size_t dwells = 20;
+  bool disturbed = false;  ///< records bear disturbances drawn by lot
 };
 
 /// The plans of a set: every effect as often as any other, every noise level, in an order that the seed fixes.
-std::vector<CasePlan> draw_plans(std::size_t cases, std::uint64_t seed, SetSize size);
+/// The same seed gives the same structures and effects, `disturbed` or not.
+std::vector<CasePlan> draw_plans(std::size_t cases, std::uint64_t seed, SetSize size, bool disturbed = false);
 
 /// One thing that the model does not know, with how strongly the data show it. Strengths are norms of the change of
 /// a dwell's harmonic amplitudes in standard deviations of one ensemble, root mean square over the dwells.
@@ -45,17 +48,18 @@ struct SealedCase {
   Specimen specimen;
   std::vector<Truth> truths;
   Reality reality;
-  std::vector<double> noise_sd;              ///< by channel
-  std::vector<double> quantum;               ///< by channel; 0: none
+  std::vector<double> noise_sd;  ///< by channel
+  std::vector<double> quantum;   ///< by channel; 0: none
+  Disturbances disturbances;
   std::map<std::string, double> parameters;  ///< for parameters.json; empty: none
   std::vector<std::string> moved;            ///< symbols whose numbers in it are off
   std::vector<Motion> motions;               ///< of each dwell's record
   std::vector<Decay> decays;                 ///< after the dwells
 };
 
-/// The settled motion of a dwell, through all of its record, which is `length` times as long as those of the
-/// programme.
-Motion dwell_motion(const SealedCase& sealed, const Dwell& dwell, std::size_t length = 1);
+/// The settled motion of a dwell, through all of the campaign's record number `record`, which is `length` times as
+/// long as those of the programme.
+Motion dwell_motion(const SealedCase& sealed, const Dwell& dwell, std::size_t record, std::size_t length = 1);
 
 /// Draws everything of a case. Depends on the seed and the plan alone. Throws std::runtime_error where every
 /// attempt grows beyond bounds.

@@ -27,10 +27,12 @@ fs::path unsealed(const fs::path& folder) {
 }
 
 ordered_json heading(const SetOptions& options) {
-  return {{"schema", 1},
-          {"seed", options.seed},
-          {"set", options.size == SetSize::short_set ? "short" : "full"},
-          {"cases", options.cases}};
+  ordered_json head = {{"schema", 1},
+                       {"seed", options.seed},
+                       {"set", options.size == SetSize::short_set ? "short" : "full"},
+                       {"cases", options.cases}};
+  if (options.disturbed) head["disturbed"] = true;
+  return head;
 }
 
 [[noreturn]] void refuse_other_set(const fs::path& folder) {
@@ -54,6 +56,7 @@ SetOptions options_of(const fs::path& folder) {
   options.cases = head["cases"].get<std::size_t>();
   options.seed = head["seed"].get<std::uint64_t>();
   options.size = head.value("set", "") == "short" ? SetSize::short_set : SetSize::full_set;
+  options.disturbed = head.value("disturbed", false);
   return options;
 }
 
@@ -93,7 +96,7 @@ void generate_set(const fs::path& folder, const SetOptions& options, const Progr
   if (fs::exists(folder / "labels.json")) {
     const nlohmann::json sealed = read_labels(folder);
     for (const auto& [key, value] : head.items())
-      if (sealed.at(key) != nlohmann::json(value)) refuse_other_set(folder);
+      if (sealed.value(key, nlohmann::json()) != nlohmann::json(value)) refuse_other_set(folder);
     return;
   }
   const fs::path begun = folder / "set.json";
@@ -105,7 +108,7 @@ void generate_set(const fs::path& folder, const SetOptions& options, const Progr
     write_text(begun, head.dump() + "\n");
   }
   fs::create_directories(unsealed(folder));
-  const std::vector<CasePlan> plans = draw_plans(options.cases, options.seed, options.size);
+  const std::vector<CasePlan> plans = draw_plans(options.cases, options.seed, options.size, options.disturbed);
   std::vector<ordered_json> labels(plans.size());
   std::atomic<std::size_t> done{0};
   in_parallel(plans.size(), options.threads, [&](std::size_t i) {

@@ -14,6 +14,7 @@ struct SetOptions {
   std::size_t cases = 60;
   std::uint64_t seed = 1;
   SetSize size = SetSize::short_set;
+  bool disturbed = false;  ///< records bear disturbances drawn by lot
   unsigned threads = 1;
 };
 

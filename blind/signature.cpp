@@ -5,10 +5,14 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace secular::blind {
 namespace {
+
+// Steps of differences: small beside a period and beside a half-bandwidth.
+constexpr double late_step_s = 1e-4, frequency_step = 1e-4;
 
 // A structure that differs little from the settled one is settled again soon.
 Settling resettling(const Specimen& specimen) {
@@ -67,9 +71,10 @@ Levels levels_of(const Specimen& specimen, const Reality& reality) {
   return levels;
 }
 
-Signatures::Signatures(const Specimen& specimen, std::vector<double> noise_sd)
+Signatures::Signatures(const Specimen& specimen, std::vector<double> noise_sd, Disturbances disturbances)
     : specimen_(specimen),
       noise_sd_(std::move(noise_sd)),
+      disturbances_(std::move(disturbances)),
       harmonics_(specimen.settling.periods_of_two == 2 ? 6 : 4) {}
 
 const Eigen::VectorXd& Signatures::nominal(bool all_ensembles) const {
@@ -96,8 +101,12 @@ Eigen::VectorXd Signatures::amplitudes(const Reality& reality, bool all_ensemble
       const Eigen::LDLT<Eigen::MatrixXd> normal(basis.transpose() * basis);
       for (std::size_t c = 0; c < channels; ++c) {
         const Eigen::Map<const Eigen::VectorXd> y(samples[c].data() + e * ensemble_samples, ensemble_samples);
-        const double sd = noise_sd_[c] * std::sqrt(2.0 / static_cast<double>(ensemble_samples));
-        result.segment(at, components()) = normal.solve(basis.transpose() * y) / sd;
+        result.segment(at, components()) = normal.solve(basis.transpose() * y);
+        for (Eigen::Index i = 0; i < components(); ++i) {
+          const double hz = static_cast<double>((i + 1) / 2) * fundamental / (2 * std::numbers::pi);
+          const double white = std::hypot(noise_sd_[c], disturbances_.coloured_as_white(c, hz));
+          result(at + i) /= white * std::sqrt(2.0 / static_cast<double>(ensemble_samples));
+        }
         result(at) *= std::sqrt(2.0);  // the mean's standard deviation is the smaller one
         at += components();
       }
@@ -110,14 +119,12 @@ Eigen::VectorXd Signatures::difference(const Reality& reality, bool all_ensemble
   return amplitudes(reality, all_ensembles) - nominal(all_ensembles);
 }
 
-const Eigen::MatrixX2d& Signatures::excitation_noise(bool all_ensembles) const {
+Eigen::MatrixX2d Signatures::excitation_noise(bool all_ensembles) const {
   constexpr double step = 0.002;
-  Eigen::MatrixX2d& noise = excitation_noise_[all_ensembles];
-  if (noise.rows() > 0) return noise;
   const Eigen::VectorXd& here = nominal(all_ensembles);
   const Eigen::VectorXd larger = (amplitudes(reality_of(specimen_), all_ensembles, 1 + step) - here) / step;
   if (!larger.allFinite()) throw std::runtime_error("a dwell of the model alone has no bounded motion");
-  noise = Eigen::MatrixX2d::Zero(here.size(), 2);
+  Eigen::MatrixX2d noise = Eigen::MatrixX2d::Zero(here.size(), 2);
   const Eigen::Index width = static_cast<Eigen::Index>(noise_sd_.size()) * components();
   const auto driven = static_cast<Eigen::Index>(specimen_.settling.periods_of_two);  // harmonic of the fundamental
   for (Eigen::Index first = 0; first < here.size(); first += width) {
@@ -135,10 +142,35 @@ const Eigen::MatrixX2d& Signatures::excitation_noise(bool all_ensembles) const {
   return noise;
 }
 
+// A lot of a whole record is the same in all of its ensembles, whose mean has a standard deviation that is the root
+// of their number smaller: counted in that of one ensemble the lot is larger by this root.
+const Eigen::MatrixXd& Signatures::noise_of_dwells(bool all_ensembles) const {
+  Eigen::MatrixXd& noise = noise_of_dwells_[all_ensembles];
+  if (noise.rows() > 0) return noise;
+  noise = excitation_noise(all_ensembles);
+  const double of_one = std::sqrt(static_cast<double>(ensembles_per_dwell));
+  const auto add_column = [&](const Eigen::VectorXd& column) {
+    noise.conservativeResize(Eigen::NoChange, noise.cols() + 1);
+    noise.rightCols<1>() = column;
+  };
+  // Standard deviation of what is drawn evenly from 0 to T: T/sqrt(12).
+  if (disturbances_.latest_s > 0) {
+    Reality late = reality_of(specimen_);
+    late.measurement.fault[0].late -= late_step_s;
+    add_column(of_one * disturbances_.latest_s / std::sqrt(12.0) / late_step_s * difference(late, all_ensembles));
+  }
+  if (disturbances_.frequency_scatter > 0) {
+    Reality shifted = reality_of(specimen_);
+    for (ModeTerms& mode : shifted.structure.mode) mode.omega *= 1 + frequency_step;
+    add_column(of_one * disturbances_.frequency_scatter / frequency_step * difference(shifted, all_ensembles));
+  }
+  return noise;
+}
+
 // (I + N N^T)^(-1/2) by the singular values s of N: along its left vectors 1/sqrt(1 + s^2), elsewhere 1.
 Eigen::VectorXd Signatures::change(const Reality& reality, bool all_ensembles) const {
   Eigen::VectorXd result = difference(reality, all_ensembles);
-  const Eigen::MatrixX2d& noise = excitation_noise(all_ensembles);
+  const Eigen::MatrixXd& noise = noise_of_dwells(all_ensembles);
   const Eigen::Index width = static_cast<Eigen::Index>(noise_sd_.size()) * components();
   for (Eigen::Index first = 0; first < result.size(); first += width) {
     const Eigen::MatrixXd of_dwell = noise.middleRows(first, width);  // thin U needs columns counted at run time

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "blind/disturbances.hpp"
 #include "blind/effect.hpp"
 #include "blind/specimen.hpp"
 
@@ -15,11 +16,12 @@ namespace secular::blind {
 /// Harmonic amplitudes of every dwell and channel of a reality, as one vector: real and imaginary parts of the
 /// harmonics of the response's fundamental in the first ensemble (in all of them where an effect changes with
 /// time), each divided by its standard deviation under the noise. The excitation is known as well as its channel
-/// tells it and no better: what an error of its amplitude or phase would do to the responses counts as noise.
+/// tells it and no better: what an error of its amplitude or phase would do to the responses counts as noise, and
+/// so does what a record that is late or a natural frequency that scatters from record to record does to them.
 class Signatures {
  public:
   /// `noise_sd` by channel.
-  Signatures(const Specimen& specimen, std::vector<double> noise_sd);
+  Signatures(const Specimen& specimen, std::vector<double> noise_sd, Disturbances disturbances = {});
 
   /// How a reality's harmonic amplitudes differ from the model's own, in standard deviations (rotated so that these
   /// are independent of each other). `all_ensembles` costs more.
@@ -50,17 +52,20 @@ class Signatures {
   /// Of one channel's noise alone: each divided by its own standard deviation.
   Eigen::VectorXd difference(const Reality& reality, bool all_ensembles) const;
   /// What errors of the excitation's amplitude and phase of one standard deviation do to the responses.
-  const Eigen::MatrixX2d& excitation_noise(bool all_ensembles) const;
+  Eigen::MatrixX2d excitation_noise(bool all_ensembles) const;
+  /// The same of all that counts as noise of a whole dwell, a column each.
+  const Eigen::MatrixXd& noise_of_dwells(bool all_ensembles) const;
   /// The change where `reality`'s own parameters move by the first of `moved`, in steps of unit columns.
   Eigen::VectorXd change_with_own(Reality reality, const Eigen::VectorXd& moved, bool all_ensembles) const;
 
   const Specimen& specimen_;
   std::vector<double> noise_sd_;
+  Disturbances disturbances_;
   std::size_t harmonics_;
   const Eigen::VectorXd& nominal(bool all_ensembles) const;
 
   mutable std::map<bool, Eigen::VectorXd> nominal_;
-  mutable std::map<bool, Eigen::MatrixX2d> excitation_noise_;
+  mutable std::map<bool, Eigen::MatrixXd> noise_of_dwells_;
   mutable std::map<bool, Eigen::MatrixXd> own_;
   mutable std::map<bool, std::vector<double>> steps_;  // of each own parameter for a column of unit length
 };

@@ -141,7 +141,9 @@ double coefficient_of_share(const Specimen& s, const std::string& effect, std::s
   if (effect == "quadratic_damping") return unit / (w * w * a * a);
   if (effect == "cubic_damping") return unit / std::pow(w * a, 3);
   if (effect == "amplitude_dependent_damping") return unit / (a * a * a * w);
-  if (effect == "coulomb_friction") return unit;
+  if (effect == "coulomb_friction" || effect == "stribeck_friction") return unit;
+  // Of the mean of the exponents that are drawn; the strength is scaled to what is asked for anyway.
+  if (effect == "power_damping") return unit / std::pow(w * a, 2.4);
   if (effect == "quadratic_stiffness") return unit / (a * a);
   if (effect == "cubic_stiffness") return unit / (a * a * a);
   if (effect == "quintic_stiffness") return unit / std::pow(a, 5);

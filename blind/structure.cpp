@@ -28,6 +28,7 @@ double force(const Structure& structure, const Drive& drive, const Regime& regim
   if (m.two_sided_stop != 0 && regime.band[k] != 0) f -= m.two_sided_stop * (q - regime.band[k] * m.gap);
   if (m.saturating != 0) f += m.saturating * (q - m.level * std::tanh(q / m.level));
   if (m.slider != 0) f -= m.slider * slider_spring(x, k);
+  if (m.power != 0) f -= std::copysign(m.power * std::pow(std::abs(p), m.exponent), p);
   if (m.one_sided != 0) f -= m.one_sided * std::max(p, 0.0);
   if (m.threshold_damping != 0 && regime.beyond[k] != 0) f -= m.threshold_damping * p;
   if (m.level_stiffness != 0) f -= m.level_stiffness * drive.amplitude * drive.amplitude * q;
@@ -53,7 +54,8 @@ double acceleration(const Structure& structure, const Drive& drive, const Regime
   const ModeTerms& m = structure.mode[k];
   if (m.friction != 0 && regime.sliding[k] == 0) return 0;
   const double q = displacement(x, k), p = velocity(x, k);
-  double f = force(structure, drive, regime, k, t, excitation, x) - m.friction * regime.sliding[k];
+  double f = force(structure, drive, regime, k, t, excitation, x);
+  if (m.friction != 0) f -= m.friction_at(std::abs(p)) * regime.sliding[k];
   if (m.delta2 == 0 && m.delta3 == 0) return f;
   f -= (m.delta2 + m.delta3 * q) * p * p;
   return f / (1 + (2 * m.delta2 + m.delta3 * q) * q);
@@ -108,6 +110,8 @@ double* coefficient(Structure& structure, const std::string& effect, std::size_t
                            {"cubic_damping", &m.mu3},
                            {"amplitude_dependent_damping", &m.mu4},
                            {"coulomb_friction", &m.friction},
+                           {"stribeck_friction", &m.friction},
+                           {"power_damping", &m.power},
                            {"quadratic_stiffness", &m.alpha2},
                            {"cubic_stiffness", &m.alpha3},
                            {"quintic_stiffness", &m.alpha5},

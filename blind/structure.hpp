@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -19,6 +20,10 @@ struct ModeTerms {
   double mu3 = 0;             ///< -mu3 q'^3
   double mu4 = 0;             ///< -mu4 q^2 q'
   double friction = 0;        ///< -friction sgn(q'), with rest
+  double falling_share = 0;   ///< that friction is larger by this share at rest: ...
+  double falling_speed = 1;   ///< ... (1 + falling_share exp(-|q'|/falling_speed)), > 0
+  double power = 0;           ///< -power |q'|^exponent sgn(q')
+  double exponent = 1;        ///< > 1
   double alpha2 = 0;          ///< -alpha2 q^2
   double alpha3 = 0;          ///< -alpha3 q^3
   double alpha5 = 0;          ///< -alpha5 q^5
@@ -52,6 +57,10 @@ struct ModeTerms {
   double third_coupling = 0;       ///< potential third_coupling q^3 u
   double parametric_coupling = 0;  ///< +parametric_coupling u f(t)
 
+  /// Friction's size at speed |q'|.
+  double friction_at(double speed) const {
+    return falling_share == 0 ? friction : friction * (1 + falling_share * std::exp(-speed / falling_speed));
+  }
   bool has_gap() const { return freeplay != 0 || one_sided_stop != 0 || two_sided_stop != 0; }
 };
 

@@ -25,6 +25,7 @@ struct Options {
   std::uint64_t seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   double limit_s = 300;
+  bool disturbed = false;
 };
 
 void generate(const Options& options) {
@@ -33,6 +34,7 @@ void generate(const Options& options) {
   set.cases = options.cases > 0 ? options.cases : options.set == "full" ? 1000 : 60;
   set.seed = options.seed;
   set.threads = options.threads;
+  set.disturbed = options.disturbed;
   ProgressLine line("cases made");
   blind::generate_set(options.folder, set, [&line](std::size_t done, std::size_t total) { line(done, total); });
   fmt::print("{} cases in {}, labels sealed\n", set.cases, options.folder);
@@ -97,6 +99,10 @@ void add_set_options(CLI::App* command, const std::shared_ptr<Options>& options)
   command->add_option("--set", options->set, "short: 20 dwells, 40 and 30 dB; full: 40 dwells, 40 to 10 dB")
       ->check(CLI::IsMember({"short", "full"}))
       ->capture_default_str();
+  command->add_flag(
+      "--disturbed", options->disturbed,
+      "every campaign with one to three disturbances drawn by lot: mains, steps of a converter, coloured "
+      "noise, late records, ...; structures and effects stay those of the seed");
   command->add_option("-o,--output", options->folder, "folder to make or to complete")->required();
 }
 
