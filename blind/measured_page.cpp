@@ -108,6 +108,16 @@ std::string errors_text(const ordered_json& errors) {
   return text;
 }
 
+bool names_nothing(const ordered_json& row) {
+  const std::string verdict = row.at("said").at("verdict");
+  return verdict == "unknown" || verdict == "no_gap";
+}
+
+std::string judgement(const ordered_json& row) {
+  if (!row.at("met").get<bool>()) return "**missed**";
+  return names_nothing(row) ? "met, nothing named" : "met";
+}
+
 std::string table_row(const ordered_json& row) {
   const bool diagnosed = row.at("outcome") == "diagnosed";
   const ordered_json& said = row.at("said");
@@ -116,7 +126,7 @@ std::string table_row(const ordered_json& row) {
                      diagnosed ? errors_text(said.at("errors_in_segments")) : "",
                      diagnosed ? errors_text(said.at("errors_held_out")) : "",
                      diagnosed ? fmt::format("{:.1f} %", 100 * said.at("data_used").get<double>()) : "",
-                     row.at("seconds").get<double>(), row.at("met").get<bool>() ? "met" : "**missed**");
+                     row.at("seconds").get<double>(), judgement(row));
 }
 
 std::string section(const ordered_json& row) {
@@ -138,13 +148,15 @@ std::string section(const ordered_json& row) {
 }
 
 std::string head_text(const ordered_json& page) {
-  std::size_t met = 0;
+  std::size_t met = 0, silent = 0;
   std::vector<std::string> missed_names;
   for (const ordered_json& row : page.at("sets")) {
-    if (row.at("met").get<bool>())
-      ++met;
-    else
+    if (!row.at("met").get<bool>()) {
       missed_names.push_back(row.at("name"));
+      continue;
+    }
+    ++met;
+    if (names_nothing(row)) ++silent;
   }
   std::string text = fmt::format(
       "# Measured records\n\nWhat the program says of records that nobody on this project made, beside what is "
@@ -161,9 +173,13 @@ std::string head_text(const ordered_json& page) {
       "fit, with its 95 % interval. Errors are root mean squares of measured minus simulated, before and after the "
       "best explanation: in segments with a state of each segment's own, which the fit has seen, and held out over "
       "the window of `--check-from` and `--check-to`, in one piece, where a set has one. Time is wall time of both "
-      "commands on whatever else the machine did; everything else comes out the same again. Where several modes "
+      "commands beside whatever else the machine did; everything else comes out the same again. Where several "
+      "modes "
       "ring, `--band` runs from three quarters to five quarters of the mode's known frequency.\n\n";
-  text += fmt::format("**{} of {} sets meet their aim.**", met, page.at("sets").size());
+  text += fmt::format(
+      "**{} of {} sets meet their aim**: {} with the right name, {} where nothing wrong is named, and nothing "
+      "right.",
+      met, page.at("sets").size(), met - silent, silent);
   if (!missed_names.empty()) text += fmt::format(" Missed: {}.", fmt::join(missed_names, ", "));
   return text + "\n\n";
 }

@@ -129,7 +129,10 @@ class MeasuredPage : public testing::Test {
 };
 
 TEST_F(MeasuredPage, SaysWhatIsMetAndWhatIsNot) {
-  EXPECT_TRUE(shows("**1 of 4 sets meet their aim.** Missed: wrong, short, slow.")) << page();
+  EXPECT_TRUE(
+      shows("**1 of 4 sets meet their aim**: 1 with the right name, 0 where nothing wrong is named, and "
+            "nothing right. Missed: wrong, short, slow."))
+      << page();
   EXPECT_TRUE(
       shows("| [right](#right) | approximate: hysteresis | 95.0 % [85, 97] | 0.123, 0.0456 m |  | 25.0 % | 7 "
             "| met |"))
@@ -143,6 +146,14 @@ TEST_F(MeasuredPage, SaysWhatIsMetAndWhatIsNot) {
       shows("secular import $DATA/f/a.csv -o out/right/campaign --time 'data(:,1)'\nsecular diagnose "
             "out/right/campaign --model models/own.toml -o out/right/diagnosis"))
       << page();
+}
+
+// An `unknown` that is asked for is no success of the same kind as a name.
+TEST_F(MeasuredPage, TellsSilenceFromNames) {
+  results[2] = diagnosed(said("unknown", {"freeplay"}, {}, 0.5));
+  EXPECT_TRUE(shows("**2 of 4 sets meet their aim**: 1 with the right name, 1 where nothing wrong is named"))
+      << page();
+  EXPECT_TRUE(shows("| met, nothing named |")) << page();
 }
 
 TEST_F(MeasuredPage, HeldOutErrorsStandWhereAWindowIsChecked) {
