@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "blind/case_files.hpp"
-#include "input/child_process.hpp"
 #include "input/input_error.hpp"
 
 namespace secular::blind {
@@ -47,27 +46,37 @@ std::optional<std::string> help_of_diagnose(const fs::path& program) {
 
 Diagnoser::Diagnoser(const RunOptions& options) : options_(options), threads_(thread_arguments(options)) {}
 
+std::optional<std::string> fault_of(const ProcessEnd& ended, const fs::path& log, double limit_s) {
+  if (ended.status == 0) return std::nullopt;
+  if (ended.out_of_time) return fmt::format("more than {:.0f} s", limit_s);
+  if (ended.status < 0) return "crashed";
+  return fmt::format("exit status {}: {}", ended.status, fs::exists(log) ? last_line(read_text(log)) : "");
+}
+
 std::optional<std::string> Diagnoser::run(const fs::path& place, const fs::path& campaign, const fs::path& out,
                                           const std::vector<std::string>& without) const {
+  std::vector<std::string> arguments = {"diagnose", campaign.string(), "--model", (place / "model.toml").string()};
+  if (fs::exists(place / "parameters.json"))
+    arguments.insert(arguments.end(), {"--parameters", (place / "parameters.json").string()});
+  arguments.insert(arguments.end(), {"-o", (out / "diagnosis").string()});
+  for (const std::string& effect : without) arguments.insert(arguments.end(), {"--without", effect});
+  return run(std::move(arguments), out).fault;
+}
+
+Diagnoser::End Diagnoser::run(std::vector<std::string> arguments, const fs::path& out) const {
   const fs::path result = out / "diagnosis", log = out / "diagnosis.log";
   std::error_code ignored;
   fs::remove_all(result, ignored);
-  std::vector<std::string> arguments = {options_.program.string(), "diagnose", campaign.string(), "--model",
-                                        (place / "model.toml").string()};
-  if (fs::exists(place / "parameters.json"))
-    arguments.insert(arguments.end(), {"--parameters", (place / "parameters.json").string()});
-  arguments.insert(arguments.end(), {"-o", result.string()});
-  for (const std::string& effect : without) arguments.insert(arguments.end(), {"--without", effect});
+  arguments.insert(arguments.begin(), options_.program.string());
   arguments.insert(arguments.end(), threads_.begin(), threads_.end());
-  const ProcessEnd ended = run_process({.arguments = arguments, .log = log, .limit_s = options_.limit_s});
+  End end;
+  end.process = run_process({.arguments = arguments, .log = log, .limit_s = options_.limit_s});
   const nlohmann::ordered_json how = {
-      {"status", ended.status}, {"out_of_time", ended.out_of_time}, {"seconds", ended.seconds}};
+      {"status", end.process.status}, {"out_of_time", end.process.out_of_time}, {"seconds", end.process.seconds}};
   write_text(out / "run.json", how.dump() + "\n");
-  if (ended.status == 0 && fs::exists(result / "diagnosis.json")) return std::nullopt;
-  if (ended.out_of_time) return fmt::format("more than {:.0f} s", options_.limit_s);
-  if (ended.status < 0) return "crashed";
-  if (ended.status == 0) return "no diagnosis.json";
-  return fmt::format("exit status {}: {}", ended.status, fs::exists(log) ? last_line(read_text(log)) : "");
+  end.fault = fault_of(end.process, log, options_.limit_s);
+  if (!end.fault && !fs::exists(result / "diagnosis.json")) end.fault = "no diagnosis.json";
+  return end;
 }
 
 void Failures::add(std::size_t number, std::string reason) {

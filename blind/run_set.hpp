@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "blind/sealed_set.hpp"
+#include "input/child_process.hpp"
 
 namespace secular::blind {
 
@@ -41,9 +42,17 @@ struct RunSummary {
 /// What `PROGRAM diagnose --help` prints; nothing where the program has no such command.
 std::optional<std::string> help_of_diagnose(const std::filesystem::path& program);
 
+/// What went wrong with a run of the program, if anything did: that its time was up, or the last line of its log.
+std::optional<std::string> fault_of(const ProcessEnd& ended, const std::filesystem::path& log, double limit_s);
+
 /// `secular diagnose` as a process of its own.
 class Diagnoser {
  public:
+  struct End {
+    ProcessEnd process;
+    std::optional<std::string> fault;  ///< what went wrong, if anything did
+  };
+
   /// Throws InputError where the program has no such command.
   explicit Diagnoser(const RunOptions& options);
 
@@ -53,6 +62,9 @@ class Diagnoser {
   std::optional<std::string> run(const std::filesystem::path& place, const std::filesystem::path& campaign,
                                  const std::filesystem::path& out,
                                  const std::vector<std::string>& without = {}) const;
+
+  /// `PROGRAM ARGUMENTS`, which are those of a diagnosis that writes OUT/diagnosis/; the same files beside it.
+  End run(std::vector<std::string> arguments, const std::filesystem::path& out) const;
 
  private:
   RunOptions options_;

@@ -5,13 +5,18 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 
+#include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
 #include "app/shared/progress_line.hpp"
+#include "app/shared/result_files.hpp"
 #include "blind/follow_up.hpp"
 #include "blind/leave_out.hpp"
+#include "blind/measured_page.hpp"
+#include "blind/measured_run.hpp"
 #include "blind/run_set.hpp"
 #include "blind/score_set.hpp"
 #include "blind/sealed_set.hpp"
@@ -26,6 +31,11 @@ struct Options {
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   double limit_s = 300;
   bool disturbed = false;
+  // Of measured sets.
+  std::string data, list = "models/measured/sets.toml", work = "out/measured";
+  std::vector<std::string> only;
+  bool force = false;
+  const CLI::App* command = nullptr;
 };
 
 void generate(const Options& options) {
@@ -90,6 +100,24 @@ void score(const Options& options) {
   }
   fmt::print("{} of {} cases went wrong, {} without a diagnosis; see {}/score.md\n", score.wrong.size(),
              score.cases, score.failed, options.page);
+}
+
+void measured(const Options& options) {
+  const blind::MeasuredList list = blind::only_sets(blind::read_measured_list(options.list), options.only);
+  ProgressLine line("sets diagnosed");
+  blind::RunOptions how = run_options(options);
+  how.threads = 1;
+  const blind::MeasuredRun run =
+      blind::run_measured(list, {options.data, options.work}, how, options.force,
+                          [&line](std::size_t done, std::size_t total) { line(done, total); });
+  const nlohmann::ordered_json page = blind::measured_json(
+      {command_line_of(*options.command), options.list, options.data, options.work}, list, run.results);
+  write_result_files(options.page,
+                     {{"measured.json", page.dump(1) + "\n"}, {"measured.md", blind::measured_markdown(page)}});
+  const auto met = std::count_if(page.at("sets").begin(), page.at("sets").end(),
+                                 [](const nlohmann::ordered_json& set) { return set.at("met").get<bool>(); });
+  fmt::print("{} sets, {} diagnosed before; {} meet their aim; see {}/measured.md\n", list.sets.size(), run.kept,
+             met, options.page);
 }
 
 void add_set_options(CLI::App* command, const std::shared_ptr<Options>& options) {
@@ -157,6 +185,23 @@ void add_blind_command(CLI::App& root, Action& chosen) {
   scoring->add_option("FOLDER", score_options->folder, "made by generate, diagnosed by run")->required();
   scoring->add_option("-o,--output", score_options->page, "folder of score.md, score.json and calibration.svg")
       ->capture_default_str();
+  const auto [measuring, measured_options] =
+      add("measured", "Diagnose records that others measured and compare with what is known of them", measured);
+  measured_options->command = measuring;
+  measured_options->page.clear();
+  measuring->add_option("DATA", measured_options->data, "folder of the measured data")->required();
+  measuring->add_option("-o,--output", measured_options->page, "folder of measured.md and measured.json")
+      ->required();
+  measuring->add_option("--list", measured_options->list, "the sets, their models and their aims")
+      ->capture_default_str();
+  measuring
+      ->add_option("--work", measured_options->work,
+                   "folder of results; sets that have one there are not run again")
+      ->capture_default_str();
+  measuring->add_option("--only", measured_options->only, "a set by its name; may be given several times")
+      ->allow_extra_args(false);
+  measuring->add_flag("--force", measured_options->force, "run sets that have a result as well");
+  add_run_options(measuring, measured_options);
   const auto [all, all_options] =
       add("all", "generate, run, follow, leave-out and score", generate, run, follow, leave_out, score);
   add_set_options(all, all_options);

@@ -23,6 +23,10 @@ class SlowMeasuredDiagnosis : public testing_support::DiagnosedFolder {
     return testing_support::source_folder().parent_path() / "shared/data" / file;
   }
 
+  static std::string own_model(const std::string& file) {
+    return testing_support::text_of(testing_support::source_folder() / "models/measured" / file);
+  }
+
   nlohmann::json diagnosed(const std::string& import, const std::string& model, const std::string& options) {
     std::ofstream(folder_ / "model.toml") << model;
     if (run("import " + import + " -o " + path("campaign")) != 0) return {};
@@ -40,22 +44,8 @@ TEST_F(SlowMeasuredDiagnosis, ThePendulumHasDryFrictionAndDrag) {
   const fs::path data = measured("pendulum/cdip_pend_data.mat");
   if (!fs::exists(data)) GTEST_SKIP() << data << " is not here: the measured pendulum is not diagnosed";
   const nlohmann::json d =
-      diagnosed(data.string() + " --kind free_decay --time t --channel theta:response:angle:rad", R"toml(schema = 1
-name = "pendulum_viscous"
-[[mode]]
-coordinate = "theta"
-frequency = "omega0"
-equation = "D2(theta) + omega0^2*theta = -2*mu1*D(theta) - alpha3*theta^3 - alpha5*theta^5"
-[[case]]
-name = "free"
-relations = []
-order = { mu1 = 2, alpha3 = 2, alpha5 = 4 }
-expand_to = 4
-excitation = false
-[nominal]
-omega0 = 5.77
-)toml",
-                "--to 80 --check-from 0 --check-to 80 --fit-check");
+      diagnosed(data.string() + " --kind free_decay --time t --channel theta:response:angle:rad",
+                own_model("pendulum_viscous.toml"), "--to 80 --check-from 0 --check-to 80 --fit-check");
   ASSERT_TRUE(d.is_object()) << printed();
   // A slider on a stiff spring is dry friction to all but the smallest swings.
   EXPECT_EQ(d["causes"][0]["effect"], "coulomb_friction");
@@ -78,21 +68,7 @@ TEST_F(SlowMeasuredDiagnosis, TheBoltedBeamActsMostLikeFrictionWithMemory) {
   if (!fs::exists(data)) GTEST_SKIP() << data << " is not here: the measured beam is not diagnosed";
   const nlohmann::json d = diagnosed(
       data.string() + " --kind free_decay --time HIdata.time --channel a1=HIdata.acc1:response:acceleration:m/s^2",
-      R"toml(schema = 1
-name = "beam_linear"
-[[mode]]
-coordinate = "v"
-frequency = "omega0"
-equation = "D2(v) + omega0^2*v = -2*mu1*D(v)"
-[[case]]
-name = "free"
-order = { mu1 = 2 }
-expand_to = 2
-excitation = false
-[nominal]
-omega0 = 506
-)toml",
-      "--band 62:100 --to 1.2");
+      own_model("beam_linear.toml"), "--band 62:100 --to 1.2");
   ASSERT_TRUE(d.is_object()) << printed();
   EXPECT_TRUE(d["gap"]["detected"]);
   // Friction with memory is what acts most alike. Among the errors of the record itself it leaves structure (one
@@ -115,20 +91,7 @@ TEST_F(SlowMeasuredDiagnosis, TheSilverboxHasACubicSpringAndAnOffsetAtItsInput) 
   const nlohmann::json d = diagnosed(data.string() +
                                          " --kind broadband --sample-rate 610.35 --channel V1:excitation:voltage:V "
                                          "--channel V2:response:voltage:V",
-                                     R"toml(schema = 1
-name = "silverbox_linear"
-[[mode]]
-coordinate = "v"
-frequency = "omega0"
-equation = "D2(v) + omega0^2*v = -2*mu1*D(v) + eta*F*cos(Omega*t)"
-[[case]]
-name = "primary"
-relations = ["Omega = omega0 + eps^2*sigma"]
-order = { mu1 = 2, eta = 2 }
-expand_to = 2
-[nominal]
-omega0 = 430.0
-)toml",
+                                     own_model("oscillator_linear.toml"),
                                      "--from 66.6011 --to 173.1990 --check-from 173.1990 --check-to 208.7310");
   ASSERT_TRUE(d.is_object()) << printed();
   // Among the records' own errors something is left beside them.
