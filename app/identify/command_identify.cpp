@@ -20,6 +20,7 @@
 #include "app/shared/left_out.hpp"
 #include "app/shared/record_selection.hpp"
 #include "app/shared/result_files.hpp"
+#include "app/shared/scatter_output.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
 
@@ -64,6 +65,7 @@ void print_summary(const Identification& id, const std::string& folder) {
   };
   fmt::print("parameters\n");
   for (const EstimatedValue& v : id.estimate.parameters) print(v);
+  for (const std::string& line : scatter_lines(id.estimate)) fmt::print("  {}\n", line);
   fmt::print("lumps\n");
   for (const ObservationSet& set : id.measured) {
     if (id.measured.size() > 1) fmt::print(" case {}\n", set.resonance->name);
