@@ -613,7 +613,7 @@ std::string identification_report(const Identification& id, const std::string& c
     page.preformatted(text);
   });
   page.provenance({command,
-                   "secular 0.1.0",
+                   report::program_version,
                    {fmt::format("campaign {}, {} records, {} observations used", id.campaign.name,
                                 id.campaign.records.size(), observations_of(id))}});
   return page.html();
