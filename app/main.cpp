@@ -6,6 +6,7 @@
 #include <new>
 
 #include "app/shared/commands.hpp"
+#include "app/shared/notices.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
 
@@ -17,6 +18,7 @@ int main(int argc, char** argv) {
   root.footer("Example: secular derive two_mass_mode1 --case principal_parametric");
   Action chosen;
   for (AddCommand* add : all_commands) add(root, chosen);
+  add_common_flags(root);
   try {
     root.parse(argc, argv);
     return chosen ? chosen() : 0;

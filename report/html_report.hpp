@@ -36,10 +36,13 @@ struct Table {
   std::string caption;                         ///< optional
 };
 
+/// Of the program, for reports and --version.
+inline constexpr const char* program_version = "secular 0.1.0";
+
 /// How the report came about; printed at its foot. No date: the same input gives the same bytes.
 struct Provenance {
   std::string command;              ///< "secular identify out/test --model two_mass_mode1 -o out/report"
-  std::string version;              ///< "secular 0.1.0"
+  std::string version;              ///< program_version
   std::vector<std::string> inputs;  ///< "campaign: out/test, 24 records", ...
 };
 

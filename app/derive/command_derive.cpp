@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "app/shared/commands.hpp"
+#include "app/shared/notices.hpp"
+#include "app/shared/output_target.hpp"
 #include "app/shared/shipped_models.hpp"
 #include "codegen/document/print_html.hpp"
 #include "codegen/document/print_json.hpp"
@@ -13,7 +15,6 @@
 #include "codegen/document/print_text.hpp"
 #include "perturb/model.hpp"
 #include "perturb/with_effects.hpp"
-#include "report/whole_file.hpp"
 
 namespace secular::app {
 namespace {
@@ -35,7 +36,8 @@ Model augmented(const Model& model, const std::vector<std::string>& effects) {
 
 void add_derive_command(CLI::App& root, Action& chosen) {
   struct Options {
-    std::string model, resonance, format = "text", output;
+    std::string model, resonance, format = "text";
+    OutputFile output;
     std::vector<std::string> effects;
     bool json = false;
   };
@@ -55,23 +57,21 @@ void add_derive_command(CLI::App& root, Action& chosen) {
       "NAME[:MODE[:OTHER[:FORM]]]: add an effect of the catalogue to the equations of motion of coordinate MODE "
       "(repeatable)");
   command->add_flag("--json", options->json, "same as --format json");
-  command->add_option("-o,--output", options->output, "file to write; standard output without it");
+  options->output.add_to(*command);
   command->footer(
       "Exit status 1 if a certificate does not hold.\n"
       "Examples: secular derive two_mass_mode1 --case principal_parametric\n"
       "          secular derive pendulum --format html -o pendulum.html");
   command->callback([options, &chosen] {
     chosen = [options] {
+      options->output.check({{"the model", options->model}});
       const CanonicalModel model = canonical_model(
           augmented(read_model(resolve_model(options->model)), options->effects), options->resonance);
       const std::string text = derivation(model, options->json ? "json" : options->format);
-      if (options->output.empty())
-        fmt::print("{}", text);
-      else
-        report::write_whole_file(options->output, text);
+      options->output.write(text);
       bool certified = true;
       for (const CanonicalCase& resonance : model.cases) {
-        for (const std::string& warning : resonance.warnings) fmt::print(stderr, "warning: {}\n", warning);
+        print_warnings(resonance.warnings);
         certified = certified && resonance.certificate.holds;
       }
       return certified ? 0 : 1;

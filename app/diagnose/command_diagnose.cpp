@@ -14,9 +14,10 @@
 #include "app/shared/commands.hpp"
 #include "app/shared/disturbance_output.hpp"
 #include "app/shared/left_out.hpp"
+#include "app/shared/notices.hpp"
+#include "app/shared/output_target.hpp"
 #include "app/shared/progress_line.hpp"
 #include "app/shared/record_selection.hpp"
-#include "app/shared/result_files.hpp"
 #include "input/input_error.hpp"
 #include "numerics/hertz.hpp"
 #include "report/number_format.hpp"
@@ -27,7 +28,7 @@ namespace {
 struct Options {
   DiagnosisRequest request;
   SelectionOptions selection;
-  std::string folder;
+  OutputFolder output{{"diagnosis.json", "report.html", "gap.svg"}};
   bool json = false;
 };
 
@@ -112,6 +113,9 @@ int run(Options& options, const CLI::App& command) {
                      "--check-from must be before --check-to");
   if (options.request.fit_check && !options.request.check_from_s && !options.request.check_to_s)
     throw InputError("--fit-check", "", "has no window", "give --check-from and --check-to");
+  options.output.check({{"the campaign", options.request.campaign},
+                        {"the model", options.request.model},
+                        {"the file of parameters", options.request.parameters}});
   ProgressLine line("explanations tried (about)");
   options.request.progress = [&line](std::size_t done, std::size_t expected) { line(done, expected); };
   const DiagnosisRun result = run_diagnosis(options.request);
@@ -119,13 +123,12 @@ int run(Options& options, const CLI::App& command) {
   const std::string html = diagnosis_report(result, command_line_of(command));
   const std::string figure =
       report::render_figure(gap_figure(result.diagnosis), "gap", report::FigureUse::standalone).svg;
-  write_result_files(options.folder, {{"diagnosis.json", json}, {"report.html", html}, {"gap.svg", figure}});
-  for (const std::string& warning : folded(result.diagnosis.warnings, result.campaign))
-    fmt::print(stderr, "warning: {}\n", warning);
+  options.output.write({{"diagnosis.json", json}, {"report.html", html}, {"gap.svg", figure}});
+  print_warnings(folded(result.diagnosis.warnings, result.campaign));
   if (options.json)
     fmt::print("{}", json);
   else
-    print_summary(result, options.folder);
+    print_summary(result, options.output.path());
   std::set<std::size_t> given;
   for (std::size_t r = 0; r < result.campaign.records.size(); ++r)
     if (options.request.window.takes(r, result.campaign.records[r].file)) given.insert(r);
@@ -144,7 +147,7 @@ void add_diagnose_command(CLI::App& root, Action& chosen) {
       "diagnose", "Where model and measurement disagree, which unmodelled effect does it, how far the gap closes");
   command->add_option("CAMPAIGN", request.campaign, "campaign folder")->required();
   command->add_option("--model", request.model, "model file, or the name of a shipped model")->required();
-  command->add_option("-o,--output", options->folder, "folder for diagnosis.json and report.html")->required();
+  options->output.add_to(*command, "folder for diagnosis.json and report.html");
   command->add_option("--parameters", request.parameters,
                       "numbers whose gap is diagnosed: an estimate.json or an object of symbol to number");
   options->selection.add_to(*command);

@@ -374,7 +374,7 @@ std::string diagnosis_report(const DiagnosisRun& run, const std::string& command
   if (!run.disturbances.empty()) page.section("Disturbances");
   add_disturbances(page, run.disturbances, run.campaign);
   page.provenance({command,
-                   "secular 0.1.0",
+                   report::program_version,
                    {"campaign: " + run.campaign.folder.string() + ", " +
                     std::to_string(run.campaign.records.size()) + " records"}});
   return page.html();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/shared/commands.hpp"
+#include "app/shared/notices.hpp"
 #include "app/shared/number_file.hpp"
 #include "app/shared/shipped_models.hpp"
 #include "codegen/canonical/evaluation.hpp"
@@ -41,7 +42,7 @@ void add_evaluate_command(CLI::App& root, Action& chosen) {
       for (const auto& [name, value] : values)
         if (model.symbols.contains(name)) known.insert(name);
       if (const std::string unused = unused_numbers(options->values, values, known); !unused.empty())
-        fmt::print(stderr, "warning: {}\n", unused);
+        print_warning(unused);
       return 0;
     };
   });

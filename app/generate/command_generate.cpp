@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/shared/commands.hpp"
+#include "app/shared/output_target.hpp"
 #include "app/shared/shipped_models.hpp"
 #include "codegen/cpp/emit_cpp.hpp"
 #include "input/input_error.hpp"
@@ -18,19 +19,21 @@ namespace secular::app {
 void add_generate_command(CLI::App& root, Action& chosen) {
   struct Options {
     std::vector<std::string> models;
-    std::string folder;
+    OutputFolder output{{"registry.hpp", "*.hpp", "*.cpp"}, "generated code, never edited by hand"};
     bool json = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = root.add_subcommand(
       "generate", "C++ of models: regressor rows, residuals, Jacobians, modulation equations, equations of motion");
   command->add_option("MODEL", options->models, "model files, or names of shipped models")->required();
-  command->add_option("-o,--output", options->folder, "folder for NAME.hpp and NAME.cpp and the registry")
-      ->required();
+  options->output.add_to(*command, "folder for NAME.hpp and NAME.cpp and the registry");
   command->add_flag("--json", options->json, "list what was written as JSON");
   command->footer("Example: secular generate two_mass_mode1 pendulum -o generated");
   command->callback([options, &chosen] {
     chosen = [options] {
+      std::vector<CommandInput> inputs;
+      for (const std::string& model : options->models) inputs.push_back({"the model", model});
+      options->output.check(inputs);
       std::vector<GeneratedFile> files;
       std::vector<std::string> names;
       for (const std::string& name : options->models) {
@@ -50,13 +53,17 @@ void add_generate_command(CLI::App& root, Action& chosen) {
         for (GeneratedFile& file : emit_cpp(model)) files.push_back(std::move(file));
       }
       for (GeneratedFile& file : emit_registry(names)) files.push_back(std::move(file));
-      write_generated(files, options->folder);
+      ResultFiles written;
       nlohmann::json list = nlohmann::json::array();
-      for (const GeneratedFile& file : files) list.push_back(file.name);
+      for (GeneratedFile& file : files) {
+        list.push_back(file.name);
+        written.emplace_back(std::move(file.name), std::move(file.text));
+      }
+      options->output.write(written);
       if (options->json)
-        fmt::print("{}\n", nlohmann::json{{"folder", options->folder}, {"files", list}}.dump(2));
+        fmt::print("{}\n", nlohmann::json{{"folder", options->output.path()}, {"files", list}}.dump(2));
       else
-        fmt::print("{} files in {}\n", files.size(), options->folder);
+        fmt::print("{} files in {}\n", files.size(), options->output.path());
       return 0;
     };
   });

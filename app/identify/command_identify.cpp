@@ -18,8 +18,10 @@
 #include "app/shared/disturbance_output.hpp"
 #include "app/shared/identification.hpp"
 #include "app/shared/left_out.hpp"
+#include "app/shared/notices.hpp"
+#include "app/shared/output_target.hpp"
 #include "app/shared/record_selection.hpp"
-#include "app/shared/result_files.hpp"
+#include "app/shared/scatter_output.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
 
@@ -29,7 +31,7 @@ namespace {
 struct Options {
   IdentificationRequest request;
   SelectionOptions selection;
-  std::string folder;
+  OutputFolder output{{"estimate.json", "report.html", "response.svg"}};
   std::vector<std::string> fixed;
   bool json = false, timings = false;
 };
@@ -64,6 +66,7 @@ void print_summary(const Identification& id, const std::string& folder) {
   };
   fmt::print("parameters\n");
   for (const EstimatedValue& v : id.estimate.parameters) print(v);
+  for (const std::string& line : scatter_lines(id.estimate)) fmt::print("  {}\n", line);
   fmt::print("lumps\n");
   for (const ObservationSet& set : id.measured) {
     if (id.measured.size() > 1) fmt::print(" case {}\n", set.resonance->name);
@@ -123,7 +126,7 @@ void add_identify_command(CLI::App& root, Action& chosen) {
   CLI::App* command = root.add_subcommand("identify", "Estimates of a model's parameters from a campaign");
   command->add_option("CAMPAIGN", options->request.campaign, "campaign folder")->required();
   command->add_option("--model", options->request.model, "model file, or the name of a shipped model")->required();
-  command->add_option("-o,--output", options->folder, "folder for estimate.json and report.html")->required();
+  options->output.add_to(*command, "folder for estimate.json and report.html");
   command
       ->add_option("--case", options->request.resonances,
                    "resonance case, may be given several times; chosen from the records without it")
@@ -147,23 +150,22 @@ void add_identify_command(CLI::App& root, Action& chosen) {
   command->callback([options, command, &chosen] {
     chosen = [options, command] {
       parse_fixed(*options);
+      options->output.check({{"the campaign", options->request.campaign}, {"the model", options->request.model}});
       options->request.window = options->selection.window();
       const Identification result = identify(options->request);
       const std::string json = estimate_json(result);
       const std::string html = identification_report(result, command_line_of(*command));
       const std::string figure =
           report::render_figure(response_figure(result), "response", report::FigureUse::standalone).svg;
-      write_result_files(options->folder,
-                         {{"estimate.json", json}, {"report.html", html}, {"response.svg", figure}});
+      options->output.write({{"estimate.json", json}, {"report.html", html}, {"response.svg", figure}});
       if (options->timings)
         for (const auto& [stage, seconds] : result.seconds)
           fmt::print(stderr, "{:<30} {:7.3f} s\n", stage, seconds);
-      for (const std::string& warning : folded(result.estimate.warnings, result.campaign))
-        fmt::print(stderr, "warning: {}\n", warning);
+      print_warnings(folded(result.estimate.warnings, result.campaign));
       if (options->json)
         fmt::print("{}", json);
       else
-        print_summary(result, options->folder);
+        print_summary(result, options->output.path());
       const auto lost = lost_records(result, options->request.window);
       if (lost) fmt::print(stderr, "secular: {}\n", *lost);
       return lost ? 1 : 0;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/shared/disturbance_output.hpp"
+#include "app/shared/scatter_output.hpp"
 #include "estimator/identification/identified_lumps.hpp"
 #include "numerics/confidence.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json value_json(const EstimatedValue& value, bool lump) {
+Json value_json(const EstimatedValue& value, bool lump, const Estimate& estimate) {
   Json entry;
   entry["name"] = value.name;
   if (lump) entry["definition"] = value.definition;
@@ -41,6 +42,7 @@ Json value_json(const EstimatedValue& value, bool lump) {
     entry["sd_by_noise"] = value.noise_sd;
     entry["sd_by_open_parameters"] = value.open_sd;
   }
+  if (value.value && value.between_records) entry["scatter_between_records"] = scatter_json(value, estimate);
   if (value.misfit > 0) entry["misfit"] = value.misfit;
   if (value.doubtful) entry["doubtful"] = true;
   if (value.truncation != 0) entry["truncation_correction"] = -value.truncation;
@@ -183,10 +185,10 @@ std::string estimate_json(const Identification& identification) {
     result["cases"] = cases;
   result["estimates"] = Json::array();
   for (const EstimatedValue& value : identification.estimate.parameters)
-    result["estimates"].push_back(value_json(value, false));
+    result["estimates"].push_back(value_json(value, false, identification.estimate));
   result["lumps"] = Json::array();
   for (const EstimatedValue& value : identification.estimate.lumps)
-    result["lumps"].push_back(value_json(value, true));
+    result["lumps"].push_back(value_json(value, true, identification.estimate));
   result["covariance"] = covariance_json(identification.estimate);
   add_representative(result, identification);
   Json quality;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/shared/disturbance_output.hpp"
+#include "app/shared/scatter_output.hpp"
 #include "measure/observe/mode_frequencies.hpp"
 #include "numerics/confidence.hpp"
 #include "numerics/hertz.hpp"
@@ -582,6 +583,7 @@ std::string identification_report(const Identification& id, const std::string& c
       "the "
       "same kind would not change that part).");
   add_values(page, id.estimate, false);
+  for (const std::string& line : scatter_lines(id.estimate)) page.paragraph(line + ".");
   for (std::size_t c = 0; c < id.measured.size(); ++c) {
     const CaseView view = view_of(id, c);
     if (!view.measured.observations.empty()) add_response(page, id, view);
@@ -611,7 +613,7 @@ std::string identification_report(const Identification& id, const std::string& c
     page.preformatted(text);
   });
   page.provenance({command,
-                   "secular 0.1.0",
+                   report::program_version,
                    {fmt::format("campaign {}, {} records, {} observations used", id.campaign.name,
                                 id.campaign.records.size(), observations_of(id))}});
   return page.html();

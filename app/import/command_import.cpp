@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "app/shared/commands.hpp"
+#include "app/shared/notices.hpp"
+#include "app/shared/output_target.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/import_files.hpp"
 
@@ -67,7 +69,7 @@ void add_import_command(CLI::App& root, Action& chosen) {
   struct Options {
     ImportOptions import;
     std::vector<std::string> files;
-    std::string folder;
+    OutputCampaign output;
     bool json = false;
   };
   auto options = std::make_shared<Options>();
@@ -75,7 +77,7 @@ void add_import_command(CLI::App& root, Action& chosen) {
   CLI::App* command =
       root.add_subcommand("import", "CSV, MAT, HDF5, UFF 58 and WAV files to a campaign folder, one record a file");
   command->add_option("FILE", options->files, "CSV, MAT, HDF5, UFF 58 or WAV files, each a record")->required();
-  command->add_option("-o,--output", options->folder, "campaign folder to make")->required();
+  options->output.add_to(*command);
   command->add_option("--kind", import.kind, "dwell, sweep, free_decay, impact or broadband");
   command
       ->add_option(
@@ -114,7 +116,10 @@ void add_import_command(CLI::App& root, Action& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       options->import.files.assign(options->files.begin(), options->files.end());
-      CampaignWriter writer(options->folder);
+      std::vector<CommandInput> inputs;
+      for (const std::string& file : options->files) inputs.push_back({"the file", file});
+      options->output.check(inputs);
+      CampaignWriter writer(options->output.path(), true);
       std::vector<RecordSummary> records;
       const ImportedCampaign imported =
           import_files(options->import, [&](const Campaign& campaign, const RecordEntry& entry, Record&& record) {
@@ -123,11 +128,11 @@ void add_import_command(CLI::App& root, Action& chosen) {
                 {record.samples(), record.start_s, static_cast<double>(record.samples()) / record.sample_rate_hz});
           });
       writer.finish(imported.campaign);
-      for (const std::string& warning : imported.warnings) fmt::print(stderr, "warning: {}\n", warning);
+      print_warnings(imported.warnings);
       if (options->json)
-        print_json(imported, records, options->import, options->folder);
+        print_json(imported, records, options->import, options->output.path());
       else
-        print_text(imported, records, options->folder);
+        print_text(imported, records, options->output.path());
       return 0;
     };
   });

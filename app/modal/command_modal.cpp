@@ -11,21 +11,23 @@
 #include "app/modal/modal_report.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/notices.hpp"
+#include "app/shared/output_target.hpp"
 #include "app/shared/record_selection.hpp"
-#include "app/shared/result_files.hpp"
 #include "input/input_error.hpp"
 #include "measure/modal/modal_survey.hpp"
 #include "measure/modal/pole.hpp"
 #include "numerics/hertz.hpp"
 #include "report/number_format.hpp"
-#include "report/whole_file.hpp"
 
 namespace secular::app {
 namespace {
 
 struct Options {
   ModalSurveyOptions survey;
-  std::string campaign, folder, basis;
+  std::string campaign;
+  OutputFolder output{{"modal.json", "report.html"}};
+  OutputFile basis;
   SelectionOptions selection;
   std::vector<std::string> driving_points;
   double response_decay = 0;
@@ -82,12 +84,15 @@ void print_summary(const ModalSurvey& survey, const Options& options) {
       list += fmt::format("{}{:.4g}", list.empty() ? "" : ", ", natural_frequency(dropped.pole) * to_hz);
     fmt::print("not modes, though stable in the diagram (reasons in modal.json): {} Hz\n", list);
   }
-  fmt::print("written: {0}/modal.json, {0}/report.html{1}\n", options.folder,
-             options.basis.empty() ? "" : ", " + options.basis);
+  const std::string &folder = options.output.path(), &basis = options.basis.path();
+  fmt::print("written: {0}/modal.json, {0}/report.html{1}\n", folder, basis.empty() ? "" : ", " + basis);
 }
 
 int run(Options& options, const CLI::App& command) {
   const Window window = options.selection.window();
+  const CommandInput read = {"the campaign", options.campaign};
+  options.output.check({read});
+  options.basis.check({read, {"the folder of results", options.output.path()}}, options.output.replaces());
   const Campaign campaign = read_campaign(options.campaign);
   require_match(campaign, window);
   require_sampled(window, campaign.sample_rate_hz);
@@ -102,10 +107,9 @@ int run(Options& options, const CLI::App& command) {
   const ModalSurvey survey = modal_survey(options.campaign, options.survey);
   const std::string json = modal_json(survey);
   const std::string html = modal_report(survey, command_line_of(command));
-  const std::string basis = options.basis.empty() ? "" : modal_basis_text(survey);
-  if (!options.basis.empty()) report::write_whole_file(options.basis, basis);
-  write_result_files(options.folder, {{"modal.json", json}, {"report.html", html}});
-  for (const std::string& warning : survey.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  if (!options.basis.path().empty()) options.basis.write(modal_basis_text(survey));
+  options.output.write({{"modal.json", json}, {"report.html", html}});
+  print_warnings(survey.warnings);
   if (options.json)
     fmt::print("{}", json);
   else
@@ -121,7 +125,7 @@ void add_modal_command(CLI::App& root, Action& chosen) {
   CLI::App* command =
       root.add_subcommand("modal", "Natural frequencies, damping and mode shapes from impacts or free decays");
   command->add_option("CAMPAIGN", options->campaign, "campaign folder")->required();
-  command->add_option("-o,--output", options->folder, "folder for modal.json and report.html")->required();
+  options->output.add_to(*command, "folder for modal.json and report.html");
   command->add_option("--order", survey.largest_order, "largest model order of the stabilisation diagram")
       ->check(CLI::Range(4, 400));
   command->add_option("--modes", survey.modes, "keep this many modes, the strongest")->check(CLI::Range(1, 200));
@@ -141,8 +145,7 @@ void add_modal_command(CLI::App& root, Action& chosen) {
       ->add_option("--modal-mass", survey.modal_masses, "M1,M2,... in kg, by mode, where impacts do not tell them")
       ->delimiter(',')
       ->expected(1, 200);
-  command->add_option("--basis", options->basis,
-                      "also write the [modal_basis] table for campaign.toml to this file");
+  options->basis.add_to(*command, "--basis", "also write the [modal_basis] table for campaign.toml to this file");
   options->selection.add_to(*command);
   command->add_flag("--json", options->json, "print modal.json instead of the summary");
   command->footer(

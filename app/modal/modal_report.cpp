@@ -334,7 +334,7 @@ std::string modal_report(const ModalSurvey& survey, const std::string& command) 
     }
   }
   page.provenance({command,
-                   "secular 0.1.0",
+                   report::program_version,
                    {fmt::format("campaign {}, {} records", survey.campaign.name, survey.campaign.records.size())}});
   return page.html();
 }

@@ -10,8 +10,9 @@
 #include "app/plan/planning.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/notices.hpp"
+#include "app/shared/output_target.hpp"
 #include "app/shared/record_selection.hpp"
-#include "app/shared/result_files.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
 
@@ -21,7 +22,8 @@ namespace {
 struct Options {
   PlanRequest request;
   SelectionOptions selection;
-  std::string frequency, amplitude, criterion = "D", folder;
+  std::string frequency, amplitude, criterion = "D";
+  OutputFolder output{{"plan.json", "plan.toml", "report.html"}};
   bool json = false;
 };
 
@@ -107,8 +109,7 @@ void declare_options(CLI::App* command, Options* options) {
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
   command->add_option("--levels", request.levels, "of the grid")->check(CLI::Range(1, 200))->capture_default_str();
-  command->add_option("-o,--output", options->folder, "folder for plan.json, plan.toml and report.html")
-      ->required();
+  options->output.add_to(*command, "folder for plan.json, plan.toml and report.html");
   command->add_flag("--json", options->json, "print plan.json instead of the summary");
   command->footer(
       "Example: secular plan two_mass_mode1 --case principal_parametric --parameters predictions/table_5_4 "
@@ -120,6 +121,9 @@ int run(Options& options, const CLI::App& command) {
   static const std::map<std::string, DesignCriterion> criteria = {
       {"D", DesignCriterion::d}, {"A", DesignCriterion::a}, {"c", DesignCriterion::c}};
   PlanRequest& asked = options.request;
+  options.output.check({{"the model", asked.model},
+                        {"the file of parameters", asked.parameters},
+                        {"the test in use", asked.against}});
   asked.criterion = criteria.at(options.criterion);
   asked.against_records = options.selection.window();
   std::tie(asked.lowest_hz, asked.highest_hz) = range_of(options.frequency, "--range-frequency");
@@ -127,13 +131,12 @@ int run(Options& options, const CLI::App& command) {
   const PlanResult plan = plan_test(asked);
   const std::string json = plan_json(asked, plan);
   const std::string html = plan_report(asked, plan, command_line_of(command));
-  write_result_files(options.folder,
-                     {{"plan.json", json}, {"plan.toml", plan_experiment(asked, plan)}, {"report.html", html}});
-  for (const std::string& warning : plan.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  options.output.write({{"plan.json", json}, {"plan.toml", plan_experiment(asked, plan)}, {"report.html", html}});
+  print_warnings(plan.warnings);
   if (options.json)
     fmt::print("{}", json);
   else
-    print_summary(plan, options.folder);
+    print_summary(plan, options.output.path());
   return 0;
 }
 

@@ -237,7 +237,7 @@ std::string plan_report(const PlanRequest& request, const PlanResult& plan, cons
         minutes(plan.against->time_s), minutes(plan.against->settled_time_s), request.settled,
         minutes(plan.plan.time_s)));
   page.provenance({command,
-                   "secular 0.1.0",
+                   report::program_version,
                    {"parameters: " + request.parameters,
                     fmt::format("{} candidates at {} frequencies and {} levels", plan.candidates.size(),
                                 request.frequencies, request.levels)}});

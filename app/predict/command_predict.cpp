@@ -16,9 +16,10 @@
 #include "app/predict/prediction_report.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/notices.hpp"
+#include "app/shared/output_target.hpp"
 #include "app/shared/progress_line.hpp"
 #include "app/shared/record_selection.hpp"
-#include "app/shared/result_files.hpp"
 #include "input/input_error.hpp"
 #include "numerics/hertz.hpp"
 #include "report/number_format.hpp"
@@ -29,7 +30,8 @@ namespace {
 struct Options {
   PredictionRequest request;
   SelectionOptions selection;
-  std::string folder;
+  OutputFolder output{{"prediction.json", "prediction.csv", "report.html", "response.svg", "phases.svg",
+                       "plane.svg", "amplitude.svg", "backbone_*.svg"}};
   std::vector<std::string> vary, against, at, sweeps;
   bool json = false;
 };
@@ -113,15 +115,14 @@ void print_summary(const Prediction& prediction, const std::vector<PredictionFig
 }
 
 void write_files(const Prediction& prediction, const std::vector<PredictionFigure>& figures,
-                 const std::string& folder, const std::string& json, const std::string& line) {
-  std::vector<std::pair<std::string, std::string>> files = {
-      {"prediction.json", json},
-      {"prediction.csv", prediction_csv(prediction)},
-      {"report.html", prediction_report(prediction, figures, line)}};
+                 const OutputFolder& output, const std::string& json, const std::string& line) {
+  ResultFiles files = {{"prediction.json", json},
+                       {"prediction.csv", prediction_csv(prediction)},
+                       {"report.html", prediction_report(prediction, figures, line)}};
   for (const PredictionFigure& figure : figures)
     files.emplace_back(figure.name + ".svg",
                        report::render_figure(figure.figure, "figure", report::FigureUse::standalone).svg);
-  write_result_files(folder, files);
+  output.write(files);
 }
 
 }  // namespace
@@ -159,10 +160,8 @@ void add_predict_command(CLI::App& root, Action& chosen) {
   CLI::Option* measured = command->add_option("--measured", request.measured,
                                               "campaign whose dwells at this excitation are drawn on the response");
   options->selection.add_to(*command, {}, measured);
-  command
-      ->add_option("-o,--output", options->folder,
-                   "folder for prediction.json, prediction.csv, report.html and the figures as SVG")
-      ->required();
+  options->output.add_to(*command,
+                         "folder for prediction.json, prediction.csv, report.html and the figures as SVG");
   command->add_option("--threads", request.threads, "threads; the result does not depend on it")
       ->check(CLI::Range(1U, 1024U));
   command->add_flag("--json", options->json, "print prediction.json instead of the summary");
@@ -172,17 +171,20 @@ void add_predict_command(CLI::App& root, Action& chosen) {
   command->callback([options, command, &chosen] {
     chosen = [options, command] {
       parse(*options);
+      options->output.check({{"the model", options->request.model},
+                             {"the file of parameters", options->request.parameters},
+                             {"the campaign", options->request.measured}});
       ProgressLine line("dwells");
       const Prediction prediction =
           predict(options->request, [&line](std::size_t done, std::size_t total) { line(done, total); });
       const std::string json = prediction_json(prediction);
       const std::vector<PredictionFigure> figures = prediction_figures(prediction);
-      write_files(prediction, figures, options->folder, json, command_line_of(*command));
-      for (const std::string& warning : prediction.warnings) fmt::print(stderr, "warning: {}\n", warning);
+      write_files(prediction, figures, options->output, json, command_line_of(*command));
+      print_warnings(prediction.warnings);
       if (options->json)
         fmt::print("{}", json);
       else
-        print_summary(prediction, figures, options->folder);
+        print_summary(prediction, figures, options->output.path());
       return 0;
     };
   });

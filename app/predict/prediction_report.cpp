@@ -459,7 +459,7 @@ std::string prediction_report(const Prediction& prediction, const std::vector<Pr
     }
     page.table(table);
   });
-  page.provenance({command, "secular 0.1.0", {"model source: " + std::string(prediction.model->source)}});
+  page.provenance({command, report::program_version, {"model source: " + std::string(prediction.model->source)}});
   return page.html();
 }
 

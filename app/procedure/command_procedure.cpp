@@ -10,8 +10,9 @@
 #include "app/procedure/thesis_procedures.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/notices.hpp"
+#include "app/shared/output_target.hpp"
 #include "app/shared/record_selection.hpp"
-#include "app/shared/result_files.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
 
@@ -22,7 +23,7 @@ struct Options {
   ProcedureRequest request;
   std::vector<std::string> terms;
   SelectionOptions selection;
-  std::string folder;
+  OutputFolder output{{"procedures.json", "report.html"}};
   bool json = false;
 };
 
@@ -82,7 +83,7 @@ void add_procedure_command(CLI::App& root, Action& chosen) {
       ->delimiter(',');
   command->add_option("--true", request.truth, "parameters a simulated campaign was made with: experiment or JSON");
   options->selection.add_to(*command);
-  command->add_option("-o,--output", options->folder, "folder for procedures.json and report.html")->required();
+  options->output.add_to(*command, "folder for procedures.json and report.html");
   command->add_flag("--interpret", request.interpret, "no compiled code of the model: slower, same results");
   command->add_flag("!--no-bias", request.bias,
                     "leave out what every method does on motions of the full equations, where the truth is known");
@@ -96,6 +97,8 @@ void add_procedure_command(CLI::App& root, Action& chosen) {
     chosen = [options, command] {
       ProcedureRequest& asked = options->request;
       asked.window = options->selection.window();
+      options->output.check(
+          {{"the campaign", asked.campaign}, {"the model", asked.model}, {"the truth", asked.truth}});
       for (const std::string& text : options->terms) {
         std::vector<std::string> names;
         std::istringstream stream(text);
@@ -105,12 +108,12 @@ void add_procedure_command(CLI::App& root, Action& chosen) {
       const ProcedureRun run = run_procedures(asked);
       const std::string json = procedures_json(run);
       const std::string html = procedures_report(run, command_line_of(*command));
-      write_result_files(options->folder, {{"procedures.json", json}, {"report.html", html}});
-      for (const std::string& warning : run.warnings) fmt::print(stderr, "warning: {}\n", warning);
+      options->output.write({{"procedures.json", json}, {"report.html", html}});
+      print_warnings(run.warnings);
       if (options->json)
         fmt::print("{}", json);
       else
-        print_summary(run, options->folder);
+        print_summary(run, options->output.path());
       return 0;
     };
   });

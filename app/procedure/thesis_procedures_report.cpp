@@ -205,7 +205,7 @@ std::string procedures_report(const ProcedureRun& run, const std::string& comman
     for (const auto& [figure, caption] : section.figures) page.figure(figure, caption);
   }
   page.provenance({command,
-                   "secular 0.1.0",
+                   report::program_version,
                    {fmt::format("campaign {}, {} records, {} ensembles used", run.campaign.name,
                                 run.campaign.records.size(), run.measured.observations.size())}});
   return page.html();

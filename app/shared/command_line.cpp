@@ -6,7 +6,7 @@
 namespace secular::app {
 namespace {
 
-constexpr std::string_view without_effect[] = {"--json", "--threads", "--timings"};
+constexpr std::string_view without_effect[] = {"--json", "--threads", "--timings", "--force", "--quiet"};
 
 std::string quoted(const std::string& text) {
   constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=,+-@%^";

@@ -7,8 +7,7 @@ namespace secular::app {
 
 /// The command as it was given, for a report to say how it is made again: program and subcommands, positional
 /// arguments, then every other option that was given, quoted for a shell. What changes no result (--json,
-/// --threads,
-/// --timings) is left out.
+/// --threads, --timings, --force, --quiet) is left out.
 std::string command_line_of(const CLI::App& command);
 
 }  // namespace secular::app

@@ -12,6 +12,7 @@
 #include "app/shared/model_loading.hpp"
 #include "app/shared/record_assignment.hpp"
 #include "app/shared/record_selection.hpp"
+#include "app/shared/scatter_output.hpp"
 #include "estimator/identification/unsupported_values.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
@@ -97,6 +98,7 @@ Identification identify(const IdentificationRequest& request) {
   Identification result = identify(request, campaign, [&](std::size_t r) { return reader.read(r); });
   for (std::string& warning : reader.warnings()) result.estimate.warnings.push_back(std::move(warning));
   result.disturbances = watch.found();
+  for (Disturbance& scatter : scatter_disturbances(result)) result.disturbances.push_back(std::move(scatter));
   result.looked_at = watch.records();
   return result;
 }

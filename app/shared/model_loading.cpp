@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "app/shared/install_layout.hpp"
+#include "app/shared/notices.hpp"
 #include "app/shared/shipped_models.hpp"
 #include "codegen/canonical/canonical_model.hpp"
 #include "codegen/runtime/expansion_sizes.hpp"
@@ -132,7 +133,8 @@ std::shared_ptr<const CompiledModel> ModelSource::load_file(const fs::path& file
   options.interpret = interpret_;
   options.header_folders = header_folders();
   RuntimeModel loaded = load_runtime_model(file, options);
-  for (const std::string& note : loaded.notes) fmt::print(stderr, "secular: note: {}\n", note);
+  for (const std::string& note : loaded.notes)
+    if (!is_quiet()) fmt::print(stderr, "secular: note: {}\n", note);
   return std::move(loaded.model);
 }
 

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/shared/commands.hpp"
+#include "app/shared/output_target.hpp"
 #include "app/shared/progress_line.hpp"
 #include "app/shared/shipped_models.hpp"
 #include "app/simulate/experiment_loading.hpp"
@@ -19,7 +20,8 @@ namespace secular::app {
 
 void add_simulate_command(CLI::App& root, Action& chosen) {
   struct Options {
-    std::string experiment, folder;
+    std::string experiment;
+    OutputCampaign output;
     std::uint64_t seed = 1;
     unsigned threads = std::max(1U, std::thread::hardware_concurrency());
     bool interpret = false, json = false;
@@ -28,7 +30,7 @@ void add_simulate_command(CLI::App& root, Action& chosen) {
   CLI::App* command = root.add_subcommand("simulate", "Virtual test on the full equations of motion");
   command->add_option("EXPERIMENT", options->experiment, "experiment file, or experiments/NAME of a shipped one")
       ->required();
-  command->add_option("-o,--output", options->folder, "campaign folder to make")->required();
+  options->output.add_to(*command);
   command->add_option("--seed", options->seed, "of the measurement noise")->capture_default_str();
   command->add_option("--threads", options->threads, "records computed at once; the result does not depend on it")
       ->check(CLI::Range(1U, 1024U));
@@ -37,13 +39,11 @@ void add_simulate_command(CLI::App& root, Action& chosen) {
   command->footer("Example: secular simulate experiments/principal_parametric -o campaign");
   command->callback([options, &chosen] {
     chosen = [options] {
-      if (std::filesystem::exists(options->folder) && !std::filesystem::is_empty(options->folder))
-        throw InputError(options->folder, "", "exists and is not an empty folder",
-                         "name a new folder or remove this one");
+      options->output.check({{"the experiment", options->experiment}});
       const std::filesystem::path path = resolve_model(options->experiment);
       const auto [model, experiment] = load_experiment(path, options->interpret);
       ProgressLine line("records");
-      CampaignWriter writer(options->folder);
+      CampaignWriter writer(options->output.path(), true);
       const Campaign campaign = run_virtual_test(
           experiment, *model, options->seed, options->threads,
           [&writer](const Campaign& made, const RecordEntry& entry, Record&& record) {
@@ -54,7 +54,7 @@ void add_simulate_command(CLI::App& root, Action& chosen) {
       if (options->json)
         fmt::print("{{\"records\": {}, \"seed\": {}}}\n", campaign.records.size(), options->seed);
       else
-        fmt::print("{} records of {} in {}\n", campaign.records.size(), experiment.name, options->folder);
+        fmt::print("{} records of {} in {}\n", campaign.records.size(), experiment.name, options->output.path());
       return 0;
     };
   });

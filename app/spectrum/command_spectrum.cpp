@@ -14,8 +14,9 @@
 
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/notices.hpp"
+#include "app/shared/output_target.hpp"
 #include "app/shared/record_selection.hpp"
-#include "app/shared/result_files.hpp"
 #include "app/spectrum/spectrum_report.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
@@ -33,7 +34,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 struct Options {
-  std::string source, folder, time;
+  std::string source, time;
+  OutputFolder output{{"spectrum.json", "report.html"}};
   SelectionOptions selection;
   Window window;
   std::vector<std::string> channels;
@@ -61,9 +63,10 @@ Columns columns_of_campaign(const Options& options) {
     if (options.window.takes(r, campaign.records[r].file)) chosen.push_back(r);
   const std::string& file = campaign.records[chosen.front()].file;
   if (chosen.size() > 1)
-    fmt::print(stderr, "{} is analysed, the first of {} records; --records chooses another\n", file, chosen.size());
+    print_warning(
+        fmt::format("{} is analysed, the first of {} records; --records chooses another", file, chosen.size()));
   Record record = reader.read(chosen.front());
-  for (const std::string& warning : reader.warnings()) fmt::print(stderr, "warning: {}\n", warning);
+  print_warnings(reader.warnings());
   Columns columns;
   columns.source = fmt::format("campaign {}, record {}", campaign.name, file);
   columns.start_s = record.start_s;
@@ -311,6 +314,7 @@ int run(Options& options, const CLI::App& command) {
   if (!fs::exists(options.source, ignored))
     throw InputError(options.source, "", "does not exist",
                      fmt::format("a campaign folder or a {} file was expected", data_formats));
+  options.output.check({{"the record", options.source}});
   const std::string line = command_line_of(command);
   if (!fs::is_directory(options.source, ignored)) options.selection.require_any_record(options.source);
   if (!fs::is_directory(options.source, ignored) && options.time.empty() && options.sample_rate_hz == 0) {
@@ -321,15 +325,14 @@ int run(Options& options, const CLI::App& command) {
     const ResponseTable table = frequencies ? response_table(read_data_file(options.source)) : ResponseTable{};
     if (!table.series.empty()) {
       const std::string json = response_table_json(table);
-      write_result_files(options.folder,
-                         {{"spectrum.json", json}, {"report.html", response_table_report(table, line)}});
+      options.output.write({{"spectrum.json", json}, {"report.html", response_table_report(table, line)}});
       if (options.json) {
         fmt::print("{}", json);
         return 0;
       }
       for (const auto& [name, levels] : table.series)
         fmt::print("{}: steady responses at {} level{}\n", name, levels.size(), levels.size() == 1 ? "" : "s");
-      fmt::print("written: {0}/spectrum.json, {0}/report.html\n", options.folder);
+      fmt::print("written: {0}/spectrum.json, {0}/report.html\n", options.output.path());
       return 0;
     }
   }
@@ -337,12 +340,12 @@ int run(Options& options, const CLI::App& command) {
       fs::is_directory(options.source, ignored) ? columns_of_campaign(options) : columns_of_file(options);
   const RecordSpectrum record = analysed(options, columns);
   const std::string json = spectrum_json(record);
-  write_result_files(options.folder, {{"spectrum.json", json}, {"report.html", spectrum_report(record, line)}});
+  options.output.write({{"spectrum.json", json}, {"report.html", spectrum_report(record, line)}});
   if (options.json) {
     fmt::print("{}", json);
   } else {
     print_table(record);
-    fmt::print("written: {0}/spectrum.json, {0}/report.html\n", options.folder);
+    fmt::print("written: {0}/spectrum.json, {0}/report.html\n", options.output.path());
   }
   return 0;
 }
@@ -356,7 +359,7 @@ void add_spectrum_command(CLI::App& root, Action& chosen) {
       "spectrum", "Tones, decays and their number in one record: decomposition, principal components, figures");
   command->add_option("CAMPAIGN_OR_FILE", options->source, "campaign folder, or CSV, MAT, HDF5, UFF 58 or WAV file")
       ->required();
-  command->add_option("-o,--output", options->folder, "folder for spectrum.json and report.html")->required();
+  options->output.add_to(*command, "folder for spectrum.json and report.html");
   options->selection.add_to(*command);
   command->add_option("--channel", options->channels, "analyse these channels (default: every response)")
       ->expected(1)

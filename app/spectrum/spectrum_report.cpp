@@ -423,7 +423,7 @@ std::string spectrum_report(const RecordSpectrum& record, const std::string& com
                   "Where the response is uncorrelated with every delay of the excitation, no linear relation finds "
                   "the resonance, although each is well correlated with itself.");
   }
-  page.provenance({command, "secular 0.1.0", {record.source}});
+  page.provenance({command, report::program_version, {record.source}});
   return page.html();
 }
 
@@ -524,7 +524,7 @@ std::string response_table_report(const ResponseTable& table, const std::string&
                 "mean damping that rises with amplitude; peaks that move mean stiffness that changes.");
     page.table(peaks);
   }
-  page.provenance({command, "secular 0.1.0", {table.source}});
+  page.provenance({command, report::program_version, {table.source}});
   return page.html();
 }
 

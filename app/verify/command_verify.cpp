@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "app/shared/commands.hpp"
+#include "app/shared/output_target.hpp"
 #include "app/shared/progress_line.hpp"
 #include "app/shared/shipped_models.hpp"
 #include "perturb/model.hpp"
-#include "report/whole_file.hpp"
 #include "thesis/verify/verification.hpp"
 
 namespace secular::app {
@@ -66,7 +66,8 @@ std::string verdict_json(const verify::PrintedSource& source, const std::vector<
 
 void add_verify_command(CLI::App& root, Action& chosen) {
   struct Options {
-    std::string source = "thesis", output;
+    std::string source = "thesis";
+    OutputFile output;
     bool json = false, without_proofs = false;
   };
   auto options = std::make_shared<Options>();
@@ -77,12 +78,13 @@ void add_verify_command(CLI::App& root, Action& chosen) {
   command->add_flag("--without-proofs", options->without_proofs,
                     "leave out the integration of the full equations that decides every misprint");
   command->add_flag("--json", options->json, "machine-readable verdicts");
-  command->add_option("-o,--output", options->output, "file to write; standard output without it");
+  options->output.add_to(*command);
   command->footer(
       "Exit status 1 if a verdict is not the recorded one, or a proof does not decide for the corrected form.\n"
       "Example: secular verify --source thesis");
   command->callback([options, &chosen] {
     chosen = [options] {
+      options->output.check({{"the source", options->source}});
       const std::string name = options->source == "thesis" ? "printed/fahey2000" : options->source;
       const verify::PrintedSource source = verify::read_printed_source(resolve_model(name));
       ProgressLine line("statements");
@@ -92,10 +94,7 @@ void add_verify_command(CLI::App& root, Action& chosen) {
       const std::vector<Verdict> verdicts = verify::verify_source(
           source, [](const std::string& model) { return read_model(resolve_model(model)); }, settings);
       const std::string text = options->json ? verdict_json(source, verdicts) : verdict_table(source, verdicts);
-      if (options->output.empty())
-        fmt::print("{}", text);
-      else
-        report::write_whole_file(options->output, text);
+      options->output.write(text);
       return std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.as_recorded(); }) ? 0
                                                                                                              : 1;
     };

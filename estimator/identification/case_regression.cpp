@@ -190,7 +190,9 @@ class CaseRegression {
   // The degrees of freedom are those of the coefficient that records move most.
   void take_records_into_account() {
     LinearFit& fit = result_.fit;
-    result_.record_moves = record_scatter(result_);
+    RecordScatter scatter = record_scatter(result_);
+    result_.record_scatter = std::move(scatter.frequencies);
+    result_.record_moves = std::move(scatter.moves);
     if (result_.record_moves.cols() == 0) return;
     result_.record_freedom = static_cast<double>(count_of_records(set_)) - 1;
     const MatrixXd between = result_.record_moves * result_.record_moves.transpose();

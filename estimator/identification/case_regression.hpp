@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "estimator/identification/lump_key.hpp"
+#include "estimator/identification/scatter_between_records.hpp"
 #include "estimator/regression/linear_fit.hpp"
 #include "measure/observe/mode_frequencies.hpp"
 #include "measure/observe/observation_set.hpp"
@@ -89,10 +90,11 @@ struct CaseFit {
   /// Columns x directions: how coefficients change with ObservationSet::truncation_change.
   Eigen::MatrixXd truncation_effect, moves_effect;  ///< the second with ObservationSet::truncation_of_moves
   ResidualInformation residual_information;
-  Eigen::MatrixXd record_moves;                ///< record_scatter; part of the fit's covariance
-  double record_freedom = INFINITY;            ///< of that part
-  std::map<std::size_t, double> block_misfit;  ///< by block: residual over what noise explains, unscaled
-  std::vector<double> weight;                  ///< by observation: 1, less where it is an outlier
+  std::vector<ScatterBetweenRecords> record_scatter;  ///< of natural frequencies that several records tell
+  Eigen::MatrixXd record_moves;                       ///< RecordScatter::moves; part of the fit's covariance
+  double record_freedom = INFINITY;                   ///< of that part
+  std::map<std::size_t, double> block_misfit;         ///< by block: residual over what noise explains, unscaled
+  std::vector<double> weight;                         ///< by observation: 1, less where it is an outlier
   std::vector<double> distance;  ///< by observation: deviation from its condition over what is usual; 0 if unknown
   RegressionState state;
 };

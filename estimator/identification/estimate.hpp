@@ -11,6 +11,7 @@
 
 #include "estimator/identification/estimate_quality.hpp"
 #include "estimator/identification/lack_of_fit.hpp"
+#include "estimator/identification/scatter_between_records.hpp"
 #include "estimator/identification/shared_parameters.hpp"
 #include "measure/observe/observation_set.hpp"
 
@@ -45,6 +46,8 @@ struct EstimatedValue {
   std::vector<std::string> nearly_entangled_with;
   std::optional<PartialF> partial_f;           ///< lumps
   std::optional<BootstrapInterval> bootstrap;  ///< if asked for
+  /// Natural frequencies that several records of free vibration tell; of several cases the one with most records.
+  std::optional<ScatterBetweenRecords> between_records;
 };
 
 /// Lack of fit of one case's equations (lack_of_fit).

@@ -125,6 +125,16 @@ std::vector<std::string> near_parameters(const Estimation& e, const std::string&
   return {};
 }
 
+// Of the case that tells it from most records.
+std::optional<ScatterBetweenRecords> scatter_of_frequency(const Estimation& e, std::size_t mode) {
+  const ScatterBetweenRecords* found = nullptr;
+  for (const CaseFit& fit : e.fits)
+    for (const ScatterBetweenRecords& scatter : fit.record_scatter)
+      if (scatter.mode == mode && (found == nullptr || scatter.records.size() > found->records.size()))
+        found = &scatter;
+  return found == nullptr ? std::nullopt : std::optional(*found);
+}
+
 /// By column of a case's regression.
 struct ColumnQuality {
   std::vector<std::optional<PartialF>> partial_f;
@@ -186,6 +196,7 @@ void report_parameters(Estimation& e) {
       value.told_by = cases_of(e, at);
       value.significant = significant(value);
       value.nearly_entangled_with = near_parameters(e, value.name);
+      if (p < e.model.modes()) value.between_records = scatter_of_frequency(e, p);
       if (e.bootstrap.cols() > 0) value.bootstrap = interval_of(e.bootstrap.row(at).transpose());
     } else {
       value.from = "not determined by this campaign";

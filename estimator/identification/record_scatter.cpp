@@ -1,11 +1,14 @@
 #include "estimator/identification/record_scatter.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <limits>
+#include <functional>
 #include <map>
 #include <set>
+#include <utility>
+
+#include "numerics/distribution.hpp"
 
 namespace secular {
 namespace {
@@ -14,59 +17,159 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// Stretches that leave less than this of a record's rows to the others tell nothing of their scatter.
+constexpr double one_stretch = 1e-6;
+
+/// On either side of a 95 % interval.
+constexpr double tail_share = 0.025;
+
 // A record's rows, of the column x of one natural frequency.
 struct RecordPart {
   double squares = 0;                                  // |x_r|^2
   double product = 0;                                  // x_r'e
   VectorXd seen;                                       // U_r'x_r
+  MatrixXd gram;                                       // U_r'U_r
   std::map<int, std::pair<double, double>> stretches;  // |x_g|^2, x_g'e
 };
 
 std::map<std::size_t, RecordPart> parts_of(const CaseFit& fit, Index column) {
   std::map<std::size_t, RecordPart> records;
+  const Index rank = fit.fit.rank;
   for (Index row = 0; row < fit.system.design.rows(); ++row) {
     const auto at = static_cast<std::size_t>(row);
     const double x = fit.system.design(row, column), e = fit.fit.residual(row);
-    if (x == 0) continue;
     RecordPart& part = records[fit.set->observations[fit.system.observation[at]].record];
-    if (part.seen.size() == 0) part.seen = VectorXd::Zero(fit.fit.rank);
+    if (part.seen.size() == 0) {
+      part.seen = VectorXd::Zero(rank);
+      part.gram = MatrixXd::Zero(rank, rank);
+    }
+    const VectorXd u = fit.fit.orthonormal.row(row).transpose();
+    part.gram.selfadjointView<Eigen::Lower>().rankUpdate(u);
+    if (x == 0) continue;
     auto& [squares, product] = part.stretches[fit.system.condition[at]];
     squares += x * x;
     product += x * e;
     part.squares += x * x;
     part.product += x * e;
-    part.seen += x * fit.fit.orthonormal.row(row).transpose();
+    part.seen += x * u;
   }
+  std::erase_if(records, [](const auto& entry) { return entry.second.squares == 0; });
   return records;
 }
 
-// Variance V of x_r'e by what the stretches of the record scatter about their common shift: with shares w_g of
-// |x_r|^2, sum (x_g'e - w_g x_r'e)^2 is (1 - sum w_g^2) V on average. Infinite where one stretch is all.
-double variance_of_product(const RecordPart& part) {
-  double sum = 0, left = 1;
+// Variance of x_r'e by what the stretches of the record scatter about their common shift, with shares w_g of
+// |x_r|^2: sum (x_g'e - w_g x_r'e)^2 is (1 - sum w_g^2) of it on average. And its degrees of freedom.
+std::optional<std::pair<double, double>> variance_of_product(const RecordPart& part) {
+  double sum = 0, second = 0, third = 0;
   for (const auto& [label, stretch] : part.stretches) {
     const double share = stretch.first / part.squares;
     sum += std::pow(stretch.second - share * part.product, 2);
-    left -= share * share;
+    second += share * share;
+    third += share * share * share;
   }
-  return left > 1e-6 ? sum / left : std::numeric_limits<double>::infinity();
+  const double left = 1 - second;
+  if (!(left > one_stretch)) return std::nullopt;
+  return std::pair{sum / left, left * left / (second - 2 * third + second * second)};
 }
 
-// Variance of the natural frequency between records, by moments: what x_r'e show of it beyond the scatter of
-// stretches.
-double variance_between(const std::map<std::size_t, RecordPart>& records) {
-  double excess = 0, share = 0;
+std::optional<RecordSums> sums_of(const CaseFit& fit, Index column) {
+  const std::map<std::size_t, RecordPart> records = parts_of(fit, column);
+  const auto count = static_cast<Index>(records.size());
+  if (count < 2) return std::nullopt;
+  RecordSums result;
+  result.unit = 0;
+  for (const auto& [index, part] : records) result.unit += part.squares / static_cast<double>(count);
+  result.sums.resize(count);
+  result.own_noise.resize(count);
+  result.freedom.resize(count);
+  VectorXd squares(count), by_row(count);  // |x_r|^2, and the variance of a row of each record
+  MatrixXd& seen = result.seen;
+  seen.resize(fit.fit.rank, count);
+  MatrixXd gram = MatrixXd::Zero(fit.fit.rank, fit.fit.rank);
+  Index r = 0;
   for (const auto& [index, part] : records) {
-    const double leverage = part.seen.squaredNorm() / part.squares;
-    const double by_stretches = variance_of_product(part);
-    if (!std::isfinite(by_stretches)) return 0;
-    excess += (part.product * part.product - by_stretches * (1 - leverage)) / part.squares;
-    for (const auto& [other, of_other] : records) {
-      const double own = index == other ? part.squares : 0;
-      share += std::pow(own - part.seen.dot(of_other.seen), 2) / part.squares;
-    }
+    const auto variance = variance_of_product(part);
+    if (!variance) return std::nullopt;
+    result.record.push_back(index);
+    result.sums(r) = part.product / std::sqrt(result.unit);
+    squares(r) = part.squares / result.unit;
+    by_row(r) = variance->first / part.squares;
+    result.own_noise(r) = by_row(r) / squares(r);
+    result.freedom(r) = variance->second;
+    seen.col(r) = part.seen / std::sqrt(result.unit);
+    gram += by_row(r) * MatrixXd(part.gram.selfadjointView<Eigen::Lower>());
+    ++r;
   }
-  return share > 0 ? excess / share : 0;
+  const MatrixXd common = seen.transpose() * seen;
+  result.shown = MatrixXd(squares.asDiagonal()) - common;
+  // Of x_r'M e, where e has the variance `by_row` in the rows of each record.
+  result.noise = MatrixXd(squares.cwiseProduct(by_row).asDiagonal()) - by_row.asDiagonal() * common -
+                 common * by_row.asDiagonal() + seen.transpose() * gram * seen;
+  return result;
+}
+
+// Q(t) and its law at the variance t between records.
+class Moments {
+ public:
+  explicit Moments(const RecordSums& sums) : sums_(sums) {
+    // Differences between records: a shift of all of them is no scatter.
+    const Index count = sums.sums.size();
+    const MatrixXd mean = VectorXd::Ones(count) / std::sqrt(static_cast<double>(count));
+    const MatrixXd basis = Eigen::HouseholderQR<MatrixXd>(mean).householderQ() * MatrixXd::Identity(count, count);
+    contrasts_ = basis.rightCols(count - 1);
+    differences_ = contrasts_.transpose() * sums.sums;
+    noise_ = contrasts_.transpose() * sums.noise * contrasts_;
+    const MatrixXd shown = contrasts_.transpose() * sums.shown;
+    between_ = shown * shown.transpose();
+  }
+
+  double statistic(double variance) const {
+    return differences_.dot((noise_ + variance * between_).ldlt().solve(differences_));
+  }
+  // What Q/freedom is divided by to follow the F law, and the degrees of freedom of its denominator (B. L. Welch,
+  // Biometrika 38, 1951); of a record's variance the part counts that its stretches have to tell.
+  std::pair<double, double> law(double variance) const {
+    const VectorXd weight = (sums_.own_noise.array() + variance).inverse();
+    double sum = 0;
+    for (Index r = 0; r < weight.size(); ++r)
+      sum += std::pow((1 - weight(r) / weight.sum()) * sums_.own_noise(r) * weight(r), 2) / sums_.freedom(r);
+    const auto count = static_cast<double>(weight.size()), pairs = count * count - 1;
+    return {1 + 2 * (count - 2) / pairs * sum, pairs / (3 * sum)};
+  }
+  // By record: the likeliest shift from the mean.
+  VectorXd shifts(double variance) const {
+    return variance * sums_.shown * (contrasts_ * (noise_ + variance * between_).ldlt().solve(differences_));
+  }
+  double freedom() const { return static_cast<double>(differences_.size()); }
+  double expected(double variance) const {
+    const auto [divisor, denominator] = law(variance);
+    return freedom() * divisor * (denominator > 2 ? denominator / (denominator - 2) : 1);
+  }
+  // That records which scatter by `variance` give a Q as large as `factor` times the one seen.
+  double tail(double variance, double factor = 1) const {
+    const auto [divisor, denominator] = law(variance);
+    return f_upper_tail(factor * statistic(variance) / (divisor * freedom()), freedom(), denominator);
+  }
+
+ private:
+  const RecordSums& sums_;
+  VectorXd differences_;
+  MatrixXd contrasts_, noise_, between_;
+};
+
+// Where `rising` is zero, from zero on; zero if it is positive there.
+double root_of(const std::function<double(double)>& rising) {
+  if (rising(0) >= 0) return 0;
+  double low = 0, high = 1;
+  while (rising(high) < 0 && high < 1e300) {
+    low = high;
+    high *= 4;
+  }
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = low + 0.5 * (high - low);
+    (rising(middle) < 0 ? low : high) = middle;
+  }
+  return high;
 }
 
 }  // namespace
@@ -77,22 +180,46 @@ std::size_t count_of_records(const ObservationSet& set) {
   return records.size();
 }
 
-MatrixXd record_scatter(const CaseFit& fit) {
-  MatrixXd moves(fit.fit.coefficients.size(), 0);
-  if (fit.set->resonance->excited || fit.fit.rank == 0) return moves;
+std::optional<ScatterBetweenRecords> scatter_of(const RecordSums& sums) {
+  const Moments moments(sums);
+  if (!(moments.statistic(0) > 0) || !std::isfinite(moments.statistic(0))) return std::nullopt;
+  const auto sd = [&](const std::function<double(double)>& rising) {
+    return std::sqrt(root_of(rising) / sums.unit);
+  };
+  ScatterBetweenRecords scatter;
+  scatter.records = sums.record;
+  scatter.p_value = moments.tail(0);
+  const double variance = root_of([&](double t) { return moments.expected(t) - moments.statistic(t); });
+  scatter.sd = std::sqrt(variance / sums.unit);
+  // Records that agree better than their stretches should tell no more of how far they may scatter than others do.
+  const double factor = std::max(1.0, moments.expected(0) / moments.statistic(0));
+  scatter.low = sd([&](double t) { return moments.tail(t) - tail_share; });
+  scatter.high = sd([&](double t) { return moments.tail(t, factor) - (1 - tail_share); });
+  const VectorXd shifts = moments.shifts(variance) / std::sqrt(sums.unit);
+  scatter.shifts.assign(shifts.begin(), shifts.end());
+  return scatter;
+}
+
+RecordScatter record_scatter(const CaseFit& fit) {
+  RecordScatter result;
+  result.moves.resize(fit.fit.coefficients.size(), 0);
+  if (fit.set->resonance->excited || fit.fit.rank == 0) return result;
   const Eigen::LDLT<MatrixXd> kept(fit.fit.kept);
   for (std::size_t c = 0; c < fit.columns.size(); ++c) {
     if (fit.columns[c].kind != CaseColumn::Kind::natural_frequency) continue;
-    const std::map<std::size_t, RecordPart> records = parts_of(fit, static_cast<Index>(c));
-    if (records.size() < 2) continue;
-    const double variance = variance_between(records);
-    if (!(variance > 0)) continue;
-    for (const auto& [index, part] : records) {
-      moves.conservativeResize(Eigen::NoChange, moves.cols() + 1);
-      moves.rightCols(1) = std::sqrt(variance) * (fit.fit.basis * kept.solve(part.seen));
+    const std::optional<RecordSums> sums = sums_of(fit, static_cast<Index>(c));
+    std::optional<ScatterBetweenRecords> scatter = sums ? scatter_of(*sums) : std::nullopt;
+    if (!scatter) continue;
+    scatter->mode = fit.columns[c].index;
+    if (scatter->sd > 0) {
+      const MatrixXd moved = scatter->sd * std::sqrt(sums->unit) * (fit.fit.basis * kept.solve(sums->seen));
+      const Index before = result.moves.cols();
+      result.moves.conservativeResize(Eigen::NoChange, before + moved.cols());
+      result.moves.rightCols(moved.cols()) = moved;
     }
+    result.frequencies.push_back(std::move(*scatter));
   }
-  return moves;
+  return result;
 }
 
 }  // namespace secular

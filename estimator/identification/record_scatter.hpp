@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 #include "estimator/identification/case_regression.hpp"
 
@@ -10,11 +12,31 @@ namespace secular {
 /// How many records a set's observations are of.
 std::size_t count_of_records(const ObservationSet& set);
 
+/// What the rows of each record show of one natural frequency, of mean square length 1 in its column x: sums x_r'e
+/// of residuals, their covariance by what stretches scatter, and what a shift of each record's frequency makes of
+/// them.
+struct RecordSums {
+  double unit = 1;                  ///< by which |x_r|^2 were divided
+  std::vector<std::size_t> record;  ///< index into Campaign::records
+  Eigen::VectorXd sums;             ///< by record
+  Eigen::MatrixXd noise, shown;     ///< record x record
+  Eigen::VectorXd own_noise;        ///< by record: variance of its own frequency
+  Eigen::VectorXd freedom;          ///< by record: degrees of freedom of that
+  Eigen::MatrixXd seen;             ///< rank x record: the column's rows in coordinates of the fit
+};
+
+/// By their moments (docs/inference.md (23)). Nothing where nothing scatters at all.
+std::optional<ScatterBetweenRecords> scatter_of(const RecordSums& sums);
+
 /// Stretches of one decay share the structure as it was that day: what scatters from record to record, as natural
-/// frequencies do with temperature and clamping, is no scatter of conditions. Columns x (records and modes): what
-/// one standard deviation of a record's natural frequency does to the coefficients, as far as records of the decays
-/// differ by more than their stretches explain (docs/inference.md (23)). No columns where they do not, or there is
-/// one record.
-Eigen::MatrixXd record_scatter(const CaseFit& fit);
+/// frequencies do with temperature and clamping, is no scatter of conditions (docs/inference.md (23)).
+struct RecordScatter {
+  std::vector<ScatterBetweenRecords> frequencies;  ///< of modes that several records tell
+  /// Coefficients x (records and modes): what one standard deviation of a record's natural frequency does to them.
+  /// No columns where records do not differ by more than their stretches explain.
+  Eigen::MatrixXd moves;
+};
+
+RecordScatter record_scatter(const CaseFit& fit);
 
 }  // namespace secular

@@ -18,7 +18,8 @@ using RecordSink = std::function<void(const Campaign& campaign, const RecordEntr
 /// std::invalid_argument if samples and campaign do not fit together.
 class CampaignWriter {
  public:
-  explicit CampaignWriter(const std::filesystem::path& folder);
+  /// `replace`: what is in the folder goes once all is written.
+  explicit CampaignWriter(const std::filesystem::path& folder, bool replace = false);
   ~CampaignWriter();
   /// Writes the samples of a record; from any thread. The entry belongs into the campaign that finish() gets.
   void write(const Campaign& campaign, const RecordEntry& entry, const Record& record);

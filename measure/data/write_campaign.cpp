@@ -1,9 +1,7 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -16,6 +14,7 @@
 #include "measure/data/campaign_writer.hpp"
 #include "measure/data/names.hpp"
 #include "measure/data/number_table.hpp"
+#include "measure/data/whole_folder.hpp"
 
 namespace secular {
 namespace {
@@ -47,73 +46,8 @@ void check_record(const Campaign& campaign, const RecordEntry& entry, const Reco
   }
 }
 
-/// A folder that is built beside its target and becomes it, or leaves nothing: neither itself nor parents made for
-/// it.
-class UnfinishedFolder {
- public:
-  explicit UnfinishedFolder(const fs::path& target) : target_(fs::absolute(target).lexically_normal()) {
-    if (target_.filename().empty()) target_ = target_.parent_path();
-    std::error_code error;
-    for (fs::path parent = target_.parent_path(); !parent.empty() && !fs::exists(parent, error);
-         parent = parent.parent_path())
-      made_ = parent;
-    fs::create_directories(target_.parent_path(), error);
-    for (int attempt = 0; !error && path_.empty(); ++attempt) {
-      const fs::path name = target_.parent_path() /
-                            fmt::format(".{}.unfinished-{}-{}", target_.filename().string(), ::getpid(), attempt);
-      if (fs::create_directory(name, error)) path_ = name;
-    }
-    if (error) {
-      remove();
-      throw InputError(target.string(), "", "cannot be created: " + error.message(),
-                       "name a folder in a place that you may write to");
-    }
-  }
-  UnfinishedFolder(const UnfinishedFolder&) = delete;
-  UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
-  ~UnfinishedFolder() {
-    if (!finished_) remove();
-  }
-
-  const fs::path& path() const { return path_; }
-  const fs::path& target() const { return target_; }
-
-  /// Writes a file from pieces: `next` gives them in order, an empty one ends the file.
-  template <class Next>
-  void write(const fs::path& file, const Next& next) const {
-    std::error_code error;
-    fs::create_directories((path_ / file).parent_path(), error);
-    std::ofstream stream(path_ / file, std::ios::binary);
-    for (std::string piece = next(); stream && !piece.empty(); piece = next()) stream << piece;
-    stream.close();
-    if (!stream)
-      throw InputError((target_ / file).string(), "", "cannot be written",
-                       "check the name, the permissions and the free space");
-  }
-
-  void finish() {
-    std::error_code error;
-    fs::rename(path_, target_, error);  // takes the place of an empty folder
-    if (error)
-      throw InputError(target_.string(), "", "cannot be put in place: " + error.message(), "name a new folder");
-    finished_ = true;
-  }
-
- private:
-  void remove() const {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-    if (made_.empty()) return;
-    for (fs::path parent = target_.parent_path(); fs::remove(parent, ignored) && parent != made_;)
-      parent = parent.parent_path();
-  }
-
-  fs::path target_, path_, made_;  // made_: the topmost parent that did not exist before
-  bool finished_ = false;
-};
-
 // What has just been written must be what read_campaign accepts: units, names, modal basis, UTF-8.
-void check_readable(const UnfinishedFolder& building) {
+void check_readable(const WholeFolder& building) {
   try {
     read_campaign(building.path());
   } catch (const InputError& error) {
@@ -122,11 +56,11 @@ void check_readable(const UnfinishedFolder& building) {
 }
 
 // Before long work.
-void check_campaign_target(const fs::path& folder) {
+void check_campaign_target(const fs::path& folder, bool replace) {
   std::error_code error;
   if (folder.empty()) throw InputError("", "", "the campaign folder has no name", "name a new folder");
-  if (fs::exists(fs::symlink_status(folder, error)) &&
-      !(fs::is_directory(folder, error) && fs::is_empty(folder, error)))
+  if (!fs::exists(fs::symlink_status(folder, error))) return;
+  if (!fs::is_directory(folder, error) || !(replace || fs::is_empty(folder, error)))
     throw InputError(folder.string(), "", "exists and is not an empty folder",
                      "name a new folder or remove this one");
 }
@@ -149,13 +83,13 @@ struct CampaignWriter::Building {
   }
 
   fs::path named;  // as the caller spells it
-  UnfinishedFolder folder;
+  WholeFolder folder;
   std::mutex guard;
   std::set<fs::path> files = {"campaign.toml"};
 };
 
-CampaignWriter::CampaignWriter(const fs::path& folder) {
-  check_campaign_target(folder);
+CampaignWriter::CampaignWriter(const fs::path& folder, bool replace) {
+  check_campaign_target(folder, replace);
   building_ = std::make_unique<Building>(folder);
 }
 

@@ -180,7 +180,7 @@ TEST_F(CommandLine, AComputationWithoutResultIsNoBadInput) {
 TEST_F(CommandLine, SimulateRefusesToOverwriteAndIdentifyRefusesNonsense) {
   const std::string campaign = (folder / "campaign").string();
   ASSERT_EQ(run("simulate experiments/pendulum_decay -o " + campaign).status, 0);
-  expect_bad_input(run("simulate experiments/pendulum_decay -o " + campaign), "exists and is not an empty folder");
+  expect_bad_input(run("simulate experiments/pendulum_decay -o " + campaign), "add --force to replace it");
   const std::string out = " -o " + (folder / "out").string();
   expect_bad_input(run("identify " + campaign + " --model two_mass_mode1 --case principal_parametric" + out),
                    "excitation");
@@ -219,7 +219,7 @@ TEST_F(CommandLine, PredictWritesResponsesOrNothing) {
   expect_bad_input(run(estimated), "no value for alpha3");
   EXPECT_FALSE(fs::exists(out));
   EXPECT_EQ(run(estimated + "--at alpha3=-3e7").status, 0);
-  const Outcome good = run(shipped + "--at F=22.55 --vary Omega 24.3 25.1 --hz");
+  const Outcome good = run(shipped + "--at F=22.55 --vary Omega 24.3 25.1 --hz --force");
   EXPECT_EQ(good.status, 0) << good.errors;
   const auto json = nlohmann::json::parse(text_of(fs::path(out) / "prediction.json"));
   std::size_t thresholds = 0;
@@ -235,18 +235,19 @@ TEST_F(CommandLine, PredictWritesResponsesOrNothing) {
   EXPECT_NE(text_of(fs::path(out) / "response.svg").find("<svg"), std::string::npos);
   EXPECT_NE(text_of(fs::path(out) / "prediction.csv").find("branch,kind,Omega,stable,amplitude_v"),
             std::string::npos);
-  const Outcome curve = run(shipped + "--vary Omega 23 26 --against F 5 40 --curve saddle_node --hz --json");
+  const Outcome curve =
+      run(shipped + "--vary Omega 23 26 --against F 5 40 --curve saddle_node --hz --json --force");
   EXPECT_EQ(curve.status, 0) << curve.errors;
   EXPECT_GT(nlohmann::json::parse(curve.output)["curves"][0]["points"].size(), 10u);
   const Outcome combination =
       run("predict two_mass_lumps --parameters predictions/table_6_2 --at F=23.3 --hz "
-          "--vary Omega 45.3 45.75 -o " +
+          "--vary Omega 45.3 45.75 --force -o " +
           out);
   EXPECT_EQ(combination.status, 0) << combination.errors;
   for (const char* part : {"45.4876 Hz", "45.5607 Hz", "common phase of v1 and v2"})
     EXPECT_NE(combination.output.find(part), std::string::npos) << combination.output;
   const Outcome free =
-      run("predict two_mass_mode1 --case free --parameters predictions/table_5_4 --largest 1e-3 -o " + out);
+      run("predict two_mass_mode1 --case free --parameters predictions/table_5_4 --largest 1e-3 --force -o " + out);
   EXPECT_EQ(free.status, 0) << free.errors;
   EXPECT_EQ(nlohmann::json::parse(text_of(fs::path(out) / "prediction.json"))["backbones"][0]["mode"], "v");
 }

@@ -37,7 +37,7 @@ class SlowEstimateFile : public testing::Test {
   static void write(const std::string& name, const json& document) { std::ofstream(folder() / name) << document; }
 
   static json diagnosis(const std::string& parameters) {
-    EXPECT_EQ(run("diagnose test --model two_mass_mode1 --parameters " + parameters + " -o diagnosis"), 0)
+    EXPECT_EQ(run("diagnose test --model two_mass_mode1 --parameters " + parameters + " --force -o diagnosis"), 0)
         << printed();
     return read("diagnosis/diagnosis.json");
   }

@@ -171,7 +171,7 @@ TEST(Disturbances, EveryKindIsFoundWithItsSizeAndNothingElse) {
 }
 
 TEST(Disturbances, EveryRowHasACase) {
-  std::set<std::string> tested = {"uneven_time", "late_record"};  // of stamps; of identify
+  std::set<std::string> tested = {"uneven_time", "late_record", "record_scatter"};  // of stamps; of identify
   for (const Case& c : cases()) tested.insert(c.kind);
   for (const DisturbanceKind& kind : disturbance_catalogue())
     EXPECT_TRUE(tested.contains(std::string(kind.name))) << kind.name;

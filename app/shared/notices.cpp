@@ -1,0 +1,39 @@
+#include "app/shared/notices.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "report/html_report.hpp"
+
+namespace secular::app {
+namespace {
+
+// Of the process, as standard error is; set while the command line is read.
+bool quiet = false;
+
+void add_quiet_flag(CLI::App& command) {
+  command.add_flag("--quiet", quiet, "no progress and no warnings on standard error");
+  for (CLI::App* below : command.get_subcommands({})) add_quiet_flag(*below);
+}
+
+}  // namespace
+
+void add_common_flags(CLI::App& program) {
+  program.set_version_flag("--version", report::program_version);
+  add_quiet_flag(program);
+}
+
+bool is_quiet() {
+  return quiet;
+}
+
+void print_warning(const std::string& text) {
+  if (!quiet) fmt::print(stderr, "warning: {}\n", text);
+}
+
+void print_warnings(const std::vector<std::string>& texts) {
+  for (const std::string& text : texts) print_warning(text);
+}
+
+}  // namespace secular::app

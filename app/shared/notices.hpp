@@ -1,0 +1,19 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace secular::app {
+
+/// --version of the program, and --quiet of it and of all its commands: no progress and no warnings on standard
+/// error. Errors, what was asked for and standard output stay.
+void add_common_flags(CLI::App& program);
+
+bool is_quiet();
+
+/// "warning: ..." on standard error, unless that is to be quiet.
+void print_warning(const std::string& text);
+void print_warnings(const std::vector<std::string>& texts);
+
+}  // namespace secular::app

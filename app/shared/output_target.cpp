@@ -1,0 +1,184 @@
+#include "app/shared/output_target.hpp"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <system_error>
+
+#include "input/input_error.hpp"
+#include "measure/data/campaign.hpp"
+#include "measure/data/campaign_text.hpp"
+#include "measure/data/whole_folder.hpp"
+#include "report/whole_file.hpp"
+
+namespace secular::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* force_description = "replace what stands there";
+
+// Links followed as far as there is something.
+fs::path resolved(const std::string& path) {
+  std::error_code error;
+  fs::path result = fs::weakly_canonical(fs::absolute(path), error);
+  if (error) result = fs::absolute(path).lexically_normal();
+  return result.filename().empty() ? result.parent_path() : result;
+}
+
+bool is_within(const fs::path& inner, const fs::path& outer) {
+  const auto [left, right] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
+  return left == outer.end();
+}
+
+void check_apart(const std::string& output, const std::string& option, const std::vector<CommandInput>& inputs) {
+  if (output.empty()) throw InputError(option, "", "has no name", "name what is to be written");
+  const fs::path target = resolved(output);
+  for (const CommandInput& input : inputs) {
+    std::error_code error;
+    if (input.path.empty() || !fs::exists(input.path, error)) continue;
+    const fs::path source = resolved(input.path);
+    const char* how = nullptr;
+    if (target == source)
+      how = "is";
+    else if (is_within(target, source))
+      how = "lies inside";
+    else if (is_within(source, target))
+      how = "contains";
+    if (how == nullptr) continue;
+    throw InputError(output, option, fmt::format("{} {} that is read ({})", how, input.what, input.path),
+                     "name another place: what is read is never written to");
+  }
+}
+
+[[noreturn]] void refuse_without_force(const std::string& output, const std::string& option) {
+  throw InputError(output, option, "exists", "name another place, or add --force to replace it");
+}
+
+// Of a folder; whether something in it has to be replaced.
+bool stands(const std::string& output, bool force) {
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(output, error);
+  if (!fs::exists(status)) return false;
+  if (!fs::is_directory(output, error))
+    throw InputError(output, "-o", "exists and is no folder", "name a folder, or one that does not exist yet");
+  if (fs::is_empty(output, error) && !error) return false;
+  if (!force) refuse_without_force(output, "-o");
+  return true;
+}
+
+[[noreturn]] void refuse_others(const std::string& output, const std::string& why) {
+  throw InputError(output, "-o", why,
+                   "name another folder, or remove this one yourself: --force replaces results alone");
+}
+
+bool matches(const std::string& name, const std::string& pattern) {
+  return fnmatch(pattern.c_str(), name.c_str(), FNM_PERIOD) == 0;
+}
+
+void check_campaign_made(const std::string& output) {
+  std::optional<Campaign> campaign;
+  try {
+    campaign = read_campaign(output);
+  } catch (const InputError& error) {
+    refuse_others(output, "exists and is no campaign");
+  }
+  std::set<fs::path> own = {"campaign.toml"};
+  for (const RecordEntry& entry : campaign->records) {
+    fs::path file = fs::path(entry.file).lexically_normal();
+    for (own.insert(file); file.has_parent_path(); own.insert(file)) file = file.parent_path();
+  }
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(output, error))
+    if (!own.contains(entry.path().lexically_relative(output)))
+      refuse_others(output, fmt::format("holds {}, which is no part of its campaign",
+                                        entry.path().lexically_relative(output).generic_string()));
+  std::ifstream stream(fs::path(output) / "campaign.toml", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (text != campaign_text(*campaign))
+    refuse_others(output, "exists, and its campaign.toml is not as a command writes it");
+}
+
+}  // namespace
+
+void OutputFolder::add_to(CLI::App& command, const std::string& description) {
+  command.add_option("-o,--output", path_, description)->required();
+  command.add_flag("--force", force_, force_description);
+}
+
+bool OutputFolder::is_own(const fs::directory_entry& entry) const {
+  const std::string name = entry.path().filename().string();
+  const auto fits = [&](const std::string& pattern) { return matches(name, pattern); };
+  if (entry.is_symlink() || !entry.is_regular_file() || std::none_of(patterns_.begin(), patterns_.end(), fits))
+    return false;
+  std::ifstream stream(entry.path());
+  std::string line;
+  std::getline(stream, line);
+  return line.find(mark_) != std::string::npos;
+}
+
+void OutputFolder::check(const std::vector<CommandInput>& inputs) const {
+  check_apart(path_, "-o", inputs);
+  if (!stands(path_, force_)) return;
+  bool any = false;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
+    const std::string name = entry.path().filename().string();
+    if (!is_own(entry)) refuse_others(path_, fmt::format("holds {}, which this command does not write", name));
+    any = any || matches(name, patterns_.front());
+  }
+  if (!any) refuse_others(path_, "exists and holds no results of this command");
+}
+
+void OutputFolder::write(const ResultFiles& files) const {
+  WholeFolder folder(path_);
+  for (const auto& [name, content] : files) {
+    std::string piece = content;
+    folder.write(name, [&piece] { return std::exchange(piece, {}); });
+  }
+  folder.finish();
+}
+
+void OutputCampaign::add_to(CLI::App& command) {
+  command.add_option("-o,--output", path_, "campaign folder to make")->required();
+  command.add_flag("--force", force_, force_description);
+}
+
+void OutputCampaign::check(const std::vector<CommandInput>& inputs) const {
+  check_apart(path_, "-o", inputs);
+  if (stands(path_, force_)) check_campaign_made(path_);
+}
+
+void OutputFile::add_to(CLI::App& command) {
+  command.add_option("-o,--output", path_, "file to write; standard output without it");
+  command.add_flag("--force", force_, force_description);
+}
+
+void OutputFile::add_to(CLI::App& command, const std::string& option, const std::string& description) {
+  option_ = option;
+  command.add_option(option, path_, description);
+}
+
+void OutputFile::check(const std::vector<CommandInput>& inputs, bool force) const {
+  if (path_.empty()) return;
+  check_apart(path_, option_, inputs);
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(path_, error))) return;
+  if (!fs::is_regular_file(path_, error))
+    throw InputError(path_, option_, "exists and is no regular file", "name a file");
+  if (!force && !force_) refuse_without_force(path_, option_);
+}
+
+void OutputFile::write(const std::string& text) const {
+  if (path_.empty())
+    fmt::print("{}", text);
+  else
+    report::write_whole_file(path_, text);
+}
+
+}  // namespace secular::app

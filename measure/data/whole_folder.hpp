@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace secular {
+
+/// A folder that is built beside its target and becomes it, or leaves nothing: neither itself nor parents made for
+/// it, also where the program is interrupted (SIGINT, SIGTERM).
+class WholeFolder {
+ public:
+  explicit WholeFolder(const std::filesystem::path& target);
+  WholeFolder(const WholeFolder&) = delete;
+  WholeFolder& operator=(const WholeFolder&) = delete;
+  ~WholeFolder();
+
+  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& target() const { return target_; }
+
+  /// Writes a file from pieces: `next` gives them in order, an empty one ends the file. From any thread.
+  void write(const std::filesystem::path& file, const std::function<std::string()>& next) const;
+
+  /// Takes the place of a folder that is empty or missing, or else of one that is removed then: of all of it at
+  /// once, and the old one stays where that fails.
+  void finish();
+
+  /// Of a folder that is not finished: removes what has been built so far.
+  void abandon() const;
+
+ private:
+  std::filesystem::path target_, path_, made_;  // made_: the topmost parent that did not exist before
+  bool finished_ = false;
+};
+
+}  // namespace secular
