@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
+#include "blind/case_files.hpp"
 #include "blind/measured_score.hpp"
+#include "input/input_error.hpp"
 
 namespace secular::blind {
 namespace {
@@ -223,6 +226,16 @@ std::string measured_markdown(const ordered_json& page) {
   text += "\n## The sets\n";
   for (const ordered_json& row : page.at("sets")) text += section(row);
   return text;
+}
+
+void write_measured(const ordered_json& page, const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw InputError(folder.string(), "", "cannot be made: " + error.message(),
+                     "name a folder that you may write to");
+  write_text(folder / "measured.json", page.dump(1) + "\n");
+  write_text(folder / "measured.md", measured_markdown(page));
 }
 
 }  // namespace secular::blind

@@ -23,4 +23,7 @@ nlohmann::ordered_json measured_json(const MeasuredPageHead& head, const Measure
 /// measured.md, made from measured.json alone.
 std::string measured_markdown(const nlohmann::ordered_json& page);
 
+/// Both files in a folder. Throws InputError where they cannot be written.
+void write_measured(const nlohmann::ordered_json& page, const std::filesystem::path& folder);
+
 }  // namespace secular::blind

@@ -12,7 +12,6 @@
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
 #include "app/shared/progress_line.hpp"
-#include "app/shared/result_files.hpp"
 #include "blind/follow_up.hpp"
 #include "blind/leave_out.hpp"
 #include "blind/measured_page.hpp"
@@ -112,8 +111,7 @@ void measured(const Options& options) {
                           [&line](std::size_t done, std::size_t total) { line(done, total); });
   const nlohmann::ordered_json page = blind::measured_json(
       {command_line_of(*options.command), options.list, options.data, options.work}, list, run.results);
-  write_result_files(options.page,
-                     {{"measured.json", page.dump(1) + "\n"}, {"measured.md", blind::measured_markdown(page)}});
+  blind::write_measured(page, options.page);
   const auto met = std::count_if(page.at("sets").begin(), page.at("sets").end(),
                                  [](const nlohmann::ordered_json& set) { return set.at("met").get<bool>(); });
   fmt::print("{} sets, {} diagnosed before; {} meet their aim; see {}/measured.md\n", list.sets.size(), run.kept,
