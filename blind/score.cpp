@@ -65,7 +65,14 @@ bool is_named(const Said& said) {
   return said.verdict == "cause" || said.verdict == "set" || said.verdict == "approximate";
 }
 
+// Two faults of a response stand in both lists: wherever they are found counts.
+bool listed_as_disturbance(const Said& said, const std::string& effect) {
+  return (effect == "sensor_offset" && contains(said.disturbances, "offset")) ||
+         (effect == "clipping" && contains(said.disturbances, "clipping"));
+}
+
 bool names(const Said& said, const std::string& effect) {
+  if (listed_as_disturbance(said, effect)) return true;
   return is_named(said) && (said.cause == effect || contains(said.set, effect));
 }
 
@@ -184,7 +191,9 @@ class Tally {
       false_alarm_.count(s.detected || s.verdict != "no_gap");
       return;
     }
-    if (visible(label)) detected_.count(s.detected);
+    const bool listed = std::any_of(label.effects.begin(), label.effects.end(),
+                                    [&](const std::string& effect) { return listed_as_disturbance(s, effect); });
+    if (visible(label)) detected_.count(s.detected || listed);
     if (label.kind == "outside") {
       if (!can_be_told(label)) return;
       unknown_.count(left_open(s));
@@ -216,8 +225,8 @@ class Tally {
     }
     if (!can_be_told(label)) return;
     const bool first = is_named(s) && s.cause == truth;
-    top_[label.snr_db].count(first);
-    probability_.push_back(probability_of(s, truth));
+    top_[label.snr_db].count(first || listed_as_disturbance(s, truth));
+    if (!listed_as_disturbance(s, truth)) probability_.push_back(probability_of(s, truth));
     if (!first) return;
     if (s.closed) {
       closed_.push_back(*s.closed);
@@ -308,6 +317,11 @@ Said what_was_said(const json& diagnosis) {
       if (probability > best) {
         best = probability;
         if (said.cause.empty() || verdict != "cause") said.cause = effect;
+      }
+    if (diagnosis.contains("disturbances"))
+      for (const json& found : diagnosis["disturbances"]) {
+        const std::string kind = found.at("kind").get<std::string>();
+        if (!contains(said.disturbances, kind)) said.disturbances.push_back(kind);
       }
     for (const char* key : {"set", "together"})
       if (diagnosis.contains(key) && diagnosis[key].is_array())

@@ -59,6 +59,7 @@ struct Said {
   std::string cause;                          ///< of the largest probability
   std::vector<std::string> set;               ///< named together with `cause`
   std::map<std::string, double> probability;  ///< by effect, all modes together
+  std::vector<std::string> disturbances;      ///< kinds that it lists
   bool detected = false;
   std::optional<double> closed;
   double seconds = 0;

@@ -129,6 +129,8 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   if (!unused.empty()) run.diagnosis.warnings.push_back(unused);
   for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
   run.disturbances = watch.found();
+  for (Disturbance& d : run.disturbances)
+    d.fitted = d.kind == "offset" && d.channel && run.campaign.channels[*d.channel].role == ChannelRole::response;
   run.looked_at = watch.records();
   return run;
 }

@@ -352,17 +352,58 @@ void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> ro
   }
   Index first = 0;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const Frozen& f = frozen_[i];
-    VectorXd error = frozen_errors(i, unknowns, f.state, {}) / f.widening;
-    error -= f.state_basis * (f.state_basis.transpose() * error);
-    const VectorXd changes = f.change_basis.transpose() * error;
-    error -= f.change_basis * changes;
-    const Noise noise = coarse_ ? Noise{VectorXd::Ones(changes.size())} : noise_[i];
-    rows.segment(first, changes.size()) = changes.cwiseQuotient(noise.change_sd);
-    rows.segment(first + changes.size(), error.size()) =
-        error / std::max(noise.rest_sd, coarse_ ? 0 : f.disturbance);
-    first += changes.size() + error.size();
+    VectorXd error = frozen_errors(i, unknowns, frozen_[i].state, {});
+    const Index count = frozen_[i].change_basis.cols() + error.size();
+    rows_of(i, std::move(error), rows.segment(first, count));
+    first += count;
   }
+}
+
+void SegmentEvidence::rows_of(std::size_t segment, VectorXd error, Eigen::Ref<VectorXd> rows) const {
+  const Frozen& f = frozen_[segment];
+  error /= f.widening;
+  error -= f.state_basis * (f.state_basis.transpose() * error);
+  const VectorXd changes = f.change_basis.transpose() * error;
+  error -= f.change_basis * changes;
+  const Noise noise = coarse_ ? Noise{VectorXd::Ones(changes.size())} : noise_[segment];
+  rows.head(changes.size()) = changes.cwiseQuotient(noise.change_sd);
+  rows.tail(error.size()) = error / std::max(noise.rest_sd, coarse_ ? 0 : f.disturbance);
+}
+
+VectorXd SegmentEvidence::offset_slopes(std::size_t channel, double scale) const {
+  VectorXd column(size());
+  Index first = 0;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const Segment& s = segments_[i];
+    const Index samples = s.response.cols(), c = static_cast<Index>(channel);
+    VectorXd error = VectorXd::Zero(s.response.rows() * samples);
+    error.segment(c * samples, samples).setConstant(-scale / s.noise_sd(c));
+    const Index count = frozen_[i].change_basis.cols() + error.size();
+    rows_of(i, silenced(std::move(error), samples, frozen_[i].at_jumps), column.segment(first, count));
+    first += count;
+  }
+  return column;
+}
+
+MatrixXd SegmentEvidence::slopes(const VectorXd& unknowns, const std::vector<std::size_t>& which,
+                                 const VectorXd& scale, unsigned threads) const {
+  MatrixXd columns(size(), static_cast<Index>(which.size()));
+  std::vector<std::size_t> others;
+  std::vector<Index> places;
+  for (std::size_t w = 0; w < which.size(); ++w) {
+    std::size_t channel = 0;
+    while (channel < sensors_.responses.size() && which[w] != model_->symbols.size() + table_.offset(channel))
+      ++channel;
+    const auto place = static_cast<Index>(w);
+    if (channel < sensors_.responses.size()) {
+      columns.col(place) = offset_slopes(channel, scale(place));
+    } else {
+      others.push_back(which[w]);
+      places.push_back(place);
+    }
+  }
+  columns(Eigen::all, places) = Evidence::slopes(unknowns, others, scale(places), threads);
+  return columns;
 }
 
 std::vector<SegmentEvidence::Disturbed> SegmentEvidence::disturbed() const {

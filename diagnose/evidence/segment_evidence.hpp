@@ -26,6 +26,9 @@ class SegmentEvidence : public Evidence {
   const std::vector<RowLabel>& labels() const override { return labels_; }
   void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
+  /// Offsets of response channels, which no motion depends on, in closed form; the others by differences.
+  Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
+                         const Eigen::VectorXd& scale, unsigned threads) const override;
 
   /// A decay whose segments depart from any smooth law of the amplitude: how many it has, and the middles of those
   /// that depart by more than twice the quiet ones, in seconds of the record.
@@ -64,6 +67,10 @@ class SegmentEvidence : public Evidence {
                          Eigen::Index samples, const std::vector<LinearChange>& change,
                          std::vector<Eigen::Index>* jumps = nullptr) const;
   void measure_noise(const Eigen::VectorXd& unknowns);
+  /// A segment's rows, from errors of its samples.
+  void rows_of(std::size_t segment, Eigen::VectorXd error, Eigen::Ref<Eigen::VectorXd> rows) const;
+  /// Slopes by the offset of a response channel, per `scale`.
+  Eigen::VectorXd offset_slopes(std::size_t channel, double scale) const;
   /// Of a record's segments; `white`: their variances of what is white, `changes` and `rest`: what they leave in
   /// the first and in the other rows.
   Noise noise_of(const Eigen::VectorXd& white, const Eigen::MatrixXd& changes, const std::vector<double>& rest,

@@ -131,6 +131,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
   Comparison result{.forces = options.forces,
                     .sensors = sensors,
                     .faults = faults,
+                    .nuisances = {},
                     .start = start_of(model, faults, options),
                     .conditions = {},
                     .candidates = {},
@@ -138,6 +139,8 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
                     .apart = {},
                     .unsteady = {},
                     .warnings = {}};
+  for (std::size_t c = 0; c < sensors.responses.size(); ++c)
+    result.nuisances.push_back(model.symbols.size() + faults.offset(c));
   std::vector<double> natural;
   for (std::size_t k = 0; k < model.modes(); ++k) {
     const double seen = seen_frequency(options, k);

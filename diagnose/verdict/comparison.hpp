@@ -21,6 +21,9 @@ struct Comparison {
   std::vector<StateForce> forces;  ///< with scales from the data
   SensorModel sensors;
   FaultTable faults;
+  /// Unknowns that disturb and explain nothing, the offsets of the response channels: fitted beside the model as it
+  /// is and beside every explanation of a gap.
+  std::vector<std::size_t> nuisances;
   Eigen::VectorXd start;  ///< given or nominal values; zero where there is neither
   std::vector<Condition> conditions;
   std::size_t segments = 0;

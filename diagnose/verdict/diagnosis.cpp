@@ -32,7 +32,14 @@ class Diagnoser {
  public:
   Diagnoser(const Campaign& campaign, const CompiledModel& model, const std::vector<std::size_t>& own,
             Comparison comparison, const DiagnosisOptions& options)
-      : campaign_(campaign), model_(model), own_(own), options_(options), comparison_(std::move(comparison)) {}
+      : campaign_(campaign),
+        model_(model),
+        own_(own),
+        free_(own),
+        options_(options),
+        comparison_(std::move(comparison)) {
+    free_.insert(free_.end(), comparison_.nuisances.begin(), comparison_.nuisances.end());
+  }
 
   Diagnosis run() {
     result_.labels = discrepancy().labels();
@@ -46,9 +53,10 @@ class Diagnoser {
     inference_options.progress = options_.progress;
     for (const std::size_t s : own_)
       if (s < model_.modes()) inference_options.anchors.push_back(s);  // natural frequencies
-    inference_ = infer(comparison_.discrepancy, comparison_.candidates, comparison_.start, own_, inference_options);
+    inference_ =
+        infer(comparison_.discrepancy, comparison_.candidates, comparison_.start, free_, inference_options);
     if (options_.given)
-      judged_ = judge_given(options_.given, model_, own_, discrepancy(), comparison_.start, options_.threads);
+      judged_ = judge_given(options_.given, model_, free_, discrepancy(), comparison_.start, options_.threads);
     result_.warnings = comparison_.warnings;
     for (std::string& warning : disturbed_records(comparison_, campaign_))
       result_.warnings.push_back(std::move(warning));
@@ -326,6 +334,7 @@ class Diagnoser {
   const Campaign& campaign_;
   const CompiledModel& model_;
   const std::vector<std::size_t>& own_;
+  std::vector<std::size_t> free_;  // own_, and the nuisances
   const DiagnosisOptions& options_;
   Comparison comparison_;
   JudgedNumbers judged_;  // where numbers were given

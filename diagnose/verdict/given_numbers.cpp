@@ -21,15 +21,26 @@ std::string name_of(const CompiledModel& model, std::size_t symbol) {
   return std::string(model.symbols[symbol].name);
 }
 
+// Symbols of the model; what is beyond them are nuisances, of which nothing is given.
+bool is_symbol(const CompiledModel& model, std::size_t unknown) {
+  return unknown < model.symbols.size();
+}
+
+bool is_open(const GivenNumbers& given, const CompiledModel& model, std::size_t unknown) {
+  return !is_symbol(model, unknown) || given.open.contains(name_of(model, unknown));
+}
+
 // Of the given numbers' error bars by the free unknowns of a fit.
 VectorXd given_sd(const GivenNumbers& given, const CompiledModel& model, const Refit& fit) {
   VectorXd sd(static_cast<Index>(fit.free.size()));
   for (Index f = 0; f < sd.size(); ++f) {
-    const std::string name = name_of(model, fit.free[static_cast<std::size_t>(f)]);
-    const auto found = given.sd.find(name);
-    sd(f) = given.open.contains(name) ? std::numeric_limits<double>::infinity()
-            : found == given.sd.end() ? 0
-                                      : found->second;
+    const std::size_t unknown = fit.free[static_cast<std::size_t>(f)];
+    if (is_open(given, model, unknown)) {
+      sd(f) = std::numeric_limits<double>::infinity();
+      continue;
+    }
+    const auto found = given.sd.find(name_of(model, unknown));
+    sd(f) = found == given.sd.end() ? 0 : found->second;
   }
   return sd;
 }
@@ -72,11 +83,11 @@ void check_given(const GivenNumbers& given, const CompiledModel& model, const st
 }
 
 JudgedNumbers judge_given(const GivenNumbers& given, const CompiledModel& model,
-                          const std::vector<std::size_t>& own, const Discrepancy& discrepancy,
+                          const std::vector<std::size_t>& fitted, const Discrepancy& discrepancy,
                           const VectorXd& start, unsigned threads) {
   std::vector<std::size_t> open;
-  for (const std::size_t s : own)
-    if (given.open.contains(name_of(model, s))) open.push_back(s);
+  for (const std::size_t u : fitted)
+    if (is_open(given, model, u)) open.push_back(u);
   if (open.empty()) return {start, discrepancy(start), 0};
   RefitOptions options;
   options.threads = threads;
@@ -99,6 +110,7 @@ double moved_p_value(const GivenNumbers& given, const JudgedNumbers& judged, con
 std::vector<ParameterMove> moved_parameters(const CompiledModel& model, const VectorXd& start, const Refit& fit) {
   std::vector<ParameterMove> moved;
   for (std::size_t f = 0; f < fit.free.size(); ++f) {
+    if (!is_symbol(model, fit.free[f])) continue;
     const auto u = static_cast<Index>(fit.free[f]);
     const double sd = std::sqrt(std::max(0.0, fit.covariance(static_cast<Index>(f), static_cast<Index>(f))));
     if (fit.identifiable[f] && std::abs(fit.unknowns(u) - start(u)) > moved_by * sd)

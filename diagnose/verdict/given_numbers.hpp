@@ -41,9 +41,10 @@ struct JudgedNumbers {
   Eigen::Index rank = 0;  ///< of what was left open
 };
 
-/// Rows of the numbers in `start`; the open ones are the campaign's to choose.
+/// Rows of the numbers in `start`. Of `fitted` (the model's own symbols and nuisances) the campaign chooses those
+/// that are open and all nuisances.
 JudgedNumbers judge_given(const GivenNumbers& given, const CompiledModel& model,
-                          const std::vector<std::size_t>& own, const Discrepancy& discrepancy,
+                          const std::vector<std::size_t>& fitted, const Discrepancy& discrepancy,
                           const Eigen::VectorXd& start, unsigned threads);
 
 /// p that the given numbers, within their error bars if they have any, are those that fit best (`fit`).

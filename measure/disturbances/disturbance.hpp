@@ -18,6 +18,7 @@ struct Disturbance {
   double share = 0;                    ///< the size over the channel's rms, or the share of samples
   std::optional<double> frequency_hz;  ///< of tones
   std::string text;                    ///< for people, without record and channel
+  bool fitted = false;                 ///< beside the motion, as an unknown; otherwise it is listed only
 };
 
 }  // namespace secular
