@@ -43,7 +43,12 @@ void parse_fixed(Options& options) {
     const double value = equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
     if (equals == std::string::npos || equals == 0 || end == text.c_str() + equals + 1 || *end != '\0')
       throw InputError("--fix " + text, "", "is not NAME=VALUE", "for example --fix mu2=0");
-    options.request.fixed[text.substr(0, equals)] = value;
+    if (!std::isfinite(value)) throw InputError("--fix " + text, "", "is not a finite number");
+    const std::string name = text.substr(0, equals);
+    const auto [given, fresh] = options.request.fixed.emplace(name, value);
+    if (!fresh && given->second != value)
+      throw InputError("--fix " + text, "", fmt::format("contradicts --fix {}={}", name, given->second),
+                       "give every name once");
   }
 }
 

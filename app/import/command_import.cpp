@@ -119,7 +119,7 @@ void add_import_command(CLI::App& root, Action& chosen) {
       std::vector<CommandInput> inputs;
       for (const std::string& file : options->files) inputs.push_back({"the file", file});
       options->output.check(inputs);
-      CampaignWriter writer(options->output.path(), true);
+      CampaignWriter writer(options->output.path(), options->output.replaces());
       std::vector<RecordSummary> records;
       const ImportedCampaign imported =
           import_files(options->import, [&](const Campaign& campaign, const RecordEntry& entry, Record&& record) {

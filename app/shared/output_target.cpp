@@ -136,12 +136,13 @@ void OutputFolder::check(const std::vector<CommandInput>& inputs) const {
 }
 
 void OutputFolder::write(const ResultFiles& files) const {
+  check({});
   WholeFolder folder(path_);
   for (const auto& [name, content] : files) {
     std::string piece = content;
     folder.write(name, [&piece] { return std::exchange(piece, {}); });
   }
-  folder.finish();
+  folder.finish(force_);
 }
 
 void OutputCampaign::add_to(CLI::App& command) {

@@ -32,7 +32,8 @@ class OutputFolder {
   /// Before any work. Throws InputError where the folder is what is read, lies in it or contains it; where
   /// something stands there without --force; and with it where that is anything but results of this command.
   void check(const std::vector<CommandInput>& inputs) const;
-  /// All of them appear at once, or none. Throws InputError where they cannot.
+  /// All of them appear at once, or none. Throws InputError where they cannot, and for what has come to stand there
+  /// since.
   void write(const ResultFiles& files) const;
 
  private:
@@ -48,6 +49,7 @@ class OutputCampaign {
  public:
   void add_to(CLI::App& command);
   const std::string& path() const { return path_; }
+  bool replaces() const { return force_; }
   void check(const std::vector<CommandInput>& inputs) const;
 
  private:

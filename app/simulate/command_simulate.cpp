@@ -43,7 +43,7 @@ void add_simulate_command(CLI::App& root, Action& chosen) {
       const std::filesystem::path path = resolve_model(options->experiment);
       const auto [model, experiment] = load_experiment(path, options->interpret);
       ProgressLine line("records");
-      CampaignWriter writer(options->output.path(), true);
+      CampaignWriter writer(options->output.path(), options->output.replaces());
       const Campaign campaign = run_virtual_test(
           experiment, *model, options->seed, options->threads,
           [&writer](const Campaign& made, const RecordEntry& entry, Record&& record) {

@@ -131,14 +131,14 @@ void WholeFolder::write(const fs::path& file, const std::function<std::string()>
                      "check the name, the permissions and the free space");
 }
 
-void WholeFolder::finish() {
+void WholeFolder::finish(bool replace) {
   const std::lock_guard lock(Interruption::instance().guard());
   const auto fail = [&](const std::error_code& error) {
     throw InputError(target_.string(), "", "cannot be put in place: " + error.message(), "name a new folder");
   };
   std::error_code error;
   fs::rename(path_, target_, error);  // takes the place of an empty folder
-  if (error && fs::is_directory(target_)) {
+  if (error && replace && fs::is_directory(target_)) {
     // Both names change at once. Where the file system cannot, the old folder steps aside and comes back if need
     // be.
     if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) {

@@ -21,9 +21,9 @@ class WholeFolder {
   /// Writes a file from pieces: `next` gives them in order, an empty one ends the file. From any thread.
   void write(const std::filesystem::path& file, const std::function<std::string()>& next) const;
 
-  /// Takes the place of a folder that is empty or missing, or else of one that is removed then: of all of it at
-  /// once, and the old one stays where that fails.
-  void finish();
+  /// Takes the place of a folder that is empty or missing; with `replace` also of another one, which is removed
+  /// then: of all of it at once, and the old one stays where that fails.
+  void finish(bool replace = false);
 
   /// Of a folder that is not finished: removes what has been built so far.
   void abandon() const;

@@ -68,7 +68,7 @@ void check_campaign_target(const fs::path& folder, bool replace) {
 }  // namespace
 
 struct CampaignWriter::Building {
-  explicit Building(const fs::path& target) : named(target), folder(target) {}
+  Building(const fs::path& target, bool to_replace) : named(target), replace(to_replace), folder(target) {}
 
   // A place inside the folder that no other record has.
   void reserve(const std::string& name) {
@@ -83,6 +83,7 @@ struct CampaignWriter::Building {
   }
 
   fs::path named;  // as the caller spells it
+  bool replace = false;
   WholeFolder folder;
   std::mutex guard;
   std::set<fs::path> files = {"campaign.toml"};
@@ -90,7 +91,7 @@ struct CampaignWriter::Building {
 
 CampaignWriter::CampaignWriter(const fs::path& folder, bool replace) {
   check_campaign_target(folder, replace);
-  building_ = std::make_unique<Building>(folder);
+  building_ = std::make_unique<Building>(folder, replace);
 }
 
 CampaignWriter::~CampaignWriter() = default;
@@ -132,7 +133,7 @@ void CampaignWriter::finish(const Campaign& campaign) {
   std::string text = campaign_text(written);
   building_->folder.write("campaign.toml", [&] { return std::exchange(text, {}); });
   check_readable(building_->folder);
-  building_->folder.finish();
+  building_->folder.finish(building_->replace);
 }
 
 }  // namespace secular

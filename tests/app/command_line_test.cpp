@@ -185,6 +185,13 @@ TEST_F(CommandLine, SimulateRefusesToOverwriteAndIdentifyRefusesNonsense) {
   expect_bad_input(run("identify " + campaign + " --model two_mass_mode1 --case principal_parametric" + out),
                    "excitation");
   expect_bad_input(run("identify " + campaign + " --model pendulum --fix nu=1" + out), "is no symbol of model");
+  for (const char* const number : {"nan", "inf", "-inf"})
+    expect_bad_input(run("identify " + campaign + " --model pendulum --fix mu1=" + number + out),
+                     "is not a finite number");
+  expect_bad_input(run("identify " + campaign + " --model pendulum --fix mu1=1 --fix mu1=2" + out),
+                   "contradicts --fix mu1=1");
+  for (const char* const text : {"mu1", "=1", "mu1=", "mu1=x", "mu1=1x"})
+    expect_bad_input(run("identify " + campaign + " --model pendulum --fix " + text + out), "is not NAME=VALUE");
   expect_bad_input(run("identify " + campaign + " --model pendulum --fix beta5=1" + out),
                    "is no symbol of model pendulum, but a lump: free:beta5 = ");
   expect_bad_input(run("identify " + campaign + " --model pendulum --from 5 --to 3" + out), "window is empty");

@@ -27,7 +27,7 @@ class DiagnosedFolder : public testing::Test {
 
   /// diagnosis.json of the folder's campaign with its model.toml; null where the program fails.
   nlohmann::json diagnosis(const std::string& options = "") const {
-    if (run("diagnose " + path("campaign") + " --model " + path("model.toml") + " " + options + " -o " +
+    if (run("diagnose " + path("campaign") + " --model " + path("model.toml") + " " + options + " --force -o " +
             path("out")) != 0)
       return {};
     std::ifstream in(folder_ / "out/diagnosis.json");
