@@ -1,7 +1,10 @@
 #include "app/diagnose/diagnosis_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "app/shared/model_loading.hpp"
 #include "app/shared/number_file.hpp"
@@ -46,6 +49,36 @@ bool only_rough_frequencies(const GivenNumbers& given, const ModelSource& source
   return std::any_of(own.begin(), own.end(), [&](std::size_t s) {
     return !given.values.contains(std::string(model.symbols[s].name)) && !std::isfinite(model.nominal[s]);
   });
+}
+
+// What each record's natural frequencies were likely off by, where they differ by chance.
+std::vector<Disturbance> scatter_of_records(const Diagnosis& diagnosis, const CompiledModel& model) {
+  std::vector<Disturbance> found;
+  if (!diagnosis.scatter) return found;
+  const FrequencyScatter& scatter = *diagnosis.scatter;
+  for (Eigen::Index r = 0; r < scatter.shifts.rows(); ++r) {
+    Eigen::Index mode = 0;
+    const double share = scatter.shifts.row(r).cwiseAbs().maxCoeff(&mode);
+    const double shift = scatter.shifts(r, mode);
+    const auto symbol = static_cast<std::size_t>(mode);
+    const auto fitted =
+        std::find(diagnosis.fitted.names.begin(), diagnosis.fitted.names.end(), model.symbols[symbol].name);
+    if (fitted == diagnosis.fitted.names.end()) continue;
+    Disturbance d;
+    d.kind = "record_scatter";
+    d.record = scatter.records[static_cast<std::size_t>(r)];
+    if (const auto span = diagnosis.spans.find(d.record); span != diagnosis.spans.end())
+      std::tie(d.from_s, d.to_s) = std::tie(span->second.from_s, span->second.to_s);
+    d.size = shift * diagnosis.fitted.values(fitted - diagnosis.fitted.names.begin());
+    d.unit = "1/s";
+    d.share = share;
+    d.fitted = true;
+    d.text = fmt::format("{} of this record is {:.2g} % {} that of all, which differ by {:.2g} % (sd)",
+                         model.symbols[symbol].name, 100 * share, shift < 0 ? "below" : "above",
+                         100 * scatter.relative_sd);
+    found.push_back(std::move(d));
+  }
+  return found;
 }
 
 }  // namespace
@@ -131,6 +164,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   run.disturbances = watch.found();
   for (Disturbance& d : run.disturbances)
     d.fitted = d.kind == "offset" && d.channel && run.campaign.channels[*d.channel].role == ChannelRole::response;
+  for (Disturbance& d : scatter_of_records(run.diagnosis, *run.model)) run.disturbances.push_back(std::move(d));
   run.looked_at = watch.records();
   return run;
 }

@@ -1,10 +1,21 @@
 #include "diagnose/evidence/discrepancy.hpp"
 
+#include <Eigen/SVD>
+#include <map>
+#include <numeric>
+
 #include "numerics/in_parallel.hpp"
 
 namespace secular {
 
 using Eigen::Index;
+
+namespace {
+
+/// Step of a relative change of a natural frequency: turns of a long stretch stay in step.
+constexpr double frequency_step = 1e-6;
+
+}  // namespace
 
 bool has_frequencies(const Eigen::VectorXd& unknowns, std::size_t modes) {
   return (unknowns.head(static_cast<Index>(modes)).array() > 0).all();
@@ -54,6 +65,38 @@ void Discrepancy::approach(const Eigen::VectorXd& unknowns) {
 
 void Discrepancy::freeze(const Eigen::VectorXd& unknowns, double coarse) {
   for (const auto& part : parts_) part->freeze(unknowns, coarse);
+  scatter_.records.clear();
+  if (scatter_.relative_sd == 0) return;
+  const Eigen::MatrixXd changes = scatter_.relative_sd * frequency_changes(unknowns, scatter_.modes);
+  if (!changes.allFinite()) return;
+  std::map<std::size_t, std::vector<Index>> rows_of;
+  const std::vector<RowLabel> all = labels();
+  for (std::size_t r = 0; r < all.size(); ++r) rows_of[all[r].record].push_back(static_cast<Index>(r));
+  for (auto& [record, rows] : rows_of) {
+    const Eigen::MatrixXd own = changes(rows, Eigen::all);
+    const Eigen::BDCSVD<Eigen::MatrixXd> svd(own, Eigen::ComputeThinU);
+    scatter_.records.push_back(
+        {std::move(rows), svd.matrixU(), (1 + svd.singularValues().array().square()).rsqrt()});
+  }
+}
+
+void Discrepancy::admit_scatter(double relative_sd, std::size_t modes) {
+  scatter_ = {relative_sd, modes, {}};
+}
+
+Eigen::MatrixXd Discrepancy::frequency_changes(const Eigen::VectorXd& unknowns, std::size_t modes) const {
+  std::vector<std::size_t> which(modes);
+  std::iota(which.begin(), which.end(), std::size_t{0});
+  return raw_slopes(unknowns, which, frequency_step * unknowns.head(static_cast<Index>(modes)), 1) / frequency_step;
+}
+
+void Discrepancy::allow_for_scatter(Eigen::Ref<Eigen::MatrixXd> columns) const {
+  for (const Scatter::OfRecord& record : scatter_.records) {
+    Eigen::MatrixXd own = columns(record.rows, Eigen::all);
+    const Eigen::MatrixXd along = record.directions.transpose() * own;
+    own -= record.directions * ((1 - record.kept.array()).matrix().asDiagonal() * along);
+    columns(record.rows, Eigen::all) = own;
+  }
 }
 
 Eigen::VectorXd Discrepancy::operator()(const Eigen::VectorXd& unknowns) const {
@@ -63,11 +106,19 @@ Eigen::VectorXd Discrepancy::operator()(const Eigen::VectorXd& unknowns) const {
     part->evaluate(unknowns, rows.segment(first, part->size()));
     first += part->size();
   }
+  if (!scatter_.records.empty() && rows.allFinite()) allow_for_scatter(rows);
   return rows;
 }
 
 Eigen::MatrixXd Discrepancy::slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                                     const Eigen::VectorXd& scale, unsigned threads) const {
+  Eigen::MatrixXd columns = raw_slopes(unknowns, which, scale, threads);
+  if (!scatter_.records.empty()) allow_for_scatter(columns);
+  return columns;
+}
+
+Eigen::MatrixXd Discrepancy::raw_slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
+                                        const Eigen::VectorXd& scale, unsigned threads) const {
   Eigen::MatrixXd columns(size(), static_cast<Index>(which.size()));
   Index first = 0;
   for (const auto& part : parts_) {

@@ -50,10 +50,16 @@ class Evidence {
   virtual Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const { return rows; }
 };
 
-/// All evidence of a campaign as one vector of rows.
+/// All evidence of a campaign as one vector of rows. Where natural frequencies scatter from record to record by
+/// chance, the rows U of a record by a relative change of each have the covariance I + s^2 U U' instead of I, and
+/// are multiplied by its inverse root (docs/inference.md (24)).
 class Discrepancy {
  public:
   void add(std::unique_ptr<Evidence> evidence);
+  /// `relative_sd`: s, of the first `modes` unknowns. From the next freeze() on; 0: they are the same everywhere.
+  void admit_scatter(double relative_sd, std::size_t modes);
+  /// Rows x modes by a relative change of each of the first `modes` unknowns, before scatter is allowed for.
+  Eigen::MatrixXd frequency_changes(const Eigen::VectorXd& unknowns, std::size_t modes) const;
   Eigen::Index size() const;
   Eigen::Index freedom() const;
   std::vector<RowLabel> labels() const;
@@ -65,7 +71,23 @@ class Discrepancy {
   Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const;
 
  private:
+  struct Scatter {
+    double relative_sd = 0;
+    std::size_t modes = 0;
+    /// By record: its rows, and orthonormal directions among them with what is kept along each.
+    struct OfRecord {
+      std::vector<Eigen::Index> rows;
+      Eigen::MatrixXd directions;
+      Eigen::VectorXd kept;
+    };
+    std::vector<OfRecord> records;
+  };
+  Eigen::MatrixXd raw_slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
+                             const Eigen::VectorXd& scale, unsigned threads) const;
+  void allow_for_scatter(Eigen::Ref<Eigen::MatrixXd> columns) const;
+
   std::vector<std::unique_ptr<Evidence>> parts_;
+  Scatter scatter_;
 };
 
 }  // namespace secular

@@ -30,7 +30,10 @@ class CountingReader {
 
   Record operator()(std::size_t index) {
     Record record = read_(index);
-    samples_[index] = range_of(record, window_).count;
+    const auto range = range_of(record, window_);
+    samples_[index] = range.count;
+    const double from = record.start_s + static_cast<double>(range.first) / record.sample_rate_hz;
+    spans_[index] = {from, from + static_cast<double>(range.count - 1) / record.sample_rate_hz};
     return record;
   }
 
@@ -39,10 +42,13 @@ class CountingReader {
                            [](Index sum, const auto& record) { return sum + record.second; });
   }
 
+  const std::map<std::size_t, TimeSpan>& spans() const { return spans_; }
+
  private:
   const RecordReader& read_;
   const Window& window_;
   std::map<std::size_t, Index> samples_;  // by record
+  std::map<std::size_t, TimeSpan> spans_;
 };
 
 Index compared_samples(const std::vector<Condition>& conditions, const std::vector<Segment>& segments) {
@@ -138,6 +144,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
                     .discrepancy = {},
                     .apart = {},
                     .unsteady = {},
+                    .spans = {},
                     .warnings = {}};
   for (std::size_t c = 0; c < sensors.responses.size(); ++c)
     result.nuisances.push_back(model.symbols.size() + faults.offset(c));
@@ -170,6 +177,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
   if (result.unsteady.detected) result.warnings.push_back(unsteady_warning(result.unsteady));
   result.data_used =
       static_cast<double>(compared_samples(result.conditions, segments)) / static_cast<double>(counting.samples());
+  result.spans = counting.spans();
   const LargestMotions largest = largest_motions(result.conditions, segments, sensors, natural);
   set_scales(result.forces, largest.displacement, natural);
   result.candidates =

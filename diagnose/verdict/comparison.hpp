@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "diagnose/evidence/segment_evidence.hpp"
 #include "diagnose/evidence/steadiness.hpp"
 #include "diagnose/verdict/diagnosis_options.hpp"
+#include "measure/data/time_span.hpp"
 #include "measure/observe/observation_set.hpp"
 
 namespace secular {
@@ -33,6 +35,7 @@ struct Comparison {
   const SegmentEvidence* segment_evidence = nullptr;  ///< part of `discrepancy`; null: there is none
   std::optional<SegmentEvidence> apart;               ///< of the window to check on
   Unsteadiness unsteady;
+  std::map<std::size_t, TimeSpan> spans;  ///< of the records that were read, within the window
   std::vector<std::string> warnings;
 
   ConditionModel condition_model(const CompiledModel& model) const;

@@ -21,6 +21,12 @@ constexpr double false_alarm = 0.003;
 /// not be seen.
 constexpr double most_overestimated = 2;
 
+/// That natural frequencies which do not scatter between records are said to.
+constexpr double scatter_alarm = 0.001;
+
+/// The first is as large as an explanation leaves that had to do without; the second as one leaves that had not.
+constexpr int scatter_rounds = 3;
+
 /// Predicting what was held out takes longer than all else that is said of a rival.
 constexpr int most_neighbours = 6;
 
@@ -41,10 +47,58 @@ class Diagnoser {
     free_.insert(free_.end(), comparison_.nuisances.begin(), comparison_.nuisances.end());
   }
 
+  // Where the best explanation leaves more than repeatability, natural frequencies may differ from record to record
+  // by chance. They are allowed to then, by as much as that explanation leaves, and everything is looked at again;
+  // and once more, since a better explanation may leave less. What still has structure beside such scatter was no
+  // scatter.
   Diagnosis run() {
+    Diagnosis in_step = look();
+    if (is_told(in_step)) return in_step;
+    for (int round = 0; round < scatter_rounds; ++round) {
+      const FrequencyScatter scatter = scatter_left();
+      if (!(scatter.p_value < scatter_alarm)) break;
+      comparison_.discrepancy.admit_scatter(scatter.relative_sd, model_.modes());
+      forget();
+      Diagnosis scattering = look();
+      scattering.scatter = scatter;
+      if (!is_told(scattering)) continue;
+      scattering.scatter = scatter_left();
+      return scattering;
+    }
+    return in_step;
+  }
+
+ private:
+  // Nothing beyond repeatability is left: no gap, or one that is explained.
+  static bool is_told(const Diagnosis& d) {
+    return d.verdict == "no_gap" || d.verdict == "cause" || d.verdict == "set";
+  }
+
+  // What the records leave of the best explanation, along changes of their own natural frequencies.
+  FrequencyScatter scatter_left() {
+    const Refit& fit = (best_ ? *best_ : inference_.null).fit;
+    Discrepancy& all = comparison_.discrepancy;
+    all.admit_scatter(0, model_.modes());
+    all.freeze(fit.unknowns);
+    return frequency_scatter(all(fit.unknowns), all.slopes(fit.unknowns, fit.free, fit.scale, options_.threads),
+                             all.frequency_changes(fit.unknowns, model_.modes()), all.labels(),
+                             static_cast<double>(all.freedom()));
+  }
+
+  void forget() {
+    result_ = {};
+    judged_ = {};
+    inference_ = {};
+    best_ = nullptr;
+    held_out_.clear();
+    stalled_ = false;
+  }
+
+  Diagnosis look() {
     result_.labels = discrepancy().labels();
     result_.conditions = comparison_.conditions.size() + comparison_.segments;
     result_.unsteady = comparison_.unsteady;
+    result_.spans = comparison_.spans;
     result_.data_used = comparison_.data_used;
     result_.gap.judged = whose_gap(options_.given);
     result_.gap.metric = metric;
@@ -65,7 +119,7 @@ class Diagnoser {
     result_.rows_after = result_.rows_before;
     if (!result_.gap.detected) {
       close_without_gap();
-      return std::move(result_);
+      return result_;
     }
     const std::vector<Rival> all = rivals();
     std::vector<Rival> named;
@@ -76,10 +130,9 @@ class Diagnoser {
     result_.next_experiment = propose_experiment(named, naming, comparison_.condition_model(model_),
                                                  comparison_.conditions, inference_.dispersion, options_.threads);
     if (best_) simulate();
-    return std::move(result_);
+    return result_;
   }
 
- private:
   const Discrepancy& discrepancy() const { return comparison_.discrepancy; }
 
   // Predicting what was held out takes long, and of some explanations is asked more than once.
