@@ -64,7 +64,7 @@ void add_derive_command(CLI::App& root, Action& chosen) {
       "          secular derive pendulum --format html -o pendulum.html");
   command->callback([options, &chosen] {
     chosen = [options] {
-      options->output.check({{"the model", options->model}});
+      options->output.check({{"the model", options->model, false}});
       const CanonicalModel model = canonical_model(
           augmented(read_model(resolve_model(options->model)), options->effects), options->resonance);
       const std::string text = derivation(model, options->json ? "json" : options->format);

@@ -113,9 +113,9 @@ int run(Options& options, const CLI::App& command) {
                      "--check-from must be before --check-to");
   if (options.request.fit_check && !options.request.check_from_s && !options.request.check_to_s)
     throw InputError("--fit-check", "", "has no window", "give --check-from and --check-to");
-  options.output.check({{"the campaign", options.request.campaign},
-                        {"the model", options.request.model},
-                        {"the file of parameters", options.request.parameters}});
+  options.output.check({{"the campaign", options.request.campaign, true},
+                        {"the model", options.request.model, false},
+                        {"the file of parameters", options.request.parameters, false}});
   ProgressLine line("explanations tried (about)");
   options.request.progress = [&line](std::size_t done, std::size_t expected) { line(done, expected); };
   const DiagnosisRun result = run_diagnosis(options.request);

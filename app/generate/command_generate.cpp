@@ -32,7 +32,7 @@ void add_generate_command(CLI::App& root, Action& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       std::vector<CommandInput> inputs;
-      for (const std::string& model : options->models) inputs.push_back({"the model", model});
+      for (const std::string& model : options->models) inputs.push_back({"the model", model, false});
       options->output.check(inputs);
       std::vector<GeneratedFile> files;
       std::vector<std::string> names;

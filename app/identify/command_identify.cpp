@@ -155,7 +155,8 @@ void add_identify_command(CLI::App& root, Action& chosen) {
   command->callback([options, command, &chosen] {
     chosen = [options, command] {
       parse_fixed(*options);
-      options->output.check({{"the campaign", options->request.campaign}, {"the model", options->request.model}});
+      options->output.check(
+          {{"the campaign", options->request.campaign, true}, {"the model", options->request.model, false}});
       options->request.window = options->selection.window();
       const Identification result = identify(options->request);
       const std::string json = estimate_json(result);

@@ -117,7 +117,7 @@ void add_import_command(CLI::App& root, Action& chosen) {
     chosen = [options] {
       options->import.files.assign(options->files.begin(), options->files.end());
       std::vector<CommandInput> inputs;
-      for (const std::string& file : options->files) inputs.push_back({"the file", file});
+      for (const std::string& file : options->files) inputs.push_back({"the file", file, false});
       options->output.check(inputs);
       CampaignWriter writer(options->output.path(), options->output.replaces());
       std::vector<RecordSummary> records;

@@ -90,9 +90,9 @@ void print_summary(const ModalSurvey& survey, const Options& options) {
 
 int run(Options& options, const CLI::App& command) {
   const Window window = options.selection.window();
-  const CommandInput read = {"the campaign", options.campaign};
+  const CommandInput read = {"the campaign", options.campaign, true};
   options.output.check({read});
-  options.basis.check({read, {"the folder of results", options.output.path()}}, options.output.replaces());
+  options.basis.check({read, {"the folder of results", options.output.path(), true}}, options.output.replaces());
   const Campaign campaign = read_campaign(options.campaign);
   require_match(campaign, window);
   require_sampled(window, campaign.sample_rate_hz);

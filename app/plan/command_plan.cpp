@@ -121,9 +121,9 @@ int run(Options& options, const CLI::App& command) {
   static const std::map<std::string, DesignCriterion> criteria = {
       {"D", DesignCriterion::d}, {"A", DesignCriterion::a}, {"c", DesignCriterion::c}};
   PlanRequest& asked = options.request;
-  options.output.check({{"the model", asked.model},
-                        {"the file of parameters", asked.parameters},
-                        {"the test in use", asked.against}});
+  options.output.check({{"the model", asked.model, false},
+                        {"the file of parameters", asked.parameters, false},
+                        {"the test in use", asked.against, true}});
   asked.criterion = criteria.at(options.criterion);
   asked.against_records = options.selection.window();
   std::tie(asked.lowest_hz, asked.highest_hz) = range_of(options.frequency, "--range-frequency");

@@ -171,9 +171,9 @@ void add_predict_command(CLI::App& root, Action& chosen) {
   command->callback([options, command, &chosen] {
     chosen = [options, command] {
       parse(*options);
-      options->output.check({{"the model", options->request.model},
-                             {"the file of parameters", options->request.parameters},
-                             {"the campaign", options->request.measured}});
+      options->output.check({{"the model", options->request.model, false},
+                             {"the file of parameters", options->request.parameters, false},
+                             {"the campaign", options->request.measured, true}});
       ProgressLine line("dwells");
       const Prediction prediction =
           predict(options->request, [&line](std::size_t done, std::size_t total) { line(done, total); });

@@ -97,8 +97,9 @@ void add_procedure_command(CLI::App& root, Action& chosen) {
     chosen = [options, command] {
       ProcedureRequest& asked = options->request;
       asked.window = options->selection.window();
-      options->output.check(
-          {{"the campaign", asked.campaign}, {"the model", asked.model}, {"the truth", asked.truth}});
+      options->output.check({{"the campaign", asked.campaign, true},
+                             {"the model", asked.model, false},
+                             {"the truth", asked.truth, false}});
       for (const std::string& text : options->terms) {
         std::vector<std::string> names;
         std::istringstream stream(text);

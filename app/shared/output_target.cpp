@@ -43,6 +43,7 @@ void check_apart(const std::string& output, const std::string& option, const std
   for (const CommandInput& input : inputs) {
     std::error_code error;
     if (input.path.empty() || !fs::exists(input.path, error)) continue;
+    if (fs::is_directory(input.path, error) && !input.may_be_folder) continue;
     const fs::path source = resolved(input.path);
     const char* how = nullptr;
     if (target == source)

@@ -11,8 +11,8 @@ namespace secular::app {
 /// What a command reads, to be kept apart from what it writes.
 struct CommandInput {
   std::string what;  ///< "the campaign", "the model"
-  std::string
-      path;  ///< of a file or folder; something that is none, as the name of a shipped model, is passed over
+  std::string path;  ///< what is none, as the name of a shipped model, is passed over
+  bool may_be_folder = false;
 };
 
 /// By name and content.

@@ -39,7 +39,7 @@ void add_simulate_command(CLI::App& root, Action& chosen) {
   command->footer("Example: secular simulate experiments/principal_parametric -o campaign");
   command->callback([options, &chosen] {
     chosen = [options] {
-      options->output.check({{"the experiment", options->experiment}});
+      options->output.check({{"the experiment", options->experiment, false}});
       const std::filesystem::path path = resolve_model(options->experiment);
       const auto [model, experiment] = load_experiment(path, options->interpret);
       ProgressLine line("records");

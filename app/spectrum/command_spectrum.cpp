@@ -314,7 +314,7 @@ int run(Options& options, const CLI::App& command) {
   if (!fs::exists(options.source, ignored))
     throw InputError(options.source, "", "does not exist",
                      fmt::format("a campaign folder or a {} file was expected", data_formats));
-  options.output.check({{"the record", options.source}});
+  options.output.check({{"the record", options.source, true}});
   const std::string line = command_line_of(command);
   if (!fs::is_directory(options.source, ignored)) options.selection.require_any_record(options.source);
   if (!fs::is_directory(options.source, ignored) && options.time.empty() && options.sample_rate_hz == 0) {

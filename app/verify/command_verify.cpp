@@ -84,7 +84,7 @@ void add_verify_command(CLI::App& root, Action& chosen) {
       "Example: secular verify --source thesis");
   command->callback([options, &chosen] {
     chosen = [options] {
-      options->output.check({{"the source", options->source}});
+      options->output.check({{"the source", options->source, false}});
       const std::string name = options->source == "thesis" ? "printed/fahey2000" : options->source;
       const verify::PrintedSource source = verify::read_printed_source(resolve_model(name));
       ProgressLine line("statements");

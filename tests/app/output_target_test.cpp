@@ -137,6 +137,16 @@ TEST_F(SlowOutputTarget, IsReplacedWithForceAlone) {
   expect_no_left_overs();
 }
 
+// A folder that bears the name of a shipped model is none.
+TEST_F(OutputTarget, MayBearTheNameOfAModel) {
+  done("generate duffing -o duffing");
+  done("generate duffing -o duffing --force");
+  refused("generate duffing -o duffing", "add --force");
+  fs::create_directory(folder_ / "experiments");
+  done("simulate experiments/pendulum_decay -o experiments/pendulum_decay");
+  done("simulate experiments/pendulum_decay -o experiments/pendulum_decay --force");
+}
+
 TEST_F(OutputTarget, OnlyResultsAreReplaced) {
   done("simulate experiment.toml -o campaign");
   const std::string identify = "identify campaign --model duffing --force -o ";
