@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "app/diagnose/lateness.hpp"
 #include "app/shared/model_loading.hpp"
 #include "app/shared/number_file.hpp"
 #include "app/shared/parameter_file.hpp"
@@ -81,12 +82,29 @@ std::vector<Disturbance> scatter_of_records(const Diagnosis& diagnosis, const Co
   return found;
 }
 
-}  // namespace
+// By how much the records of a case are late, as far as phases of their own made its equations hold better.
+std::vector<Disturbance> late_records(const DiagnosisOptions& options, const Lateness& lateness,
+                                      const Diagnosis& diagnosis) {
+  std::vector<Disturbance> found;
+  for (const auto& [record, late_s] : options.late_s) {
+    Disturbance d;
+    d.kind = "late_record";
+    d.record = record;
+    if (const auto span = diagnosis.spans.find(record); span != diagnosis.spans.end())
+      std::tie(d.from_s, d.to_s) = std::tie(span->second.from_s, span->second.to_s);
+    d.size = late_s;
+    d.unit = "s";
+    d.share = std::abs(late_s) / lateness.period_s.at(record);
+    d.fitted = true;
+    d.text =
+        fmt::format("responses are {:.3g} ms {} their excitation, up to whole periods of {:.3g} ms",
+                    1e3 * std::abs(late_s), late_s < 0 ? "ahead of" : "behind", 1e3 * lateness.period_s.at(record));
+    found.push_back(std::move(d));
+  }
+  return found;
+}
 
-DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
-  DiagnosisRun run;
-  const ModelSource source(request.model, request.interpret, request.catalogue);
-  run.campaign = read_campaign(request.campaign);
+DiagnosisOptions options_of(const DiagnosisRequest& request) {
   DiagnosisOptions options;
   options.catalogue = request.catalogue;
   options.window = request.window;
@@ -99,13 +117,86 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
     options.check->to_s = request.check_to_s.value_or(Window{}.to_s);
     options.fit_check = request.fit_check;
   }
-  if (!request.parameters.empty()) {
-    GivenParameters given = read_parameter_file(request.parameters);
-    options.given.values = std::move(given.values);
-    for (const auto& [name, value] : given.representative)
-      if (options.given.values.emplace(name, value).second) options.given.open.insert(name);
-    options.given.sd = std::move(given.sd);
+  if (request.parameters.empty()) return options;
+  GivenParameters given = read_parameter_file(request.parameters);
+  options.given.values = std::move(given.values);
+  for (const auto& [name, value] : given.representative)
+    if (options.given.values.emplace(name, value).second) options.given.open.insert(name);
+  options.given.sd = std::move(given.sd);
+  return options;
+}
+
+// A model with every effect that it can be tried with.
+struct TriedModel {
+  std::shared_ptr<const CompiledModel> model;
+  std::vector<EquationEffect> effects;
+  std::vector<StateForce> forces;
+  std::vector<std::size_t> own;  // symbols of the model as it was
+};
+
+TriedModel with_effects(const ModelSource& source, const EffectCatalogue& catalogue) {
+  std::vector<EffectTerm> terms;
+  for (const EffectTerm& term : source.applicable_effects())
+    if (is_seen_by_lines(term, catalogue)) terms.push_back(term);
+  for (const EffectTerm& term : source.open_law_terms()) terms.push_back(term);
+  const AugmentedCompiledModel augmented = source.load_with_effects(terms, {});
+  TriedModel tried;
+  tried.model = augmented.model;
+  std::vector<bool> added(tried.model->symbols.size(), false);
+  for (const AddedEffect& effect : augmented.effects) {
+    EquationEffect equation;
+    equation.effect = effect.term.effect;
+    equation.form = effect.term.form;
+    equation.mode = effect.term.mode;
+    equation.subject = subject_of(effect.term, *tried.model);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
+      const std::size_t symbol = symbol_index(*tried.model, effect.parameters[p]);
+      if (symbol >= added.size()) continue;  // a symbol that no equation holds
+      added[symbol] = true;
+      if (p == 0)
+        equation.strength = symbol;
+      else
+        equation.shapes.push_back(symbol);
+    }
+    if (effect.signal != EffectTerm::none)
+      tried.forces.push_back({effect.law, effect.signal, effect.term.mode, equation.strength,
+                              equation.shapes.empty() ? StateForce::none : equation.shapes.back()});
+    tried.effects.push_back(std::move(equation));
   }
+  for (std::size_t s = 0; s < added.size(); ++s)
+    if (!added[s]) tried.own.push_back(s);
+  return tried;
+}
+
+// Records that identify finds out of step with their excitation are diagnosed with phases of their own: at once
+// where its equations hold then, otherwise where that alone leaves nothing unexplained.
+Diagnosis diagnose_in_step(const DiagnosisRequest& request, const TriedModel& tried, const Campaign& campaign,
+                           const RecordReader& read, DiagnosisOptions& options, Lateness& lateness) {
+  const auto diagnosed = [&] { return diagnose(campaign, read, *tried.model, tried.own, tried.effects, options); };
+  if (can_be_late(campaign, *tried.model) &&
+      misses(campaign, read, *tried.model, tried.own, tried.effects, options))
+    lateness = find_lateness(request);
+  if (lateness.late_s.empty()) return diagnosed();
+  options.late_s = lateness.late_s;
+  if (lateness.holds) return diagnosed();
+  DiagnosisOptions late = options;
+  options.late_s.clear();
+  Diagnosis in_step = diagnosed();
+  if (is_told(in_step)) return in_step;
+  std::swap(options, late);
+  Diagnosis freed = diagnosed();
+  if (is_told(freed)) return freed;
+  options.late_s.clear();
+  return in_step;
+}
+
+}  // namespace
+
+DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
+  DiagnosisRun run;
+  const ModelSource source(request.model, request.interpret, request.catalogue);
+  run.campaign = read_campaign(request.campaign);
+  DiagnosisOptions options = options_of(request);
   DisturbanceWatch watch(run.campaign);
   SelectedRecords reader(run.campaign, request.window, watch.look());
   const RecordReader read = [&](std::size_t r) { return reader.read(r); };
@@ -119,41 +210,14 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   options.natural_frequency = starts.frequency;
   for (std::size_t k = 0; k < nominal.size(); ++k)
     if (std::isfinite(nominal[k]) && !starts.moved[k]) options.natural_frequency[k] = nominal[k];
-  std::vector<EffectTerm> terms;
-  for (const EffectTerm& term : source.applicable_effects())
-    if (is_seen_by_lines(term, request.catalogue)) terms.push_back(term);
-  for (const EffectTerm& term : source.open_law_terms()) terms.push_back(term);
-  const AugmentedCompiledModel augmented = source.load_with_effects(terms, {});
-  run.model = augmented.model;
-  std::vector<bool> added(run.model->symbols.size(), false);
-  std::vector<EquationEffect> effects;
-  for (const AddedEffect& effect : augmented.effects) {
-    EquationEffect equation;
-    equation.effect = effect.term.effect;
-    equation.form = effect.term.form;
-    equation.mode = effect.term.mode;
-    equation.subject = subject_of(effect.term, *run.model);
-    for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
-      const std::size_t symbol = symbol_index(*run.model, effect.parameters[p]);
-      if (symbol >= added.size()) continue;  // a symbol that no equation holds
-      added[symbol] = true;
-      if (p == 0)
-        equation.strength = symbol;
-      else
-        equation.shapes.push_back(symbol);
-    }
-    if (effect.signal != EffectTerm::none)
-      options.forces.push_back({effect.law, effect.signal, effect.term.mode, equation.strength,
-                                equation.shapes.empty() ? StateForce::none : equation.shapes.back()});
-    effects.push_back(std::move(equation));
-  }
-  std::vector<std::size_t> own;
-  for (std::size_t s = 0; s < added.size(); ++s)
-    if (!added[s]) own.push_back(s);
+  const TriedModel tried = with_effects(source, request.catalogue);
+  run.model = tried.model;
+  options.forces = tried.forces;
   const std::string unused = unused_numbers(request.parameters, options.given.values, *run.model);
-  const bool rough = only_rough_frequencies(options.given, source, *run.model, own);
+  const bool rough = only_rough_frequencies(options.given, source, *run.model, tried.own);
   if (rough) options.given = {};
-  run.diagnosis = diagnose(run.campaign, read, *run.model, own, effects, options);
+  Lateness lateness;
+  run.diagnosis = diagnose_in_step(request, tried, run.campaign, read, options, lateness);
   run.diagnosis.warnings.insert(run.diagnosis.warnings.begin(), starts.warnings.begin(), starts.warnings.end());
   if (rough)
     run.diagnosis.warnings.push_back(
@@ -164,6 +228,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   run.disturbances = watch.found();
   for (Disturbance& d : run.disturbances)
     d.fitted = d.kind == "offset" && d.channel && run.campaign.channels[*d.channel].role == ChannelRole::response;
+  for (Disturbance& d : late_records(options, lateness, run.diagnosis)) run.disturbances.push_back(std::move(d));
   for (Disturbance& d : scatter_of_records(run.diagnosis, *run.model)) run.disturbances.push_back(std::move(d));
   run.looked_at = watch.records();
   return run;

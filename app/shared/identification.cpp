@@ -224,6 +224,7 @@ void free_phases(const IdentificationRequest& request, const std::vector<Observa
                  Identification& id) {
   UnknownPhases unknown =
       find_unknown_phases(observed, {id.coordinate_unit, id.excitation_units}, options_of(request), id.estimate);
+  const std::vector<CaseLateness> found = unknown.cases;
   const auto is_freed = [](const CaseLateness& lateness) { return lateness.finding != PhaseFinding::nothing_told; };
   if (std::any_of(unknown.cases.begin(), unknown.cases.end(), is_freed)) {
     Identification freed = id;
@@ -251,6 +252,7 @@ void free_phases(const IdentificationRequest& request, const std::vector<Observa
       take_out(id.estimate, {lateness.resonance}, "phases do not hold, and nothing tells it without them");
   }
   id.lateness = std::move(unknown.cases);
+  id.freed = found;
 }
 
 }  // namespace

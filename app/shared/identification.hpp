@@ -39,6 +39,8 @@ struct Identification {
   Estimate estimate;
   std::vector<HeldOutPrediction> held_out;
   std::vector<CaseLateness> lateness;     ///< by case whose records are out of step with their excitation
+  /// By case: what free phases made of its records, whether or not its equations hold then.
+  std::vector<CaseLateness> freed;
   std::vector<Disturbance> disturbances;  ///< in the records that were read; of files alone
   std::size_t looked_at = 0;              ///< records
   std::string coordinate_unit;

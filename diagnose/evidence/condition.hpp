@@ -37,6 +37,12 @@ struct Condition {
   /// By channel: sd of the noise of a sample, as it comes into a channel that may saturate. Empty: none.
   Eigen::VectorXd response_noise, excitation_noise;
 
+  /// Puts the excitation `seconds` later: where responses are late by as much, the two are in step again.
+  void delay_excitation(double seconds) {
+    for (std::size_t l = 0; l < excitation_lines.size(); ++l)
+      excitation.col(static_cast<Eigen::Index>(l)) *= std::exp(-seconds * line_rate(excitation_lines[l]));
+  }
+
   /// Amplitude of the excitation's fundamental in its first channel, half of the peak; 0 without excitation.
   double excitation_level() const {
     for (std::size_t l = 0; l < excitation_lines.size(); ++l)

@@ -1,6 +1,7 @@
 #include "diagnose/evidence/discrepancy.hpp"
 
 #include <Eigen/SVD>
+#include <algorithm>
 #include <map>
 #include <numeric>
 
@@ -14,6 +15,9 @@ namespace {
 
 /// Step of a relative change of a natural frequency: turns of a long stretch stay in step.
 constexpr double frequency_step = 1e-6;
+
+/// Step of a delay, next to what it scatters by: a small part of a turn.
+constexpr double delay_step = 1e-4;
 
 }  // namespace
 
@@ -50,7 +54,7 @@ Index Discrepancy::size() const {
 Index Discrepancy::freedom() const {
   Index sum = 0;
   for (const auto& part : parts_) sum += part->freedom();
-  return sum;
+  return sum - static_cast<Index>(nuisances_.delay_sd.size());  // a phase of each record's own
 }
 
 std::vector<RowLabel> Discrepancy::labels() const {
@@ -65,33 +69,56 @@ void Discrepancy::approach(const Eigen::VectorXd& unknowns) {
 
 void Discrepancy::freeze(const Eigen::VectorXd& unknowns, double coarse) {
   for (const auto& part : parts_) part->freeze(unknowns, coarse);
-  scatter_.records.clear();
-  if (scatter_.relative_sd == 0) return;
-  const Eigen::MatrixXd changes = scatter_.relative_sd * frequency_changes(unknowns, scatter_.modes);
-  if (!changes.allFinite()) return;
+  nuisances_.records.clear();
+  if (!nuisances_.any()) return;
   std::map<std::size_t, std::vector<Index>> rows_of;
   const std::vector<RowLabel> all = labels();
   for (std::size_t r = 0; r < all.size(); ++r) rows_of[all[r].record].push_back(static_cast<Index>(r));
+  const Eigen::MatrixXd changes = changes_by_nuisances(unknowns, rows_of);
+  if (!changes.allFinite()) return;
   for (auto& [record, rows] : rows_of) {
     const Eigen::MatrixXd own = changes(rows, Eigen::all);
     const Eigen::BDCSVD<Eigen::MatrixXd> svd(own, Eigen::ComputeThinU);
-    scatter_.records.push_back(
+    nuisances_.records.push_back(
         {std::move(rows), svd.matrixU(), (1 + svd.singularValues().array().square()).rsqrt()});
   }
 }
 
 void Discrepancy::admit_scatter(double relative_sd, std::size_t modes) {
-  scatter_ = {relative_sd, modes, {}};
+  nuisances_.relative_sd = relative_sd;
+  nuisances_.modes = modes;
+}
+
+void Discrepancy::admit_lateness(std::size_t delay, std::map<std::size_t, double> sd) {
+  nuisances_.delay = delay;
+  nuisances_.delay_sd = std::move(sd);
+}
+
+Eigen::MatrixXd Discrepancy::changes_by_nuisances(const Eigen::VectorXd& unknowns,
+                                                  const std::map<std::size_t, std::vector<Index>>& rows_of) const {
+  Eigen::MatrixXd changes(size(), 0);
+  if (nuisances_.relative_sd > 0) changes = nuisances_.relative_sd * frequency_changes(unknowns, nuisances_.modes);
+  if (nuisances_.delay_sd.empty()) return changes;
+  double step = 0;
+  for (const auto& [record, sd] : nuisances_.delay_sd) step = std::max(step, delay_step * sd);
+  Eigen::VectorXd late = raw_slopes(unknowns, {nuisances_.delay}, Eigen::VectorXd::Constant(1, step), 1) / step;
+  for (const auto& [record, rows] : rows_of) {
+    const auto sd = nuisances_.delay_sd.find(record);
+    late(rows) *= sd == nuisances_.delay_sd.end() ? 0 : sd->second;
+  }
+  changes.conservativeResize(Eigen::NoChange, changes.cols() + 1);
+  changes.rightCols<1>() = late;
+  return changes;
 }
 
 Eigen::MatrixXd Discrepancy::frequency_changes(const Eigen::VectorXd& unknowns, std::size_t modes) const {
   std::vector<std::size_t> which(modes);
   std::iota(which.begin(), which.end(), std::size_t{0});
-  return raw_slopes(unknowns, which, frequency_step * unknowns.head(static_cast<Index>(modes)), 1) / frequency_step;
+  return slopes(unknowns, which, frequency_step * unknowns.head(static_cast<Index>(modes)), 1) / frequency_step;
 }
 
-void Discrepancy::allow_for_scatter(Eigen::Ref<Eigen::MatrixXd> columns) const {
-  for (const Scatter::OfRecord& record : scatter_.records) {
+void Discrepancy::allow_for_nuisances(Eigen::Ref<Eigen::MatrixXd> columns) const {
+  for (const Nuisances::OfRecord& record : nuisances_.records) {
     Eigen::MatrixXd own = columns(record.rows, Eigen::all);
     const Eigen::MatrixXd along = record.directions.transpose() * own;
     own -= record.directions * ((1 - record.kept.array()).matrix().asDiagonal() * along);
@@ -106,14 +133,14 @@ Eigen::VectorXd Discrepancy::operator()(const Eigen::VectorXd& unknowns) const {
     part->evaluate(unknowns, rows.segment(first, part->size()));
     first += part->size();
   }
-  if (!scatter_.records.empty() && rows.allFinite()) allow_for_scatter(rows);
+  if (!nuisances_.records.empty() && rows.allFinite()) allow_for_nuisances(rows);
   return rows;
 }
 
 Eigen::MatrixXd Discrepancy::slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                                     const Eigen::VectorXd& scale, unsigned threads) const {
   Eigen::MatrixXd columns = raw_slopes(unknowns, which, scale, threads);
-  if (!scatter_.records.empty()) allow_for_scatter(columns);
+  if (!nuisances_.records.empty()) allow_for_nuisances(columns);
   return columns;
 }
 

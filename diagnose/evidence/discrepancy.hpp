@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,15 +51,19 @@ class Evidence {
   virtual Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const { return rows; }
 };
 
-/// All evidence of a campaign as one vector of rows. Where natural frequencies scatter from record to record by
-/// chance, the rows U of a record by a relative change of each have the covariance I + s^2 U U' instead of I, and
-/// are multiplied by its inverse root (docs/inference.md (24)).
+/// All evidence of a campaign as one vector of rows. What differs from record to record by chance, natural
+/// frequencies and the lateness of responses, gives the rows of a record the covariance I + U U' instead of I, U by
+/// one standard deviation of each, and they are multiplied by its inverse root (docs/inference.md (24)).
 class Discrepancy {
  public:
   void add(std::unique_ptr<Evidence> evidence);
   /// `relative_sd`: s, of the first `modes` unknowns. From the next freeze() on; 0: they are the same everywhere.
   void admit_scatter(double relative_sd, std::size_t modes);
-  /// Rows x modes by a relative change of each of the first `modes` unknowns, before scatter is allowed for.
+  /// Responses of a record that are late against its excitation by an unknown time: `delay` is the unknown that
+  /// delays the excitation, `sd` by record its standard deviation in s, where it is not known at all that of a
+  /// whole period, period/sqrt(12). From the next freeze() on.
+  void admit_lateness(std::size_t delay, std::map<std::size_t, double> sd);
+  /// Rows x modes by a relative change of each of the first `modes` unknowns.
   Eigen::MatrixXd frequency_changes(const Eigen::VectorXd& unknowns, std::size_t modes) const;
   Eigen::Index size() const;
   Eigen::Index freedom() const;
@@ -71,9 +76,13 @@ class Discrepancy {
   Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const;
 
  private:
-  struct Scatter {
-    double relative_sd = 0;
+  /// What differs from record to record and explains nothing.
+  struct Nuisances {
+    double relative_sd = 0;  // of natural frequencies
     std::size_t modes = 0;
+    std::size_t delay = 0;
+    std::map<std::size_t, double> delay_sd;  // by record
+    bool any() const { return relative_sd > 0 || !delay_sd.empty(); }
     /// By record: its rows, and orthonormal directions among them with what is kept along each.
     struct OfRecord {
       std::vector<Eigen::Index> rows;
@@ -82,12 +91,15 @@ class Discrepancy {
     };
     std::vector<OfRecord> records;
   };
+  /// Rows x nuisances of their record, by one standard deviation of each.
+  Eigen::MatrixXd changes_by_nuisances(const Eigen::VectorXd& unknowns,
+                                       const std::map<std::size_t, std::vector<Eigen::Index>>& rows_of) const;
   Eigen::MatrixXd raw_slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                              const Eigen::VectorXd& scale, unsigned threads) const;
-  void allow_for_scatter(Eigen::Ref<Eigen::MatrixXd> columns) const;
+  void allow_for_nuisances(Eigen::Ref<Eigen::MatrixXd> columns) const;
 
   std::vector<std::unique_ptr<Evidence>> parts_;
-  Scatter scatter_;
+  Nuisances nuisances_;
 };
 
 }  // namespace secular

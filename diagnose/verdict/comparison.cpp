@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <numeric>
 
 #include "diagnose/evidence/line_evidence.hpp"
@@ -168,6 +169,13 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
                      "settled dwells, free decays, sweeps or broadband records near the model's resonances are "
                      "expected");
   result.conditions = std::move(observed.conditions);
+  std::map<std::size_t, double> unknown_delay;
+  for (Condition& condition : result.conditions) {
+    const auto late = options.late_s.find(condition.record);
+    if (late == options.late_s.end()) continue;
+    condition.delay_excitation(late->second);
+    unknown_delay[condition.record] = 2 * std::numbers::pi / condition.excitation_frequency() / std::sqrt(12.0);
+  }
   result.segments = segments.size();
   const std::vector<std::string> left_out =
       leave_out_unsteady(result.conditions, observed.nonstationarity, campaign);
@@ -193,6 +201,9 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
     result.segment_evidence = evidence.get();
     result.discrepancy.add(std::move(evidence));
   }
+  if (!unknown_delay.empty())
+    result.discrepancy.admit_lateness(model.symbols.size() + faults.delay(sensors.responses.size()),
+                                      std::move(unknown_delay));
   if (options.check) {
     std::vector<Segment> apart = cut(*options.check, SegmentLength::whole);
     if (apart.empty())

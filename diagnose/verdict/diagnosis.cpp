@@ -69,11 +69,6 @@ class Diagnoser {
   }
 
  private:
-  // Nothing beyond repeatability is left: no gap, or one that is explained.
-  static bool is_told(const Diagnosis& d) {
-    return d.verdict == "no_gap" || d.verdict == "cause" || d.verdict == "set";
-  }
-
   // What the records leave of the best explanation, along changes of their own natural frequencies.
   FrequencyScatter scatter_left() {
     const Refit& fit = (best_ ? *best_ : inference_.null).fit;
@@ -404,6 +399,22 @@ Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const Com
                    const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
                    const DiagnosisOptions& options) {
   return Diagnoser(campaign, model, own, compare(campaign, read, model, own, effects, options), options).run();
+}
+
+bool misses(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+            const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+            const DiagnosisOptions& options) {
+  Comparison comparison = compare(campaign, read, model, own, effects, options);
+  std::vector<std::size_t> fitted = own;
+  fitted.insert(fitted.end(), comparison.nuisances.begin(), comparison.nuisances.end());
+  InferenceOptions inference_options;
+  inference_options.threads = options.threads;
+  const Inference null = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
+  return chi_squared_upper_tail(null.null.fit.chi_squared, null.degrees_of_freedom) < false_alarm;
+}
+
+bool is_told(const Diagnosis& d) {
+  return d.verdict == "no_gap" || d.verdict == "cause" || d.verdict == "set";
 }
 
 }  // namespace secular

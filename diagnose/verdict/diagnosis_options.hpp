@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -22,8 +23,11 @@ struct DiagnosisOptions {
   std::vector<double> natural_frequency;
   std::vector<StateForce> forces;  ///< scales are set from the data
   std::set<std::string> left_out;  ///< effects that are not to be considered
-  std::optional<Window> check;     ///< part of the records on which the explanation is tried, whatever was fitted
-  bool fit_check = false;          ///< and once more with the numbers that fit that part best
+  /// By record: how much later than its excitation a dwell's responses are, s, as far as it is known. The phase
+  /// between them is an unknown of every dwell then. Empty: all are in step.
+  std::map<std::size_t, double> late_s;
+  std::optional<Window> check;  ///< part of the records on which the explanation is tried, whatever was fitted
+  bool fit_check = false;       ///< and once more with the numbers that fit that part best
   unsigned threads = 1;
   SearchProgress progress = {};
 };

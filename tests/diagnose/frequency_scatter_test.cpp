@@ -130,9 +130,9 @@ TEST(FrequencyScatter, RowsAreOfUnitVarianceAgain) {
   all.add(std::move(evidence));
   const double sd = 0.01;
   const VectorXd at = VectorXd::Constant(1, 7);
+  const MatrixXd changes = all.frequency_changes(at, 1);
   all.admit_scatter(sd, 1);
   all.freeze(at);
-  const MatrixXd changes = all.frequency_changes(at, 1);
   EXPECT_LT((changes.col(0) - slope).norm(), 1e-6 * slope.norm());
   const std::vector<std::size_t> which = {0};
   const VectorXd column = all.slopes(at, which, VectorXd::Constant(1, 1e-3), 1) / 1e-3 * 7;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+
+#include "app/diagnose/diagnosis_run.hpp"
+
+namespace secular::app {
+
+/// Dwells whose responses are out of step with their excitation.
+struct Lateness {
+  std::map<std::size_t, double> late_s;    ///< by record; empty: none is
+  std::map<std::size_t, double> period_s;  ///< of its excitation
+  bool holds = false;                      ///< the model's equations hold when each record has a phase of its own
+};
+
+/// Whether a campaign and a model are such that records could be found late: dwells with one excitation.
+bool can_be_late(const Campaign& campaign, const CompiledModel& model);
+
+/// As `identify` finds them with the model as it is (docs/inference.md (16) to (22)). Nothing where it has no
+/// answer, or where phases follow the amplitude, as a law that the model lacks makes them.
+Lateness find_lateness(const DiagnosisRequest& request);
+
+}  // namespace secular::app
