@@ -20,7 +20,7 @@ constexpr double largest_leverage = 0.999;
 // Residuals of the common fit in the case's coordinates, less those of its own: what the other unknowns of the case
 // take up is taken off.
 VectorXd left_by_common_fit(const CommonFit& c) {
-  const ConditionRows& rows = *c.rows;
+  const RowsByCondition& rows = *c.rows;
   const VectorXd left = rows.estimate - rows.entries * (c.values - rows.reference);
   if (rows.others.cols() == 0) return left;
   const MatrixXd weighted = rows.kept * rows.others;
@@ -62,7 +62,7 @@ std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cas
   std::vector<VectorXd> moves;
   row = 0;
   for (const CommonFit& c : cases) {
-    const ConditionRows& rows = *c.rows;
+    const RowsByCondition& rows = *c.rows;
     const MatrixXd part = u.middleRows(row, rows.entries.rows());
     row += rows.entries.rows();
     const Eigen::PartialPivLU<MatrixXd> kept(rows.kept);

@@ -9,7 +9,7 @@ namespace secular {
 
 /// The rows of one case's regression, condition by condition, in coordinates in which all of them together are
 /// orthonormal (LinearFit::basis).
-struct ConditionRows {
+struct RowsByCondition {
   Eigen::MatrixXd entries;    ///< coordinates x entries: of the lumps and natural frequencies that parameters make
   Eigen::MatrixXd others;     ///< coordinates x others: of what else the case estimates, and what it has lost
   Eigen::VectorXd reference;  ///< by entry: what it is counted from
@@ -22,7 +22,7 @@ struct ConditionRows {
 
 /// How the rows of one case depend on what all cases have in common.
 struct CommonFit {
-  const ConditionRows* rows = nullptr;
+  const RowsByCondition* rows = nullptr;
   Eigen::MatrixXd slope;   ///< entries x unknowns
   Eigen::VectorXd values;  ///< by entry, at the fit
 };

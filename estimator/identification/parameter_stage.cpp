@@ -38,7 +38,7 @@ MatrixXd known_combinations(const LinearFit& fit, const std::vector<Index>& lost
 }
 
 // `used`: columns that parameters make. What the case has lost may be anything.
-ConditionRows rows_of(const CaseFit& fit, const std::vector<Index>& used) {
+RowsByCondition rows_of(const CaseFit& fit, const std::vector<Index>& used) {
   const LinearFit& regression = fit.fit;
   const MatrixXd coordinates = regression.orthonormal.transpose() * fit.system.design;  // of each column
   std::vector<Index> rest;
@@ -46,7 +46,7 @@ ConditionRows rows_of(const CaseFit& fit, const std::vector<Index>& used) {
     if (std::find(used.begin(), used.end(), c) == used.end()) rest.push_back(c);
   // What the rows do not see at all is nothing in their coordinates.
   const Index seen = regression.lost.cols() - (coordinates.cols() - regression.rank);
-  ConditionRows rows;
+  RowsByCondition rows;
   rows.entries = coordinates(Eigen::all, used);
   rows.others.resize(coordinates.rows(), static_cast<Index>(rest.size()) + seen);
   rows.others << MatrixXd(coordinates(Eigen::all, rest)),

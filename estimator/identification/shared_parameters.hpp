@@ -32,7 +32,7 @@ struct LumpEstimates {
   Eigen::MatrixXd influence;                 ///< [condition][value]: change where the condition is left out
   Eigen::MatrixXd record_moves;              ///< index x moves: CaseFit::record_moves
   double record_freedom = 0;                 ///< of these
-  ConditionRows rows;                        ///< what the lumps were made of; not needed for rough errors
+  RowsByCondition rows;                      ///< what the lumps were made of; not needed for rough errors
   bool clustered = false;                    ///< error bars from `rows`, else from `plain`
   double degrees_of_freedom = 0;
 };

@@ -18,7 +18,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Rows of a regression by condition, in orthonormal coordinates, as a case's own estimate leaves them.
-ConditionRows rows_of(const std::vector<MatrixXd>& design, const std::vector<VectorXd>& response) {
+RowsByCondition rows_of(const std::vector<MatrixXd>& design, const std::vector<VectorXd>& response) {
   Index count = 0;
   for (const VectorXd& y : response) count += y.size();
   MatrixXd x(count, design.front().cols());
@@ -31,7 +31,7 @@ ConditionRows rows_of(const std::vector<MatrixXd>& design, const std::vector<Vec
   }
   const Eigen::HouseholderQR<MatrixXd> qr(x);
   const MatrixXd q = qr.householderQ() * MatrixXd::Identity(count, x.cols());
-  ConditionRows rows;
+  RowsByCondition rows;
   rows.entries = q.transpose() * x;
   rows.others.resize(x.cols(), 0);
   rows.reference = VectorXd::Zero(x.cols());
@@ -49,7 +49,7 @@ ConditionRows rows_of(const std::vector<MatrixXd>& design, const std::vector<Vec
   return rows;
 }
 
-CommonFit fit_of(const ConditionRows& rows, const MatrixXd& slope) {
+CommonFit fit_of(const RowsByCondition& rows, const MatrixXd& slope) {
   const MatrixXd design = rows.entries * slope;
   const VectorXd unknowns = design.colPivHouseholderQr().solve(rows.estimate);
   return {&rows, slope, slope * unknowns};
@@ -71,7 +71,7 @@ TEST(ConditionScatter, OfAMeanIsThatOfTheMeansOfConditions) {
     design.emplace_back(MatrixXd::Ones(each, 1));
     response.push_back(y);
   }
-  const ConditionRows rows = rows_of(design, response);
+  const RowsByCondition rows = rows_of(design, response);
   const std::vector<CommonFit> cases{fit_of(rows, MatrixXd::Identity(1, 1))};
   const auto scatter = condition_scatter(cases, MatrixXd(0, 1), MatrixXd::Identity(1, 1));
   ASSERT_TRUE(scatter);
@@ -107,7 +107,7 @@ TEST(ConditionScatter, IntervalsHoldWithUnequalConditions) {
         for (double& value : y) value += normal(random);
         response.push_back(y);
       }
-      const ConditionRows rows = rows_of(design, response);
+      const RowsByCondition rows = rows_of(design, response);
       const std::vector<CommonFit> cases{fit_of(rows, slope)};
       const auto scatter = condition_scatter(cases, MatrixXd(0, 2), MatrixXd::Identity(2, 2));
       ASSERT_TRUE(scatter);
