@@ -82,7 +82,9 @@ FrequencyScatter frequency_scatter(const VectorXd& rows, const MatrixXd& jacobia
   const auto count = static_cast<double>(shown.size());
   // What all of them together do not explain is the variance of a row, where it is more than one.
   const Eigen::CompleteOrthogonalDecomposition<MatrixXd> along(gram);
-  const double beside = left.squaredNorm() - products.dot(along.solve(products));
+  result.squares = products.dot(along.solve(products));
+  result.freedom = static_cast<double>(along.rank());
+  const double beside = left.squaredNorm() - result.squares;
   const double row_variance =
       std::max(1.0, beside / std::max(1.0, freedom - static_cast<double>(basis.cols() + along.rank())));
   const double q = products.cwiseAbs2().cwiseQuotient(own).sum() / row_variance;

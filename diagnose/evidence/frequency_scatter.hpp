@@ -13,6 +13,7 @@ namespace secular {
 struct FrequencyScatter {
   double relative_sd = 0;  ///< of a natural frequency between records
   double p_value = 1;      ///< that frequencies which do not scatter look like this
+  double squares = 0, freedom = 0;  ///< of the rows along those changes, and how many are independent
   std::vector<std::size_t> records;
   Eigen::MatrixXd shifts;  ///< record x mode: what each is likely to have been off by, relative
 };

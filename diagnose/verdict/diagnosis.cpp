@@ -5,6 +5,7 @@
 #include <map>
 
 #include "diagnose/inference/held_out.hpp"
+#include "diagnose/inference/in_step.hpp"
 #include "diagnose/verdict/comparison.hpp"
 #include "diagnose/verdict/naming.hpp"
 #include "numerics/distribution.hpp"
@@ -20,9 +21,6 @@ constexpr double false_alarm = 0.003;
 /// Repeatability that is overestimated by more than this, as a variance: a gap as large as the noise itself would
 /// not be seen.
 constexpr double most_overestimated = 2;
-
-/// That natural frequencies which do not scatter between records are said to.
-constexpr double scatter_alarm = 0.001;
 
 /// The first is as large as an explanation leaves that had to do without; the second as one leaves that had not.
 constexpr int scatter_rounds = 3;
@@ -45,39 +43,47 @@ class Diagnoser {
         options_(options),
         comparison_(std::move(comparison)) {
     free_.insert(free_.end(), comparison_.nuisances.begin(), comparison_.nuisances.end());
+    inference_options_.threads = options_.threads;
+    inference_options_.progress = options_.progress;
+    for (const std::size_t s : own_)
+      if (s < model_.modes()) inference_options_.anchors.push_back(s);  // natural frequencies
   }
 
-  // Where the best explanation leaves more than repeatability, natural frequencies may differ from record to record
-  // by chance. They are allowed to then, by as much as that explanation leaves, and everything is looked at again;
-  // and once more, since a better explanation may leave less. What still has structure beside such scatter was no
-  // scatter.
+  // Where the model as it is leaves what natural frequencies that differ from record to record would leave, that is
+  // either a law or chance. One effect that leaves nothing is a law. Otherwise frequencies are allowed to differ,
+  // by as much as the best effect leaves, and everything is looked at again; and once more, since a better
+  // explanation may leave less. It was chance if nothing else is left then and no further effect does what chance
+  // is said to do.
   Diagnosis run() {
-    Diagnosis in_step = look();
-    if (is_told(in_step)) return in_step;
+    if (!frequencies_differ()) return look({});
+    inference_options_.singles_only = true;
+    Diagnosis of_one = look({});
+    inference_options_.singles_only = false;
+    if (is_told(of_one)) return of_one;
     for (int round = 0; round < scatter_rounds; ++round) {
-      const FrequencyScatter scatter = scatter_left();
+      const FrequencyScatter scatter = left_in_step(best_ ? best_->fit : inference_.null.fit).scatter;
       if (!(scatter.p_value < scatter_alarm)) break;
-      comparison_.discrepancy.admit_scatter(scatter.relative_sd, model_.modes());
-      forget();
-      Diagnosis scattering = look();
-      scattering.scatter = scatter;
+      Diagnosis scattering = look(scatter);
       if (!is_told(scattering)) continue;
-      scattering.scatter = scatter_left();
+      const InStep without = left_in_step(best_ ? best_->fit : inference_.null.fit);
+      if (!(without.scatter.p_value < scatter_alarm) ||
+          is_a_law(without, comparison_.discrepancy, comparison_.candidates, options_.threads))
+        break;
+      scattering.scatter = without.scatter;
       return scattering;
     }
-    return in_step;
+    return look({});
   }
 
  private:
-  // What the records leave of the best explanation, along changes of their own natural frequencies.
-  FrequencyScatter scatter_left() {
-    const Refit& fit = (best_ ? *best_ : inference_.null).fit;
-    Discrepancy& all = comparison_.discrepancy;
-    all.admit_scatter(0, model_.modes());
-    all.freeze(fit.unknowns);
-    return frequency_scatter(all(fit.unknowns), all.slopes(fit.unknowns, fit.free, fit.scale, options_.threads),
-                             all.frequency_changes(fit.unknowns, model_.modes()), all.labels(),
-                             static_cast<double>(all.freedom()));
+  bool frequencies_differ() {
+    const Inference null = infer(comparison_.discrepancy, {}, comparison_.start, free_, inference_options_);
+    return chi_squared_upper_tail(null.null.fit.chi_squared, null.degrees_of_freedom) < false_alarm &&
+           left_in_step(null.null.fit).scatter.p_value < scatter_alarm;
+  }
+
+  InStep left_in_step(const Refit& fit) {
+    return in_step(comparison_.discrepancy, fit, model_.modes(), options_.threads);
   }
 
   void forget() {
@@ -89,7 +95,10 @@ class Diagnoser {
     stalled_ = false;
   }
 
-  Diagnosis look() {
+  // `scatter`: of natural frequencies between records, allowed for in all that is compared.
+  Diagnosis look(const FrequencyScatter& scatter) {
+    forget();
+    comparison_.discrepancy.admit_scatter(scatter.relative_sd, model_.modes());
     result_.labels = discrepancy().labels();
     result_.conditions = comparison_.conditions.size() + comparison_.segments;
     result_.unsteady = comparison_.unsteady;
@@ -97,13 +106,8 @@ class Diagnoser {
     result_.data_used = comparison_.data_used;
     result_.gap.judged = whose_gap(options_.given);
     result_.gap.metric = metric;
-    InferenceOptions inference_options;
-    inference_options.threads = options_.threads;
-    inference_options.progress = options_.progress;
-    for (const std::size_t s : own_)
-      if (s < model_.modes()) inference_options.anchors.push_back(s);  // natural frequencies
     inference_ =
-        infer(comparison_.discrepancy, comparison_.candidates, comparison_.start, free_, inference_options);
+        infer(comparison_.discrepancy, comparison_.candidates, comparison_.start, free_, inference_options_);
     if (options_.given)
       judged_ = judge_given(options_.given, model_, free_, discrepancy(), comparison_.start, options_.threads);
     result_.warnings = comparison_.warnings;
@@ -385,6 +389,7 @@ class Diagnoser {
   std::vector<std::size_t> free_;  // own_, and the nuisances
   const DiagnosisOptions& options_;
   Comparison comparison_;
+  InferenceOptions inference_options_;
   JudgedNumbers judged_;  // where numbers were given
   Inference inference_;
   const Explanation* best_ = nullptr;
