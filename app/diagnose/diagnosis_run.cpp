@@ -73,7 +73,7 @@ std::vector<Disturbance> scatter_of_records(const Diagnosis& diagnosis, const Co
     d.size = shift * diagnosis.fitted.values(fitted - diagnosis.fitted.names.begin());
     d.unit = "1/s";
     d.share = share;
-    d.fitted = true;
+    d.treated = "fitted";
     d.text = fmt::format("{} of this record is {:.2g} % {} that of all, which differ by {:.2g} % (sd)",
                          model.symbols[symbol].name, 100 * share, shift < 0 ? "below" : "above",
                          100 * scatter.relative_sd);
@@ -95,7 +95,7 @@ std::vector<Disturbance> late_records(const DiagnosisOptions& options, const Lat
     d.size = late_s;
     d.unit = "s";
     d.share = std::abs(late_s) / lateness.period_s.at(record);
-    d.fitted = true;
+    d.treated = "fitted";
     d.text =
         fmt::format("responses are {:.3g} ms {} their excitation, up to whole periods of {:.3g} ms",
                     1e3 * std::abs(late_s), late_s < 0 ? "ahead of" : "behind", 1e3 * lateness.period_s.at(record));
@@ -227,7 +227,8 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
   run.disturbances = watch.found();
   for (Disturbance& d : run.disturbances)
-    d.fitted = d.kind == "offset" && d.channel && run.campaign.channels[*d.channel].role == ChannelRole::response;
+    if (d.kind == "offset" && d.channel && run.campaign.channels[*d.channel].role == ChannelRole::response)
+      d.treated = "fitted";
   for (Disturbance& d : late_records(options, lateness, run.diagnosis)) run.disturbances.push_back(std::move(d));
   for (Disturbance& d : scatter_of_records(run.diagnosis, *run.model)) run.disturbances.push_back(std::move(d));
   run.looked_at = watch.records();

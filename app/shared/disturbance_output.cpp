@@ -100,7 +100,7 @@ nlohmann::ordered_json disturbances_json(const std::vector<Disturbance>& found, 
     entry["unit"] = d.unit;
     entry["share"] = d.share;
     if (d.frequency_hz) entry["frequency_hz"] = *d.frequency_hz;
-    entry["treated"] = d.fitted ? "fitted" : "listed";
+    entry["treated"] = d.treated;
     entry["text"] = d.text;
     list.push_back(std::move(entry));
   }

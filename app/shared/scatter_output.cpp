@@ -64,7 +64,7 @@ std::vector<Disturbance> scatter_disturbances(const Identification& id) {
     for (std::size_t r = 0; r < scatter.records.size(); ++r) {
       Disturbance entry;
       entry.kind = "record_scatter";
-      entry.fitted = true;
+      entry.treated = "fitted";
       entry.record = scatter.records[r];
       std::tie(entry.from_s, entry.to_s) = span_of(id, entry.record);
       entry.size = scatter.shifts[r];

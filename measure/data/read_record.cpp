@@ -8,9 +8,11 @@
 #include "measure/data/campaign.hpp"
 #include "measure/data/channel_times.hpp"
 #include "measure/data/data_file.hpp"
+#include "measure/data/lost_rows.hpp"
 #include "measure/data/record_data.hpp"
 #include "measure/data/time_axis.hpp"
 #include "measure/data/unit.hpp"
+#include "numerics/fill_gaps.hpp"
 
 namespace secular {
 
@@ -73,11 +75,15 @@ RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, 
 
 Record read_record(const Campaign& campaign, const RecordEntry& entry) {
   RecordData data = read_record_data(campaign, entry, MissingNumbers::refuse);
+  const std::vector<double> as_read = data.stamps_s;
+  std::vector<std::size_t> lost = insert_lost_rows(data.stamps_s, data.channels);
+  for (std::vector<double>& channel : data.channels)
+    if (!fill_gaps(channel, lost).empty()) even_time_axis(as_read, data.file, data.place, campaign.sample_rate_hz);
   const TimeAxis axis = even_time_axis(data.stamps_s, data.file, data.place, campaign.sample_rate_hz);
   if (!(std::abs(axis.sample_rate_hz / campaign.sample_rate_hz - 1) <= 1e-3))
     throw InputError(data.file, "", fmt::format("is sampled at {} Hz", axis.sample_rate_hz),
                      fmt::format("campaign.toml says sample_rate_hz = {}", campaign.sample_rate_hz));
-  return {axis.start_s, axis.sample_rate_hz, std::move(data.channels), axis.jitter_s};
+  return {axis.start_s, axis.sample_rate_hz, std::move(data.channels), axis.jitter_s, std::move(lost)};
 }
 
 }  // namespace secular

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "measure/data/jitter.hpp"
+#include "numerics/fill_gaps.hpp"
 
 namespace secular {
 
@@ -21,6 +22,11 @@ Record to_relative(const Campaign& campaign, Record record) {
     if (campaign.channels[c].frame == Frame::absolute)
       std::transform(record.channels[c].begin(), record.channels[c].end(), record.channels[*base].begin(),
                      record.channels[c].begin(), std::minus<>());
+  return record;
+}
+
+Record masked(Record record, const std::vector<std::vector<std::size_t>>& places) {
+  for (std::size_t c = 0; c < places.size(); ++c) fill_gaps(record.channels[c], places[c]);
   return record;
 }
 
@@ -37,7 +43,8 @@ Record WatchedReader::read(std::size_t index) {
   Record record = read_record(campaign_, campaign_.records[index]);
   {
     const std::lock_guard lock(mutex_);
-    if (seen_.contains(index)) return to_relative(campaign_, std::move(record));
+    if (const auto before = seen_.find(index); before != seen_.end())
+      return to_relative(campaign_, masked(std::move(record), before->second.masked));
   }
   Seen seen;
   std::vector<ChannelValues> values;
@@ -49,6 +56,8 @@ Record WatchedReader::read(std::size_t index) {
   if (record.jitter_s > 0)
     seen.jitter = jitter_text({record.start_s, record.sample_rate_hz, record.jitter_s}, record.channels);
   if (look_) look_(index, record, values);
+  if (mask_) seen.masked = mask_(index, record, values);
+  record = masked(std::move(record), seen.masked);
   const std::lock_guard lock(mutex_);
   seen_.emplace(index, std::move(seen));
   return to_relative(campaign_, std::move(record));

@@ -33,9 +33,15 @@ class WatchedReader {
   /// What else looks at every record, once, when it is read for the first time: in any thread.
   using Look = std::function<void(std::size_t, const Record&, const std::vector<ChannelValues>&)>;
 
-  explicit WatchedReader(const Campaign& campaign, Look look = {}) : campaign_(campaign), look_(std::move(look)) {}
+  /// Which samples of a record, by channel and rising, are to be replaced by what those around them tell
+  /// (fill_gaps).
+  using Mask = std::function<std::vector<std::vector<std::size_t>>(std::size_t, const Record&,
+                                                                   const std::vector<ChannelValues>&)>;
 
-  /// As read_record does, relative to the base.
+  explicit WatchedReader(const Campaign& campaign, Look look = {}, Mask mask = {})
+      : campaign_(campaign), look_(std::move(look)), mask_(std::move(mask)) {}
+
+  /// As read_record does, relative to the base, samples of the mask replaced.
   Record read(std::size_t record);
 
   /// One line for each channel that is clipped in some of the records that were read, and one for the time stamps
@@ -45,11 +51,13 @@ class WatchedReader {
  private:
   const Campaign& campaign_;
   Look look_;
+  Mask mask_;
   mutable std::mutex mutex_;
   struct Seen {
     std::vector<Clipping> clipping;  // by channel
     double jitter_of_step = 0;
-    std::string jitter;  // in words
+    std::string jitter;                            // in words
+    std::vector<std::vector<std::size_t>> masked;  // by channel
   };
   std::map<std::size_t, Seen> seen_;  // by record, whatever the order of reading
 };

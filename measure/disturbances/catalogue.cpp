@@ -1,5 +1,6 @@
 #include "measure/disturbances/catalogue.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "measure/disturbances/rows.hpp"
@@ -67,6 +68,31 @@ std::span<const DisturbanceKind> disturbance_catalogue() {
                       "stretches of one decay are no independent conditions: error bars know it"},
   };
   return kinds;
+}
+
+std::vector<std::vector<std::size_t>> masked_samples(const Campaign& campaign, std::size_t index,
+                                                     const Record& record,
+                                                     const std::vector<ChannelValues>& values) {
+  const double level =
+      disturbance_false_alarm / static_cast<double>(campaign.records.size() * campaign.channels.size());
+  std::vector<std::vector<std::size_t>> places(record.channels.size());
+  bool stands_out = false;
+  for (std::size_t c = 0; c < record.channels.size(); ++c) {
+    const std::vector<double>& x = record.channels[c];
+    const HeldSamples held = find_held(x, values[c], level);
+    for (std::size_t i : held.at)
+      for (; i < x.size() && x[i] == x[i - 1]; ++i) places[c].push_back(i);
+    stands_out = stands_out || !find_impulses(x, values[c].grid, held, level).spikes.empty();
+  }
+  if (!stands_out) return places;
+  const SearchedRecord look = searched(campaign, index, record, values);
+  for (std::size_t c = 0; c < record.channels.size(); ++c) {
+    if (!has_spikes(look, c)) continue;
+    for (const Impulses::One& spike : look.channels[c].impulses.spikes) places[c].push_back(spike.at);
+    std::sort(places[c].begin(), places[c].end());
+    places[c].erase(std::unique(places[c].begin(), places[c].end()), places[c].end());
+  }
+  return places;
 }
 
 std::vector<Disturbance> find_disturbances(const Campaign& campaign, std::size_t index, const Record& record,

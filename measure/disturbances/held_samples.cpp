@@ -110,6 +110,7 @@ void find_held_samples(const SearchedRecord& record, std::vector<Disturbance>& f
     if (held.at.empty()) continue;
     Disturbance entry = record.found("held_samples", c, static_cast<double>(held.samples));
     entry.unit = "samples";
+    entry.treated = "masked";
     entry.share = entry.size / static_cast<double>(record.samples());
     entry.from_s = record.time_s(held.at.front());
     entry.to_s = record.time_s(held.at.back() + 1);

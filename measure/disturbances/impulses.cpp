@@ -135,11 +135,17 @@ Impulses find_impulses(std::span<const double> samples, const ValueGrid& grid, c
   return impulses;
 }
 
+bool has_spikes(const SearchedRecord& record, std::size_t c) {
+  return (record.entry().kind != RecordKind::impact || !record.is_excitation(c)) &&
+         !record.channels[c].impulses.spikes.empty() && !is_of_motion(record, record.channels[c]);
+}
+
 void find_spikes(const SearchedRecord& record, std::vector<Disturbance>& found) {
-  for (std::size_t c = 0; c < record.channels.size(); ++c)
-    if ((record.entry().kind != RecordKind::impact || !record.is_excitation(c)) &&
-        !is_of_motion(record, record.channels[c]))
-      add(record, c, "spikes", record.channels[c].impulses.spikes, found);
+  for (std::size_t c = 0; c < record.channels.size(); ++c) {
+    if (!has_spikes(record, c)) continue;
+    add(record, c, "spikes", record.channels[c].impulses.spikes, found);
+    found.back().treated = "masked";
+  }
 }
 
 void find_knocks(const SearchedRecord& record, std::vector<Disturbance>& found) {

@@ -12,6 +12,8 @@ void find_converter_steps(const SearchedRecord& record, std::vector<Disturbance>
 void find_offsets(const SearchedRecord& record, std::vector<Disturbance>& found);
 void find_wander(const SearchedRecord& record, std::vector<Disturbance>& found);
 void find_ringing(const SearchedRecord& record, std::vector<Disturbance>& found);
+/// Single samples that stand out, of no blow and no part of the motion.
+bool has_spikes(const SearchedRecord& record, std::size_t channel);
 void find_spikes(const SearchedRecord& record, std::vector<Disturbance>& found);
 void find_knocks(const SearchedRecord& record, std::vector<Disturbance>& found);
 void find_held_samples(const SearchedRecord& record, std::vector<Disturbance>& found);

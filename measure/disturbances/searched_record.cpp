@@ -55,6 +55,7 @@ SearchedRecord searched(const Campaign& campaign, std::size_t index, const Recor
   result.campaign = &campaign;
   result.index = index;
   result.total = record.samples();
+  result.lost_rows = record.lost.size();
   result.rate = record.sample_rate_hz;
   result.jitter_s = record.jitter_s;
   result.level = disturbance_false_alarm / static_cast<double>(campaign.records.size() * campaign.channels.size());

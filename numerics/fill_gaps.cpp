@@ -1,0 +1,105 @@
+#include "numerics/fill_gaps.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Coefficients of the model, and samples of a block: gaps that begin in one share the coefficients that it and its
+/// neighbours give.
+constexpr std::size_t order = 2 * longest_filled, around = 1024;
+
+/// Next to the mean square of the samples: tones without noise would leave the coefficients open.
+constexpr double ridge = 1e-10;
+
+// Places whose rows of prediction have samples in common.
+struct Cluster {
+  std::vector<std::size_t> places;
+  std::size_t longest = 0;  // run of neighbours
+};
+
+std::vector<Cluster> clusters_of(const std::vector<std::size_t>& missing) {
+  std::vector<Cluster> clusters;
+  std::size_t run = 0;
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    if (i == 0 || missing[i] - missing[i - 1] > order) clusters.emplace_back();
+    run = i > 0 && missing[i] == missing[i - 1] + 1 ? run + 1 : 1;
+    clusters.back().places.push_back(missing[i]);
+    clusters.back().longest = std::max(clusters.back().longest, run);
+  }
+  return clusters;
+}
+
+// x_t - sum_k a_k x_(t-k) over complete rows of a block and its neighbours; empty where there are too few.
+VectorXd coefficients(std::span<const double> x, const std::vector<bool>& lacks, std::size_t block) {
+  const std::size_t begin = std::max(order, block > 0 ? (block - 1) * around : 0),
+                    end = std::min(x.size(), (block + 2) * around);
+  constexpr auto size = static_cast<Index>(order);
+  MatrixXd gram = MatrixXd::Zero(size, size);
+  VectorXd product = VectorXd::Zero(size);
+  std::size_t rows = 0, complete = 0;
+  for (std::size_t t = begin - order; t < end; ++t) {
+    complete = lacks[t] ? 0 : complete + 1;
+    if (complete <= order) continue;
+    const Eigen::Map<const VectorXd> past(x.data() + t - order, size);
+    gram.selfadjointView<Eigen::Lower>().rankUpdate(past);
+    product += x[t] * past;
+    ++rows;
+  }
+  if (rows < 2 * order) return {};
+  gram.diagonal().array() += ridge * gram.trace() / static_cast<double>(size);
+  return gram.selfadjointView<Eigen::Lower>().ldlt().solve(product).reverse();  // by delay
+}
+
+bool fill(std::span<double> x, const VectorXd& a, const Cluster& cluster) {
+  const std::size_t first = cluster.places.front(), last = cluster.places.back();
+  if (a.size() == 0 || cluster.longest > longest_filled) return false;
+  const std::size_t begin = std::max(first, order), end = std::min(x.size(), last + order + 1);
+  if (begin >= end) return false;
+  const auto unknowns = static_cast<Index>(cluster.places.size());
+  MatrixXd design = MatrixXd::Zero(static_cast<Index>(end - begin), unknowns);
+  VectorXd known(design.rows());
+  for (std::size_t t = begin; t < end; ++t) {
+    const auto row = static_cast<Index>(t - begin);
+    double error = 0;
+    for (std::size_t k = 0; k <= order; ++k) {
+      const double weight = k == 0 ? 1 : -a(static_cast<Index>(k - 1));
+      const std::size_t at = t - k;
+      const auto place = std::lower_bound(cluster.places.begin(), cluster.places.end(), at);
+      if (place != cluster.places.end() && *place == at)
+        design(row, place - cluster.places.begin()) += weight;
+      else
+        error += weight * x[at];
+    }
+    known(row) = error;
+  }
+  const VectorXd found = design.colPivHouseholderQr().solve(-known);
+  if (!found.allFinite()) return false;
+  for (Index u = 0; u < unknowns; ++u) x[cluster.places[static_cast<std::size_t>(u)]] = found(u);
+  return true;
+}
+
+}  // namespace
+
+std::vector<std::size_t> fill_gaps(std::span<double> samples, const std::vector<std::size_t>& missing) {
+  std::vector<bool> lacks(samples.size(), false);
+  for (const std::size_t place : missing) lacks[place] = true;
+  std::vector<std::size_t> left;
+  VectorXd a;
+  std::size_t block = samples.size();  // none yet
+  for (const Cluster& cluster : clusters_of(missing)) {
+    if (const std::size_t here = cluster.places.front() / around; here != block) {
+      block = here;
+      a = coefficients(samples, lacks, block);
+    }
+    if (!fill(samples, a, cluster)) left.insert(left.end(), cluster.places.begin(), cluster.places.end());
+  }
+  return left;
+}
+
+}  // namespace secular

@@ -1,0 +1,134 @@
+// Rows that a file does not hold, and samples that it holds wrongly, on their way into a record.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "input/input_error.hpp"
+#include "measure/data/campaign.hpp"
+#include "measure/data/lost_rows.hpp"
+#include "measure/data/watched_reader.hpp"
+#include "measure/disturbances/catalogue.hpp"
+#include "tests/process_folder.hpp"
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double rate = 500;
+constexpr std::size_t samples = 4000;
+
+std::vector<double> signal(double noise) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  std::vector<double> x(samples);
+  for (std::size_t i = 0; i < samples; ++i)
+    x[i] = 2 * std::cos(2 * std::numbers::pi * 11.3 * static_cast<double>(i) / rate) + noise * normal(random);
+  return x;
+}
+
+// A campaign of one dwell of a base and a response with the given rows left out.
+Campaign written(const fs::path& folder, const std::vector<double>& response,
+                 const std::vector<std::size_t>& lost) {
+  fs::create_directories(folder / "records");
+  std::ofstream(folder / "campaign.toml")
+      << "schema = 1\nname = \"masked\"\nsample_rate_hz = 500.0\n"
+         "[[channel]]\nname = \"base\"\nrole = \"excitation\"\nquantity = \"acceleration\"\nunit = \"m/s^2\"\n"
+         "[[channel]]\nname = \"tip\"\nrole = \"response\"\nquantity = \"acceleration\"\nunit = \"m/s^2\"\n"
+         "[[record]]\nfile = \"records/0001.csv\"\nkind = \"dwell\"\nexcitation_frequency_hz = 11.3\n"
+         "excitation_amplitude = 2.0\n";
+  std::ofstream file(folder / "records/0001.csv");
+  file.precision(12);
+  file << "t,base,tip\n";
+  const std::vector<double> base = signal(1e-3);
+  for (std::size_t i = 0; i < samples; ++i)
+    if (std::find(lost.begin(), lost.end(), i) == lost.end())
+      file << static_cast<double>(i) / rate << ',' << base[i] << ',' << response[i] << '\n';
+  file.close();
+  return read_campaign(folder);
+}
+
+Record read_masked(const Campaign& campaign) {
+  WatchedReader reader(campaign, {}, [&](std::size_t r, const Record& record, const auto& values) {
+    return masked_samples(campaign, r, record, values);
+  });
+  const Record first = reader.read(0), again = reader.read(0);
+  EXPECT_EQ(first.channels, again.channels);
+  return first;
+}
+
+class MaskedSamples : public testing::Test {
+ protected:
+  void TearDown() override { fs::remove_all(folder); }
+  fs::path folder = testing_support::process_folder() /
+                    ("masked_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+TEST_F(MaskedSamples, RowsThatAreNotInTheFileAreFilled) {
+  const std::vector<double> x = signal(1e-3);
+  const std::vector<std::size_t> lost = {100, 1500, 1501, 1502, 3000};
+  const Campaign campaign = written(folder, x, lost);
+  const Record record = read_record(campaign, campaign.records[0]);
+  EXPECT_EQ(record.lost, lost);
+  EXPECT_EQ(record.sample_rate_hz, rate);
+  ASSERT_EQ(record.samples(), samples);
+  for (std::size_t i = 0; i < samples; ++i) EXPECT_NEAR(record.channels[1][i], x[i], 0.01) << i;
+  const std::vector<Disturbance> found = find_disturbances(campaign, 0, record);
+  const auto listed =
+      std::find_if(found.begin(), found.end(), [](const Disturbance& d) { return d.kind == "lost_samples"; });
+  ASSERT_NE(listed, found.end());
+  EXPECT_EQ(listed->size, 5);
+  EXPECT_EQ(listed->treated, "masked");
+}
+
+TEST_F(MaskedSamples, ALongGapIsRefusedAtItsPlace) {
+  std::vector<std::size_t> lost;
+  for (std::size_t i = 1000; i < 1040; ++i) lost.push_back(i);
+  const Campaign campaign = written(folder, signal(1e-3), lost);
+  try {
+    read_record(campaign, campaign.records[0]);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("line 1002"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("a gap of"), std::string::npos) << error.what();
+  }
+}
+
+// Stamps in whole milliseconds of samples 1.5 ms apart step by one and by two of them: nothing is lost.
+TEST(LostRows, StampsRoundedToTicksLackNothing) {
+  std::vector<double> stamps;
+  for (int i = 0; i < 1000; ++i) stamps.push_back(std::floor(1.5 * i) / 1000);
+  std::vector<std::vector<double>> channels(1, std::vector<double>(1000, 1.0));
+  const std::vector<double> before = stamps;
+  EXPECT_TRUE(insert_lost_rows(stamps, channels).empty());
+  EXPECT_EQ(stamps, before);
+}
+
+TEST_F(MaskedSamples, HeldSamplesAndSpikesAreReplaced) {
+  const std::vector<double> x = signal(1e-3);
+  std::vector<double> faulty = x;
+  for (std::size_t i = 60; i + 60 < samples; i += 131) faulty[i] = faulty[i - 1];
+  faulty[777] += 9;
+  faulty[2222] -= 11;
+  const Record record = read_masked(written(folder, faulty, {}));
+  double worst = 0;
+  for (std::size_t i = 0; i < samples; ++i)
+    if (std::abs(faulty[i] - x[i]) > 0.02) worst = std::max(worst, std::abs(record.channels[1][i] - x[i]));
+  EXPECT_LT(worst, 0.01);
+}
+
+TEST_F(MaskedSamples, ACleanRecordIsReadAsItIs) {
+  const std::vector<double> x = signal(1e-3);
+  const Campaign campaign = written(folder, x, {});
+  EXPECT_EQ(read_masked(campaign).channels, read_record(campaign, campaign.records[0]).channels);
+}
+
+}  // namespace
+}  // namespace secular
