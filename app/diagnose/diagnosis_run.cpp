@@ -13,7 +13,9 @@
 #include "app/shared/record_assignment.hpp"
 #include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
+#include "measure/disturbances/catalogue.hpp"
 #include "measure/disturbances/disturbance_watch.hpp"
+#include "numerics/distribution.hpp"
 
 namespace secular::app {
 namespace {
@@ -80,6 +82,37 @@ std::vector<Disturbance> scatter_of_records(const Diagnosis& diagnosis, const Co
     found.push_back(std::move(d));
   }
   return found;
+}
+
+// Offsets of responses that the fit tells and the records alone do not, at the level of all disturbances.
+std::vector<Disturbance> fitted_offsets(const Diagnosis& diagnosis, const Campaign& campaign,
+                                        const std::vector<Disturbance>& found) {
+  std::vector<Disturbance> offsets;
+  for (std::size_t c = 0; c < campaign.channels.size(); ++c) {
+    const Channel& channel = campaign.channels[c];
+    const bool known = std::any_of(found.begin(), found.end(),
+                                   [&](const Disturbance& d) { return d.kind == "offset" && d.channel == c; });
+    const std::vector<std::string>& names = diagnosis.fitted.names;
+    const auto place = std::find(names.begin(), names.end(), "offset(" + channel.name + ")") - names.begin();
+    if (channel.role != ChannelRole::response || known || place == std::ssize(names)) continue;
+    const double value = diagnosis.fitted.values(place), sd = std::sqrt(diagnosis.fitted.covariance(place, place));
+    const double level = disturbance_false_alarm / static_cast<double>(campaign.channels.size());
+    if (!(sd > 0) || 2 * normal_upper_tail(std::abs(value) / sd) > level) continue;
+    Disturbance d;
+    d.kind = "offset";
+    d.channel = c;
+    if (!diagnosis.spans.empty()) {
+      const auto& [record, span] = *diagnosis.spans.begin();
+      d.record = record;
+      std::tie(d.from_s, d.to_s) = std::tie(span.from_s, span.to_s);
+    }
+    d.size = std::abs(value);
+    d.unit = channel.unit;
+    d.treated = "fitted";
+    d.text = fmt::format("reads {:.3g} {} (sd {:.1g}) at rest, the same in all records", value, channel.unit, sd);
+    offsets.push_back(std::move(d));
+  }
+  return offsets;
 }
 
 // By how much the records of a case are late, as far as phases of their own made its equations hold better.
@@ -229,6 +262,8 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   for (Disturbance& d : run.disturbances)
     if (d.kind == "offset" && d.channel && run.campaign.channels[*d.channel].role == ChannelRole::response)
       d.treated = "fitted";
+  for (Disturbance& d : fitted_offsets(run.diagnosis, run.campaign, run.disturbances))
+    run.disturbances.push_back(std::move(d));
   for (Disturbance& d : late_records(options, lateness, run.diagnosis)) run.disturbances.push_back(std::move(d));
   for (Disturbance& d : scatter_of_records(run.diagnosis, *run.model)) run.disturbances.push_back(std::move(d));
   run.looked_at = watch.records();
