@@ -65,8 +65,8 @@ struct Record {
   double sample_rate_hz = 0;
   std::vector<std::vector<double>> channels;  ///< by Campaign::channels
   double jitter_s = 0;                        ///< of its time stamps, see TimeAxis
-  std::vector<std::size_t>
-      lost;  ///< rows that the file does not hold: their samples follow from what is around them
+  /// Rows that the file does not hold: their samples follow from what is around them.
+  std::vector<std::size_t> lost{};
   std::size_t samples() const { return channels.empty() ? 0 : channels.front().size(); }
 };
 

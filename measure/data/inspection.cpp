@@ -10,6 +10,7 @@
 #include "input/input_error.hpp"
 #include "measure/data/data_file.hpp"
 #include "measure/data/jitter.hpp"
+#include "measure/data/lost_rows.hpp"
 #include "measure/data/matrix_lines.hpp"
 #include "measure/data/record_data.hpp"
 #include "measure/data/unit.hpp"
@@ -94,8 +95,10 @@ RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std
   RecordInspection inspection;
   try {
     RecordData data = read_record_data(campaign, campaign.records[index], MissingNumbers::keep_as_nan, limit);
+    std::vector<std::size_t> lost = lost_rows(data.stamps_s);
+    if (!fill_lost_rows(lost, data.stamps_s, data.channels)) lost.clear();
     inspection.judged = data.stamps_s.size();
-    inspection.samples = data.total;
+    inspection.samples = data.total + lost.size();
     inspection.axis = judged_axis(data.stamps_s, data.place, campaign.sample_rate_hz, inspection.faults);
     if (inspection.axis && !(std::abs(inspection.axis->sample_rate_hz / campaign.sample_rate_hz - 1) <= 1e-3))
       inspection.faults.push_back({"time", fmt::format("is sampled at {:.6g} Hz; campaign.toml says {}",
@@ -116,7 +119,7 @@ RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std
     for (const std::vector<double>& samples : data.channels) inspection.channels.push_back(check_channel(samples));
     if (look && inspection.axis)
       look(index, {inspection.axis->start_s, inspection.axis->sample_rate_hz, std::move(data.channels),
-                   inspection.axis->jitter_s});
+                   inspection.axis->jitter_s, lost});
   } catch (const InputError& error) {
     inspection.faults.push_back({"unreadable", without_file(error)});
   }

@@ -1,6 +1,9 @@
 #include "measure/data/lost_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "measure/data/rounded_stamps.hpp"
 #include "numerics/fill_gaps.hpp"
@@ -17,33 +20,60 @@ constexpr double longer = 1.75;
 
 }  // namespace
 
-std::vector<std::size_t> insert_lost_rows(std::vector<double>& stamps_s,
-                                          std::vector<std::vector<double>>& channels) {
-  if (stamps_s.size() < 3 || axis_of_rounded(stamps_s, std::nullopt)) return {};
+std::vector<std::size_t> lost_rows(const std::vector<double>& stamps_s) {
+  if (stamps_s.size() < 3) return {};
   std::vector<double> steps(stamps_s.size() - 1);
   for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = stamps_s[i + 1] - stamps_s[i];
   const double step = upper_median(steps);
   if (!(step > 0)) return {};
-  std::vector<std::size_t> lost, kept = {0};
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const double whole = std::round(steps[i] / step);
-    if (steps[i] > longer * step) {
-      if (std::abs(steps[i] / step - whole) > off_a_whole_number || whole > longest_filled + 1) return {};
-      for (int n = 1; n < static_cast<int>(whole); ++n) lost.push_back(kept.back() + static_cast<std::size_t>(n));
-    }
-    kept.push_back(steps[i] > longer * step ? kept.back() + static_cast<std::size_t>(whole) : kept.back() + 1);
+  std::vector<std::size_t> lost;
+  std::size_t place = 0;  // among all rows
+  for (const double here : steps) {
+    ++place;
+    if (!(here > longer * step)) continue;
+    const double whole = std::round(here / step);
+    if (std::abs(here / step - whole) > off_a_whole_number || whole > longest_filled + 1) return {};
+    for (double n = 1; n < whole; ++n) lost.push_back(place++);
   }
-  if (lost.empty()) return {};
-  const auto spread = [&](const std::vector<double>& values) {
-    std::vector<double> result(kept.back() + 1);
-    for (std::size_t i = 0; i < kept.size(); ++i) result[kept[i]] = values[i];
-    return result;
-  };
-  std::vector<double> even = spread(stamps_s);
-  for (const std::size_t row : lost) even[row] = even[row - 1] + step;
-  stamps_s = std::move(even);
-  for (std::vector<double>& channel : channels) channel = spread(channel);
+  if (!lost.empty() && axis_of_rounded(stamps_s, std::nullopt)) return {};
   return lost;
+}
+
+bool fill_lost_rows(const std::vector<std::size_t>& lost, std::vector<double>& stamps_s,
+                    std::vector<std::vector<double>>& channels) {
+  if (lost.empty()) return false;
+  const auto spread = [&](const std::vector<double>& values) {
+    std::vector<double> all(values.size() + lost.size());
+    auto next = lost.begin();
+    std::size_t from = 0;
+    for (std::size_t row = 0; row < all.size(); ++row) {
+      if (next != lost.end() && *next == row)
+        ++next;
+      else
+        all[row] = values[from++];
+    }
+    return all;
+  };
+  std::vector<std::vector<double>> filled;
+  for (const std::vector<double>& channel : channels) {
+    if (!std::all_of(channel.begin(), channel.end(), [](double x) { return std::isfinite(x); })) return false;
+    filled.push_back(spread(channel));
+    if (!fill_gaps(filled.back(), lost).empty()) return false;
+  }
+  // A run of lost rows shares the step across it.
+  std::vector<double> stamps = spread(stamps_s);
+  for (std::size_t i = 0; i < lost.size();) {
+    std::size_t end = i + 1;
+    while (end < lost.size() && lost[end] == lost[end - 1] + 1) ++end;
+    const double before = stamps[lost[i] - 1], after = stamps[lost[end - 1] + 1];
+    const auto parts = static_cast<double>(end - i + 1);
+    for (std::size_t n = i; n < end; ++n)
+      stamps[lost[n]] = before + (after - before) * static_cast<double>(n - i + 1) / parts;
+    i = end;
+  }
+  stamps_s = std::move(stamps);
+  channels = std::move(filled);
+  return true;
 }
 
 }  // namespace secular

@@ -12,7 +12,6 @@
 #include "measure/data/record_data.hpp"
 #include "measure/data/time_axis.hpp"
 #include "measure/data/unit.hpp"
-#include "numerics/fill_gaps.hpp"
 
 namespace secular {
 
@@ -75,10 +74,8 @@ RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, 
 
 Record read_record(const Campaign& campaign, const RecordEntry& entry) {
   RecordData data = read_record_data(campaign, entry, MissingNumbers::refuse);
-  const std::vector<double> as_read = data.stamps_s;
-  std::vector<std::size_t> lost = insert_lost_rows(data.stamps_s, data.channels);
-  for (std::vector<double>& channel : data.channels)
-    if (!fill_gaps(channel, lost).empty()) even_time_axis(as_read, data.file, data.place, campaign.sample_rate_hz);
+  std::vector<std::size_t> lost = lost_rows(data.stamps_s);
+  if (!fill_lost_rows(lost, data.stamps_s, data.channels)) lost.clear();
   const TimeAxis axis = even_time_axis(data.stamps_s, data.file, data.place, campaign.sample_rate_hz);
   if (!(std::abs(axis.sample_rate_hz / campaign.sample_rate_hz - 1) <= 1e-3))
     throw InputError(data.file, "", fmt::format("is sampled at {} Hz", axis.sample_rate_hz),

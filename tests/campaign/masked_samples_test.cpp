@@ -105,10 +105,14 @@ TEST_F(MaskedSamples, ALongGapIsRefusedAtItsPlace) {
 TEST(LostRows, StampsRoundedToTicksLackNothing) {
   std::vector<double> stamps;
   for (int i = 0; i < 1000; ++i) stamps.push_back(std::floor(1.5 * i) / 1000);
-  std::vector<std::vector<double>> channels(1, std::vector<double>(1000, 1.0));
-  const std::vector<double> before = stamps;
-  EXPECT_TRUE(insert_lost_rows(stamps, channels).empty());
-  EXPECT_EQ(stamps, before);
+  EXPECT_TRUE(lost_rows(stamps).empty());
+  // A step that is no whole number of the others is no lost row.
+  std::vector<double> odd;
+  for (int i = 0; i < 1000; ++i) odd.push_back(0.01 * (i < 500 ? i : i + 1.5));
+  EXPECT_TRUE(lost_rows(odd).empty());
+  for (double& t : odd)
+    if (t >= 5) t += 0.005;
+  EXPECT_EQ(lost_rows(odd), (std::vector<std::size_t>{500, 501}));
 }
 
 TEST_F(MaskedSamples, HeldSamplesAndSpikesAreReplaced) {
