@@ -98,7 +98,10 @@ std::vector<std::string> named_effects(const json& diagnosis) {
 std::vector<std::string> records_left_out(const json& diagnosis) {
   std::vector<std::string> records;
   for (const std::string text : diagnosis.value("warnings", json::array()))
-    if (std::string_view(text).ends_with(", left out")) records.push_back(text.substr(0, text.find(": ")));
+    if (std::string_view(text).ends_with(", left out"))
+      records.push_back(text.substr(0, text.find(": ")));
+    else if (text.starts_with("left out "))
+      records.push_back(text.substr(text.find(": ") + 2));
   return records;
 }
 

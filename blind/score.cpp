@@ -18,7 +18,7 @@ struct Label {
   std::size_t number = 0;
   std::string kind, family;
   double snr_db = 0;
-  std::vector<std::string> effects;
+  std::vector<std::string> effects, where;  // of an effect: its mode, or its channel
   std::vector<std::vector<std::string>> same_as;
   std::vector<std::string> disturbances;
   double sigma = 0;  // of the weakest effect
@@ -36,6 +36,7 @@ Label read_label(const json& text) {
   label.snr_db = text.at("snr_db").get<double>();
   for (const json& effect : text.at("effects")) {
     label.effects.push_back(effect.at("effect").get<std::string>());
+    label.where.push_back(effect.value("mode", ""));
     label.same_as.push_back(effect.at("same_as").get<std::vector<std::string>>());
     const double sigma = effect.at("sigma").get<double>();
     label.sigma = label.effects.size() == 1 ? sigma : std::min(label.sigma, sigma);
@@ -65,14 +66,17 @@ bool is_named(const Said& said) {
   return said.verdict == "cause" || said.verdict == "set" || said.verdict == "approximate";
 }
 
-// Two faults of a response stand in both lists: wherever they are found counts.
-bool listed_as_disturbance(const Said& said, const std::string& effect) {
-  return (effect == "sensor_offset" && contains(said.disturbances, "offset")) ||
-         (effect == "clipping" && contains(said.disturbances, "clipping"));
+// Two faults of a response stand in both lists: wherever they are found counts, unless something else is called the
+// cause.
+bool listed_as_disturbance(const Said& said, const std::string& effect, const std::string& channel) {
+  const std::string kind = effect == "sensor_offset" ? "offset" : effect == "clipping" ? "clipping" : "";
+  if (kind.empty() || (said.verdict == "cause" && said.cause != effect)) return false;
+  return std::find(said.disturbances.begin(), said.disturbances.end(), std::pair(kind, channel)) !=
+         said.disturbances.end();
 }
 
-bool names(const Said& said, const std::string& effect) {
-  if (listed_as_disturbance(said, effect)) return true;
+bool names(const Said& said, const std::string& effect, const std::string& where = {}) {
+  if (listed_as_disturbance(said, effect, where)) return true;
   return is_named(said) && (said.cause == effect || contains(said.set, effect));
 }
 
@@ -81,8 +85,8 @@ double probability_of(const Said& said, const std::string& effect) {
   return found == said.probability.end() ? 0 : found->second;
 }
 
-bool found_among(const Said& said, const std::string& effect) {
-  return names(said, effect) || probability_of(said, effect) >= 0.5;
+bool found_among(const Said& said, const std::string& effect, const std::string& where) {
+  return names(said, effect, where) || probability_of(said, effect) >= 0.5;
 }
 
 std::string truth_text(const Label& label) {
@@ -106,8 +110,9 @@ bool right(const Label& label, const Said& said) {
   if (label.kind == "outside")
     return left_open(said) || std::any_of(label.same_as[0].begin(), label.same_as[0].end(),
                                           [&](const auto& n) { return names(said, n); });
-  return std::all_of(label.effects.begin(), label.effects.end(),
-                     [&](const std::string& effect) { return found_among(said, effect); });
+  for (std::size_t e = 0; e < label.effects.size(); ++e)
+    if (!found_among(said, label.effects[e], label.where[e])) return false;
+  return true;
 }
 
 // Counts of a yes-or-no figure.
@@ -191,8 +196,9 @@ class Tally {
       false_alarm_.count(s.detected || s.verdict != "no_gap");
       return;
     }
-    const bool listed = std::any_of(label.effects.begin(), label.effects.end(),
-                                    [&](const std::string& effect) { return listed_as_disturbance(s, effect); });
+    bool listed = false;
+    for (std::size_t e = 0; e < label.effects.size(); ++e)
+      listed = listed || listed_as_disturbance(s, label.effects[e], label.where[e]);
     if (visible(label)) detected_.count(s.detected || listed);
     if (label.kind == "outside") {
       if (!can_be_told(label)) return;
@@ -200,7 +206,8 @@ class Tally {
       misnamed_.count(s.verdict == "cause" || s.verdict == "set");
     } else if (label.kind == "pair") {
       if (!visible(label)) return;
-      const bool both = found_among(s, label.effects[0]) && found_among(s, label.effects[1]);
+      const bool both =
+          found_among(s, label.effects[0], label.where[0]) && found_among(s, label.effects[1], label.where[1]);
       pairs_.count(both);
       if (label.snr_db == 30) pairs30_.count(both);
     } else {
@@ -218,15 +225,16 @@ class Tally {
       resolved_.count(s.named_after.at("proposed") == truth);
       resolved_by_chance_.count(s.named_after.at("random") == truth);
     }
-    (visible(label) ? contained_ : weak_).count(names(s, truth));
+    const bool listed = listed_as_disturbance(s, truth, label.where.front());
+    (visible(label) ? contained_ : weak_).count(listed || names(s, truth));
     if (visible(label) && !s.verdict_without.empty() && s.explained_by_rest.empty()) {
       unknown_without_.count(s.verdict_without == "unknown" || s.verdict_without == "approximate");
       misnamed_without_.count(s.verdict_without == "cause" || s.verdict_without == "set");
     }
     if (!can_be_told(label)) return;
     const bool first = is_named(s) && s.cause == truth;
-    top_[label.snr_db].count(first || listed_as_disturbance(s, truth));
-    if (!listed_as_disturbance(s, truth)) probability_.push_back(probability_of(s, truth));
+    top_[label.snr_db].count(first || listed);
+    if (!listed) probability_.push_back(probability_of(s, truth));
     if (!first) return;
     if (s.closed) {
       closed_.push_back(*s.closed);
@@ -320,8 +328,7 @@ Said what_was_said(const json& diagnosis) {
       }
     if (diagnosis.contains("disturbances"))
       for (const json& found : diagnosis["disturbances"]) {
-        const std::string kind = found.at("kind").get<std::string>();
-        if (!contains(said.disturbances, kind)) said.disturbances.push_back(kind);
+        said.disturbances.emplace_back(found.at("kind").get<std::string>(), found.value("channel", ""));
       }
     for (const char* key : {"set", "together"})
       if (diagnosis.contains(key) && diagnosis[key].is_array())

@@ -56,10 +56,10 @@ struct Score {
 /// What a diagnosis said of one case. A case without (whole) diagnosis has verdict "failed".
 struct Said {
   std::string verdict = "failed";
-  std::string cause;                          ///< of the largest probability
-  std::vector<std::string> set;               ///< named together with `cause`
-  std::map<std::string, double> probability;  ///< by effect, all modes together
-  std::vector<std::string> disturbances;      ///< kinds that it lists
+  std::string cause;                                              ///< of the largest probability
+  std::vector<std::string> set;                                   ///< named together with `cause`
+  std::map<std::string, double> probability;                      ///< by effect, all modes together
+  std::vector<std::pair<std::string, std::string>> disturbances;  ///< kinds that it lists, with their channels
   bool detected = false;
   std::optional<double> closed;
   double seconds = 0;

@@ -189,16 +189,26 @@ struct OwnParameter {
   std::string effect;
   std::size_t mode = 0;
   double step = 0;
+  std::size_t channel = 0;  // of an offset
+
+  void move(Reality& reality, double by) const {
+    if (channel > 0)
+      reality.measurement.fault[channel].offset += by;
+    else
+      *coefficient(reality.structure, effect, mode) += by;
+  }
 };
 
-// The natural frequencies, then the coefficients, with steps that change the response a little.
-std::vector<OwnParameter> own_parameters_of(const Specimen& specimen) {
+// The natural frequencies, then the coefficients, then what the response channels read at rest, with steps that
+// change the response a little.
+std::vector<OwnParameter> own_parameters_of(const Specimen& specimen, const std::vector<double>& noise_sd) {
   std::vector<OwnParameter> parameters;
   for (std::size_t k = 0; k < specimen.structure.modes; ++k)
     parameters.push_back({"natural_frequency", k, 0.02 * specimen.decay_rate[k]});
   Structure own = specimen.structure;
   for (const OwnTerm& term : specimen.own)
     parameters.push_back({term.effect, term.mode, 0.01 * *coefficient(own, term.effect, term.mode)});
+  for (std::size_t c = 1; c < noise_sd.size(); ++c) parameters.push_back({"", 0, 0.1 * noise_sd[c], c});
   return parameters;
 }
 
@@ -207,11 +217,11 @@ std::vector<OwnParameter> own_parameters_of(const Specimen& specimen) {
 const Eigen::MatrixXd& Signatures::own_parameters(bool all_ensembles) const {
   Eigen::MatrixXd& columns = own_[all_ensembles];
   if (columns.cols() > 0) return columns;
-  const std::vector<OwnParameter> parameters = own_parameters_of(specimen_);
+  const std::vector<OwnParameter> parameters = own_parameters_of(specimen_, noise_sd_);
   columns.resize(nominal(all_ensembles).size(), static_cast<Eigen::Index>(parameters.size()));
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     Reality reality = reality_of(specimen_);
-    *coefficient(reality.structure, parameters[i].effect, parameters[i].mode) += parameters[i].step;
+    parameters[i].move(reality, parameters[i].step);
     const Eigen::VectorXd found = change(reality, all_ensembles);
     const double norm = found.norm();
     columns.col(static_cast<Eigen::Index>(i)) = norm > 0 ? Eigen::VectorXd(found / norm) : found;
@@ -228,10 +238,9 @@ Eigen::VectorXd Signatures::linear_remainder(const Eigen::VectorXd& change_seen,
 Eigen::VectorXd Signatures::change_with_own(Reality reality, const Eigen::VectorXd& moved,
                                             bool all_ensembles) const {
   own_parameters(all_ensembles);  // their steps
-  const std::vector<OwnParameter> parameters = own_parameters_of(specimen_);
+  const std::vector<OwnParameter> parameters = own_parameters_of(specimen_, noise_sd_);
   for (std::size_t i = 0; i < parameters.size(); ++i)
-    *coefficient(reality.structure, parameters[i].effect, parameters[i].mode) +=
-        moved(static_cast<Eigen::Index>(i)) * steps_[all_ensembles][i];
+    parameters[i].move(reality, moved(static_cast<Eigen::Index>(i)) * steps_[all_ensembles][i]);
   return change(reality, all_ensembles);
 }
 

@@ -26,7 +26,8 @@ class Signatures {
   /// How a reality's harmonic amplitudes differ from the model's own, in standard deviations (rotated so that these
   /// are independent of each other). `all_ensembles` costs more.
   Eigen::VectorXd change(const Reality& reality, bool all_ensembles) const;
-  /// Changes by small steps of the model's own natural frequencies and coefficients: columns of unit length.
+  /// Changes by small steps of the model's own natural frequencies and coefficients, and of the offset of every
+  /// response channel, which nobody knows either: columns of unit length.
   const Eigen::MatrixXd& own_parameters(bool all_ensembles) const;
   /// What is left of `change` when the model's own parameters are fitted to it (Gauss and Newton, the linearisation
   /// at the nominal values).

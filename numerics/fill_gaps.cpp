@@ -14,6 +14,9 @@ using Eigen::VectorXd;
 /// neighbours give.
 constexpr std::size_t order = 2 * longest_filled, around = 1024;
 
+/// Gaps that hang together are found together, up to so many samples.
+constexpr std::size_t most_together = 64;
+
 /// Next to the mean square of the samples: tones without noise would leave the coefficients open.
 constexpr double ridge = 1e-10;
 
@@ -58,7 +61,7 @@ VectorXd coefficients(std::span<const double> x, const std::vector<bool>& lacks,
 
 bool fill(std::span<double> x, const VectorXd& a, const Cluster& cluster) {
   const std::size_t first = cluster.places.front(), last = cluster.places.back();
-  if (a.size() == 0 || cluster.longest > longest_filled) return false;
+  if (a.size() == 0 || cluster.longest > longest_filled || cluster.places.size() > most_together) return false;
   const std::size_t begin = std::max(first, order), end = std::min(x.size(), last + order + 1);
   if (begin >= end) return false;
   const auto unknowns = static_cast<Index>(cluster.places.size());
@@ -84,6 +87,23 @@ bool fill(std::span<double> x, const VectorXd& a, const Cluster& cluster) {
   return true;
 }
 
+// Gaps before the first row of prediction, backwards: there they are gaps near the end.
+bool fill_head(std::span<double> samples, const std::vector<bool>& lacks, const Cluster& cluster) {
+  const std::size_t length = std::min(samples.size(), 3 * around);
+  std::vector<double> back(length);
+  std::vector<bool> lacks_back(length);
+  for (std::size_t i = 0; i < length; ++i) {
+    back[i] = samples[length - 1 - i];
+    lacks_back[i] = lacks[length - 1 - i];
+  }
+  Cluster turned = cluster;
+  for (std::size_t& place : turned.places) place = length - 1 - place;
+  std::reverse(turned.places.begin(), turned.places.end());
+  if (!fill(back, coefficients(back, lacks_back, turned.places.front() / around), turned)) return false;
+  for (const std::size_t place : cluster.places) samples[place] = back[length - 1 - place];
+  return true;
+}
+
 }  // namespace
 
 std::vector<std::size_t> fill_gaps(std::span<double> samples, const std::vector<std::size_t>& missing) {
@@ -97,7 +117,9 @@ std::vector<std::size_t> fill_gaps(std::span<double> samples, const std::vector<
       block = here;
       a = coefficients(samples, lacks, block);
     }
-    if (!fill(samples, a, cluster)) left.insert(left.end(), cluster.places.begin(), cluster.places.end());
+    const bool at_head = cluster.places.front() < order && cluster.places.back() + 2 * order < samples.size();
+    if (!(at_head ? fill_head(samples, lacks, cluster) : fill(samples, a, cluster)))
+      left.insert(left.end(), cluster.places.begin(), cluster.places.end());
   }
   return left;
 }

@@ -16,6 +16,7 @@
 #include "measure/disturbances/catalogue.hpp"
 #include "measure/disturbances/disturbance_watch.hpp"
 #include "numerics/distribution.hpp"
+#include "numerics/median.hpp"
 
 namespace secular::app {
 namespace {
@@ -201,15 +202,22 @@ TriedModel with_effects(const ModelSource& source, const EffectCatalogue& catalo
   return tried;
 }
 
+// Whether one time by which all responses are late does as well: that is a cause, channel_skew, and no disturbance.
+bool share_a_delay(const TriedModel& tried, const Campaign& campaign, const RecordReader& read,
+                   const DiagnosisOptions& options, const Lateness& lateness) {
+  std::vector<double> late;
+  for (const auto& [record, seconds] : lateness.late_s) late.push_back(seconds);
+  return !misses(campaign, read, *tried.model, tried.own, options, upper_median(std::move(late)));
+}
+
 // Records that identify finds out of step with their excitation are diagnosed with phases of their own: at once
 // where its equations hold then, otherwise where that alone leaves nothing unexplained.
 Diagnosis diagnose_in_step(const DiagnosisRequest& request, const TriedModel& tried, const Campaign& campaign,
                            const RecordReader& read, DiagnosisOptions& options, Lateness& lateness) {
   const auto diagnosed = [&] { return diagnose(campaign, read, *tried.model, tried.own, tried.effects, options); };
-  if (can_be_late(campaign, *tried.model) &&
-      misses(campaign, read, *tried.model, tried.own, tried.effects, options))
+  if (can_be_late(campaign, *tried.model) && misses(campaign, read, *tried.model, tried.own, options))
     lateness = find_lateness(request);
-  if (lateness.late_s.empty()) return diagnosed();
+  if (lateness.late_s.empty() || share_a_delay(tried, campaign, read, options, lateness)) return diagnosed();
   options.late_s = lateness.late_s;
   if (lateness.holds) return diagnosed();
   DiagnosisOptions late = options;
@@ -257,6 +265,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
         request.parameters +
         ": holds natural frequencies alone, which are taken as a start: all parameters are fitted");
   if (!unused.empty()) run.diagnosis.warnings.push_back(unused);
+  if (!lateness.warning.empty()) run.diagnosis.warnings.push_back(lateness.warning);
   for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
   run.disturbances = watch.found();
   for (Disturbance& d : run.disturbances)

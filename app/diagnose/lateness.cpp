@@ -1,11 +1,47 @@
 #include "app/diagnose/lateness.hpp"
 
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
 #include <algorithm>
 
 #include "app/shared/identification.hpp"
 #include "input/input_error.hpp"
+#include "numerics/distribution.hpp"
 
 namespace secular::app {
+namespace {
+
+/// That lateness which comes at random is taken to follow the settings: in doubt it does.
+constexpr double structure_alarm = 0.05;
+
+// Whether lateness is a smooth function of level, frequency and order of the records beyond what chance makes of it
+// (F law), as what a missing law does to phases is; of as many records as functions nobody can tell.
+bool follows_settings(const Campaign& campaign, const std::map<std::size_t, double>& late_s) {
+  const auto count = static_cast<Eigen::Index>(late_s.size());
+  Eigen::MatrixXd functions(count, 7);
+  Eigen::VectorXd late(count);
+  Eigen::Index row = 0;
+  for (const auto& [record, seconds] : late_s) {
+    const RecordEntry& entry = campaign.records[record];
+    const double level = entry.excitation_amplitude.value_or(0), hz = entry.excitation_frequency_hz.value_or(0);
+    functions.row(row) << 1, level, level * level, hz, hz * hz, level * hz, static_cast<double>(record);
+    late(row++) = seconds;
+  }
+  for (Eigen::Index c = 1; c < functions.cols(); ++c) {
+    functions.col(c).array() -= functions.col(c).mean();
+    if (const double size = functions.col(c).norm(); size > 0) functions.col(c) /= size;
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> fit(functions);
+  const auto rank = static_cast<double>(fit.rank()), freedom = static_cast<double>(count) - rank;
+  if (freedom < rank) return true;
+  const double left = (late - functions * fit.solve(late)).squaredNorm(),
+               all = (late.array() - late.mean()).matrix().squaredNorm();
+  if (!(left > 0) || rank < 2) return all > 0;
+  return f_upper_tail((all - left) / (rank - 1) / (left / freedom), rank - 1, freedom) < structure_alarm;
+}
+
+}  // namespace
 
 bool can_be_late(const Campaign& campaign, const CompiledModel& model) {
   const bool one_excitation =
@@ -26,11 +62,12 @@ Lateness find_lateness(const DiagnosisRequest& request) {
   Identification id;
   try {
     id = identify(wanted);
-  } catch (const InputError&) {
-    return {};  // the model as it is cannot be identified from these records
+  } catch (const InputError& error) {
+    return {{}, {}, false, fmt::format("whether records are late was not found out: {}", error.what())};
   }
   Lateness result;
   for (const CaseLateness& of_case : id.freed) {
+    if (of_case.finding == PhaseFinding::like_a_law) return {};
     if (of_case.finding != PhaseFinding::shifted) continue;
     for (const RecordLateness& record : of_case.records) {
       result.late_s[record.record] = record.late_s;

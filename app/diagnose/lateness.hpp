@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <string>
 
 #include "app/diagnose/diagnosis_run.hpp"
 
@@ -12,6 +13,7 @@ struct Lateness {
   std::map<std::size_t, double> late_s;    ///< by record; empty: none is
   std::map<std::size_t, double> period_s;  ///< of its excitation
   bool holds = false;                      ///< the model's equations hold when each record has a phase of its own
+  std::string warning;                     ///< where it could not be looked for
 };
 
 /// Whether a campaign and a model are such that records could be found late: dwells with one excitation.

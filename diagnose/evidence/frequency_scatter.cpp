@@ -14,8 +14,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Structure is looked for as powers of the amplitude up to the third (smooth_structure): any four records follow one.
-constexpr std::size_t fewest_records = 5;
+/// Of one mode: with fewer, what follows the settings smoothly (smooth_structure) is not told from chance.
+constexpr std::size_t fewest_records = 8;
 
 /// Singular values of a jacobian below this share of the largest are rounding, as in a fit.
 constexpr double rank_tolerance = 1e-6;
@@ -65,7 +65,6 @@ FrequencyScatter frequency_scatter(const VectorXd& rows, const MatrixXd& jacobia
   if (!rows.allFinite() || !changes.allFinite()) return result;
   std::map<std::size_t, std::vector<Index>> rows_of;
   for (std::size_t r = 0; r < labels.size(); ++r) rows_of[labels[r].record].push_back(static_cast<Index>(r));
-  if (rows_of.size() < fewest_records) return result;
   const MatrixXd basis = span_of(jacobian);
   const VectorXd left = rows - basis * (basis.transpose() * rows);
   const RecordColumns of = columns_of(changes, rows_of);
@@ -74,7 +73,10 @@ FrequencyScatter frequency_scatter(const VectorXd& rows, const MatrixXd& jacobia
   std::vector<Index> shown;
   for (Index c = 0; c < gram.cols(); ++c)
     if (gram(c, c) > rank_tolerance * of.columns.col(c).squaredNorm()) shown.push_back(c);
-  if (shown.size() < fewest_records) return result;
+  std::map<Index, std::size_t> of_mode;
+  for (const Index c : shown) ++of_mode[of.mode[static_cast<std::size_t>(c)]];
+  std::erase_if(shown, [&](Index c) { return of_mode.at(of.mode[static_cast<std::size_t>(c)]) < fewest_records; });
+  if (shown.empty()) return result;
   gram = gram(shown, shown).eval();
   const VectorXd own = gram.diagonal();
   const MatrixXd seen_shown = seen(Eigen::all, shown);
@@ -82,9 +84,9 @@ FrequencyScatter frequency_scatter(const VectorXd& rows, const MatrixXd& jacobia
   const auto count = static_cast<double>(shown.size());
   // What all of them together do not explain is the variance of a row, where it is more than one.
   const Eigen::CompleteOrthogonalDecomposition<MatrixXd> along(gram);
-  result.squares = products.dot(along.solve(products));
+  result.along = seen_shown * along.solve(products);
   result.freedom = static_cast<double>(along.rank());
-  const double beside = left.squaredNorm() - result.squares;
+  const double beside = left.squaredNorm() - result.along.squaredNorm();
   const double row_variance =
       std::max(1.0, beside / std::max(1.0, freedom - static_cast<double>(basis.cols() + along.rank())));
   const double q = products.cwiseAbs2().cwiseQuotient(own).sum() / row_variance;

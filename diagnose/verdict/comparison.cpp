@@ -169,18 +169,18 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
                      "settled dwells, free decays, sweeps or broadband records near the model's resonances are "
                      "expected");
   result.conditions = std::move(observed.conditions);
-  std::map<std::size_t, double> unknown_delay;
-  for (Condition& condition : result.conditions) {
-    const auto late = options.late_s.find(condition.record);
-    if (late == options.late_s.end()) continue;
-    condition.delay_excitation(late->second);
-    unknown_delay[condition.record] = 2 * std::numbers::pi / condition.excitation_frequency() / std::sqrt(12.0);
-  }
   result.segments = segments.size();
   const std::vector<std::string> left_out =
       leave_out_unsteady(result.conditions, observed.nonstationarity, campaign);
   if (!left_out.empty())
     result.warnings.push_back(fmt::format("left out because their motion is not steady: {}", short_list(left_out)));
+  std::map<std::size_t, double> unknown_delay;
+  for (Condition& condition : result.conditions) {
+    const auto late = options.late_s.find(condition.record);
+    if (late == options.late_s.end() || !(condition.excitation_frequency() > 0)) continue;
+    condition.delay_excitation(late->second);
+    unknown_delay[condition.record] = 2 * std::numbers::pi / condition.excitation_frequency() / std::sqrt(12.0);
+  }
   result.unsteady = judge_steadiness(observed.nonstationarity, campaign);
   if (result.unsteady.detected) result.warnings.push_back(unsteady_warning(result.unsteady));
   result.data_used =

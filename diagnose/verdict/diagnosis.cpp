@@ -22,8 +22,9 @@ constexpr double false_alarm = 0.003;
 /// not be seen.
 constexpr double most_overestimated = 2;
 
-/// The first is as large as an explanation leaves that had to do without; the second as one leaves that had not.
-constexpr int scatter_rounds = 3;
+/// The first allows for as much as an effect leaves that had to do without, the others for what the one before
+/// left.
+constexpr int scatter_rounds = 4;
 
 /// Predicting what was held out takes longer than all else that is said of a rival.
 constexpr int most_neighbours = 6;
@@ -65,11 +66,13 @@ class Diagnoser {
       if (!(scatter.p_value < scatter_alarm)) break;
       Diagnosis scattering = look(scatter);
       if (!is_told(scattering)) continue;
-      const InStep without = left_in_step(best_ ? best_->fit : inference_.null.fit);
-      if (!(without.scatter.p_value < scatter_alarm) ||
-          is_a_law(without, comparison_.discrepancy, comparison_.candidates, options_.threads))
-        break;
-      scattering.scatter = without.scatter;
+      const Refit& fit = (best_ ? *best_ : inference_.null).fit;
+      const bool smooth = smooth_structure(fit, result_.labels).p_value < structure_alarm;
+      const InStep without = left_in_step(fit);
+      if (!is_the_same(scatter, without.scatter)) continue;
+      if (smooth || is_a_law(without, comparison_.discrepancy, comparison_.candidates, options_.threads)) break;
+      scattering.scatter = scatter;
+      scattering.scatter->shifts = without.scatter.shifts;
       return scattering;
     }
     return look({});
@@ -80,6 +83,12 @@ class Diagnoser {
     const Inference null = infer(comparison_.discrepancy, {}, comparison_.start, free_, inference_options_);
     return chi_squared_upper_tail(null.null.fit.chi_squared, null.degrees_of_freedom) < false_alarm &&
            left_in_step(null.null.fit).scatter.p_value < scatter_alarm;
+  }
+
+  // A variance of K differences is known to sqrt(2/K) of itself.
+  static bool is_the_same(const FrequencyScatter& allowed, const FrequencyScatter& left) {
+    const double a = allowed.relative_sd * allowed.relative_sd, b = left.relative_sd * left.relative_sd;
+    return left.p_value < scatter_alarm && std::abs(a - b) <= a * std::sqrt(2 / std::max(1.0, left.freedom));
   }
 
   InStep left_in_step(const Refit& fit) {
@@ -407,11 +416,16 @@ Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const Com
 }
 
 bool misses(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-            const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
-            const DiagnosisOptions& options) {
-  Comparison comparison = compare(campaign, read, model, own, effects, options);
+            const std::vector<std::size_t>& own, const DiagnosisOptions& options,
+            std::optional<double> common_delay_s) {
+  Comparison comparison = compare(campaign, read, model, own, {}, options);
   std::vector<std::size_t> fitted = own;
   fitted.insert(fitted.end(), comparison.nuisances.begin(), comparison.nuisances.end());
+  if (common_delay_s) {
+    const std::size_t delay = model.symbols.size() + comparison.faults.delay(comparison.sensors.responses.size());
+    comparison.start(static_cast<Eigen::Index>(delay)) = -*common_delay_s;
+    fitted.push_back(delay);
+  }
   InferenceOptions inference_options;
   inference_options.threads = options.threads;
   const Inference null = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);

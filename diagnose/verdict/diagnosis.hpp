@@ -69,10 +69,11 @@ Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const Com
                    const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
                    const DiagnosisOptions& options);
 
-/// Whether the model as it is misses the campaign, by more than noise does in 3 of 1000 campaigns. Takes a small part
-/// of the time of a diagnosis.
+/// Whether the model as it is misses the campaign, by more than noise does in 3 of 1000 campaigns. Takes a small
+/// part of the time of a diagnosis. `common_delay_s`: with all responses late by one unknown time, from this one
+/// on.
 bool misses(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-            const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
-            const DiagnosisOptions& options);
+            const std::vector<std::size_t>& own, const DiagnosisOptions& options,
+            std::optional<double> common_delay_s = {});
 
 }  // namespace secular

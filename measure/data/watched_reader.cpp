@@ -25,9 +25,11 @@ Record to_relative(const Campaign& campaign, Record record) {
   return record;
 }
 
-Record masked(Record record, const std::vector<std::vector<std::size_t>>& places) {
-  for (std::size_t c = 0; c < places.size(); ++c) fill_gaps(record.channels[c], places[c]);
-  return record;
+// Returns how many samples could not be replaced.
+std::size_t replace(Record& record, const std::vector<std::vector<std::size_t>>& places) {
+  std::size_t left = 0;
+  for (std::size_t c = 0; c < places.size(); ++c) left += fill_gaps(record.channels[c], places[c]).size();
+  return left;
 }
 
 }  // namespace
@@ -43,8 +45,10 @@ Record WatchedReader::read(std::size_t index) {
   Record record = read_record(campaign_, campaign_.records[index]);
   {
     const std::lock_guard lock(mutex_);
-    if (const auto before = seen_.find(index); before != seen_.end())
-      return to_relative(campaign_, masked(std::move(record), before->second.masked));
+    if (const auto before = seen_.find(index); before != seen_.end()) {
+      replace(record, before->second.masked);
+      return to_relative(campaign_, std::move(record));
+    }
   }
   Seen seen;
   std::vector<ChannelValues> values;
@@ -57,7 +61,7 @@ Record WatchedReader::read(std::size_t index) {
     seen.jitter = jitter_text({record.start_s, record.sample_rate_hz, record.jitter_s}, record.channels);
   if (look_) look_(index, record, values);
   if (mask_) seen.masked = mask_(index, record, values);
-  record = masked(std::move(record), seen.masked);
+  seen.not_replaced = replace(record, seen.masked);
   const std::lock_guard lock(mutex_);
   seen_.emplace(index, std::move(seen));
   return to_relative(campaign_, std::move(record));
@@ -81,6 +85,11 @@ std::vector<std::string> WatchedReader::warnings() const {
           "what they hold is too small and has harmonics that the motion has not",
           campaign_.channels[c].name, samples, clipped, seen_.size(), first));
   }
+  for (const auto& [record, seen] : seen_)
+    if (seen.not_replaced > 0)
+      warnings.push_back(fmt::format(
+          "{}: {} samples that its file holds wrongly (held, spikes) lie too close to be replaced: they are used",
+          campaign_.records[record].file, seen.not_replaced));
   const auto worst = std::max_element(seen_.begin(), seen_.end(), [](const auto& a, const auto& b) {
     return a.second.jitter_of_step < b.second.jitter_of_step;
   });

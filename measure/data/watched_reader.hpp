@@ -58,6 +58,7 @@ class WatchedReader {
     double jitter_of_step = 0;
     std::string jitter;                            // in words
     std::vector<std::vector<std::size_t>> masked;  // by channel
+    std::size_t not_replaced = 0;                  // of these
   };
   std::map<std::size_t, Seen> seen_;  // by record, whatever the order of reading
 };

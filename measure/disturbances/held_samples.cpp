@@ -104,13 +104,17 @@ HeldSamples find_held(std::span<const double> x, const ChannelValues& values, do
   return held;
 }
 
+bool is_held(const SearchedChannel& channel) {
+  return !channel.held.at.empty() && !recurs_with_motion(channel, channel.held.at);
+}
+
 void find_held_samples(const SearchedRecord& record, std::vector<Disturbance>& found) {
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
     const HeldSamples& held = record.channels[c].held;
     if (held.at.empty()) continue;
     Disturbance entry = record.found("held_samples", c, static_cast<double>(held.samples));
     entry.unit = "samples";
-    entry.treated = "masked";
+    if (is_held(record.channels[c])) entry.treated = "masked";
     entry.share = entry.size / static_cast<double>(record.samples());
     entry.from_s = record.time_s(held.at.front());
     entry.to_s = record.time_s(held.at.back() + 1);

@@ -87,16 +87,11 @@ bool is_beside_held(const HeldSamples& held, std::size_t i) {
   return near != held.at.end() && *near <= i + 2;
 }
 
-// What happens in every other turn of the motion or more is its own: dry friction that turns over, play that is
-// taken up, the steps of an encoder that is filtered.
-// The strongest bin says how many turns a record has.
-bool is_of_motion(const SearchedRecord& record, const SearchedChannel& channel) {
-  const std::vector<double>& powers = channel.powers;
-  if (powers.size() < 2) return false;
-  const auto strongest = std::max_element(powers.begin() + 1, powers.end()) - powers.begin();
-  const double turns = 0.5 * static_cast<double>(record.samples()) / (static_cast<double>(powers.size()) - 1) *
-                       static_cast<double>(strongest);
-  return 2 * static_cast<double>(channel.impulses.spikes.size() + channel.impulses.knocks.size()) >= turns;
+bool is_of_motion(const SearchedChannel& channel) {
+  std::vector<std::size_t> at;
+  for (const auto* list : {&channel.impulses.spikes, &channel.impulses.knocks})
+    for (const Impulses::One& one : *list) at.push_back(one.at);
+  return recurs_with_motion(channel, at);
 }
 
 void add(const SearchedRecord& record, std::size_t c, std::string_view kind,
@@ -137,7 +132,7 @@ Impulses find_impulses(std::span<const double> samples, const ValueGrid& grid, c
 
 bool has_spikes(const SearchedRecord& record, std::size_t c) {
   return (record.entry().kind != RecordKind::impact || !record.is_excitation(c)) &&
-         !record.channels[c].impulses.spikes.empty() && !is_of_motion(record, record.channels[c]);
+         !record.channels[c].impulses.spikes.empty() && !is_of_motion(record.channels[c]);
 }
 
 void find_spikes(const SearchedRecord& record, std::vector<Disturbance>& found) {
@@ -152,7 +147,7 @@ void find_knocks(const SearchedRecord& record, std::vector<Disturbance>& found) 
   const RecordKind kind = record.entry().kind;
   if (kind == RecordKind::impact) return;  // the blow is the record's subject
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
-    if (is_of_motion(record, record.channels[c])) continue;
+    if (is_of_motion(record.channels[c])) continue;
     std::vector<Impulses::One> knocks = record.channels[c].impulses.knocks;
     const std::span<const double> samples = record.channels[c].samples;
     const auto largest = std::max_element(samples.begin(), samples.end(),

@@ -36,6 +36,15 @@ std::vector<std::span<const double>> complete_stretch(const Record& record) {
   return stretch;
 }
 
+bool recurs_with_motion(const SearchedChannel& channel, const std::vector<std::size_t>& samples) {
+  const std::vector<double>& powers = channel.powers;
+  if (powers.size() < 2 || samples.size() < 3) return false;
+  const auto strongest = std::max_element(powers.begin() + 1, powers.end()) - powers.begin();
+  const double turns_a_sample = 0.5 * static_cast<double>(strongest) / (static_cast<double>(powers.size()) - 1);
+  const auto [first, last] = std::minmax_element(samples.begin(), samples.end());
+  return 2 * static_cast<double>(samples.size() - 1) >= turns_a_sample * static_cast<double>(*last - *first);
+}
+
 Disturbance SearchedRecord::found(std::string_view kind, std::size_t c, double size) const {
   Disturbance disturbance;
   disturbance.kind = kind;

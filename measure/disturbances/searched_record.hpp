@@ -50,6 +50,12 @@ struct SearchedRecord {
 SearchedRecord searched(const Campaign& campaign, std::size_t index, const Record& record,
                         const std::vector<ChannelValues>& values);
 
+/// What happens in every other turn of the motion or more, between its first time and its last, is the motion's
+/// own: dry friction that turns over or sticks, play that is taken up, a stop that is struck while the amplitude
+/// lasts, the steps of an encoder that is filtered. The strongest bin of the channel's spectrum says how long a
+/// turn is. Two events recur with nothing.
+bool recurs_with_motion(const SearchedChannel& channel, const std::vector<std::size_t>& samples);
+
 /// The longest stretch of a record in which no channel lacks a sample, by channel.
 std::vector<std::span<const double>> complete_stretch(const Record& record);
 
