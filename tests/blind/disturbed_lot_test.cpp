@@ -1,5 +1,5 @@
-// Structures of the blind check with nothing withheld, their campaigns disturbed by lot: no number of `identify`
-// may be far off unless it is marked.
+// Structures of the blind check, their campaigns disturbed by lot: no number of `identify` may be far off unless it
+// is marked, and what differs between records by chance is no cause of `diagnose`.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,6 +23,7 @@ namespace secular::blind {
 namespace {
 
 namespace fs = std::filesystem;
+
 std::map<std::string, double> truth_of(const SealedCase& c) {
   std::map<std::string, double> truth;
   Structure own = c.specimen.structure;
@@ -67,6 +68,88 @@ std::vector<Number> identified(std::size_t number, std::uint64_t seed, const fs:
     }
   }
   return numbers;
+}
+
+// A campaign of 20 dwells and three decays at 40 dB whose lot is one disturbance, as `diagnose` sees it.
+struct Diagnosed {
+  SealedCase sealed;
+  nlohmann::json said;
+};
+
+Diagnosed diagnosed(std::size_t number, const std::vector<std::string>& effects) {
+  constexpr std::uint64_t seed = 60606;
+  CasePlan plan;
+  plan.number = number;
+  plan.kind = effects.empty() ? "none" : "single";
+  plan.effects = effects;
+  plan.family = "primary";
+  plan.snr_db = 40;
+  plan.disturbed = true;
+  Diagnosed result{draw_case(plan, seed), {}};
+  result.sealed.parameters.clear();
+  const fs::path folder = testing_support::process_folder() / ("diagnosed_" + std::to_string(number));
+  write_case(result.sealed, seed, folder);
+  const std::string command = testing_support::program() + " diagnose " + (folder / "campaign").string() +
+                              " --model " + (folder / "model.toml").string() + " -o " + (folder / "out").string() +
+                              " >/dev/null 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  result.said = nlohmann::json::parse(read_text(folder / "out/diagnosis.json"));
+  fs::remove_all(folder);
+  return result;
+}
+
+// Sizes of a kind of disturbance by record.
+std::map<std::size_t, double> sizes_of(const Diagnosed& d, const std::string& kind) {
+  std::map<std::size_t, double> sizes;
+  for (const auto& found : d.said.at("disturbances"))
+    if (found.at("kind") == kind)
+      for (std::size_t r = 0; r < d.sealed.disturbances.records.size(); ++r)
+        if (found.at("record") == dwell_file(r)) sizes[r] = found.at("size").get<double>();
+  return sizes;
+}
+
+bool is_named(const Diagnosed& d, const std::string& effect) {
+  return d.said.at("verdict") == "cause"
+             ? d.said.at("cause") == effect
+             : d.said.at("verdict") == "set" && d.said.at("set").dump().find(effect) != std::string::npos;
+}
+
+// Natural frequencies that scatter by 0.23 %: a fifth of a half-bandwidth and more.
+TEST(SlowDisturbedLot, FrequenciesThatScatterAreNoCause) {
+  const Diagnosed d = diagnosed(24, {});
+  ASSERT_EQ(d.sealed.disturbances.kinds, std::vector<std::string>{"record_scatter"});
+  EXPECT_EQ(d.said.at("verdict"), "no_gap");
+  const std::map<std::size_t, double> shifts = sizes_of(d, "record_scatter");
+  ASSERT_GE(shifts.size(), 20U);
+  double told = 0, is = 0, off = 0;
+  const auto count = static_cast<double>(shifts.size());
+  const double omega = d.sealed.specimen.structure.mode[0].omega;
+  for (const auto& [record, shift] : shifts) {
+    told += shift / count;
+    is += omega * (d.sealed.disturbances.of_record(record).frequency_factor - 1) / count;
+  }
+  for (const auto& [record, shift] : shifts)
+    off +=
+        std::pow(shift - told - (omega * (d.sealed.disturbances.of_record(record).frequency_factor - 1) - is), 2) /
+        count;
+  EXPECT_LT(std::sqrt(off), 0.2 * omega * d.sealed.disturbances.frequency_scatter);
+}
+
+TEST(SlowDisturbedLot, AnEffectBesideFrequenciesThatScatterIsNamed) {
+  const Diagnosed d = diagnosed(30, {"quadratic_damping"});
+  ASSERT_EQ(d.sealed.disturbances.kinds, std::vector<std::string>{"record_scatter"});
+  EXPECT_TRUE(is_named(d, "quadratic_damping")) << d.said.at("verdict") << d.said.at("causes");
+}
+
+// Responses that are late by up to 14 ms, another time in every record.
+TEST(SlowDisturbedLot, LateRecordsAreNoCause) {
+  const Diagnosed d = diagnosed(91, {});
+  ASSERT_EQ(d.sealed.disturbances.kinds, std::vector<std::string>{"late_record"});
+  EXPECT_EQ(d.said.at("verdict"), "no_gap");
+  const std::map<std::size_t, double> late = sizes_of(d, "late_record");
+  ASSERT_GE(late.size(), 15U);
+  for (const auto& [record, seconds] : late)
+    EXPECT_NEAR(seconds, d.sealed.disturbances.of_record(record).late_s, 1e-3) << record;
 }
 
 TEST(SlowDisturbedLot, NoNumberIsFarOffUnmarked) {
