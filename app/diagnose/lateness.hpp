@@ -20,7 +20,8 @@ struct Lateness {
 bool can_be_late(const Campaign& campaign, const CompiledModel& model);
 
 /// As `identify` finds them with the model as it is (docs/inference.md (16) to (22)). Nothing where it has no
-/// answer, or where phases follow the amplitude, as a law that the model lacks makes them.
+/// answer, where phases of a case follow the amplitude, as a law that the model lacks makes them, or where lateness
+/// follows level, frequency and order of the records and the equations do not hold well.
 Lateness find_lateness(const DiagnosisRequest& request);
 
 }  // namespace secular::app
