@@ -273,9 +273,9 @@ std::vector<Figure> Tally::figures() const {
       misnamed_without_.figure("effect left out of the catalogue in turn: another one is named", 0.05, true));
   figures.push_back(pairs30_.figure("two effects, both found, 30 dB", 0.7));
   figures.push_back(pairs_.figure("two effects, both found, all noise levels", std::nullopt));
-  figures.push_back(mean_figure("of the reducible gap closed_, right cause, 30 dB", closed30_, 0.9));
+  figures.push_back(mean_figure("of the reducible gap closed, right cause, 30 dB", closed30_, 0.9));
   figures.push_back(
-      mean_figure("of the reducible gap closed_, right cause, all noise levels", closed_, std::nullopt));
+      mean_figure("of the reducible gap closed, right cause, all noise levels", closed_, std::nullopt));
   figures.push_back(mean_figure("the same by a placebo regressor, 30 dB", placebo30_, 0.05, true));
   figures.push_back(mean_figure("the same by a placebo regressor, all noise levels", placebo_, std::nullopt));
   figures.push_back(resolved_.figure("set that holds the truth: one proposed dwell resolves it", 0.8));

@@ -168,7 +168,7 @@ TEST(BlindScore, CalibrationCountsEveryStatedProbability) {
   EXPECT_EQ(svg.substr(0, 4), "<svg");
   EXPECT_NE(svg.find("</svg>"), std::string::npos);
   const std::string page = score_markdown(score, "a set");
-  EXPECT_NE(page.find("| 2 | primary | b | 20.0 | 40 | c |"), std::string::npos) << page;
+  EXPECT_NE(page.find("| 2 | primary | b | 20.0 | 40 |  | c |"), std::string::npos) << page;
   EXPECT_EQ(score_json(score)["confusion"]["b"]["c"], 1);
 }
 
