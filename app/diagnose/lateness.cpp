@@ -77,7 +77,7 @@ Lateness find_lateness(const DiagnosisRequest& request) {
   // identify keeps a case as shifted where the equations of all hold then.
   result.holds = std::any_of(id.lateness.begin(), id.lateness.end(),
                              [](const CaseLateness& of_case) { return of_case.finding == PhaseFinding::shifted; });
-  if (!result.holds && follows_settings(id.campaign, result.late_s)) return {};
+  if (result.late_s.empty() || (!result.holds && follows_settings(id.campaign, result.late_s))) return {};
   return result;
 }
 
