@@ -55,34 +55,10 @@ bool only_rough_frequencies(const GivenNumbers& given, const ModelSource& source
   });
 }
 
-// What each record's natural frequencies were likely off by, where they differ by chance.
-std::vector<Disturbance> scatter_of_records(const Diagnosis& diagnosis, const CompiledModel& model) {
-  std::vector<Disturbance> found;
-  if (!diagnosis.scatter) return found;
-  const FrequencyScatter& scatter = *diagnosis.scatter;
-  for (Eigen::Index r = 0; r < scatter.shifts.rows(); ++r) {
-    Eigen::Index mode = 0;
-    const double share = scatter.shifts.row(r).cwiseAbs().maxCoeff(&mode);
-    const double shift = scatter.shifts(r, mode);
-    const auto symbol = static_cast<std::size_t>(mode);
-    const auto fitted =
-        std::find(diagnosis.fitted.names.begin(), diagnosis.fitted.names.end(), model.symbols[symbol].name);
-    if (fitted == diagnosis.fitted.names.end()) continue;
-    Disturbance d;
-    d.kind = "record_scatter";
-    d.record = scatter.records[static_cast<std::size_t>(r)];
-    if (const auto span = diagnosis.spans.find(d.record); span != diagnosis.spans.end())
-      std::tie(d.from_s, d.to_s) = std::tie(span->second.from_s, span->second.to_s);
-    d.size = shift * diagnosis.fitted.values(fitted - diagnosis.fitted.names.begin());
-    d.unit = "1/s";
-    d.share = share;
-    d.treated = "fitted";
-    d.text = fmt::format("{} of this record is {:.2g} % {} that of all, which differ by {:.2g} % (sd)",
-                         model.symbols[symbol].name, 100 * share, shift < 0 ? "below" : "above",
-                         100 * scatter.relative_sd);
-    found.push_back(std::move(d));
-  }
-  return found;
+bool is_fitted(const Channel& channel, const Diagnosis& diagnosis) {
+  const std::vector<std::string>& names = diagnosis.fitted.names;
+  return channel.role == ChannelRole::response &&
+         std::find(names.begin(), names.end(), "offset(" + channel.name + ")") != names.end();
 }
 
 // Offsets of responses that the fit tells and the records alone do not, at the level of all disturbances.
@@ -269,12 +245,11 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
   run.disturbances = watch.found();
   for (Disturbance& d : run.disturbances)
-    if (d.kind == "offset" && d.channel && run.campaign.channels[*d.channel].role == ChannelRole::response)
+    if (d.kind == "offset" && d.channel && is_fitted(run.campaign.channels[*d.channel], run.diagnosis))
       d.treated = "fitted";
   for (Disturbance& d : fitted_offsets(run.diagnosis, run.campaign, run.disturbances))
     run.disturbances.push_back(std::move(d));
   for (Disturbance& d : late_records(options, lateness, run.diagnosis)) run.disturbances.push_back(std::move(d));
-  for (Disturbance& d : scatter_of_records(run.diagnosis, *run.model)) run.disturbances.push_back(std::move(d));
   run.looked_at = watch.records();
   return run;
 }

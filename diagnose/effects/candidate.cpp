@@ -226,8 +226,9 @@ std::vector<Candidate> candidates_of(const EffectCatalogue& catalogue, const std
     const std::string& name = i < responses ? sensors.response_names[i] : sensors.excitation_names[i - responses];
     // Free motion seen by one channel: its gain is the unit of the motion.
     if (channels > 1) add_channel_fault(ChannelFault::gain, fault(name, faults.gain(i)));
-    // A response's own offset is fitted beside every explanation (Comparison::nuisances).
-    if (i >= responses) add_channel_fault(ChannelFault::offset, fault(name, faults.offset(i)));
+    // That of a velocity or acceleration is fitted beside every explanation (Comparison::nuisances).
+    if (i >= responses || sensors.derivatives == 0)
+      add_channel_fault(ChannelFault::offset, fault(name, faults.offset(i)));
     add_channel_fault(ChannelFault::skew, fault(name, faults.delay(i)));
     if (i < responses && !sensors.excitations.empty())
       add_channel_fault(ChannelFault::cross_axis, fault(name, faults.cross(i)));

@@ -1,9 +1,9 @@
 #include "diagnose/evidence/discrepancy.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
+#include <cmath>
 #include <map>
-#include <numeric>
+#include <utility>
 
 #include "numerics/in_parallel.hpp"
 
@@ -12,9 +12,6 @@ namespace secular {
 using Eigen::Index;
 
 namespace {
-
-/// Step of a relative change of a natural frequency: turns of a long stretch stay in step.
-constexpr double frequency_step = 1e-6;
 
 /// Step of a delay, next to what it scatters by: a small part of a turn.
 constexpr double delay_step = 1e-4;
@@ -54,7 +51,7 @@ Index Discrepancy::size() const {
 Index Discrepancy::freedom() const {
   Index sum = 0;
   for (const auto& part : parts_) sum += part->freedom();
-  return sum - static_cast<Index>(nuisances_.delay_sd.size());  // a phase of each record's own
+  return sum - static_cast<Index>(delay_sd_.size());  // a phase of each record's own
 }
 
 std::vector<RowLabel> Discrepancy::labels() const {
@@ -69,60 +66,34 @@ void Discrepancy::approach(const Eigen::VectorXd& unknowns) {
 
 void Discrepancy::freeze(const Eigen::VectorXd& unknowns, double coarse) {
   for (const auto& part : parts_) part->freeze(unknowns, coarse);
-  nuisances_.records.clear();
-  if (!nuisances_.any()) return;
+  late_.clear();
+  if (delay_sd_.empty()) return;
+  double step = 0;
+  for (const auto& [record, sd] : delay_sd_) step = std::max(step, delay_step * sd);
+  const Eigen::VectorXd by_delay =
+      raw_slopes(unknowns, {delay_}, Eigen::VectorXd::Constant(1, step), 1).col(0) / step;
+  if (!by_delay.allFinite()) return;
   std::map<std::size_t, std::vector<Index>> rows_of;
   const std::vector<RowLabel> all = labels();
-  for (std::size_t r = 0; r < all.size(); ++r) rows_of[all[r].record].push_back(static_cast<Index>(r));
-  const Eigen::MatrixXd changes = changes_by_nuisances(unknowns, rows_of);
-  if (!changes.allFinite()) return;
+  for (std::size_t r = 0; r < all.size(); ++r)
+    if (delay_sd_.contains(all[r].record)) rows_of[all[r].record].push_back(static_cast<Index>(r));
   for (auto& [record, rows] : rows_of) {
-    const Eigen::MatrixXd own = changes(rows, Eigen::all);
-    const Eigen::BDCSVD<Eigen::MatrixXd> svd(own, Eigen::ComputeThinU);
-    nuisances_.records.push_back(
-        {std::move(rows), svd.matrixU(), (1 + svd.singularValues().array().square()).rsqrt()});
+    const Eigen::VectorXd own = delay_sd_.at(record) * by_delay(rows);
+    const double size = own.norm();
+    if (size > 0) late_.push_back({std::move(rows), own / size, 1 / std::sqrt(1 + size * size)});
   }
-}
-
-void Discrepancy::admit_scatter(double relative_sd, std::size_t modes) {
-  nuisances_.relative_sd = relative_sd;
-  nuisances_.modes = modes;
 }
 
 void Discrepancy::admit_lateness(std::size_t delay, std::map<std::size_t, double> sd) {
-  nuisances_.delay = delay;
-  nuisances_.delay_sd = std::move(sd);
+  delay_ = delay;
+  delay_sd_ = std::move(sd);
 }
 
-Eigen::MatrixXd Discrepancy::changes_by_nuisances(const Eigen::VectorXd& unknowns,
-                                                  const std::map<std::size_t, std::vector<Index>>& rows_of) const {
-  Eigen::MatrixXd changes(size(), 0);
-  if (nuisances_.relative_sd > 0) changes = nuisances_.relative_sd * frequency_changes(unknowns, nuisances_.modes);
-  if (nuisances_.delay_sd.empty()) return changes;
-  double step = 0;
-  for (const auto& [record, sd] : nuisances_.delay_sd) step = std::max(step, delay_step * sd);
-  Eigen::VectorXd late = raw_slopes(unknowns, {nuisances_.delay}, Eigen::VectorXd::Constant(1, step), 1) / step;
-  for (const auto& [record, rows] : rows_of) {
-    const auto sd = nuisances_.delay_sd.find(record);
-    late(rows) *= sd == nuisances_.delay_sd.end() ? 0 : sd->second;
-  }
-  changes.conservativeResize(Eigen::NoChange, changes.cols() + 1);
-  changes.rightCols<1>() = late;
-  return changes;
-}
-
-Eigen::MatrixXd Discrepancy::frequency_changes(const Eigen::VectorXd& unknowns, std::size_t modes) const {
-  std::vector<std::size_t> which(modes);
-  std::iota(which.begin(), which.end(), std::size_t{0});
-  return slopes(unknowns, which, frequency_step * unknowns.head(static_cast<Index>(modes)), 1) / frequency_step;
-}
-
-void Discrepancy::allow_for_nuisances(Eigen::Ref<Eigen::MatrixXd> columns) const {
-  for (const Nuisances::OfRecord& record : nuisances_.records) {
-    Eigen::MatrixXd own = columns(record.rows, Eigen::all);
-    const Eigen::MatrixXd along = record.directions.transpose() * own;
-    own -= record.directions * ((1 - record.kept.array()).matrix().asDiagonal() * along);
-    columns(record.rows, Eigen::all) = own;
+void Discrepancy::allow_for_lateness(Eigen::Ref<Eigen::MatrixXd> columns) const {
+  for (const LateRecord& record : late_) {
+    const Eigen::MatrixXd own = columns(record.rows, Eigen::all);
+    columns(record.rows, Eigen::all) =
+        own - (1 - record.kept) * record.direction * (record.direction.transpose() * own);
   }
 }
 
@@ -133,14 +104,14 @@ Eigen::VectorXd Discrepancy::operator()(const Eigen::VectorXd& unknowns) const {
     part->evaluate(unknowns, rows.segment(first, part->size()));
     first += part->size();
   }
-  if (!nuisances_.records.empty() && rows.allFinite()) allow_for_nuisances(rows);
+  if (!late_.empty() && rows.allFinite()) allow_for_lateness(rows);
   return rows;
 }
 
 Eigen::MatrixXd Discrepancy::slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                                     const Eigen::VectorXd& scale, unsigned threads) const {
   Eigen::MatrixXd columns = raw_slopes(unknowns, which, scale, threads);
-  if (!nuisances_.records.empty()) allow_for_nuisances(columns);
+  if (!late_.empty()) allow_for_lateness(columns);
   return columns;
 }
 

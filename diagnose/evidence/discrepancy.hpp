@@ -51,20 +51,16 @@ class Evidence {
   virtual Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const { return rows; }
 };
 
-/// All evidence of a campaign as one vector of rows. What differs from record to record by chance, natural
-/// frequencies and the lateness of responses, gives the rows of a record the covariance I + U U' instead of I, U by
-/// one standard deviation of each, and they are multiplied by its inverse root (docs/inference.md (24)).
+/// All evidence of a campaign as one vector of rows. Lateness of a record's responses that is not known gives its
+/// rows the covariance I + u u' instead of I, u by one standard deviation of it, and they are multiplied by its
+/// inverse root (docs/inference.md (24)).
 class Discrepancy {
  public:
   void add(std::unique_ptr<Evidence> evidence);
-  /// `relative_sd`: s, of the first `modes` unknowns. From the next freeze() on; 0: they are the same everywhere.
-  void admit_scatter(double relative_sd, std::size_t modes);
   /// Responses of a record that are late against its excitation by an unknown time: `delay` is the unknown that
   /// delays the excitation, `sd` by record its standard deviation in s, where it is not known at all that of a
   /// whole period, period/sqrt(12). From the next freeze() on.
   void admit_lateness(std::size_t delay, std::map<std::size_t, double> sd);
-  /// Rows x modes by a relative change of each of the first `modes` unknowns.
-  Eigen::MatrixXd frequency_changes(const Eigen::VectorXd& unknowns, std::size_t modes) const;
   Eigen::Index size() const;
   Eigen::Index freedom() const;
   std::vector<RowLabel> labels() const;
@@ -76,30 +72,20 @@ class Discrepancy {
   Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const;
 
  private:
-  /// What differs from record to record and explains nothing.
-  struct Nuisances {
-    double relative_sd = 0;  // of natural frequencies
-    std::size_t modes = 0;
-    std::size_t delay = 0;
-    std::map<std::size_t, double> delay_sd;  // by record
-    bool any() const { return relative_sd > 0 || !delay_sd.empty(); }
-    /// By record: its rows, and orthonormal directions among them with what is kept along each.
-    struct OfRecord {
-      std::vector<Eigen::Index> rows;
-      Eigen::MatrixXd directions;
-      Eigen::VectorXd kept;
-    };
-    std::vector<OfRecord> records;
+  /// What of a record's rows is kept along its direction of lateness, a unit vector.
+  struct LateRecord {
+    std::vector<Eigen::Index> rows;
+    Eigen::VectorXd direction;
+    double kept = 1;
   };
-  /// Rows x nuisances of their record, by one standard deviation of each.
-  Eigen::MatrixXd changes_by_nuisances(const Eigen::VectorXd& unknowns,
-                                       const std::map<std::size_t, std::vector<Eigen::Index>>& rows_of) const;
   Eigen::MatrixXd raw_slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                              const Eigen::VectorXd& scale, unsigned threads) const;
-  void allow_for_nuisances(Eigen::Ref<Eigen::MatrixXd> columns) const;
+  void allow_for_lateness(Eigen::Ref<Eigen::MatrixXd> columns) const;
 
   std::vector<std::unique_ptr<Evidence>> parts_;
-  Nuisances nuisances_;
+  std::size_t delay_ = 0;
+  std::map<std::size_t, double> delay_sd_;  // by record
+  std::vector<LateRecord> late_;            // as frozen
 };
 
 }  // namespace secular

@@ -376,7 +376,6 @@ class Search {
                                        [](const Screening& a, const Screening& b) { return a.gain < b.gain; });
     const double worth =
         2 * (price_ - std::log(options_.prior_second)) * std::max(1.0, dispersion_of(alone.front()));
-    if (options_.singles_only && leaves_more_than_noise(alone.front())) return;
     const bool at_true_errors = frozen_.coarse == 0;
     if (at_true_errors && !leaves_more_than_noise(alone.front()) && !(most->gain > worth)) return;
     expected_ = fitted_ + most_firsts * most_partners;

@@ -40,7 +40,6 @@ struct InferenceOptions {
   /// Unknowns whose start is trusted more than a model that is far from the data: held until one explanation is
   /// near.
   std::vector<std::size_t> anchors;
-  bool singles_only = false;     ///< no second effect where a single one leaves more than noise
   double prior_second = 1e-3;    ///< prior odds of a second effect beside a first
   double prior_open_law = 1e-3;  ///< of a single law outside of the catalogue instead of one in it
 };

@@ -28,6 +28,9 @@ constexpr double rounding = 1e-6;
 /// Settings that differ by this share were meant to be the same.
 constexpr double same_setting = 1e-3;
 
+/// The best explanation leaves structure where noise alone would leave as much less often than this.
+constexpr double structure_alarm = 1e-4;
+
 /// A cause closes more of the gap than it leaves.
 constexpr double least_closing = 0.5;
 

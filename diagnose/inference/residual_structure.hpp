@@ -21,9 +21,6 @@ struct SmoothStructure {
 /// their sum of squares. `labels` belong to fit.rows.
 SmoothStructure smooth_structure(const Refit& fit, const std::vector<RowLabel>& labels);
 
-/// The best explanation leaves structure where noise alone would leave as much less often than this.
-inline constexpr double structure_alarm = 1e-4;
-
 /// What the best explanation leaves.
 struct ResidualStructure {
   double p_value = 1;         ///< of the sum of squares of all rows

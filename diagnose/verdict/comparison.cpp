@@ -147,7 +147,8 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
                     .unsteady = {},
                     .spans = {},
                     .warnings = {}};
-  for (std::size_t c = 0; c < sensors.responses.size(); ++c)
+  // Velocities and accelerations of a motion that lasts have no mean: what is there is the sensor's.
+  for (std::size_t c = 0; c < sensors.responses.size() && sensors.derivatives > 0; ++c)
     result.nuisances.push_back(model.symbols.size() + faults.offset(c));
   std::vector<double> natural;
   for (std::size_t k = 0; k < model.modes(); ++k) {

@@ -23,8 +23,8 @@ struct Comparison {
   std::vector<StateForce> forces;  ///< with scales from the data
   SensorModel sensors;
   FaultTable faults;
-  /// Unknowns that disturb and explain nothing, the offsets of the response channels: fitted beside the model as it
-  /// is and beside every explanation of a gap.
+  /// Unknowns that disturb and explain nothing, the offsets of velocities and accelerations: fitted beside the
+  /// model as it is and beside every explanation of a gap. Where a displacement rests is the motion's, too.
   std::vector<std::size_t> nuisances;
   Eigen::VectorXd start;  ///< given or nominal values; zero where there is neither
   std::vector<Condition> conditions;

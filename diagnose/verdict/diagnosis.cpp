@@ -5,7 +5,6 @@
 #include <map>
 
 #include "diagnose/inference/held_out.hpp"
-#include "diagnose/inference/in_step.hpp"
 #include "diagnose/verdict/comparison.hpp"
 #include "diagnose/verdict/naming.hpp"
 #include "numerics/distribution.hpp"
@@ -21,10 +20,6 @@ constexpr double false_alarm = 0.003;
 /// Repeatability that is overestimated by more than this, as a variance: a gap as large as the noise itself would
 /// not be seen.
 constexpr double most_overestimated = 2;
-
-/// The first allows for as much as an effect leaves that had to do without, the others for what the one before
-/// left.
-constexpr int scatter_rounds = 4;
 
 /// Predicting what was held out takes longer than all else that is said of a rival.
 constexpr int most_neighbours = 6;
@@ -44,70 +39,9 @@ class Diagnoser {
         options_(options),
         comparison_(std::move(comparison)) {
     free_.insert(free_.end(), comparison_.nuisances.begin(), comparison_.nuisances.end());
-    inference_options_.threads = options_.threads;
-    inference_options_.progress = options_.progress;
-    for (const std::size_t s : own_)
-      if (s < model_.modes()) inference_options_.anchors.push_back(s);  // natural frequencies
   }
 
-  // Where the model as it is leaves what natural frequencies that differ from record to record would leave, that is
-  // either a law or chance. One effect that leaves nothing is a law. Otherwise frequencies are allowed to differ,
-  // by as much as the best effect leaves, and everything is looked at again; and once more, since a better
-  // explanation may leave less. It was chance if nothing else is left then and no further effect does what chance
-  // is said to do.
   Diagnosis run() {
-    if (!frequencies_differ()) return look({});
-    inference_options_.singles_only = true;
-    Diagnosis of_one = look({});
-    inference_options_.singles_only = false;
-    if (is_told(of_one)) return of_one;
-    for (int round = 0; round < scatter_rounds; ++round) {
-      const FrequencyScatter scatter = left_in_step(best_ ? best_->fit : inference_.null.fit).scatter;
-      if (!(scatter.p_value < scatter_alarm)) break;
-      Diagnosis scattering = look(scatter);
-      if (!is_told(scattering)) continue;
-      const Refit& fit = (best_ ? *best_ : inference_.null).fit;
-      const bool smooth = smooth_structure(fit, result_.labels).p_value < structure_alarm;
-      const InStep without = left_in_step(fit);
-      if (!is_the_same(scatter, without.scatter)) continue;
-      if (smooth || is_a_law(without, comparison_.discrepancy, comparison_.candidates, options_.threads)) break;
-      scattering.scatter = scatter;
-      scattering.scatter->shifts = without.scatter.shifts;
-      return scattering;
-    }
-    return look({});
-  }
-
- private:
-  bool frequencies_differ() {
-    const Inference null = infer(comparison_.discrepancy, {}, comparison_.start, free_, inference_options_);
-    return chi_squared_upper_tail(null.null.fit.chi_squared, null.degrees_of_freedom) < false_alarm &&
-           left_in_step(null.null.fit).scatter.p_value < scatter_alarm;
-  }
-
-  // A variance of K differences is known to sqrt(2/K) of itself.
-  static bool is_the_same(const FrequencyScatter& allowed, const FrequencyScatter& left) {
-    const double a = allowed.relative_sd * allowed.relative_sd, b = left.relative_sd * left.relative_sd;
-    return left.p_value < scatter_alarm && std::abs(a - b) <= a * std::sqrt(2 / std::max(1.0, left.freedom));
-  }
-
-  InStep left_in_step(const Refit& fit) {
-    return in_step(comparison_.discrepancy, fit, model_.modes(), options_.threads);
-  }
-
-  void forget() {
-    result_ = {};
-    judged_ = {};
-    inference_ = {};
-    best_ = nullptr;
-    held_out_.clear();
-    stalled_ = false;
-  }
-
-  // `scatter`: of natural frequencies between records, allowed for in all that is compared.
-  Diagnosis look(const FrequencyScatter& scatter) {
-    forget();
-    comparison_.discrepancy.admit_scatter(scatter.relative_sd, model_.modes());
     result_.labels = discrepancy().labels();
     result_.conditions = comparison_.conditions.size() + comparison_.segments;
     result_.unsteady = comparison_.unsteady;
@@ -115,8 +49,13 @@ class Diagnoser {
     result_.data_used = comparison_.data_used;
     result_.gap.judged = whose_gap(options_.given);
     result_.gap.metric = metric;
+    InferenceOptions inference_options;
+    inference_options.threads = options_.threads;
+    inference_options.progress = options_.progress;
+    for (const std::size_t s : own_)
+      if (s < model_.modes()) inference_options.anchors.push_back(s);  // natural frequencies
     inference_ =
-        infer(comparison_.discrepancy, comparison_.candidates, comparison_.start, free_, inference_options_);
+        infer(comparison_.discrepancy, comparison_.candidates, comparison_.start, free_, inference_options);
     if (options_.given)
       judged_ = judge_given(options_.given, model_, free_, discrepancy(), comparison_.start, options_.threads);
     result_.warnings = comparison_.warnings;
@@ -127,7 +66,7 @@ class Diagnoser {
     result_.rows_after = result_.rows_before;
     if (!result_.gap.detected) {
       close_without_gap();
-      return result_;
+      return std::move(result_);
     }
     const std::vector<Rival> all = rivals();
     std::vector<Rival> named;
@@ -138,9 +77,10 @@ class Diagnoser {
     result_.next_experiment = propose_experiment(named, naming, comparison_.condition_model(model_),
                                                  comparison_.conditions, inference_.dispersion, options_.threads);
     if (best_) simulate();
-    return result_;
+    return std::move(result_);
   }
 
+ private:
   const Discrepancy& discrepancy() const { return comparison_.discrepancy; }
 
   // Predicting what was held out takes long, and of some explanations is asked more than once.
@@ -398,7 +338,6 @@ class Diagnoser {
   std::vector<std::size_t> free_;  // own_, and the nuisances
   const DiagnosisOptions& options_;
   Comparison comparison_;
-  InferenceOptions inference_options_;
   JudgedNumbers judged_;  // where numbers were given
   Inference inference_;
   const Explanation* best_ = nullptr;

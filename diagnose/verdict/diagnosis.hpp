@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/evidence/frequency_scatter.hpp"
 #include "diagnose/evidence/steadiness.hpp"
 #include "diagnose/inference/residual_structure.hpp"
 #include "diagnose/verdict/cause_report.hpp"
@@ -49,8 +48,7 @@ struct Diagnosis {
   FittedNumbers fitted;  ///< of the best explanation, or of the model as it is where there is no gap
   double data_used = 0;  ///< see Comparison
   ResidualStructure residual_structure;
-  std::optional<FrequencyScatter> scatter;  ///< between records, where it is allowed for in all of the above
-  std::map<std::size_t, TimeSpan> spans;    ///< of the records that were read, within the window
+  std::map<std::size_t, TimeSpan> spans;  ///< of the records that were read, within the window
   NextExperiment next_experiment;
   std::optional<SimulatedCheck> simulated;  ///< where a gap was found
   std::vector<std::string> warnings;

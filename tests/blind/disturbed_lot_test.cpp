@@ -108,39 +108,6 @@ std::map<std::size_t, double> sizes_of(const Diagnosed& d, const std::string& ki
   return sizes;
 }
 
-bool is_named(const Diagnosed& d, const std::string& effect) {
-  return d.said.at("verdict") == "cause"
-             ? d.said.at("cause") == effect
-             : d.said.at("verdict") == "set" && d.said.at("set").dump().find(effect) != std::string::npos;
-}
-
-// Natural frequencies that scatter by 0.23 %: a fifth of a half-bandwidth and more.
-TEST(SlowDisturbedLot, FrequenciesThatScatterAreNoCause) {
-  const Diagnosed d = diagnosed(24, {});
-  ASSERT_EQ(d.sealed.disturbances.kinds, std::vector<std::string>{"record_scatter"});
-  EXPECT_EQ(d.said.at("verdict"), "no_gap");
-  const std::map<std::size_t, double> shifts = sizes_of(d, "record_scatter");
-  ASSERT_GE(shifts.size(), 20U);
-  double told = 0, is = 0, off = 0;
-  const auto count = static_cast<double>(shifts.size());
-  const double omega = d.sealed.specimen.structure.mode[0].omega;
-  for (const auto& [record, shift] : shifts) {
-    told += shift / count;
-    is += omega * (d.sealed.disturbances.of_record(record).frequency_factor - 1) / count;
-  }
-  for (const auto& [record, shift] : shifts)
-    off +=
-        std::pow(shift - told - (omega * (d.sealed.disturbances.of_record(record).frequency_factor - 1) - is), 2) /
-        count;
-  EXPECT_LT(std::sqrt(off), 0.2 * omega * d.sealed.disturbances.frequency_scatter);
-}
-
-TEST(SlowDisturbedLot, AnEffectBesideFrequenciesThatScatterIsNamed) {
-  const Diagnosed d = diagnosed(30, {"quadratic_damping"});
-  ASSERT_EQ(d.sealed.disturbances.kinds, std::vector<std::string>{"record_scatter"});
-  EXPECT_TRUE(is_named(d, "quadratic_damping")) << d.said.at("verdict") << d.said.at("causes");
-}
-
 // Responses that are late by up to 14 ms, another time in every record.
 TEST(SlowDisturbedLot, LateRecordsAreNoCause) {
   const Diagnosed d = diagnosed(91, {});
