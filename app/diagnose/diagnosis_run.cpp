@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <optional>
+#include <string_view>
 
 #include "app/diagnose/lateness.hpp"
 #include "app/shared/model_loading.hpp"
@@ -55,10 +56,25 @@ bool only_rough_frequencies(const GivenNumbers& given, const ModelSource& source
   });
 }
 
-bool is_fitted(const Channel& channel, const Diagnosis& diagnosis) {
+// The place of a response's offset among the numbers of the fit; nothing where it is none of them.
+std::optional<Eigen::Index> fitted_offset(const Channel& channel, const Diagnosis& diagnosis) {
   const std::vector<std::string>& names = diagnosis.fitted.names;
-  return channel.role == ChannelRole::response &&
-         std::find(names.begin(), names.end(), "offset(" + channel.name + ")") != names.end();
+  const auto found = std::find(names.begin(), names.end(), "offset(" + channel.name + ")");
+  if (channel.role != ChannelRole::response || found == names.end()) return std::nullopt;
+  return found - names.begin();
+}
+
+// Something that the fit tells of a record, within the window.
+Disturbance fitted_in(std::size_t record, std::string_view kind, const Diagnosis& diagnosis) {
+  Disturbance d;
+  d.kind = kind;
+  d.record = record;
+  d.treated = "fitted";
+  if (const auto span = diagnosis.spans.find(record); span != diagnosis.spans.end()) {
+    d.from_s = span->second.from_s;
+    d.to_s = span->second.to_s;
+  }
+  return d;
 }
 
 // Offsets of responses that the fit tells and the records alone do not, at the level of all disturbances.
@@ -69,23 +85,16 @@ std::vector<Disturbance> fitted_offsets(const Diagnosis& diagnosis, const Campai
     const Channel& channel = campaign.channels[c];
     const bool known = std::any_of(found.begin(), found.end(),
                                    [&](const Disturbance& d) { return d.kind == "offset" && d.channel == c; });
-    const std::vector<std::string>& names = diagnosis.fitted.names;
-    const auto place = std::find(names.begin(), names.end(), "offset(" + channel.name + ")") - names.begin();
-    if (channel.role != ChannelRole::response || known || place == std::ssize(names)) continue;
-    const double value = diagnosis.fitted.values(place), sd = std::sqrt(diagnosis.fitted.covariance(place, place));
+    const std::optional<Eigen::Index> place = fitted_offset(channel, diagnosis);
+    if (known || !place) continue;
+    const double value = diagnosis.fitted.values(*place),
+                 sd = std::sqrt(diagnosis.fitted.covariance(*place, *place));
     const double level = disturbance_false_alarm / static_cast<double>(campaign.channels.size());
     if (!(sd > 0) || 2 * normal_upper_tail(std::abs(value) / sd) > level) continue;
-    Disturbance d;
-    d.kind = "offset";
+    Disturbance d = fitted_in(diagnosis.spans.empty() ? 0 : diagnosis.spans.begin()->first, "offset", diagnosis);
     d.channel = c;
-    if (!diagnosis.spans.empty()) {
-      const auto& [record, span] = *diagnosis.spans.begin();
-      d.record = record;
-      std::tie(d.from_s, d.to_s) = std::tie(span.from_s, span.to_s);
-    }
     d.size = std::abs(value);
     d.unit = channel.unit;
-    d.treated = "fitted";
     d.text = fmt::format("reads {:.3g} {} (sd {:.1g}) at rest, the same in all records", value, channel.unit, sd);
     offsets.push_back(std::move(d));
   }
@@ -97,15 +106,10 @@ std::vector<Disturbance> late_records(const DiagnosisOptions& options, const Lat
                                       const Diagnosis& diagnosis) {
   std::vector<Disturbance> found;
   for (const auto& [record, late_s] : options.late_s) {
-    Disturbance d;
-    d.kind = "late_record";
-    d.record = record;
-    if (const auto span = diagnosis.spans.find(record); span != diagnosis.spans.end())
-      std::tie(d.from_s, d.to_s) = std::tie(span->second.from_s, span->second.to_s);
+    Disturbance d = fitted_in(record, "late_record", diagnosis);
     d.size = late_s;
     d.unit = "s";
     d.share = std::abs(late_s) / lateness.period_s.at(record);
-    d.treated = "fitted";
     d.text =
         fmt::format("responses are {:.3g} ms {} their excitation, up to whole periods of {:.3g} ms",
                     1e3 * std::abs(late_s), late_s < 0 ? "ahead of" : "behind", 1e3 * lateness.period_s.at(record));
@@ -190,18 +194,17 @@ bool share_a_delay(const TriedModel& tried, const Campaign& campaign, const Reco
 // where its equations hold then, otherwise where that alone leaves nothing unexplained.
 Diagnosis diagnose_in_step(const DiagnosisRequest& request, const TriedModel& tried, const Campaign& campaign,
                            const RecordReader& read, DiagnosisOptions& options, Lateness& lateness) {
-  const auto diagnosed = [&] { return diagnose(campaign, read, *tried.model, tried.own, tried.effects, options); };
+  const auto diagnosed = [&](const std::map<std::size_t, double>& late_s) {
+    options.late_s = late_s;
+    return diagnose(campaign, read, *tried.model, tried.own, tried.effects, options);
+  };
   if (can_be_late(campaign, *tried.model) && misses(campaign, read, *tried.model, tried.own, options))
     lateness = find_lateness(request);
-  if (lateness.late_s.empty() || share_a_delay(tried, campaign, read, options, lateness)) return diagnosed();
-  options.late_s = lateness.late_s;
-  if (lateness.holds) return diagnosed();
-  DiagnosisOptions late = options;
-  options.late_s.clear();
-  Diagnosis in_step = diagnosed();
+  if (lateness.late_s.empty() || share_a_delay(tried, campaign, read, options, lateness)) return diagnosed({});
+  if (lateness.holds) return diagnosed(lateness.late_s);
+  Diagnosis in_step = diagnosed({});
   if (is_told(in_step)) return in_step;
-  std::swap(options, late);
-  Diagnosis freed = diagnosed();
+  Diagnosis freed = diagnosed(lateness.late_s);
   if (is_told(freed)) return freed;
   options.late_s.clear();
   return in_step;
@@ -245,7 +248,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
   run.disturbances = watch.found();
   for (Disturbance& d : run.disturbances)
-    if (d.kind == "offset" && d.channel && is_fitted(run.campaign.channels[*d.channel], run.diagnosis))
+    if (d.kind == "offset" && d.channel && fitted_offset(run.campaign.channels[*d.channel], run.diagnosis))
       d.treated = "fitted";
   for (Disturbance& d : fitted_offsets(run.diagnosis, run.campaign, run.disturbances))
     run.disturbances.push_back(std::move(d));

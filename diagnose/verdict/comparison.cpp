@@ -118,6 +118,11 @@ std::string unsteady_warning(const Unsteadiness& unsteady) {
 
 }  // namespace
 
+std::vector<std::size_t> Comparison::fitted_beside(std::vector<std::size_t> own) const {
+  own.insert(own.end(), nuisances.begin(), nuisances.end());
+  return own;
+}
+
 ConditionModel Comparison::condition_model(const CompiledModel& model) const {
   return ConditionModel(MotionBalance(model, forces), sensors, faults);
 }

@@ -38,6 +38,8 @@ struct Comparison {
   std::map<std::size_t, TimeSpan> spans;  ///< of the records that were read, within the window
   std::vector<std::string> warnings;
 
+  /// The model's own symbols and the nuisances.
+  std::vector<std::size_t> fitted_beside(std::vector<std::size_t> own) const;
   ConditionModel condition_model(const CompiledModel& model) const;
   std::vector<std::string> unknown_names(const CompiledModel& model) const;
 };

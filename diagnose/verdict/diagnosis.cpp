@@ -34,12 +34,9 @@ class Diagnoser {
             Comparison comparison, const DiagnosisOptions& options)
       : campaign_(campaign),
         model_(model),
-        own_(own),
-        free_(own),
         options_(options),
-        comparison_(std::move(comparison)) {
-    free_.insert(free_.end(), comparison_.nuisances.begin(), comparison_.nuisances.end());
-  }
+        comparison_(std::move(comparison)),
+        free_(comparison_.fitted_beside(own)) {}
 
   Diagnosis run() {
     result_.labels = discrepancy().labels();
@@ -52,7 +49,7 @@ class Diagnoser {
     InferenceOptions inference_options;
     inference_options.threads = options_.threads;
     inference_options.progress = options_.progress;
-    for (const std::size_t s : own_)
+    for (const std::size_t s : free_)
       if (s < model_.modes()) inference_options.anchors.push_back(s);  // natural frequencies
     inference_ =
         infer(comparison_.discrepancy, comparison_.candidates, comparison_.start, free_, inference_options);
@@ -334,11 +331,10 @@ class Diagnoser {
 
   const Campaign& campaign_;
   const CompiledModel& model_;
-  const std::vector<std::size_t>& own_;
-  std::vector<std::size_t> free_;  // own_, and the nuisances
   const DiagnosisOptions& options_;
   Comparison comparison_;
-  JudgedNumbers judged_;  // where numbers were given
+  std::vector<std::size_t> free_;  // beside every explanation
+  JudgedNumbers judged_;           // where numbers were given
   Inference inference_;
   const Explanation* best_ = nullptr;
   std::map<const Explanation*, VectorXd> held_out_;
@@ -358,8 +354,7 @@ bool misses(const Campaign& campaign, const RecordReader& read, const CompiledMo
             const std::vector<std::size_t>& own, const DiagnosisOptions& options,
             std::optional<double> common_delay_s) {
   Comparison comparison = compare(campaign, read, model, own, {}, options);
-  std::vector<std::size_t> fitted = own;
-  fitted.insert(fitted.end(), comparison.nuisances.begin(), comparison.nuisances.end());
+  std::vector<std::size_t> fitted = comparison.fitted_beside(own);
   if (common_delay_s) {
     const std::size_t delay = model.symbols.size() + comparison.faults.delay(comparison.sensors.responses.size());
     comparison.start(static_cast<Eigen::Index>(delay)) = -*common_delay_s;

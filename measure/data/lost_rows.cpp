@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "measure/data/rounded_stamps.hpp"
+#include "measure/data/time_axis.hpp"
 #include "numerics/fill_gaps.hpp"
 #include "numerics/median.hpp"
 
@@ -14,9 +15,6 @@ namespace {
 
 /// How far a step may be off a whole number of steps: stamps that scatter by more are no even ones.
 constexpr double off_a_whole_number = 0.1;
-
-/// From one and three quarters of a step on, as even_time_axis has it.
-constexpr double longer = 1.75;
 
 }  // namespace
 
@@ -30,7 +28,7 @@ std::vector<std::size_t> lost_rows(const std::vector<double>& stamps_s) {
   std::size_t place = 0;  // among all rows
   for (const double here : steps) {
     ++place;
-    if (!(here > longer * step)) continue;
+    if (!(here > longest_step * step)) continue;
     const double whole = std::round(here / step);
     if (std::abs(here / step - whole) > off_a_whole_number || whole > longest_filled + 1) return {};
     for (double n = 1; n < whole; ++n) lost.push_back(place++);
