@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace secular {
 namespace {
@@ -18,6 +19,10 @@ constexpr double rank_tolerance = 1e-6;
 /// Chi-squared to first order, in variances of the rows about the fit, that a free step from the end of a converged
 /// one may still promise at most: explanations are compared in these variances, and none by so little.
 constexpr double promise_kept = 0.1;
+
+/// A step that brings less than this share of what it promised shows that slopes have changed on its way (the usual
+/// bound of trust regions, Nocedal and Wright 2006, chapter 4).
+constexpr double least_kept = 0.25;
 
 /// Differences are taken over changes of the rows by this to one over this standard deviations.
 constexpr double least_change = 0.03;
@@ -65,6 +70,97 @@ VectorXd bent(const Discrepancy& discrepancy, const Refit& fit, const VectorXd& 
   if (!curvature.allFinite()) return step;
   const VectorXd bend = 0.5 * damped_step(fit.jacobian, curvature, damping).step;
   return 2 * bend.norm() > longest * step.norm() ? step : VectorXd(step + bend);
+}
+
+// Steps of Levenberg and Marquardt. Slopes cost as much as many steps: after a step that brought what it promised
+// they are corrected by what it showed of them (Broyden 1965), and taken anew where they led astray and at the end.
+class Descent {
+ public:
+  Descent(const Discrepancy& discrepancy, const RefitOptions& options)
+      : discrepancy_(discrepancy), options_(options), damping_(options.damping) {}
+
+  // Until steps bring nothing more, at most so many; how many of these are left.
+  int go(Refit& fit, int left) {
+    for (; left > 0; --left) {
+      const Step step = damped_step(fit.jacobian, fit.rows, damping_);
+      fit.rank = step.rank;
+      const VectorXd taken = options_.bends ? bent(discrepancy_, fit, step.step, damping_) : step.step;
+      const VectorXd next = moved_by(fit, taken), rows = discrepancy_(next);
+      const double chi_squared = rows.squaredNorm(), gain = fit.chi_squared - chi_squared,
+                   promised = fit.chi_squared - (fit.rows + fit.jacobian * step.step).squaredNorm();
+      if (std::isfinite(chi_squared) && gain >= 0) {
+        const bool as_promised = !options_.bends && gain > least_kept * promised;
+        if (as_promised) correct(fit, taken, rows - fit.rows);
+        fit.unknowns = next;
+        fit.rows = rows;
+        fit.chi_squared = chi_squared;
+        damping_ = damping_ < 1e-6 ? 0 : damping_ / 30;
+        const bool was_fresh = std::exchange(fresh_, false);
+        if (gain < 1e-4 + 1e-7 * chi_squared) {
+          stuck_ = was_fresh;
+          return left - 1;
+        }
+        if (!as_promised) renew(fit);
+      } else if (!fresh_) {
+        renew(fit);
+      } else {
+        stuck_ = promised < 1e-3 + 1e-6 * fit.chi_squared || damping_ > 1e6;
+        if (stuck_) return left - 1;
+        damping_ = std::max(1e-4, 30 * damping_);
+      }
+    }
+    return 0;
+  }
+
+  // Slopes where the fit is.
+  void renew(Refit& fit) {
+    if (!fresh_) fit.jacobian = discrepancy_.slopes(fit.unknowns, fit.free, fit.scale, options_.threads);
+    fresh_ = true;
+  }
+
+  // Whether true slopes led to no better place.
+  bool is_stuck() const { return stuck_; }
+
+ private:
+  void correct(Refit& fit, const VectorXd& step, const VectorXd& change) {
+    const double squares = step.squaredNorm();
+    if (squares > 0) fit.jacobian += (change - fit.jacobian * step) * (step / squares).transpose();
+  }
+
+  const Discrepancy& discrepancy_;
+  const RefitOptions& options_;
+  double damping_;
+  bool fresh_ = true, stuck_ = false;
+};
+
+// Rank, covariance and ending of a fit, by the slopes where it is.
+FitEnding judge_end(const Discrepancy& discrepancy, Refit& fit) {
+  const VectorXd length = fit.jacobian.colwise().norm().transpose();
+  const VectorXd unit = length.unaryExpr([](double x) { return x > 0 ? 1 / x : 0.0; });
+  const Eigen::BDCSVD<MatrixXd> svd(fit.jacobian * unit.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);
+  VectorXd inverse = VectorXd::Zero(svd.singularValues().size());
+  const VectorXd promised = svd.matrixU().transpose() * fit.rows;
+  double promise = 0;
+  fit.rank = 0;
+  fit.identifiable.assign(fit.free.size(), true);
+  for (Index i = 0; i < inverse.size(); ++i) {
+    if (svd.singularValues()(i) > rank_tolerance * svd.singularValues()(0)) {
+      inverse(i) = 1 / (svd.singularValues()(i) * svd.singularValues()(i));
+      promise += promised(i) * promised(i);
+      ++fit.rank;
+    } else {
+      for (std::size_t f = 0; f < fit.free.size(); ++f)
+        if (std::abs(svd.matrixV()(static_cast<Index>(f), i)) > 1e-3) fit.identifiable[f] = false;
+    }
+  }
+  for (std::size_t f = 0; f < fit.free.size(); ++f)
+    if (!(length(static_cast<Index>(f)) > 0)) fit.identifiable[f] = false;
+  const MatrixXd turned = fit.scale.cwiseProduct(unit).asDiagonal() * svd.matrixV();
+  fit.covariance = turned * inverse.asDiagonal() * turned.transpose();
+  // Damping makes every promise small: only what a free step promises tells whether this is the minimum.
+  const double dispersion = dispersion_of(fit.chi_squared, static_cast<double>(discrepancy.freedom() - fit.rank));
+  fit.ending = promise < promise_kept * dispersion ? FitEnding::converged : FitEnding::stalled;
+  return fit.ending;
 }
 
 }  // namespace
@@ -121,64 +217,17 @@ Refit refit(const Discrepancy& discrepancy, const VectorXd& start, const std::ve
   UnitSlopes slopes = unit_slopes(discrepancy, start, free, options.scale_guess, options.threads);
   fit.scale = std::move(slopes.scale);
   fit.jacobian = std::move(slopes.columns);
-  double damping = options.damping;
-  bool fresh = true;
-  for (int i = 0; i < options.iterations && !free.empty(); ++i) {
-    if (!fresh) {
-      fit.jacobian = discrepancy.slopes(fit.unknowns, free, fit.scale, options.threads);
-      fresh = true;
-    }
-    const Step step = damped_step(fit.jacobian, fit.rows, damping);
-    fit.rank = step.rank;
-    const VectorXd next = moved_by(fit, options.bends ? bent(discrepancy, fit, step.step, damping) : step.step);
-    const VectorXd rows = discrepancy(next);
-    const double chi_squared = rows.squaredNorm();
-    const double promised = fit.chi_squared - (fit.rows + fit.jacobian * step.step).squaredNorm();
-    if (std::isfinite(chi_squared) && chi_squared <= fit.chi_squared) {
-      const double gain = fit.chi_squared - chi_squared;
-      fit.unknowns = next;
-      fit.rows = rows;
-      fit.chi_squared = chi_squared;
-      fresh = false;
-      damping = damping < 1e-6 ? 0 : damping / 30;
-      if (gain < 1e-4 + 1e-7 * chi_squared) break;
-    } else {
-      if (promised < 1e-3 + 1e-6 * fit.chi_squared || damping > 1e6) break;
-      damping = std::max(1e-4, 30 * damping);
-    }
-  }
-  if (!free.empty()) {
-    if (!fresh) fit.jacobian = discrepancy.slopes(fit.unknowns, free, fit.scale, options.threads);
-    const VectorXd length = fit.jacobian.colwise().norm().transpose();
-    const VectorXd unit = length.unaryExpr([](double x) { return x > 0 ? 1 / x : 0.0; });
-    const Eigen::BDCSVD<MatrixXd> svd(fit.jacobian * unit.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);
-    VectorXd inverse = VectorXd::Zero(svd.singularValues().size());
-    const VectorXd promised = svd.matrixU().transpose() * fit.rows;
-    double promise = 0;
-    fit.rank = 0;
-    fit.identifiable.assign(free.size(), true);
-    for (Index i = 0; i < inverse.size(); ++i) {
-      if (svd.singularValues()(i) > rank_tolerance * svd.singularValues()(0)) {
-        inverse(i) = 1 / (svd.singularValues()(i) * svd.singularValues()(i));
-        promise += promised(i) * promised(i);
-        ++fit.rank;
-      } else {
-        for (std::size_t f = 0; f < free.size(); ++f)
-          if (std::abs(svd.matrixV()(static_cast<Index>(f), i)) > 1e-3) fit.identifiable[f] = false;
-      }
-    }
-    // Damping makes every promise small: only what a free step promises tells whether this is the minimum.
-    const double dispersion = dispersion_of(fit.chi_squared, static_cast<double>(discrepancy.freedom() - fit.rank));
-    if (promise < promise_kept * dispersion) fit.ending = FitEnding::converged;
-    for (std::size_t f = 0; f < free.size(); ++f)
-      if (!(length(static_cast<Index>(f)) > 0)) fit.identifiable[f] = false;
-    const MatrixXd turned = fit.scale.cwiseProduct(unit).asDiagonal() * svd.matrixV();
-    fit.covariance = turned * inverse.asDiagonal() * turned.transpose();
-  } else {
+  if (free.empty()) {
     fit.ending = FitEnding::converged;
-    fit.jacobian.resize(fit.rows.size(), 0);
     fit.covariance.resize(0, 0);
+    return fit;
   }
+  Descent descent(discrepancy, options);
+  int left = options.iterations;
+  do {
+    left = descent.go(fit, left);
+    descent.renew(fit);
+  } while (judge_end(discrepancy, fit) == FitEnding::stalled && left > 0 && !descent.is_stuck());
   return fit;
 }
 
