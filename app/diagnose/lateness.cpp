@@ -4,9 +4,11 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 
 #include "app/shared/identification.hpp"
 #include "input/input_error.hpp"
+#include "measure/disturbances/catalogue.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular::app {
@@ -41,6 +43,19 @@ bool follows_settings(const Campaign& campaign, const std::map<std::size_t, doub
   return f_upper_tail((all - left) / (rank - 1) / (left / freedom), rank - 1, freedom) < structure_alarm;
 }
 
+// Of natural frequencies that differ more than their decays leave open, at the level of all disturbances.
+Eigen::VectorXd scatter_of_decays(const Identification& id) {
+  Eigen::VectorXd sd;
+  for (const EstimatedValue& value : id.estimate.parameters) {
+    if (!value.value || !value.between_records) continue;
+    const ScatterBetweenRecords& scatter = *value.between_records;
+    const auto mode = static_cast<Eigen::Index>(scatter.mode);
+    if (sd.size() <= mode) sd.conservativeResizeLike(Eigen::VectorXd::Zero(mode + 1));
+    if (scatter.p_value < disturbance_false_alarm) sd(mode) = scatter.sd / std::abs(*value.value);
+  }
+  return sd;
+}
+
 }  // namespace
 
 bool can_be_late(const Campaign& campaign, const CompiledModel& model) {
@@ -63,11 +78,14 @@ Lateness find_lateness(const DiagnosisRequest& request) {
   try {
     id = identify(wanted);
   } catch (const InputError& error) {
-    return {{}, {}, false, fmt::format("whether records are late was not found out: {}", error.what())};
+    return {{}, {}, false, {}, fmt::format("whether records are late was not found out: {}", error.what())};
   }
   Lateness result;
+  result.frequency_sd = scatter_of_decays(id);
+  Lateness in_step;
+  in_step.frequency_sd = result.frequency_sd;
   for (const CaseLateness& of_case : id.freed) {
-    if (of_case.finding == PhaseFinding::like_a_law) return {};
+    if (of_case.finding == PhaseFinding::like_a_law) return in_step;
     if (of_case.finding != PhaseFinding::shifted) continue;
     for (const RecordLateness& record : of_case.records) {
       result.late_s[record.record] = record.late_s;
@@ -77,7 +95,7 @@ Lateness find_lateness(const DiagnosisRequest& request) {
   // identify keeps a case as shifted where the equations of all hold then.
   result.holds = std::any_of(id.lateness.begin(), id.lateness.end(),
                              [](const CaseLateness& of_case) { return of_case.finding == PhaseFinding::shifted; });
-  if (result.late_s.empty() || (!result.holds && follows_settings(id.campaign, result.late_s))) return {};
+  if (result.late_s.empty() || (!result.holds && follows_settings(id.campaign, result.late_s))) return in_step;
   return result;
 }
 

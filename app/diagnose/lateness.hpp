@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -13,7 +14,10 @@ struct Lateness {
   std::map<std::size_t, double> late_s;    ///< by record; empty: none is
   std::map<std::size_t, double> period_s;  ///< of its excitation
   bool holds = false;                      ///< the model's equations hold when each record has a phase of its own
-  std::string warning;                     ///< where it could not be looked for
+  /// By mode, relative: by how much decays say that natural frequencies differ from record to record (standard
+  /// deviation); 0: they do not, empty: they say nothing.
+  Eigen::VectorXd frequency_sd;
+  std::string warning;  ///< where it could not be looked for
 };
 
 /// Whether a campaign and a model are such that records could be found late: dwells with one excitation.

@@ -13,9 +13,11 @@ namespace secular {
 /// One test condition as measured lines: the mean over the ensembles of a dwell.
 /// Amplitudes are half of the peak, in channel units. Every line's error is that of its real and imaginary part.
 struct Condition {
-  std::size_t record = 0;    ///< index into Campaign::records
-  int fold = 0;              ///< what is left out together when a prediction is checked
-  double time_s = 0;         ///< of its middle, of record_times
+  std::size_t record = 0;  ///< index into Campaign::records
+  int fold = 0;            ///< what is left out together when a prediction is checked
+  double time_s = 0;       ///< of its middle, of record_times
+  /// By mode, relative: the record's natural frequencies next to those of all. Empty: none differs.
+  Eigen::VectorXd frequency_shift;
   Eigen::Index samples = 0;  ///< of all ensembles
   std::shared_ptr<const Torus> torus;
   std::array<std::complex<double>, 2> rate;

@@ -43,7 +43,9 @@ std::vector<double> ConditionEvaluation::drifted(std::span<const double> paramet
 }
 
 double ConditionEvaluation::drift(std::size_t symbol) const {
-  return symbol < faults_.frequency_drift.size() ? 1 + faults_.frequency_drift[symbol] * c_.time_s : 1;
+  if (symbol >= faults_.frequency_drift.size()) return 1;
+  const double of_time = 1 + faults_.frequency_drift[symbol] * c_.time_s;
+  return c_.frequency_shift.size() > 0 ? of_time * (1 + c_.frequency_shift(static_cast<Index>(symbol))) : of_time;
 }
 
 double ConditionEvaluation::measured_displacement() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "numerics/in_parallel.hpp"
@@ -13,8 +14,16 @@ using Eigen::Index;
 
 namespace {
 
-/// Step of a delay, next to what it scatters by: a small part of a turn.
-constexpr double delay_step = 1e-4;
+/// Step of what is a record's own, next to its standard deviation: differences are as good as slopes.
+constexpr double nuisance_step = 1e-4;
+
+/// Frequencies that are put into a record are near enough where a step moves its rows by less than this share of a
+/// standard deviation: what is left is linear. Rounds in which they come there.
+constexpr double near_enough = 0.1;
+constexpr int most_rounds = 4;
+
+/// No record's frequency is put farther from that of all than this many standard deviations: once in 16,000.
+constexpr double most_deviations = 4;
 
 }  // namespace
 
@@ -51,7 +60,7 @@ Index Discrepancy::size() const {
 Index Discrepancy::freedom() const {
   Index sum = 0;
   for (const auto& part : parts_) sum += part->freedom();
-  return sum - static_cast<Index>(delay_sd_.size());  // a phase of each record's own
+  return sum - static_cast<Index>(nuisances_.delay_sd.size());  // a phase of each record's own
 }
 
 std::vector<RowLabel> Discrepancy::labels() const {
@@ -65,54 +74,103 @@ void Discrepancy::approach(const Eigen::VectorXd& unknowns) {
 }
 
 void Discrepancy::freeze(const Eigen::VectorXd& unknowns, double coarse) {
-  for (const auto& part : parts_) part->freeze(unknowns, coarse);
-  late_.clear();
-  if (delay_sd_.empty()) return;
+  for (int round = 1; round <= most_rounds; ++round) {
+    for (const auto& part : parts_) {
+      part->shift_frequencies(shifts_);
+      part->freeze(unknowns, coarse);
+    }
+    take_directions(unknowns);
+    if (round == most_rounds || !put_in_frequencies(unknowns)) return;
+  }
+}
+
+// Columns of a record: its lateness where that is admitted, then its natural frequencies.
+void Discrepancy::take_directions(const Eigen::VectorXd& unknowns) {
+  directions_.clear();
+  if (!nuisances_.any()) return;
   double step = 0;
-  for (const auto& [record, sd] : delay_sd_) step = std::max(step, delay_step * sd);
-  const Eigen::VectorXd by_delay =
-      raw_slopes(unknowns, {delay_}, Eigen::VectorXd::Constant(1, step), 1).col(0) / step;
-  if (!by_delay.allFinite()) return;
+  for (const auto& [record, sd] : nuisances_.delay_sd) step = std::max(step, nuisance_step * sd);
+  Eigen::VectorXd by_delay = Eigen::VectorXd::Zero(size());
+  if (step > 0)
+    by_delay = raw_slopes(unknowns, {nuisances_.delay}, Eigen::VectorXd::Constant(1, step), 1).col(0) / step;
+  std::vector<std::size_t> frequencies(static_cast<std::size_t>(modes()));
+  std::iota(frequencies.begin(), frequencies.end(), std::size_t{0});
+  const Eigen::VectorXd steps = nuisance_step * nuisances_.frequency_sd.cwiseProduct(unknowns.head(modes()));
+  const Eigen::MatrixXd by_frequency = raw_slopes(unknowns, frequencies, steps, 1) / nuisance_step;
+  if (!by_delay.allFinite() || !by_frequency.allFinite()) return;
   std::map<std::size_t, std::vector<Index>> rows_of;
   const std::vector<RowLabel> all = labels();
   for (std::size_t r = 0; r < all.size(); ++r)
-    if (delay_sd_.contains(all[r].record)) rows_of[all[r].record].push_back(static_cast<Index>(r));
+    if (modes() > 0 || nuisances_.delay_sd.contains(all[r].record))
+      rows_of[all[r].record].push_back(static_cast<Index>(r));
   for (auto& [record, rows] : rows_of) {
-    const Eigen::VectorXd own = delay_sd_.at(record) * by_delay(rows);
-    const double size = own.norm();
-    if (size > 0) late_.push_back({std::move(rows), own / size, 1 / std::sqrt(1 + size * size)});
+    const auto late = nuisances_.delay_sd.find(record);
+    const Index delays = late == nuisances_.delay_sd.end() ? 0 : 1;
+    Eigen::MatrixXd columns(static_cast<Index>(rows.size()), delays + modes());
+    if (delays > 0) columns.col(0) = late->second * by_delay(rows);
+    columns.rightCols(modes()) = by_frequency(rows, Eigen::all);
+    if (columns.isZero(0)) continue;
+    Eigen::VectorXd put_in = Eigen::VectorXd::Zero(columns.cols());
+    if (const auto shift = shifts_.find(record); shift != shifts_.end() && modes() > 0)
+      put_in.tail(modes()) = shift->second.cwiseQuotient(nuisances_.frequency_sd);
+    directions_.emplace(record, RecordDirections(std::move(rows), std::move(columns), std::move(put_in)));
   }
 }
 
-void Discrepancy::admit_lateness(std::size_t delay, std::map<std::size_t, double> sd) {
-  delay_ = delay;
-  delay_sd_ = std::move(sd);
-}
-
-void Discrepancy::allow_for_lateness(Eigen::Ref<Eigen::MatrixXd> columns) const {
-  for (const LateRecord& record : late_) {
-    const Eigen::MatrixXd own = columns(record.rows, Eigen::all);
-    columns(record.rows, Eigen::all) =
-        own - (1 - record.kept) * record.direction * (record.direction.transpose() * own);
+// Whether a record's frequency moved so far that its directions are others now.
+bool Discrepancy::put_in_frequencies(const Eigen::VectorXd& unknowns) {
+  if (modes() == 0 || directions_.empty()) return false;
+  const Eigen::VectorXd rows = raw_rows(unknowns);
+  if (!rows.allFinite()) return false;
+  bool moved = false;
+  for (const auto& [record, directions] : directions_) {
+    Eigen::VectorXd& shift = shifts_.try_emplace(record, Eigen::VectorXd::Zero(modes())).first->second;
+    const Eigen::VectorXd
+        before = shift.cwiseQuotient(nuisances_.frequency_sd),
+        next = directions.likeliest(rows).tail(modes()).cwiseMax(-most_deviations).cwiseMin(most_deviations);
+    if (!next.allFinite() || directions.length_of_last(next - before) < near_enough) continue;
+    shift = next.cwiseProduct(nuisances_.frequency_sd);
+    moved = true;
   }
+  return moved;
 }
 
-Eigen::VectorXd Discrepancy::operator()(const Eigen::VectorXd& unknowns) const {
+Eigen::VectorXd Discrepancy::raw_rows(const Eigen::VectorXd& unknowns) const {
   Eigen::VectorXd rows(size());
   Index first = 0;
   for (const auto& part : parts_) {
     part->evaluate(unknowns, rows.segment(first, part->size()));
     first += part->size();
   }
-  if (!late_.empty() && rows.allFinite()) allow_for_lateness(rows);
+  return rows;
+}
+
+Eigen::VectorXd Discrepancy::operator()(const Eigen::VectorXd& unknowns) const {
+  Eigen::VectorXd rows = raw_rows(unknowns);
+  if (!directions_.empty() && rows.allFinite())
+    for (const auto& [record, directions] : directions_) directions.whiten_rows(rows);
   return rows;
 }
 
 Eigen::MatrixXd Discrepancy::slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                                     const Eigen::VectorXd& scale, unsigned threads) const {
   Eigen::MatrixXd columns = raw_slopes(unknowns, which, scale, threads);
-  if (!late_.empty()) allow_for_lateness(columns);
+  for (const auto& [record, directions] : directions_) directions.whiten_slopes(columns);
   return columns;
+}
+
+std::vector<OwnFrequency> Discrepancy::own_frequencies(const Eigen::VectorXd& unknowns) const {
+  std::vector<OwnFrequency> told;
+  if (modes() == 0) return told;
+  const Eigen::VectorXd rows = raw_rows(unknowns);
+  for (const auto& [record, directions] : directions_)
+    for (Index k = 0; k < modes(); ++k) {
+      const RecordDirections::Told own = directions.told(rows, directions.size() - modes() + k);
+      const double sd = nuisances_.frequency_sd(k);
+      if (std::isfinite(own.variance))
+        told.push_back({record, static_cast<std::size_t>(k), sd * own.value, sd * sd * own.variance});
+    }
+  return told;
 }
 
 Eigen::MatrixXd Discrepancy::raw_slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/evidence/record_directions.hpp"
 #include "effects/catalogue.hpp"
 
 namespace secular {
@@ -47,45 +48,64 @@ class Evidence {
   /// where the rows are not finite.
   virtual Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                                  const Eigen::VectorXd& scale, unsigned threads) const;
+  /// Natural frequencies of a record are those of the unknowns times 1 + shift, by record and mode; of a record
+  /// that is not named they are those of the unknowns. Until the next call.
+  virtual void shift_frequencies(const std::map<std::size_t, Eigen::VectorXd>& /*shifts*/) {}
   /// Rows before they were made independent of each other, where that mixed them.
   virtual Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const { return rows; }
 };
 
-/// All evidence of a campaign as one vector of rows. Lateness of a record's responses that is not known gives its
-/// rows the covariance I + u u' instead of I, u by one standard deviation of it, and they are multiplied by its
-/// inverse root (docs/inference.md (24)).
+/// What differs from record to record and explains nothing (docs/inference.md (24), (25)).
+struct RecordNuisances {
+  /// Unknown that delays the excitation; by record the standard deviation of its responses' lateness in s, where it
+  /// is not known at all that of a whole period, period/sqrt(12).
+  std::size_t delay = 0;
+  std::map<std::size_t, double> delay_sd;
+  /// By mode: standard deviation of the records' natural frequencies, relative. Empty: all are the same.
+  Eigen::VectorXd frequency_sd;
+
+  bool any() const { return !delay_sd.empty() || frequency_sd.size() > 0; }
+};
+
+/// A natural frequency of one record, relative to that of all.
+struct OwnFrequency {
+  std::size_t record = 0, mode = 0;
+  double shift = 0, variance = 0;  ///< by the record's rows alone
+};
+
+/// All evidence of a campaign as one vector of rows of unit variance, with what differs from record to record
+/// allowed for.
 class Discrepancy {
  public:
   void add(std::unique_ptr<Evidence> evidence);
-  /// Responses of a record that are late against its excitation by an unknown time: `delay` is the unknown that
-  /// delays the excitation, `sd` by record its standard deviation in s, where it is not known at all that of a
-  /// whole period, period/sqrt(12). From the next freeze() on.
-  void admit_lateness(std::size_t delay, std::map<std::size_t, double> sd);
+  /// From the next freeze() on.
+  void admit(RecordNuisances nuisances) { nuisances_ = std::move(nuisances); }
   Eigen::Index size() const;
   Eigen::Index freedom() const;
   std::vector<RowLabel> labels() const;
+  /// As Evidence::freeze(). Each record's own natural frequencies are put where they are likeliest at these
+  /// unknowns, so that what is left of them is small.
   void freeze(const Eigen::VectorXd& unknowns, double coarse = 0);
   void approach(const Eigen::VectorXd& unknowns);
   Eigen::VectorXd operator()(const Eigen::VectorXd& unknowns) const;
   Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale, unsigned threads) const;
   Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const;
+  /// Of the records that tell them, at these unknowns.
+  std::vector<OwnFrequency> own_frequencies(const Eigen::VectorXd& unknowns) const;
 
  private:
-  /// What of a record's rows is kept along its direction of lateness, a unit vector.
-  struct LateRecord {
-    std::vector<Eigen::Index> rows;
-    Eigen::VectorXd direction;
-    double kept = 1;
-  };
+  Eigen::VectorXd raw_rows(const Eigen::VectorXd& unknowns) const;
   Eigen::MatrixXd raw_slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                              const Eigen::VectorXd& scale, unsigned threads) const;
-  void allow_for_lateness(Eigen::Ref<Eigen::MatrixXd> columns) const;
+  void take_directions(const Eigen::VectorXd& unknowns);
+  bool put_in_frequencies(const Eigen::VectorXd& unknowns);
+  Eigen::Index modes() const { return nuisances_.frequency_sd.size(); }
 
   std::vector<std::unique_ptr<Evidence>> parts_;
-  std::size_t delay_ = 0;
-  std::map<std::size_t, double> delay_sd_;  // by record
-  std::vector<LateRecord> late_;            // as frozen
+  RecordNuisances nuisances_;
+  std::map<std::size_t, Eigen::VectorXd> shifts_;       // of natural frequencies, by record and mode, as put in
+  std::map<std::size_t, RecordDirections> directions_;  // by record, as frozen
 };
 
 }  // namespace secular

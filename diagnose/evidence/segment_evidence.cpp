@@ -119,7 +119,10 @@ VectorXd SegmentEvidence::errors(const Segment& s, const VectorXd& unknowns, con
   const std::size_t symbols = model_->symbols.size();
   const Faults faults = table_.faults(unknowns.data() + symbols);
   std::vector<double> parameters(unknowns.data(), unknowns.data() + symbols);
-  for (std::size_t k = 0; k < model_->modes(); ++k) parameters[k] *= 1 + faults.frequency_drift[k] * s.time_s;
+  for (std::size_t k = 0; k < model_->modes(); ++k) {
+    parameters[k] *= 1 + faults.frequency_drift[k] * s.time_s;
+    if (s.frequency_shift.size() > 0) parameters[k] *= 1 + s.frequency_shift(static_cast<Index>(k));
+  }
   DrivingSignal signal;
   signal.sample_s = s.sample_s;
   signal.half_steps = s.excitation;
@@ -343,6 +346,13 @@ void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
     for (std::size_t i = first; i < end; ++i) frozen_[i].disturbance = disturbed ? rest[i - first] : 0;
   }
   noise_ = std::move(found);
+}
+
+void SegmentEvidence::shift_frequencies(const std::map<std::size_t, VectorXd>& shifts) {
+  for (Segment& segment : segments_) {
+    const auto own = shifts.find(segment.record);
+    segment.frequency_shift = own == shifts.end() ? VectorXd() : own->second;
+  }
 }
 
 void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const {

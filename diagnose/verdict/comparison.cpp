@@ -148,6 +148,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
                     .conditions = {},
                     .candidates = {},
                     .discrepancy = {},
+                    .of_records = {},
                     .apart = {},
                     .unsteady = {},
                     .spans = {},
@@ -207,9 +208,10 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
     result.segment_evidence = evidence.get();
     result.discrepancy.add(std::move(evidence));
   }
-  if (!unknown_delay.empty())
-    result.discrepancy.admit_lateness(model.symbols.size() + faults.delay(sensors.responses.size()),
-                                      std::move(unknown_delay));
+  result.of_records.delay = model.symbols.size() + faults.delay(sensors.responses.size());
+  result.of_records.delay_sd = std::move(unknown_delay);
+  result.of_records.frequency_sd = options.frequency_scatter;
+  result.discrepancy.admit(result.of_records);
   if (options.check) {
     std::vector<Segment> apart = cut(*options.check, SegmentLength::whole);
     if (apart.empty())

@@ -32,6 +32,7 @@ struct Comparison {
   double data_used = 0;  ///< of the samples that the records hold within the window
   std::vector<Candidate> candidates;
   Discrepancy discrepancy;
+  RecordNuisances of_records;                         ///< that `discrepancy` admits
   const SegmentEvidence* segment_evidence = nullptr;  ///< part of `discrepancy`; null: there is none
   std::optional<SegmentEvidence> apart;               ///< of the window to check on
   Unsteadiness unsteady;

@@ -21,6 +21,11 @@ constexpr double false_alarm = 0.003;
 /// not be seen.
 constexpr double most_overestimated = 2;
 
+/// Of the scatter of natural frequencies before it is known, relative (any that is not far below it does); searches
+/// beside it: of half as much each, the third differs by little.
+constexpr double first_scatter = 0.003;
+constexpr int most_rounds = 3;
+
 /// Predicting what was held out takes longer than all else that is said of a rival.
 constexpr int most_neighbours = 6;
 
@@ -51,8 +56,7 @@ class Diagnoser {
     inference_options.progress = options_.progress;
     for (const std::size_t s : free_)
       if (s < model_.modes()) inference_options.anchors.push_back(s);  // natural frequencies
-    inference_ =
-        infer(comparison_.discrepancy, comparison_.candidates, comparison_.start, free_, inference_options);
+    infer_beside_scatter(inference_options);
     if (options_.given)
       judged_ = judge_given(options_.given, model_, free_, discrepancy(), comparison_.start, options_.threads);
     result_.warnings = comparison_.warnings;
@@ -79,6 +83,25 @@ class Diagnoser {
 
  private:
   const Discrepancy& discrepancy() const { return comparison_.discrepancy; }
+
+  // Natural frequencies scatter about the best explanation. What a model that lacks something leaves of them is
+  // larger: with what is left about its best explanation the search is made again.
+  void infer_beside_scatter(const InferenceOptions& inference_options) {
+    RecordNuisances& of_records = comparison_.of_records;
+    for (int round = 1;; ++round) {
+      inference_ =
+          infer(comparison_.discrepancy, comparison_.candidates, comparison_.start, free_, inference_options);
+      if (of_records.frequency_sd.size() == 0) return;
+      const bool explained = !inference_.explanations.empty() &&
+                             inference_.explanations.front().log_evidence > inference_.null.log_evidence;
+      const Refit& best = explained ? inference_.explanations.front().fit : inference_.null.fit;
+      result_.frequency_scatter = scatter_about(discrepancy(), best.unknowns, model_.modes());
+      const VectorXd sd = admitted(result_.frequency_scatter);
+      if (round == most_rounds || is_as_large(sd, of_records.frequency_sd)) return;
+      of_records.frequency_sd = sd;
+      comparison_.discrepancy.admit(of_records);
+    }
+  }
 
   // Predicting what was held out takes long, and of some explanations is asked more than once.
   const VectorXd& held_out_rows(const Explanation& explanation) {
@@ -364,6 +387,26 @@ bool misses(const Campaign& campaign, const RecordReader& read, const CompiledMo
   inference_options.threads = options.threads;
   const Inference null = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
   return chi_squared_upper_tail(null.null.fit.chi_squared, null.degrees_of_freedom) < false_alarm;
+}
+
+FrequencyScatter find_frequency_scatter(const Campaign& campaign, const RecordReader& read,
+                                        const CompiledModel& model, const std::vector<std::size_t>& own,
+                                        const DiagnosisOptions& options) {
+  DiagnosisOptions wanted = options;
+  wanted.frequency_scatter = VectorXd::Constant(static_cast<Eigen::Index>(model.modes()), first_scatter);
+  Comparison comparison = compare(campaign, read, model, own, {}, wanted);
+  const std::vector<std::size_t> fitted = comparison.fitted_beside(own);
+  InferenceOptions inference_options;
+  inference_options.threads = options.threads;
+  FrequencyScatter found;
+  for (int round = 1;; ++round) {
+    const Inference null = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
+    found = scatter_about(comparison.discrepancy, null.null.fit.unknowns, model.modes());
+    const VectorXd sd = admitted(found);
+    if (round == most_rounds || !found.any() || is_as_large(sd, comparison.of_records.frequency_sd)) return found;
+    comparison.of_records.frequency_sd = sd;
+    comparison.discrepancy.admit(comparison.of_records);
+  }
 }
 
 bool is_told(const Diagnosis& d) {

@@ -11,6 +11,7 @@
 #include "diagnose/verdict/cause_report.hpp"
 #include "diagnose/verdict/diagnosis_options.hpp"
 #include "diagnose/verdict/fitted_numbers.hpp"
+#include "diagnose/verdict/frequency_scatter.hpp"
 #include "diagnose/verdict/gap_shares.hpp"
 #include "diagnose/verdict/proposal.hpp"
 #include "diagnose/verdict/simulated_check.hpp"
@@ -48,6 +49,7 @@ struct Diagnosis {
   FittedNumbers fitted;  ///< of the best explanation, or of the model as it is where there is no gap
   double data_used = 0;  ///< see Comparison
   ResidualStructure residual_structure;
+  FrequencyScatter frequency_scatter;     ///< about the explanation, where it was admitted
   std::map<std::size_t, TimeSpan> spans;  ///< of the records that were read, within the window
   NextExperiment next_experiment;
   std::optional<SimulatedCheck> simulated;  ///< where a gap was found
@@ -73,5 +75,10 @@ Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const Com
 bool misses(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
             const std::vector<std::size_t>& own, const DiagnosisOptions& options,
             std::optional<double> common_delay_s = {});
+
+/// What the model as it is leaves of each record's natural frequencies.
+FrequencyScatter find_frequency_scatter(const Campaign& campaign, const RecordReader& read,
+                                        const CompiledModel& model, const std::vector<std::size_t>& own,
+                                        const DiagnosisOptions& options);
 
 }  // namespace secular

@@ -26,6 +26,9 @@ struct DiagnosisOptions {
   /// By record: how much later than its excitation a dwell's responses are, s, as far as it is known. The phase
   /// between them is an unknown of every dwell then. Empty: all are in step.
   std::map<std::size_t, double> late_s;
+  /// By mode, relative: standard deviation with which natural frequencies differ from record to record, at first.
+  /// Each record has its own then. Empty: all have the same.
+  Eigen::VectorXd frequency_scatter;
   std::optional<Window> check;  ///< part of the records on which the explanation is tried, whatever was fitted
   bool fit_check = false;       ///< and once more with the numbers that fit that part best
   unsigned threads = 1;

@@ -1,0 +1,112 @@
+#include "diagnose/verdict/frequency_scatter.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "numerics/distribution.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// That frequencies of one structure differ by chance; that random departures are taken to follow the settings.
+constexpr double scatter_alarm = 0.01, structure_alarm = 0.05;
+
+/// Of a natural frequency: no scatter, and nothing that a record feels.
+constexpr double none = 1e-9;
+
+/// A standard deviation of as few values as there are records is not known better.
+constexpr double same_size = 0.2;
+
+/// What is left of a function beside others, by rounding.
+constexpr double dependent = 1e-6;
+
+// What is known of a record before any model: level and frequency of its excitation, amplitude, time.
+VectorXd settings_of(const RowLabel& label) {
+  VectorXd s(10);
+  const double level = label.level, w = label.frequency, a = label.amplitude;
+  s << 1, level, level * level, w, w * w, level * w, a, a * a, label.time_s, label.level > 0 ? 1 : 0;
+  return s;
+}
+
+// Independent ones among the settings of these records, the constant first, each of length 1; only the constant
+// where they would leave fewer degrees of freedom than they take.
+MatrixXd functions_of(const std::vector<OwnFrequency>& own, const std::map<std::size_t, VectorXd>& settings) {
+  const auto count = static_cast<Index>(own.size());
+  MatrixXd independent = MatrixXd::Constant(count, 1, 1 / std::sqrt(static_cast<double>(count)));
+  for (Index s = 1; s < settings.begin()->second.size(); ++s) {
+    VectorXd function(count);
+    for (Index r = 0; r < count; ++r) function(r) = settings.at(own[static_cast<std::size_t>(r)].record)(s);
+    const double before = function.norm();
+    for (int pass = 0; pass < 2; ++pass) function -= independent * (independent.transpose() * function);
+    if (!(function.norm() > dependent * before)) continue;
+    independent.conservativeResize(count, independent.cols() + 1);
+    independent.rightCols(1) = function.normalized();
+  }
+  return count < 2 * independent.cols() ? MatrixXd(independent.leftCols(1)) : independent;
+}
+
+// F law of what all but the constant explain.
+bool follows(const VectorXd& shift, const VectorXd& weight, const MatrixXd& functions) {
+  const auto rank = static_cast<double>(functions.cols()), freedom = static_cast<double>(shift.size()) - rank;
+  if (rank < 2) return true;
+  const auto left_beside = [&](Index columns) {
+    const MatrixXd weighted = weight.asDiagonal() * functions.leftCols(columns);
+    const VectorXd values = weight.cwiseProduct(shift);
+    return (values - weighted * weighted.householderQr().solve(values)).squaredNorm();
+  };
+  const double left = left_beside(functions.cols()), all = left_beside(1);
+  return !(left > 0) ||
+         f_upper_tail((all - left) / (rank - 1) / (left / freedom), rank - 1, freedom) < structure_alarm;
+}
+
+}  // namespace
+
+FrequencyScatter scatter_about(const Discrepancy& discrepancy, const VectorXd& unknowns, std::size_t modes) {
+  FrequencyScatter result;
+  result.sd = VectorXd::Zero(static_cast<Index>(modes));
+  std::map<std::size_t, VectorXd> settings;
+  std::map<std::size_t, double> largest;
+  for (const RowLabel& label : discrepancy.labels())
+    if (!settings.contains(label.record) || label.amplitude > largest[label.record]) {
+      settings[label.record] = settings_of(label);
+      largest[label.record] = label.amplitude;
+    }
+  const std::vector<OwnFrequency> all = discrepancy.own_frequencies(unknowns);
+  for (std::size_t k = 0; k < modes; ++k) {
+    std::vector<OwnFrequency> own;
+    for (const OwnFrequency& o : all)
+      if (o.mode == k) own.push_back(o);
+    if (own.size() < 2) continue;
+    VectorXd shift(static_cast<Index>(own.size())), variance(shift.size());
+    for (Index r = 0; r < shift.size(); ++r) {
+      shift(r) = own[static_cast<std::size_t>(r)].shift;
+      variance(r) = own[static_cast<std::size_t>(r)].variance;
+    }
+    const MatrixXd functions = functions_of(own, settings);
+    const Between between = between_records(shift, variance, functions);
+    if (!(between.p_value < scatter_alarm)) continue;
+    result.sd(static_cast<Index>(k)) = between.sd;
+    const double all = (shift.array() - shift.mean()).square().sum() / static_cast<double>(own.size() - 1);
+    result.at_random = std::max(result.at_random, between.sd * between.sd / all);
+    const VectorXd weight = (variance.array() + between.sd * between.sd).rsqrt();
+    result.follows_settings = result.follows_settings || follows(shift, weight, functions);
+    result.records.insert(result.records.end(), own.begin(), own.end());
+  }
+  return result;
+}
+
+VectorXd admitted(const FrequencyScatter& scatter) {
+  return scatter.sd.cwiseMax(none);
+}
+
+bool is_as_large(const VectorXd& admitted, const VectorXd& before) {
+  return ((admitted - before).array().abs() <= same_size * before.array().max(none)).all();
+}
+
+}  // namespace secular
