@@ -65,7 +65,7 @@ Integrator::Stepped Integrator::stepped(double h) const {
                middle = drive_.at(t_ + h / 2), end = drive_.at(t_ + h);
   State k1{}, k2{}, k3{}, k4{}, k5{}, k6{}, k7{}, y{};
   const auto slope = [&](double share, double excitation, State& k) {
-    derivative(structure_, drive_, regime_, t_ + share * h, excitation, y, k);
+    derivative(structure_, drive_, {regime_, t_ + share * h, excitation, y}, k);
   };
   y = x_;
   slope(0, excitation_, k1);
@@ -101,7 +101,7 @@ double Integrator::guard(std::size_t number, double t, const Stepped& at) const 
     case friction_guard:
       if (m.friction == 0) return never;
       if (regime_.sliding[k] != 0) return velocity(x, k) * regime_.sliding[k];
-      return m.friction_at(0) - std::abs(force(structure_, drive_, regime_, k, t, at.excitation, x));
+      return m.friction_at(0) - std::abs(force(structure_, drive_, {regime_, t, at.excitation, x}, k));
     case slider_guard:
       if (m.slider == 0 || m.smooth_slider) return never;
       if (regime_.slipping[k] != 0) return velocity(x, k) * regime_.slipping[k];
@@ -122,7 +122,7 @@ void Integrator::cross(std::size_t number) {
   const double q = displacement(x_, k);
   switch (number % guards_per_mode) {
     case friction_guard: {
-      const double f = force(structure_, drive_, regime_, k, t_, excitation_, x_);
+      const double f = force(structure_, drive_, {regime_, t_, excitation_, x_}, k);
       const bool was_at_rest = regime_.sliding[k] == 0;
       if (!was_at_rest && std::abs(f) <= m.friction_at(0)) {
         regime_.sliding[k] = 0;

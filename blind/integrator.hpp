@@ -17,7 +17,7 @@ class Integrator {
   double time() const { return t_; }
   const State& state() const { return x_; }
   const Regime& regime() const { return regime_; }
-  Accelerations acceleration() const { return accelerations(structure_, drive_, regime_, t_, excitation_, x_); }
+  Accelerations acceleration() const { return accelerations(structure_, drive_, {regime_, t_, excitation_, x_}); }
 
  private:
   struct Stepped {

@@ -180,9 +180,17 @@ double least_left_by(Withheld rival, double raw_sigma, double seen, const SeenCh
   return std::min(least, signatures.refitted_remainder(truth.whole, all, with_rival, rival.coefficient).norm());
 }
 
-// Which of `rivals` explain the change as well: to less than a norm of `seen`.
-void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, double seen, const SealedCase& c,
-                      const Signatures& signatures, const std::vector<double>& peak, Random& random) {
+/// With what explanations of one case are compared.
+struct Comparison {
+  const SealedCase& c;
+  const Signatures& signatures;
+  const std::vector<double>& peak;
+  double seen;  // norm below which a change is as good as explained
+};
+
+// Which of `rivals` explain the change as well.
+void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, const Comparison& by, Random& random) {
+  const auto& [c, signatures, peak, seen] = by;
   const bool all = changes_with_time(truth.withheld.effect);
   Reality reality = reality_of(c.specimen);
   switch_on(truth.withheld, c.specimen, peak, reality);
@@ -293,7 +301,7 @@ SealedCase draw_once(const CasePlan& plan, std::uint64_t seed, std::uint64_t str
       truth.withheld.coefficient *= levels.median_rms[truth.withheld.channel] / levels.median_rms[0];
     set_strength(truth, c.specimen, signatures, levels.peak, random.log_uniform(weakest_sigma, strongest_sigma));
     const double seen = plan.kind == "outside" ? unnamed_norm(signatures) : visible_norm;
-    find_look_alikes(truth, look_alikes(effect, plan.family), seen, c, signatures, levels.peak, random);
+    find_look_alikes(truth, look_alikes(effect, plan.family), {c, signatures, levels.peak, seen}, random);
     switch_on(truth.withheld, c.specimen, levels.peak, c.reality);
     c.truths.push_back(truth);
   }
@@ -397,8 +405,8 @@ std::vector<std::string> rest_that_explains(const SealedCase& sealed, std::uint6
   std::vector<std::string> rest = effects_of_family(sealed.plan.family);
   std::erase(rest, truth.withheld.effect);
   const Signatures signatures(sealed.specimen, sealed.noise_sd, sealed.disturbances);
-  find_look_alikes(truth, rest, unnamed_norm(signatures), sealed, signatures,
-                   levels_of(sealed.specimen, reality_of(sealed.specimen)).peak, random);
+  const std::vector<double> peak = levels_of(sealed.specimen, reality_of(sealed.specimen)).peak;
+  find_look_alikes(truth, rest, {sealed, signatures, peak, unnamed_norm(signatures)}, random);
   // A mode far beyond the band that one channel sees answers in proportion to the excitation.
   if (truth.withheld.effect == "sensor_cross_axis" &&
       std::find(truth.same_as.begin(), truth.same_as.end(), "extra_mode") == truth.same_as.end())

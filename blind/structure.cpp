@@ -13,9 +13,9 @@ double Drive::at(double t) const {
   return amplitude * sum;
 }
 
-double force(const Structure& structure, const Drive& drive, const Regime& regime, std::size_t k, double t,
-             double excitation, const State& x) {
+double force(const Structure& structure, const Drive& drive, const Instant& at, std::size_t k) {
   const ModeTerms& m = structure.mode[k];
+  const auto& [regime, t, excitation, x] = at;
   const double q = displacement(x, k), p = velocity(x, k), q2 = q * q, p2 = p * p;
   const double omega = m.drift == 0 ? m.omega : m.omega * (1 + m.drift * (drive.started + t));
   double f = -omega * omega * q -
@@ -49,13 +49,12 @@ double force(const Structure& structure, const Drive& drive, const Regime& regim
 
 namespace {
 
-double acceleration(const Structure& structure, const Drive& drive, const Regime& regime, std::size_t k, double t,
-                    double excitation, const State& x) {
+double acceleration(const Structure& structure, const Drive& drive, const Instant& at, std::size_t k) {
   const ModeTerms& m = structure.mode[k];
-  if (m.friction != 0 && regime.sliding[k] == 0) return 0;
-  const double q = displacement(x, k), p = velocity(x, k);
-  double f = force(structure, drive, regime, k, t, excitation, x);
-  if (m.friction != 0) f -= m.friction_at(std::abs(p)) * regime.sliding[k];
+  if (m.friction != 0 && at.regime.sliding[k] == 0) return 0;
+  const double q = displacement(at.x, k), p = velocity(at.x, k);
+  double f = force(structure, drive, at, k);
+  if (m.friction != 0) f -= m.friction_at(std::abs(p)) * at.regime.sliding[k];
   if (m.delta2 == 0 && m.delta3 == 0) return f;
   f -= (m.delta2 + m.delta3 * q) * p * p;
   return f / (1 + (2 * m.delta2 + m.delta3 * q) * q);
@@ -67,14 +66,15 @@ double extra_acceleration(const ExtraMode& e, double excitation, const State& x)
 
 }  // namespace
 
-void derivative(const Structure& structure, const Drive& drive, const Regime& regime, double t, double excitation,
-                const State& x, State& rate) {
+void derivative(const Structure& structure, const Drive& drive, const Instant& at, State& rate) {
+  const State& x = at.x;
+  const Regime& regime = at.regime;
   for (std::size_t k = 0; k < structure.modes; ++k) {
     const ModeTerms& m = structure.mode[k];
     const bool at_rest = m.friction != 0 && regime.sliding[k] == 0;
     const double p = at_rest ? 0 : velocity(x, k);
     displacement(rate, k) = p;
-    velocity(rate, k) = acceleration(structure, drive, regime, k, t, excitation, x);
+    velocity(rate, k) = acceleration(structure, drive, at, k);
     if (m.slider == 0) {
       slider_spring(rate, k) = 0;
     } else if (m.smooth_slider) {
@@ -86,16 +86,14 @@ void derivative(const Structure& structure, const Drive& drive, const Regime& re
   }
   if (structure.extra.direct != 0) {
     rate[extra_at] = x[extra_at + 1];
-    rate[extra_at + 1] = extra_acceleration(structure.extra, excitation, x);
+    rate[extra_at + 1] = extra_acceleration(structure.extra, at.excitation, x);
   }
 }
 
-Accelerations accelerations(const Structure& structure, const Drive& drive, const Regime& regime, double t,
-                            double excitation, const State& x) {
+Accelerations accelerations(const Structure& structure, const Drive& drive, const Instant& at) {
   Accelerations result;
-  for (std::size_t k = 0; k < structure.modes; ++k)
-    result.modal[k] = acceleration(structure, drive, regime, k, t, excitation, x);
-  if (structure.extra.direct != 0) result.extra = extra_acceleration(structure.extra, excitation, x);
+  for (std::size_t k = 0; k < structure.modes; ++k) result.modal[k] = acceleration(structure, drive, at, k);
+  if (structure.extra.direct != 0) result.extra = extra_acceleration(structure.extra, at.excitation, at.x);
   return result;
 }
 

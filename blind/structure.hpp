@@ -115,19 +115,23 @@ struct Regime {
   std::array<int, most_modes> beyond{};    ///< the same for threshold damping
 };
 
+/// A state at time t, the drive's value then, and the branches that it is on.
+struct Instant {
+  const Regime& regime;
+  double t, excitation;
+  const State& x;
+};
+
 /// All forces on mode k but inertia and friction; divided by the mode's effective mass they give q''.
-double force(const Structure& structure, const Drive& drive, const Regime& regime, std::size_t k, double t,
-             double excitation, const State& x);
-/// Time derivative of the state on the branches of `regime`; `excitation` is the drive's at t.
-void derivative(const Structure& structure, const Drive& drive, const Regime& regime, double t, double excitation,
-                const State& x, State& rate);
+double force(const Structure& structure, const Drive& drive, const Instant& at, std::size_t k);
+/// Time derivative of the state.
+void derivative(const Structure& structure, const Drive& drive, const Instant& at, State& rate);
 /// Modal accelerations q'' (first) and z''.
 struct Accelerations {
   std::array<double, most_modes> modal{};
   double extra = 0;
 };
-Accelerations accelerations(const Structure& structure, const Drive& drive, const Regime& regime, double t,
-                            double excitation, const State& x);
+Accelerations accelerations(const Structure& structure, const Drive& drive, const Instant& at);
 
 /// The coefficient that switches an effect of EFFECTS.md, or one of those outside of it, on; nullptr for faults of
 /// the excitation or the measurement.

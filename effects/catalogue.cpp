@@ -16,6 +16,7 @@ constexpr Shape any_exponent{Shape::Kind::exponent};
 /// Tuned: leaves room above the shares that are reported, so that their errors are not cut off.
 constexpr double most_excess_at_rest = 5;
 
+// A table, as long as there are effects: one row each.
 // Couplings are Lagrangian: from V = c v^2 u, V = c v^2 u^2/2 and V = c v^3 u, and of inertia from T = c u D(v)^2/2
 // and T = c v D(v) D(u).
 std::vector<Effect> rows() {

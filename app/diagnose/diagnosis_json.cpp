@@ -49,39 +49,60 @@ Json simulated_errors(const std::vector<SimulatedError>& errors) {
   return list;
 }
 
-}  // namespace
-
-std::string diagnosis_json(const DiagnosisRun& run) {
-  const Diagnosis& d = run.diagnosis;
-  Json root;
-  root["schema"] = 1;
-  root["model"] = std::string(run.model->name);
+Json gap_json(const GapReport& found) {
   Json gap;
-  gap["of"] = to_string(d.gap.judged);
-  gap["detected"] = d.gap.detected;
-  gap["p_value"] = d.gap.p_value;
-  gap["before"] = d.gap.before;
-  gap["after"] = d.gap.after;
-  gap["floor"] = d.gap.floor;
-  gap["closed"] = d.gap.closed;
-  gap["closed_ci95"] = {d.gap.closed_low, d.gap.closed_high};
-  if (d.gap.left_share) gap["left_share"] = *d.gap.left_share;
-  if (d.gap.noise_misjudged) gap["noise"] = "misjudged";
-  gap["metric"] = d.gap.metric;
-  if (!d.gap.wrong_cause.empty())
-    gap["best_other_cause"] = {{"effect", d.gap.wrong_cause}, {"closed", d.gap.wrong_cause_closed}};
-  if (d.gap.placebo_closed) gap["placebo_closed"] = *d.gap.placebo_closed;
-  root["gap"] = std::move(gap);
-  root["unsteady"] = {
-      {"detected", d.unsteady.detected}, {"p_value", d.unsteady.p_value}, {"ratio", d.unsteady.ratio}};
-  if (d.unsteady.detected) root["unsteady"]["record"] = d.unsteady.record;
-  root["where"] = Json::array();
-  for (const GapShare& share : d.where)
-    root["where"].push_back({{"mode", share.mode},
-                             {"component", to_string(share.component)},
-                             {"harmonic", share.harmonic},
-                             {"region", share.region},
-                             {"share", share.share}});
+  gap["of"] = to_string(found.judged);
+  gap["detected"] = found.detected;
+  gap["p_value"] = found.p_value;
+  gap["before"] = found.before;
+  gap["after"] = found.after;
+  gap["floor"] = found.floor;
+  gap["closed"] = found.closed;
+  gap["closed_ci95"] = {found.closed_low, found.closed_high};
+  if (found.left_share) gap["left_share"] = *found.left_share;
+  if (found.noise_misjudged) gap["noise"] = "misjudged";
+  gap["metric"] = found.metric;
+  if (!found.wrong_cause.empty())
+    gap["best_other_cause"] = {{"effect", found.wrong_cause}, {"closed", found.wrong_cause_closed}};
+  if (found.placebo_closed) gap["placebo_closed"] = *found.placebo_closed;
+  return gap;
+}
+
+Json unsteady_json(const Unsteadiness& unsteady) {
+  Json json = {{"detected", unsteady.detected}, {"p_value", unsteady.p_value}, {"ratio", unsteady.ratio}};
+  if (unsteady.detected) json["record"] = unsteady.record;
+  return json;
+}
+
+Json where_json(const std::vector<GapShare>& shares) {
+  Json where = Json::array();
+  for (const GapShare& share : shares)
+    where.push_back({{"mode", share.mode},
+                     {"component", to_string(share.component)},
+                     {"harmonic", share.harmonic},
+                     {"region", share.region},
+                     {"share", share.share}});
+  return where;
+}
+
+Json cause_json(const CauseReport& cause) {
+  Json entry;
+  entry["effect"] = cause.effect;
+  entry["mode"] = cause.subject;
+  entry["probability"] = cause.probability;
+  if (!cause.coefficient_name.empty()) {
+    entry["coefficient"] = cause.coefficient;
+    entry["sd"] = cause.sd;
+    entry["symbol"] = cause.coefficient_name;
+  }
+  for (const CauseReport::Shape& shape : cause.shapes)
+    entry["shapes"].push_back({{"symbol", shape.name}, {"value", shape.value}, {"sd", shape.sd}});
+  if (cause.closed) entry["closed"] = *cause.closed;
+  return entry;
+}
+
+// Keys verdict to causes.
+void add_verdict(const Diagnosis& d, Json& root) {
   root["verdict"] = d.verdict;
   root["cause"] = d.cause.empty() ? Json(nullptr) : Json(d.cause);
   root["set"] = d.set;
@@ -95,21 +116,11 @@ std::string diagnosis_json(const DiagnosisRun& run) {
                         {"sd", d.open_law->sd},
                         {"probability", d.open_law->probability}};
   root["causes"] = Json::array();
-  for (const CauseReport& cause : d.causes) {
-    Json entry;
-    entry["effect"] = cause.effect;
-    entry["mode"] = cause.subject;
-    entry["probability"] = cause.probability;
-    if (!cause.coefficient_name.empty()) {
-      entry["coefficient"] = cause.coefficient;
-      entry["sd"] = cause.sd;
-      entry["symbol"] = cause.coefficient_name;
-    }
-    for (const CauseReport::Shape& shape : cause.shapes)
-      entry["shapes"].push_back({{"symbol", shape.name}, {"value", shape.value}, {"sd", shape.sd}});
-    if (cause.closed) entry["closed"] = *cause.closed;
-    root["causes"].push_back(std::move(entry));
-  }
+  for (const CauseReport& cause : d.causes) root["causes"].push_back(cause_json(cause));
+}
+
+// Keys parameters_moved, parameters and covariance.
+void add_parameters(const Diagnosis& d, Json& root) {
   if (!d.parameters_moved.empty()) {
     root["parameters_moved"] = Json::array();
     for (const ParameterMove& move : d.parameters_moved)
@@ -127,13 +138,30 @@ std::string diagnosis_json(const DiagnosisRun& run) {
   root["covariance"] = {{"names", d.fitted.names}, {"matrix", Json::array()}};
   for (const auto& row : d.fitted.covariance.rowwise())
     root["covariance"]["matrix"].push_back(std::vector<double>(row.begin(), row.end()));
-  if (d.simulated) {
-    root["simulated"] = {{"dwells", simulated_errors(d.simulated->dwells)},
-                         {"steady", d.simulated->steady},
-                         {"lost", d.simulated->lost},
-                         {"segments", simulated_errors(d.simulated->segments)}};
-    if (!d.simulated->apart.empty()) root["simulated"]["check"] = simulated_errors(d.simulated->apart);
-  }
+}
+
+Json simulated_json(const SimulatedCheck& check) {
+  Json json = {{"dwells", simulated_errors(check.dwells)},
+               {"steady", check.steady},
+               {"lost", check.lost},
+               {"segments", simulated_errors(check.segments)}};
+  if (!check.apart.empty()) json["check"] = simulated_errors(check.apart);
+  return json;
+}
+
+}  // namespace
+
+std::string diagnosis_json(const DiagnosisRun& run) {
+  const Diagnosis& d = run.diagnosis;
+  Json root;
+  root["schema"] = 1;
+  root["model"] = std::string(run.model->name);
+  root["gap"] = gap_json(d.gap);
+  root["unsteady"] = unsteady_json(d.unsteady);
+  root["where"] = where_json(d.where);
+  add_verdict(d, root);
+  add_parameters(d, root);
+  if (d.simulated) root["simulated"] = simulated_json(*d.simulated);
   if (d.gap.detected) {
     root["residual_structure"] = {{"p_value", d.residual_structure.p_value},
                                   {"smooth_p_value", d.residual_structure.smooth_p_value},

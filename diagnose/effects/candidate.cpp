@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <stdexcept>
+#include <utility>
 
 namespace secular {
 namespace {
@@ -139,6 +140,143 @@ std::function<bool(const VectorXd&)> shapes_within(const EffectForm& form, const
   };
 }
 
+// Candidates by kind, each with the unknowns that carry it: symbols of the augmented model, then faults.
+class CandidateList {
+ public:
+  CandidateList(const EffectCatalogue& catalogue, const CandidateData& data)
+      : catalogue_(catalogue),
+        data_(data),
+        first_fault_(data.model.symbols.size()),
+        responses_(data.sensors.responses.size()),
+        channels_(responses_ + data.sensors.excitations.size()) {}
+
+  std::vector<Candidate> take() { return std::move(all_); }
+
+  void add_equation_effects(const std::vector<EquationEffect>& effects) {
+    for (const EquationEffect& e : effects) {
+      const EffectForm* form = catalogue_.find_form(e.effect, e.form);
+      if (form == nullptr) throw std::invalid_argument("candidates_of: no effect " + e.effect);
+      Candidate c;
+      c.subject = e.subject;
+      c.mode = e.mode;
+      c.equation = true;
+      c.strengths = {e.strength};
+      c.shapes = e.shapes;
+      c.shape_starts = shape_starts(*form, e.shapes.size(), data_.largest, static_cast<Index>(e.mode));
+      c.plausible = shapes_within(*form, e.shapes);
+      add(*catalogue_.find(e.effect), std::move(c));
+    }
+  }
+
+  void add_channel_faults() {
+    const SensorModel& sensors = data_.sensors;
+    for (std::size_t i = 0; i < channels_; ++i) {
+      const bool response = i < responses_;
+      const std::string& name = response ? sensors.response_names[i] : sensors.excitation_names[i - responses_];
+      // Free motion seen by one channel: its gain is the unit of the motion.
+      if (channels_ > 1) add_channel_fault(ChannelFault::gain, fault(name, data_.faults.gain(i)));
+      // That of a velocity or acceleration is fitted beside every explanation (Comparison::nuisances).
+      if (!response || sensors.derivatives == 0)
+        add_channel_fault(ChannelFault::offset, fault(name, data_.faults.offset(i)));
+      add_channel_fault(ChannelFault::skew, fault(name, data_.faults.delay(i)));
+      if (response && !sensors.excitations.empty())
+        add_channel_fault(ChannelFault::cross_axis, fault(name, data_.faults.cross(i)));
+      const double peak = largest_value(data_.conditions, data_.segments, i, responses_);
+      for (const double share : {0.997, 0.97, 0.9, 0.75, 0.6, 0.45}) {
+        if (!(peak > 0)) break;
+        Candidate clipping = fault(name, data_.faults.inverse_level(i));
+        clipping.least_strength = 1 / (share * peak);
+        add_channel_fault(ChannelFault::clipping, std::move(clipping));
+      }
+    }
+  }
+
+  void add_mode_shape_error() {
+    const Effect* mixing = catalogue_.find(Effect::Kind::mode_shape_error);
+    const std::size_t modes = data_.model.modes();
+    if (!mixing || modes < 2 || responses_ < 2) return;
+    Candidate c = fault("modal basis", 0);
+    c.strengths.clear();
+    for (std::size_t i = 0; i < modes; ++i)
+      for (std::size_t k = 0; k < modes; ++k)
+        if (i != k) c.strengths.push_back(first_fault_ + data_.faults.mixing(i, k));
+    add(*mixing, std::move(c));
+  }
+
+  void add_drifts() {
+    for (const Effect& effect : catalogue_.effects)
+      for (std::size_t k = 0; effect.is_of_time() && k < data_.model.modes(); ++k) {
+        Candidate drift = fault(std::string(data_.model.coordinates[k]), data_.faults.drift(k));
+        drift.mode = k;
+        drift.equation = true;
+        add(effect, std::move(drift));
+      }
+  }
+
+  void add_shaker_harmonics() {
+    const Effect* effect = catalogue_.find(Effect::Kind::shaker_harmonics);
+    if (!effect) return;
+    Candidate harmonics = fault(data_.sensors.excitation_names[0], 0);
+    harmonics.strengths.clear();
+    for (std::size_t part = 0; part < 4; ++part)
+      harmonics.strengths.push_back(first_fault_ + data_.faults.shaker_harmonic(part));
+    add(*effect, std::move(harmonics));
+  }
+
+  void add_extra_mode() {
+    const Effect* extra_mode = catalogue_.find(Effect::Kind::extra_mode);
+    std::vector<VectorXd> starts = extra_mode_starts(data_.conditions);
+    if (!extra_mode || starts.empty()) return;
+    const FaultTable& faults = data_.faults;
+    Candidate extra = fault("beyond the model", 0);
+    extra.strengths.clear();
+    for (std::size_t c = 0; c < responses_; ++c)
+      extra.strengths.push_back(first_fault_ + faults.extra_amplitude(c));
+    extra.shapes = {first_fault_ + faults.extra_frequency(), first_fault_ + faults.extra_damping()};
+    extra.shape_starts = std::move(starts);
+    extra.plausible = [lines = driven_lines(data_.conditions), first_fault = first_fault_, faults,
+                       responses = responses_, derivatives = data_.sensors.derivatives](const VectorXd& unknowns) {
+      const Faults set = faults.faults(unknowns.data() + first_fault);
+      double measured = 0, beyond = 0;
+      for (const DrivenLine& line : lines) {
+        measured += line.response;
+        for (std::size_t c = 0; c < responses; ++c)
+          beyond += std::norm(set.extra.response(c, line.rate, derivatives, line.excitation));
+      }
+      return beyond <= largest_extra * measured;
+    };
+    add(*extra_mode, std::move(extra));
+  }
+
+ private:
+  void add(const Effect& effect, Candidate c) {
+    c.effect = effect.name;
+    c.component = effect.component;
+    c.passive = effect.sign_known;
+    c.open_law = effect.kind == Effect::Kind::open_law;
+    c.contains = effect.contains;
+    all_.push_back(std::move(c));
+  }
+
+  // With one unknown, at `place` of the table of faults.
+  Candidate fault(const std::string& subject, std::size_t place) const {
+    Candidate c;
+    c.subject = subject;
+    c.strengths = {first_fault_ + place};
+    c.shape_starts = {VectorXd()};
+    return c;
+  }
+
+  void add_channel_fault(ChannelFault kind, Candidate c) {
+    if (const Effect* effect = catalogue_.find(kind)) add(*effect, std::move(c));
+  }
+
+  const EffectCatalogue& catalogue_;
+  const CandidateData& data_;
+  std::size_t first_fault_, responses_, channels_;
+  std::vector<Candidate> all_;
+};
+
 }  // namespace
 
 Candidate::Strength Candidate::strength_of_term(const VectorXd& unknowns) const {
@@ -185,106 +323,17 @@ std::vector<std::string> effect_names(const EffectCatalogue& catalogue) {
 }
 
 std::vector<Candidate> candidates_of(const EffectCatalogue& catalogue, const std::vector<EquationEffect>& effects,
-                                     const CompiledModel& model, const SensorModel& sensors,
-                                     const FaultTable& faults, const std::vector<Condition>& conditions,
-                                     const std::vector<Segment>& segments, const LargestMotions& largest) {
-  std::vector<Candidate> all;
-  const auto add = [&](const Effect& effect, Candidate c) {
-    c.effect = effect.name;
-    c.component = effect.component;
-    c.passive = effect.sign_known;
-    c.open_law = effect.kind == Effect::Kind::open_law;
-    c.contains = effect.contains;
-    all.push_back(std::move(c));
-  };
-  for (const EquationEffect& e : effects) {
-    const EffectForm* form = catalogue.find_form(e.effect, e.form);
-    if (form == nullptr) throw std::invalid_argument("candidates_of: no effect " + e.effect);
-    Candidate c;
-    c.subject = e.subject;
-    c.mode = e.mode;
-    c.equation = true;
-    c.strengths = {e.strength};
-    c.shapes = e.shapes;
-    c.shape_starts = shape_starts(*form, e.shapes.size(), largest, static_cast<Index>(e.mode));
-    c.plausible = shapes_within(*form, e.shapes);
-    add(*catalogue.find(e.effect), std::move(c));
+                                     const CandidateData& data) {
+  CandidateList list(catalogue, data);
+  list.add_equation_effects(effects);
+  list.add_channel_faults();
+  list.add_mode_shape_error();
+  list.add_drifts();
+  if (!data.sensors.excitations.empty()) {
+    list.add_shaker_harmonics();
+    list.add_extra_mode();
   }
-  const std::size_t first_fault = model.symbols.size();
-  const auto fault = [&](const std::string& subject, std::size_t place) {
-    Candidate c;
-    c.subject = subject;
-    c.strengths = {first_fault + place};
-    c.shape_starts = {VectorXd()};
-    return c;
-  };
-  const std::size_t responses = sensors.responses.size(), channels = responses + sensors.excitations.size();
-  const auto add_channel_fault = [&](ChannelFault kind, Candidate c) {
-    if (const Effect* effect = catalogue.find(kind)) add(*effect, std::move(c));
-  };
-  for (std::size_t i = 0; i < channels; ++i) {
-    const std::string& name = i < responses ? sensors.response_names[i] : sensors.excitation_names[i - responses];
-    // Free motion seen by one channel: its gain is the unit of the motion.
-    if (channels > 1) add_channel_fault(ChannelFault::gain, fault(name, faults.gain(i)));
-    // That of a velocity or acceleration is fitted beside every explanation (Comparison::nuisances).
-    if (i >= responses || sensors.derivatives == 0)
-      add_channel_fault(ChannelFault::offset, fault(name, faults.offset(i)));
-    add_channel_fault(ChannelFault::skew, fault(name, faults.delay(i)));
-    if (i < responses && !sensors.excitations.empty())
-      add_channel_fault(ChannelFault::cross_axis, fault(name, faults.cross(i)));
-    const double peak = largest_value(conditions, segments, i, responses);
-    for (const double share : {0.997, 0.97, 0.9, 0.75, 0.6, 0.45}) {
-      if (!(peak > 0)) break;
-      Candidate clipping = fault(name, faults.inverse_level(i));
-      clipping.least_strength = 1 / (share * peak);
-      add_channel_fault(ChannelFault::clipping, std::move(clipping));
-    }
-  }
-  const Effect* mixing = catalogue.find(Effect::Kind::mode_shape_error);
-  if (mixing && model.modes() > 1 && responses > 1) {
-    Candidate c = fault("modal basis", 0);
-    c.strengths.clear();
-    for (std::size_t i = 0; i < model.modes(); ++i)
-      for (std::size_t k = 0; k < model.modes(); ++k)
-        if (i != k) c.strengths.push_back(first_fault + faults.mixing(i, k));
-    add(*mixing, std::move(c));
-  }
-  for (const Effect& effect : catalogue.effects)
-    for (std::size_t k = 0; effect.is_of_time() && k < model.modes(); ++k) {
-      Candidate drift = fault(std::string(model.coordinates[k]), faults.drift(k));
-      drift.mode = k;
-      drift.equation = true;
-      add(effect, std::move(drift));
-    }
-  if (sensors.excitations.empty()) return all;
-  if (const Effect* effect = catalogue.find(Effect::Kind::shaker_harmonics)) {
-    Candidate harmonics = fault(sensors.excitation_names[0], 0);
-    harmonics.strengths.clear();
-    for (std::size_t part = 0; part < 4; ++part)
-      harmonics.strengths.push_back(first_fault + faults.shaker_harmonic(part));
-    add(*effect, std::move(harmonics));
-  }
-  const Effect* extra_mode = catalogue.find(Effect::Kind::extra_mode);
-  const std::vector<VectorXd> starts = extra_mode_starts(conditions);
-  if (!extra_mode || starts.empty()) return all;
-  Candidate extra = fault("beyond the model", 0);
-  extra.strengths.clear();
-  for (std::size_t c = 0; c < responses; ++c) extra.strengths.push_back(first_fault + faults.extra_amplitude(c));
-  extra.shapes = {first_fault + faults.extra_frequency(), first_fault + faults.extra_damping()};
-  extra.shape_starts = starts;
-  extra.plausible = [lines = driven_lines(conditions), first_fault, faults, responses,
-                     derivatives = sensors.derivatives](const VectorXd& unknowns) {
-    const Faults set = faults.faults(unknowns.data() + first_fault);
-    double measured = 0, beyond = 0;
-    for (const DrivenLine& line : lines) {
-      measured += line.response;
-      for (std::size_t c = 0; c < responses; ++c)
-        beyond += std::norm(set.extra.response(c, line.rate, derivatives, line.excitation));
-    }
-    return beyond <= largest_extra * measured;
-  };
-  add(*extra_mode, std::move(extra));
-  return all;
+  return list.take();
 }
 
 }  // namespace secular

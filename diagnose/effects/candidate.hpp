@@ -61,10 +61,18 @@ std::vector<std::string> effect_names(const EffectCatalogue& catalogue);
 LargestMotions largest_motions(const std::vector<Condition>& conditions, const std::vector<Segment>& segments,
                                const SensorModel& sensors, const std::vector<double>& natural_frequency);
 
+/// What candidates are about: a model, the sensors that see its motion, and what they have seen.
+struct CandidateData {
+  const CompiledModel& model;
+  const SensorModel& sensors;
+  const FaultTable& faults;
+  const std::vector<Condition>& conditions;
+  const std::vector<Segment>& segments;
+  const LargestMotions& largest;
+};
+
 /// Every explanation in the catalogue that the campaign can speak of at all.
 std::vector<Candidate> candidates_of(const EffectCatalogue& catalogue, const std::vector<EquationEffect>& effects,
-                                     const CompiledModel& model, const SensorModel& sensors,
-                                     const FaultTable& faults, const std::vector<Condition>& conditions,
-                                     const std::vector<Segment>& segments, const LargestMotions& largest);
+                                     const CandidateData& data);
 
 }  // namespace secular

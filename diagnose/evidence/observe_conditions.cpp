@@ -85,13 +85,11 @@ ObservedConditions observe_conditions(const Campaign& campaign, const RecordRead
                                       const std::vector<double>& natural_frequency, const Window& window) {
   ObservedConditions observed;
   std::vector<Dwell> dwells;
+  const DwellContext context{campaign, model, sensors, natural_frequency, window};
   for (std::size_t r = 0; r < campaign.records.size(); ++r) {
     const RecordEntry& entry = campaign.records[r];
-    if (!window.takes(r, entry.file)) continue;
-    if (entry.kind == RecordKind::dwell)
-      if (auto dwell =
-              observe_dwell(campaign, r, read(r), model, sensors, natural_frequency, window, observed.warnings))
-        dwells.push_back(std::move(*dwell));
+    if (entry.kind != RecordKind::dwell || !window.takes(r, entry.file)) continue;
+    if (auto dwell = observe_dwell(context, r, read(r), observed.warnings)) dwells.push_back(std::move(*dwell));
   }
   const PooledScatter responses(dwells, false), excitations(dwells, true);
   const Eigen::VectorXd noise = typical_noise(dwells);

@@ -23,12 +23,19 @@ struct Dwell {
   std::vector<Nonstationarity> nonstationarity;
 };
 
+/// What dwells are read for, and with.
+struct DwellContext {
+  const Campaign& campaign;
+  const CompiledModel& model;
+  const SensorModel& sensors;
+  const std::vector<double>& natural_frequency;  ///< rad/s, by mode
+  const Window& window;
+};
+
 /// Nothing (and a warning) for a dwell that is too short, has no steady excitation or has not settled. Phases are
 /// those of the excitation's fundamental; where a motion may start anywhere against it (subharmonics, pairs of
 /// modes), ensembles are turned to agree.
-std::optional<Dwell> observe_dwell(const Campaign& campaign, std::size_t index, const Record& record,
-                                   const CompiledModel& model, const SensorModel& sensors,
-                                   const std::vector<double>& natural_frequency, const Window& window,
+std::optional<Dwell> observe_dwell(const DwellContext& context, std::size_t index, const Record& record,
                                    std::vector<std::string>& warnings);
 
 }  // namespace secular

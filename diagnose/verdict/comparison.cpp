@@ -85,6 +85,48 @@ VectorXd start_of(const CompiledModel& model, const FaultTable& faults, const Di
   return start;
 }
 
+std::vector<double> natural_frequencies(const CompiledModel& model, const DiagnosisOptions& options,
+                                        const VectorXd& start) {
+  std::vector<double> natural;
+  for (std::size_t k = 0; k < model.modes(); ++k) {
+    const double seen = seen_frequency(options, k);
+    natural.push_back(std::isfinite(seen) ? seen : start(static_cast<Index>(k)));
+  }
+  return natural;
+}
+
+// Velocities and accelerations of a motion that lasts have no mean: what is there is the sensor's.
+std::vector<std::size_t> offsets_of_derivatives(const CompiledModel& model, const SensorModel& sensors,
+                                                const FaultTable& faults) {
+  std::vector<std::size_t> offsets;
+  for (std::size_t c = 0; c < sensors.responses.size() && sensors.derivatives > 0; ++c)
+    offsets.push_back(model.symbols.size() + faults.offset(c));
+  return offsets;
+}
+
+InputError nothing_to_compare(const Campaign& campaign, const CompiledModel& model,
+                              const std::vector<std::string>& warnings) {
+  return InputError(campaign.folder.string(), "",
+                    "holds no record that model " + std::string(model.name) + " can be compared with" +
+                        (warnings.empty() ? "" : " (" + warnings.front() + ")"),
+                    "settled dwells, free decays, sweeps or broadband records near the model's resonances are "
+                    "expected");
+}
+
+// Puts late dwells in step with their excitation as far as it is known how late they are. By record: standard
+// deviation of what is left, which may be anything within a turn of the excitation, s.
+std::map<std::size_t, double> put_in_step(std::vector<Condition>& conditions,
+                                          const std::map<std::size_t, double>& late_s) {
+  std::map<std::size_t, double> unknown_delay;
+  for (Condition& condition : conditions) {
+    const auto late = late_s.find(condition.record);
+    if (late == late_s.end() || !(condition.excitation_frequency() > 0)) continue;
+    condition.delay_excitation(late->second);
+    unknown_delay[condition.record] = 2 * std::numbers::pi / condition.excitation_frequency() / std::sqrt(12.0);
+  }
+  return unknown_delay;
+}
+
 // Laws with an exponent: a strength then has much the same size whatever the exponent.
 void set_scales(std::vector<StateForce>& forces, const VectorXd& largest, const std::vector<double>& natural) {
   for (StateForce& force : forces) {
@@ -143,7 +185,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
   Comparison result{.forces = options.forces,
                     .sensors = sensors,
                     .faults = faults,
-                    .nuisances = {},
+                    .nuisances = offsets_of_derivatives(model, sensors, faults),
                     .start = start_of(model, faults, options),
                     .conditions = {},
                     .candidates = {},
@@ -153,14 +195,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
                     .unsteady = {},
                     .spans = {},
                     .warnings = {}};
-  // Velocities and accelerations of a motion that lasts have no mean: what is there is the sensor's.
-  for (std::size_t c = 0; c < sensors.responses.size() && sensors.derivatives > 0; ++c)
-    result.nuisances.push_back(model.symbols.size() + faults.offset(c));
-  std::vector<double> natural;
-  for (std::size_t k = 0; k < model.modes(); ++k) {
-    const double seen = seen_frequency(options, k);
-    natural.push_back(std::isfinite(seen) ? seen : result.start(static_cast<Index>(k)));
-  }
+  const std::vector<double> natural = natural_frequencies(model, options, result.start);
   CountingReader counting(read, options.window);
   const RecordReader counted = [&](std::size_t r) { return counting(r); };
   ObservedConditions observed = observe_conditions(campaign, counted, model, sensors, natural, options.window);
@@ -169,25 +204,14 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
     return cut_segments(campaign, counted, sensors, natural, {window, length, most_samples}, result.warnings);
   };
   std::vector<Segment> segments = cut(options.window, SegmentLength::turns);
-  if (observed.conditions.empty() && segments.empty())
-    throw InputError(campaign.folder.string(), "",
-                     "holds no record that model " + std::string(model.name) + " can be compared with" +
-                         (result.warnings.empty() ? "" : " (" + result.warnings.front() + ")"),
-                     "settled dwells, free decays, sweeps or broadband records near the model's resonances are "
-                     "expected");
+  if (observed.conditions.empty() && segments.empty()) throw nothing_to_compare(campaign, model, result.warnings);
   result.conditions = std::move(observed.conditions);
   result.segments = segments.size();
   const std::vector<std::string> left_out =
       leave_out_unsteady(result.conditions, observed.nonstationarity, campaign);
   if (!left_out.empty())
     result.warnings.push_back(fmt::format("left out because their motion is not steady: {}", short_list(left_out)));
-  std::map<std::size_t, double> unknown_delay;
-  for (Condition& condition : result.conditions) {
-    const auto late = options.late_s.find(condition.record);
-    if (late == options.late_s.end() || !(condition.excitation_frequency() > 0)) continue;
-    condition.delay_excitation(late->second);
-    unknown_delay[condition.record] = 2 * std::numbers::pi / condition.excitation_frequency() / std::sqrt(12.0);
-  }
+  std::map<std::size_t, double> unknown_delay = put_in_step(result.conditions, options.late_s);
   result.unsteady = judge_steadiness(observed.nonstationarity, campaign);
   if (result.unsteady.detected) result.warnings.push_back(unsteady_warning(result.unsteady));
   result.data_used =
@@ -196,7 +220,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
   const LargestMotions largest = largest_motions(result.conditions, segments, sensors, natural);
   set_scales(result.forces, largest.displacement, natural);
   result.candidates =
-      candidates_of(options.catalogue, effects, model, sensors, faults, result.conditions, segments, largest);
+      candidates_of(options.catalogue, effects, {model, sensors, faults, result.conditions, segments, largest});
   note_scales(result.forces, result.candidates);
   check_left_out(options.left_out, options.catalogue);
   std::erase_if(result.candidates, [&](const Candidate& c) { return options.left_out.contains(c.effect); });

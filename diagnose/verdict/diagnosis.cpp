@@ -344,10 +344,15 @@ class Diagnoser {
 
   void simulate() {
     const Refit& null = inference_.null.fit;
-    const SegmentEvidence* apart = comparison_.apart ? &*comparison_.apart : nullptr;
-    result_.simulated = simulated_check(
-        comparison_.condition_model(model_), comparison_.conditions, comparison_.segment_evidence, apart,
-        options_.given ? judged_.unknowns : null.unknowns, best_->fit.unknowns, options_.threads);
+    const VectorXd& before = options_.given ? judged_.unknowns : null.unknowns;
+    const VectorXd& after = best_->fit.unknowns;
+    SimulatedCheck check = simulated_dwells(comparison_.condition_model(model_), comparison_.conditions, before,
+                                            after, options_.threads);
+    const auto& apart = comparison_.apart;
+    if (const SegmentEvidence* segments = comparison_.segment_evidence)
+      check.segments = simulated_window(*segments, comparison_.sensors, before, after);
+    if (apart) check.apart = simulated_window(*apart, comparison_.sensors, before, after);
+    result_.simulated = std::move(check);
     if (apart && options_.fit_check)
       fit_window(*apart, null, best_->fit, options_.threads, result_.simulated->apart);
   }

@@ -92,8 +92,8 @@ FrequencyScatter scatter_about(const Discrepancy& discrepancy, const VectorXd& u
     const Between between = between_records(shift, variance, functions);
     if (!(between.p_value < scatter_alarm)) continue;
     result.sd(static_cast<Index>(k)) = between.sd;
-    const double all = (shift.array() - shift.mean()).square().sum() / static_cast<double>(own.size() - 1);
-    result.at_random = std::max(result.at_random, between.sd * between.sd / all);
+    const double total = (shift.array() - shift.mean()).square().sum() / static_cast<double>(own.size() - 1);
+    result.at_random = std::max(result.at_random, between.sd * between.sd / total);
     const VectorXd weight = (variance.array() + between.sd * between.sd).rsqrt();
     result.follows_settings = result.follows_settings || follows(shift, weight, functions);
     result.records.insert(result.records.end(), own.begin(), own.end());

@@ -176,87 +176,112 @@ std::vector<Condition> predicted(const ConditionModel& model, const Condition& m
   return dwells;
 }
 
-Outcome outcome_of(const ConditionModel& model, std::vector<Condition> dwells, double length,
-                   const std::vector<Hypothesis>& hypotheses, double dispersion) {
-  const auto count = static_cast<Index>(hypotheses.size());
-  Outcome outcome;
-  if (dwells.empty()) return outcome;
-  MatrixXd separation = MatrixXd::Zero(count, count);
-  double closest = INFINITY;
-  for (Index h = 0; h < count; ++h) {
-    Condition& dwell = dwells[static_cast<std::size_t>(h)];
-    dwell.response_sd /= std::sqrt(length);
-    dwell.excitation_sd /= std::sqrt(length);
-    for (Index g = 0; g < count; ++g) {
-      if (g == h) continue;
-      const Judgement judgement =
-          judged(model, dwell, hypotheses[static_cast<std::size_t>(g)].explanation->fit, dispersion);
-      separation(h, g) = judgement.separation;
-      if (judgement.separation < closest) {
-        closest = judgement.separation;
-        outcome.watch = judgement.watch;
+// Dwells that may be run next, under every hypothesis.
+class PossibleDwells {
+ public:
+  PossibleDwells(const ConditionModel& model, const std::vector<Condition>& conditions,
+                 const std::vector<Hypothesis>& hypotheses, double dispersion, unsigned threads)
+      : model_(model),
+        conditions_(conditions),
+        hypotheses_(hypotheses),
+        dispersion_(dispersion),
+        threads_(threads),
+        tests_(tests_around(conditions)),
+        dwells_(tests_.size()) {
+    in_parallel(tests_.size(), threads_, [&](std::size_t t) {
+      dwells_[t] = predicted(model_, conditions_[tests_[t].condition], tests_[t], hypotheses_);
+    });
+  }
+
+  // `length`: of dwell_lengths.
+  ProposedDwell best_of(double length) const {
+    std::vector<Outcome> outcomes(tests_.size());
+    in_parallel(tests_.size(), threads_, [&](std::size_t t) { outcomes[t] = outcome_of(dwells_[t], length); });
+    std::optional<std::size_t> chosen;
+    std::size_t compared = 0;
+    double sum = 0;
+    for (std::size_t t = 0; t < tests_.size(); ++t) {
+      if (!outcomes[t].possible) continue;
+      ++compared;
+      sum += outcomes[t].probability;
+      if (!chosen || safety(outcomes[t]) > safety(outcomes[*chosen])) chosen = t;
+    }
+    if (!chosen) return {};
+    ProposedDwell best = proposal(*chosen, outcomes[*chosen]);
+    best.length = length;
+    best.compared = compared;
+    best.typical = sum / static_cast<double>(compared);
+    return best;
+  }
+
+ private:
+  // Expected probabilities saturate; between certain ones the larger separation is the safer test.
+  static std::pair<double, double> safety(const Outcome& outcome) {
+    return {std::min(outcome.probability, 0.999), outcome.separation};
+  }
+
+  Outcome outcome_of(std::vector<Condition> dwells, double length) const {
+    const auto count = static_cast<Index>(hypotheses_.size());
+    Outcome outcome;
+    if (dwells.empty()) return outcome;
+    MatrixXd separation = MatrixXd::Zero(count, count);
+    double closest = INFINITY;
+    for (Index h = 0; h < count; ++h) {
+      Condition& dwell = dwells[static_cast<std::size_t>(h)];
+      dwell.response_sd /= std::sqrt(length);
+      dwell.excitation_sd /= std::sqrt(length);
+      for (Index g = 0; g < count; ++g) {
+        if (g == h) continue;
+        const Judgement judgement =
+            judged(model_, dwell, hypotheses_[static_cast<std::size_t>(g)].explanation->fit, dispersion_);
+        separation(h, g) = judgement.separation;
+        if (judgement.separation < closest) {
+          closest = judgement.separation;
+          outcome.watch = judgement.watch;
+        }
       }
     }
+    outcome.possible = true;
+    outcome.separation = std::sqrt(closest);
+    outcome.probability = expected_probability(hypotheses_, separation);
+    outcome.chance = expected_chance(hypotheses_, separation);
+    return outcome;
   }
-  outcome.possible = true;
-  outcome.separation = std::sqrt(closest);
-  outcome.probability = expected_probability(hypotheses, separation);
-  outcome.chance = expected_chance(hypotheses, separation);
-  return outcome;
-}
 
-ProposedDwell best_of(const ConditionModel& model, const std::vector<Condition>& conditions,
-                      const std::vector<Test>& tests, const std::vector<std::vector<Condition>>& dwells,
-                      double length, const std::vector<Hypothesis>& hypotheses, double dispersion,
-                      unsigned threads) {
-  std::vector<Outcome> outcomes(tests.size());
-  in_parallel(tests.size(), threads,
-              [&](std::size_t t) { outcomes[t] = outcome_of(model, dwells[t], length, hypotheses, dispersion); });
-  ProposedDwell best;
-  const Outcome* chosen = nullptr;
-  const Condition* likeliest = nullptr;
-  double sum = 0;
-  for (std::size_t t = 0; t < tests.size(); ++t) {
-    const Outcome& outcome = outcomes[t];
-    if (!outcome.possible) continue;
-    ++best.compared;
-    sum += outcome.probability;
-    // Expected probabilities saturate; between certain ones the larger separation is the safer test.
-    if (chosen && std::pair(std::min(outcome.probability, 0.999), outcome.separation) <=
-                      std::pair(std::min(chosen->probability, 0.999), chosen->separation))
-      continue;
-    chosen = &outcome;
-    likeliest = &dwells[t].front();
-    best.like = conditions[tests[t].condition].record;
-    best.level = tests[t].level;
+  ProposedDwell proposal(std::size_t test, const Outcome& outcome) const {
+    const Condition& likeliest = dwells_[test].front();
+    ProposedDwell proposed;
+    proposed.like = conditions_[tests_[test].condition].record;
+    proposed.level = tests_[test].level;
+    proposed.channel = model_.sensors().excitation_names.front();
+    proposed.excitation = drive(likeliest);
+    proposed.frequency = likeliest.excitation_frequency();
+    proposed.resonance = resonance_of(likeliest, model_.balance().model());
+    proposed.separation = outcome.separation;
+    proposed.watch = outcome.watch;
+    proposed.probability = outcome.probability;
+    proposed.chance = outcome.chance;
+    return proposed;
   }
-  if (!chosen) return best;
-  best.length = length;
-  best.channel = model.sensors().excitation_names.front();
-  best.excitation = drive(*likeliest);
-  best.frequency = likeliest->excitation_frequency();
-  best.resonance = resonance_of(*likeliest, model.balance().model());
-  best.separation = chosen->separation;
-  best.watch = chosen->watch;
-  best.probability = chosen->probability;
-  best.chance = chosen->chance;
-  best.typical = sum / static_cast<double>(best.compared);
-  return best;
-}
+
+  const ConditionModel& model_;
+  const std::vector<Condition>& conditions_;
+  const std::vector<Hypothesis>& hypotheses_;
+  double dispersion_;
+  unsigned threads_;
+  std::vector<Test> tests_;
+  std::vector<std::vector<Condition>> dwells_;  // [test][hypothesis]; empty where one has no steady motion
+};
 
 }  // namespace
 
 ProposedDwell next_experiment(const ConditionModel& model, const std::vector<Condition>& conditions,
                               const std::vector<Hypothesis>& hypotheses, double dispersion, unsigned threads) {
   if (hypotheses.size() < 2) return {};
-  const std::vector<Test> tests = tests_around(conditions);
-  std::vector<std::vector<Condition>> dwells(tests.size());
-  in_parallel(tests.size(), threads, [&](std::size_t t) {
-    dwells[t] = predicted(model, conditions[tests[t].condition], tests[t], hypotheses);
-  });
+  const PossibleDwells possible(model, conditions, hypotheses, dispersion, threads);
   ProposedDwell best;
   for (const double length : dwell_lengths) {
-    best = best_of(model, conditions, tests, dwells, length, hypotheses, dispersion, threads);
+    best = possible.best_of(length);
     if (best.compared == 0 || best.chance > as_good_as_certain) break;
   }
   const auto count = static_cast<Index>(hypotheses.size());

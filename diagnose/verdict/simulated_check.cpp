@@ -67,9 +67,8 @@ void fit_window(const SegmentEvidence& window, const Refit& before, const Refit&
   }
 }
 
-SimulatedCheck simulated_check(const ConditionModel& model, const std::vector<Condition>& conditions,
-                               const SegmentEvidence* segments, const SegmentEvidence* apart,
-                               const VectorXd& before, const VectorXd& after, unsigned threads) {
+SimulatedCheck simulated_dwells(const ConditionModel& model, const std::vector<Condition>& conditions,
+                                const VectorXd& before, const VectorXd& after, unsigned threads) {
   SimulatedCheck check;
   const SensorModel& sensors = model.sensors();
   const auto channels = static_cast<Index>(sensors.response_names.size());
@@ -98,13 +97,13 @@ SimulatedCheck simulated_check(const ConditionModel& model, const std::vector<Co
     const auto n = static_cast<double>(check.steady);
     check.dwells = errors_of(sensors, signal / n, off_before / n, off_after / n);
   }
-  const auto compared = [&](const SegmentEvidence& part) {
-    return errors_of(sensors, part.mean_square_signal(), part.mean_square_error(before),
-                     part.mean_square_error(after));
-  };
-  if (segments) check.segments = compared(*segments);
-  if (apart) check.apart = compared(*apart);
   return check;
+}
+
+std::vector<SimulatedError> simulated_window(const SegmentEvidence& window, const SensorModel& sensors,
+                                             const VectorXd& before, const VectorXd& after) {
+  return errors_of(sensors, window.mean_square_signal(), window.mean_square_error(before),
+                   window.mean_square_error(after));
 }
 
 }  // namespace secular

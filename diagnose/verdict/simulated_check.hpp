@@ -30,10 +30,13 @@ struct SimulatedCheck {
   std::vector<SimulatedError> apart;     ///< those of the window to check on, every record in one piece
 };
 
-/// `segments` and `apart` may be null.
-SimulatedCheck simulated_check(const ConditionModel& model, const std::vector<Condition>& conditions,
-                               const SegmentEvidence* segments, const SegmentEvidence* apart,
-                               const Eigen::VectorXd& before, const Eigen::VectorXd& after, unsigned threads);
+/// Compares the dwells. Unknowns: of the model as it is, and with the best explanation.
+SimulatedCheck simulated_dwells(const ConditionModel& model, const std::vector<Condition>& conditions,
+                                const Eigen::VectorXd& before, const Eigen::VectorXd& after, unsigned threads);
+
+/// Compares the decays, sweeps and broadband records of a window.
+std::vector<SimulatedError> simulated_window(const SegmentEvidence& window, const SensorModel& sensors,
+                                             const Eigen::VectorXd& before, const Eigen::VectorXd& after);
 
 /// Fits the free unknowns of both to a window's records, each in one piece, from where they are; fills
 /// before_fitted and after_fitted of `errors`, which are those of that window.

@@ -119,8 +119,9 @@ class CaseRegression {
     // Columns at adjusted values have lost their errors already.
     if (known_.errors_in_variables) system.errors.with_response.resize(0);
     if (system.design.rows() > 0) {
-      result_.fit = linear_fit(system.design, system.response, system.condition, 1e-9, system.errors,
-                               reweighting_.start ? reweighting_.start->noisy : std::nullopt, reweighting_.threads);
+      result_.fit = linear_fit(system.design, system.response, system.condition, system.errors,
+                               {.noisy_before = reweighting_.start ? reweighting_.start->noisy : std::nullopt,
+                                .threads = reweighting_.threads});
       take_phases_into_account(result_.fit);
       take_records_into_account();
       take(result_.fit.coefficients);

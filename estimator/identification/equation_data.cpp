@@ -27,6 +27,22 @@ Complex step_from(Complex value, double step, bool across) {
   return (across ? Complex(0, step) : Complex(step, 0)) * std::polar(1.0, std::arg(value));
 }
 
+// Columns by what they are the coefficients of; -1: known.
+struct ColumnPlaces {
+  std::vector<Index> lump, natural_frequency, sensor_offset;
+
+  ColumnPlaces(const std::vector<CaseColumn>& columns, std::size_t lumps, std::size_t modes)
+      : lump(lumps, -1), natural_frequency(modes, -1), sensor_offset(modes, -1) {
+    for (std::size_t c = 0; c < columns.size(); ++c) of(columns[c].kind)[columns[c].index] = static_cast<Index>(c);
+  }
+
+ private:
+  std::vector<Index>& of(CaseColumn::Kind kind) {
+    if (kind == CaseColumn::Kind::lump) return lump;
+    return kind == CaseColumn::Kind::natural_frequency ? natural_frequency : sensor_offset;
+  }
+};
+
 }  // namespace
 
 Complex motion_frame(const RegressorBlock& block, const Observation& o) {
@@ -191,16 +207,8 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
   const std::size_t quantities = quantities_.size();
   Rows result;
   const Index size = row_count(observation);
-  const auto width = static_cast<Index>(columns.size());
-  std::vector<Index> lump_column(case_.lumps.size(), -1), frequency_column(o.rate.size(), -1),
-      offset_column(o.rate.size(), -1);
-  for (Index c = 0; c < width; ++c) {
-    const CaseColumn& column = columns[static_cast<std::size_t>(c)];
-    (column.kind == CaseColumn::Kind::lump                ? lump_column
-     : column.kind == CaseColumn::Kind::natural_frequency ? frequency_column
-                                                          : offset_column)[column.index] = c;
-  }
-  result.design = MatrixXd::Zero(size, width);
+  const ColumnPlaces place(columns, case_.lumps.size(), o.rate.size());
+  result.design = MatrixXd::Zero(size, static_cast<Index>(columns.size()));
   result.response.resize(size);
   result.variants = MatrixXd::Zero(size, static_cast<Index>(quantities));
   result.own_variance.resize(size);
@@ -229,47 +237,26 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
       return change;
     };
     Complex target = modulation ? rate * a : o.harmonic[b];
-    const bool frequency_open = modulation && frequency_column[mode] >= 0;
-    if (frequency_open) put(result.design, frequency_column[mode], Complex(0, 1) * a);
-    if (zero && offset_column[mode] >= 0) put(result.design, offset_column[mode], 1);
+    const bool frequency_open = modulation && place.natural_frequency[mode] >= 0;
+    if (frequency_open) put(result.design, place.natural_frequency[mode], Complex(0, 1) * a);
+    if (zero && place.sensor_offset[mode] >= 0) put(result.design, place.sensor_offset[mode], 1);
     if (modulation)
       target -= Complex(0, (frequency_open ? reference_frequency : point.natural_frequency)[mode]) * a;
     if (set_.truncation.size() > 0) target -= set_.truncation(at, static_cast<Index>(b)) * std::conj(frame);
     for (std::size_t j = 0; j < block.lumps.size(); ++j) {
       const auto l = static_cast<std::size_t>(block.lumps[j]);
-      if (lump_column[l] >= 0)
-        put(result.design, lump_column[l], columns_[p][j](at));
+      if (place.lump[l] >= 0)
+        put(result.design, place.lump[l], columns_[p][j](at));
       else
         target -= point.lump[l] * columns_[p][j](at);
     }
     put(result.response, 0, target);
     // Left minus right side where one measured quantity is off.
     for (std::size_t q = 0; q < quantities; ++q) {
-      const Quantity& quantity = quantities_[q];
-      const double sd = deviation_[observation * quantities + q];
-      if (!(sd > 0)) continue;
+      if (!(deviation_[observation * quantities + q] > 0)) continue;
       const Complex step = step_[observation * quantities + q];
-      Complex change = 0;
-      if (modulation) {
-        const auto share = static_cast<Index>(quantity.index);
-        switch (quantity.kind) {
-          case Kind::amplitude:
-            if (quantity.index == mode) change = (rate - Complex(0, point.natural_frequency[mode])) * step;
-            break;
-          case Kind::growth:
-          case Kind::frequency:
-            if (quantity.index == mode) change = step * a;
-            break;
-          case Kind::free_frequency:
-            change = step * modes_.coupling(static_cast<Index>(mode), share) * a;
-            break;
-          case Kind::excitation_frequency:
-            change = step * modes_.forced(static_cast<Index>(mode), share) * a;
-            break;
-          case Kind::forcing:
-            break;
-        }
-      }
+      Complex change =
+          modulation ? modulation_change(quantities_[q], step, o, mode, point.natural_frequency[mode]) : 0.0;
       if (column_variant_[q] > 0) change -= change_in(column_variant_[q]);
       put(result.variants, static_cast<Index>(q), change);
     }
@@ -286,6 +273,26 @@ EquationData::Rows EquationData::rows(std::size_t observation, const std::vector
     r += zero ? 1 : 2;
   }
   return result;
+}
+
+// By the left side of a mode's modulation equation, (rate - i*omega) * amplitude.
+Complex EquationData::modulation_change(const Quantity& quantity, Complex step, const Observation& o,
+                                        std::size_t mode, double natural_frequency) const {
+  const auto row = static_cast<Index>(mode), share = static_cast<Index>(quantity.index);
+  switch (quantity.kind) {
+    case Kind::amplitude:
+      return quantity.index == mode ? (o.rate[mode] - Complex(0, natural_frequency)) * step : 0;
+    case Kind::growth:
+    case Kind::frequency:
+      return quantity.index == mode ? step * o.amplitude[mode] : 0;
+    case Kind::free_frequency:
+      return step * modes_.coupling(row, share) * o.amplitude[mode];
+    case Kind::excitation_frequency:
+      return step * modes_.forced(row, share) * o.amplitude[mode];
+    case Kind::forcing:
+      break;
+  }
+  return 0;
 }
 
 void EquationData::move(Observation& o, const VectorXd& deviations) const {
@@ -323,12 +330,7 @@ std::vector<EquationData::ColumnError> EquationData::column_errors(std::size_t o
   const Observation& o = set_.observations[observation];
   const auto count = static_cast<Index>(set_.observations.size());
   const auto at = static_cast<Index>(observation);
-  std::vector<Index> lump_column(case_.lumps.size(), -1), frequency_column(o.rate.size(), -1);
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    if (columns[c].kind == CaseColumn::Kind::lump) lump_column[columns[c].index] = static_cast<Index>(c);
-    if (columns[c].kind == CaseColumn::Kind::natural_frequency)
-      frequency_column[columns[c].index] = static_cast<Index>(c);
-  }
+  const ColumnPlaces place(columns, case_.lumps.size(), o.rate.size());
   const Index size = row_count(observation);
   std::vector<ColumnError> errors;
   for (std::size_t q = 0; q < quantities_.size(); ++q) {
@@ -349,9 +351,9 @@ std::vector<EquationData::ColumnError> EquationData::column_errors(std::size_t o
         if (!zero) error(r + 1, column) = value.imag();
       };
       if (block.kind == BlockKind::modulation && quantity.kind == Kind::amplitude && quantity.index == mode)
-        put(frequency_column[mode], Complex(0, 1) * step_[observation * quantities_.size() + q]);
+        put(place.natural_frequency[mode], Complex(0, 1) * step_[observation * quantities_.size() + q]);
       for (std::size_t j = 0; j < block.lumps.size(); ++j)
-        put(lump_column[static_cast<std::size_t>(block.lumps[j])],
+        put(place.lump[static_cast<std::size_t>(block.lumps[j])],
             columns_[p][j](copy * count + at) - columns_[p][j](at));
       r += zero ? 1 : 2;
     }

@@ -80,6 +80,8 @@ class EquationData {
   double sd(const Quantity& q, const Observation& o) const;
   std::complex<double> step(const Quantity& q, const Observation& o, double size) const;
   bool present(std::size_t block, const Observation& o) const;
+  std::complex<double> modulation_change(const Quantity& quantity, std::complex<double> step, const Observation& o,
+                                         std::size_t mode, double natural_frequency) const;
 
   const ObservationSet& set_;
   const CompiledCase& case_;

@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
-#include "estimator/regression/condensed_rows.hpp"
+#include "estimator/regression/cluster_jackknife.hpp"
+#include "estimator/regression/scaled_decomposition.hpp"
 #include "numerics/in_parallel.hpp"
-#include "numerics/unit_scale.hpp"
 
 namespace secular {
 namespace {
@@ -29,8 +28,12 @@ constexpr double smallest_signal = 0.5;
 /// Rows that one thread takes at a time.
 constexpr Index chunk = 1024;
 
-/// A cluster that alone determines a direction leaves nothing to compare it with.
-constexpr double largest_leverage = 0.999;
+void check_sizes(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<const VectorXd>& response,
+                 std::span<const int> cluster) {
+  if (response.size() != design.rows() || static_cast<Index>(cluster.size()) != design.rows())
+    throw std::invalid_argument("rows of design, response and clusters differ");
+  if (design.rows() == 0 || design.cols() == 0) throw std::invalid_argument("a regression without rows or columns");
+}
 
 // By direction: squared singular value over what the errors of the columns alone give.
 VectorXd signal_to_errors(const MatrixXd& basis, const MatrixXd& gram) {
@@ -46,169 +49,162 @@ Index count_of_noisy(const VectorXd& signal, std::optional<Index> before) {
   return std::clamp(*before, at_most(0.5 * noise_ratio), at_most(2 * noise_ratio));
 }
 
-}  // namespace
-
-LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<const VectorXd>& response,
-                     std::span<const int> cluster, double tolerance, const ColumnErrors& errors,
-                     std::optional<Index> noisy_before, unsigned threads) {
-  const Index rows = design.rows(), columns = design.cols();
-  if (response.size() != rows || static_cast<Index>(cluster.size()) != rows)
-    throw std::invalid_argument("rows of design, response and clusters differ");
-  if (rows == 0 || columns == 0) throw std::invalid_argument("a regression without rows or columns");
-  LinearFit fit;
-  const VectorXd scale = unit_scale(design);
-  // Many rows are condensed first.
-  const bool tall = rows > 2 * columns;
-  MatrixXd core;
-  VectorXd target = response;
-  if (tall) {
-    const CondensedRows condensed = condensed_rows(design, response, threads);
-    core = condensed.design.topRows(columns) * scale.asDiagonal();
-    target = condensed.response.head(columns);
-  } else {
-    core = design * scale.asDiagonal();
-  }
-  const Eigen::BDCSVD<MatrixXd> svd(core, Eigen::ComputeThinU | Eigen::ComputeFullV);
-  const VectorXd singular = svd.singularValues();
-  const double cut = tolerance * std::max(singular(0), std::numeric_limits<double>::min());
-  std::vector<Index> seen, unseen;
-  for (Index i = 0; i < columns; ++i) {
-    (i < singular.size() && singular(i) > cut ? seen : unseen).push_back(i);
-  }
-  fit.rank = static_cast<Index>(seen.size());
-  fit.scale = scale;
-  const Index rank = fit.rank;
-  MatrixXd u(core.rows(), rank), v(columns, rank), null(columns, columns - rank);
-  VectorXd inverse(rank);
-  for (Index i = 0; i < rank; ++i) {
-    const Index from = seen[static_cast<std::size_t>(i)];
-    u.col(i) = svd.matrixU().col(from);
-    v.col(i) = svd.matrixV().col(from);
-    inverse(i) = 1 / singular(from);
-  }
-  for (Index i = 0; i < null.cols(); ++i) null.col(i) = svd.matrixV().col(unseen[static_cast<std::size_t>(i)]);
-  VectorXd coordinates = u.transpose() * target;
-  fit.basis = scale.asDiagonal() * v * inverse.asDiagonal();
-  // Directions in which the columns differ by their own errors.
+/// Directions in which the columns differ by their own errors, and the others; rising.
+struct Directions {
   std::vector<Index> noisy, clear;
-  const VectorXd signal = signal_to_errors(fit.basis, errors.gram);
-  fit.noisy = count_of_noisy(signal, noisy_before);
-  std::vector<Index> by_signal(static_cast<std::size_t>(rank));
-  std::iota(by_signal.begin(), by_signal.end(), Index{0});
-  std::stable_sort(by_signal.begin(), by_signal.end(), [&](Index a, Index b) { return signal(a) < signal(b); });
-  noisy.assign(by_signal.begin(), by_signal.begin() + fit.noisy);
-  clear.assign(by_signal.begin() + fit.noisy, by_signal.end());
-  std::sort(noisy.begin(), noisy.end());
-  std::sort(clear.begin(), clear.end());
-  MatrixXd spread = fit.basis;  // what one unit of each coordinate's error does to the coefficients
-  fit.bias = VectorXd::Zero(columns);
-  fit.kept = MatrixXd::Identity(rank, rank);
-  const VectorXd uncorrected = coordinates;
+};
+
+Directions by_signal(const VectorXd& signal, std::optional<Index> noisy_before) {
+  std::vector<Index> order(static_cast<std::size_t>(signal.size()));
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return signal(a) < signal(b); });
+  const auto border = order.begin() + count_of_noisy(signal, noisy_before);
+  Directions directions{{order.begin(), border}, {border, order.end()}};
+  std::sort(directions.noisy.begin(), directions.noisy.end());
+  std::sort(directions.clear.begin(), directions.clear.end());
+  return directions;
+}
+
+/// Coordinates in the basis of a fit, without the attenuation that errors of the columns make.
+struct Coordinates {
+  VectorXd value, correction;
+  MatrixXd spread;  // columns x rank: what one unit of each coordinate's error does to the coefficients
+};
+
+// docs/inference.md (5): (I - B'GB) c = B'y - B'(g - G N n) in the clear directions B, n the coordinates in the
+// noisy ones N, G and g the errors' products. Fills in the fit's bias and what is kept of its Gram matrix.
+Coordinates without_attenuation(const VectorXd& seen, const Directions& directions, const ColumnErrors& errors,
+                                LinearFit& fit) {
+  const std::vector<Index>& clear = directions.clear;
+  Coordinates result{seen, VectorXd(), fit.basis};
+  fit.bias = VectorXd::Zero(fit.basis.rows());
+  fit.kept = MatrixXd::Identity(fit.rank, fit.rank);
   if (errors.with_response.size() > 0 && !clear.empty()) {
     const MatrixXd basis = fit.basis(Eigen::all, clear);
-    const VectorXd left = errors.with_response - errors.gram * (fit.basis(Eigen::all, noisy) * coordinates(noisy));
+    const VectorXd left =
+        errors.with_response - errors.gram * (fit.basis(Eigen::all, directions.noisy) * seen(directions.noisy));
     const auto count = static_cast<Index>(clear.size());
     const Eigen::LDLT<MatrixXd> kept(MatrixXd::Identity(count, count) - basis.transpose() * errors.gram * basis);
     if (kept.isPositive() && kept.vectorD().minCoeff() > smallest_signal) {
-      const VectorXd corrected = kept.solve(coordinates(clear) - basis.transpose() * left);
-      fit.bias = basis * (coordinates(clear) - corrected);
-      coordinates(clear) = corrected;
-      spread(Eigen::all, clear) = kept.solve(basis.transpose()).transpose();
+      const VectorXd corrected = kept.solve(seen(clear) - basis.transpose() * left);
+      fit.bias = basis * (seen(clear) - corrected);
+      result.value(clear) = corrected;
+      result.spread(Eigen::all, clear) = kept.solve(basis.transpose()).transpose();
       fit.kept(clear, clear) = kept.reconstructedMatrix();
     }
   }
-  fit.coefficients = fit.basis * coordinates;
-  fit.residual = response - design * fit.coefficients;
-  if (tall) {
-    fit.orthonormal.resize(rows, rank);
-    const auto chunks = static_cast<std::size_t>((rows + chunk - 1) / chunk);
-    in_parallel(chunks, threads, [&](std::size_t c) {
-      const Index begin = static_cast<Index>(c) * chunk, count = std::min(chunk, rows - begin);
-      fit.orthonormal.middleRows(begin, count).noalias() = design.middleRows(begin, count) * fit.basis;
-    });
-  } else {
-    fit.orthonormal = std::move(u);
-  }
-  fit.leverage = fit.orthonormal.rowwise().squaredNorm();
-  fit.residual_sd = rows > rank ? std::sqrt(fit.residual.squaredNorm() / static_cast<double>(rows - rank))
-                                : std::numeric_limits<double>::quiet_NaN();
-  fit.condition_indices = VectorXd::Constant(columns, std::numeric_limits<double>::infinity());
-  for (Index i = 0; i < rank; ++i) fit.condition_indices(i) = singular(0) * inverse(i);
+  result.correction = result.value - seen;
+  return result;
+}
 
-  // A column is identifiable if no null direction of the scaled columns has a part in it.
-  fit.identifiable.assign(static_cast<std::size_t>(columns), true);
-  fit.entangled_with.resize(static_cast<std::size_t>(columns));
-  const MatrixXd null_projection = null * null.transpose();
-  for (Index c = 0; c < columns; ++c) {
-    if (null_projection(c, c) < 1e-10) continue;
-    fit.identifiable[static_cast<std::size_t>(c)] = false;
-    for (Index other = 0; other < columns; ++other)
-      if (other != c && std::abs(null_projection(c, other)) > 1e-8)
-        fit.entangled_with[static_cast<std::size_t>(c)].push_back(static_cast<int>(other));
-  }
+MatrixXd orthonormal_columns(const Eigen::Ref<const MatrixXd>& design, const MatrixXd& basis, unsigned threads) {
+  const Index rows = design.rows();
+  MatrixXd orthonormal(rows, basis.cols());
+  const auto chunks = static_cast<std::size_t>((rows + chunk - 1) / chunk);
+  in_parallel(chunks, threads, [&](std::size_t c) {
+    const Index begin = static_cast<Index>(c) * chunk, count = std::min(chunk, rows - begin);
+    orthonormal.middleRows(begin, count).noalias() = design.middleRows(begin, count) * basis;
+  });
+  return orthonormal;
+}
 
-  const MatrixXd normal_inverse = v * inverse.cwiseAbs2().asDiagonal() * v.transpose();  // of scaled columns
+// Collinearity of the scaled columns: what their singular values say by themselves.
+void note_collinearity(const ScaledDecomposition& columns, LinearFit& fit) {
+  const Index count = columns.scale.size();
+  const MatrixXd& v = columns.seen;
+  const VectorXd& inverse = columns.inverse;
+  fit.condition_indices = VectorXd::Constant(count, std::numeric_limits<double>::infinity());
+  for (Index i = 0; i < fit.rank; ++i) fit.condition_indices(i) = columns.largest * inverse(i);
+  const MatrixXd normal_inverse = v * inverse.cwiseAbs2().asDiagonal() * v.transpose();
   fit.variance_inflation = normal_inverse.diagonal();
-  fit.plain_covariance = fit.residual_sd * fit.residual_sd * (spread * spread.transpose());
-  fit.variance_proportions = MatrixXd::Zero(columns, columns);
-  for (Index i = 0; i < rank; ++i)
-    for (Index c = 0; c < columns; ++c)
+  fit.variance_proportions = MatrixXd::Zero(count, count);
+  for (Index i = 0; i < fit.rank; ++i)
+    for (Index c = 0; c < count; ++c)
       if (normal_inverse(c, c) > 0)
         fit.variance_proportions(i, c) = v(c, i) * v(c, i) * inverse(i) * inverse(i) / normal_inverse(c, c);
+}
 
-  // What mainly rests on directions that are made of errors is not identifiable either.
+// A column is identifiable if no null direction of the scaled columns has a part in it.
+void note_null_space(const MatrixXd& null, LinearFit& fit) {
+  const Index columns = null.rows();
   fit.lost = null;
-  if (!noisy.empty()) {
-    VectorXd share = VectorXd::Zero(columns);
-    for (const Index i : noisy) share += fit.variance_proportions.row(i).transpose();
-    if ((share.array() > 0.5).any()) {
-      fit.lost.conservativeResize(columns, null.cols() + static_cast<Index>(noisy.size()));
-      for (std::size_t i = 0; i < noisy.size(); ++i)
-        fit.lost.col(null.cols() + static_cast<Index>(i)) = v.col(noisy[i]);
-    }
-    for (Index c = 0; c < columns; ++c)
-      for (Index other = 0; other < columns && share(c) > 0.5; ++other) {
-        fit.identifiable[static_cast<std::size_t>(c)] = false;
-        if (other != c && share(other) > 0.5)
-          fit.entangled_with[static_cast<std::size_t>(c)].push_back(static_cast<int>(other));
-      }
+  fit.identifiable.assign(static_cast<std::size_t>(columns), true);
+  fit.entangled_with.resize(static_cast<std::size_t>(columns));
+  const MatrixXd projection = null * null.transpose();
+  for (Index c = 0; c < columns; ++c) {
+    if (projection(c, c) < 1e-10) continue;
+    fit.identifiable[static_cast<std::size_t>(c)] = false;
+    for (Index other = 0; other < columns; ++other)
+      if (other != c && std::abs(projection(c, other)) > 1e-8)
+        fit.entangled_with[static_cast<std::size_t>(c)].push_back(static_cast<int>(other));
   }
+}
 
-  std::map<int, std::vector<Index>> by_label;
-  for (Index r = 0; r < rows; ++r) by_label[cluster[static_cast<std::size_t>(r)]].push_back(r);
-  std::vector<std::vector<Index>> members;
-  for (auto& [label, group] : by_label) {
-    fit.cluster_labels.push_back(label);
-    members.push_back(std::move(group));
+// What mainly rests on directions that are made of errors is not identifiable either.
+void note_noisy(const std::vector<Index>& noisy, const MatrixXd& seen, LinearFit& fit) {
+  fit.noisy = static_cast<Index>(noisy.size());
+  if (noisy.empty()) return;
+  const Index columns = seen.rows(), null = fit.lost.cols();
+  VectorXd share = VectorXd::Zero(columns);
+  for (const Index i : noisy) share += fit.variance_proportions.row(i).transpose();
+  if ((share.array() > 0.5).any()) {
+    fit.lost.conservativeResize(columns, null + fit.noisy);
+    fit.lost.rightCols(fit.noisy) = seen(Eigen::all, noisy);
   }
-  const auto groups = static_cast<Index>(members.size());
-  fit.influence = MatrixXd::Zero(groups, columns);
-  fit.cluster_gram.resize(members.size());
-  fit.cluster_score.resize(members.size());
-  std::vector<char> determines_alone(members.size(), 0);
-  in_parallel(members.size(), threads, [&](std::size_t g) {
-    const MatrixXd basis = fit.orthonormal(members[g], Eigen::all);
-    // Leaving rows out changes the coordinates in u by -(I - U_g' U_g)^-1 U_g' e_g.
-    const MatrixXd gram = basis.transpose() * basis, kept = MatrixXd::Identity(rank, rank) - gram;
-    const Eigen::LDLT<MatrixXd> solver(kept);
-    determines_alone[g] = solver.vectorD().minCoeff() < 1 - largest_leverage;
-    const VectorXd score = basis.transpose() * fit.residual(members[g]);
-    fit.influence.row(static_cast<Index>(g)) = -(spread * solver.solve(score)).transpose();
-    // With its part of what errors of the columns did, by the weight of its rows.
-    fit.cluster_score[g] = score + gram * (coordinates - uncorrected);
-    fit.cluster_gram[g] = gram;
-  });
-  const bool clustered = groups >= fewest_clusters && rows > rank && rank > 0 &&
-                         std::count(determines_alone.begin(), determines_alone.end(), 1) == 0;
+  for (Index c = 0; c < columns; ++c)
+    for (Index other = 0; other < columns && share(c) > 0.5; ++other) {
+      fit.identifiable[static_cast<std::size_t>(c)] = false;
+      if (other != c && share(other) > 0.5)
+        fit.entangled_with[static_cast<std::size_t>(c)].push_back(static_cast<int>(other));
+    }
+}
+
+// docs/inference.md (6): the jackknife's where there are clusters enough, the plain one elsewhere.
+void note_covariance(ClusterJackknife jackknife, const MatrixXd& spread, LinearFit& fit) {
+  const Index rows = fit.residual.size(), groups = static_cast<Index>(jackknife.labels.size());
+  fit.plain_covariance = fit.residual_sd * fit.residual_sd * (spread * spread.transpose());
+  const bool clustered =
+      groups >= fewest_clusters && rows > fit.rank && fit.rank > 0 && !jackknife.one_determines_a_direction;
   if (clustered) {
-    const auto n = static_cast<double>(groups);
-    fit.covariance = (n - 1) / n * fit.influence.transpose() * fit.influence;
+    fit.covariance = jackknife.covariance();
     fit.covariance_kind = CovarianceKind::clustered;
-    fit.degrees_of_freedom = n - 1;
+    fit.degrees_of_freedom = static_cast<double>(groups) - 1;
   } else {
     fit.covariance = fit.plain_covariance;
-    fit.degrees_of_freedom = static_cast<double>(std::max<Index>(1, rows - rank));
+    fit.degrees_of_freedom = static_cast<double>(std::max<Index>(1, rows - fit.rank));
   }
+  fit.cluster_gram = std::move(jackknife.gram);
+  fit.cluster_score = std::move(jackknife.score);
+  fit.influence = std::move(jackknife.influence);
+  fit.cluster_labels = std::move(jackknife.labels);
+}
+
+}  // namespace
+
+LinearFit linear_fit(const Eigen::Ref<const MatrixXd>& design, const Eigen::Ref<const VectorXd>& response,
+                     std::span<const int> cluster, const ColumnErrors& errors, const LinearFitOptions& options) {
+  check_sizes(design, response, cluster);
+  const Index rows = design.rows();
+  ScaledDecomposition columns = scaled_decomposition(design, response, options.tolerance, options.threads);
+  LinearFit fit;
+  fit.rank = columns.rank();
+  fit.scale = columns.scale;
+  fit.basis = columns.scale.asDiagonal() * columns.seen * columns.inverse.asDiagonal();
+  const Directions directions = by_signal(signal_to_errors(fit.basis, errors.gram), options.noisy_before);
+  const Coordinates coordinates = without_attenuation(columns.coordinates, directions, errors, fit);
+  fit.coefficients = fit.basis * coordinates.value;
+  fit.residual = response - design * fit.coefficients;
+  fit.orthonormal =
+      columns.left.size() > 0 ? std::move(columns.left) : orthonormal_columns(design, fit.basis, options.threads);
+  fit.leverage = fit.orthonormal.rowwise().squaredNorm();
+  fit.residual_sd = rows > fit.rank ? std::sqrt(fit.residual.squaredNorm() / static_cast<double>(rows - fit.rank))
+                                    : std::numeric_limits<double>::quiet_NaN();
+  note_collinearity(columns, fit);
+  note_null_space(columns.null, fit);
+  note_noisy(directions.noisy, columns.seen, fit);
+  note_covariance(cluster_jackknife({fit.orthonormal, fit.residual, coordinates.spread, coordinates.correction},
+                                    cluster, options.threads),
+                  coordinates.spread, fit);
   return fit;
 }
 

@@ -53,23 +53,28 @@ struct LinearFit {
   std::vector<int> cluster_labels;             ///< rows of `influence`
 };
 
-/// docs/inference.md (5), (6). Columns are scaled to unit norm; singular values below `tolerance` times the largest
-/// count as zero. `cluster` labels rows that share one condition (ten ensembles of one dwell are not ten
-/// independent conditions). The covariance is the delete-one-cluster jackknife, exact by solving without each
-/// cluster; its bias is upward for few clusters, which keeps intervals honest where the usual sandwich is too
-/// narrow. With fewer than five clusters, or where one cluster alone determines a direction, the plain covariance
-/// is used and said. `errors`: where a squared singular value is not above `noise_ratio` times what the errors of
-/// the columns alone give, the columns whose variance rests mainly on that direction are not identifiable (their
-/// least-squares coefficients would be made of noise). In all other directions the attenuation that these errors
-/// make is taken out: there (G - E[dX'dX]) b = X'y - E[dX'dy] replaces the normal equations (W. A. Fuller,
-/// Measurement Error Models, 1987, section 2.2). `noisy_before`: how many directions an earlier fit of nearly the
-/// same rows lost that way; within a factor of two of `noise_ratio` a direction stays on its side, so that fits
-/// that follow one another do not change what they estimate. The result does not depend on `threads`. Throws
-/// std::invalid_argument for sizes that differ.
+struct LinearFitOptions {
+  double tolerance = 1e-9;  ///< singular values below this share of the largest count as zero (rounding)
+  /// How many directions an earlier fit of nearly the same rows lost to the errors of the columns.
+  std::optional<Eigen::Index> noisy_before;
+  unsigned threads = 1;  ///< the result does not depend on them
+};
+
+/// docs/inference.md (5), (6). Columns are scaled to unit norm. `cluster` labels rows that share one condition (ten
+/// ensembles of one dwell are not ten independent conditions). The covariance is the delete-one-cluster jackknife,
+/// exact by solving without each cluster; its bias is upward for few clusters, which keeps intervals honest where
+/// the usual sandwich is too narrow. With fewer than five clusters, or where one cluster alone determines a
+/// direction, the plain covariance is used and said. `errors`: where a squared singular value is not above
+/// `noise_ratio` times what the errors of the columns alone give, the columns whose variance rests mainly on that
+/// direction are not identifiable (their least-squares coefficients would be made of noise). In all other
+/// directions the attenuation that these errors make is taken out: there (G - E[dX'dX]) b = X'y - E[dX'dy] replaces
+/// the normal equations (W. A. Fuller, Measurement Error Models, 1987, section 2.2). Within a factor of two of
+/// `noise_ratio` a direction stays on the side where `noisy_before` says that it was, so that fits that follow one
+/// another do not change what they estimate. Throws std::invalid_argument for sizes that differ.
 LinearFit linear_fit(const Eigen::Ref<const Eigen::MatrixXd>& design,
                      const Eigen::Ref<const Eigen::VectorXd>& response, std::span<const int> cluster,
-                     double tolerance = 1e-9, const ColumnErrors& errors = ColumnErrors(),
-                     std::optional<Eigen::Index> noisy_before = std::nullopt, unsigned threads = 1);
+                     const ColumnErrors& errors = ColumnErrors(),
+                     const LinearFitOptions& options = LinearFitOptions());
 
 /// See linear_fit: three parts signal to one part noise.
 inline constexpr double noise_ratio = 4;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -95,62 +96,99 @@ DecimalMark decimal_mark(const std::string& text) {
   throw InputError("--decimal-mark", "", "is '" + text + "'", ". or , was expected");
 }
 
-Record read_file(const std::filesystem::path& path, const std::vector<DescribedChannel>& channels,
-                 const RowChoice& choice, std::optional<double> sample_rate_hz, const char* rate_from,
-                 std::string& time_unit, std::vector<std::string>& warnings) {
-  const std::string& time = choice.variable;
+/// What every file of a campaign is expected to hold.
+struct ExpectedFile {
+  const std::vector<DescribedChannel>& channels;
+  const RowChoice& rows;
+  std::optional<double> sample_rate_hz;
+  const char* rate_from;  // says whose rate that is
+};
+
+struct ReadFile {
+  Record record;
+  std::string time_unit;  // as the file states it
+  std::vector<std::string> warnings;
+};
+
+DataFile read_variables(const std::filesystem::path& path, const ExpectedFile& expected) {
+  const std::string& time = expected.rows.variable;
   std::vector<std::string> wanted;
-  for (const DescribedChannel& described : channels)
+  for (const DescribedChannel& described : expected.channels)
     if (!contains(wanted, described.variable)) wanted.push_back(described.variable);
   if (!time.empty() && !contains(wanted, time)) wanted.push_back(time);
-  DataFile data = read_data_file(path, wanted, MissingNumbers::refuse, all_values, choice.mark);
+  DataFile data = read_data_file(path, wanted, MissingNumbers::refuse, all_values, expected.rows.mark);
   convert_csv_units(data);
-  Record record;
+  return data;
+}
+
+// Start, rate and jitter.
+void read_time(DataFile& data, const ExpectedFile& expected, ReadFile& read) {
+  Record& record = read.record;
+  const std::string& time = expected.rows.variable;
   if (time.empty()) {
-    record.sample_rate_hz = *sample_rate_hz;
-  } else {
-    DataVariable& stamps = data.vector(time);
-    convert_to_seconds(stamps, data.file, choice.unit);
-    time_unit = stamps.stated_unit;
-    const TimeAxis axis = even_time_axis(stamps.values, data.file, data.place, sample_rate_hz);
-    if (sample_rate_hz && !(std::abs(axis.sample_rate_hz / *sample_rate_hz - 1) <= 1e-3))
-      throw InputError(data.file, "variable " + time, fmt::format("is sampled at {} Hz", axis.sample_rate_hz),
-                       fmt::format("{} {}", rate_from, *sample_rate_hz));
-    record.start_s = axis.start_s;
-    record.sample_rate_hz = axis.sample_rate_hz;
-    record.jitter_s = axis.jitter_s;
+    record.sample_rate_hz = *expected.sample_rate_hz;
+    return;
   }
+  DataVariable& stamps = data.vector(time);
+  convert_to_seconds(stamps, data.file, expected.rows.unit);
+  read.time_unit = stamps.stated_unit;
+  const TimeAxis axis = even_time_axis(stamps.values, data.file, data.place, expected.sample_rate_hz);
+  if (expected.sample_rate_hz && !(std::abs(axis.sample_rate_hz / *expected.sample_rate_hz - 1) <= 1e-3))
+    throw InputError(data.file, "variable " + time, fmt::format("is sampled at {} Hz", axis.sample_rate_hz),
+                     fmt::format("{} {}", expected.rate_from, *expected.sample_rate_hz));
+  record.start_s = axis.start_s;
+  record.sample_rate_hz = axis.sample_rate_hz;
+  record.jitter_s = axis.jitter_s;
+}
+
+// By channel: samples by which it is late.
+std::vector<std::optional<std::ptrdiff_t>> read_delays(DataFile& data, const ExpectedFile& expected,
+                                                       std::vector<std::string>& warnings) {
+  const std::string& time = expected.rows.variable;
   std::vector<std::string> variables;
-  for (const DescribedChannel& described : channels) variables.push_back(described.variable);
+  for (const DescribedChannel& described : expected.channels) variables.push_back(described.variable);
   const auto delays =
       channel_delays(data, time, variables, time.empty() ? std::vector<double>{} : data.vector(time).values);
-  for (std::size_t c = 0; c < channels.size(); ++c)
+  for (std::size_t c = 0; c < variables.size(); ++c)
     if (delays[c].value_or(0) != 0)
       warnings.push_back(
           fmt::format("{}: {} begins {} samples {} by a time of its own: shifted, and all channels cut to what "
                       "they have in common",
                       data.file, variables[c], std::abs(*delays[c]), *delays[c] > 0 ? "later" : "earlier"));
+  return delays;
+}
+
+void check_quantity(const DataVariable& variable, const DescribedChannel& described, const std::string& file) {
+  if (const std::string fault = quantity_fault(variable, described.channel.quantity); !fault.empty())
+    throw InputError(
+        file, "variable " + variable.name, fault,
+        fmt::format("--channel {} says {}", described.channel.name, to_string(described.channel.quantity)));
+  if (described.stated_by_files && !variable.quantity)
+    throw InputError(file, "variable " + variable.name, "does not say quantity and unit, as the first file does",
+                     std::string("give ") + channel_form);
+}
+
+ReadFile read_file(const std::filesystem::path& path, const ExpectedFile& expected) {
+  DataFile data = read_variables(path, expected);
+  ReadFile read;
+  Record& record = read.record;
+  read_time(data, expected, read);
+  const auto delays = read_delays(data, expected, read.warnings);
+  const std::vector<DescribedChannel>& channels = expected.channels;
+  const std::string& time = expected.rows.variable;
   const std::string& first = time.empty() ? channels.front().variable : time;
   const std::size_t count = data.vector(first).values.size();
-  for (auto described_at = channels.begin(); described_at != channels.end(); ++described_at) {
-    const DescribedChannel& described = *described_at;
-    DataVariable& variable = data.vector(described.variable);
-    if (const std::string fault = quantity_fault(variable, described.channel.quantity); !fault.empty())
-      throw InputError(
-          data.file, "variable " + variable.name, fault,
-          fmt::format("--channel {} says {}", described.channel.name, to_string(described.channel.quantity)));
-    if (described.stated_by_files && !variable.quantity)
-      throw InputError(data.file, "variable " + variable.name,
-                       "does not say quantity and unit, as the first file does",
-                       std::string("give ") + channel_form);
-    const bool last = std::none_of(described_at + 1, channels.end(), [&](const DescribedChannel& later) {
-      return later.variable == described.variable;
+  for (auto described = channels.begin(); described != channels.end(); ++described) {
+    DataVariable& variable = data.vector(described->variable);
+    check_quantity(variable, *described, data.file);
+    const bool last = std::none_of(described + 1, channels.end(), [&](const DescribedChannel& later) {
+      return later.variable == described->variable;
     });
     record.channels.push_back(last ? std::move(variable.values) : variable.values);
-    if (variable.unit.empty() && described.si_factor != 1)
-      for (double& value : record.channels.back()) value *= described.si_factor;
+    if (variable.unit.empty() && described->si_factor != 1)
+      for (double& value : record.channels.back()) value *= described->si_factor;
     if (record.channels.back().size() != count && !delays[record.channels.size() - 1])
-      throw InputError(data.file, "variable " + described.variable,
+      throw InputError(data.file, "variable " + described->variable,
                        fmt::format("has {} samples, {} has {}", record.channels.back().size(), first, count),
                        "all channels of a record have one length");
   }
@@ -158,7 +196,7 @@ Record read_file(const std::filesystem::path& path, const std::vector<DescribedC
     record.start_s += static_cast<double>(align_channels(record.channels, delays)) / record.sample_rate_hz;
   if (record.samples() < 2)
     throw InputError(data.file, "", "has fewer than two samples", "a record needs many samples");
-  return record;
+  return read;
 }
 
 }  // namespace
@@ -202,10 +240,10 @@ ImportedCampaign import_files(const ImportOptions& options, const RecordSink& si
   for (std::size_t f = 0; f < options.files.size(); ++f) {
     // Files after the first are expected at the first one's rate.
     const std::optional<double> expected = f == 0 ? options.sample_rate_hz : std::optional(campaign.sample_rate_hz);
-    std::string time_unit;
-    Record record = read_file(options.files[f], channels, time, expected,
-                              options.sample_rate_hz ? "--sample-rate says" : "the first file's rate is", time_unit,
-                              imported.warnings);
+    auto [record, time_unit, warnings] = read_file(
+        options.files[f],
+        {channels, time, expected, options.sample_rate_hz ? "--sample-rate says" : "the first file's rate is"});
+    std::move(warnings.begin(), warnings.end(), std::back_inserter(imported.warnings));
     if (f == 0 && seconds_in(time_unit).value_or(1) != 1) imported.converted.push_back({"t", time_unit, "s"});
     if (f == 0) campaign.sample_rate_hz = record.sample_rate_hz;
     RecordEntry entry;

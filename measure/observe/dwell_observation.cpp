@@ -12,6 +12,7 @@
 #include "measure/observe/observation_set.hpp"
 #include "measure/observe/record_window.hpp"
 #include "measure/observe/related_tones.hpp"
+#include "measure/observe/response_tones.hpp"
 #include "measure/signal/bispectral_phase.hpp"
 #include "measure/signal/free_decay.hpp"
 #include "measure/signal/tone_fit.hpp"
@@ -42,9 +43,6 @@ constexpr std::size_t lock_ensembles = 6;
 /// rates that a quadratic finds would be wrong by several percent.
 constexpr int transient_degree = 4;
 
-/// Bins between a weak harmonic and every other tone, for it to be fitted.
-constexpr double separate_tone_bins = 2;
-
 double strongest_frequency(const Eigen::Ref<const VectorXd>& y, double rate) {
   // Mean distance of upward crossings of the mean: enough as a start for one dominant tone.
   const double mean = y.mean();
@@ -58,6 +56,14 @@ double strongest_frequency(const Eigen::Ref<const VectorXd>& y, double rate) {
   return crossings > 1 ? two_pi * rate * static_cast<double>(crossings - 1) / static_cast<double>(last - first)
                        : two_pi * rate / static_cast<double>(y.size());
 }
+
+/// A part of a dwell.
+struct Ensemble {
+  const Record& record;
+  std::size_t index;  // of the record
+  int condition;
+  Index begin, count;  // samples
+};
 
 /// Where frequencies that a resonance leaves free are looked for.
 enum class FreeSearch { near_nominal, everywhere };
@@ -115,7 +121,7 @@ class DwellObserver {
       std::vector<Observation> found;
       VectorXd free;  // of the ensemble before
       for (Index begin = range.first; begin + ensemble <= range.first + range.count; begin += ensemble)
-        found.push_back(observe_ensemble(record, r, condition, begin, ensemble, search, free));
+        found.push_back(observe_ensemble({record, r, condition, begin, ensemble}, search, free));
       return found;
     };
     std::vector<Observation> found = observed(FreeSearch::near_nominal);
@@ -182,40 +188,42 @@ class DwellObserver {
           entry.file, campaign_.channels[excitations_.front()].name, ratio));
   }
 
-  Observation observe_ensemble(const Record& record, std::size_t r, int condition, Index begin, Index count,
-                               FreeSearch search, VectorXd& free) const {
-    const RecordEntry& entry = campaign_.records[r];
+  Observation observe_ensemble(const Ensemble& ensemble, FreeSearch search, VectorXd& free) const {
+    const double rate = ensemble.record.sample_rate_hz;
     Observation o;
-    o.condition = condition;
-    o.record = r;
-    o.centre_s = record.start_s +
-                 (static_cast<double>(begin) + 0.5 * static_cast<double>(count - 1)) / record.sample_rate_hz;
-    for (std::size_t j = 0; j < excitations_.size(); ++j) {
-      const MatrixXd samples = samples_of(record, {excitations_[j]}, begin, count);
-      const double guess = entry.excitation_frequency_hz
-                               ? two_pi * *entry.excitation_frequency_hz
-                               : strongest_frequency(samples.col(0), record.sample_rate_hz);
-      const double start = tone_near(samples, record.sample_rate_hz, guess);
-      ToneOptions tone;
-      tone.harmonics = {1};
-      ToneFit fit = fit_harmonic_tone(samples, record.sample_rate_hz, start, tone);
-      if (fit.status == ToneStatus::ill_conditioned || std::abs(fit.frequency / guess - 1) > 0.2)
-        throw InputError(
-            (campaign_.folder / entry.file).string(), "channel " + campaign_.channels[excitations_[j]].name,
-            "no steady excitation tone is found in it", "check excitation_frequency_hz and the channel's role");
-      o.excitation_frequency.push_back(fit.frequency);
-      const double noise = window_.noise_factor(record.sample_rate_hz);
-      o.excitation_frequency_sd.push_back(noise * fit.frequency_sd);
-      o.forcing.push_back(2.0 * fit.amplitude(0, 0));
-      o.forcing_sd.push_back(2 * noise * fit.amplitude_sd(0, 0));
-    }
-    const MatrixXd responses = samples_of(record, projection_.channels, begin, count);
+    o.condition = ensemble.condition;
+    o.record = ensemble.index;
+    o.centre_s = ensemble.record.start_s +
+                 (static_cast<double>(ensemble.begin) + 0.5 * static_cast<double>(ensemble.count - 1)) / rate;
+    for (const std::size_t channel : excitations_) observe_excitation(ensemble, channel, o);
+    const MatrixXd responses = samples_of(ensemble.record, projection_.channels, ensemble.begin, ensemble.count);
     if (modes_.free.empty())
       free.resize(0);
     else if (free.size() == 0)
-      free = search_free(responses, record.sample_rate_hz, o.excitation_frequency, search);
-    fit_responses(responses, record.sample_rate_hz, o, free);
+      free = search_free(responses, rate, o.excitation_frequency, search);
+    observe_responses(responses, rate, o, free);
     return o;
+  }
+
+  void observe_excitation(const Ensemble& ensemble, std::size_t channel, Observation& o) const {
+    const RecordEntry& entry = campaign_.records[ensemble.index];
+    const double rate = ensemble.record.sample_rate_hz;
+    const MatrixXd samples = samples_of(ensemble.record, {channel}, ensemble.begin, ensemble.count);
+    const double guess = entry.excitation_frequency_hz ? two_pi * *entry.excitation_frequency_hz
+                                                       : strongest_frequency(samples.col(0), rate);
+    const double start = tone_near(samples, rate, guess);
+    ToneOptions tone;
+    tone.harmonics = {1};
+    const ToneFit fit = fit_harmonic_tone(samples, rate, start, tone);
+    if (fit.status == ToneStatus::ill_conditioned || std::abs(fit.frequency / guess - 1) > 0.2)
+      throw InputError((campaign_.folder / entry.file).string(), "channel " + campaign_.channels[channel].name,
+                       "no steady excitation tone is found in it",
+                       "check excitation_frequency_hz and the channel's role");
+    o.excitation_frequency.push_back(fit.frequency);
+    const double noise = window_.noise_factor(rate);
+    o.excitation_frequency_sd.push_back(noise * fit.frequency_sd);
+    o.forcing.push_back(2.0 * fit.amplitude(0, 0));
+    o.forcing_sd.push_back(2 * noise * fit.amplitude_sd(0, 0));
   }
 
   // Whether all oscillating modes have frequencies that can be seen apart from the excitation's harmonics.
@@ -280,127 +288,53 @@ class DwellObserver {
     return best;
   }
 
-  void fit_responses(const MatrixXd& samples, double rate, Observation& o, VectorXd& free) const {
-    const std::size_t modes = model_.modes();
-    const double resolution = two_pi * rate / static_cast<double>(samples.rows());
-    const double nyquist = std::numbers::pi * rate;
-    const double noise = window_.noise_factor(rate);
-    const auto unknowns = static_cast<Index>(modes_.free.size());
+  void observe_responses(const MatrixXd& samples, double rate, Observation& o, VectorXd& free) const {
+    const ResponseTones tones(model_, resonance_, modes_,
+                              {o.excitation_frequency, free, two_pi * rate / static_cast<double>(samples.rows()),
+                               std::numbers::pi * rate},
+                              window_);
+    const RelatedToneFit fit = fit_tones(samples, rate, tones, free);
+    free = fit.free;
+    observe_modes(tones, fit, o);
+    for (Index i = 0; i < free.size(); ++i) o.free_frequency_sd.push_back(fit.free_sd(i));
+    observe_blocks(tones, fit, o);
+  }
 
-    // Every tone as (coupling to u, fixed part); a block whose frequency is negative is seen by its conjugate.
-    struct Tone {
-      Eigen::RowVectorXd coupling;
-      double fixed = 0;
-    };
-    std::vector<Tone> tones;
-    const auto frequency = [&](const Tone& t) { return t.fixed + (unknowns > 0 ? t.coupling.dot(free) : 0.0); };
-    // `apart`: bins from every other tone that a tone of its own needs; -1 where it is too close to one.
-    const auto index_of = [&](const Tone& tone, double apart) -> std::ptrdiff_t {
-      const double f = frequency(tone);
-      if (f < 2 * resolution || f > nyquist - 2 * resolution || !window_.passes(f)) return -1;
-      for (std::size_t i = 0; i < tones.size(); ++i)
-        if (std::abs(frequency(tones[i]) - f) < 0.5 * resolution) return static_cast<std::ptrdiff_t>(i);
-      for (const Tone& other : tones)
-        if (std::abs(frequency(other) - f) < apart * resolution) return -1;
-      tones.push_back(tone);
-      return static_cast<std::ptrdiff_t>(tones.size() - 1);
-    };
-    std::vector<Tone> of_mode(modes, Tone{Eigen::RowVectorXd::Zero(unknowns), 0});
-    std::vector<std::ptrdiff_t> mode_index(modes, -1), block_index;
-    for (std::size_t k = 0; k < modes; ++k) {
-      if (!modes_.oscillates[k]) continue;
-      of_mode[k].coupling = modes_.coupling.row(static_cast<Index>(k));
-      for (std::size_t j = 0; j < excitations_.size(); ++j)
-        of_mode[k].fixed += modes_.forced(static_cast<Index>(k), static_cast<Index>(j)) * o.excitation_frequency[j];
-      mode_index[k] = index_of(of_mode[k], 0);
-    }
-    const std::size_t main_tones = tones.size();
-    std::vector<bool> reversed;
-    std::vector<Tone> block_tone;
-    for (const RegressorBlock& block : resonance_.blocks) {
-      Tone tone{Eigen::RowVectorXd::Zero(unknowns), 0};
-      for (std::size_t i = 0; i < block.phase.size(); ++i) {
-        if (i < modes) {
-          tone.coupling += block.phase[i] * of_mode[i].coupling;
-          tone.fixed += block.phase[i] * of_mode[i].fixed;
-        } else {
-          tone.fixed += block.phase[i] * o.excitation_frequency[i - modes];
-        }
-      }
-      reversed.push_back(frequency(tone) < 0);
-      if (reversed.back()) {
-        tone.coupling = -tone.coupling;
-        tone.fixed = -tone.fixed;
-      }
-      block_tone.push_back(tone);
-    }
-    // Harmonics of first order are regressed; weaker ones are fitted where they cost the others nothing.
-    block_index.assign(resonance_.blocks.size(), -1);
-    for (const int order : {1, 2})
-      for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
-        const RegressorBlock& block = resonance_.blocks[b];
-        if (block.kind == BlockKind::harmonic && !is_zero_frequency(block) && (block.order <= 1) == (order == 1))
-          block_index[b] = index_of(block_tone[b], order == 1 ? 0 : separate_tone_bins);
-      }
-    // Whatever else is likely to be there must not count as noise: combinations of up to three frequencies.
-    const std::size_t sources = modes + excitations_.size();
-    std::vector<int> multiple(sources, 0);
-    const auto combine = [&](const auto& self, std::size_t from, int left) -> void {
-      if (from == sources) {
-        Tone tone{Eigen::RowVectorXd::Zero(unknowns), 0};
-        for (std::size_t i = 0; i < sources; ++i) {
-          if (i < modes) {
-            tone.coupling += multiple[i] * of_mode[i].coupling;
-            tone.fixed += multiple[i] * of_mode[i].fixed;
-          } else {
-            tone.fixed += multiple[i] * o.excitation_frequency[i - modes];
-          }
-        }
-        index_of(tone, separate_tone_bins);
-        return;
-      }
-      const bool there = from >= modes || modes_.oscillates[from];
-      for (int n = there ? -left : 0; n <= (there ? left : 0); ++n) {
-        multiple[from] = n;
-        self(self, from + 1, left - std::abs(n));
-      }
-      multiple[from] = 0;
-    };
-    combine(combine, 0, 3);
-    const auto related = [&](std::size_t count) {
-      RelatedTones list{VectorXd(static_cast<Index>(count)), MatrixXd(static_cast<Index>(count), unknowns), 0};
-      for (std::size_t i = 0; i < count; ++i) {
-        list.fixed(static_cast<Index>(i)) = tones[i].fixed;
-        if (unknowns > 0) list.coupling.row(static_cast<Index>(i)) = tones[i].coupling;
-      }
-      return list;
-    };
+  // Amplitudes of all tones, and the free frequencies, with standard deviations by the noise of the band.
+  RelatedToneFit fit_tones(const MatrixXd& samples, double rate, const ResponseTones& tones, VectorXd free) const {
+    const double noise = window_.noise_factor(rate);
+    const bool related = free.size() > 0;
     VectorXd free_sd;
-    if (unknowns > 0) {
-      const RelatedToneFit main = fit_related_tones(samples, rate, related(main_tones), free);
+    if (related) {
+      const RelatedToneFit main = fit_related_tones(samples, rate, tones.related(tones.main()), free);
       free = main.free;
       free_sd = noise * main.free_sd;
     }
-    RelatedTones list = related(tones.size());
+    RelatedTones list = tones.related(tones.tones().size());
     if (motion_ == DwellMotion::transient) {
       // A slope of an amplitude is what turns it, too: frequencies near the tones' are as good as any.
-      if (unknowns > 0) list.fixed += list.coupling * free;
+      if (related) list.fixed += list.coupling * free;
       list.coupling.resize(list.fixed.size(), 0);
-      list.varying = static_cast<int>(main_tones);
+      list.varying = static_cast<int>(tones.main());
       list.degree = transient_degree;
     }
     RelatedToneFit fit = fit_related_tones(samples, rate, list, free);
     fit.amplitude_sd *= noise;
     fit.offset_sd *= noise;
     if (list.coupling.cols() > 0) {
-      free = fit.free;
-      free_sd = noise * fit.free_sd;
+      fit.free_sd *= noise;
+    } else {
+      fit.free = free;
+      fit.free_sd = free_sd;
     }
+    return fit;
+  }
 
-    const auto seen_frequency = [&](std::ptrdiff_t at) { return frequency(tones[static_cast<std::size_t>(at)]); };
-    for (std::size_t k = 0; k < modes; ++k) {
-      const std::ptrdiff_t at = mode_index[k];
-      Complex rate_of_mode(0, at >= 0 ? seen_frequency(at) : 0.0), value = 0;
+  void observe_modes(const ResponseTones& tones, const RelatedToneFit& fit, Observation& o) const {
+    for (std::size_t k = 0; k < model_.modes(); ++k) {
+      const std::ptrdiff_t at = tones.mode_index(k);
+      const double f = at >= 0 ? tones.tones()[static_cast<std::size_t>(at)].at(fit.free) : 0.0;
+      Complex rate_of_mode(0, f), value = 0;
       double sd = 0, frequency_sd = 0;
       if (at >= 0) {
         SlowAmplitude slow{project(projection_, k, fit.amplitude.row(at)), 0, 0};
@@ -408,12 +342,12 @@ class DwellObserver {
           slow.slope = project(projection_, k, fit.slope.row(at));
           slow.curvature = project(projection_, k, fit.curvature.row(at));
         }
-        slow = to_displacement(slow, seen_frequency(at), projection_.derivatives);
+        slow = to_displacement(slow, f, projection_.derivatives);
         value = slow.value;
         rate_of_mode += slow.slope / value;
-        sd = project_sd(projection_, k, fit.amplitude_sd.row(at)) /
-             std::pow(seen_frequency(at), projection_.derivatives);
-        if (unknowns > 0) frequency_sd = of_mode[k].coupling.transpose().cwiseProduct(free_sd).norm();
+        sd = project_sd(projection_, k, fit.amplitude_sd.row(at)) / std::pow(f, projection_.derivatives);
+        if (fit.free.size() > 0)
+          frequency_sd = tones.of_mode(k).coupling.transpose().cwiseProduct(fit.free_sd).norm();
       }
       o.amplitude.push_back(value);
       o.amplitude_sd.push_back(sd);
@@ -422,18 +356,20 @@ class DwellObserver {
       o.growth_sd.push_back(0);
       o.frequency_sd.push_back(frequency_sd);
     }
-    for (Index i = 0; i < unknowns; ++i) o.free_frequency_sd.push_back(free_sd(i));
+  }
+
+  void observe_blocks(const ResponseTones& tones, const RelatedToneFit& fit, Observation& o) const {
     for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
       const RegressorBlock& block = resonance_.blocks[b];
       const auto mode = static_cast<std::size_t>(block.mode);
-      const std::ptrdiff_t at = block_index[b];
+      const std::ptrdiff_t at = tones.block_index(b);
       Complex value = 0;
       double sd = -1;
       if (at >= 0) {
-        const double f = seen_frequency(at);
+        const double f = tones.tones()[static_cast<std::size_t>(at)].at(fit.free);
         value =
             to_displacement({project(projection_, mode, fit.amplitude.row(at))}, f, projection_.derivatives).value;
-        if (reversed[b]) value = std::conj(value);
+        if (tones.reversed(b)) value = std::conj(value);
         sd = project_sd(projection_, mode, fit.amplitude_sd.row(at)) / std::pow(f, projection_.derivatives);
       } else if (is_zero_frequency(block) && projection_.derivatives == 0 && window_.passes(0)) {
         value = project(projection_, mode, fit.offset.transpose().cast<Complex>());

@@ -242,35 +242,32 @@ MatrixXcd BalanceSweep::residual(const Path& path, std::span<const double> param
          path.lines * rates_.cwiseProduct(rates_).asDiagonal();
 }
 
-// What a line moves, every point feels through its own displacement and velocity: a pair of evaluations for each of
-// these instead of one for each line. A force with memory, which does not feel where the whole path lies, counts as
-// a signal there; what a line changes of that signal goes through the accelerations' slope by it.
-MatrixXcd BalanceSweep::residual_slopes(const Path& path, std::span<const double> parameters,
-                                        const std::vector<SlavedLine>& slaves, double length) {
-  const auto modes = path.position.rows(), points = path.position.cols();
-  double fastest = 0;
-  for (Index l = 0; l < rates_.size(); ++l) fastest = std::max(fastest, std::abs(rates_(l)));
-  std::vector<MatrixXd> by_position, by_velocity;  // [coordinate]: accelerations x points
-  for (Index k = 0; k < modes; ++k) {
-    const auto slope = [&](bool of_velocity, double step) {
-      MatrixXd position = path.position, velocity = path.velocity;
-      // No difference is taken across a jump.
-      if (of_velocity)
-        for (double& v : velocity.row(k)) v = std::copysign(std::max(std::abs(v), 2 * step), v);
-      (of_velocity ? velocity : position).row(k).array() += step;
-      MatrixXd change = accelerations(position, velocity, parameters, signals(position, velocity, parameters));
-      (of_velocity ? velocity : position).row(k).array() -= 2 * step;
-      change -= accelerations(position, velocity, parameters, signals(position, velocity, parameters));
-      return MatrixXd(change / (2 * step));
-    };
-    by_position.push_back(slope(false, length));
-    by_velocity.push_back(slope(true, length * fastest));
+std::vector<BalanceSweep::Entry> BalanceSweep::entries_of(const std::vector<SlavedLine>& slaves) {
+  std::vector<Entry> entries;
+  for (const SlavedLine& s : slaves) {
+    entries.push_back({s.mode, s.line, Complex(1, 0)});
+    if (s.line != 0) entries.push_back({s.mode, s.line, Complex(0, 1)});
   }
-  const std::vector<Signal> signals = this->signals(path.position, path.velocity, parameters);
-  struct Memory {
-    const Signal& signal;
-    MatrixXd felt;  // accelerations by the signal
-  };
+  return entries;
+}
+
+MatrixXd BalanceSweep::slope_at_points(const Path& path, std::span<const double> parameters, Index coordinate,
+                                       Variable variable, double step) {
+  const bool of_velocity = variable == Variable::velocity;
+  MatrixXd position = path.position, velocity = path.velocity;
+  // No difference is taken across a jump.
+  if (of_velocity)
+    for (double& v : velocity.row(coordinate)) v = std::copysign(std::max(std::abs(v), 2 * step), v);
+  MatrixXd& moved = of_velocity ? velocity : position;
+  moved.row(coordinate).array() += step;
+  MatrixXd change = accelerations(position, velocity, parameters, signals(position, velocity, parameters));
+  moved.row(coordinate).array() -= 2 * step;
+  change -= accelerations(position, velocity, parameters, signals(position, velocity, parameters));
+  return change / (2 * step);
+}
+
+std::vector<BalanceSweep::Memory> BalanceSweep::memories(const Path& path, std::span<const double> parameters,
+                                                         const std::vector<Signal>& signals, double length) {
   std::vector<Memory> memories;
   for (std::size_t i = 0; i < signals.size(); ++i) {
     if (!signals[i].force->law.has_memory()) continue;
@@ -280,24 +277,33 @@ MatrixXcd BalanceSweep::residual_slopes(const Path& path, std::span<const double
     change -= accelerations(path.position, path.velocity, parameters, signals);
     memories.push_back({signals[i], change / length});
   }
-  struct Entry {
-    Index mode, line;
-    Complex unit;
-  };
-  std::vector<Entry> entries;
-  for (const SlavedLine& s : slaves) {
-    entries.push_back({s.mode, s.line, Complex(1, 0)});
-    if (s.line != 0) entries.push_back({s.mode, s.line, Complex(0, 1)});
+  return memories;
+}
+
+// What a line moves, every point feels through its own displacement and velocity: a pair of evaluations for each of
+// these instead of one for each line. A force with memory, which does not feel where the whole path lies, counts as
+// a signal there; what a line changes of that signal goes through the accelerations' slope by it.
+MatrixXd BalanceSweep::felt_at_points(const Path& path, std::span<const double> parameters,
+                                      const std::vector<Signal>& signals, const std::vector<Entry>& entries,
+                                      double length) {
+  const auto modes = path.position.rows(), points = path.position.cols();
+  double fastest = 0;
+  for (Index l = 0; l < rates_.size(); ++l) fastest = std::max(fastest, std::abs(rates_(l)));
+  std::vector<MatrixXd> by_position, by_velocity;  // [coordinate]: accelerations x points
+  for (Index k = 0; k < modes; ++k) {
+    by_position.push_back(slope_at_points(path, parameters, k, Variable::position, length));
+    by_velocity.push_back(slope_at_points(path, parameters, k, Variable::velocity, length * fastest));
   }
-  const Index lines = torus_.lines(), count = static_cast<Index>(entries.size());
-  MatrixXd felt(count * modes, points);
-  for (Index e = 0; e < count; ++e) {
-    const Entry& entry = entries[static_cast<std::size_t>(e)];
-    MatrixXcd alone = MatrixXcd::Zero(1, lines);
+  const std::vector<Memory> memories = this->memories(path, parameters, signals, length);
+  MatrixXd felt(static_cast<Index>(entries.size()) * modes, points);
+  for (std::size_t e = 0; e < entries.size(); ++e) {
+    const Entry& entry = entries[e];
+    MatrixXcd alone = MatrixXcd::Zero(1, torus_.lines());
     alone(0, entry.line) = entry.unit;
     const Path moved = this->path(std::move(alone));
     const auto k = static_cast<std::size_t>(entry.mode);
-    felt.middleRows(e * modes, modes) =
+    auto rows = felt.middleRows(static_cast<Index>(e) * modes, modes);
+    rows =
         by_position[k] * moved.position.row(0).asDiagonal() + by_velocity[k] * moved.velocity.row(0).asDiagonal();
     for (const Memory& memory : memories) {
       const StateForce& force = *memory.signal.force;
@@ -306,23 +312,37 @@ MatrixXcd BalanceSweep::residual_slopes(const Path& path, std::span<const double
       position.row(entry.mode) += length * moved.position.row(0);
       const RowVectorXd change =
           (values_of(force, position, path.velocity, force.shape(parameters)) - memory.signal.values) / length;
-      felt.middleRows(e * modes, modes) += memory.felt * change.asDiagonal();
+      rows += memory.felt * change.asDiagonal();
     }
   }
-  const MatrixXcd changes = torus_.coefficients(felt);
+  return felt;
+}
+
+// Jumps go with the turnings that a line of their mode moves.
+void BalanceSweep::take_jumps_along(const Entry& entry, const Jumps& jumps, MatrixXcd& change) const {
+  if (entry.line == 0) return;
+  for (Index j = 0; j < jumps.sizes.cols(); ++j) {
+    const Turning& moved = jumps.at[static_cast<std::size_t>(j)];
+    if (moved.mode != entry.mode) continue;
+    const double velocity =
+        2 *
+        (entry.unit * rates_(entry.line) * std::polar(1.0, static_cast<double>(entry.line) * moved.phase)).real();
+    change -= velocity / moved.slope * jumps.sizes.col(j) * slope_by_phase(torus_, moved.phase);
+  }
+}
+
+MatrixXcd BalanceSweep::residual_slopes(const Path& path, std::span<const double> parameters,
+                                        const std::vector<SlavedLine>& slaves, double length) {
+  const std::vector<Signal> signals = this->signals(path.position, path.velocity, parameters);
+  const std::vector<Entry> entries = entries_of(slaves);
+  const MatrixXcd changes = torus_.coefficients(felt_at_points(path, parameters, signals, entries, length));
   const Jumps jumps = this->jumps(path, parameters, signals);
-  MatrixXcd slopes(modes * lines, count);
-  for (Index e = 0; e < count; ++e) {
+  const Index modes = path.position.rows();
+  MatrixXcd slopes(modes * torus_.lines(), static_cast<Index>(entries.size()));
+  for (Index e = 0; e < slopes.cols(); ++e) {
     const Entry& entry = entries[static_cast<std::size_t>(e)];
     MatrixXcd change = changes.middleRows(e * modes, modes);
-    for (Index j = 0; j < jumps.sizes.cols(); ++j) {
-      const Turning& moved = jumps.at[static_cast<std::size_t>(j)];
-      if (moved.mode != entry.mode || entry.line == 0) continue;
-      const double velocity =
-          2 *
-          (entry.unit * rates_(entry.line) * std::polar(1.0, static_cast<double>(entry.line) * moved.phase)).real();
-      change -= velocity / moved.slope * jumps.sizes.col(j) * slope_by_phase(torus_, moved.phase);
-    }
+    take_jumps_along(entry, jumps, change);
     change(entry.mode, entry.line) -= entry.unit * rates_(entry.line) * rates_(entry.line);
     slopes.col(e) = change.reshaped();
   }

@@ -90,6 +90,29 @@ class BalanceSweep {
   const Eigen::MatrixXd& accelerations(const Eigen::MatrixXd& position, const Eigen::MatrixXd& velocity,
                                        std::span<const double> parameters, const std::vector<Signal>& signals);
 
+  /// The real or the imaginary part of a slaved line.
+  struct Entry {
+    Eigen::Index mode, line;
+    std::complex<double> unit;
+  };
+  static std::vector<Entry> entries_of(const std::vector<SlavedLine>& slaves);
+  enum class Variable { position, velocity };
+  /// Central difference of the accelerations by what one coordinate does at the same point: modes x points.
+  Eigen::MatrixXd slope_at_points(const Path& path, std::span<const double> parameters, Eigen::Index coordinate,
+                                  Variable variable, double step);
+  /// The signal of a force with memory, and the accelerations by it: modes x points.
+  struct Memory {
+    const Signal& signal;
+    Eigen::MatrixXd felt;
+  };
+  std::vector<Memory> memories(const Path& path, std::span<const double> parameters,
+                               const std::vector<Signal>& signals, double length);
+  /// Change of the accelerations by every entry, without jumps: (entries*modes) x points.
+  Eigen::MatrixXd felt_at_points(const Path& path, std::span<const double> parameters,
+                                 const std::vector<Signal>& signals, const std::vector<Entry>& entries,
+                                 double length);
+  void take_jumps_along(const Entry& entry, const Jumps& jumps, Eigen::MatrixXcd& change) const;
+
   const CompiledModel& model_;
   std::vector<StateForce> forces_;
   const Torus& torus_;

@@ -160,23 +160,30 @@ Estimate estimate_left(std::span<const ObservationSet> sets, const MeasuredUnits
   return of_what_is_left([&] { return estimate(sets, units, options); });
 }
 
+/// With what observations are corrected; see correct_truncation.
+struct Means {
+  const MeasuredUnits& units;
+  const EstimateOptions& options;
+  const ReplaySet& replay;
+  const StageDone& done;
+};
+
 class Correction {
  public:
   /// From the parameters of `begin` on; what the correction does is shown beside `raw`.
   Correction(std::span<const ObservationSet> measured, const Estimate& raw, const Estimate& begin,
-             const MeasuredUnits& units, const EstimateOptions& options, const ReplaySet& replay,
-             const StageDone& done)
+             const Means& means)
       : measured_(measured),
         raw_(raw),
-        units_(units),
-        quick_(on_the_way(options)),
-        full_(options),
-        motions_(measured, replay, options.threads),
-        done_(done),
+        units_(means.units),
+        quick_(on_the_way(means.options)),
+        full_(means.options),
+        motions_(measured, means.replay, means.options.threads),
+        done_(means.done),
         estimate_(begin),
         place_(begin.parameter_values),
         next_(place_) {
-    quick_.keep_weights = !options.refine;
+    quick_.keep_weights = !full_.refine;
   }
 
   TruncationCorrection run() {
@@ -503,8 +510,9 @@ TruncationCorrection correct_truncation(std::span<const ObservationSet> measured
   const ReplaySet replay = [&](const ObservationSet& set, const Eigen::VectorXd& parameters) {
     return of_what_is_left([&] { return measured_replay(set, parameters); });
   };
+  const Means means{units, options, replay, done};
   try {
-    return Correction(measured, raw, raw, units, options, replay, done).run();
+    return Correction(measured, raw, raw, means).run();
   } catch (const NumericalFailure& beyond_bounds) {
     const std::string reason = beyond_bounds.what();
     const std::size_t all = count_of_observations(measured);
@@ -516,8 +524,8 @@ TruncationCorrection correct_truncation(std::span<const ObservationSet> measured
       std::optional<TruncationCorrection> of_small;
       try {
         const Estimate first = estimate_left(small, units, quick);
-        of_small = Correction(small, first, first, units, options, replay, done).run();
-        return Correction(measured, raw, of_small->estimate, units, options, replay, done).run();
+        of_small = Correction(small, first, first, means).run();
+        return Correction(measured, raw, of_small->estimate, means).run();
       } catch (const NumericalFailure&) {
         if (!of_small) continue;
         of_small->estimate.warnings.push_back(fmt::format(

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -46,7 +47,10 @@ class ThesisCampaign {
   Identification identification(int draw, const std::map<std::string, double>& fixed = {}) const {
     IdentificationRequest asked = request();
     asked.fixed = fixed;
-    return identify(asked, exact_.campaign, reader(draw));
+    if (draw != 0 || !fixed.empty()) return identify(asked, exact_.campaign, reader(draw));
+    // The first draw is what most tests look at.
+    if (!first_) first_ = identify(asked, exact_.campaign, reader(draw));
+    return *first_;
   }
   Estimate identified_with_jitter(int draw) const {
     const RecordReader read = reader(draw);
@@ -109,6 +113,7 @@ class ThesisCampaign {
   Experiment experiment_;
   std::shared_ptr<const CompiledModel> model_;
   SimulatedCampaign exact_;
+  mutable std::optional<Identification> first_;
 };
 
 struct Coverage {

@@ -239,11 +239,11 @@ TEST(BlindStructure, EveryTermIsItsFormula) {
     structure.mode[0].threshold = 0.2;
     structure.mode[0].slip = 1;
     const Integrator without(structure, drive, 0, x);
-    const double before = force(structure, drive, without.regime(), 0, 0, f, x);
+    const double before = force(structure, drive, {without.regime(), 0, f, x}, 0);
     ASSERT_NE(coefficient(structure, effect, 0), nullptr) << effect;
     *coefficient(structure, effect, 0) += 1;
     const Integrator with(structure, drive, 0, x);
-    EXPECT_NEAR(force(structure, drive, with.regime(), 0, 0, f, x) - before, term, 1e-12) << effect;
+    EXPECT_NEAR(force(structure, drive, {with.regime(), 0, f, x}, 0) - before, term, 1e-12) << effect;
   }
 }
 

@@ -58,12 +58,9 @@ class Hdf5Writer {
   }
 
   /// A data set in chunks of which but a part is written.
-  void add_part(const std::string& path, const std::vector<hsize_t>& shape, const std::vector<hsize_t>& chunk,
+  void add_part(const std::string& path, const std::vector<hsize_t>& shape, Form form,
                 const std::vector<hsize_t>& begin, const std::vector<hsize_t>& count,
-                const std::vector<double>& values, bool deflate) {
-    Form form;
-    form.chunk = chunk;
-    form.deflate = deflate;
+                const std::vector<double>& values) {
     form.unwritten = form.bounded = true;
     add(path, shape, {}, form);
     write_part(path, begin, count, values);

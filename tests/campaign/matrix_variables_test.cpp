@@ -179,9 +179,10 @@ TEST_F(MatrixVariables, DataSetsWrittenInPartEndWhereTheyWereWritten) {
       {
         Hdf5Writer writer(path(), version);
         writer.add("t", {200}, channel(200, 0));
-        writer.add_part("x", {1000000}, {100}, {0}, {200}, channel(200, 1), deflate);
-        writer.add_part("m", {100000, 2}, {50, 2}, {0, 0}, {200, 2}, matrix(200, 2, true), deflate);
-        writer.add_part("late", {1000}, {100}, {300}, {100}, channel(100, 1), deflate);
+        writer.add_part("x", {1000000}, {.chunk = {100}, .deflate = deflate}, {0}, {200}, channel(200, 1));
+        writer.add_part("m", {100000, 2}, {.chunk = {50, 2}, .deflate = deflate}, {0, 0}, {200, 2},
+                        matrix(200, 2, true));
+        writer.add_part("late", {1000}, {.chunk = {100}, .deflate = deflate}, {300}, {100}, channel(100, 1));
       }
       const DataFile data = read_data_file(path());
       EXPECT_EQ(data.vector("x").values, channel(200, 1));
@@ -196,7 +197,7 @@ TEST_F(MatrixVariables, DataSetsWrittenInPartEndWhereTheyWereWritten) {
 TEST_F(MatrixVariables, APartThatWasLeftOutIsMissing) {
   {
     Hdf5Writer writer(path());
-    writer.add_part("x", {1000}, {100}, {0}, {300}, channel(300, 1), false);
+    writer.add_part("x", {1000}, {.chunk = {100}}, {0}, {300}, channel(300, 1));
     writer.write_part("x", {400}, {100}, channel(100, 1, 400));
   }
   EXPECT_TRUE(

@@ -138,7 +138,7 @@ void check_motion(const CompiledModel& compiled, const CanonicalModel& canonical
   check_slopes(compiled.acceleration_by_parameters, parameters, parameter_numbers, "acceleration by parameters");
 }
 
-// Lumps, modulation and their derivatives by everything.
+// Lumps, modulation and their derivatives by parameters.
 void check_case(const CompiledModel& compiled, const CompiledCase& resonance, const CanonicalModel& canonical,
                 const CanonicalCase& c, const Point& p, Judge& judge) {
   const Reference reference(canonical);
@@ -193,7 +193,16 @@ void check_case(const CompiledModel& compiled, const CompiledCase& resonance, co
     EXPECT_LE(magnitude(rate[k].real.value - alone[k].real.value), 1e-45 * alone[k].real.size) << c.name;
     EXPECT_LE(magnitude(rate[k].imag.value - alone[k].imag.value), 1e-45 * alone[k].imag.size) << c.name;
   }
-  // By amplitudes. Size: the derivative of B^n conj(B)^m |B|^q is at most 2 (n + m + |q|)/|B| times as large.
+}
+
+// The modulation's derivatives by amplitudes. Size: the derivative of B^n conj(B)^m |B|^q is at most
+// 2 (n + m + |q|)/|B| times as large.
+void check_modulation_jacobian(const CompiledCase& resonance, const CanonicalModel& canonical,
+                               const CanonicalCase& c, const Point& p, Judge& judge) {
+  const Reference reference(canonical);
+  ExactPoint point(p);
+  const std::size_t n = p.amplitude.size();
+  const std::vector<Bounded> s = reference.symbols(point), lump = reference.lumps(c, point);
   std::vector<double> by_amplitude(4 * n * n), size(n * n, 0.0);
   resonance.modulation_jacobian(p.parameters.data(), p.excitation_frequency.data(), p.amplitude.data(),
                                 p.forcing.data(), by_amplitude.data());
@@ -308,6 +317,7 @@ void check_model(const CompiledModel& compiled, const CanonicalModel& canonical,
     ASSERT_EQ(compiled.cases.size(), canonical.cases.size());
     for (std::size_t c = 0; c < compiled.cases.size(); ++c) {
       check_case(compiled, compiled.cases[c], canonical, canonical.cases[c], p, judge);
+      check_modulation_jacobian(compiled.cases[c], canonical, canonical.cases[c], p, judge);
       std::vector<Point> points = {p};
       while (points.size() < 19) points.push_back(random_point(compiled, random));
       check_blocks(compiled, compiled.cases[c], canonical, canonical.cases[c], points, judge);

@@ -1,7 +1,7 @@
 // Jacobian, zero solution, thresholds, force response and saddle-nodes: against the equations they come from.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -26,6 +26,7 @@
 #include "codegen/document/typeset_variables.hpp"
 #include "codegen/expression/cpp_expression.hpp"
 #include "formula_values.hpp"
+#include "motion/response/spectrum.hpp"
 #include "perturb/model.hpp"
 #include "tests/places.hpp"
 
@@ -188,7 +189,7 @@ double growth(const CanonicalModel& model, const CanonicalCase& c, const Modulat
                          .of(typeset::cartesian_expression(
                              model, c, jacobian.entry[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]))
                          .real();
-  return Eigen::EigenSolver<Eigen::MatrixXd>(matrix).eigenvalues().real().maxCoeff();
+  return spectrum_of(matrix).eigenvalues(0).real();
 }
 
 /// Excitation minus its threshold, both as the printed equation has them: positive where zero is said unstable.

@@ -241,7 +241,7 @@ TEST(LinearFit, ColumnsMadeOfNoiseAreNotIdentifiable) {
   }
   const Eigen::MatrixXd column_noise = rows * sd * sd * Eigen::Matrix2d::Identity();
   EXPECT_EQ(linear_fit(design, response, cluster).rank, 2);
-  const LinearFit fit = linear_fit(design, response, cluster, 1e-9, {column_noise, {}});
+  const LinearFit fit = linear_fit(design, response, cluster, {column_noise, {}});
   EXPECT_FALSE(fit.identifiable[0] || fit.identifiable[1]);
 }
 

@@ -80,7 +80,7 @@ TEST(StatisticalColumnErrors, AttenuationIsTakenOut) {
     errors.gram(1, 1) = rows * error * error;
     errors.with_response(1) = rows * shared * error * error;
     plain += linear_fit(design, response, cluster).coefficients(1) / draws;
-    const LinearFit fit = linear_fit(design, response, cluster, 1e-9, errors);
+    const LinearFit fit = linear_fit(design, response, cluster, errors);
     corrected += fit.coefficients(1) / draws;
     square += std::pow(fit.coefficients(1) - 2, 2) / draws;
     expected += fit.covariance(1, 1) / draws;

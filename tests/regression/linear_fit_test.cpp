@@ -167,7 +167,7 @@ TEST(LinearFit, DirectionsNearTheBorderStayOnTheirSide) {
     ColumnErrors errors;
     errors.gram = MatrixXd::Zero(2, 2);
     errors.gram(1, 1) = 12 / ratio;
-    return linear_fit(design, response, cluster, 1e-9, errors, before).noisy;
+    return linear_fit(design, response, cluster, errors, {.noisy_before = before}).noisy;
   };
   EXPECT_EQ(noisy(noise_ratio * 1.1, std::nullopt), 0);
   EXPECT_EQ(noisy(noise_ratio / 1.1, std::nullopt), 1);

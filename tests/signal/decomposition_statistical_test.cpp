@@ -38,8 +38,16 @@ struct Efficiency {
   }
 };
 
-Efficiency efficiency(const std::vector<Pole>& poles, const MatrixXd& amplitudes, double noise, Index samples,
-                      double rate, int order, int draws, std::uint64_t seed) {
+struct Recording {
+  double noise;  // standard deviation
+  Index samples;
+  double rate;
+};
+
+// Every draw is decomposed into as many poles as there are.
+Efficiency efficiency(const std::vector<Pole>& poles, const MatrixXd& amplitudes, const Recording& recording,
+                      int draws, std::uint64_t seed) {
+  const auto [noise, samples, rate] = recording;
   testing_support::Gaussian random(seed);
   const double centre = 0.5 * static_cast<double>(samples - 1) / rate;
   const MatrixXd clean = pole_functions(poles, samples, rate, -centre) * amplitudes;
@@ -47,7 +55,7 @@ Efficiency efficiency(const std::vector<Pole>& poles, const MatrixXd& amplitudes
   const Eigen::LLT<MatrixXd> bound(cramer_rao_bound(poles, amplitudes, sd, samples, rate));
   const Index unknowns = parameter_count(poles), size = unknowns + amplitudes.size();
   DecompositionOptions options;
-  options.order = order;
+  options.order = static_cast<int>(poles.size());
   options.refine = true;
   options.origin_s = centre;
   Efficiency result;
@@ -73,7 +81,7 @@ TEST(DecompositionStatistical, RefinedEstimateWithinFivePercentOfTheCramerRaoBou
   for (const double db : decibels) {
     // One tone, one channel, between bins.
     const Efficiency one = efficiency({{PoleFamily::circular, 40.37, 0}}, Eigen::Vector2d(0.6, 0.8),
-                                      std::sqrt(0.5) * std::pow(10, -db / 20), 256, 64, 1, 3000, 41);
+                                      {std::sqrt(0.5) * std::pow(10, -db / 20), 256, 64}, 3000, 41);
     EXPECT_TRUE(one.inside()) << one.ratio << " at " << db << " dB";
     EXPECT_LT(one.ratio, 1.05) << db << " dB";
     // Four tones, four channels, the weakest at `db`.
@@ -85,7 +93,7 @@ TEST(DecompositionStatistical, RefinedEstimateWithinFivePercentOfTheCramerRaoBou
                                      {PoleFamily::circular, two_pi * 45.6, 0},
                                      {PoleFamily::circular, two_pi * 58.1, 0}};
     const double weakest = std::sqrt(0.5 * (0.2 * 0.2 + 0.4 * 0.4));
-    const Efficiency four = efficiency(poles, amplitudes, weakest * std::pow(10, -db / 20), 512, 256, 4, 300, 42);
+    const Efficiency four = efficiency(poles, amplitudes, {weakest * std::pow(10, -db / 20), 512, 256}, 300, 42);
     EXPECT_TRUE(four.inside()) << four.ratio << " at " << db << " dB";
     EXPECT_LT(four.ratio, 1.05) << db << " dB";
   }
@@ -94,7 +102,7 @@ TEST(DecompositionStatistical, RefinedEstimateWithinFivePercentOfTheCramerRaoBou
   amplitudes << 1, 0.3, 0.6, -0.4, 0.5, 0.4;
   const Efficiency mixed = efficiency(
       {{PoleFamily::circular, 60, 0}, {PoleFamily::hyperbolic, 0, 3}, {PoleFamily::nyquist_hyperbolic, 0, 2}},
-      amplitudes, 0.005, 160, 100, 3, 1500, 43);
+      amplitudes, {0.005, 160, 100}, 1500, 43);
   EXPECT_TRUE(mixed.inside()) << mixed.ratio;
   EXPECT_LT(mixed.ratio, 1.05);
 }

@@ -24,12 +24,12 @@ BifurcationCurveOptions ranges(const ParameterRange& first, const ParameterRange
 }
 
 // The first special point of a kind on the branch through `state`.
-SpecialPoint special_point(const VectorField& field, const VectorXd& p, Index parameter, const VectorXd& state,
-                           double lower, double upper, SpecialKind kind) {
+SpecialPoint special_point(const VectorField& field, const VectorXd& p, const ParameterRange& varied,
+                           const VectorXd& state, SpecialKind kind) {
   ContinuationOptions options;
-  options.lower = lower;
-  options.upper = upper;
-  const Branch branch = continue_fixed_points(field, p, parameter, state, options);
+  options.lower = varied.lower;
+  options.upper = varied.upper;
+  const Branch branch = continue_fixed_points(field, p, varied.parameter, state, options);
   for (const SpecialPoint& special : branch.special)
     if (special.kind == kind) return special;
   ADD_FAILURE() << "no " << name_of(kind);
@@ -38,7 +38,7 @@ SpecialPoint special_point(const VectorField& field, const VectorXd& p, Index pa
 
 TEST(BifurcationCurve, Cusp) {
   const VectorField field = cusp_field();
-  const SpecialPoint fold = special_point(field, vector({1, 0}), 1, vector({1}), -2, 2, SpecialKind::saddle_node);
+  const SpecialPoint fold = special_point(field, vector({1, 0}), {1, -2, 2}, vector({1}), SpecialKind::saddle_node);
   EXPECT_NEAR(std::abs(fold.at.parameter), std::sqrt(4.0 / 27), 1e-11);
   const BifurcationCurve curve =
       continue_bifurcation(field, vector({1, fold.at.parameter}), fold, ranges({1, -2, 2}, {0, -1, 3}));
@@ -64,7 +64,8 @@ TEST(BifurcationCurve, Cusp) {
 
 TEST(BifurcationCurve, BrusselatorHopf) {
   const VectorField field = brusselator();
-  const SpecialPoint hopf = special_point(field, vector({1, 0.5}), 1, vector({1, 0.5}), 0.1, 4, SpecialKind::hopf);
+  const SpecialPoint hopf =
+      special_point(field, vector({1, 0.5}), {1, 0.1, 4}, vector({1, 0.5}), SpecialKind::hopf);
   const BifurcationCurve curve =
       continue_bifurcation(field, vector({1, hopf.at.parameter}), hopf, ranges({1, 0.1, 8}, {0, 0.2, 3}));
   EXPECT_EQ(curve.kind, BifurcationKind::hopf);
@@ -82,7 +83,7 @@ TEST(BifurcationCurve, BogdanovTakens) {
   const VectorField field = bogdanov_takens();
   // Hopf at b1 = 0 in b1 for b2 = -1, on the branch through x = 0 (the focus side x < -b2/2).
   const SpecialPoint hopf =
-      special_point(field, vector({-0.2, -1}), 0, vector({-0.17, 0}), -1, 0.2, SpecialKind::hopf);
+      special_point(field, vector({-0.2, -1}), {0, -1, 0.2}, vector({-0.17, 0}), SpecialKind::hopf);
   EXPECT_NEAR(hopf.at.parameter, 0, 1e-11);
   EXPECT_NEAR(hopf.frequency, 1, 1e-11);
   const BifurcationCurve hopf_curve =
@@ -98,7 +99,7 @@ TEST(BifurcationCurve, BogdanovTakens) {
   }
 
   const SpecialPoint fold =
-      special_point(field, vector({-0.2, -1}), 0, vector({-0.17, 0}), -1, 0.5, SpecialKind::saddle_node);
+      special_point(field, vector({-0.2, -1}), {0, -1, 0.5}, vector({-0.17, 0}), SpecialKind::saddle_node);
   EXPECT_NEAR(fold.at.parameter, 0.25, 1e-11);
   const BifurcationCurve fold_curve =
       continue_bifurcation(field, vector({fold.at.parameter, -1}), fold, ranges({0, -1, 1}, {1, -2, 2}));
@@ -112,7 +113,7 @@ TEST(BifurcationCurve, BogdanovTakens) {
 TEST(BifurcationCurve, ThresholdOfParametricResonance) {
   const Parametric model;
   const SpecialPoint threshold =
-      special_point(model.field(), vector({1, 0.1}), 1, vector({0, 0}), 0, 3, SpecialKind::pitchfork);
+      special_point(model.field(), vector({1, 0.1}), {1, 0, 3}, vector({0, 0}), SpecialKind::pitchfork);
   const BifurcationCurve curve = continue_bifurcation(model.field(), vector({1, threshold.at.parameter}), threshold,
                                                       ranges({1, 0, 3}, {0, -2, 2}));
   EXPECT_EQ(curve.kind, BifurcationKind::branch_point);
@@ -127,7 +128,7 @@ TEST(BifurcationCurve, SaddleNodesOfParametricResonance) {
   const VectorField field = model.field();
   const double sigma = 1;
   const SpecialPoint threshold =
-      special_point(field, vector({sigma, 0.1}), 1, vector({0, 0}), 0, 3, SpecialKind::pitchfork);
+      special_point(field, vector({sigma, 0.1}), {1, 0, 3}, vector({0, 0}), SpecialKind::pitchfork);
   ContinuationOptions options;
   options.upper = 3;
   const Branch response = switch_branch(field, vector({sigma, 0}), 1, threshold, options);
@@ -151,7 +152,7 @@ TEST(BifurcationCurve, DuffingFoldsMeetInACusp) {
   const double mu = 0.1, c = 0.7;
   const VectorField field = duffing();
   const SpecialPoint fold =
-      special_point(field, vector({mu, -2, c, 0.2}), 1, vector({-0.09, 0}), -2, 6, SpecialKind::saddle_node);
+      special_point(field, vector({mu, -2, c, 0.2}), {1, -2, 6}, vector({-0.09, 0}), SpecialKind::saddle_node);
   const BifurcationCurve curve =
       continue_bifurcation(field, vector({mu, fold.at.parameter, c, 0.2}), fold, ranges({1, -2, 4}, {3, 0, 0.4}));
   ASSERT_EQ(curve.special.size(), 1u);
@@ -167,7 +168,7 @@ TEST(BifurcationCurve, DuffingFoldsMeetInACusp) {
 TEST(BifurcationCurve, TongueOfCombinationResonance) {
   const Combination model;
   const SpecialPoint hopf =
-      special_point(model.field(), vector({0.5, 0.01}), 1, VectorXd::Zero(4), 0, 1, SpecialKind::hopf);
+      special_point(model.field(), vector({0.5, 0.01}), {1, 0, 1}, VectorXd::Zero(4), SpecialKind::hopf);
   const BifurcationCurve curve =
       continue_bifurcation(model.field(), vector({0.5, hopf.at.parameter}), hopf, ranges({1, 0, 1}, {0, -1, 1}));
   ASSERT_GT(curve.points.size(), 20u);
@@ -185,7 +186,7 @@ TEST(BifurcationCurve, UnfoldedBranchPointsEnd) {
     rate(0) = p(0) * x(0) - x(0) * x(0) + p(1);
   });
   const SpecialPoint crossing =
-      special_point(field, vector({-0.5, 0}), 0, vector({0}), -1, 1, SpecialKind::transcritical);
+      special_point(field, vector({-0.5, 0}), {0, -1, 1}, vector({0}), SpecialKind::transcritical);
   const BifurcationCurve curve =
       continue_bifurcation(field, vector({crossing.at.parameter, 0}), crossing, ranges({0, -1, 1}, {1, -1, 1}));
   EXPECT_EQ(curve.first_end.status, TraceStatus::not_persistent);
