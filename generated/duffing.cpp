@@ -159,9 +159,9 @@ constexpr Ratio case_3_lump_3[] = {{-1, 1}, {-1, 1}, {-1, 1}};
 constexpr Ratio case_3_lump_4[] = {{1, 1}, {-1, 1}, {-2, 1}};
 constexpr Ratio case_3_lump_5[] = {{1, 1}, {-1, 1}, {0, 1}};
 constexpr Ratio case_3_lump_6[] = {{1, 1}, {-3, 1}, {0, 1}};
-constexpr Ratio case_3_lump_7[] = {{1, 1}, {-2, 1}, {0, 1}};
+constexpr Ratio case_3_lump_7[] = {{0, 1}, {-1, 1}, {0, 1}};
 constexpr Ratio case_3_lump_8[] = {{-1, 1}, {0, 1}, {-2, 1}};
-constexpr Ratio case_3_lump_9[] = {{0, 1}, {-1, 1}, {0, 1}};
+constexpr Ratio case_3_lump_9[] = {{1, 1}, {-2, 1}, {0, 1}};
 constexpr CompiledLump case_3_lumps[] = {
   {"mu", "mu", case_3_lump_0},
   {"conservative_x_A_x_F2", "3*a3*e^2/(256*omega0^5)", case_3_lump_1},
@@ -170,43 +170,37 @@ constexpr CompiledLump case_3_lumps[] = {
   {"e", "e", case_3_lump_4},
   {"harmonic_im_x_F", "-3*mu*e/(64*omega0^3)", case_3_lump_5},
   {"harmonic_re_x_F3", "-3*a3*e^3/(32768*omega0^8)", case_3_lump_6},
-  {"harmonic_re_x_F2", "-a2*e^2/(128*omega0^6)", case_3_lump_7},
+  {"harmonic_re_x_conjA_x_F", "-a2*e/(24*omega0^4)", case_3_lump_7},
   {"a2", "a2", case_3_lump_8},
-  {"harmonic_re_x_A_x_F", "-a2*e/(24*omega0^4)", case_3_lump_9},
+  {"harmonic_re_x_F2", "-a2*e^2/(128*omega0^6)", case_3_lump_9},
 };
 constexpr int case_3_block_0_lumps[] = {0, 1, 2, 3};
 constexpr int case_3_block_1_lumps[] = {2, 3, 4, 5, 6};
 constexpr int case_3_block_1_phase[] = {0, 1};
 constexpr int case_3_block_2_lumps[] = {7, 8};
-constexpr int case_3_block_2_phase[] = {0, 0};
-constexpr int case_3_block_3_lumps[] = {7};
-constexpr int case_3_block_3_phase[] = {0, 2};
-constexpr int case_3_block_4_lumps[] = {6};
-constexpr int case_3_block_4_phase[] = {0, 3};
-constexpr int case_3_block_5_lumps[] = {1};
-constexpr int case_3_block_5_phase[] = {1, -2};
-constexpr int case_3_block_6_lumps[] = {9};
-constexpr int case_3_block_6_phase[] = {1, -1};
-constexpr int case_3_block_7_lumps[] = {9};
+constexpr int case_3_block_2_phase[] = {-1, 1};
+constexpr int case_3_block_3_lumps[] = {1, 3};
+constexpr int case_3_block_3_phase[] = {-1, 2};
+constexpr int case_3_block_4_lumps[] = {8, 9};
+constexpr int case_3_block_4_phase[] = {0, 0};
+constexpr int case_3_block_5_lumps[] = {9};
+constexpr int case_3_block_5_phase[] = {0, 2};
+constexpr int case_3_block_6_lumps[] = {6};
+constexpr int case_3_block_6_phase[] = {0, 3};
+constexpr int case_3_block_7_lumps[] = {7};
 constexpr int case_3_block_7_phase[] = {1, 1};
 constexpr int case_3_block_8_lumps[] = {1};
 constexpr int case_3_block_8_phase[] = {1, 2};
-constexpr int case_3_block_9_lumps[] = {8};
-constexpr int case_3_block_9_phase[] = {2, 0};
-constexpr int case_3_block_10_lumps[] = {3};
-constexpr int case_3_block_10_phase[] = {2, 1};
 constexpr RegressorBlock case_3_blocks[] = {
   {BlockKind::modulation, "modulation of x", 0, 0, {}, case_3_block_0_lumps, column_function<subharmonic_3::columns_0, 1, 1, 4>, column_slope_function<subharmonic_3::column_slopes_0, 1, 1, 4>},
   {BlockKind::harmonic, "harmonic Omega of x", 0, 0, case_3_block_1_phase, case_3_block_1_lumps, column_function<subharmonic_3::columns_1, 1, 1, 5>, column_slope_function<subharmonic_3::column_slopes_1, 1, 1, 5>},
-  {BlockKind::harmonic, "harmonic 0 of x", 0, 1, case_3_block_2_phase, case_3_block_2_lumps, column_function<subharmonic_3::columns_2, 1, 1, 2>, column_slope_function<subharmonic_3::column_slopes_2, 1, 1, 2>},
-  {BlockKind::harmonic, "harmonic 2*Omega of x", 0, 1, case_3_block_3_phase, case_3_block_3_lumps, column_function<subharmonic_3::columns_3, 1, 1, 1>, column_slope_function<subharmonic_3::column_slopes_3, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic 3*Omega of x", 0, 1, case_3_block_4_phase, case_3_block_4_lumps, column_function<subharmonic_3::columns_4, 1, 1, 1>, column_slope_function<subharmonic_3::column_slopes_4, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic omega0-2*Omega of x", 0, 1, case_3_block_5_phase, case_3_block_5_lumps, column_function<subharmonic_3::columns_5, 1, 1, 1>, column_slope_function<subharmonic_3::column_slopes_5, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic omega0-Omega of x", 0, 1, case_3_block_6_phase, case_3_block_6_lumps, column_function<subharmonic_3::columns_6, 1, 1, 1>, column_slope_function<subharmonic_3::column_slopes_6, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic -omega0+Omega of x", 0, 1, case_3_block_2_phase, case_3_block_2_lumps, column_function<subharmonic_3::columns_2, 1, 1, 2>, column_slope_function<subharmonic_3::column_slopes_2, 1, 1, 2>},
+  {BlockKind::harmonic, "harmonic -omega0+2*Omega of x", 0, 1, case_3_block_3_phase, case_3_block_3_lumps, column_function<subharmonic_3::columns_3, 1, 1, 2>, column_slope_function<subharmonic_3::column_slopes_3, 1, 1, 2>},
+  {BlockKind::harmonic, "harmonic 0 of x", 0, 1, case_3_block_4_phase, case_3_block_4_lumps, column_function<subharmonic_3::columns_4, 1, 1, 2>, column_slope_function<subharmonic_3::column_slopes_4, 1, 1, 2>},
+  {BlockKind::harmonic, "harmonic 2*Omega of x", 0, 1, case_3_block_5_phase, case_3_block_5_lumps, column_function<subharmonic_3::columns_5, 1, 1, 1>, column_slope_function<subharmonic_3::column_slopes_5, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 3*Omega of x", 0, 1, case_3_block_6_phase, case_3_block_6_lumps, column_function<subharmonic_3::columns_6, 1, 1, 1>, column_slope_function<subharmonic_3::column_slopes_6, 1, 1, 1>},
   {BlockKind::harmonic, "harmonic omega0+Omega of x", 0, 1, case_3_block_7_phase, case_3_block_7_lumps, column_function<subharmonic_3::columns_7, 1, 1, 1>, column_slope_function<subharmonic_3::column_slopes_7, 1, 1, 1>},
   {BlockKind::harmonic, "harmonic omega0+2*Omega of x", 0, 1, case_3_block_8_phase, case_3_block_8_lumps, column_function<subharmonic_3::columns_8, 1, 1, 1>, column_slope_function<subharmonic_3::column_slopes_8, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic 2*omega0 of x", 0, 1, case_3_block_9_phase, case_3_block_9_lumps, column_function<subharmonic_3::columns_9, 1, 1, 1>, column_slope_function<subharmonic_3::column_slopes_9, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic 2*omega0+Omega of x", 0, 1, case_3_block_10_phase, case_3_block_10_lumps, column_function<subharmonic_3::columns_10, 1, 1, 1>, column_slope_function<subharmonic_3::column_slopes_10, 1, 1, 1>},
 };
 
 constexpr int case_4_relations[] = {-3, 1};
@@ -235,19 +229,19 @@ constexpr Ratio case_4_lump_19[] = {{1, 1}, {-3, 1}, {0, 1}};
 constexpr Ratio case_4_lump_20[] = {{1, 1}, {-5, 1}, {0, 1}};
 constexpr Ratio case_4_lump_21[] = {{-1, 1}, {-1, 1}, {0, 1}};
 constexpr Ratio case_4_lump_22[] = {{-2, 1}, {0, 1}, {0, 1}};
-constexpr Ratio case_4_lump_23[] = {{1, 1}, {-2, 1}, {0, 1}};
+constexpr Ratio case_4_lump_23[] = {{0, 1}, {-1, 1}, {0, 1}};
 constexpr Ratio case_4_lump_24[] = {{-1, 1}, {0, 1}, {-2, 1}};
-constexpr Ratio case_4_lump_25[] = {{-2, 1}, {-1, 1}, {0, 1}};
-constexpr Ratio case_4_lump_26[] = {{1, 1}, {-4, 1}, {0, 1}};
-constexpr Ratio case_4_lump_27[] = {{-1, 1}, {-2, 1}, {0, 1}};
-constexpr Ratio case_4_lump_28[] = {{-3, 1}, {0, 1}, {0, 1}};
-constexpr Ratio case_4_lump_29[] = {{1, 1}, {-2, 1}, {0, 1}};
-constexpr Ratio case_4_lump_30[] = {{0, 1}, {-2, 1}, {0, 1}};
+constexpr Ratio case_4_lump_25[] = {{-1, 1}, {-2, 1}, {0, 1}};
+constexpr Ratio case_4_lump_26[] = {{0, 1}, {-1, 1}, {0, 1}};
+constexpr Ratio case_4_lump_27[] = {{0, 1}, {-3, 1}, {0, 1}};
+constexpr Ratio case_4_lump_28[] = {{-2, 1}, {-1, 1}, {0, 1}};
+constexpr Ratio case_4_lump_29[] = {{-1, 1}, {0, 1}, {0, 1}};
+constexpr Ratio case_4_lump_30[] = {{-3, 1}, {0, 1}, {0, 1}};
 constexpr Ratio case_4_lump_31[] = {{0, 1}, {-2, 1}, {0, 1}};
-constexpr Ratio case_4_lump_32[] = {{0, 1}, {-1, 1}, {0, 1}};
-constexpr Ratio case_4_lump_33[] = {{0, 1}, {-1, 1}, {0, 1}};
-constexpr Ratio case_4_lump_34[] = {{0, 1}, {-3, 1}, {0, 1}};
-constexpr Ratio case_4_lump_35[] = {{-1, 1}, {0, 1}, {0, 1}};
+constexpr Ratio case_4_lump_32[] = {{0, 1}, {-2, 1}, {0, 1}};
+constexpr Ratio case_4_lump_33[] = {{1, 1}, {-2, 1}, {0, 1}};
+constexpr Ratio case_4_lump_34[] = {{1, 1}, {-4, 1}, {0, 1}};
+constexpr Ratio case_4_lump_35[] = {{1, 1}, {-2, 1}, {0, 1}};
 constexpr CompiledLump case_4_lumps[] = {
   {"conservative_x_A_x4_F", "-3*a3^2*e/(32*omega0^5)", case_4_lump_0},
   {"mu", "mu", case_4_lump_1},
@@ -272,86 +266,65 @@ constexpr CompiledLump case_4_lumps[] = {
   {"harmonic_re_x_F5", "-273*a3^2*e^5/(671088640*omega0^14)", case_4_lump_20},
   {"harmonic_re_x_A_x_conjA_x_F", "3*a2^2*e/(160*omega0^6)", case_4_lump_21},
   {"harmonic_re_x_A_x3", "a2^2/(12*omega0^4)", case_4_lump_22},
-  {"harmonic_re_x_F2", "-a2*e^2/(128*omega0^6)", case_4_lump_23},
+  {"harmonic_re_x_conjA_x_F", "-a2*e/(24*omega0^4)", case_4_lump_23},
   {"a2", "a2", case_4_lump_24},
-  {"harmonic_re_x_conjA_x3_F", "17*a2*a3*e/(64*omega0^6)", case_4_lump_25},
-  {"harmonic_re_x_F4", "723*a2*a3*e^4/(4587520*omega0^12)", case_4_lump_26},
-  {"harmonic_re_x_A_x_conjA_x_F2", "57*a2*a3*e^2/(1280*omega0^8)", case_4_lump_27},
-  {"harmonic_re_x_A_x2_conjA_x2", "10*a2*a3/omega0^4", case_4_lump_28},
-  {"harmonic_im_x_F2", "129*mu*a2*e^2/(627200*omega0^7)", case_4_lump_29},
-  {"harmonic_re_x_A_x_F2", "73*a2^2*e^2/(322560*omega0^8)", case_4_lump_30},
-  {"harmonic_im_x_A_x_F2", "-3*mu*a3*e^2/(4096*omega0^7)", case_4_lump_31},
-  {"harmonic_re_x_A_x_F", "-a2*e/(24*omega0^4)", case_4_lump_32},
-  {"harmonic_im_x_A_x_F", "mu*a2*e/(32*omega0^5)", case_4_lump_33},
-  {"harmonic_re_x_A_x_F3", "-11*a2*a3*e^3/(86016*omega0^10)", case_4_lump_34},
-  {"harmonic_im_x_A_x2", "-4*mu*a2/(9*omega0^3)", case_4_lump_35},
+  {"harmonic_re_x_A_x2_F2", "a2*a3*e^2/(192*omega0^8)", case_4_lump_25},
+  {"harmonic_im_x_conjA_x_F", "-mu*a2*e/(32*omega0^5)", case_4_lump_26},
+  {"harmonic_re_x_conjA_x_F3", "-11*a2*a3*e^3/(86016*omega0^10)", case_4_lump_27},
+  {"harmonic_re_x_A_x_conjA_x2_F", "a2*a3*e/(480*omega0^6)", case_4_lump_28},
+  {"harmonic_im_x_A_x2", "-4*mu*a2/(9*omega0^3)", case_4_lump_29},
+  {"harmonic_re_x_A_x3_conjA_x", "-31*a2*a3/(12*omega0^4)", case_4_lump_30},
+  {"harmonic_re_x_conjA_x_F2", "73*a2^2*e^2/(322560*omega0^8)", case_4_lump_31},
+  {"harmonic_im_x_conjA_x_F2", "3*mu*a3*e^2/(4096*omega0^7)", case_4_lump_32},
+  {"harmonic_re_x_F2", "-a2*e^2/(128*omega0^6)", case_4_lump_33},
+  {"harmonic_re_x_F4", "723*a2*a3*e^4/(4587520*omega0^12)", case_4_lump_34},
+  {"harmonic_im_x_F2", "129*mu*a2*e^2/(627200*omega0^7)", case_4_lump_35},
 };
 constexpr int case_4_block_0_lumps[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13};
 constexpr int case_4_block_1_lumps[] = {0, 6, 8, 9, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
 constexpr int case_4_block_1_phase[] = {0, 1};
-constexpr int case_4_block_2_lumps[] = {23, 24, 25, 26, 27, 28};
-constexpr int case_4_block_2_phase[] = {0, 0};
-constexpr int case_4_block_3_lumps[] = {23, 25, 26, 27, 29};
-constexpr int case_4_block_3_phase[] = {0, 2};
-constexpr int case_4_block_4_lumps[] = {8, 13, 16, 19, 20};
-constexpr int case_4_block_4_phase[] = {0, 3};
-constexpr int case_4_block_5_lumps[] = {4, 5, 8, 30, 31};
-constexpr int case_4_block_5_phase[] = {1, -2};
-constexpr int case_4_block_6_lumps[] = {25, 32, 33, 34};
-constexpr int case_4_block_6_phase[] = {1, -1};
-constexpr int case_4_block_7_lumps[] = {25, 28, 32, 33, 34};
+constexpr int case_4_block_2_lumps[] = {23, 24, 25, 26, 27, 28, 29, 30};
+constexpr int case_4_block_2_phase[] = {-1, 1};
+constexpr int case_4_block_3_lumps[] = {4, 5, 8, 9, 10, 12, 13, 21, 31, 32};
+constexpr int case_4_block_3_phase[] = {-1, 2};
+constexpr int case_4_block_4_lumps[] = {24, 25, 28, 30, 33, 34};
+constexpr int case_4_block_4_phase[] = {0, 0};
+constexpr int case_4_block_5_lumps[] = {25, 28, 33, 34, 35};
+constexpr int case_4_block_5_phase[] = {0, 2};
+constexpr int case_4_block_6_lumps[] = {8, 13, 16, 19, 20};
+constexpr int case_4_block_6_phase[] = {0, 3};
+constexpr int case_4_block_7_lumps[] = {23, 25, 26, 27, 28, 30};
 constexpr int case_4_block_7_phase[] = {1, 1};
-constexpr int case_4_block_8_lumps[] = {0, 4, 5, 8, 30, 31};
+constexpr int case_4_block_8_lumps[] = {0, 4, 5, 8, 13, 31, 32};
 constexpr int case_4_block_8_phase[] = {1, 2};
-constexpr int case_4_block_9_lumps[] = {24, 27, 28, 35};
-constexpr int case_4_block_9_phase[] = {2, 0};
-constexpr int case_4_block_10_lumps[] = {0, 9, 10, 12, 13, 21};
-constexpr int case_4_block_10_phase[] = {2, 1};
-constexpr int case_4_block_11_lumps[] = {13};
-constexpr int case_4_block_11_phase[] = {2, -3};
-constexpr int case_4_block_12_lumps[] = {27};
-constexpr int case_4_block_12_phase[] = {2, -2};
-constexpr int case_4_block_13_lumps[] = {8};
-constexpr int case_4_block_13_phase[] = {3, -2};
-constexpr int case_4_block_14_lumps[] = {26};
-constexpr int case_4_block_14_phase[] = {0, 4};
-constexpr int case_4_block_15_lumps[] = {20};
-constexpr int case_4_block_15_phase[] = {0, 5};
-constexpr int case_4_block_16_lumps[] = {5};
-constexpr int case_4_block_16_phase[] = {1, -4};
-constexpr int case_4_block_17_lumps[] = {34};
-constexpr int case_4_block_17_phase[] = {1, -3};
-constexpr int case_4_block_18_lumps[] = {34};
-constexpr int case_4_block_18_phase[] = {1, 3};
-constexpr int case_4_block_19_lumps[] = {5};
-constexpr int case_4_block_19_phase[] = {1, 4};
-constexpr int case_4_block_20_lumps[] = {27};
-constexpr int case_4_block_20_phase[] = {2, 2};
-constexpr int case_4_block_21_lumps[] = {13};
-constexpr int case_4_block_21_phase[] = {2, 3};
+constexpr int case_4_block_9_lumps[] = {25, 27};
+constexpr int case_4_block_9_phase[] = {-1, 3};
+constexpr int case_4_block_10_lumps[] = {5, 13};
+constexpr int case_4_block_10_phase[] = {-1, 4};
+constexpr int case_4_block_11_lumps[] = {34};
+constexpr int case_4_block_11_phase[] = {0, 4};
+constexpr int case_4_block_12_lumps[] = {20};
+constexpr int case_4_block_12_phase[] = {0, 5};
+constexpr int case_4_block_13_lumps[] = {27};
+constexpr int case_4_block_13_phase[] = {1, 3};
+constexpr int case_4_block_14_lumps[] = {5};
+constexpr int case_4_block_14_phase[] = {1, 4};
 constexpr RegressorBlock case_4_blocks[] = {
   {BlockKind::modulation, "modulation of x", 0, 0, {}, case_4_block_0_lumps, column_function<subharmonic_3_second_order::columns_0, 1, 1, 14>, column_slope_function<subharmonic_3_second_order::column_slopes_0, 1, 1, 14>},
   {BlockKind::harmonic, "harmonic Omega of x", 0, 0, case_4_block_1_phase, case_4_block_1_lumps, column_function<subharmonic_3_second_order::columns_1, 1, 1, 15>, column_slope_function<subharmonic_3_second_order::column_slopes_1, 1, 1, 15>},
-  {BlockKind::harmonic, "harmonic 0 of x", 0, 1, case_4_block_2_phase, case_4_block_2_lumps, column_function<subharmonic_3_second_order::columns_2, 1, 1, 6>, column_slope_function<subharmonic_3_second_order::column_slopes_2, 1, 1, 6>},
-  {BlockKind::harmonic, "harmonic 2*Omega of x", 0, 1, case_4_block_3_phase, case_4_block_3_lumps, column_function<subharmonic_3_second_order::columns_3, 1, 1, 5>, column_slope_function<subharmonic_3_second_order::column_slopes_3, 1, 1, 5>},
-  {BlockKind::harmonic, "harmonic 3*Omega of x", 0, 1, case_4_block_4_phase, case_4_block_4_lumps, column_function<subharmonic_3_second_order::columns_4, 1, 1, 5>, column_slope_function<subharmonic_3_second_order::column_slopes_4, 1, 1, 5>},
-  {BlockKind::harmonic, "harmonic omega0-2*Omega of x", 0, 1, case_4_block_5_phase, case_4_block_5_lumps, column_function<subharmonic_3_second_order::columns_5, 1, 1, 5>, column_slope_function<subharmonic_3_second_order::column_slopes_5, 1, 1, 5>},
-  {BlockKind::harmonic, "harmonic omega0-Omega of x", 0, 1, case_4_block_6_phase, case_4_block_6_lumps, column_function<subharmonic_3_second_order::columns_6, 1, 1, 4>, column_slope_function<subharmonic_3_second_order::column_slopes_6, 1, 1, 4>},
-  {BlockKind::harmonic, "harmonic omega0+Omega of x", 0, 1, case_4_block_7_phase, case_4_block_7_lumps, column_function<subharmonic_3_second_order::columns_7, 1, 1, 5>, column_slope_function<subharmonic_3_second_order::column_slopes_7, 1, 1, 5>},
-  {BlockKind::harmonic, "harmonic omega0+2*Omega of x", 0, 1, case_4_block_8_phase, case_4_block_8_lumps, column_function<subharmonic_3_second_order::columns_8, 1, 1, 6>, column_slope_function<subharmonic_3_second_order::column_slopes_8, 1, 1, 6>},
-  {BlockKind::harmonic, "harmonic 2*omega0 of x", 0, 1, case_4_block_9_phase, case_4_block_9_lumps, column_function<subharmonic_3_second_order::columns_9, 1, 1, 4>, column_slope_function<subharmonic_3_second_order::column_slopes_9, 1, 1, 4>},
-  {BlockKind::harmonic, "harmonic 2*omega0+Omega of x", 0, 1, case_4_block_10_phase, case_4_block_10_lumps, column_function<subharmonic_3_second_order::columns_10, 1, 1, 6>, column_slope_function<subharmonic_3_second_order::column_slopes_10, 1, 1, 6>},
-  {BlockKind::harmonic, "harmonic 2*omega0-3*Omega of x", 0, 2, case_4_block_11_phase, case_4_block_11_lumps, column_function<subharmonic_3_second_order::columns_11, 1, 1, 1>, column_slope_function<subharmonic_3_second_order::column_slopes_11, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic 2*omega0-2*Omega of x", 0, 2, case_4_block_12_phase, case_4_block_12_lumps, column_function<subharmonic_3_second_order::columns_12, 1, 1, 1>, column_slope_function<subharmonic_3_second_order::column_slopes_12, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic 3*omega0-2*Omega of x", 0, 2, case_4_block_13_phase, case_4_block_13_lumps, column_function<subharmonic_3_second_order::columns_13, 1, 1, 1>, column_slope_function<subharmonic_3_second_order::column_slopes_13, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic 4*Omega of x", 0, 2, case_4_block_14_phase, case_4_block_14_lumps, column_function<subharmonic_3_second_order::columns_14, 1, 1, 1>, column_slope_function<subharmonic_3_second_order::column_slopes_14, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic 5*Omega of x", 0, 2, case_4_block_15_phase, case_4_block_15_lumps, column_function<subharmonic_3_second_order::columns_15, 1, 1, 1>, column_slope_function<subharmonic_3_second_order::column_slopes_15, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic omega0-4*Omega of x", 0, 2, case_4_block_16_phase, case_4_block_16_lumps, column_function<subharmonic_3_second_order::columns_16, 1, 1, 1>, column_slope_function<subharmonic_3_second_order::column_slopes_16, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic omega0-3*Omega of x", 0, 2, case_4_block_17_phase, case_4_block_17_lumps, column_function<subharmonic_3_second_order::columns_17, 1, 1, 1>, column_slope_function<subharmonic_3_second_order::column_slopes_17, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic omega0+3*Omega of x", 0, 2, case_4_block_18_phase, case_4_block_18_lumps, column_function<subharmonic_3_second_order::columns_18, 1, 1, 1>, column_slope_function<subharmonic_3_second_order::column_slopes_18, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic omega0+4*Omega of x", 0, 2, case_4_block_19_phase, case_4_block_19_lumps, column_function<subharmonic_3_second_order::columns_19, 1, 1, 1>, column_slope_function<subharmonic_3_second_order::column_slopes_19, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic 2*omega0+2*Omega of x", 0, 2, case_4_block_20_phase, case_4_block_20_lumps, column_function<subharmonic_3_second_order::columns_20, 1, 1, 1>, column_slope_function<subharmonic_3_second_order::column_slopes_20, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic 2*omega0+3*Omega of x", 0, 2, case_4_block_21_phase, case_4_block_21_lumps, column_function<subharmonic_3_second_order::columns_21, 1, 1, 1>, column_slope_function<subharmonic_3_second_order::column_slopes_21, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic -omega0+Omega of x", 0, 1, case_4_block_2_phase, case_4_block_2_lumps, column_function<subharmonic_3_second_order::columns_2, 1, 1, 8>, column_slope_function<subharmonic_3_second_order::column_slopes_2, 1, 1, 8>},
+  {BlockKind::harmonic, "harmonic -omega0+2*Omega of x", 0, 1, case_4_block_3_phase, case_4_block_3_lumps, column_function<subharmonic_3_second_order::columns_3, 1, 1, 10>, column_slope_function<subharmonic_3_second_order::column_slopes_3, 1, 1, 10>},
+  {BlockKind::harmonic, "harmonic 0 of x", 0, 1, case_4_block_4_phase, case_4_block_4_lumps, column_function<subharmonic_3_second_order::columns_4, 1, 1, 6>, column_slope_function<subharmonic_3_second_order::column_slopes_4, 1, 1, 6>},
+  {BlockKind::harmonic, "harmonic 2*Omega of x", 0, 1, case_4_block_5_phase, case_4_block_5_lumps, column_function<subharmonic_3_second_order::columns_5, 1, 1, 5>, column_slope_function<subharmonic_3_second_order::column_slopes_5, 1, 1, 5>},
+  {BlockKind::harmonic, "harmonic 3*Omega of x", 0, 1, case_4_block_6_phase, case_4_block_6_lumps, column_function<subharmonic_3_second_order::columns_6, 1, 1, 5>, column_slope_function<subharmonic_3_second_order::column_slopes_6, 1, 1, 5>},
+  {BlockKind::harmonic, "harmonic omega0+Omega of x", 0, 1, case_4_block_7_phase, case_4_block_7_lumps, column_function<subharmonic_3_second_order::columns_7, 1, 1, 6>, column_slope_function<subharmonic_3_second_order::column_slopes_7, 1, 1, 6>},
+  {BlockKind::harmonic, "harmonic omega0+2*Omega of x", 0, 1, case_4_block_8_phase, case_4_block_8_lumps, column_function<subharmonic_3_second_order::columns_8, 1, 1, 7>, column_slope_function<subharmonic_3_second_order::column_slopes_8, 1, 1, 7>},
+  {BlockKind::harmonic, "harmonic -omega0+3*Omega of x", 0, 2, case_4_block_9_phase, case_4_block_9_lumps, column_function<subharmonic_3_second_order::columns_9, 1, 1, 2>, column_slope_function<subharmonic_3_second_order::column_slopes_9, 1, 1, 2>},
+  {BlockKind::harmonic, "harmonic -omega0+4*Omega of x", 0, 2, case_4_block_10_phase, case_4_block_10_lumps, column_function<subharmonic_3_second_order::columns_10, 1, 1, 2>, column_slope_function<subharmonic_3_second_order::column_slopes_10, 1, 1, 2>},
+  {BlockKind::harmonic, "harmonic 4*Omega of x", 0, 2, case_4_block_11_phase, case_4_block_11_lumps, column_function<subharmonic_3_second_order::columns_11, 1, 1, 1>, column_slope_function<subharmonic_3_second_order::column_slopes_11, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 5*Omega of x", 0, 2, case_4_block_12_phase, case_4_block_12_lumps, column_function<subharmonic_3_second_order::columns_12, 1, 1, 1>, column_slope_function<subharmonic_3_second_order::column_slopes_12, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic omega0+3*Omega of x", 0, 2, case_4_block_13_phase, case_4_block_13_lumps, column_function<subharmonic_3_second_order::columns_13, 1, 1, 1>, column_slope_function<subharmonic_3_second_order::column_slopes_13, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic omega0+4*Omega of x", 0, 2, case_4_block_14_phase, case_4_block_14_lumps, column_function<subharmonic_3_second_order::columns_14, 1, 1, 1>, column_slope_function<subharmonic_3_second_order::column_slopes_14, 1, 1, 1>},
 };
 
 constexpr CompiledCase cases[] = {
@@ -428,7 +401,7 @@ extern const CompiledModel model;
 const CompiledModel model = {
   .name = "duffing",
   .source = "Duffing oscillator with a quadratic term",
-  .fingerprint = "25129ff8993c71f5",
+  .fingerprint = "e9c27fdbfee4d6f4",
   .coordinates = coordinates,
   .excitations = excitations,
   .excitation_frequencies = excitation_frequencies,

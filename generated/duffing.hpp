@@ -1194,9 +1194,9 @@ namespace subharmonic_3 {
 /// lumps[4]: e = e
 /// lumps[5]: harmonic_im_x_F = -3*mu*e/(64*omega0^3)
 /// lumps[6]: harmonic_re_x_F3 = -3*a3*e^3/(32768*omega0^8)
-/// lumps[7]: harmonic_re_x_F2 = -a2*e^2/(128*omega0^6)
+/// lumps[7]: harmonic_re_x_conjA_x_F = -a2*e/(24*omega0^4)
 /// lumps[8]: a2 = a2
-/// lumps[9]: harmonic_re_x_A_x_F = -a2*e/(24*omega0^4)
+/// lumps[9]: harmonic_re_x_F2 = -a2*e^2/(128*omega0^6)
 /// 22 operations.
 template <class Scalar>
 void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* lumps) {
@@ -1221,9 +1221,9 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
   lumps[4] = e;  // e
   lumps[5] = -Scalar(3.0) * mu * e / (Scalar(64.0) * omega0_3);  // harmonic_im_x_F
   lumps[6] = -Scalar(3.0) * a3 * e_3 / (Scalar(32768.0) * omega0_8);  // harmonic_re_x_F3
-  lumps[7] = -a2 * e_2 / (Scalar(128.0) * omega0_6);  // harmonic_re_x_F2
+  lumps[7] = -a2 * e / (Scalar(24.0) * omega0_4);  // harmonic_re_x_conjA_x_F
   lumps[8] = a2;  // a2
-  lumps[9] = -a2 * e / (Scalar(24.0) * omega0_4);  // harmonic_re_x_A_x_F
+  lumps[9] = -a2 * e_2 / (Scalar(128.0) * omega0_6);  // harmonic_re_x_F2
 }
 
 /// jacobian[l * 5 + p] = d lumps[l] / d parameters[p]. 58 operations.
@@ -1260,13 +1260,13 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   jacobian[30] = Scalar(3.0) * a3 * e_3 / (Scalar(4096.0) * omega0_9);  // d harmonic_re_x_F3 / d omega0
   jacobian[33] = -Scalar(3.0) * e_3 / (Scalar(32768.0) * omega0_8);  // d harmonic_re_x_F3 / d a3
   jacobian[34] = -Scalar(9.0) * a3 * e_2 / (Scalar(32768.0) * omega0_8);  // d harmonic_re_x_F3 / d e
-  jacobian[35] = Scalar(3.0) * a2 * e_2 / (Scalar(64.0) * omega0_7);  // d harmonic_re_x_F2 / d omega0
-  jacobian[37] = -e_2 / (Scalar(128.0) * omega0_6);  // d harmonic_re_x_F2 / d a2
-  jacobian[39] = -a2 * e / (Scalar(64.0) * omega0_6);  // d harmonic_re_x_F2 / d e
+  jacobian[35] = a2 * e / (Scalar(6.0) * omega0_5);  // d harmonic_re_x_conjA_x_F / d omega0
+  jacobian[37] = -e / (Scalar(24.0) * omega0_4);  // d harmonic_re_x_conjA_x_F / d a2
+  jacobian[39] = -a2 / (Scalar(24.0) * omega0_4);  // d harmonic_re_x_conjA_x_F / d e
   jacobian[42] = Scalar(1.0);  // d a2 / d a2
-  jacobian[45] = a2 * e / (Scalar(6.0) * omega0_5);  // d harmonic_re_x_A_x_F / d omega0
-  jacobian[47] = -e / (Scalar(24.0) * omega0_4);  // d harmonic_re_x_A_x_F / d a2
-  jacobian[49] = -a2 / (Scalar(24.0) * omega0_4);  // d harmonic_re_x_A_x_F / d e
+  jacobian[45] = Scalar(3.0) * a2 * e_2 / (Scalar(64.0) * omega0_7);  // d harmonic_re_x_F2 / d omega0
+  jacobian[47] = -e_2 / (Scalar(128.0) * omega0_6);  // d harmonic_re_x_F2 / d a2
+  jacobian[49] = -a2 * e / (Scalar(64.0) * omega0_6);  // d harmonic_re_x_F2 / d e
 }
 
 /// What multiplies the 4 terms of the modulation of x: functions of the frequencies alone. 2 operations.
@@ -1382,19 +1382,20 @@ inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 6>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic 0 of x: functions of the frequencies alone. 2 operations.
+/// What multiplies the 2 terms of the harmonic -omega0+Omega of x: functions of the frequencies alone. 3
+/// operations.
 template <class Scalar>
 void factors_2([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar omega0_2 = omega0 * omega0;
   factor[0] = Scalar(1.0);
-  factor[1] = -Scalar(2.0) / omega0_2;
+  factor[1] = Scalar(1.0) / (Scalar(3.0) * omega0_2);
 }
 
-/// Rows of the harmonic 0 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(0)*t) in x = harmonic_re_x_F2*F^2 - 2/omega0^2*a2*A_x*conj(A_x)
-/// 2 columns; per observation at most 2 products and sums of complex numbers.
+/// Rows of the harmonic -omega0+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
+/// amplitude of exp(i*(-omega0 + Omega)*t) in x = harmonic_re_x_conjA_x_F*conj(A_x)*F + 1/(3*omega0^2)*a2*A_x^2
+/// 2 columns; per observation at most 6 products and sums of complex numbers.
 template <class Factors>
 void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
@@ -1408,11 +1409,10 @@ void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
   factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
     const Complex A_x = load_complex(amplitude_0, i);
-    const Scalar norm_A_x = norm_of(A_x);
+    const Complex conj_A_x = conjugate(A_x);
     const Complex F = load_complex(forcing_0, i);
-    const Scalar norm_F = norm_of(F);
-    store_complex(column_0, i, Complex(factor[0] * (norm_F)));  // harmonic_re_x_F2
-    store_complex(column_1, i, Complex(factor[1] * (norm_A_x)));  // a2
+    store_complex(column_0, i, factor[0] * (conj_A_x * F));  // harmonic_re_x_conjA_x_F
+    store_complex(column_1, i, factor[1] * (A_x * A_x));  // a2
   }
 }
 
@@ -1427,9 +1427,115 @@ inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 1, 2>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 2*Omega of x: functions of the frequencies alone. 20 operations.
+/// What multiplies the 2 terms of the harmonic -omega0+2*Omega of x: functions of the frequencies alone. 36
+/// operations.
 template <class Scalar>
 void factors_3([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar Omega = excitation_frequency[0];
+  const Scalar omega0_2 = omega0 * omega0;
+  const Scalar omega0_3 = omega0_2 * omega0;
+  const Scalar omega0_4 = omega0_3 * omega0;
+  const Scalar omega0_5 = omega0_4 * omega0;
+  const Scalar Omega_2 = Omega * Omega;
+  const Scalar Omega_3 = Omega_2 * Omega;
+  const Scalar Omega_4 = Omega_3 * Omega;
+  const Scalar Omega_5 = Omega_4 * Omega;
+  const Scalar Omega_6 = Omega_5 * Omega;
+  factor[0] = -Scalar(16.0) * omega0_5 / (omega0_5 * Omega - omega0_4 * Omega_2 - Scalar(2.0) * omega0_3 * Omega_3
+      + Scalar(2.0) * omega0_2 * Omega_4 + omega0 * Omega_5 - Omega_6);
+  factor[1] = -Scalar(16.0) * omega0_3 / (Scalar(3.0) * omega0_4 + Scalar(4.0) * omega0_3 * Omega
+      - Scalar(2.0) * omega0_2 * Omega_2 - Scalar(4.0) * omega0 * Omega_3 - Omega_4);
+}
+
+/// Rows of the harmonic -omega0+2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
+/// amplitude of exp(i*(-omega0 + 2*Omega)*t) in x = -16*omega0^5/(omega0^5*Omega - omega0^4*Omega^2 -
+/// 2*omega0^3*Omega^3 + 2*omega0^2*Omega^4 + omega0*Omega^5 - Omega^6)*conservative_x_A_x_F2*conj(A_x)*F^2 -
+/// 16*omega0^3/(3*omega0^4 + 4*omega0^3*Omega - 2*omega0^2*Omega^2 - 4*omega0*Omega^3 -
+/// Omega^4)*conservative_x_conjA_x2_F*A_x^2*F
+/// 2 columns; per observation at most 10 products and sums of complex numbers.
+template <class Factors>
+void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar factor[2];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Scalar excitation_frequency[] = {frequency_0[i]};
+    factors(natural_frequency, excitation_frequency, factor);
+    const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
+    const Complex F = load_complex(forcing_0, i);
+    store_complex(column_0, i, factor[0] * (conj_A_x * F * F));  // conservative_x_A_x_F2
+    store_complex(column_1, i, factor[1] * (A_x * A_x * F));  // conservative_x_conjA_x2_F
+  }
+}
+
+/// columns[j][i] of the rows.
+inline void columns_3(const BatchArrays& data, double* const* columns) {
+  rows_3(data, FactorValues<factors_3<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
+  rows_3(data, FactorSlopes<factors_3<DualNumber>, 1, 1, 2>{mode}, columns);
+}
+
+/// What multiplies the 2 terms of the harmonic 0 of x: functions of the frequencies alone. 2 operations.
+template <class Scalar>
+void factors_4([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar omega0_2 = omega0 * omega0;
+  factor[0] = -Scalar(2.0) / omega0_2;
+  factor[1] = Scalar(1.0);
+}
+
+/// Rows of the harmonic 0 of x: target = sum of columns[j][i] * lump_j, with the factors above.
+/// amplitude of exp(i*(0)*t) in x = -2/omega0^2*a2*A_x*conj(A_x) + harmonic_re_x_F2*F^2
+/// 2 columns; per observation at most 2 products and sums of complex numbers.
+template <class Factors>
+void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar factor[2];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_x = load_complex(amplitude_0, i);
+    const Scalar norm_A_x = norm_of(A_x);
+    const Complex F = load_complex(forcing_0, i);
+    const Scalar norm_F = norm_of(F);
+    store_complex(column_0, i, Complex(factor[0] * (norm_A_x)));  // a2
+    store_complex(column_1, i, Complex(factor[1] * (norm_F)));  // harmonic_re_x_F2
+  }
+}
+
+/// columns[j][i] of the rows.
+inline void columns_4(const BatchArrays& data, double* const* columns) {
+  rows_4(data, FactorValues<factors_4<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
+  rows_4(data, FactorSlopes<factors_4<DualNumber>, 1, 1, 2>{mode}, columns);
+}
+
+/// What multiplies the 1 terms of the harmonic 2*Omega of x: functions of the frequencies alone. 20 operations.
+template <class Scalar>
+void factors_5([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
@@ -1452,7 +1558,7 @@ void factors_3([[maybe_unused]] const Scalar* natural_frequency,
 /// 4*Omega^6)*harmonic_re_x_F2*F^2
 /// 1 columns; per observation at most 3 products and sums of complex numbers.
 template <class Factors>
-void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict forcing_0 = data.forcing[0];
@@ -1469,19 +1575,19 @@ void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_3(const BatchArrays& data, double* const* columns) {
-  rows_3(data, FactorValues<factors_3<double>>{}, columns);
+inline void columns_5(const BatchArrays& data, double* const* columns) {
+  rows_5(data, FactorValues<factors_5<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_3(data, FactorSlopes<factors_3<DualNumber>, 1, 1, 1>{mode}, columns);
+  rows_5(data, FactorSlopes<factors_5<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
 /// What multiplies the 1 terms of the harmonic 3*Omega of x: functions of the frequencies alone. 28 operations.
 template <class Scalar>
-void factors_4([[maybe_unused]] const Scalar* natural_frequency,
+void factors_6([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
@@ -1508,7 +1614,7 @@ void factors_4([[maybe_unused]] const Scalar* natural_frequency,
 /// - 84*omega0^2*Omega^6 + 27*Omega^8)*harmonic_re_x_F3*F^3
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict forcing_0 = data.forcing[0];
@@ -1525,101 +1631,6 @@ void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_4(const BatchArrays& data, double* const* columns) {
-  rows_4(data, FactorValues<factors_4<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_4(data, FactorSlopes<factors_4<DualNumber>, 1, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic omega0-2*Omega of x: functions of the frequencies alone. 23
-/// operations.
-template <class Scalar>
-void factors_5([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar Omega = excitation_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar omega0_3 = omega0_2 * omega0;
-  const Scalar omega0_4 = omega0_3 * omega0;
-  const Scalar omega0_5 = omega0_4 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  factor[0] = -Scalar(16.0) * omega0_5 / (omega0_5 * Omega - omega0_4 * Omega_2 - Scalar(2.0) * omega0_3 * Omega_3
-      + Scalar(2.0) * omega0_2 * Omega_4 + omega0 * Omega_5 - Omega_6);
-}
-
-/// Rows of the harmonic omega0-2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 - 2*Omega)*t) in x = -16*omega0^5/(omega0^5*Omega - omega0^4*Omega^2 -
-/// 2*omega0^3*Omega^3 + 2*omega0^2*Omega^4 + omega0*Omega^5 - Omega^6)*conservative_x_A_x_F2*A_x*F^2
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict forcing_0 = data.forcing[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Scalar excitation_frequency[] = {frequency_0[i]};
-    factors(natural_frequency, excitation_frequency, factor);
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex F = load_complex(forcing_0, i);
-    const Complex conj_F = conjugate(F);
-    store_complex(column_0, i, factor[0] * (A_x * conj_F * conj_F));  // conservative_x_A_x_F2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_5(const BatchArrays& data, double* const* columns) {
-  rows_5(data, FactorValues<factors_5<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_5(data, FactorSlopes<factors_5<DualNumber>, 1, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic omega0-Omega of x: functions of the frequencies alone. 0
-/// operations.
-template <class Scalar>
-void factors_6([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega0-Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 - Omega)*t) in x = harmonic_re_x_A_x_F*A_x*F
-/// 1 columns; per observation at most 3 products and sums of complex numbers.
-template <class Factors>
-void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict forcing_0 = data.forcing[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex F = load_complex(forcing_0, i);
-    const Complex conj_F = conjugate(F);
-    store_complex(column_0, i, factor[0] * (A_x * conj_F));  // harmonic_re_x_A_x_F
-  }
-}
-
-/// columns[j][i] of the rows.
 inline void columns_6(const BatchArrays& data, double* const* columns) {
   rows_6(data, FactorValues<factors_6<double>>{}, columns);
 }
@@ -1627,8 +1638,7 @@ inline void columns_6(const BatchArrays& data, double* const* columns) {
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
+  rows_6(data, FactorSlopes<factors_6<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
 /// What multiplies the 1 terms of the harmonic omega0+Omega of x: functions of the frequencies alone. 16
@@ -1650,7 +1660,7 @@ void factors_7([[maybe_unused]] const Scalar* natural_frequency,
 
 /// Rows of the harmonic omega0+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(omega0 + Omega)*t) in x = -24*omega0^4/(2*omega0^3*Omega + omega0^2*Omega^2 -
-/// 2*omega0*Omega^3 - Omega^4)*harmonic_re_x_A_x_F*A_x*F
+/// 2*omega0*Omega^3 - Omega^4)*harmonic_re_x_conjA_x_F*A_x*F
 /// 1 columns; per observation at most 3 products and sums of complex numbers.
 template <class Factors>
 void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -1667,7 +1677,7 @@ void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
     factors(natural_frequency, excitation_frequency, factor);
     const Complex A_x = load_complex(amplitude_0, i);
     const Complex F = load_complex(forcing_0, i);
-    store_complex(column_0, i, factor[0] * (A_x * F));  // harmonic_re_x_A_x_F
+    store_complex(column_0, i, factor[0] * (A_x * F));  // harmonic_re_x_conjA_x_F
   }
 }
 
@@ -1734,95 +1744,6 @@ inline void columns_8(const BatchArrays& data, double* const* columns) {
 inline void column_slopes_8(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   rows_8(data, FactorSlopes<factors_8<DualNumber>, 1, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic 2*omega0 of x: functions of the frequencies alone. 3 operations.
-template <class Scalar>
-void factors_9([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  factor[0] = Scalar(1.0) / (Scalar(3.0) * omega0_2);
-}
-
-/// Rows of the harmonic 2*omega0 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega0)*t) in x = 1/(3*omega0^2)*a2*A_x^2
-/// 1 columns; per observation at most 3 products and sums of complex numbers.
-template <class Factors>
-void rows_9(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_x));  // a2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_9(const BatchArrays& data, double* const* columns) {
-  rows_9(data, FactorValues<factors_9<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_9(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_9(data, FactorSlopes<factors_9<DualNumber>, 1, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic 2*omega0+Omega of x: functions of the frequencies alone. 19
-/// operations.
-template <class Scalar>
-void factors_10([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar Omega = excitation_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar omega0_3 = omega0_2 * omega0;
-  const Scalar omega0_4 = omega0_3 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  factor[0] = -Scalar(16.0) * omega0_3 / (Scalar(3.0) * omega0_4 + Scalar(4.0) * omega0_3 * Omega
-      - Scalar(2.0) * omega0_2 * Omega_2 - Scalar(4.0) * omega0 * Omega_3 - Omega_4);
-}
-
-/// Rows of the harmonic 2*omega0+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega0 + Omega)*t) in x = -16*omega0^3/(3*omega0^4 + 4*omega0^3*Omega -
-/// 2*omega0^2*Omega^2 - 4*omega0*Omega^3 - Omega^4)*conservative_x_conjA_x2_F*A_x^2*F
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_10(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict forcing_0 = data.forcing[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Scalar excitation_frequency[] = {frequency_0[i]};
-    factors(natural_frequency, excitation_frequency, factor);
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex F = load_complex(forcing_0, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_x * F));  // conservative_x_conjA_x2_F
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_10(const BatchArrays& data, double* const* columns) {
-  rows_10(data, FactorValues<factors_10<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_10(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_10(data, FactorSlopes<factors_10<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
 /// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state. amplitude
@@ -1908,20 +1829,20 @@ namespace subharmonic_3_second_order {
 /// lumps[20]: harmonic_re_x_F5 = -273*a3^2*e^5/(671088640*omega0^14)
 /// lumps[21]: harmonic_re_x_A_x_conjA_x_F = 3*a2^2*e/(160*omega0^6)
 /// lumps[22]: harmonic_re_x_A_x3 = a2^2/(12*omega0^4)
-/// lumps[23]: harmonic_re_x_F2 = -a2*e^2/(128*omega0^6)
+/// lumps[23]: harmonic_re_x_conjA_x_F = -a2*e/(24*omega0^4)
 /// lumps[24]: a2 = a2
-/// lumps[25]: harmonic_re_x_conjA_x3_F = 17*a2*a3*e/(64*omega0^6)
-/// lumps[26]: harmonic_re_x_F4 = 723*a2*a3*e^4/(4587520*omega0^12)
-/// lumps[27]: harmonic_re_x_A_x_conjA_x_F2 = 57*a2*a3*e^2/(1280*omega0^8)
-/// lumps[28]: harmonic_re_x_A_x2_conjA_x2 = 10*a2*a3/omega0^4
-/// lumps[29]: harmonic_im_x_F2 = 129*mu*a2*e^2/(627200*omega0^7)
-/// lumps[30]: harmonic_re_x_A_x_F2 = 73*a2^2*e^2/(322560*omega0^8)
-/// lumps[31]: harmonic_im_x_A_x_F2 = -3*mu*a3*e^2/(4096*omega0^7)
-/// lumps[32]: harmonic_re_x_A_x_F = -a2*e/(24*omega0^4)
-/// lumps[33]: harmonic_im_x_A_x_F = mu*a2*e/(32*omega0^5)
-/// lumps[34]: harmonic_re_x_A_x_F3 = -11*a2*a3*e^3/(86016*omega0^10)
-/// lumps[35]: harmonic_im_x_A_x2 = -4*mu*a2/(9*omega0^3)
-/// 138 operations.
+/// lumps[25]: harmonic_re_x_A_x2_F2 = a2*a3*e^2/(192*omega0^8)
+/// lumps[26]: harmonic_im_x_conjA_x_F = -mu*a2*e/(32*omega0^5)
+/// lumps[27]: harmonic_re_x_conjA_x_F3 = -11*a2*a3*e^3/(86016*omega0^10)
+/// lumps[28]: harmonic_re_x_A_x_conjA_x2_F = a2*a3*e/(480*omega0^6)
+/// lumps[29]: harmonic_im_x_A_x2 = -4*mu*a2/(9*omega0^3)
+/// lumps[30]: harmonic_re_x_A_x3_conjA_x = -31*a2*a3/(12*omega0^4)
+/// lumps[31]: harmonic_re_x_conjA_x_F2 = 73*a2^2*e^2/(322560*omega0^8)
+/// lumps[32]: harmonic_im_x_conjA_x_F2 = 3*mu*a3*e^2/(4096*omega0^7)
+/// lumps[33]: harmonic_re_x_F2 = -a2*e^2/(128*omega0^6)
+/// lumps[34]: harmonic_re_x_F4 = 723*a2*a3*e^4/(4587520*omega0^12)
+/// lumps[35]: harmonic_im_x_F2 = 129*mu*a2*e^2/(627200*omega0^7)
+/// 137 operations.
 template <class Scalar>
 void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* lumps) {
   const Scalar omega0 = parameters[0];
@@ -1975,22 +1896,22 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
   lumps[20] = -Scalar(273.0) * a3_2 * e_5 / (Scalar(671088640.0) * omega0_14);  // harmonic_re_x_F5
   lumps[21] = Scalar(3.0) * a2_2 * e / (Scalar(160.0) * omega0_6);  // harmonic_re_x_A_x_conjA_x_F
   lumps[22] = a2_2 / (Scalar(12.0) * omega0_4);  // harmonic_re_x_A_x3
-  lumps[23] = -a2 * e_2 / (Scalar(128.0) * omega0_6);  // harmonic_re_x_F2
+  lumps[23] = -a2 * e / (Scalar(24.0) * omega0_4);  // harmonic_re_x_conjA_x_F
   lumps[24] = a2;  // a2
-  lumps[25] = Scalar(17.0) * a2 * a3 * e / (Scalar(64.0) * omega0_6);  // harmonic_re_x_conjA_x3_F
-  lumps[26] = Scalar(723.0) * a2 * a3 * e_4 / (Scalar(4587520.0) * omega0_12);  // harmonic_re_x_F4
-  lumps[27] = Scalar(57.0) * a2 * a3 * e_2 / (Scalar(1280.0) * omega0_8);  // harmonic_re_x_A_x_conjA_x_F2
-  lumps[28] = Scalar(10.0) * a2 * a3 / omega0_4;  // harmonic_re_x_A_x2_conjA_x2
-  lumps[29] = Scalar(129.0) * mu * a2 * e_2 / (Scalar(627200.0) * omega0_7);  // harmonic_im_x_F2
-  lumps[30] = Scalar(73.0) * a2_2 * e_2 / (Scalar(322560.0) * omega0_8);  // harmonic_re_x_A_x_F2
-  lumps[31] = -Scalar(3.0) * mu * a3 * e_2 / (Scalar(4096.0) * omega0_7);  // harmonic_im_x_A_x_F2
-  lumps[32] = -a2 * e / (Scalar(24.0) * omega0_4);  // harmonic_re_x_A_x_F
-  lumps[33] = mu * a2 * e / (Scalar(32.0) * omega0_5);  // harmonic_im_x_A_x_F
-  lumps[34] = -Scalar(11.0) * a2 * a3 * e_3 / (Scalar(86016.0) * omega0_10);  // harmonic_re_x_A_x_F3
-  lumps[35] = -Scalar(4.0) * mu * a2 / (Scalar(9.0) * omega0_3);  // harmonic_im_x_A_x2
+  lumps[25] = a2 * a3 * e_2 / (Scalar(192.0) * omega0_8);  // harmonic_re_x_A_x2_F2
+  lumps[26] = -mu * a2 * e / (Scalar(32.0) * omega0_5);  // harmonic_im_x_conjA_x_F
+  lumps[27] = -Scalar(11.0) * a2 * a3 * e_3 / (Scalar(86016.0) * omega0_10);  // harmonic_re_x_conjA_x_F3
+  lumps[28] = a2 * a3 * e / (Scalar(480.0) * omega0_6);  // harmonic_re_x_A_x_conjA_x2_F
+  lumps[29] = -Scalar(4.0) * mu * a2 / (Scalar(9.0) * omega0_3);  // harmonic_im_x_A_x2
+  lumps[30] = -Scalar(31.0) * a2 * a3 / (Scalar(12.0) * omega0_4);  // harmonic_re_x_A_x3_conjA_x
+  lumps[31] = Scalar(73.0) * a2_2 * e_2 / (Scalar(322560.0) * omega0_8);  // harmonic_re_x_conjA_x_F2
+  lumps[32] = Scalar(3.0) * mu * a3 * e_2 / (Scalar(4096.0) * omega0_7);  // harmonic_im_x_conjA_x_F2
+  lumps[33] = -a2 * e_2 / (Scalar(128.0) * omega0_6);  // harmonic_re_x_F2
+  lumps[34] = Scalar(723.0) * a2 * a3 * e_4 / (Scalar(4587520.0) * omega0_12);  // harmonic_re_x_F4
+  lumps[35] = Scalar(129.0) * mu * a2 * e_2 / (Scalar(627200.0) * omega0_7);  // harmonic_im_x_F2
 }
 
-/// jacobian[l * 5 + p] = d lumps[l] / d parameters[p]. 400 operations.
+/// jacobian[l * 5 + p] = d lumps[l] / d parameters[p]. 395 operations.
 template <class Scalar>
 void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* jacobian) {
   const Scalar omega0 = parameters[0];
@@ -2097,56 +2018,55 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   jacobian[109] = Scalar(3.0) * a2_2 / (Scalar(160.0) * omega0_6);  // d harmonic_re_x_A_x_conjA_x_F / d e
   jacobian[110] = -a2_2 / (Scalar(3.0) * omega0_5);  // d harmonic_re_x_A_x3 / d omega0
   jacobian[112] = a2 / (Scalar(6.0) * omega0_4);  // d harmonic_re_x_A_x3 / d a2
-  jacobian[115] = Scalar(3.0) * a2 * e_2 / (Scalar(64.0) * omega0_7);  // d harmonic_re_x_F2 / d omega0
-  jacobian[117] = -e_2 / (Scalar(128.0) * omega0_6);  // d harmonic_re_x_F2 / d a2
-  jacobian[119] = -a2 * e / (Scalar(64.0) * omega0_6);  // d harmonic_re_x_F2 / d e
+  jacobian[115] = a2 * e / (Scalar(6.0) * omega0_5);  // d harmonic_re_x_conjA_x_F / d omega0
+  jacobian[117] = -e / (Scalar(24.0) * omega0_4);  // d harmonic_re_x_conjA_x_F / d a2
+  jacobian[119] = -a2 / (Scalar(24.0) * omega0_4);  // d harmonic_re_x_conjA_x_F / d e
   jacobian[122] = Scalar(1.0);  // d a2 / d a2
-  // d harmonic_re_x_conjA_x3_F / d omega0
-  jacobian[125] = -Scalar(51.0) * a2 * a3 * e / (Scalar(32.0) * omega0_7);
-  jacobian[127] = Scalar(17.0) * a3 * e / (Scalar(64.0) * omega0_6);  // d harmonic_re_x_conjA_x3_F / d a2
-  jacobian[128] = Scalar(17.0) * a2 * e / (Scalar(64.0) * omega0_6);  // d harmonic_re_x_conjA_x3_F / d a3
-  jacobian[129] = Scalar(17.0) * a2 * a3 / (Scalar(64.0) * omega0_6);  // d harmonic_re_x_conjA_x3_F / d e
+  jacobian[125] = -a2 * a3 * e_2 / (Scalar(24.0) * omega0_9);  // d harmonic_re_x_A_x2_F2 / d omega0
+  jacobian[127] = a3 * e_2 / (Scalar(192.0) * omega0_8);  // d harmonic_re_x_A_x2_F2 / d a2
+  jacobian[128] = a2 * e_2 / (Scalar(192.0) * omega0_8);  // d harmonic_re_x_A_x2_F2 / d a3
+  jacobian[129] = a2 * a3 * e / (Scalar(96.0) * omega0_8);  // d harmonic_re_x_A_x2_F2 / d e
+  jacobian[130] = Scalar(5.0) * mu * a2 * e / (Scalar(32.0) * omega0_6);  // d harmonic_im_x_conjA_x_F / d omega0
+  jacobian[131] = -a2 * e / (Scalar(32.0) * omega0_5);  // d harmonic_im_x_conjA_x_F / d mu
+  jacobian[132] = -mu * e / (Scalar(32.0) * omega0_5);  // d harmonic_im_x_conjA_x_F / d a2
+  jacobian[134] = -mu * a2 / (Scalar(32.0) * omega0_5);  // d harmonic_im_x_conjA_x_F / d e
+  // d harmonic_re_x_conjA_x_F3 / d omega0
+  jacobian[135] = Scalar(55.0) * a2 * a3 * e_3 / (Scalar(43008.0) * omega0_11);
+  jacobian[137] = -Scalar(11.0) * a3 * e_3 / (Scalar(86016.0) * omega0_10);  // d harmonic_re_x_conjA_x_F3 / d a2
+  jacobian[138] = -Scalar(11.0) * a2 * e_3 / (Scalar(86016.0) * omega0_10);  // d harmonic_re_x_conjA_x_F3 / d a3
+  // d harmonic_re_x_conjA_x_F3 / d e
+  jacobian[139] = -Scalar(11.0) * a2 * a3 * e_2 / (Scalar(28672.0) * omega0_10);
+  jacobian[140] = -a2 * a3 * e / (Scalar(80.0) * omega0_7);  // d harmonic_re_x_A_x_conjA_x2_F / d omega0
+  jacobian[142] = a3 * e / (Scalar(480.0) * omega0_6);  // d harmonic_re_x_A_x_conjA_x2_F / d a2
+  jacobian[143] = a2 * e / (Scalar(480.0) * omega0_6);  // d harmonic_re_x_A_x_conjA_x2_F / d a3
+  jacobian[144] = a2 * a3 / (Scalar(480.0) * omega0_6);  // d harmonic_re_x_A_x_conjA_x2_F / d e
+  jacobian[145] = Scalar(4.0) * mu * a2 / (Scalar(3.0) * omega0_4);  // d harmonic_im_x_A_x2 / d omega0
+  jacobian[146] = -Scalar(4.0) * a2 / (Scalar(9.0) * omega0_3);  // d harmonic_im_x_A_x2 / d mu
+  jacobian[147] = -Scalar(4.0) * mu / (Scalar(9.0) * omega0_3);  // d harmonic_im_x_A_x2 / d a2
+  jacobian[150] = Scalar(31.0) * a2 * a3 / (Scalar(3.0) * omega0_5);  // d harmonic_re_x_A_x3_conjA_x / d omega0
+  jacobian[152] = -Scalar(31.0) * a3 / (Scalar(12.0) * omega0_4);  // d harmonic_re_x_A_x3_conjA_x / d a2
+  jacobian[153] = -Scalar(31.0) * a2 / (Scalar(12.0) * omega0_4);  // d harmonic_re_x_A_x3_conjA_x / d a3
+  // d harmonic_re_x_conjA_x_F2 / d omega0
+  jacobian[155] = -Scalar(73.0) * a2_2 * e_2 / (Scalar(40320.0) * omega0_9);
+  jacobian[157] = Scalar(73.0) * a2 * e_2 / (Scalar(161280.0) * omega0_8);  // d harmonic_re_x_conjA_x_F2 / d a2
+  jacobian[159] = Scalar(73.0) * a2_2 * e / (Scalar(161280.0) * omega0_8);  // d harmonic_re_x_conjA_x_F2 / d e
+  // d harmonic_im_x_conjA_x_F2 / d omega0
+  jacobian[160] = -Scalar(21.0) * mu * a3 * e_2 / (Scalar(4096.0) * omega0_8);
+  jacobian[161] = Scalar(3.0) * a3 * e_2 / (Scalar(4096.0) * omega0_7);  // d harmonic_im_x_conjA_x_F2 / d mu
+  jacobian[163] = Scalar(3.0) * mu * e_2 / (Scalar(4096.0) * omega0_7);  // d harmonic_im_x_conjA_x_F2 / d a3
+  jacobian[164] = Scalar(3.0) * mu * a3 * e / (Scalar(2048.0) * omega0_7);  // d harmonic_im_x_conjA_x_F2 / d e
+  jacobian[165] = Scalar(3.0) * a2 * e_2 / (Scalar(64.0) * omega0_7);  // d harmonic_re_x_F2 / d omega0
+  jacobian[167] = -e_2 / (Scalar(128.0) * omega0_6);  // d harmonic_re_x_F2 / d a2
+  jacobian[169] = -a2 * e / (Scalar(64.0) * omega0_6);  // d harmonic_re_x_F2 / d e
   // d harmonic_re_x_F4 / d omega0
-  jacobian[130] = -Scalar(2169.0) * a2 * a3 * e_4 / (Scalar(1146880.0) * omega0_13);
-  jacobian[132] = Scalar(723.0) * a3 * e_4 / (Scalar(4587520.0) * omega0_12);  // d harmonic_re_x_F4 / d a2
-  jacobian[133] = Scalar(723.0) * a2 * e_4 / (Scalar(4587520.0) * omega0_12);  // d harmonic_re_x_F4 / d a3
-  jacobian[134] = Scalar(723.0) * a2 * a3 * e_3 / (Scalar(1146880.0) * omega0_12);  // d harmonic_re_x_F4 / d e
-  // d harmonic_re_x_A_x_conjA_x_F2 / d omega0
-  jacobian[135] = -Scalar(57.0) * a2 * a3 * e_2 / (Scalar(160.0) * omega0_9);
-  jacobian[137] = Scalar(57.0) * a3 * e_2 / (Scalar(1280.0) * omega0_8);  // d harmonic_re_x_A_x_conjA_x_F2 / d a2
-  jacobian[138] = Scalar(57.0) * a2 * e_2 / (Scalar(1280.0) * omega0_8);  // d harmonic_re_x_A_x_conjA_x_F2 / d a3
-  // d harmonic_re_x_A_x_conjA_x_F2 / d e
-  jacobian[139] = Scalar(57.0) * a2 * a3 * e / (Scalar(640.0) * omega0_8);
-  jacobian[140] = -Scalar(40.0) * a2 * a3 / omega0_5;  // d harmonic_re_x_A_x2_conjA_x2 / d omega0
-  jacobian[142] = Scalar(10.0) * a3 / omega0_4;  // d harmonic_re_x_A_x2_conjA_x2 / d a2
-  jacobian[143] = Scalar(10.0) * a2 / omega0_4;  // d harmonic_re_x_A_x2_conjA_x2 / d a3
-  jacobian[145] = -Scalar(129.0) * mu * a2 * e_2 / (Scalar(89600.0) * omega0_8);  // d harmonic_im_x_F2 / d omega0
-  jacobian[146] = Scalar(129.0) * a2 * e_2 / (Scalar(627200.0) * omega0_7);  // d harmonic_im_x_F2 / d mu
-  jacobian[147] = Scalar(129.0) * mu * e_2 / (Scalar(627200.0) * omega0_7);  // d harmonic_im_x_F2 / d a2
-  jacobian[149] = Scalar(129.0) * mu * a2 * e / (Scalar(313600.0) * omega0_7);  // d harmonic_im_x_F2 / d e
-  jacobian[150] = -Scalar(73.0) * a2_2 * e_2 / (Scalar(40320.0) * omega0_9);  // d harmonic_re_x_A_x_F2 / d omega0
-  jacobian[152] = Scalar(73.0) * a2 * e_2 / (Scalar(161280.0) * omega0_8);  // d harmonic_re_x_A_x_F2 / d a2
-  jacobian[154] = Scalar(73.0) * a2_2 * e / (Scalar(161280.0) * omega0_8);  // d harmonic_re_x_A_x_F2 / d e
-  // d harmonic_im_x_A_x_F2 / d omega0
-  jacobian[155] = Scalar(21.0) * mu * a3 * e_2 / (Scalar(4096.0) * omega0_8);
-  jacobian[156] = -Scalar(3.0) * a3 * e_2 / (Scalar(4096.0) * omega0_7);  // d harmonic_im_x_A_x_F2 / d mu
-  jacobian[158] = -Scalar(3.0) * mu * e_2 / (Scalar(4096.0) * omega0_7);  // d harmonic_im_x_A_x_F2 / d a3
-  jacobian[159] = -Scalar(3.0) * mu * a3 * e / (Scalar(2048.0) * omega0_7);  // d harmonic_im_x_A_x_F2 / d e
-  jacobian[160] = a2 * e / (Scalar(6.0) * omega0_5);  // d harmonic_re_x_A_x_F / d omega0
-  jacobian[162] = -e / (Scalar(24.0) * omega0_4);  // d harmonic_re_x_A_x_F / d a2
-  jacobian[164] = -a2 / (Scalar(24.0) * omega0_4);  // d harmonic_re_x_A_x_F / d e
-  jacobian[165] = -Scalar(5.0) * mu * a2 * e / (Scalar(32.0) * omega0_6);  // d harmonic_im_x_A_x_F / d omega0
-  jacobian[166] = a2 * e / (Scalar(32.0) * omega0_5);  // d harmonic_im_x_A_x_F / d mu
-  jacobian[167] = mu * e / (Scalar(32.0) * omega0_5);  // d harmonic_im_x_A_x_F / d a2
-  jacobian[169] = mu * a2 / (Scalar(32.0) * omega0_5);  // d harmonic_im_x_A_x_F / d e
-  // d harmonic_re_x_A_x_F3 / d omega0
-  jacobian[170] = Scalar(55.0) * a2 * a3 * e_3 / (Scalar(43008.0) * omega0_11);
-  jacobian[172] = -Scalar(11.0) * a3 * e_3 / (Scalar(86016.0) * omega0_10);  // d harmonic_re_x_A_x_F3 / d a2
-  jacobian[173] = -Scalar(11.0) * a2 * e_3 / (Scalar(86016.0) * omega0_10);  // d harmonic_re_x_A_x_F3 / d a3
-  jacobian[174] = -Scalar(11.0) * a2 * a3 * e_2 / (Scalar(28672.0) * omega0_10);  // d harmonic_re_x_A_x_F3 / d e
-  jacobian[175] = Scalar(4.0) * mu * a2 / (Scalar(3.0) * omega0_4);  // d harmonic_im_x_A_x2 / d omega0
-  jacobian[176] = -Scalar(4.0) * a2 / (Scalar(9.0) * omega0_3);  // d harmonic_im_x_A_x2 / d mu
-  jacobian[177] = -Scalar(4.0) * mu / (Scalar(9.0) * omega0_3);  // d harmonic_im_x_A_x2 / d a2
+  jacobian[170] = -Scalar(2169.0) * a2 * a3 * e_4 / (Scalar(1146880.0) * omega0_13);
+  jacobian[172] = Scalar(723.0) * a3 * e_4 / (Scalar(4587520.0) * omega0_12);  // d harmonic_re_x_F4 / d a2
+  jacobian[173] = Scalar(723.0) * a2 * e_4 / (Scalar(4587520.0) * omega0_12);  // d harmonic_re_x_F4 / d a3
+  jacobian[174] = Scalar(723.0) * a2 * a3 * e_3 / (Scalar(1146880.0) * omega0_12);  // d harmonic_re_x_F4 / d e
+  jacobian[175] = -Scalar(129.0) * mu * a2 * e_2 / (Scalar(89600.0) * omega0_8);  // d harmonic_im_x_F2 / d omega0
+  jacobian[176] = Scalar(129.0) * a2 * e_2 / (Scalar(627200.0) * omega0_7);  // d harmonic_im_x_F2 / d mu
+  jacobian[177] = Scalar(129.0) * mu * e_2 / (Scalar(627200.0) * omega0_7);  // d harmonic_im_x_F2 / d a2
+  jacobian[179] = Scalar(129.0) * mu * a2 * e / (Scalar(313600.0) * omega0_7);  // d harmonic_im_x_F2 / d e
 }
 
 /// What multiplies the 15 terms of the modulation of x: functions of the frequencies alone. 4 operations.
@@ -2246,7 +2166,7 @@ inline void column_slopes_0(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 1, 15>{mode}, columns);
 }
 
-/// What multiplies the 23 terms of the harmonic Omega of x: functions of the frequencies alone. 50 operations.
+/// What multiplies the 25 terms of the harmonic Omega of x: functions of the frequencies alone. 54 operations.
 template <class Scalar>
 void factors_1([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
@@ -2259,33 +2179,37 @@ void factors_1([[maybe_unused]] const Scalar* natural_frequency,
   factor[0] = Scalar(13.0) / (Scalar(32.0) * omega0);
   factor[1] = -Scalar(9.0) / (Scalar(32.0) * omega0);
   factor[2] = -Scalar(1.0) / (Scalar(8.0) * omega0);
-  factor[3] = Scalar(9.0) / (Scalar(28.0) * omega0);
-  factor[4] = -Scalar(1.0) / (Scalar(4.0) * omega0);
-  factor[5] = Scalar(7.0) / (Scalar(20.0) * omega0);
-  factor[6] = -Scalar(2.0) / Scalar(5.0);
-  factor[7] = (-Scalar(9.0) * omega0 + Scalar(3.0) * Omega) / (Scalar(5.0) * omega0);
-  factor[8] = Scalar(3.0) / (Scalar(8.0) * omega0);
-  factor[9] = -Scalar(1.0) / (Scalar(16.0) * omega0_2);
-  factor[10] = (-Scalar(9.0) * omega0 + Scalar(3.0) * Omega) / (Scalar(64.0) * omega0_3);
-  factor[11] = (-Scalar(63.0) * omega0_2 + Scalar(42.0) * omega0 * Omega
+  factor[3] = Scalar(1.0) / (Scalar(28.0) * omega0);
+  factor[4] = Scalar(9.0) / (Scalar(28.0) * omega0);
+  factor[5] = -Scalar(9.0) / (Scalar(28.0) * omega0);
+  factor[6] = -Scalar(1.0) / (Scalar(4.0) * omega0);
+  factor[7] = Scalar(7.0) / (Scalar(20.0) * omega0);
+  factor[8] = -Scalar(2.0) / Scalar(5.0);
+  factor[9] = (-Scalar(9.0) * omega0 + Scalar(3.0) * Omega) / (Scalar(5.0) * omega0);
+  factor[10] = Scalar(3.0) / (Scalar(8.0) * omega0);
+  factor[11] = -Scalar(1.0) / (Scalar(16.0) * omega0_2);
+  factor[12] = (-Scalar(9.0) * omega0 + Scalar(3.0) * Omega) / (Scalar(64.0) * omega0_3);
+  factor[13] = (-Scalar(63.0) * omega0_2 + Scalar(42.0) * omega0 * Omega
       - Scalar(7.0) * Omega_2) / (Scalar(256.0) * omega0_4);
-  factor[12] = Scalar(1.0);
-  factor[13] = (Scalar(21.0) * omega0 - Scalar(7.0) * Omega) / (Scalar(6.0) * omega0);
   factor[14] = Scalar(1.0);
-  factor[15] = Scalar(1.0);
-  factor[16] = (Scalar(9.0) * omega0 - Scalar(3.0) * Omega) / omega0;
-  factor[17] = Scalar(1.0) / (Scalar(8.0) * omega0_2);
-  factor[18] = Scalar(1.0);
-  factor[19] = Scalar(1.0);
+  factor[15] = (Scalar(21.0) * omega0 - Scalar(7.0) * Omega) / (Scalar(6.0) * omega0);
+  factor[16] = Scalar(1.0);
+  factor[17] = Scalar(1.0);
+  factor[18] = (Scalar(9.0) * omega0 - Scalar(3.0) * Omega) / omega0;
+  factor[19] = Scalar(1.0) / (Scalar(8.0) * omega0_2);
   factor[20] = Scalar(1.0);
   factor[21] = Scalar(1.0);
   factor[22] = Scalar(1.0);
+  factor[23] = Scalar(1.0);
+  factor[24] = Scalar(1.0);
 }
 
 /// Rows of the harmonic Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(Omega)*t) in x = 13/(32*omega0)*conservative_x_A_x4_F*A_x^2*conj(A_x)^2*F -
 /// 9/(32*omega0)*conservative_x_A_x4_F*A_x^2*conj(A_x)^2*F - 1/(8*omega0)*i*dissipative_x_A_x2_conjA_x*A_x^3 +
+/// 1/(28*omega0)*conservative_x_A_x2_conjA_x_F2*conj(A_x)^3*F^2 +
 /// 9/(28*omega0)*conservative_x_A_x2_conjA_x_F2*A_x^3*F^2 -
+/// 9/(28*omega0)*conservative_x_A_x2_conjA_x_F2*conj(A_x)^3*F^2 -
 /// 1/(4*omega0)*conservative_x_A_x2_conjA_x_F2*A_x^3*F^2 +
 /// 7/(20*omega0)*conservative_x_A_x3_conjA_x2*A_x^4*conj(A_x) -
 /// 2/5*conservative_x_conjA_x2_F_sigma*A_x*conj(A_x)*F + (-9*omega0 +
@@ -2296,7 +2220,7 @@ void factors_1([[maybe_unused]] const Scalar* natural_frequency,
 /// harmonic_re_x_F3*F^3 + (9*omega0 - 3*Omega)/omega0*harmonic_re_x_F3*F^3 + 1/(8*omega0^2)*a3*A_x^3 +
 /// harmonic_re_x_F*F + i*harmonic_im_x_F3*F^3 + harmonic_re_x_F5*F^5 +
 /// harmonic_re_x_A_x_conjA_x_F*A_x*conj(A_x)*F + harmonic_re_x_A_x3*A_x^3
-/// 15 columns; per observation at most 91 products and sums of complex numbers.
+/// 15 columns; per observation at most 111 products and sums of complex numbers.
 template <class Factors>
 void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
@@ -2318,13 +2242,14 @@ void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
   Scalar* __restrict column_12 = columns[12];
   Scalar* __restrict column_13 = columns[13];
   Scalar* __restrict column_14 = columns[14];
-  Scalar factor[23];
+  Scalar factor[25];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
   for (std::size_t i = 0; i < data.count; ++i) {
     const Scalar excitation_frequency[] = {frequency_0[i]};
     factors(natural_frequency, excitation_frequency, factor);
     const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
     const Scalar norm_A_x = norm_of(A_x);
     const Complex F = load_complex(forcing_0, i);
     const Scalar norm_F = norm_of(F);
@@ -2332,21 +2257,23 @@ void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
     store_complex(column_0, i, factor[0] * (norm_A_x * norm_A_x * F) + factor[1] * (norm_A_x * norm_A_x * F));
     store_complex(column_1, i, times_i(factor[2] * (A_x * A_x * A_x)));  // dissipative_x_A_x2_conjA_x
     // conservative_x_A_x2_conjA_x_F2
-    store_complex(column_2, i, factor[3] * (A_x * A_x * A_x * norm_F) + factor[4] * (A_x * A_x * A_x * norm_F));
-    store_complex(column_3, i, factor[5] * (norm_A_x * A_x * A_x * A_x));  // conservative_x_A_x3_conjA_x2
+    store_complex(column_2, i, factor[3] * (conj_A_x * conj_A_x * conj_A_x * F * F)
+        + factor[4] * (A_x * A_x * A_x * norm_F) + factor[5] * (conj_A_x * conj_A_x * conj_A_x * F * F)
+        + factor[6] * (A_x * A_x * A_x * norm_F));
+    store_complex(column_3, i, factor[7] * (norm_A_x * A_x * A_x * A_x));  // conservative_x_A_x3_conjA_x2
     // conservative_x_conjA_x2_F_sigma
-    store_complex(column_4, i, factor[6] * (norm_A_x * F) + factor[7] * (norm_A_x * F));
-    store_complex(column_5, i, factor[8] * (norm_A_x * norm_F * F));  // conservative_x_conjA_x2_F3
-    store_complex(column_6, i, factor[9] * (F) + factor[10] * (F) + factor[11] * (F));  // e
-    store_complex(column_7, i, times_i(factor[12] * (F)) + times_i(factor[13] * (F)));  // harmonic_im_x_F
+    store_complex(column_4, i, factor[8] * (norm_A_x * F) + factor[9] * (norm_A_x * F));
+    store_complex(column_5, i, factor[10] * (norm_A_x * norm_F * F));  // conservative_x_conjA_x2_F3
+    store_complex(column_6, i, factor[11] * (F) + factor[12] * (F) + factor[13] * (F));  // e
+    store_complex(column_7, i, times_i(factor[14] * (F)) + times_i(factor[15] * (F)));  // harmonic_im_x_F
     // harmonic_re_x_F3
-    store_complex(column_8, i, factor[14] * (norm_F * F) + factor[15] * (norm_F * F) + factor[16] * (norm_F * F));
-    store_complex(column_9, i, factor[17] * (A_x * A_x * A_x));  // a3
-    store_complex(column_10, i, factor[18] * (F));  // harmonic_re_x_F
-    store_complex(column_11, i, times_i(factor[19] * (norm_F * F)));  // harmonic_im_x_F3
-    store_complex(column_12, i, factor[20] * (norm_F * norm_F * F));  // harmonic_re_x_F5
-    store_complex(column_13, i, factor[21] * (norm_A_x * F));  // harmonic_re_x_A_x_conjA_x_F
-    store_complex(column_14, i, factor[22] * (A_x * A_x * A_x));  // harmonic_re_x_A_x3
+    store_complex(column_8, i, factor[16] * (norm_F * F) + factor[17] * (norm_F * F) + factor[18] * (norm_F * F));
+    store_complex(column_9, i, factor[19] * (A_x * A_x * A_x));  // a3
+    store_complex(column_10, i, factor[20] * (F));  // harmonic_re_x_F
+    store_complex(column_11, i, times_i(factor[21] * (norm_F * F)));  // harmonic_im_x_F3
+    store_complex(column_12, i, factor[22] * (norm_F * norm_F * F));  // harmonic_re_x_F5
+    store_complex(column_13, i, factor[23] * (norm_A_x * F));  // harmonic_re_x_A_x_conjA_x_F
+    store_complex(column_14, i, factor[24] * (A_x * A_x * A_x));  // harmonic_re_x_A_x3
   }
 }
 
@@ -2358,10 +2285,11 @@ inline void columns_1(const BatchArrays& data, double* const* columns) {
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 23>{mode}, columns);
+  rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 25>{mode}, columns);
 }
 
-/// What multiplies the 8 terms of the harmonic 0 of x: functions of the frequencies alone. 7 operations.
+/// What multiplies the 11 terms of the harmonic -omega0+Omega of x: functions of the frequencies alone. 9
+/// operations.
 template <class Scalar>
 void factors_2([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
@@ -2369,23 +2297,193 @@ void factors_2([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar Omega = excitation_frequency[0];
   const Scalar omega0_2 = omega0 * omega0;
   factor[0] = Scalar(1.0);
-  factor[1] = (Scalar(9.0) * omega0 - Scalar(3.0) * Omega) / (Scalar(2.0) * omega0);
-  factor[2] = -Scalar(2.0) / omega0_2;
+  factor[1] = (Scalar(75.0) * omega0 - Scalar(25.0) * Omega) / (Scalar(12.0) * omega0);
+  factor[2] = Scalar(1.0) / (Scalar(3.0) * omega0_2);
   factor[3] = Scalar(1.0);
-  factor[4] = Scalar(1.0);
+  factor[4] = -Scalar(139.0) / Scalar(80.0);
   factor[5] = Scalar(1.0);
   factor[6] = Scalar(1.0);
+  factor[7] = Scalar(1.0);
+  factor[8] = Scalar(40.0);
+  factor[9] = Scalar(1.0);
+  factor[10] = Scalar(1.0);
+}
+
+/// Rows of the harmonic -omega0+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
+/// amplitude of exp(i*(-omega0 + Omega)*t) in x = harmonic_re_x_conjA_x_F*conj(A_x)*F + (75*omega0 -
+/// 25*Omega)/(12*omega0)*harmonic_re_x_conjA_x_F*conj(A_x)*F + 1/(3*omega0^2)*a2*A_x^2 +
+/// harmonic_re_x_A_x2_F2*A_x^2*F^2 - 139/80*harmonic_re_x_A_x2_F2*A_x^2*F^2 +
+/// i*harmonic_im_x_conjA_x_F*conj(A_x)*F + harmonic_re_x_conjA_x_F3*conj(A_x)*F^3 +
+/// harmonic_re_x_A_x_conjA_x2_F*A_x*conj(A_x)^2*F + 40*harmonic_re_x_A_x_conjA_x2_F*A_x*conj(A_x)^2*F +
+/// i*harmonic_im_x_A_x2*A_x^2 + harmonic_re_x_A_x3_conjA_x*A_x^3*conj(A_x)
+/// 8 columns; per observation at most 48 products and sums of complex numbers.
+template <class Factors>
+void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
+  Scalar* __restrict column_3 = columns[3];
+  Scalar* __restrict column_4 = columns[4];
+  Scalar* __restrict column_5 = columns[5];
+  Scalar* __restrict column_6 = columns[6];
+  Scalar* __restrict column_7 = columns[7];
+  Scalar factor[11];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Scalar excitation_frequency[] = {frequency_0[i]};
+    factors(natural_frequency, excitation_frequency, factor);
+    const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
+    const Scalar norm_A_x = norm_of(A_x);
+    const Complex F = load_complex(forcing_0, i);
+    const Scalar norm_F = norm_of(F);
+    // harmonic_re_x_conjA_x_F
+    store_complex(column_0, i, factor[0] * (conj_A_x * F) + factor[1] * (conj_A_x * F));
+    store_complex(column_1, i, factor[2] * (A_x * A_x));  // a2
+    // harmonic_re_x_A_x2_F2
+    store_complex(column_2, i, factor[3] * (A_x * A_x * norm_F) + factor[4] * (A_x * A_x * norm_F));
+    store_complex(column_3, i, times_i(factor[5] * (conj_A_x * F)));  // harmonic_im_x_conjA_x_F
+    store_complex(column_4, i, factor[6] * (conj_A_x * norm_F * F));  // harmonic_re_x_conjA_x_F3
+    // harmonic_re_x_A_x_conjA_x2_F
+    store_complex(column_5, i, factor[7] * (norm_A_x * conj_A_x * F) + factor[8] * (norm_A_x * conj_A_x * F));
+    store_complex(column_6, i, times_i(factor[9] * (A_x * A_x)));  // harmonic_im_x_A_x2
+    store_complex(column_7, i, factor[10] * (norm_A_x * A_x * A_x));  // harmonic_re_x_A_x3_conjA_x
+  }
+}
+
+/// columns[j][i] of the rows.
+inline void columns_2(const BatchArrays& data, double* const* columns) {
+  rows_2(data, FactorValues<factors_2<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
+  rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 1, 11>{mode}, columns);
+}
+
+/// What multiplies the 14 terms of the harmonic -omega0+2*Omega of x: functions of the frequencies alone. 27
+/// operations.
+template <class Scalar>
+void factors_3([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar Omega = excitation_frequency[0];
+  factor[0] = -Scalar(1.0) / Scalar(36.0);
+  factor[1] = (-Scalar(21.0) * omega0 + Scalar(7.0) * Omega) / (Scalar(108.0) * omega0);
+  factor[2] = -Scalar(13.0) / (Scalar(90.0) * omega0);
+  factor[3] = Scalar(13.0) / (Scalar(112.0) * omega0);
+  factor[4] = -Scalar(5.0) / (Scalar(84.0) * omega0);
+  factor[5] = -Scalar(1.0) / (Scalar(60.0) * omega0);
+  factor[6] = -Scalar(1.0) / (Scalar(9.0) * omega0);
+  factor[7] = -Scalar(1.0) / Scalar(15.0);
+  factor[8] = (-Scalar(21.0) * omega0 + Scalar(7.0) * Omega) / (Scalar(90.0) * omega0);
+  factor[9] = Scalar(5.0) / (Scalar(216.0) * omega0);
+  factor[10] = -Scalar(7.0) / (Scalar(108.0) * omega0);
+  factor[11] = -Scalar(7.0) / Scalar(54.0);
+  factor[12] = Scalar(1.0);
+  factor[13] = Scalar(1.0);
+}
+
+/// Rows of the harmonic -omega0+2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
+/// amplitude of exp(i*(-omega0 + 2*Omega)*t) in x = -1/36*conservative_x_A_x_F2_sigma*conj(A_x)*F^2 +
+/// (-21*omega0 + 7*Omega)/(108*omega0)*conservative_x_A_x_F2_sigma*conj(A_x)*F^2 -
+/// 13/(90*omega0)*conservative_x_A_x_F4*conj(A_x)*F^4 +
+/// 13/(112*omega0)*conservative_x_A_x2_conjA_x_F2*A_x*conj(A_x)^2*F^2 -
+/// 5/(84*omega0)*conservative_x_A_x2_conjA_x_F2*A_x*conj(A_x)^2*F^2 -
+/// 1/(60*omega0)*conservative_x_A_x3_conjA_x2*A_x^5 - 1/(9*omega0)*i*dissipative_x_conjA_x2_F*A_x^2*F -
+/// 1/15*conservative_x_conjA_x2_F_sigma*A_x^2*F + (-21*omega0 +
+/// 7*Omega)/(90*omega0)*conservative_x_conjA_x2_F_sigma*A_x^2*F +
+/// 5/(216*omega0)*conservative_x_conjA_x2_F3*A_x^2*F^3 - 7/(108*omega0)*conservative_x_conjA_x2_F3*A_x^2*F^3 -
+/// 7/54*harmonic_re_x_A_x_conjA_x_F*A_x^2*F + harmonic_re_x_conjA_x_F2*conj(A_x)*F^2 +
+/// i*harmonic_im_x_conjA_x_F2*conj(A_x)*F^2
+/// 10 columns; per observation at most 80 products and sums of complex numbers.
+template <class Factors>
+void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
+  Scalar* __restrict column_3 = columns[3];
+  Scalar* __restrict column_4 = columns[4];
+  Scalar* __restrict column_5 = columns[5];
+  Scalar* __restrict column_6 = columns[6];
+  Scalar* __restrict column_7 = columns[7];
+  Scalar* __restrict column_8 = columns[8];
+  Scalar* __restrict column_9 = columns[9];
+  Scalar factor[14];
+  const Scalar natural_frequency[] = {data.natural_frequency[0]};
+  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Scalar excitation_frequency[] = {frequency_0[i]};
+    factors(natural_frequency, excitation_frequency, factor);
+    const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
+    const Scalar norm_A_x = norm_of(A_x);
+    const Complex F = load_complex(forcing_0, i);
+    const Scalar norm_F = norm_of(F);
+    // conservative_x_A_x_F2_sigma
+    store_complex(column_0, i, factor[0] * (conj_A_x * F * F) + factor[1] * (conj_A_x * F * F));
+    store_complex(column_1, i, factor[2] * (conj_A_x * norm_F * F * F));  // conservative_x_A_x_F4
+    // conservative_x_A_x2_conjA_x_F2
+    store_complex(column_2, i, factor[3] * (norm_A_x * conj_A_x * F * F)
+        + factor[4] * (norm_A_x * conj_A_x * F * F));
+    store_complex(column_3, i, factor[5] * (fixed_power<5>(A_x)));  // conservative_x_A_x3_conjA_x2
+    store_complex(column_4, i, times_i(factor[6] * (A_x * A_x * F)));  // dissipative_x_conjA_x2_F
+    // conservative_x_conjA_x2_F_sigma
+    store_complex(column_5, i, factor[7] * (A_x * A_x * F) + factor[8] * (A_x * A_x * F));
+    // conservative_x_conjA_x2_F3
+    store_complex(column_6, i, factor[9] * (A_x * A_x * norm_F * F) + factor[10] * (A_x * A_x * norm_F * F));
+    store_complex(column_7, i, factor[11] * (A_x * A_x * F));  // harmonic_re_x_A_x_conjA_x_F
+    store_complex(column_8, i, factor[12] * (conj_A_x * F * F));  // harmonic_re_x_conjA_x_F2
+    store_complex(column_9, i, times_i(factor[13] * (conj_A_x * F * F)));  // harmonic_im_x_conjA_x_F2
+  }
+}
+
+/// columns[j][i] of the rows.
+inline void columns_3(const BatchArrays& data, double* const* columns) {
+  rows_3(data, FactorValues<factors_3<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
+  rows_3(data, FactorSlopes<factors_3<DualNumber>, 1, 1, 14>{mode}, columns);
+}
+
+/// What multiplies the 8 terms of the harmonic 0 of x: functions of the frequencies alone. 11 operations.
+template <class Scalar>
+void factors_4([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega0 = natural_frequency[0];
+  const Scalar Omega = excitation_frequency[0];
+  const Scalar omega0_2 = omega0 * omega0;
+  factor[0] = -Scalar(2.0) / omega0_2;
+  factor[1] = Scalar(171.0) / Scalar(20.0);
+  factor[2] = Scalar(255.0) / Scalar(2.0);
+  factor[3] = Scalar(255.0) / Scalar(2.0);
+  factor[4] = -Scalar(120.0) / Scalar(31.0);
+  factor[5] = Scalar(1.0);
+  factor[6] = (Scalar(9.0) * omega0 - Scalar(3.0) * Omega) / (Scalar(2.0) * omega0);
   factor[7] = Scalar(1.0);
 }
 
 /// Rows of the harmonic 0 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(0)*t) in x = harmonic_re_x_F2*F^2 + (9*omega0 - 3*Omega)/(2*omega0)*harmonic_re_x_F2*F^2
-/// - 2/omega0^2*a2*A_x*conj(A_x) + harmonic_re_x_conjA_x3_F*conj(A_x)^3*F + harmonic_re_x_conjA_x3_F*A_x^3*F +
-/// harmonic_re_x_F4*F^4 + harmonic_re_x_A_x_conjA_x_F2*A_x*conj(A_x)*F^2 +
-/// harmonic_re_x_A_x2_conjA_x2*A_x^2*conj(A_x)^2
+/// amplitude of exp(i*(0)*t) in x = -2/omega0^2*a2*A_x*conj(A_x) +
+/// 171/20*harmonic_re_x_A_x2_F2*A_x*conj(A_x)*F^2 + 255/2*harmonic_re_x_A_x_conjA_x2_F*conj(A_x)^3*F +
+/// 255/2*harmonic_re_x_A_x_conjA_x2_F*A_x^3*F - 120/31*harmonic_re_x_A_x3_conjA_x*A_x^2*conj(A_x)^2 +
+/// harmonic_re_x_F2*F^2 + (9*omega0 - 3*Omega)/(2*omega0)*harmonic_re_x_F2*F^2 + harmonic_re_x_F4*F^4
 /// 6 columns; per observation at most 28 products and sums of complex numbers.
 template <class Factors>
-void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -2408,51 +2506,50 @@ void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
     const Complex F = load_complex(forcing_0, i);
     const Complex conj_F = conjugate(F);
     const Scalar norm_F = norm_of(F);
+    store_complex(column_0, i, Complex(factor[0] * (norm_A_x)));  // a2
+    store_complex(column_1, i, Complex(factor[1] * (norm_A_x * norm_F)));  // harmonic_re_x_A_x2_F2
+    // harmonic_re_x_A_x_conjA_x2_F
+    store_complex(column_2, i, factor[2] * (conj_A_x * conj_A_x * conj_A_x * F)
+        + factor[3] * (A_x * A_x * A_x * conj_F));
+    store_complex(column_3, i, Complex(factor[4] * (norm_A_x * norm_A_x)));  // harmonic_re_x_A_x3_conjA_x
     // harmonic_re_x_F2
-    store_complex(column_0, i, Complex(factor[0] * (norm_F)) + Complex(factor[1] * (norm_F)));
-    store_complex(column_1, i, Complex(factor[2] * (norm_A_x)));  // a2
-    // harmonic_re_x_conjA_x3_F
-    store_complex(column_2, i, factor[3] * (conj_A_x * conj_A_x * conj_A_x * F)
-        + factor[4] * (A_x * A_x * A_x * conj_F));
-    store_complex(column_3, i, Complex(factor[5] * (norm_F * norm_F)));  // harmonic_re_x_F4
-    store_complex(column_4, i, Complex(factor[6] * (norm_A_x * norm_F)));  // harmonic_re_x_A_x_conjA_x_F2
-    store_complex(column_5, i, Complex(factor[7] * (norm_A_x * norm_A_x)));  // harmonic_re_x_A_x2_conjA_x2
+    store_complex(column_4, i, Complex(factor[5] * (norm_F)) + Complex(factor[6] * (norm_F)));
+    store_complex(column_5, i, Complex(factor[7] * (norm_F * norm_F)));  // harmonic_re_x_F4
   }
 }
 
 /// columns[j][i] of the rows.
-inline void columns_2(const BatchArrays& data, double* const* columns) {
-  rows_2(data, FactorValues<factors_2<double>>{}, columns);
+inline void columns_4(const BatchArrays& data, double* const* columns) {
+  rows_4(data, FactorValues<factors_4<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 1, 8>{mode}, columns);
+  rows_4(data, FactorSlopes<factors_4<DualNumber>, 1, 1, 8>{mode}, columns);
 }
 
 /// What multiplies the 6 terms of the harmonic 2*Omega of x: functions of the frequencies alone. 9 operations.
 template <class Scalar>
-void factors_3([[maybe_unused]] const Scalar* natural_frequency,
+void factors_5([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
-  factor[0] = -Scalar(1.0) / Scalar(70.0);
-  factor[1] = (-Scalar(459.0) * omega0 + Scalar(153.0) * Omega) / (Scalar(4900.0) * omega0);
-  factor[2] = -Scalar(58.0) / Scalar(2975.0);
-  factor[3] = -Scalar(283.0) / Scalar(20244.0);
-  factor[4] = Scalar(79.0) / Scalar(37240.0);
+  factor[0] = Scalar(711.0) / Scalar(39200.0);
+  factor[1] = -Scalar(87.0) / Scalar(35.0);
+  factor[2] = -Scalar(1.0) / Scalar(70.0);
+  factor[3] = (-Scalar(459.0) * omega0 + Scalar(153.0) * Omega) / (Scalar(4900.0) * omega0);
+  factor[4] = -Scalar(283.0) / Scalar(20244.0);
   factor[5] = Scalar(1.0);
 }
 
 /// Rows of the harmonic 2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*Omega)*t) in x = -1/70*harmonic_re_x_F2*F^2 + (-459*omega0 +
-/// 153*Omega)/(4900*omega0)*harmonic_re_x_F2*F^2 - 58/2975*harmonic_re_x_conjA_x3_F*A_x^3*F -
-/// 283/20244*harmonic_re_x_F4*F^4 + 79/37240*harmonic_re_x_A_x_conjA_x_F2*A_x*conj(A_x)*F^2 +
-/// i*harmonic_im_x_F2*F^2
+/// amplitude of exp(i*(2*Omega)*t) in x = 711/39200*harmonic_re_x_A_x2_F2*A_x*conj(A_x)*F^2 -
+/// 87/35*harmonic_re_x_A_x_conjA_x2_F*A_x^3*F - 1/70*harmonic_re_x_F2*F^2 + (-459*omega0 +
+/// 153*Omega)/(4900*omega0)*harmonic_re_x_F2*F^2 - 283/20244*harmonic_re_x_F4*F^4 + i*harmonic_im_x_F2*F^2
 /// 5 columns; per observation at most 27 products and sums of complex numbers.
 template <class Factors>
-void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -2472,28 +2569,28 @@ void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
     const Scalar norm_A_x = norm_of(A_x);
     const Complex F = load_complex(forcing_0, i);
     const Scalar norm_F = norm_of(F);
-    store_complex(column_0, i, factor[0] * (F * F) + factor[1] * (F * F));  // harmonic_re_x_F2
-    store_complex(column_1, i, factor[2] * (A_x * A_x * A_x * F));  // harmonic_re_x_conjA_x3_F
-    store_complex(column_2, i, factor[3] * (norm_F * F * F));  // harmonic_re_x_F4
-    store_complex(column_3, i, factor[4] * (norm_A_x * F * F));  // harmonic_re_x_A_x_conjA_x_F2
+    store_complex(column_0, i, factor[0] * (norm_A_x * F * F));  // harmonic_re_x_A_x2_F2
+    store_complex(column_1, i, factor[1] * (A_x * A_x * A_x * F));  // harmonic_re_x_A_x_conjA_x2_F
+    store_complex(column_2, i, factor[2] * (F * F) + factor[3] * (F * F));  // harmonic_re_x_F2
+    store_complex(column_3, i, factor[4] * (norm_F * F * F));  // harmonic_re_x_F4
     store_complex(column_4, i, times_i(factor[5] * (F * F)));  // harmonic_im_x_F2
   }
 }
 
 /// columns[j][i] of the rows.
-inline void columns_3(const BatchArrays& data, double* const* columns) {
-  rows_3(data, FactorValues<factors_3<double>>{}, columns);
+inline void columns_5(const BatchArrays& data, double* const* columns) {
+  rows_5(data, FactorValues<factors_5<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_3(data, FactorSlopes<factors_3<DualNumber>, 1, 1, 6>{mode}, columns);
+  rows_5(data, FactorSlopes<factors_5<DualNumber>, 1, 1, 6>{mode}, columns);
 }
 
 /// What multiplies the 7 terms of the harmonic 3*Omega of x: functions of the frequencies alone. 12 operations.
 template <class Scalar>
-void factors_4([[maybe_unused]] const Scalar* natural_frequency,
+void factors_6([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
@@ -2513,7 +2610,7 @@ void factors_4([[maybe_unused]] const Scalar* natural_frequency,
 /// 11/200*i*harmonic_im_x_F3*F^3 + 16/455*harmonic_re_x_F5*F^5
 /// 5 columns; per observation at most 45 products and sums of complex numbers.
 template <class Factors>
-void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -2543,133 +2640,6 @@ void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_4(const BatchArrays& data, double* const* columns) {
-  rows_4(data, FactorValues<factors_4<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_4(data, FactorSlopes<factors_4<DualNumber>, 1, 1, 7>{mode}, columns);
-}
-
-/// What multiplies the 7 terms of the harmonic omega0-2*Omega of x: functions of the frequencies alone. 12
-/// operations.
-template <class Scalar>
-void factors_5([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar Omega = excitation_frequency[0];
-  factor[0] = -Scalar(1.0) / Scalar(36.0);
-  factor[1] = (-Scalar(21.0) * omega0 + Scalar(7.0) * Omega) / (Scalar(108.0) * omega0);
-  factor[2] = -Scalar(13.0) / (Scalar(90.0) * omega0);
-  factor[3] = -Scalar(5.0) / (Scalar(84.0) * omega0);
-  factor[4] = Scalar(13.0) / (Scalar(112.0) * omega0);
-  factor[5] = Scalar(1.0);
-  factor[6] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega0-2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 - 2*Omega)*t) in x = -1/36*conservative_x_A_x_F2_sigma*A_x*F^2 + (-21*omega0 +
-/// 7*Omega)/(108*omega0)*conservative_x_A_x_F2_sigma*A_x*F^2 - 13/(90*omega0)*conservative_x_A_x_F4*A_x*F^4 -
-/// 5/(84*omega0)*conservative_x_A_x2_conjA_x_F2*A_x^2*conj(A_x)*F^2 +
-/// 13/(112*omega0)*conservative_x_A_x2_conjA_x_F2*A_x^2*conj(A_x)*F^2 + harmonic_re_x_A_x_F2*A_x*F^2 +
-/// i*harmonic_im_x_A_x_F2*A_x*F^2
-/// 5 columns; per observation at most 43 products and sums of complex numbers.
-template <class Factors>
-void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict forcing_0 = data.forcing[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar* __restrict column_1 = columns[1];
-  Scalar* __restrict column_2 = columns[2];
-  Scalar* __restrict column_3 = columns[3];
-  Scalar* __restrict column_4 = columns[4];
-  Scalar factor[7];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Scalar excitation_frequency[] = {frequency_0[i]};
-    factors(natural_frequency, excitation_frequency, factor);
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Scalar norm_A_x = norm_of(A_x);
-    const Complex F = load_complex(forcing_0, i);
-    const Complex conj_F = conjugate(F);
-    const Scalar norm_F = norm_of(F);
-    // conservative_x_A_x_F2_sigma
-    store_complex(column_0, i, factor[0] * (A_x * conj_F * conj_F) + factor[1] * (A_x * conj_F * conj_F));
-    store_complex(column_1, i, factor[2] * (A_x * norm_F * conj_F * conj_F));  // conservative_x_A_x_F4
-    // conservative_x_A_x2_conjA_x_F2
-    store_complex(column_2, i, factor[3] * (norm_A_x * A_x * conj_F * conj_F)
-        + factor[4] * (norm_A_x * A_x * conj_F * conj_F));
-    store_complex(column_3, i, factor[5] * (A_x * conj_F * conj_F));  // harmonic_re_x_A_x_F2
-    store_complex(column_4, i, times_i(factor[6] * (A_x * conj_F * conj_F)));  // harmonic_im_x_A_x_F2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_5(const BatchArrays& data, double* const* columns) {
-  rows_5(data, FactorValues<factors_5<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_5(data, FactorSlopes<factors_5<DualNumber>, 1, 1, 7>{mode}, columns);
-}
-
-/// What multiplies the 6 terms of the harmonic omega0-Omega of x: functions of the frequencies alone. 7
-/// operations.
-template <class Scalar>
-void factors_6([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar Omega = excitation_frequency[0];
-  factor[0] = Scalar(16.0) / Scalar(51.0);
-  factor[1] = Scalar(2.0) / Scalar(255.0);
-  factor[2] = Scalar(1.0);
-  factor[3] = (Scalar(75.0) * omega0 - Scalar(25.0) * Omega) / (Scalar(12.0) * omega0);
-  factor[4] = Scalar(1.0);
-  factor[5] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega0-Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 - Omega)*t) in x = 16/51*harmonic_re_x_conjA_x3_F*A_x^2*conj(A_x)*F +
-/// 2/255*harmonic_re_x_conjA_x3_F*A_x^2*conj(A_x)*F + harmonic_re_x_A_x_F*A_x*F + (75*omega0 -
-/// 25*Omega)/(12*omega0)*harmonic_re_x_A_x_F*A_x*F + i*harmonic_im_x_A_x_F*A_x*F + harmonic_re_x_A_x_F3*A_x*F^3
-/// 4 columns; per observation at most 26 products and sums of complex numbers.
-template <class Factors>
-void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict forcing_0 = data.forcing[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar* __restrict column_1 = columns[1];
-  Scalar* __restrict column_2 = columns[2];
-  Scalar* __restrict column_3 = columns[3];
-  Scalar factor[6];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Scalar excitation_frequency[] = {frequency_0[i]};
-    factors(natural_frequency, excitation_frequency, factor);
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Scalar norm_A_x = norm_of(A_x);
-    const Complex F = load_complex(forcing_0, i);
-    const Complex conj_F = conjugate(F);
-    const Scalar norm_F = norm_of(F);
-    // harmonic_re_x_conjA_x3_F
-    store_complex(column_0, i, factor[0] * (norm_A_x * A_x * conj_F) + factor[1] * (norm_A_x * A_x * conj_F));
-    store_complex(column_1, i, factor[2] * (A_x * conj_F) + factor[3] * (A_x * conj_F));  // harmonic_re_x_A_x_F
-    store_complex(column_2, i, times_i(factor[4] * (A_x * conj_F)));  // harmonic_im_x_A_x_F
-    store_complex(column_3, i, factor[5] * (A_x * norm_F * conj_F));  // harmonic_re_x_A_x_F3
-  }
-}
-
-/// columns[j][i] of the rows.
 inline void columns_6(const BatchArrays& data, double* const* columns) {
   rows_6(data, FactorValues<factors_6<double>>{}, columns);
 }
@@ -2677,10 +2647,10 @@ inline void columns_6(const BatchArrays& data, double* const* columns) {
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_6(data, FactorSlopes<factors_6<DualNumber>, 1, 1, 6>{mode}, columns);
+  rows_6(data, FactorSlopes<factors_6<DualNumber>, 1, 1, 7>{mode}, columns);
 }
 
-/// What multiplies the 5 terms of the harmonic omega0+Omega of x: functions of the frequencies alone. 156
+/// What multiplies the 7 terms of the harmonic omega0+Omega of x: functions of the frequencies alone. 215
 /// operations.
 template <class Scalar>
 void factors_7([[maybe_unused]] const Scalar* natural_frequency,
@@ -2715,17 +2685,19 @@ void factors_7([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar Omega_13 = Omega_12 * Omega;
   const Scalar Omega_14 = Omega_13 * Omega;
   const Scalar Omega_15 = Omega_14 * Omega;
-  factor[0] = (-Scalar(9984.0) * omega0_9 - Scalar(3776.0) * omega0_8 * Omega
-      + Scalar(8256.0) * omega0_7 * Omega_2 + Scalar(2368.0) * omega0_6 * Omega_3
-      - Scalar(1152.0) * omega0_5 * Omega_4
-      - Scalar(320.0) * omega0_4 * Omega_5) / (Scalar(408.0) * omega0_8 * Omega
-      + Scalar(340.0) * omega0_7 * Omega_2 - Scalar(850.0) * omega0_6 * Omega_3
-      - Scalar(765.0) * omega0_5 * Omega_4 + Scalar(459.0) * omega0_4 * Omega_5
-      + Scalar(510.0) * omega0_3 * Omega_6 - Scalar(85.0) * omega0 * Omega_8 - Scalar(17.0) * Omega_9);
-  factor[1] = Scalar(1.0) / Scalar(120.0);
-  factor[2] = -Scalar(24.0) * omega0_4 / (Scalar(2.0) * omega0_3 * Omega + omega0_2 * Omega_2
+  factor[0] = -Scalar(24.0) * omega0_4 / (Scalar(2.0) * omega0_3 * Omega + omega0_2 * Omega_2
       - Scalar(2.0) * omega0 * Omega_3 - Omega_4);
-  factor[3] = -Scalar(64.0) * omega0_5 / (Scalar(2.0) * omega0_5 + omega0_4 * Omega
+  factor[1] = (-Scalar(720.0) * omega0_11 + Scalar(456.0) * omega0_10 * Omega
+      + Scalar(3168.0) * omega0_9 * Omega_2 - Scalar(3072.0) * omega0_8 * Omega_3
+      + Scalar(576.0) * omega0_7 * Omega_4
+      - Scalar(192.0) * omega0_6 * Omega_5) / (Scalar(6.0) * omega0_10 * Omega - Scalar(25.0) * omega0_9 * Omega_2
+      - omega0_8 * Omega_3 + Scalar(130.0) * omega0_7 * Omega_4 - Scalar(152.0) * omega0_6 * Omega_5
+      - Scalar(105.0) * omega0_5 * Omega_6 + Scalar(267.0) * omega0_4 * Omega_7
+      - Scalar(80.0) * omega0_3 * Omega_8 - Scalar(104.0) * omega0_2 * Omega_9 + Scalar(80.0) * omega0 * Omega_10
+      - Scalar(16.0) * Omega_11);
+  factor[2] = -Scalar(288.0) * omega0_7 / (Scalar(4.0) * omega0_5 * Omega_2 - Scalar(7.0) * omega0_3 * Omega_4
+      - omega0_2 * Omega_5 + Scalar(3.0) * omega0 * Omega_6 + Omega_7);
+  factor[3] = Scalar(64.0) * omega0_5 / (Scalar(2.0) * omega0_5 + omega0_4 * Omega
       - Scalar(4.0) * omega0_3 * Omega_2 - Scalar(2.0) * omega0_2 * Omega_3 + Scalar(2.0) * omega0 * Omega_4
       + Omega_5);
   factor[4] = (Scalar(64512.0) * omega0_15 + Scalar(1419264.0) * omega0_14 * Omega
@@ -2739,23 +2711,37 @@ void factors_7([[maybe_unused]] const Scalar* natural_frequency,
       - Scalar(1474.0) * omega0_6 * Omega_9 + Scalar(2112.0) * omega0_5 * Omega_10
       + Scalar(1056.0) * omega0_4 * Omega_11 - Scalar(726.0) * omega0_3 * Omega_12
       - Scalar(363.0) * omega0_2 * Omega_13 + Scalar(88.0) * omega0 * Omega_14 + Scalar(44.0) * Omega_15);
+  factor[5] = (-Scalar(74880.0) * omega0_9 - Scalar(28320.0) * omega0_8 * Omega
+      + Scalar(61920.0) * omega0_7 * Omega_2 + Scalar(17760.0) * omega0_6 * Omega_3
+      - Scalar(8640.0) * omega0_5 * Omega_4
+      - Scalar(2400.0) * omega0_4 * Omega_5) / (Scalar(24.0) * omega0_8 * Omega
+      + Scalar(20.0) * omega0_7 * Omega_2 - Scalar(50.0) * omega0_6 * Omega_3 - Scalar(45.0) * omega0_5 * Omega_4
+      + Scalar(27.0) * omega0_4 * Omega_5 + Scalar(30.0) * omega0_3 * Omega_6 - Scalar(5.0) * omega0 * Omega_8
+      - Omega_9);
+  factor[6] = -Scalar(1.0) / Scalar(31.0);
 }
 
 /// Rows of the harmonic omega0+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 + Omega)*t) in x = (-9984*omega0^9 - 3776*omega0^8*Omega + 8256*omega0^7*Omega^2 +
-/// 2368*omega0^6*Omega^3 - 1152*omega0^5*Omega^4 - 320*omega0^4*Omega^5)/(408*omega0^8*Omega +
-/// 340*omega0^7*Omega^2 - 850*omega0^6*Omega^3 - 765*omega0^5*Omega^4 + 459*omega0^4*Omega^5 +
-/// 510*omega0^3*Omega^6 - 85*omega0*Omega^8 - 17*Omega^9)*harmonic_re_x_conjA_x3_F*A_x^2*conj(A_x)*F +
-/// 1/120*harmonic_re_x_A_x2_conjA_x2*A_x^4 - 24*omega0^4/(2*omega0^3*Omega + omega0^2*Omega^2 - 2*omega0*Omega^3
-/// - Omega^4)*harmonic_re_x_A_x_F*A_x*F - 64*omega0^5/(2*omega0^5 + omega0^4*Omega - 4*omega0^3*Omega^2 -
-/// 2*omega0^2*Omega^3 + 2*omega0*Omega^4 + Omega^5)*i*harmonic_im_x_A_x_F*A_x*F + (64512*omega0^15 +
-/// 1419264*omega0^14*Omega - 499968*omega0^13*Omega^2 - 6015744*omega0^12*Omega^3 + 1096704*omega0^11*Omega^4 +
-/// 4386816*omega0^10*Omega^5 - 516096*omega0^9*Omega^6 - 516096*omega0^8*Omega^7)/(88*omega0^13*Omega^2 +
-/// 44*omega0^12*Omega^3 - 726*omega0^11*Omega^4 - 363*omega0^10*Omega^5 + 2112*omega0^9*Omega^6 +
-/// 1056*omega0^8*Omega^7 - 2948*omega0^7*Omega^8 - 1474*omega0^6*Omega^9 + 2112*omega0^5*Omega^10 +
-/// 1056*omega0^4*Omega^11 - 726*omega0^3*Omega^12 - 363*omega0^2*Omega^13 + 88*omega0*Omega^14 +
-/// 44*Omega^15)*harmonic_re_x_A_x_F3*A_x*F^3
-/// 5 columns; per observation at most 17 products and sums of complex numbers.
+/// amplitude of exp(i*(omega0 + Omega)*t) in x = -24*omega0^4/(2*omega0^3*Omega + omega0^2*Omega^2 -
+/// 2*omega0*Omega^3 - Omega^4)*harmonic_re_x_conjA_x_F*A_x*F + (-720*omega0^11 + 456*omega0^10*Omega +
+/// 3168*omega0^9*Omega^2 - 3072*omega0^8*Omega^3 + 576*omega0^7*Omega^4 -
+/// 192*omega0^6*Omega^5)/(6*omega0^10*Omega - 25*omega0^9*Omega^2 - omega0^8*Omega^3 + 130*omega0^7*Omega^4 -
+/// 152*omega0^6*Omega^5 - 105*omega0^5*Omega^6 + 267*omega0^4*Omega^7 - 80*omega0^3*Omega^8 -
+/// 104*omega0^2*Omega^9 + 80*omega0*Omega^10 - 16*Omega^11)*harmonic_re_x_A_x2_F2*conj(A_x)^2*F^2 -
+/// 288*omega0^7/(4*omega0^5*Omega^2 - 7*omega0^3*Omega^4 - omega0^2*Omega^5 + 3*omega0*Omega^6 +
+/// Omega^7)*harmonic_re_x_A_x2_F2*conj(A_x)^2*F^2 + 64*omega0^5/(2*omega0^5 + omega0^4*Omega -
+/// 4*omega0^3*Omega^2 - 2*omega0^2*Omega^3 + 2*omega0*Omega^4 + Omega^5)*i*harmonic_im_x_conjA_x_F*A_x*F +
+/// (64512*omega0^15 + 1419264*omega0^14*Omega - 499968*omega0^13*Omega^2 - 6015744*omega0^12*Omega^3 +
+/// 1096704*omega0^11*Omega^4 + 4386816*omega0^10*Omega^5 - 516096*omega0^9*Omega^6 -
+/// 516096*omega0^8*Omega^7)/(88*omega0^13*Omega^2 + 44*omega0^12*Omega^3 - 726*omega0^11*Omega^4 -
+/// 363*omega0^10*Omega^5 + 2112*omega0^9*Omega^6 + 1056*omega0^8*Omega^7 - 2948*omega0^7*Omega^8 -
+/// 1474*omega0^6*Omega^9 + 2112*omega0^5*Omega^10 + 1056*omega0^4*Omega^11 - 726*omega0^3*Omega^12 -
+/// 363*omega0^2*Omega^13 + 88*omega0*Omega^14 + 44*Omega^15)*harmonic_re_x_conjA_x_F3*A_x*F^3 + (-74880*omega0^9
+/// - 28320*omega0^8*Omega + 61920*omega0^7*Omega^2 + 17760*omega0^6*Omega^3 - 8640*omega0^5*Omega^4 -
+/// 2400*omega0^4*Omega^5)/(24*omega0^8*Omega + 20*omega0^7*Omega^2 - 50*omega0^6*Omega^3 - 45*omega0^5*Omega^4 +
+/// 27*omega0^4*Omega^5 + 30*omega0^3*Omega^6 - 5*omega0*Omega^8 -
+/// Omega^9)*harmonic_re_x_A_x_conjA_x2_F*A_x^2*conj(A_x)*F - 1/31*harmonic_re_x_A_x3_conjA_x*A_x^4
+/// 6 columns; per observation at most 32 products and sums of complex numbers.
 template <class Factors>
 void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
@@ -2767,21 +2753,26 @@ void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
   Scalar* __restrict column_2 = columns[2];
   Scalar* __restrict column_3 = columns[3];
   Scalar* __restrict column_4 = columns[4];
-  Scalar factor[5];
+  Scalar* __restrict column_5 = columns[5];
+  Scalar factor[7];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
   for (std::size_t i = 0; i < data.count; ++i) {
     const Scalar excitation_frequency[] = {frequency_0[i]};
     factors(natural_frequency, excitation_frequency, factor);
     const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
     const Scalar norm_A_x = norm_of(A_x);
     const Complex F = load_complex(forcing_0, i);
     const Scalar norm_F = norm_of(F);
-    store_complex(column_0, i, factor[0] * (norm_A_x * A_x * F));  // harmonic_re_x_conjA_x3_F
-    store_complex(column_1, i, factor[1] * (fixed_power<4>(A_x)));  // harmonic_re_x_A_x2_conjA_x2
-    store_complex(column_2, i, factor[2] * (A_x * F));  // harmonic_re_x_A_x_F
-    store_complex(column_3, i, times_i(factor[3] * (A_x * F)));  // harmonic_im_x_A_x_F
-    store_complex(column_4, i, factor[4] * (A_x * norm_F * F));  // harmonic_re_x_A_x_F3
+    store_complex(column_0, i, factor[0] * (A_x * F));  // harmonic_re_x_conjA_x_F
+    // harmonic_re_x_A_x2_F2
+    store_complex(column_1, i, factor[1] * (conj_A_x * conj_A_x * F * F)
+        + factor[2] * (conj_A_x * conj_A_x * F * F));
+    store_complex(column_2, i, times_i(factor[3] * (A_x * F)));  // harmonic_im_x_conjA_x_F
+    store_complex(column_3, i, factor[4] * (A_x * norm_F * F));  // harmonic_re_x_conjA_x_F3
+    store_complex(column_4, i, factor[5] * (norm_A_x * A_x * F));  // harmonic_re_x_A_x_conjA_x2_F
+    store_complex(column_5, i, factor[6] * (fixed_power<4>(A_x)));  // harmonic_re_x_A_x3_conjA_x
   }
 }
 
@@ -2793,10 +2784,10 @@ inline void columns_7(const BatchArrays& data, double* const* columns) {
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_7(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_7(data, FactorSlopes<factors_7<DualNumber>, 1, 1, 5>{mode}, columns);
+  rows_7(data, FactorSlopes<factors_7<DualNumber>, 1, 1, 7>{mode}, columns);
 }
 
-/// What multiplies the 6 terms of the harmonic omega0+2*Omega of x: functions of the frequencies alone. 201
+/// What multiplies the 8 terms of the harmonic omega0+2*Omega of x: functions of the frequencies alone. 270
 /// operations.
 template <class Scalar>
 void factors_8([[maybe_unused]] const Scalar* natural_frequency,
@@ -2848,13 +2839,24 @@ void factors_8([[maybe_unused]] const Scalar* natural_frequency,
       + Scalar(192.0) * omega0_6 * Omega_2) / (Scalar(21.0) * omega0_8 * Omega + Scalar(28.0) * omega0_7 * Omega_2
       - Scalar(56.0) * omega0_6 * Omega_3 - Scalar(84.0) * omega0_5 * Omega_4 + Scalar(42.0) * omega0_4 * Omega_5
       + Scalar(84.0) * omega0_3 * Omega_6 - Scalar(28.0) * omega0 * Omega_8 - Scalar(7.0) * Omega_9);
-  factor[4] = (Scalar(80640.0) * omega0_10 - Scalar(80640.0) * omega0_9 * Omega
+  factor[4] = (Scalar(6144.0) * omega0_11 + Scalar(4096.0) * omega0_10 * Omega
+      - Scalar(59392.0) * omega0_9 * Omega_2) / (Scalar(27.0) * omega0_11 * Omega
+      - Scalar(135.0) * omega0_10 * Omega_2 - Scalar(135.0) * omega0_9 * Omega_3
+      + Scalar(1539.0) * omega0_8 * Omega_4 - Scalar(1458.0) * omega0_7 * Omega_5
+      - Scalar(3078.0) * omega0_6 * Omega_6 + Scalar(4914.0) * omega0_5 * Omega_7
+      + Scalar(1350.0) * omega0_4 * Omega_8 - Scalar(5049.0) * omega0_3 * Omega_9
+      + Scalar(1053.0) * omega0_2 * Omega_10 + Scalar(1701.0) * omega0 * Omega_11 - Scalar(729.0) * Omega_12);
+  factor[5] = (Scalar(256.0) * omega0_9 + Scalar(512.0) * omega0_8 * Omega) / (Scalar(3.0) * omega0_8 * Omega_2
+      + Scalar(6.0) * omega0_7 * Omega_3 - Scalar(6.0) * omega0_6 * Omega_4 - Scalar(18.0) * omega0_5 * Omega_5
+      + Scalar(18.0) * omega0_3 * Omega_7 + Scalar(6.0) * omega0_2 * Omega_8 - Scalar(6.0) * omega0 * Omega_9
+      - Scalar(3.0) * Omega_10);
+  factor[6] = (Scalar(80640.0) * omega0_10 - Scalar(80640.0) * omega0_9 * Omega
       - Scalar(362880.0) * omega0_8 * Omega_2) / (Scalar(146.0) * omega0_8 * Omega_2
       + Scalar(219.0) * omega0_7 * Omega_3 - Scalar(803.0) * omega0_6 * Omega_4
       - Scalar(1314.0) * omega0_5 * Omega_5 + Scalar(876.0) * omega0_4 * Omega_6
       + Scalar(1971.0) * omega0_3 * Omega_7 + Scalar(73.0) * omega0_2 * Omega_8 - Scalar(876.0) * omega0 * Omega_9
       - Scalar(292.0) * Omega_10);
-  factor[5] = Scalar(1024.0) * omega0_7 / (omega0_7 + omega0_6 * Omega - Scalar(3.0) * omega0_5 * Omega_2
+  factor[7] = -Scalar(1024.0) * omega0_7 / (omega0_7 + omega0_6 * Omega - Scalar(3.0) * omega0_5 * Omega_2
       - Scalar(3.0) * omega0_4 * Omega_3 + Scalar(3.0) * omega0_3 * Omega_4 + Scalar(3.0) * omega0_2 * Omega_5
       - omega0 * Omega_6 - Omega_7);
 }
@@ -2872,13 +2874,20 @@ void factors_8([[maybe_unused]] const Scalar* natural_frequency,
 /// 189*Omega^14)*conservative_x_A_x_F4*A_x*F^4 + (-4992*omega0^8 - 2112*omega0^7*Omega +
 /// 192*omega0^6*Omega^2)/(21*omega0^8*Omega + 28*omega0^7*Omega^2 - 56*omega0^6*Omega^3 - 84*omega0^5*Omega^4 +
 /// 42*omega0^4*Omega^5 + 84*omega0^3*Omega^6 - 28*omega0*Omega^8 -
-/// 7*Omega^9)*conservative_x_A_x2_conjA_x_F2*A_x^2*conj(A_x)*F^2 + (80640*omega0^10 - 80640*omega0^9*Omega -
+/// 7*Omega^9)*conservative_x_A_x2_conjA_x_F2*A_x^2*conj(A_x)*F^2 + (6144*omega0^11 + 4096*omega0^10*Omega -
+/// 59392*omega0^9*Omega^2)/(27*omega0^11*Omega - 135*omega0^10*Omega^2 - 135*omega0^9*Omega^3 +
+/// 1539*omega0^8*Omega^4 - 1458*omega0^7*Omega^5 - 3078*omega0^6*Omega^6 + 4914*omega0^5*Omega^7 +
+/// 1350*omega0^4*Omega^8 - 5049*omega0^3*Omega^9 + 1053*omega0^2*Omega^10 + 1701*omega0*Omega^11 -
+/// 729*Omega^12)*conservative_x_conjA_x2_F3*conj(A_x)^2*F^3 + (256*omega0^9 +
+/// 512*omega0^8*Omega)/(3*omega0^8*Omega^2 + 6*omega0^7*Omega^3 - 6*omega0^6*Omega^4 - 18*omega0^5*Omega^5 +
+/// 18*omega0^3*Omega^7 + 6*omega0^2*Omega^8 - 6*omega0*Omega^9 -
+/// 3*Omega^10)*conservative_x_conjA_x2_F3*conj(A_x)^2*F^3 + (80640*omega0^10 - 80640*omega0^9*Omega -
 /// 362880*omega0^8*Omega^2)/(146*omega0^8*Omega^2 + 219*omega0^7*Omega^3 - 803*omega0^6*Omega^4 -
 /// 1314*omega0^5*Omega^5 + 876*omega0^4*Omega^6 + 1971*omega0^3*Omega^7 + 73*omega0^2*Omega^8 -
-/// 876*omega0*Omega^9 - 292*Omega^10)*harmonic_re_x_A_x_F2*A_x*F^2 + 1024*omega0^7/(omega0^7 + omega0^6*Omega -
-/// 3*omega0^5*Omega^2 - 3*omega0^4*Omega^3 + 3*omega0^3*Omega^4 + 3*omega0^2*Omega^5 - omega0*Omega^6 -
-/// Omega^7)*i*harmonic_im_x_A_x_F2*A_x*F^2
-/// 6 columns; per observation at most 32 products and sums of complex numbers.
+/// 876*omega0*Omega^9 - 292*Omega^10)*harmonic_re_x_conjA_x_F2*A_x*F^2 - 1024*omega0^7/(omega0^7 +
+/// omega0^6*Omega - 3*omega0^5*Omega^2 - 3*omega0^4*Omega^3 + 3*omega0^3*Omega^4 + 3*omega0^2*Omega^5 -
+/// omega0*Omega^6 - Omega^7)*i*harmonic_im_x_conjA_x_F2*A_x*F^2
+/// 7 columns; per observation at most 51 products and sums of complex numbers.
 template <class Factors>
 void rows_8(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
@@ -2891,13 +2900,15 @@ void rows_8(const BatchArrays& data, Factors factors, double* const* columns) {
   Scalar* __restrict column_3 = columns[3];
   Scalar* __restrict column_4 = columns[4];
   Scalar* __restrict column_5 = columns[5];
-  Scalar factor[6];
+  Scalar* __restrict column_6 = columns[6];
+  Scalar factor[8];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
   for (std::size_t i = 0; i < data.count; ++i) {
     const Scalar excitation_frequency[] = {frequency_0[i]};
     factors(natural_frequency, excitation_frequency, factor);
     const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
     const Scalar norm_A_x = norm_of(A_x);
     const Complex F = load_complex(forcing_0, i);
     const Scalar norm_F = norm_of(F);
@@ -2905,8 +2916,11 @@ void rows_8(const BatchArrays& data, Factors factors, double* const* columns) {
     store_complex(column_1, i, factor[1] * (A_x * F * F));  // conservative_x_A_x_F2_sigma
     store_complex(column_2, i, factor[2] * (A_x * norm_F * F * F));  // conservative_x_A_x_F4
     store_complex(column_3, i, factor[3] * (norm_A_x * A_x * F * F));  // conservative_x_A_x2_conjA_x_F2
-    store_complex(column_4, i, factor[4] * (A_x * F * F));  // harmonic_re_x_A_x_F2
-    store_complex(column_5, i, times_i(factor[5] * (A_x * F * F)));  // harmonic_im_x_A_x_F2
+    // conservative_x_conjA_x2_F3
+    store_complex(column_4, i, factor[4] * (conj_A_x * conj_A_x * F * F * F)
+        + factor[5] * (conj_A_x * conj_A_x * F * F * F));
+    store_complex(column_5, i, factor[6] * (A_x * F * F));  // harmonic_re_x_conjA_x_F2
+    store_complex(column_6, i, times_i(factor[7] * (A_x * F * F)));  // harmonic_im_x_conjA_x_F2
   }
 }
 
@@ -2918,10 +2932,11 @@ inline void columns_8(const BatchArrays& data, double* const* columns) {
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_8(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_8(data, FactorSlopes<factors_8<DualNumber>, 1, 1, 6>{mode}, columns);
+  rows_8(data, FactorSlopes<factors_8<DualNumber>, 1, 1, 8>{mode}, columns);
 }
 
-/// What multiplies the 5 terms of the harmonic 2*omega0 of x: functions of the frequencies alone. 70 operations.
+/// What multiplies the 2 terms of the harmonic -omega0+3*Omega of x: functions of the frequencies alone. 139
+/// operations.
 template <class Scalar>
 void factors_9([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
@@ -2934,6 +2949,13 @@ void factors_9([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_6 = omega0_5 * omega0;
   const Scalar omega0_7 = omega0_6 * omega0;
   const Scalar omega0_8 = omega0_7 * omega0;
+  const Scalar omega0_9 = omega0_8 * omega0;
+  const Scalar omega0_10 = omega0_9 * omega0;
+  const Scalar omega0_11 = omega0_10 * omega0;
+  const Scalar omega0_12 = omega0_11 * omega0;
+  const Scalar omega0_13 = omega0_12 * omega0;
+  const Scalar omega0_14 = omega0_13 * omega0;
+  const Scalar omega0_15 = omega0_14 * omega0;
   const Scalar Omega_2 = Omega * Omega;
   const Scalar Omega_3 = Omega_2 * Omega;
   const Scalar Omega_4 = Omega_3 * Omega;
@@ -2941,28 +2963,47 @@ void factors_9([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar Omega_6 = Omega_5 * Omega;
   const Scalar Omega_7 = Omega_6 * Omega;
   const Scalar Omega_8 = Omega_7 * Omega;
-  factor[0] = Scalar(1.0) / (Scalar(3.0) * omega0_2);
-  factor[1] = -Scalar(640.0) * omega0_7 / (Scalar(76.0) * omega0_5 * Omega_2 - Scalar(133.0) * omega0_3 * Omega_4
-      + Scalar(19.0) * omega0_2 * Omega_5 + Scalar(57.0) * omega0 * Omega_6 - Scalar(19.0) * Omega_7);
-  factor[2] = (-Scalar(20480.0) * omega0_8 - Scalar(30720.0) * omega0_7 * Omega
-      - Scalar(4480.0) * omega0_6 * Omega_2 + Scalar(5120.0) * omega0_5 * Omega_3
-      + Scalar(1280.0) * omega0_4 * Omega_4) / (Scalar(684.0) * omega0_8 + Scalar(912.0) * omega0_7 * Omega
-      - Scalar(1311.0) * omega0_6 * Omega_2 - Scalar(2052.0) * omega0_5 * Omega_3
-      + Scalar(513.0) * omega0_4 * Omega_4 + Scalar(1368.0) * omega0_3 * Omega_5
-      + Scalar(171.0) * omega0_2 * Omega_6 - Scalar(228.0) * omega0 * Omega_7 - Scalar(57.0) * Omega_8);
-  factor[3] = -Scalar(31.0) / Scalar(120.0);
-  factor[4] = Scalar(1.0);
+  const Scalar Omega_9 = Omega_8 * Omega;
+  const Scalar Omega_10 = Omega_9 * Omega;
+  const Scalar Omega_11 = Omega_10 * Omega;
+  const Scalar Omega_12 = Omega_11 * Omega;
+  const Scalar Omega_13 = Omega_12 * Omega;
+  const Scalar Omega_14 = Omega_13 * Omega;
+  const Scalar Omega_15 = Omega_14 * Omega;
+  factor[0] = (Scalar(2160.0) * omega0_12 + Scalar(2664.0) * omega0_11 * Omega
+      - Scalar(8760.0) * omega0_10 * Omega_2 - Scalar(14688.0) * omega0_9 * Omega_3
+      - Scalar(5952.0) * omega0_8 * Omega_4 - Scalar(1152.0) * omega0_7 * Omega_5
+      - Scalar(192.0) * omega0_6 * Omega_6) / (Scalar(18.0) * omega0_11 * Omega
+      + Scalar(81.0) * omega0_10 * Omega_2 + Scalar(22.0) * omega0_9 * Omega_3
+      - Scalar(391.0) * omega0_8 * Omega_4 - Scalar(586.0) * omega0_7 * Omega_5
+      + Scalar(163.0) * omega0_6 * Omega_6 + Scalar(906.0) * omega0_5 * Omega_7
+      + Scalar(507.0) * omega0_4 * Omega_8 - Scalar(232.0) * omega0_3 * Omega_9
+      - Scalar(344.0) * omega0_2 * Omega_10 - Scalar(128.0) * omega0 * Omega_11 - Scalar(16.0) * Omega_12);
+  factor[1] = (-Scalar(32256.0) * omega0_15 - Scalar(30464.0) * omega0_14 * Omega
+      + Scalar(505344.0) * omega0_13 * Omega_2 + Scalar(66304.0) * omega0_12 * Omega_3
+      - Scalar(1827840.0) * omega0_11 * Omega_4
+      + Scalar(1189888.0) * omega0_10 * Omega_5) / (Scalar(44.0) * omega0_13 * Omega_2
+      - Scalar(132.0) * omega0_12 * Omega_3 - Scalar(583.0) * omega0_11 * Omega_4
+      + Scalar(2079.0) * omega0_10 * Omega_5 + Scalar(1496.0) * omega0_9 * Omega_6
+      - Scalar(9768.0) * omega0_8 * Omega_7 + Scalar(2926.0) * omega0_7 * Omega_8
+      + Scalar(16962.0) * omega0_6 * Omega_9 - Scalar(12584.0) * omega0_5 * Omega_10
+      - Scalar(11088.0) * omega0_4 * Omega_11 + Scalar(13057.0) * omega0_3 * Omega_12
+      + Scalar(759.0) * omega0_2 * Omega_13 - Scalar(4356.0) * omega0 * Omega_14 + Scalar(1188.0) * Omega_15);
 }
 
-/// Rows of the harmonic 2*omega0 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega0)*t) in x = 1/(3*omega0^2)*a2*A_x^2 - 640*omega0^7/(76*omega0^5*Omega^2 -
-/// 133*omega0^3*Omega^4 + 19*omega0^2*Omega^5 + 57*omega0*Omega^6 -
-/// 19*Omega^7)*harmonic_re_x_A_x_conjA_x_F2*A_x^2*F^2 + (-20480*omega0^8 - 30720*omega0^7*Omega -
-/// 4480*omega0^6*Omega^2 + 5120*omega0^5*Omega^3 + 1280*omega0^4*Omega^4)/(684*omega0^8 + 912*omega0^7*Omega -
-/// 1311*omega0^6*Omega^2 - 2052*omega0^5*Omega^3 + 513*omega0^4*Omega^4 + 1368*omega0^3*Omega^5 +
-/// 171*omega0^2*Omega^6 - 228*omega0*Omega^7 - 57*Omega^8)*harmonic_re_x_A_x_conjA_x_F2*A_x^2*F^2 -
-/// 31/120*harmonic_re_x_A_x2_conjA_x2*A_x^3*conj(A_x) + i*harmonic_im_x_A_x2*A_x^2
-/// 4 columns; per observation at most 22 products and sums of complex numbers.
+/// Rows of the harmonic -omega0+3*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
+/// amplitude of exp(i*(-omega0 + 3*Omega)*t) in x = (2160*omega0^12 + 2664*omega0^11*Omega -
+/// 8760*omega0^10*Omega^2 - 14688*omega0^9*Omega^3 - 5952*omega0^8*Omega^4 - 1152*omega0^7*Omega^5 -
+/// 192*omega0^6*Omega^6)/(18*omega0^11*Omega + 81*omega0^10*Omega^2 + 22*omega0^9*Omega^3 - 391*omega0^8*Omega^4
+/// - 586*omega0^7*Omega^5 + 163*omega0^6*Omega^6 + 906*omega0^5*Omega^7 + 507*omega0^4*Omega^8 -
+/// 232*omega0^3*Omega^9 - 344*omega0^2*Omega^10 - 128*omega0*Omega^11 -
+/// 16*Omega^12)*harmonic_re_x_A_x2_F2*A_x^2*F^2 + (-32256*omega0^15 - 30464*omega0^14*Omega +
+/// 505344*omega0^13*Omega^2 + 66304*omega0^12*Omega^3 - 1827840*omega0^11*Omega^4 +
+/// 1189888*omega0^10*Omega^5)/(44*omega0^13*Omega^2 - 132*omega0^12*Omega^3 - 583*omega0^11*Omega^4 +
+/// 2079*omega0^10*Omega^5 + 1496*omega0^9*Omega^6 - 9768*omega0^8*Omega^7 + 2926*omega0^7*Omega^8 +
+/// 16962*omega0^6*Omega^9 - 12584*omega0^5*Omega^10 - 11088*omega0^4*Omega^11 + 13057*omega0^3*Omega^12 +
+/// 759*omega0^2*Omega^13 - 4356*omega0*Omega^14 + 1188*Omega^15)*harmonic_re_x_conjA_x_F3*conj(A_x)*F^3
+/// 2 columns; per observation at most 14 products and sums of complex numbers.
 template <class Factors>
 void rows_9(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
@@ -2971,23 +3012,17 @@ void rows_9(const BatchArrays& data, Factors factors, double* const* columns) {
   const Scalar* __restrict forcing_0 = data.forcing[0];
   Scalar* __restrict column_0 = columns[0];
   Scalar* __restrict column_1 = columns[1];
-  Scalar* __restrict column_2 = columns[2];
-  Scalar* __restrict column_3 = columns[3];
-  Scalar factor[5];
+  Scalar factor[2];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
   for (std::size_t i = 0; i < data.count; ++i) {
     const Scalar excitation_frequency[] = {frequency_0[i]};
     factors(natural_frequency, excitation_frequency, factor);
     const Complex A_x = load_complex(amplitude_0, i);
-    const Scalar norm_A_x = norm_of(A_x);
+    const Complex conj_A_x = conjugate(A_x);
     const Complex F = load_complex(forcing_0, i);
-    const Scalar norm_F = norm_of(F);
-    store_complex(column_0, i, factor[0] * (A_x * A_x));  // a2
-    // harmonic_re_x_A_x_conjA_x_F2
-    store_complex(column_1, i, factor[1] * (A_x * A_x * norm_F) + factor[2] * (A_x * A_x * norm_F));
-    store_complex(column_2, i, factor[3] * (norm_A_x * A_x * A_x));  // harmonic_re_x_A_x2_conjA_x2
-    store_complex(column_3, i, times_i(factor[4] * (A_x * A_x)));  // harmonic_im_x_A_x2
+    store_complex(column_0, i, factor[0] * (A_x * A_x * F * F));  // harmonic_re_x_A_x2_F2
+    store_complex(column_1, i, factor[1] * (conj_A_x * F * F * F));  // harmonic_re_x_conjA_x_F3
   }
 }
 
@@ -2999,10 +3034,10 @@ inline void columns_9(const BatchArrays& data, double* const* columns) {
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_9(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_9(data, FactorSlopes<factors_9<DualNumber>, 1, 1, 5>{mode}, columns);
+  rows_9(data, FactorSlopes<factors_9<DualNumber>, 1, 1, 2>{mode}, columns);
 }
 
-/// What multiplies the 7 terms of the harmonic 2*omega0+Omega of x: functions of the frequencies alone. 180
+/// What multiplies the 2 terms of the harmonic -omega0+4*Omega of x: functions of the frequencies alone. 112
 /// operations.
 template <class Scalar>
 void factors_10([[maybe_unused]] const Scalar* natural_frequency,
@@ -3019,6 +3054,8 @@ void factors_10([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_9 = omega0_8 * omega0;
   const Scalar omega0_10 = omega0_9 * omega0;
   const Scalar omega0_11 = omega0_10 * omega0;
+  const Scalar omega0_12 = omega0_11 * omega0;
+  const Scalar omega0_13 = omega0_12 * omega0;
   const Scalar Omega_2 = Omega * Omega;
   const Scalar Omega_3 = Omega_2 * Omega;
   const Scalar Omega_4 = Omega_3 * Omega;
@@ -3030,51 +3067,36 @@ void factors_10([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar Omega_10 = Omega_9 * Omega;
   const Scalar Omega_11 = Omega_10 * Omega;
   const Scalar Omega_12 = Omega_11 * Omega;
-  factor[0] = (Scalar(372.0) * omega0_6 + Scalar(92.0) * omega0_5 * Omega - Scalar(84.0) * omega0_4 * Omega_2
-      + Scalar(4.0) * omega0_3 * Omega_3) / (Scalar(9.0) * omega0_7 + Scalar(15.0) * omega0_6 * Omega
-      - Scalar(11.0) * omega0_5 * Omega_2 - Scalar(29.0) * omega0_4 * Omega_3 - Scalar(5.0) * omega0_3 * Omega_4
-      + Scalar(13.0) * omega0_2 * Omega_5 + Scalar(7.0) * omega0 * Omega_6 + Omega_7);
-  factor[1] = -Scalar(1.0) / (Scalar(60.0) * omega0);
-  factor[2] = -Scalar(256.0) * omega0_5 / (Scalar(9.0) * omega0_6 + Scalar(6.0) * omega0_5 * Omega
-      - Scalar(17.0) * omega0_4 * Omega_2 - Scalar(12.0) * omega0_3 * Omega_3 + Scalar(7.0) * omega0_2 * Omega_4
-      + Scalar(6.0) * omega0 * Omega_5 + Omega_6);
-  factor[3] = Scalar(64.0) * omega0_4 / (Scalar(15.0) * omega0_4 + Scalar(20.0) * omega0_3 * Omega
-      - Scalar(10.0) * omega0_2 * Omega_2 - Scalar(20.0) * omega0 * Omega_3 - Scalar(5.0) * Omega_4);
-  factor[4] = (Scalar(256.0) * omega0_9 - Scalar(512.0) * omega0_8 * Omega) / (Scalar(3.0) * omega0_8 * Omega_2
-      - Scalar(6.0) * omega0_7 * Omega_3 - Scalar(6.0) * omega0_6 * Omega_4 + Scalar(18.0) * omega0_5 * Omega_5
-      - Scalar(18.0) * omega0_3 * Omega_7 + Scalar(6.0) * omega0_2 * Omega_8 + Scalar(6.0) * omega0 * Omega_9
-      - Scalar(3.0) * Omega_10);
-  factor[5] = (-Scalar(6144.0) * omega0_11 + Scalar(40960.0) * omega0_10 * Omega
-      - Scalar(2048.0) * omega0_9 * Omega_2
-      - Scalar(16384.0) * omega0_8 * Omega_3) / (Scalar(27.0) * omega0_11 * Omega
-      + Scalar(45.0) * omega0_10 * Omega_2 - Scalar(87.0) * omega0_9 * Omega_3
-      - Scalar(177.0) * omega0_8 * Omega_4 + Scalar(78.0) * omega0_7 * Omega_5
-      + Scalar(258.0) * omega0_6 * Omega_6 + Scalar(18.0) * omega0_5 * Omega_7
-      - Scalar(162.0) * omega0_4 * Omega_8 - Scalar(57.0) * omega0_3 * Omega_9
-      + Scalar(33.0) * omega0_2 * Omega_10 + Scalar(21.0) * omega0 * Omega_11 + Scalar(3.0) * Omega_12);
-  factor[6] = (Scalar(960.0) * omega0_6 + Scalar(320.0) * omega0_5 * Omega
-      + Scalar(160.0) * omega0_4 * Omega_2) / (Scalar(54.0) * omega0_5 * Omega + Scalar(99.0) * omega0_4 * Omega_2
-      - Scalar(90.0) * omega0_2 * Omega_4 - Scalar(54.0) * omega0 * Omega_5 - Scalar(9.0) * Omega_6);
+  const Scalar Omega_13 = Omega_12 * Omega;
+  const Scalar Omega_14 = Omega_13 * Omega;
+  factor[0] = (-Scalar(12288.0) * omega0_13 - Scalar(32768.0) * omega0_12 * Omega
+      + Scalar(143360.0) * omega0_11 * Omega_2) / (Scalar(21.0) * omega0_12 * Omega_2
+      - Scalar(63.0) * omega0_11 * Omega_3 - Scalar(231.0) * omega0_10 * Omega_4
+      + Scalar(819.0) * omega0_9 * Omega_5 + Scalar(336.0) * omega0_8 * Omega_6
+      - Scalar(2646.0) * omega0_7 * Omega_7 + Scalar(546.0) * omega0_6 * Omega_8
+      + Scalar(3654.0) * omega0_5 * Omega_9 - Scalar(1659.0) * omega0_4 * Omega_10
+      - Scalar(2331.0) * omega0_3 * Omega_11 + Scalar(1365.0) * omega0_2 * Omega_12
+      + Scalar(567.0) * omega0 * Omega_13 - Scalar(378.0) * Omega_14);
+  factor[1] = (-Scalar(18432.0) * omega0_11 + Scalar(12288.0) * omega0_10 * Omega
+      + Scalar(169984.0) * omega0_9 * Omega_2) / (Scalar(81.0) * omega0_11 * Omega
+      + Scalar(351.0) * omega0_10 * Omega_2 - Scalar(621.0) * omega0_9 * Omega_3
+      - Scalar(4131.0) * omega0_8 * Omega_4 - Scalar(1782.0) * omega0_7 * Omega_5
+      + Scalar(9558.0) * omega0_6 * Omega_6 + Scalar(8262.0) * omega0_5 * Omega_7
+      - Scalar(7398.0) * omega0_4 * Omega_8 - Scalar(9099.0) * omega0_3 * Omega_9
+      + Scalar(891.0) * omega0_2 * Omega_10 + Scalar(3159.0) * omega0 * Omega_11 + Scalar(729.0) * Omega_12);
 }
 
-/// Rows of the harmonic 2*omega0+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega0 + Omega)*t) in x = (372*omega0^6 + 92*omega0^5*Omega - 84*omega0^4*Omega^2 +
-/// 4*omega0^3*Omega^3)/(9*omega0^7 + 15*omega0^6*Omega - 11*omega0^5*Omega^2 - 29*omega0^4*Omega^3 -
-/// 5*omega0^3*Omega^4 + 13*omega0^2*Omega^5 + 7*omega0*Omega^6 +
-/// Omega^7)*conservative_x_A_x4_F*A_x^3*conj(A_x)*F - 1/(60*omega0)*conservative_x_A_x3_conjA_x2*A_x^5 -
-/// 256*omega0^5/(9*omega0^6 + 6*omega0^5*Omega - 17*omega0^4*Omega^2 - 12*omega0^3*Omega^3 + 7*omega0^2*Omega^4
-/// + 6*omega0*Omega^5 + Omega^6)*i*dissipative_x_conjA_x2_F*A_x^2*F + 64*omega0^4/(15*omega0^4 +
-/// 20*omega0^3*Omega - 10*omega0^2*Omega^2 - 20*omega0*Omega^3 -
-/// 5*Omega^4)*conservative_x_conjA_x2_F_sigma*A_x^2*F + (256*omega0^9 - 512*omega0^8*Omega)/(3*omega0^8*Omega^2
-/// - 6*omega0^7*Omega^3 - 6*omega0^6*Omega^4 + 18*omega0^5*Omega^5 - 18*omega0^3*Omega^7 + 6*omega0^2*Omega^8 +
-/// 6*omega0*Omega^9 - 3*Omega^10)*conservative_x_conjA_x2_F3*A_x^2*F^3 + (-6144*omega0^11 +
-/// 40960*omega0^10*Omega - 2048*omega0^9*Omega^2 - 16384*omega0^8*Omega^3)/(27*omega0^11*Omega +
-/// 45*omega0^10*Omega^2 - 87*omega0^9*Omega^3 - 177*omega0^8*Omega^4 + 78*omega0^7*Omega^5 +
-/// 258*omega0^6*Omega^6 + 18*omega0^5*Omega^7 - 162*omega0^4*Omega^8 - 57*omega0^3*Omega^9 +
-/// 33*omega0^2*Omega^10 + 21*omega0*Omega^11 + 3*Omega^12)*conservative_x_conjA_x2_F3*A_x^2*F^3 + (960*omega0^6
-/// + 320*omega0^5*Omega + 160*omega0^4*Omega^2)/(54*omega0^5*Omega + 99*omega0^4*Omega^2 - 90*omega0^2*Omega^4 -
-/// 54*omega0*Omega^5 - 9*Omega^6)*harmonic_re_x_A_x_conjA_x_F*A_x^2*F
-/// 6 columns; per observation at most 38 products and sums of complex numbers.
+/// Rows of the harmonic -omega0+4*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
+/// amplitude of exp(i*(-omega0 + 4*Omega)*t) in x = (-12288*omega0^13 - 32768*omega0^12*Omega +
+/// 143360*omega0^11*Omega^2)/(21*omega0^12*Omega^2 - 63*omega0^11*Omega^3 - 231*omega0^10*Omega^4 +
+/// 819*omega0^9*Omega^5 + 336*omega0^8*Omega^6 - 2646*omega0^7*Omega^7 + 546*omega0^6*Omega^8 +
+/// 3654*omega0^5*Omega^9 - 1659*omega0^4*Omega^10 - 2331*omega0^3*Omega^11 + 1365*omega0^2*Omega^12 +
+/// 567*omega0*Omega^13 - 378*Omega^14)*conservative_x_A_x_F4*conj(A_x)*F^4 + (-18432*omega0^11 +
+/// 12288*omega0^10*Omega + 169984*omega0^9*Omega^2)/(81*omega0^11*Omega + 351*omega0^10*Omega^2 -
+/// 621*omega0^9*Omega^3 - 4131*omega0^8*Omega^4 - 1782*omega0^7*Omega^5 + 9558*omega0^6*Omega^6 +
+/// 8262*omega0^5*Omega^7 - 7398*omega0^4*Omega^8 - 9099*omega0^3*Omega^9 + 891*omega0^2*Omega^10 +
+/// 3159*omega0*Omega^11 + 729*Omega^12)*conservative_x_conjA_x2_F3*A_x^2*F^3
+/// 2 columns; per observation at most 12 products and sums of complex numbers.
 template <class Factors>
 void rows_10(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
@@ -3083,27 +3105,17 @@ void rows_10(const BatchArrays& data, Factors factors, double* const* columns) {
   const Scalar* __restrict forcing_0 = data.forcing[0];
   Scalar* __restrict column_0 = columns[0];
   Scalar* __restrict column_1 = columns[1];
-  Scalar* __restrict column_2 = columns[2];
-  Scalar* __restrict column_3 = columns[3];
-  Scalar* __restrict column_4 = columns[4];
-  Scalar* __restrict column_5 = columns[5];
-  Scalar factor[7];
+  Scalar factor[2];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
   for (std::size_t i = 0; i < data.count; ++i) {
     const Scalar excitation_frequency[] = {frequency_0[i]};
     factors(natural_frequency, excitation_frequency, factor);
     const Complex A_x = load_complex(amplitude_0, i);
-    const Scalar norm_A_x = norm_of(A_x);
+    const Complex conj_A_x = conjugate(A_x);
     const Complex F = load_complex(forcing_0, i);
-    const Scalar norm_F = norm_of(F);
-    store_complex(column_0, i, factor[0] * (norm_A_x * A_x * A_x * F));  // conservative_x_A_x4_F
-    store_complex(column_1, i, factor[1] * (fixed_power<5>(A_x)));  // conservative_x_A_x3_conjA_x2
-    store_complex(column_2, i, times_i(factor[2] * (A_x * A_x * F)));  // dissipative_x_conjA_x2_F
-    store_complex(column_3, i, factor[3] * (A_x * A_x * F));  // conservative_x_conjA_x2_F_sigma
-    // conservative_x_conjA_x2_F3
-    store_complex(column_4, i, factor[4] * (A_x * A_x * norm_F * F) + factor[5] * (A_x * A_x * norm_F * F));
-    store_complex(column_5, i, factor[6] * (A_x * A_x * F));  // harmonic_re_x_A_x_conjA_x_F
+    store_complex(column_0, i, factor[0] * (conj_A_x * fixed_power<4>(F)));  // conservative_x_A_x_F4
+    store_complex(column_1, i, factor[1] * (A_x * A_x * F * F * F));  // conservative_x_conjA_x2_F3
   }
 }
 
@@ -3115,246 +3127,12 @@ inline void columns_10(const BatchArrays& data, double* const* columns) {
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_10(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_10(data, FactorSlopes<factors_10<DualNumber>, 1, 1, 7>{mode}, columns);
-}
-
-/// What multiplies the 2 terms of the harmonic 2*omega0-3*Omega of x: functions of the frequencies alone. 90
-/// operations.
-template <class Scalar>
-void factors_11([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar Omega = excitation_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar omega0_3 = omega0_2 * omega0;
-  const Scalar omega0_4 = omega0_3 * omega0;
-  const Scalar omega0_5 = omega0_4 * omega0;
-  const Scalar omega0_6 = omega0_5 * omega0;
-  const Scalar omega0_7 = omega0_6 * omega0;
-  const Scalar omega0_8 = omega0_7 * omega0;
-  const Scalar omega0_9 = omega0_8 * omega0;
-  const Scalar omega0_10 = omega0_9 * omega0;
-  const Scalar omega0_11 = omega0_10 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  const Scalar Omega_9 = Omega_8 * Omega;
-  const Scalar Omega_10 = Omega_9 * Omega;
-  const Scalar Omega_11 = Omega_10 * Omega;
-  const Scalar Omega_12 = Omega_11 * Omega;
-  factor[0] = (Scalar(256.0) * omega0_9 + Scalar(512.0) * omega0_8 * Omega) / (Scalar(3.0) * omega0_8 * Omega_2
-      + Scalar(6.0) * omega0_7 * Omega_3 - Scalar(6.0) * omega0_6 * Omega_4 - Scalar(18.0) * omega0_5 * Omega_5
-      + Scalar(18.0) * omega0_3 * Omega_7 + Scalar(6.0) * omega0_2 * Omega_8 - Scalar(6.0) * omega0 * Omega_9
-      - Scalar(3.0) * Omega_10);
-  factor[1] = (Scalar(6144.0) * omega0_11 + Scalar(4096.0) * omega0_10 * Omega
-      - Scalar(59392.0) * omega0_9 * Omega_2) / (Scalar(27.0) * omega0_11 * Omega
-      - Scalar(135.0) * omega0_10 * Omega_2 - Scalar(135.0) * omega0_9 * Omega_3
-      + Scalar(1539.0) * omega0_8 * Omega_4 - Scalar(1458.0) * omega0_7 * Omega_5
-      - Scalar(3078.0) * omega0_6 * Omega_6 + Scalar(4914.0) * omega0_5 * Omega_7
-      + Scalar(1350.0) * omega0_4 * Omega_8 - Scalar(5049.0) * omega0_3 * Omega_9
-      + Scalar(1053.0) * omega0_2 * Omega_10 + Scalar(1701.0) * omega0 * Omega_11 - Scalar(729.0) * Omega_12);
-}
-
-/// Rows of the harmonic 2*omega0-3*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega0 - 3*Omega)*t) in x = (256*omega0^9 + 512*omega0^8*Omega)/(3*omega0^8*Omega^2 +
-/// 6*omega0^7*Omega^3 - 6*omega0^6*Omega^4 - 18*omega0^5*Omega^5 + 18*omega0^3*Omega^7 + 6*omega0^2*Omega^8 -
-/// 6*omega0*Omega^9 - 3*Omega^10)*conservative_x_conjA_x2_F3*A_x^2*F^3 + (6144*omega0^11 + 4096*omega0^10*Omega
-/// - 59392*omega0^9*Omega^2)/(27*omega0^11*Omega - 135*omega0^10*Omega^2 - 135*omega0^9*Omega^3 +
-/// 1539*omega0^8*Omega^4 - 1458*omega0^7*Omega^5 - 3078*omega0^6*Omega^6 + 4914*omega0^5*Omega^7 +
-/// 1350*omega0^4*Omega^8 - 5049*omega0^3*Omega^9 + 1053*omega0^2*Omega^10 + 1701*omega0*Omega^11 -
-/// 729*Omega^12)*conservative_x_conjA_x2_F3*A_x^2*F^3
-/// 1 columns; per observation at most 19 products and sums of complex numbers.
-template <class Factors>
-void rows_11(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict forcing_0 = data.forcing[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[2];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Scalar excitation_frequency[] = {frequency_0[i]};
-    factors(natural_frequency, excitation_frequency, factor);
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex F = load_complex(forcing_0, i);
-    const Complex conj_F = conjugate(F);
-    // conservative_x_conjA_x2_F3
-    store_complex(column_0, i, factor[0] * (A_x * A_x * conj_F * conj_F * conj_F)
-        + factor[1] * (A_x * A_x * conj_F * conj_F * conj_F));
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_11(const BatchArrays& data, double* const* columns) {
-  rows_11(data, FactorValues<factors_11<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_11(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_11(data, FactorSlopes<factors_11<DualNumber>, 1, 1, 2>{mode}, columns);
-}
-
-/// What multiplies the 2 terms of the harmonic 2*omega0-2*Omega of x: functions of the frequencies alone. 83
-/// operations.
-template <class Scalar>
-void factors_12([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar Omega = excitation_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar omega0_3 = omega0_2 * omega0;
-  const Scalar omega0_4 = omega0_3 * omega0;
-  const Scalar omega0_5 = omega0_4 * omega0;
-  const Scalar omega0_6 = omega0_5 * omega0;
-  const Scalar omega0_7 = omega0_6 * omega0;
-  const Scalar omega0_8 = omega0_7 * omega0;
-  const Scalar omega0_9 = omega0_8 * omega0;
-  const Scalar omega0_10 = omega0_9 * omega0;
-  const Scalar omega0_11 = omega0_10 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  const Scalar Omega_9 = Omega_8 * Omega;
-  const Scalar Omega_10 = Omega_9 * Omega;
-  const Scalar Omega_11 = Omega_10 * Omega;
-  factor[0] = -Scalar(640.0) * omega0_7 / (Scalar(76.0) * omega0_5 * Omega_2 - Scalar(133.0) * omega0_3 * Omega_4
-      - Scalar(19.0) * omega0_2 * Omega_5 + Scalar(57.0) * omega0 * Omega_6 + Scalar(19.0) * Omega_7);
-  factor[1] = (-Scalar(4800.0) * omega0_11 + Scalar(3040.0) * omega0_10 * Omega
-      + Scalar(21120.0) * omega0_9 * Omega_2 - Scalar(20480.0) * omega0_8 * Omega_3
-      + Scalar(3840.0) * omega0_7 * Omega_4
-      - Scalar(1280.0) * omega0_6 * Omega_5) / (Scalar(342.0) * omega0_10 * Omega
-      - Scalar(1425.0) * omega0_9 * Omega_2 - Scalar(57.0) * omega0_8 * Omega_3
-      + Scalar(7410.0) * omega0_7 * Omega_4 - Scalar(8664.0) * omega0_6 * Omega_5
-      - Scalar(5985.0) * omega0_5 * Omega_6 + Scalar(15219.0) * omega0_4 * Omega_7
-      - Scalar(4560.0) * omega0_3 * Omega_8 - Scalar(5928.0) * omega0_2 * Omega_9
-      + Scalar(4560.0) * omega0 * Omega_10 - Scalar(912.0) * Omega_11);
-}
-
-/// Rows of the harmonic 2*omega0-2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega0 - 2*Omega)*t) in x = -640*omega0^7/(76*omega0^5*Omega^2 - 133*omega0^3*Omega^4 -
-/// 19*omega0^2*Omega^5 + 57*omega0*Omega^6 + 19*Omega^7)*harmonic_re_x_A_x_conjA_x_F2*A_x^2*F^2 +
-/// (-4800*omega0^11 + 3040*omega0^10*Omega + 21120*omega0^9*Omega^2 - 20480*omega0^8*Omega^3 +
-/// 3840*omega0^7*Omega^4 - 1280*omega0^6*Omega^5)/(342*omega0^10*Omega - 1425*omega0^9*Omega^2 -
-/// 57*omega0^8*Omega^3 + 7410*omega0^7*Omega^4 - 8664*omega0^6*Omega^5 - 5985*omega0^5*Omega^6 +
-/// 15219*omega0^4*Omega^7 - 4560*omega0^3*Omega^8 - 5928*omega0^2*Omega^9 + 4560*omega0*Omega^10 -
-/// 912*Omega^11)*harmonic_re_x_A_x_conjA_x_F2*A_x^2*F^2
-/// 1 columns; per observation at most 15 products and sums of complex numbers.
-template <class Factors>
-void rows_12(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict forcing_0 = data.forcing[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[2];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Scalar excitation_frequency[] = {frequency_0[i]};
-    factors(natural_frequency, excitation_frequency, factor);
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex F = load_complex(forcing_0, i);
-    const Complex conj_F = conjugate(F);
-    // harmonic_re_x_A_x_conjA_x_F2
-    store_complex(column_0, i, factor[0] * (A_x * A_x * conj_F * conj_F)
-        + factor[1] * (A_x * A_x * conj_F * conj_F));
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_12(const BatchArrays& data, double* const* columns) {
-  rows_12(data, FactorValues<factors_12<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_12(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_12(data, FactorSlopes<factors_12<DualNumber>, 1, 1, 2>{mode}, columns);
-}
-
-/// What multiplies the 2 terms of the harmonic 3*omega0-2*Omega of x: functions of the frequencies alone. 56
-/// operations.
-template <class Scalar>
-void factors_13([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar Omega = excitation_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar omega0_3 = omega0_2 * omega0;
-  const Scalar omega0_4 = omega0_3 * omega0;
-  const Scalar omega0_5 = omega0_4 * omega0;
-  const Scalar omega0_6 = omega0_5 * omega0;
-  const Scalar omega0_7 = omega0_6 * omega0;
-  const Scalar omega0_8 = omega0_7 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  factor[0] = -Scalar(3072.0) * omega0_6 * Omega / (Scalar(7.0) * omega0_8 - Scalar(28.0) * omega0_6 * Omega_2
-      + Scalar(42.0) * omega0_4 * Omega_4 - Scalar(28.0) * omega0_2 * Omega_6 + Scalar(7.0) * Omega_8);
-  factor[1] = (-Scalar(96.0) * omega0_7 + Scalar(16.0) * omega0_6 * Omega
-      - Scalar(16.0) * omega0_5 * Omega_2) / (Scalar(14.0) * omega0_7 * Omega - Scalar(35.0) * omega0_6 * Omega_2
-      + Scalar(63.0) * omega0_4 * Omega_4 - Scalar(42.0) * omega0_3 * Omega_5 - Scalar(21.0) * omega0_2 * Omega_6
-      + Scalar(28.0) * omega0 * Omega_7 - Scalar(7.0) * Omega_8);
-}
-
-/// Rows of the harmonic 3*omega0-2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(3*omega0 - 2*Omega)*t) in x = -3072*omega0^6*Omega/(7*omega0^8 - 28*omega0^6*Omega^2 +
-/// 42*omega0^4*Omega^4 - 28*omega0^2*Omega^6 + 7*Omega^8)*conservative_x_A_x2_conjA_x_F2*A_x^3*F^2 +
-/// (-96*omega0^7 + 16*omega0^6*Omega - 16*omega0^5*Omega^2)/(14*omega0^7*Omega - 35*omega0^6*Omega^2 +
-/// 63*omega0^4*Omega^4 - 42*omega0^3*Omega^5 - 21*omega0^2*Omega^6 + 28*omega0*Omega^7 -
-/// 7*Omega^8)*conservative_x_A_x2_conjA_x_F2*A_x^3*F^2
-/// 1 columns; per observation at most 19 products and sums of complex numbers.
-template <class Factors>
-void rows_13(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict forcing_0 = data.forcing[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[2];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Scalar excitation_frequency[] = {frequency_0[i]};
-    factors(natural_frequency, excitation_frequency, factor);
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex F = load_complex(forcing_0, i);
-    const Complex conj_F = conjugate(F);
-    // conservative_x_A_x2_conjA_x_F2
-    store_complex(column_0, i, factor[0] * (A_x * A_x * A_x * conj_F * conj_F)
-        + factor[1] * (A_x * A_x * A_x * conj_F * conj_F));
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_13(const BatchArrays& data, double* const* columns) {
-  rows_13(data, FactorValues<factors_13<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_13(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_13(data, FactorSlopes<factors_13<DualNumber>, 1, 1, 2>{mode}, columns);
+  rows_10(data, FactorSlopes<factors_10<DualNumber>, 1, 1, 2>{mode}, columns);
 }
 
 /// What multiplies the 1 terms of the harmonic 4*Omega of x: functions of the frequencies alone. 52 operations.
 template <class Scalar>
-void factors_14([[maybe_unused]] const Scalar* natural_frequency,
+void factors_11([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
@@ -3398,7 +3176,7 @@ void factors_14([[maybe_unused]] const Scalar* natural_frequency,
 /// 3225303*omega0^4*Omega^10 + 1842204*omega0^2*Omega^12 - 416448*Omega^14)*harmonic_re_x_F4*F^4
 /// 1 columns; per observation at most 1 products and sums of complex numbers.
 template <class Factors>
-void rows_14(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_11(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict forcing_0 = data.forcing[0];
@@ -3415,19 +3193,19 @@ void rows_14(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_14(const BatchArrays& data, double* const* columns) {
-  rows_14(data, FactorValues<factors_14<double>>{}, columns);
+inline void columns_11(const BatchArrays& data, double* const* columns) {
+  rows_11(data, FactorValues<factors_11<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_14(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_11(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_14(data, FactorSlopes<factors_14<DualNumber>, 1, 1, 1>{mode}, columns);
+  rows_11(data, FactorSlopes<factors_11<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
 /// What multiplies the 1 terms of the harmonic 5*Omega of x: functions of the frequencies alone. 49 operations.
 template <class Scalar>
-void factors_15([[maybe_unused]] const Scalar* natural_frequency,
+void factors_12([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
@@ -3469,7 +3247,7 @@ void factors_15([[maybe_unused]] const Scalar* natural_frequency,
 /// 105469*omega0^2*Omega^12 - 20475*Omega^14)*harmonic_re_x_F5*F^5
 /// 1 columns; per observation at most 1 products and sums of complex numbers.
 template <class Factors>
-void rows_15(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_12(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict forcing_0 = data.forcing[0];
@@ -3486,186 +3264,20 @@ void rows_15(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_15(const BatchArrays& data, double* const* columns) {
-  rows_15(data, FactorValues<factors_15<double>>{}, columns);
+inline void columns_12(const BatchArrays& data, double* const* columns) {
+  rows_12(data, FactorValues<factors_12<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_15(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_12(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_15(data, FactorSlopes<factors_15<DualNumber>, 1, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic omega0-4*Omega of x: functions of the frequencies alone. 70
-/// operations.
-template <class Scalar>
-void factors_16([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar Omega = excitation_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar omega0_3 = omega0_2 * omega0;
-  const Scalar omega0_4 = omega0_3 * omega0;
-  const Scalar omega0_5 = omega0_4 * omega0;
-  const Scalar omega0_6 = omega0_5 * omega0;
-  const Scalar omega0_7 = omega0_6 * omega0;
-  const Scalar omega0_8 = omega0_7 * omega0;
-  const Scalar omega0_9 = omega0_8 * omega0;
-  const Scalar omega0_10 = omega0_9 * omega0;
-  const Scalar omega0_11 = omega0_10 * omega0;
-  const Scalar omega0_12 = omega0_11 * omega0;
-  const Scalar omega0_13 = omega0_12 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  const Scalar Omega_9 = Omega_8 * Omega;
-  const Scalar Omega_10 = Omega_9 * Omega;
-  const Scalar Omega_11 = Omega_10 * Omega;
-  const Scalar Omega_12 = Omega_11 * Omega;
-  const Scalar Omega_13 = Omega_12 * Omega;
-  const Scalar Omega_14 = Omega_13 * Omega;
-  factor[0] = (-Scalar(12288.0) * omega0_13 - Scalar(32768.0) * omega0_12 * Omega
-      + Scalar(143360.0) * omega0_11 * Omega_2) / (Scalar(21.0) * omega0_12 * Omega_2
-      - Scalar(63.0) * omega0_11 * Omega_3 - Scalar(231.0) * omega0_10 * Omega_4
-      + Scalar(819.0) * omega0_9 * Omega_5 + Scalar(336.0) * omega0_8 * Omega_6
-      - Scalar(2646.0) * omega0_7 * Omega_7 + Scalar(546.0) * omega0_6 * Omega_8
-      + Scalar(3654.0) * omega0_5 * Omega_9 - Scalar(1659.0) * omega0_4 * Omega_10
-      - Scalar(2331.0) * omega0_3 * Omega_11 + Scalar(1365.0) * omega0_2 * Omega_12
-      + Scalar(567.0) * omega0 * Omega_13 - Scalar(378.0) * Omega_14);
-}
-
-/// Rows of the harmonic omega0-4*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 - 4*Omega)*t) in x = (-12288*omega0^13 - 32768*omega0^12*Omega +
-/// 143360*omega0^11*Omega^2)/(21*omega0^12*Omega^2 - 63*omega0^11*Omega^3 - 231*omega0^10*Omega^4 +
-/// 819*omega0^9*Omega^5 + 336*omega0^8*Omega^6 - 2646*omega0^7*Omega^7 + 546*omega0^6*Omega^8 +
-/// 3654*omega0^5*Omega^9 - 1659*omega0^4*Omega^10 - 2331*omega0^3*Omega^11 + 1365*omega0^2*Omega^12 +
-/// 567*omega0*Omega^13 - 378*Omega^14)*conservative_x_A_x_F4*A_x*F^4
-/// 1 columns; per observation at most 3 products and sums of complex numbers.
-template <class Factors>
-void rows_16(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict forcing_0 = data.forcing[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Scalar excitation_frequency[] = {frequency_0[i]};
-    factors(natural_frequency, excitation_frequency, factor);
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex F = load_complex(forcing_0, i);
-    const Complex conj_F = conjugate(F);
-    store_complex(column_0, i, factor[0] * (A_x * fixed_power<4>(conj_F)));  // conservative_x_A_x_F4
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_16(const BatchArrays& data, double* const* columns) {
-  rows_16(data, FactorValues<factors_16<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_16(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_16(data, FactorSlopes<factors_16<DualNumber>, 1, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic omega0-3*Omega of x: functions of the frequencies alone. 85
-/// operations.
-template <class Scalar>
-void factors_17([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar Omega = excitation_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar omega0_3 = omega0_2 * omega0;
-  const Scalar omega0_4 = omega0_3 * omega0;
-  const Scalar omega0_5 = omega0_4 * omega0;
-  const Scalar omega0_6 = omega0_5 * omega0;
-  const Scalar omega0_7 = omega0_6 * omega0;
-  const Scalar omega0_8 = omega0_7 * omega0;
-  const Scalar omega0_9 = omega0_8 * omega0;
-  const Scalar omega0_10 = omega0_9 * omega0;
-  const Scalar omega0_11 = omega0_10 * omega0;
-  const Scalar omega0_12 = omega0_11 * omega0;
-  const Scalar omega0_13 = omega0_12 * omega0;
-  const Scalar omega0_14 = omega0_13 * omega0;
-  const Scalar omega0_15 = omega0_14 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  const Scalar Omega_9 = Omega_8 * Omega;
-  const Scalar Omega_10 = Omega_9 * Omega;
-  const Scalar Omega_11 = Omega_10 * Omega;
-  const Scalar Omega_12 = Omega_11 * Omega;
-  const Scalar Omega_13 = Omega_12 * Omega;
-  const Scalar Omega_14 = Omega_13 * Omega;
-  const Scalar Omega_15 = Omega_14 * Omega;
-  factor[0] = (-Scalar(32256.0) * omega0_15 - Scalar(30464.0) * omega0_14 * Omega
-      + Scalar(505344.0) * omega0_13 * Omega_2 + Scalar(66304.0) * omega0_12 * Omega_3
-      - Scalar(1827840.0) * omega0_11 * Omega_4
-      + Scalar(1189888.0) * omega0_10 * Omega_5) / (Scalar(44.0) * omega0_13 * Omega_2
-      - Scalar(132.0) * omega0_12 * Omega_3 - Scalar(583.0) * omega0_11 * Omega_4
-      + Scalar(2079.0) * omega0_10 * Omega_5 + Scalar(1496.0) * omega0_9 * Omega_6
-      - Scalar(9768.0) * omega0_8 * Omega_7 + Scalar(2926.0) * omega0_7 * Omega_8
-      + Scalar(16962.0) * omega0_6 * Omega_9 - Scalar(12584.0) * omega0_5 * Omega_10
-      - Scalar(11088.0) * omega0_4 * Omega_11 + Scalar(13057.0) * omega0_3 * Omega_12
-      + Scalar(759.0) * omega0_2 * Omega_13 - Scalar(4356.0) * omega0 * Omega_14 + Scalar(1188.0) * Omega_15);
-}
-
-/// Rows of the harmonic omega0-3*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 - 3*Omega)*t) in x = (-32256*omega0^15 - 30464*omega0^14*Omega +
-/// 505344*omega0^13*Omega^2 + 66304*omega0^12*Omega^3 - 1827840*omega0^11*Omega^4 +
-/// 1189888*omega0^10*Omega^5)/(44*omega0^13*Omega^2 - 132*omega0^12*Omega^3 - 583*omega0^11*Omega^4 +
-/// 2079*omega0^10*Omega^5 + 1496*omega0^9*Omega^6 - 9768*omega0^8*Omega^7 + 2926*omega0^7*Omega^8 +
-/// 16962*omega0^6*Omega^9 - 12584*omega0^5*Omega^10 - 11088*omega0^4*Omega^11 + 13057*omega0^3*Omega^12 +
-/// 759*omega0^2*Omega^13 - 4356*omega0*Omega^14 + 1188*Omega^15)*harmonic_re_x_A_x_F3*A_x*F^3
-/// 1 columns; per observation at most 7 products and sums of complex numbers.
-template <class Factors>
-void rows_17(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict forcing_0 = data.forcing[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Scalar excitation_frequency[] = {frequency_0[i]};
-    factors(natural_frequency, excitation_frequency, factor);
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex F = load_complex(forcing_0, i);
-    const Complex conj_F = conjugate(F);
-    store_complex(column_0, i, factor[0] * (A_x * conj_F * conj_F * conj_F));  // harmonic_re_x_A_x_F3
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_17(const BatchArrays& data, double* const* columns) {
-  rows_17(data, FactorValues<factors_17<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_17(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_17(data, FactorSlopes<factors_17<DualNumber>, 1, 1, 1>{mode}, columns);
+  rows_12(data, FactorSlopes<factors_12<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
 /// What multiplies the 1 terms of the harmonic omega0+3*Omega of x: functions of the frequencies alone. 85
 /// operations.
 template <class Scalar>
-void factors_18([[maybe_unused]] const Scalar* natural_frequency,
+void factors_13([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
@@ -3715,10 +3327,10 @@ void factors_18([[maybe_unused]] const Scalar* natural_frequency,
 /// 1189888*omega0^10*Omega^5)/(44*omega0^13*Omega^2 + 132*omega0^12*Omega^3 - 583*omega0^11*Omega^4 -
 /// 2079*omega0^10*Omega^5 + 1496*omega0^9*Omega^6 + 9768*omega0^8*Omega^7 + 2926*omega0^7*Omega^8 -
 /// 16962*omega0^6*Omega^9 - 12584*omega0^5*Omega^10 + 11088*omega0^4*Omega^11 + 13057*omega0^3*Omega^12 -
-/// 759*omega0^2*Omega^13 - 4356*omega0*Omega^14 - 1188*Omega^15)*harmonic_re_x_A_x_F3*A_x*F^3
+/// 759*omega0^2*Omega^13 - 4356*omega0*Omega^14 - 1188*Omega^15)*harmonic_re_x_conjA_x_F3*A_x*F^3
 /// 1 columns; per observation at most 7 products and sums of complex numbers.
 template <class Factors>
-void rows_18(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_13(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -3732,25 +3344,25 @@ void rows_18(const BatchArrays& data, Factors factors, double* const* columns) {
     factors(natural_frequency, excitation_frequency, factor);
     const Complex A_x = load_complex(amplitude_0, i);
     const Complex F = load_complex(forcing_0, i);
-    store_complex(column_0, i, factor[0] * (A_x * F * F * F));  // harmonic_re_x_A_x_F3
+    store_complex(column_0, i, factor[0] * (A_x * F * F * F));  // harmonic_re_x_conjA_x_F3
   }
 }
 
 /// columns[j][i] of the rows.
-inline void columns_18(const BatchArrays& data, double* const* columns) {
-  rows_18(data, FactorValues<factors_18<double>>{}, columns);
+inline void columns_13(const BatchArrays& data, double* const* columns) {
+  rows_13(data, FactorValues<factors_13<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_18(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_13(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_18(data, FactorSlopes<factors_18<DualNumber>, 1, 1, 1>{mode}, columns);
+  rows_13(data, FactorSlopes<factors_13<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
 /// What multiplies the 1 terms of the harmonic omega0+4*Omega of x: functions of the frequencies alone. 70
 /// operations.
 template <class Scalar>
-void factors_19([[maybe_unused]] const Scalar* natural_frequency,
+void factors_14([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
@@ -3797,7 +3409,7 @@ void factors_19([[maybe_unused]] const Scalar* natural_frequency,
 /// 567*omega0*Omega^13 - 378*Omega^14)*conservative_x_A_x_F4*A_x*F^4
 /// 1 columns; per observation at most 3 products and sums of complex numbers.
 template <class Factors>
-void rows_19(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_14(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -3816,166 +3428,14 @@ void rows_19(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_19(const BatchArrays& data, double* const* columns) {
-  rows_19(data, FactorValues<factors_19<double>>{}, columns);
+inline void columns_14(const BatchArrays& data, double* const* columns) {
+  rows_14(data, FactorValues<factors_14<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_19(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_14(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_19(data, FactorSlopes<factors_19<DualNumber>, 1, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic 2*omega0+2*Omega of x: functions of the frequencies alone. 76
-/// operations.
-template <class Scalar>
-void factors_20([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar Omega = excitation_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar omega0_3 = omega0_2 * omega0;
-  const Scalar omega0_4 = omega0_3 * omega0;
-  const Scalar omega0_5 = omega0_4 * omega0;
-  const Scalar omega0_6 = omega0_5 * omega0;
-  const Scalar omega0_7 = omega0_6 * omega0;
-  const Scalar omega0_8 = omega0_7 * omega0;
-  const Scalar omega0_9 = omega0_8 * omega0;
-  const Scalar omega0_10 = omega0_9 * omega0;
-  const Scalar omega0_11 = omega0_10 * omega0;
-  const Scalar omega0_12 = omega0_11 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  const Scalar Omega_9 = Omega_8 * Omega;
-  const Scalar Omega_10 = Omega_9 * Omega;
-  const Scalar Omega_11 = Omega_10 * Omega;
-  const Scalar Omega_12 = Omega_11 * Omega;
-  factor[0] = (Scalar(14400.0) * omega0_12 + Scalar(17760.0) * omega0_11 * Omega
-      - Scalar(58400.0) * omega0_10 * Omega_2 - Scalar(97920.0) * omega0_9 * Omega_3
-      - Scalar(39680.0) * omega0_8 * Omega_4 - Scalar(7680.0) * omega0_7 * Omega_5
-      - Scalar(1280.0) * omega0_6 * Omega_6) / (Scalar(1026.0) * omega0_11 * Omega
-      + Scalar(4617.0) * omega0_10 * Omega_2 + Scalar(1254.0) * omega0_9 * Omega_3
-      - Scalar(22287.0) * omega0_8 * Omega_4 - Scalar(33402.0) * omega0_7 * Omega_5
-      + Scalar(9291.0) * omega0_6 * Omega_6 + Scalar(51642.0) * omega0_5 * Omega_7
-      + Scalar(28899.0) * omega0_4 * Omega_8 - Scalar(13224.0) * omega0_3 * Omega_9
-      - Scalar(19608.0) * omega0_2 * Omega_10 - Scalar(7296.0) * omega0 * Omega_11 - Scalar(912.0) * Omega_12);
-}
-
-/// Rows of the harmonic 2*omega0+2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega0 + 2*Omega)*t) in x = (14400*omega0^12 + 17760*omega0^11*Omega -
-/// 58400*omega0^10*Omega^2 - 97920*omega0^9*Omega^3 - 39680*omega0^8*Omega^4 - 7680*omega0^7*Omega^5 -
-/// 1280*omega0^6*Omega^6)/(1026*omega0^11*Omega + 4617*omega0^10*Omega^2 + 1254*omega0^9*Omega^3 -
-/// 22287*omega0^8*Omega^4 - 33402*omega0^7*Omega^5 + 9291*omega0^6*Omega^6 + 51642*omega0^5*Omega^7 +
-/// 28899*omega0^4*Omega^8 - 13224*omega0^3*Omega^9 - 19608*omega0^2*Omega^10 - 7296*omega0*Omega^11 -
-/// 912*Omega^12)*harmonic_re_x_A_x_conjA_x_F2*A_x^2*F^2
-/// 1 columns; per observation at most 7 products and sums of complex numbers.
-template <class Factors>
-void rows_20(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict forcing_0 = data.forcing[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Scalar excitation_frequency[] = {frequency_0[i]};
-    factors(natural_frequency, excitation_frequency, factor);
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex F = load_complex(forcing_0, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_x * F * F));  // harmonic_re_x_A_x_conjA_x_F2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_20(const BatchArrays& data, double* const* columns) {
-  rows_20(data, FactorValues<factors_20<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_20(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_20(data, FactorSlopes<factors_20<DualNumber>, 1, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic 2*omega0+3*Omega of x: functions of the frequencies alone. 63
-/// operations.
-template <class Scalar>
-void factors_21([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar Omega = excitation_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar omega0_3 = omega0_2 * omega0;
-  const Scalar omega0_4 = omega0_3 * omega0;
-  const Scalar omega0_5 = omega0_4 * omega0;
-  const Scalar omega0_6 = omega0_5 * omega0;
-  const Scalar omega0_7 = omega0_6 * omega0;
-  const Scalar omega0_8 = omega0_7 * omega0;
-  const Scalar omega0_9 = omega0_8 * omega0;
-  const Scalar omega0_10 = omega0_9 * omega0;
-  const Scalar omega0_11 = omega0_10 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  const Scalar Omega_9 = Omega_8 * Omega;
-  const Scalar Omega_10 = Omega_9 * Omega;
-  const Scalar Omega_11 = Omega_10 * Omega;
-  const Scalar Omega_12 = Omega_11 * Omega;
-  factor[0] = (-Scalar(18432.0) * omega0_11 + Scalar(12288.0) * omega0_10 * Omega
-      + Scalar(169984.0) * omega0_9 * Omega_2) / (Scalar(81.0) * omega0_11 * Omega
-      + Scalar(351.0) * omega0_10 * Omega_2 - Scalar(621.0) * omega0_9 * Omega_3
-      - Scalar(4131.0) * omega0_8 * Omega_4 - Scalar(1782.0) * omega0_7 * Omega_5
-      + Scalar(9558.0) * omega0_6 * Omega_6 + Scalar(8262.0) * omega0_5 * Omega_7
-      - Scalar(7398.0) * omega0_4 * Omega_8 - Scalar(9099.0) * omega0_3 * Omega_9
-      + Scalar(891.0) * omega0_2 * Omega_10 + Scalar(3159.0) * omega0 * Omega_11 + Scalar(729.0) * Omega_12);
-}
-
-/// Rows of the harmonic 2*omega0+3*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega0 + 3*Omega)*t) in x = (-18432*omega0^11 + 12288*omega0^10*Omega +
-/// 169984*omega0^9*Omega^2)/(81*omega0^11*Omega + 351*omega0^10*Omega^2 - 621*omega0^9*Omega^3 -
-/// 4131*omega0^8*Omega^4 - 1782*omega0^7*Omega^5 + 9558*omega0^6*Omega^6 + 8262*omega0^5*Omega^7 -
-/// 7398*omega0^4*Omega^8 - 9099*omega0^3*Omega^9 + 891*omega0^2*Omega^10 + 3159*omega0*Omega^11 +
-/// 729*Omega^12)*conservative_x_conjA_x2_F3*A_x^2*F^3
-/// 1 columns; per observation at most 9 products and sums of complex numbers.
-template <class Factors>
-void rows_21(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict forcing_0 = data.forcing[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Scalar excitation_frequency[] = {frequency_0[i]};
-    factors(natural_frequency, excitation_frequency, factor);
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex F = load_complex(forcing_0, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_x * F * F * F));  // conservative_x_conjA_x2_F3
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_21(const BatchArrays& data, double* const* columns) {
-  rows_21(data, FactorValues<factors_21<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_21(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_21(data, FactorSlopes<factors_21<DualNumber>, 1, 1, 1>{mode}, columns);
+  rows_14(data, FactorSlopes<factors_14<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
 /// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state. amplitude

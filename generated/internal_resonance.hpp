@@ -2070,12 +2070,12 @@ namespace one_to_two {
 /// lumps[24]: harmonic_im_x_A_y2 = (4*omega2*a3*mu1 - 8*omega2*a3*mu2)/(omega1^4 - 8*omega1^2*omega2^2 +
 /// 16*omega2^4)
 /// lumps[25]: harmonic_re_x_A_y_F = 2*a3*e2/(omega1^4 - 8*omega1^2*omega2^2 + 16*omega2^4)
-/// lumps[26]: harmonic_re_x_A_x_F = a1*e1/(2*omega1^3*omega2 + omega1^2*omega2^2 - 2*omega1*omega2^3 - omega2^4)
-/// lumps[27]: harmonic_re_x_A_x3 = (-2*omega1*a2^2 - 2*omega2*a2^2)/(4*omega1^2*omega2^3 + 4*omega1*omega2^4 +
-/// omega2^5)
-/// lumps[28]: harmonic_re_x_A_x_conjA_y2 = (-3*omega1^3*omega2^2*b3 - 2*omega1^3*a2*a4 + 12*omega1*omega2^4*b3 +
+/// lumps[26]: harmonic_re_x_A_y2_conjA_x = (-3*omega1^3*omega2^2*b3 - 2*omega1^3*a2*a4 + 12*omega1*omega2^4*b3 +
 /// 6*omega1*omega2^2*a1*a3 + 8*omega1*omega2^2*a2*a4 - 12*omega1*omega2^2*a3^2 -
 /// 24*omega2^3*a3^2)/(12*omega1^4*omega2^3 - 12*omega1^3*omega2^4 - 48*omega1^2*omega2^5 + 48*omega1*omega2^6)
+/// lumps[27]: harmonic_re_x_A_x_F = a1*e1/(2*omega1^3*omega2 + omega1^2*omega2^2 - 2*omega1*omega2^3 - omega2^4)
+/// lumps[28]: harmonic_re_x_A_x3 = (-2*omega1*a2^2 - 2*omega2*a2^2)/(4*omega1^2*omega2^3 + 4*omega1*omega2^4 +
+/// omega2^5)
 /// lumps[29]: harmonic_re_x_A_y3 = (-3*omega1^2*omega2^2*b4 - 2*omega1^2*a3*a4 + 12*omega2^4*b4 +
 /// 6*omega2^2*a2*a3 + 8*omega2^2*a3*a4)/(3*omega1^4*omega2^2 - 39*omega1^2*omega2^4 + 108*omega2^6)
 /// lumps[30]: harmonic_re_x_A_x_A_y2 = (6*omega1^4*omega2^2*b3 + 4*omega1^4*a2*a4 + 3*omega1^3*omega2^3*b3 +
@@ -2084,26 +2084,26 @@ namespace one_to_two {
 /// 48*omega1*omega2^3*a2^2 - 8*omega1*omega2^3*a2*a4 - 36*omega1*omega2^3*a3^2 -
 /// 24*omega2^4*a3^2)/(24*omega1^5*omega2^3 + 36*omega1^4*omega2^4 - 84*omega1^3*omega2^5 - 144*omega1^2*omega2^6
 /// - 48*omega1*omega2^7)
-/// lumps[31]: a4 = a4
-/// lumps[32]: harmonic_re_y_A_y_conjA_x2 = (3*omega1^3*b3 - 6*omega1^2*omega2*b3 + 2*omega1*a1*a3 +
-/// 12*omega1*a3^2 - 4*omega2*a1*a3)/(12*omega1^5 - 36*omega1^4*omega2 + 24*omega1^3*omega2^2)
-/// lumps[33]: harmonic_re_y_conjA_y_F = -a3*e1/(omega1^2*omega2^2 - omega2^4)
-/// lumps[34]: harmonic_re_y_A_x2_A_y = -4*a2*a4/(9*omega2^4)
-/// lumps[35]: harmonic_im_y_A_y2 = -4*a4*mu2/(9*omega2^3)
-/// lumps[36]: harmonic_re_y_A_y_F = 2*a4*e2/(9*omega2^4)
-/// lumps[37]: harmonic_im_y_A_x_conjA_y = (-4*omega1*a3*mu1 + 4*omega2*a3*mu1)/(omega1^4 - 4*omega1^3*omega2 +
+/// lumps[31]: harmonic_im_y_A_y_conjA_x = (4*omega1*a3*mu1 - 4*omega2*a3*mu1)/(omega1^4 - 4*omega1^3*omega2 +
 /// 4*omega1^2*omega2^2)
-/// lumps[38]: harmonic_re_y_A_x3 = (3*omega1^2*b2 + 2*a1*a2)/(27*omega1^4 - 3*omega1^2*omega2^2)
-/// lumps[39]: harmonic_re_y_A_x_conjA_y2 = (9*omega1^3*omega2^2*b4 + 2*omega1^3*a3*a4 - 36*omega1*omega2^4*b4 -
-/// 6*omega1*omega2^2*a2*a3 + 4*omega1*omega2^2*a3*a4 + 24*omega2^3*a3*a4)/(3*omega1^5*omega2^2 -
-/// 12*omega1^4*omega2^3 - 3*omega1^3*omega2^4 + 48*omega1^2*omega2^5 - 36*omega1*omega2^6)
-/// lumps[40]: harmonic_re_y_A_x_A_y_conjA_y = (12*omega1^5*omega2^2*b4 - 8*omega1^5*a3*a4 +
+/// lumps[32]: harmonic_re_y_A_x_A_y_conjA_y = (12*omega1^5*omega2^2*b4 - 8*omega1^5*a3*a4 +
 /// 6*omega1^4*omega2^3*b4 + 4*omega1^4*omega2*a2*a3 - 4*omega1^4*omega2*a3*a4 - 48*omega1^3*omega2^4*b4 -
 /// 8*omega1^3*omega2^2*a2*a3 + 48*omega1^3*omega2^2*a3*a4 - 24*omega1^2*omega2^5*b4 - 20*omega1^2*omega2^3*a2*a3
 /// + 24*omega1^2*omega2^3*a3*a4 + 32*omega1*omega2^4*a2*a3 + 16*omega2^5*a2*a3)/(2*omega1^7*omega2^2 +
 /// omega1^6*omega2^3 - 10*omega1^5*omega2^4 - 5*omega1^4*omega2^5 + 8*omega1^3*omega2^6 + 4*omega1^2*omega2^7)
-/// lumps[41]: harmonic_re_y_A_x2_conjA_x = (9*omega1^2*omega2^2*b2 - 12*omega1^2*a2*a3 -
+/// lumps[33]: harmonic_re_y_A_x2_conjA_x = (9*omega1^2*omega2^2*b2 - 12*omega1^2*a2*a3 -
 /// 10*omega2^2*a1*a2)/(3*omega1^4*omega2^2 - 3*omega1^2*omega2^4)
+/// lumps[34]: a4 = a4
+/// lumps[35]: harmonic_re_y_A_y_conjA_x2 = (3*omega1^3*b3 - 6*omega1^2*omega2*b3 + 2*omega1*a1*a3 +
+/// 12*omega1*a3^2 - 4*omega2*a1*a3)/(12*omega1^5 - 36*omega1^4*omega2 + 24*omega1^3*omega2^2)
+/// lumps[36]: harmonic_re_y_conjA_y_F = -a3*e1/(omega1^2*omega2^2 - omega2^4)
+/// lumps[37]: harmonic_re_y_A_x2_A_y = -4*a2*a4/(9*omega2^4)
+/// lumps[38]: harmonic_im_y_A_y2 = -4*a4*mu2/(9*omega2^3)
+/// lumps[39]: harmonic_re_y_A_y_F = 2*a4*e2/(9*omega2^4)
+/// lumps[40]: harmonic_re_y_A_y2_conjA_x = (9*omega1^3*omega2^2*b4 + 2*omega1^3*a3*a4 - 36*omega1*omega2^4*b4 -
+/// 6*omega1*omega2^2*a2*a3 + 4*omega1*omega2^2*a3*a4 + 24*omega2^3*a3*a4)/(3*omega1^5*omega2^2 -
+/// 12*omega1^4*omega2^3 - 3*omega1^3*omega2^4 + 48*omega1^2*omega2^5 - 36*omega1*omega2^6)
+/// lumps[41]: harmonic_re_y_A_x3 = (3*omega1^2*b2 + 2*a1*a2)/(27*omega1^4 - 3*omega1^2*omega2^2)
 /// lumps[42]: harmonic_re_y_A_y3 = (3*omega1^2*omega2^2*b5 + 2*omega1^2*a4^2 - 12*omega2^4*b5 - 6*omega2^2*a3^2
 /// - 8*omega2^2*a4^2)/(24*omega1^2*omega2^4 - 96*omega2^6)
 /// lumps[43]: harmonic_re_y_A_x_A_y2 = (18*omega1^4*omega2^2*b4 + 4*omega1^4*a3*a4 + 9*omega1^3*omega2^3*b4 +
@@ -2228,18 +2228,18 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
       - Scalar(8.0) * omega1_2 * omega2_2 + Scalar(16.0) * omega2_4);
   // harmonic_re_x_A_y_F
   lumps[25] = Scalar(2.0) * a3 * e2 / (omega1_4 - Scalar(8.0) * omega1_2 * omega2_2 + Scalar(16.0) * omega2_4);
-  // harmonic_re_x_A_x_F
-  lumps[26] = a1 * e1 / (Scalar(2.0) * omega1_3 * omega2 + omega1_2 * omega2_2 - Scalar(2.0) * omega1 * omega2_3
-      - omega2_4);
-  // harmonic_re_x_A_x3
-  lumps[27] = (-Scalar(2.0) * omega1 * a2_2 - Scalar(2.0) * omega2 * a2_2) / (Scalar(4.0) * omega1_2 * omega2_3
-      + Scalar(4.0) * omega1 * omega2_4 + omega2_5);
-  // harmonic_re_x_A_x_conjA_y2
-  lumps[28] = (-Scalar(3.0) * omega1_3 * omega2_2 * b3 - Scalar(2.0) * omega1_3 * a2 * a4
+  // harmonic_re_x_A_y2_conjA_x
+  lumps[26] = (-Scalar(3.0) * omega1_3 * omega2_2 * b3 - Scalar(2.0) * omega1_3 * a2 * a4
       + Scalar(12.0) * omega1 * omega2_4 * b3 + Scalar(6.0) * omega1 * omega2_2 * a1 * a3
       + Scalar(8.0) * omega1 * omega2_2 * a2 * a4 - Scalar(12.0) * omega1 * omega2_2 * a3_2
       - Scalar(24.0) * omega2_3 * a3_2) / (Scalar(12.0) * omega1_4 * omega2_3 - Scalar(12.0) * omega1_3 * omega2_4
       - Scalar(48.0) * omega1_2 * omega2_5 + Scalar(48.0) * omega1 * omega2_6);
+  // harmonic_re_x_A_x_F
+  lumps[27] = a1 * e1 / (Scalar(2.0) * omega1_3 * omega2 + omega1_2 * omega2_2 - Scalar(2.0) * omega1 * omega2_3
+      - omega2_4);
+  // harmonic_re_x_A_x3
+  lumps[28] = (-Scalar(2.0) * omega1 * a2_2 - Scalar(2.0) * omega2 * a2_2) / (Scalar(4.0) * omega1_2 * omega2_3
+      + Scalar(4.0) * omega1 * omega2_4 + omega2_5);
   // harmonic_re_x_A_y3
   lumps[29] = (-Scalar(3.0) * omega1_2 * omega2_2 * b4 - Scalar(2.0) * omega1_2 * a3 * a4
       + Scalar(12.0) * omega2_4 * b4 + Scalar(6.0) * omega2_2 * a2 * a3
@@ -2256,30 +2256,11 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
       - Scalar(24.0) * omega2_4 * a3_2) / (Scalar(24.0) * omega1_5 * omega2_3 + Scalar(36.0) * omega1_4 * omega2_4
       - Scalar(84.0) * omega1_3 * omega2_5 - Scalar(144.0) * omega1_2 * omega2_6
       - Scalar(48.0) * omega1 * omega2_7);
-  lumps[31] = a4;  // a4
-  // harmonic_re_y_A_y_conjA_x2
-  lumps[32] = (Scalar(3.0) * omega1_3 * b3 - Scalar(6.0) * omega1_2 * omega2 * b3 + Scalar(2.0) * omega1 * a1 * a3
-      + Scalar(12.0) * omega1 * a3_2 - Scalar(4.0) * omega2 * a1 * a3) / (Scalar(12.0) * omega1_5
-      - Scalar(36.0) * omega1_4 * omega2 + Scalar(24.0) * omega1_3 * omega2_2);
-  lumps[33] = -a3 * e1 / (omega1_2 * omega2_2 - omega2_4);  // harmonic_re_y_conjA_y_F
-  lumps[34] = -Scalar(4.0) * a2 * a4 / (Scalar(9.0) * omega2_4);  // harmonic_re_y_A_x2_A_y
-  lumps[35] = -Scalar(4.0) * a4 * mu2 / (Scalar(9.0) * omega2_3);  // harmonic_im_y_A_y2
-  lumps[36] = Scalar(2.0) * a4 * e2 / (Scalar(9.0) * omega2_4);  // harmonic_re_y_A_y_F
-  // harmonic_im_y_A_x_conjA_y
-  lumps[37] = (-Scalar(4.0) * omega1 * a3 * mu1 + Scalar(4.0) * omega2 * a3 * mu1) / (omega1_4
+  // harmonic_im_y_A_y_conjA_x
+  lumps[31] = (Scalar(4.0) * omega1 * a3 * mu1 - Scalar(4.0) * omega2 * a3 * mu1) / (omega1_4
       - Scalar(4.0) * omega1_3 * omega2 + Scalar(4.0) * omega1_2 * omega2_2);
-  // harmonic_re_y_A_x3
-  lumps[38] = (Scalar(3.0) * omega1_2 * b2 + Scalar(2.0) * a1 * a2) / (Scalar(27.0) * omega1_4
-      - Scalar(3.0) * omega1_2 * omega2_2);
-  // harmonic_re_y_A_x_conjA_y2
-  lumps[39] = (Scalar(9.0) * omega1_3 * omega2_2 * b4 + Scalar(2.0) * omega1_3 * a3 * a4
-      - Scalar(36.0) * omega1 * omega2_4 * b4 - Scalar(6.0) * omega1 * omega2_2 * a2 * a3
-      + Scalar(4.0) * omega1 * omega2_2 * a3 * a4
-      + Scalar(24.0) * omega2_3 * a3 * a4) / (Scalar(3.0) * omega1_5 * omega2_2
-      - Scalar(12.0) * omega1_4 * omega2_3 - Scalar(3.0) * omega1_3 * omega2_4
-      + Scalar(48.0) * omega1_2 * omega2_5 - Scalar(36.0) * omega1 * omega2_6);
   // harmonic_re_y_A_x_A_y_conjA_y
-  lumps[40] = (Scalar(12.0) * omega1_5 * omega2_2 * b4 - Scalar(8.0) * omega1_5 * a3 * a4
+  lumps[32] = (Scalar(12.0) * omega1_5 * omega2_2 * b4 - Scalar(8.0) * omega1_5 * a3 * a4
       + Scalar(6.0) * omega1_4 * omega2_3 * b4 + Scalar(4.0) * omega1_4 * omega2 * a2 * a3
       - Scalar(4.0) * omega1_4 * omega2 * a3 * a4 - Scalar(48.0) * omega1_3 * omega2_4 * b4
       - Scalar(8.0) * omega1_3 * omega2_2 * a2 * a3 + Scalar(48.0) * omega1_3 * omega2_2 * a3 * a4
@@ -2289,9 +2270,28 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
       - Scalar(10.0) * omega1_5 * omega2_4 - Scalar(5.0) * omega1_4 * omega2_5 + Scalar(8.0) * omega1_3 * omega2_6
       + Scalar(4.0) * omega1_2 * omega2_7);
   // harmonic_re_y_A_x2_conjA_x
-  lumps[41] = (Scalar(9.0) * omega1_2 * omega2_2 * b2 - Scalar(12.0) * omega1_2 * a2 * a3
+  lumps[33] = (Scalar(9.0) * omega1_2 * omega2_2 * b2 - Scalar(12.0) * omega1_2 * a2 * a3
       - Scalar(10.0) * omega2_2 * a1 * a2) / (Scalar(3.0) * omega1_4 * omega2_2
       - Scalar(3.0) * omega1_2 * omega2_4);
+  lumps[34] = a4;  // a4
+  // harmonic_re_y_A_y_conjA_x2
+  lumps[35] = (Scalar(3.0) * omega1_3 * b3 - Scalar(6.0) * omega1_2 * omega2 * b3 + Scalar(2.0) * omega1 * a1 * a3
+      + Scalar(12.0) * omega1 * a3_2 - Scalar(4.0) * omega2 * a1 * a3) / (Scalar(12.0) * omega1_5
+      - Scalar(36.0) * omega1_4 * omega2 + Scalar(24.0) * omega1_3 * omega2_2);
+  lumps[36] = -a3 * e1 / (omega1_2 * omega2_2 - omega2_4);  // harmonic_re_y_conjA_y_F
+  lumps[37] = -Scalar(4.0) * a2 * a4 / (Scalar(9.0) * omega2_4);  // harmonic_re_y_A_x2_A_y
+  lumps[38] = -Scalar(4.0) * a4 * mu2 / (Scalar(9.0) * omega2_3);  // harmonic_im_y_A_y2
+  lumps[39] = Scalar(2.0) * a4 * e2 / (Scalar(9.0) * omega2_4);  // harmonic_re_y_A_y_F
+  // harmonic_re_y_A_y2_conjA_x
+  lumps[40] = (Scalar(9.0) * omega1_3 * omega2_2 * b4 + Scalar(2.0) * omega1_3 * a3 * a4
+      - Scalar(36.0) * omega1 * omega2_4 * b4 - Scalar(6.0) * omega1 * omega2_2 * a2 * a3
+      + Scalar(4.0) * omega1 * omega2_2 * a3 * a4
+      + Scalar(24.0) * omega2_3 * a3 * a4) / (Scalar(3.0) * omega1_5 * omega2_2
+      - Scalar(12.0) * omega1_4 * omega2_3 - Scalar(3.0) * omega1_3 * omega2_4
+      + Scalar(48.0) * omega1_2 * omega2_5 - Scalar(36.0) * omega1 * omega2_6);
+  // harmonic_re_y_A_x3
+  lumps[41] = (Scalar(3.0) * omega1_2 * b2 + Scalar(2.0) * a1 * a2) / (Scalar(27.0) * omega1_4
+      - Scalar(3.0) * omega1_2 * omega2_2);
   // harmonic_re_y_A_y3
   lumps[42] = (Scalar(3.0) * omega1_2 * omega2_2 * b5 + Scalar(2.0) * omega1_2 * a4_2
       - Scalar(12.0) * omega2_4 * b5 - Scalar(6.0) * omega2_2 * a3_2
@@ -2766,60 +2766,12 @@ void lump_gradient_25(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
   gradient[14] = (Scalar(2.0) * a3) / denominator;  // by e2
 }
 
-/// gradient[p] = d harmonic_re_x_A_x_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 24 operations.
-template <class Scalar>
-void lump_gradient_26(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar e1 = parameters[12];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = Scalar(2.0) * omega1_3 * omega2 + omega1_2 * omega2_2
-      - Scalar(2.0) * omega1 * omega2_3 - omega2_4;
-  // by omega1
-  gradient[0] = (-lump * (Scalar(6.0) * omega1_2 * omega2 + Scalar(2.0) * omega1 * omega2_2
-      - Scalar(2.0) * omega2_3)) / denominator;
-  // by omega2
-  gradient[1] = (-lump * (Scalar(2.0) * omega1_3 + Scalar(2.0) * omega1_2 * omega2
-      - Scalar(6.0) * omega1 * omega2_2 - Scalar(4.0) * omega2_3)) / denominator;
-  gradient[2] = (e1) / denominator;  // by a1
-  gradient[12] = (a1) / denominator;  // by e1
-}
-
-/// gradient[p] = d harmonic_re_x_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 24 operations.
-template <class Scalar>
-void lump_gradient_27(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar denominator = Scalar(4.0) * omega1_2 * omega2_3 + Scalar(4.0) * omega1 * omega2_4 + omega2_5;
-  // by omega1
-  gradient[0] = (-Scalar(2.0) * a2_2 - lump * (Scalar(8.0) * omega1 * omega2_3
-      + Scalar(4.0) * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(2.0) * a2_2 - lump * (Scalar(12.0) * omega1_2 * omega2_2
-      + Scalar(16.0) * omega1 * omega2_3 + Scalar(5.0) * omega2_4)) / denominator;
-  gradient[3] = (-Scalar(4.0) * omega1 * a2 - Scalar(4.0) * omega2 * a2) / denominator;  // by a2
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_conjA_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// gradient[p] = d harmonic_re_x_A_y2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
 /// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
 /// them.
 /// 70 operations.
 template <class Scalar>
-void lump_gradient_28(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+void lump_gradient_26(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
   const Scalar omega1 = parameters[0];
   const Scalar omega2 = parameters[1];
   const Scalar a1 = parameters[2];
@@ -2862,6 +2814,54 @@ void lump_gradient_28(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
   gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_2) / denominator;  // by a3
   gradient[5] = (a2 * c_1) / denominator;  // by a4
   gradient[8] = (c_3) / denominator;  // by b3
+}
+
+/// gradient[p] = d harmonic_re_x_A_x_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// 24 operations.
+template <class Scalar>
+void lump_gradient_27(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar e1 = parameters[12];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar denominator = Scalar(2.0) * omega1_3 * omega2 + omega1_2 * omega2_2
+      - Scalar(2.0) * omega1 * omega2_3 - omega2_4;
+  // by omega1
+  gradient[0] = (-lump * (Scalar(6.0) * omega1_2 * omega2 + Scalar(2.0) * omega1 * omega2_2
+      - Scalar(2.0) * omega2_3)) / denominator;
+  // by omega2
+  gradient[1] = (-lump * (Scalar(2.0) * omega1_3 + Scalar(2.0) * omega1_2 * omega2
+      - Scalar(6.0) * omega1 * omega2_2 - Scalar(4.0) * omega2_3)) / denominator;
+  gradient[2] = (e1) / denominator;  // by a1
+  gradient[12] = (a1) / denominator;  // by e1
+}
+
+/// gradient[p] = d harmonic_re_x_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// 24 operations.
+template <class Scalar>
+void lump_gradient_28(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar omega2_5 = omega2_4 * omega2;
+  const Scalar a2_2 = a2 * a2;
+  const Scalar denominator = Scalar(4.0) * omega1_2 * omega2_3 + Scalar(4.0) * omega1 * omega2_4 + omega2_5;
+  // by omega1
+  gradient[0] = (-Scalar(2.0) * a2_2 - lump * (Scalar(8.0) * omega1 * omega2_3
+      + Scalar(4.0) * omega2_4)) / denominator;
+  // by omega2
+  gradient[1] = (-Scalar(2.0) * a2_2 - lump * (Scalar(12.0) * omega1_2 * omega2_2
+      + Scalar(16.0) * omega1 * omega2_3 + Scalar(5.0) * omega2_4)) / denominator;
+  gradient[3] = (-Scalar(4.0) * omega1 * a2 - Scalar(4.0) * omega2 * a2) / denominator;  // by a2
 }
 
 /// gradient[p] = d harmonic_re_x_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
@@ -2971,60 +2971,10 @@ void lump_gradient_30(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
   gradient[8] = (c_4) / denominator;  // by b3
 }
 
-/// gradient[p] = d harmonic_re_y_A_y_conjA_x2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 51 operations.
-template <class Scalar>
-void lump_gradient_32(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a3 = parameters[4];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(12.0) * omega1_5 - Scalar(36.0) * omega1_4 * omega2
-      + Scalar(24.0) * omega1_3 * omega2_2;
-  // by omega1
-  gradient[0] = (Scalar(9.0) * omega1_2 * b3 - Scalar(12.0) * omega1 * omega2 * b3 + Scalar(2.0) * a1 * a3
-      + Scalar(12.0) * a3_2 - lump * (Scalar(60.0) * omega1_4 - Scalar(144.0) * omega1_3 * omega2
-      + Scalar(72.0) * omega1_2 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(6.0) * omega1_2 * b3 - Scalar(4.0) * a1 * a3 - lump * (-Scalar(36.0) * omega1_4
-      + Scalar(48.0) * omega1_3 * omega2)) / denominator;
-  gradient[2] = (Scalar(2.0) * omega1 * a3 - Scalar(4.0) * omega2 * a3) / denominator;  // by a1
-  // by a3
-  gradient[4] = (Scalar(2.0) * omega1 * a1 + Scalar(24.0) * omega1 * a3
-      - Scalar(4.0) * omega2 * a1) / denominator;
-  gradient[8] = (Scalar(3.0) * omega1_3 - Scalar(6.0) * omega1_2 * omega2) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_re_y_conjA_y_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 8 operations.
-template <class Scalar>
-void lump_gradient_33(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar e1 = parameters[12];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = omega1_2 * omega2_2 - omega2_4;
-  gradient[0] = (-lump * (Scalar(2.0) * omega1 * omega2_2)) / denominator;  // by omega1
-  gradient[1] = (-lump * (Scalar(2.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3)) / denominator;  // by omega2
-  gradient[4] = (-e1) / denominator;  // by a3
-  gradient[12] = (-a3) / denominator;  // by e1
-}
-
-/// gradient[p] = d harmonic_im_y_A_x_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// gradient[p] = d harmonic_im_y_A_y_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
 /// 31 operations.
 template <class Scalar>
-void lump_gradient_37(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+void lump_gradient_31(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
   const Scalar omega1 = parameters[0];
   const Scalar omega2 = parameters[1];
   const Scalar a3 = parameters[4];
@@ -3035,79 +2985,13 @@ void lump_gradient_37(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar denominator = omega1_4 - Scalar(4.0) * omega1_3 * omega2 + Scalar(4.0) * omega1_2 * omega2_2;
   // by omega1
-  gradient[0] = (-Scalar(4.0) * a3 * mu1 - lump * (Scalar(4.0) * omega1_3 - Scalar(12.0) * omega1_2 * omega2
+  gradient[0] = (Scalar(4.0) * a3 * mu1 - lump * (Scalar(4.0) * omega1_3 - Scalar(12.0) * omega1_2 * omega2
       + Scalar(8.0) * omega1 * omega2_2)) / denominator;
   // by omega2
-  gradient[1] = (Scalar(4.0) * a3 * mu1 - lump * (-Scalar(4.0) * omega1_3
+  gradient[1] = (-Scalar(4.0) * a3 * mu1 - lump * (-Scalar(4.0) * omega1_3
       + Scalar(8.0) * omega1_2 * omega2)) / denominator;
-  gradient[4] = (-Scalar(4.0) * omega1 * mu1 + Scalar(4.0) * omega2 * mu1) / denominator;  // by a3
-  gradient[11] = (-Scalar(4.0) * omega1 * a3 + Scalar(4.0) * omega2 * a3) / denominator;  // by mu1
-}
-
-/// gradient[p] = d harmonic_re_y_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 15 operations.
-template <class Scalar>
-void lump_gradient_38(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar denominator = Scalar(27.0) * omega1_4 - Scalar(3.0) * omega1_2 * omega2_2;
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1 * b2 - lump * (Scalar(108.0) * omega1_3
-      - Scalar(6.0) * omega1 * omega2_2)) / denominator;
-  gradient[1] = (-lump * (-Scalar(6.0) * omega1_2 * omega2)) / denominator;  // by omega2
-  gradient[2] = (Scalar(2.0) * a2) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a1) / denominator;  // by a2
-  gradient[7] = (Scalar(3.0) * omega1_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_conjA_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 110 operations.
-template <class Scalar>
-void lump_gradient_39(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(3.0) * omega1_5 * omega2_2 - Scalar(12.0) * omega1_4 * omega2_3
-      - Scalar(3.0) * omega1_3 * omega2_4 + Scalar(48.0) * omega1_2 * omega2_5 - Scalar(36.0) * omega1 * omega2_6;
-  // by omega1
-  gradient[0] = (Scalar(27.0) * omega1_2 * omega2_2 * b4 + Scalar(6.0) * omega1_2 * a3 * a4
-      - Scalar(36.0) * omega2_4 * b4 - Scalar(6.0) * omega2_2 * a2 * a3 + Scalar(4.0) * omega2_2 * a3 * a4
-      - lump * (Scalar(15.0) * omega1_4 * omega2_2 - Scalar(48.0) * omega1_3 * omega2_3
-      - Scalar(9.0) * omega1_2 * omega2_4 + Scalar(96.0) * omega1 * omega2_5
-      - Scalar(36.0) * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(18.0) * omega1_3 * omega2 * b4 - Scalar(144.0) * omega1 * omega2_3 * b4
-      - Scalar(12.0) * omega1 * omega2 * a2 * a3 + Scalar(8.0) * omega1 * omega2 * a3 * a4
-      + Scalar(72.0) * omega2_2 * a3 * a4 - lump * (Scalar(6.0) * omega1_5 * omega2
-      - Scalar(36.0) * omega1_4 * omega2_2 - Scalar(12.0) * omega1_3 * omega2_3
-      + Scalar(240.0) * omega1_2 * omega2_4 - Scalar(216.0) * omega1 * omega2_5)) / denominator;
-  gradient[3] = (-Scalar(6.0) * omega1 * omega2_2 * a3) / denominator;  // by a2
-  // by a3
-  gradient[4] = (Scalar(2.0) * omega1_3 * a4 - Scalar(6.0) * omega1 * omega2_2 * a2
-      + Scalar(4.0) * omega1 * omega2_2 * a4 + Scalar(24.0) * omega2_3 * a4) / denominator;
-  // by a4
-  gradient[5] = (Scalar(2.0) * omega1_3 * a3 + Scalar(4.0) * omega1 * omega2_2 * a3
-      + Scalar(24.0) * omega2_3 * a3) / denominator;
-  gradient[9] = (Scalar(9.0) * omega1_3 * omega2_2 - Scalar(36.0) * omega1 * omega2_4) / denominator;  // by b4
+  gradient[4] = (Scalar(4.0) * omega1 * mu1 - Scalar(4.0) * omega2 * mu1) / denominator;  // by a3
+  gradient[11] = (Scalar(4.0) * omega1 * a3 - Scalar(4.0) * omega2 * a3) / denominator;  // by mu1
 }
 
 /// gradient[p] = d harmonic_re_y_A_x_A_y_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
@@ -3115,7 +2999,7 @@ void lump_gradient_39(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
 /// them.
 /// 139 operations.
 template <class Scalar>
-void lump_gradient_40(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+void lump_gradient_32(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
   const Scalar omega1 = parameters[0];
   const Scalar omega2 = parameters[1];
   const Scalar a2 = parameters[3];
@@ -3181,7 +3065,7 @@ void lump_gradient_40(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
 /// gradient[p] = d harmonic_re_y_A_x2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
 /// 40 operations.
 template <class Scalar>
-void lump_gradient_41(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+void lump_gradient_33(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
   const Scalar omega1 = parameters[0];
   const Scalar omega2 = parameters[1];
   const Scalar a1 = parameters[2];
@@ -3205,6 +3089,122 @@ void lump_gradient_41(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
   gradient[3] = (-Scalar(12.0) * omega1_2 * a3 - Scalar(10.0) * omega2_2 * a1) / denominator;  // by a2
   gradient[4] = (-Scalar(12.0) * omega1_2 * a2) / denominator;  // by a3
   gradient[7] = (Scalar(9.0) * omega1_2 * omega2_2) / denominator;  // by b2
+}
+
+/// gradient[p] = d harmonic_re_y_A_y_conjA_x2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// 51 operations.
+template <class Scalar>
+void lump_gradient_35(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a3 = parameters[4];
+  const Scalar b3 = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega1_5 = omega1_4 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar denominator = Scalar(12.0) * omega1_5 - Scalar(36.0) * omega1_4 * omega2
+      + Scalar(24.0) * omega1_3 * omega2_2;
+  // by omega1
+  gradient[0] = (Scalar(9.0) * omega1_2 * b3 - Scalar(12.0) * omega1 * omega2 * b3 + Scalar(2.0) * a1 * a3
+      + Scalar(12.0) * a3_2 - lump * (Scalar(60.0) * omega1_4 - Scalar(144.0) * omega1_3 * omega2
+      + Scalar(72.0) * omega1_2 * omega2_2)) / denominator;
+  // by omega2
+  gradient[1] = (-Scalar(6.0) * omega1_2 * b3 - Scalar(4.0) * a1 * a3 - lump * (-Scalar(36.0) * omega1_4
+      + Scalar(48.0) * omega1_3 * omega2)) / denominator;
+  gradient[2] = (Scalar(2.0) * omega1 * a3 - Scalar(4.0) * omega2 * a3) / denominator;  // by a1
+  // by a3
+  gradient[4] = (Scalar(2.0) * omega1 * a1 + Scalar(24.0) * omega1 * a3
+      - Scalar(4.0) * omega2 * a1) / denominator;
+  gradient[8] = (Scalar(3.0) * omega1_3 - Scalar(6.0) * omega1_2 * omega2) / denominator;  // by b3
+}
+
+/// gradient[p] = d harmonic_re_y_conjA_y_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// 8 operations.
+template <class Scalar>
+void lump_gradient_36(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a3 = parameters[4];
+  const Scalar e1 = parameters[12];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar denominator = omega1_2 * omega2_2 - omega2_4;
+  gradient[0] = (-lump * (Scalar(2.0) * omega1 * omega2_2)) / denominator;  // by omega1
+  gradient[1] = (-lump * (Scalar(2.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3)) / denominator;  // by omega2
+  gradient[4] = (-e1) / denominator;  // by a3
+  gradient[12] = (-a3) / denominator;  // by e1
+}
+
+/// gradient[p] = d harmonic_re_y_A_y2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// 110 operations.
+template <class Scalar>
+void lump_gradient_40(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega1_5 = omega1_4 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar omega2_5 = omega2_4 * omega2;
+  const Scalar omega2_6 = omega2_5 * omega2;
+  const Scalar denominator = Scalar(3.0) * omega1_5 * omega2_2 - Scalar(12.0) * omega1_4 * omega2_3
+      - Scalar(3.0) * omega1_3 * omega2_4 + Scalar(48.0) * omega1_2 * omega2_5 - Scalar(36.0) * omega1 * omega2_6;
+  // by omega1
+  gradient[0] = (Scalar(27.0) * omega1_2 * omega2_2 * b4 + Scalar(6.0) * omega1_2 * a3 * a4
+      - Scalar(36.0) * omega2_4 * b4 - Scalar(6.0) * omega2_2 * a2 * a3 + Scalar(4.0) * omega2_2 * a3 * a4
+      - lump * (Scalar(15.0) * omega1_4 * omega2_2 - Scalar(48.0) * omega1_3 * omega2_3
+      - Scalar(9.0) * omega1_2 * omega2_4 + Scalar(96.0) * omega1 * omega2_5
+      - Scalar(36.0) * omega2_6)) / denominator;
+  // by omega2
+  gradient[1] = (Scalar(18.0) * omega1_3 * omega2 * b4 - Scalar(144.0) * omega1 * omega2_3 * b4
+      - Scalar(12.0) * omega1 * omega2 * a2 * a3 + Scalar(8.0) * omega1 * omega2 * a3 * a4
+      + Scalar(72.0) * omega2_2 * a3 * a4 - lump * (Scalar(6.0) * omega1_5 * omega2
+      - Scalar(36.0) * omega1_4 * omega2_2 - Scalar(12.0) * omega1_3 * omega2_3
+      + Scalar(240.0) * omega1_2 * omega2_4 - Scalar(216.0) * omega1 * omega2_5)) / denominator;
+  gradient[3] = (-Scalar(6.0) * omega1 * omega2_2 * a3) / denominator;  // by a2
+  // by a3
+  gradient[4] = (Scalar(2.0) * omega1_3 * a4 - Scalar(6.0) * omega1 * omega2_2 * a2
+      + Scalar(4.0) * omega1 * omega2_2 * a4 + Scalar(24.0) * omega2_3 * a4) / denominator;
+  // by a4
+  gradient[5] = (Scalar(2.0) * omega1_3 * a3 + Scalar(4.0) * omega1 * omega2_2 * a3
+      + Scalar(24.0) * omega2_3 * a3) / denominator;
+  gradient[9] = (Scalar(9.0) * omega1_3 * omega2_2 - Scalar(36.0) * omega1 * omega2_4) / denominator;  // by b4
+}
+
+/// gradient[p] = d harmonic_re_y_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// 15 operations.
+template <class Scalar>
+void lump_gradient_41(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar denominator = Scalar(27.0) * omega1_4 - Scalar(3.0) * omega1_2 * omega2_2;
+  // by omega1
+  gradient[0] = (Scalar(6.0) * omega1 * b2 - lump * (Scalar(108.0) * omega1_3
+      - Scalar(6.0) * omega1 * omega2_2)) / denominator;
+  gradient[1] = (-lump * (-Scalar(6.0) * omega1_2 * omega2)) / denominator;  // by omega2
+  gradient[2] = (Scalar(2.0) * a2) / denominator;  // by a1
+  gradient[3] = (Scalar(2.0) * a1) / denominator;  // by a2
+  gradient[7] = (Scalar(3.0) * omega1_2) / denominator;  // by b2
 }
 
 /// gradient[p] = d harmonic_re_y_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
@@ -3374,28 +3374,28 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   lump_gradient_23(parameters, lumps[23], jacobian + 345);  // d harmonic_re_x_A_x2_A_y
   lump_gradient_24(parameters, lumps[24], jacobian + 360);  // d harmonic_im_x_A_y2
   lump_gradient_25(parameters, lumps[25], jacobian + 375);  // d harmonic_re_x_A_y_F
-  lump_gradient_26(parameters, lumps[26], jacobian + 390);  // d harmonic_re_x_A_x_F
-  lump_gradient_27(parameters, lumps[27], jacobian + 405);  // d harmonic_re_x_A_x3
-  lump_gradient_28(parameters, lumps[28], jacobian + 420);  // d harmonic_re_x_A_x_conjA_y2
+  lump_gradient_26(parameters, lumps[26], jacobian + 390);  // d harmonic_re_x_A_y2_conjA_x
+  lump_gradient_27(parameters, lumps[27], jacobian + 405);  // d harmonic_re_x_A_x_F
+  lump_gradient_28(parameters, lumps[28], jacobian + 420);  // d harmonic_re_x_A_x3
   lump_gradient_29(parameters, lumps[29], jacobian + 435);  // d harmonic_re_x_A_y3
   lump_gradient_30(parameters, lumps[30], jacobian + 450);  // d harmonic_re_x_A_x_A_y2
-  jacobian[470] = Scalar(1.0);  // d a4 / d a4
-  lump_gradient_32(parameters, lumps[32], jacobian + 480);  // d harmonic_re_y_A_y_conjA_x2
-  lump_gradient_33(parameters, lumps[33], jacobian + 495);  // d harmonic_re_y_conjA_y_F
-  jacobian[511] = Scalar(16.0) * a2 * a4 / (Scalar(9.0) * omega2_5);  // d harmonic_re_y_A_x2_A_y / d omega2
-  jacobian[513] = -Scalar(4.0) * a4 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_x2_A_y / d a2
-  jacobian[515] = -Scalar(4.0) * a2 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_x2_A_y / d a4
-  jacobian[526] = Scalar(4.0) * a4 * mu2 / (Scalar(3.0) * omega2_4);  // d harmonic_im_y_A_y2 / d omega2
-  jacobian[530] = -Scalar(4.0) * mu2 / (Scalar(9.0) * omega2_3);  // d harmonic_im_y_A_y2 / d a4
-  jacobian[538] = -Scalar(4.0) * a4 / (Scalar(9.0) * omega2_3);  // d harmonic_im_y_A_y2 / d mu2
-  jacobian[541] = -Scalar(8.0) * a4 * e2 / (Scalar(9.0) * omega2_5);  // d harmonic_re_y_A_y_F / d omega2
-  jacobian[545] = Scalar(2.0) * e2 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_y_F / d a4
-  jacobian[554] = Scalar(2.0) * a4 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_y_F / d e2
-  lump_gradient_37(parameters, lumps[37], jacobian + 555);  // d harmonic_im_y_A_x_conjA_y
-  lump_gradient_38(parameters, lumps[38], jacobian + 570);  // d harmonic_re_y_A_x3
-  lump_gradient_39(parameters, lumps[39], jacobian + 585);  // d harmonic_re_y_A_x_conjA_y2
-  lump_gradient_40(parameters, lumps[40], jacobian + 600);  // d harmonic_re_y_A_x_A_y_conjA_y
-  lump_gradient_41(parameters, lumps[41], jacobian + 615);  // d harmonic_re_y_A_x2_conjA_x
+  lump_gradient_31(parameters, lumps[31], jacobian + 465);  // d harmonic_im_y_A_y_conjA_x
+  lump_gradient_32(parameters, lumps[32], jacobian + 480);  // d harmonic_re_y_A_x_A_y_conjA_y
+  lump_gradient_33(parameters, lumps[33], jacobian + 495);  // d harmonic_re_y_A_x2_conjA_x
+  jacobian[515] = Scalar(1.0);  // d a4 / d a4
+  lump_gradient_35(parameters, lumps[35], jacobian + 525);  // d harmonic_re_y_A_y_conjA_x2
+  lump_gradient_36(parameters, lumps[36], jacobian + 540);  // d harmonic_re_y_conjA_y_F
+  jacobian[556] = Scalar(16.0) * a2 * a4 / (Scalar(9.0) * omega2_5);  // d harmonic_re_y_A_x2_A_y / d omega2
+  jacobian[558] = -Scalar(4.0) * a4 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_x2_A_y / d a2
+  jacobian[560] = -Scalar(4.0) * a2 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_x2_A_y / d a4
+  jacobian[571] = Scalar(4.0) * a4 * mu2 / (Scalar(3.0) * omega2_4);  // d harmonic_im_y_A_y2 / d omega2
+  jacobian[575] = -Scalar(4.0) * mu2 / (Scalar(9.0) * omega2_3);  // d harmonic_im_y_A_y2 / d a4
+  jacobian[583] = -Scalar(4.0) * a4 / (Scalar(9.0) * omega2_3);  // d harmonic_im_y_A_y2 / d mu2
+  jacobian[586] = -Scalar(8.0) * a4 * e2 / (Scalar(9.0) * omega2_5);  // d harmonic_re_y_A_y_F / d omega2
+  jacobian[590] = Scalar(2.0) * e2 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_y_F / d a4
+  jacobian[599] = Scalar(2.0) * a4 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_y_F / d e2
+  lump_gradient_40(parameters, lumps[40], jacobian + 600);  // d harmonic_re_y_A_y2_conjA_x
+  lump_gradient_41(parameters, lumps[41], jacobian + 615);  // d harmonic_re_y_A_x3
   lump_gradient_42(parameters, lumps[42], jacobian + 630);  // d harmonic_re_y_A_y3
   lump_gradient_43(parameters, lumps[43], jacobian + 645);  // d harmonic_re_y_A_x_A_y2
 }
@@ -3752,7 +3752,7 @@ inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_4(data, FactorSlopes<factors_4<DualNumber>, 2, 1, 6>{mode}, columns);
 }
 
-/// What multiplies the 6 terms of the harmonic omega1+Omega of x: functions of the frequencies alone. 20
+/// What multiplies the 8 terms of the harmonic omega1+Omega of x: functions of the frequencies alone. 22
 /// operations.
 template <class Scalar>
 void factors_5([[maybe_unused]] const Scalar* natural_frequency,
@@ -3771,13 +3771,16 @@ void factors_5([[maybe_unused]] const Scalar* natural_frequency,
   factor[3] = Scalar(1.0);
   factor[4] = Scalar(1.0);
   factor[5] = Scalar(1.0);
+  factor[6] = Scalar(2.0) * omega2 / omega1;
+  factor[7] = Scalar(1.0);
 }
 
 /// Rows of the harmonic omega1+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(omega1 + Omega)*t) in x = (-8*omega1^3 - 8*omega1^2*omega2)/(4*omega1^2*omega2^2 +
 /// 4*omega1*omega2^3 + omega2^4)*i*dissipative_x_A_y_conjA_x*A_x*A_y + 2/(2*omega1*omega2 + omega2^2)*a2*A_x*A_y
-/// + harmonic_re_x_A_x_F*A_x*F + harmonic_re_x_A_x_F*A_x*F + harmonic_re_x_A_x3*A_x^3 + harmonic_re_x_A_x3*A_x^3
-/// 4 columns; per observation at most 24 products and sums of complex numbers.
+/// + harmonic_re_x_A_y2_conjA_x*conj(A_x)*A_y^2 + harmonic_re_x_A_x_F*A_x*F + harmonic_re_x_A_x_F*A_x*F +
+/// harmonic_re_x_A_x3*A_x^3 + 2*omega2/omega1*harmonic_re_x_A_x3*conj(A_x)*A_y^2 + harmonic_re_x_A_x3*A_x^3
+/// 5 columns; per observation at most 35 products and sums of complex numbers.
 template <class Factors>
 void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
@@ -3789,18 +3792,22 @@ void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
   Scalar* __restrict column_1 = columns[1];
   Scalar* __restrict column_2 = columns[2];
   Scalar* __restrict column_3 = columns[3];
-  Scalar factor[6];
+  Scalar* __restrict column_4 = columns[4];
+  Scalar factor[8];
   const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
   factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
     const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
     const Complex A_y = load_complex(amplitude_1, i);
     const Complex F = load_complex(forcing_0, i);
     store_complex(column_0, i, times_i(factor[0] * (A_x * A_y)));  // dissipative_x_A_y_conjA_x
     store_complex(column_1, i, factor[1] * (A_x * A_y));  // a2
-    store_complex(column_2, i, factor[2] * (A_x * F) + factor[3] * (A_x * F));  // harmonic_re_x_A_x_F
+    store_complex(column_2, i, factor[2] * (conj_A_x * A_y * A_y));  // harmonic_re_x_A_y2_conjA_x
+    store_complex(column_3, i, factor[3] * (A_x * F) + factor[4] * (A_x * F));  // harmonic_re_x_A_x_F
     // harmonic_re_x_A_x3
-    store_complex(column_3, i, factor[4] * (A_x * A_x * A_x) + factor[5] * (A_x * A_x * A_x));
+    store_complex(column_4, i, factor[5] * (A_x * A_x * A_x) + factor[6] * (conj_A_x * A_y * A_y)
+        + factor[7] * (A_x * A_x * A_x));
   }
 }
 
@@ -3812,58 +3819,12 @@ inline void columns_5(const BatchArrays& data, double* const* columns) {
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_5(data, FactorSlopes<factors_5<DualNumber>, 2, 1, 6>{mode}, columns);
-}
-
-/// What multiplies the 2 terms of the harmonic omega1-2*omega2 of x: functions of the frequencies alone. 2
-/// operations.
-template <class Scalar>
-void factors_6([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega2 = natural_frequency[1];
-  factor[0] = Scalar(2.0) * omega2 / omega1;
-  factor[1] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega1-2*omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 - 2*omega2)*t) in x = 2*omega2/omega1*harmonic_re_x_A_x3*A_x*conj(A_y)^2 +
-/// harmonic_re_x_A_x_conjA_y2*A_x*conj(A_y)^2
-/// 2 columns; per observation at most 10 products and sums of complex numbers.
-template <class Factors>
-void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar* __restrict column_1 = columns[1];
-  Scalar factor[2];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    const Complex conj_A_y = conjugate(A_y);
-    store_complex(column_0, i, factor[0] * (A_x * conj_A_y * conj_A_y));  // harmonic_re_x_A_x3
-    store_complex(column_1, i, factor[1] * (A_x * conj_A_y * conj_A_y));  // harmonic_re_x_A_x_conjA_y2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_6(const BatchArrays& data, double* const* columns) {
-  rows_6(data, FactorValues<factors_6<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_6(data, FactorSlopes<factors_6<DualNumber>, 2, 1, 2>{mode}, columns);
+  rows_5(data, FactorSlopes<factors_5<DualNumber>, 2, 1, 8>{mode}, columns);
 }
 
 /// What multiplies the 1 terms of the harmonic 3*omega2 of x: functions of the frequencies alone. 0 operations.
 template <class Scalar>
-void factors_7([[maybe_unused]] const Scalar* natural_frequency,
+void factors_6([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   factor[0] = Scalar(1.0);
 }
@@ -3872,7 +3833,7 @@ void factors_7([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(3*omega2)*t) in x = harmonic_re_x_A_y3*A_y^3
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_1 = data.amplitude[1];
@@ -3887,12 +3848,12 @@ void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_7(const BatchArrays& data, double* const* columns) {
-  rows_7(data, FactorValues<factors_7<double>>{}, columns);
+inline void columns_6(const BatchArrays& data, double* const* columns) {
+  rows_6(data, FactorValues<factors_6<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_7(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
@@ -3901,7 +3862,7 @@ inline void column_slopes_7(const BatchArrays& data, [[maybe_unused]] std::size_
 /// What multiplies the 1 terms of the harmonic omega1+2*omega2 of x: functions of the frequencies alone. 0
 /// operations.
 template <class Scalar>
-void factors_8([[maybe_unused]] const Scalar* natural_frequency,
+void factors_7([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   factor[0] = Scalar(1.0);
 }
@@ -3910,7 +3871,7 @@ void factors_8([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(omega1 + 2*omega2)*t) in x = harmonic_re_x_A_x_A_y2*A_x*A_y^2
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_8(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -3927,6 +3888,92 @@ void rows_8(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
+inline void columns_7(const BatchArrays& data, double* const* columns) {
+  rows_7(data, FactorValues<factors_7<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_7(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
+  for (std::size_t j = 0; j < 1; ++j)
+    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
+}
+
+/// What multiplies the 8 terms of the harmonic omega1 of y: functions of the frequencies alone. 48 operations.
+template <class Scalar>
+void factors_8([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega1 = natural_frequency[0];
+  const Scalar omega2 = natural_frequency[1];
+  const Scalar Omega = excitation_frequency[0];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar Omega_2 = Omega * Omega;
+  const Scalar Omega_3 = Omega_2 * Omega;
+  const Scalar Omega_4 = Omega_3 * Omega;
+  factor[0] = Scalar(2.0) / (omega1_2 - Scalar(2.0) * omega1 * omega2);
+  factor[1] = (-omega1_4 + omega1_2 * omega2_2) / (omega1_4 - Scalar(2.0) * omega1_3 * Omega - omega1_2 * omega2_2
+      + Scalar(2.0) * omega1 * Omega_3 + omega2_2 * Omega_2 - Omega_4);
+  factor[2] = (omega1_3 + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3) / omega1_3;
+  factor[3] = (-omega1_3 - Scalar(3.0) * omega1_2 * omega2
+      + Scalar(4.0) * omega2_3) / (Scalar(2.0) * omega1_2 * omega2);
+  factor[4] = (-omega1_3 - Scalar(3.0) * omega1_2 * omega2
+      + Scalar(4.0) * omega2_3) / (Scalar(2.0) * omega1_2 * omega2);
+  factor[5] = Scalar(1.0);
+  factor[6] = Scalar(1.0);
+  factor[7] = Scalar(1.0);
+}
+
+/// Rows of the harmonic omega1 of y: target = sum of columns[j][i] * lump_j, with the factors above.
+/// amplitude of exp(i*(omega1)*t) in y = 2/(omega1^2 - 2*omega1*omega2)*a3*conj(A_x)*A_y + (-omega1^4 +
+/// omega1^2*omega2^2)/(omega1^4 - 2*omega1^3*Omega - omega1^2*omega2^2 + 2*omega1*Omega^3 + omega2^2*Omega^2 -
+/// Omega^4)*harmonic_re_x_conjA_y_F*conj(A_x)*F + (omega1^3 + 3*omega1^2*omega2 -
+/// 4*omega2^3)/omega1^3*harmonic_re_x_A_x2_A_y*A_x*A_y*conj(A_y) + (-omega1^3 - 3*omega1^2*omega2 +
+/// 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_x2_A_y*A_x^2*conj(A_x) + (-omega1^3 - 3*omega1^2*omega2 +
+/// 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_y_F*conj(A_x)*F + i*harmonic_im_y_A_y_conjA_x*conj(A_x)*A_y +
+/// harmonic_re_y_A_x_A_y_conjA_y*A_x*A_y*conj(A_y) + harmonic_re_y_A_x2_conjA_x*A_x^2*conj(A_x)
+/// 7 columns; per observation at most 25 products and sums of complex numbers.
+template <class Factors>
+void rows_8(const BatchArrays& data, Factors factors, double* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict amplitude_1 = data.amplitude[1];
+  const Scalar* __restrict forcing_0 = data.forcing[0];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
+  Scalar* __restrict column_3 = columns[3];
+  Scalar* __restrict column_4 = columns[4];
+  Scalar* __restrict column_5 = columns[5];
+  Scalar* __restrict column_6 = columns[6];
+  Scalar factor[8];
+  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
+  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Scalar excitation_frequency[] = {frequency_0[i]};
+    factors(natural_frequency, excitation_frequency, factor);
+    const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
+    const Scalar norm_A_x = norm_of(A_x);
+    const Complex A_y = load_complex(amplitude_1, i);
+    const Scalar norm_A_y = norm_of(A_y);
+    const Complex F = load_complex(forcing_0, i);
+    store_complex(column_0, i, factor[0] * (conj_A_x * A_y));  // a3
+    store_complex(column_1, i, factor[1] * (conj_A_x * F));  // harmonic_re_x_conjA_y_F
+    // harmonic_re_x_A_x2_A_y
+    store_complex(column_2, i, factor[2] * (A_x * norm_A_y) + factor[3] * (norm_A_x * A_x));
+    store_complex(column_3, i, factor[4] * (conj_A_x * F));  // harmonic_re_x_A_y_F
+    store_complex(column_4, i, times_i(factor[5] * (conj_A_x * A_y)));  // harmonic_im_y_A_y_conjA_x
+    store_complex(column_5, i, factor[6] * (A_x * norm_A_y));  // harmonic_re_y_A_x_A_y_conjA_y
+    store_complex(column_6, i, factor[7] * (norm_A_x * A_x));  // harmonic_re_y_A_x2_conjA_x
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_8(const BatchArrays& data, double* const* columns) {
   rows_8(data, FactorValues<factors_8<double>>{}, columns);
 }
@@ -3934,8 +3981,7 @@ inline void columns_8(const BatchArrays& data, double* const* columns) {
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_8(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
+  rows_8(data, FactorSlopes<factors_8<DualNumber>, 2, 1, 8>{mode}, columns);
 }
 
 /// What multiplies the 6 terms of the harmonic 0 of y: functions of the frequencies alone. 3 operations.
@@ -4071,80 +4117,10 @@ inline void column_slopes_10(const BatchArrays& data, [[maybe_unused]] std::size
   rows_10(data, FactorSlopes<factors_10<DualNumber>, 2, 1, 6>{mode}, columns);
 }
 
-/// What multiplies the 4 terms of the harmonic omega1-Omega of y: functions of the frequencies alone. 34
+/// What multiplies the 8 terms of the harmonic omega1+Omega of y: functions of the frequencies alone. 59
 /// operations.
 template <class Scalar>
 void factors_11([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar Omega = excitation_frequency[0];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  factor[0] = Scalar(2.0) / (omega1_2 - Scalar(2.0) * omega1 * omega2);
-  factor[1] = (-omega1_4 + omega1_2 * omega2_2) / (omega1_4 - Scalar(2.0) * omega1_3 * Omega - omega1_2 * omega2_2
-      + Scalar(2.0) * omega1 * Omega_3 + omega2_2 * Omega_2 - Omega_4);
-  factor[2] = (-omega1_3 - Scalar(3.0) * omega1_2 * omega2
-      + Scalar(4.0) * omega2_3) / (Scalar(2.0) * omega1_2 * omega2);
-  factor[3] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega1-Omega of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 - Omega)*t) in y = 2/(omega1^2 - 2*omega1*omega2)*a3*A_x*conj(A_y) + (-omega1^4 +
-/// omega1^2*omega2^2)/(omega1^4 - 2*omega1^3*Omega - omega1^2*omega2^2 + 2*omega1*Omega^3 + omega2^2*Omega^2 -
-/// Omega^4)*harmonic_re_x_conjA_y_F*A_x*F + (-omega1^3 - 3*omega1^2*omega2 +
-/// 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_y_F*A_x*F + i*harmonic_im_y_A_x_conjA_y*A_x*conj(A_y)
-/// 4 columns; per observation at most 12 products and sums of complex numbers.
-template <class Factors>
-void rows_11(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  const Scalar* __restrict forcing_0 = data.forcing[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar* __restrict column_1 = columns[1];
-  Scalar* __restrict column_2 = columns[2];
-  Scalar* __restrict column_3 = columns[3];
-  Scalar factor[4];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Scalar excitation_frequency[] = {frequency_0[i]};
-    factors(natural_frequency, excitation_frequency, factor);
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    const Complex conj_A_y = conjugate(A_y);
-    const Complex F = load_complex(forcing_0, i);
-    const Complex conj_F = conjugate(F);
-    store_complex(column_0, i, factor[0] * (A_x * conj_A_y));  // a3
-    store_complex(column_1, i, factor[1] * (A_x * conj_F));  // harmonic_re_x_conjA_y_F
-    store_complex(column_2, i, factor[2] * (A_x * conj_F));  // harmonic_re_x_A_y_F
-    store_complex(column_3, i, times_i(factor[3] * (A_x * conj_A_y)));  // harmonic_im_y_A_x_conjA_y
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_11(const BatchArrays& data, double* const* columns) {
-  rows_11(data, FactorValues<factors_11<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_11(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_11(data, FactorSlopes<factors_11<DualNumber>, 2, 1, 4>{mode}, columns);
-}
-
-/// What multiplies the 6 terms of the harmonic omega1+Omega of y: functions of the frequencies alone. 53
-/// operations.
-template <class Scalar>
-void factors_12([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
@@ -4162,11 +4138,13 @@ void factors_12([[maybe_unused]] const Scalar* natural_frequency,
       - Scalar(2.0) * omega1 * Omega_3 + omega2_2 * Omega_2 - Omega_4);
   factor[2] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2
       + Scalar(4.0) * omega2_3) / (Scalar(2.0) * omega1_2 * omega2);
-  factor[3] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2
+  factor[3] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2 + Scalar(4.0) * omega2_3) / omega1_3;
+  factor[4] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2
       + Scalar(4.0) * omega2_3) / (Scalar(2.0) * omega1_2 * omega2);
-  factor[4] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2 + Scalar(4.0) * omega2_3) / (omega1_3
+  factor[5] = (-omega1_3 + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3) / (omega1_3
       + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3);
-  factor[5] = Scalar(1.0);
+  factor[6] = Scalar(1.0);
+  factor[7] = Scalar(1.0);
 }
 
 /// Rows of the harmonic omega1+Omega of y: target = sum of columns[j][i] * lump_j, with the factors above.
@@ -4174,12 +4152,13 @@ void factors_12([[maybe_unused]] const Scalar* natural_frequency,
 /// omega1^2*omega2^2)/(omega1^4 + 2*omega1^3*Omega - omega1^2*omega2^2 - 2*omega1*Omega^3 + omega2^2*Omega^2 -
 /// Omega^4)*harmonic_re_x_conjA_y_F*A_x*F + (omega1^3 - 3*omega1^2*omega2 +
 /// 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_x2_A_y*A_x^3 + (omega1^3 - 3*omega1^2*omega2 +
-/// 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_y_F*A_x*F + (omega1^3 - 3*omega1^2*omega2 +
-/// 4*omega2^3)/(omega1^3 + 3*omega1^2*omega2 - 4*omega2^3)*i*harmonic_im_y_A_x_conjA_y*A_x*A_y +
-/// harmonic_re_y_A_x3*A_x^3
-/// 6 columns; per observation at most 22 products and sums of complex numbers.
+/// 4*omega2^3)/omega1^3*harmonic_re_x_A_x2_A_y*conj(A_x)*A_y^2 + (omega1^3 - 3*omega1^2*omega2 +
+/// 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_y_F*A_x*F + (-omega1^3 + 3*omega1^2*omega2 -
+/// 4*omega2^3)/(omega1^3 + 3*omega1^2*omega2 - 4*omega2^3)*i*harmonic_im_y_A_y_conjA_x*A_x*A_y +
+/// harmonic_re_y_A_y2_conjA_x*conj(A_x)*A_y^2 + harmonic_re_y_A_x3*A_x^3
+/// 7 columns; per observation at most 33 products and sums of complex numbers.
 template <class Factors>
-void rows_12(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_11(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -4191,146 +4170,42 @@ void rows_12(const BatchArrays& data, Factors factors, double* const* columns) {
   Scalar* __restrict column_3 = columns[3];
   Scalar* __restrict column_4 = columns[4];
   Scalar* __restrict column_5 = columns[5];
-  Scalar factor[6];
+  Scalar* __restrict column_6 = columns[6];
+  Scalar factor[8];
   const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
   const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
   for (std::size_t i = 0; i < data.count; ++i) {
     const Scalar excitation_frequency[] = {frequency_0[i]};
     factors(natural_frequency, excitation_frequency, factor);
     const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
     const Complex A_y = load_complex(amplitude_1, i);
     const Complex F = load_complex(forcing_0, i);
     store_complex(column_0, i, factor[0] * (A_x * A_y));  // a3
     store_complex(column_1, i, factor[1] * (A_x * F));  // harmonic_re_x_conjA_y_F
-    store_complex(column_2, i, factor[2] * (A_x * A_x * A_x));  // harmonic_re_x_A_x2_A_y
-    store_complex(column_3, i, factor[3] * (A_x * F));  // harmonic_re_x_A_y_F
-    store_complex(column_4, i, times_i(factor[4] * (A_x * A_y)));  // harmonic_im_y_A_x_conjA_y
-    store_complex(column_5, i, factor[5] * (A_x * A_x * A_x));  // harmonic_re_y_A_x3
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_12(const BatchArrays& data, double* const* columns) {
-  rows_12(data, FactorValues<factors_12<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_12(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_12(data, FactorSlopes<factors_12<DualNumber>, 2, 1, 6>{mode}, columns);
-}
-
-/// What multiplies the 2 terms of the harmonic omega1-2*omega2 of y: functions of the frequencies alone. 10
-/// operations.
-template <class Scalar>
-void factors_13([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  factor[0] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2 + Scalar(4.0) * omega2_3) / omega1_3;
-  factor[1] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega1-2*omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 - 2*omega2)*t) in y = (omega1^3 - 3*omega1^2*omega2 +
-/// 4*omega2^3)/omega1^3*harmonic_re_x_A_x2_A_y*A_x*conj(A_y)^2 + harmonic_re_y_A_x_conjA_y2*A_x*conj(A_y)^2
-/// 2 columns; per observation at most 10 products and sums of complex numbers.
-template <class Factors>
-void rows_13(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar* __restrict column_1 = columns[1];
-  Scalar factor[2];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    const Complex conj_A_y = conjugate(A_y);
-    store_complex(column_0, i, factor[0] * (A_x * conj_A_y * conj_A_y));  // harmonic_re_x_A_x2_A_y
-    store_complex(column_1, i, factor[1] * (A_x * conj_A_y * conj_A_y));  // harmonic_re_y_A_x_conjA_y2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_13(const BatchArrays& data, double* const* columns) {
-  rows_13(data, FactorValues<factors_13<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_13(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_13(data, FactorSlopes<factors_13<DualNumber>, 2, 1, 2>{mode}, columns);
-}
-
-/// What multiplies the 4 terms of the harmonic omega1 of y: functions of the frequencies alone. 18 operations.
-template <class Scalar>
-void factors_14([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  factor[0] = (omega1_3 + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3) / omega1_3;
-  factor[1] = (-omega1_3 - Scalar(3.0) * omega1_2 * omega2
-      + Scalar(4.0) * omega2_3) / (Scalar(2.0) * omega1_2 * omega2);
-  factor[2] = Scalar(1.0);
-  factor[3] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega1 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1)*t) in y = (omega1^3 + 3*omega1^2*omega2 -
-/// 4*omega2^3)/omega1^3*harmonic_re_x_A_x2_A_y*A_x*A_y*conj(A_y) + (-omega1^3 - 3*omega1^2*omega2 +
-/// 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_x2_A_y*A_x^2*conj(A_x) +
-/// harmonic_re_y_A_x_A_y_conjA_y*A_x*A_y*conj(A_y) + harmonic_re_y_A_x2_conjA_x*A_x^2*conj(A_x)
-/// 3 columns; per observation at most 13 products and sums of complex numbers.
-template <class Factors>
-void rows_14(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar* __restrict column_1 = columns[1];
-  Scalar* __restrict column_2 = columns[2];
-  Scalar factor[4];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Scalar norm_A_x = norm_of(A_x);
-    const Complex A_y = load_complex(amplitude_1, i);
-    const Scalar norm_A_y = norm_of(A_y);
     // harmonic_re_x_A_x2_A_y
-    store_complex(column_0, i, factor[0] * (A_x * norm_A_y) + factor[1] * (norm_A_x * A_x));
-    store_complex(column_1, i, factor[2] * (A_x * norm_A_y));  // harmonic_re_y_A_x_A_y_conjA_y
-    store_complex(column_2, i, factor[3] * (norm_A_x * A_x));  // harmonic_re_y_A_x2_conjA_x
+    store_complex(column_2, i, factor[2] * (A_x * A_x * A_x) + factor[3] * (conj_A_x * A_y * A_y));
+    store_complex(column_3, i, factor[4] * (A_x * F));  // harmonic_re_x_A_y_F
+    store_complex(column_4, i, times_i(factor[5] * (A_x * A_y)));  // harmonic_im_y_A_y_conjA_x
+    store_complex(column_5, i, factor[6] * (conj_A_x * A_y * A_y));  // harmonic_re_y_A_y2_conjA_x
+    store_complex(column_6, i, factor[7] * (A_x * A_x * A_x));  // harmonic_re_y_A_x3
   }
 }
 
 /// columns[j][i] of the rows.
-inline void columns_14(const BatchArrays& data, double* const* columns) {
-  rows_14(data, FactorValues<factors_14<double>>{}, columns);
+inline void columns_11(const BatchArrays& data, double* const* columns) {
+  rows_11(data, FactorValues<factors_11<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_14(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_11(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_14(data, FactorSlopes<factors_14<DualNumber>, 2, 1, 4>{mode}, columns);
+  rows_11(data, FactorSlopes<factors_11<DualNumber>, 2, 1, 8>{mode}, columns);
 }
 
 /// What multiplies the 1 terms of the harmonic 3*omega2 of y: functions of the frequencies alone. 0 operations.
 template <class Scalar>
-void factors_15([[maybe_unused]] const Scalar* natural_frequency,
+void factors_12([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   factor[0] = Scalar(1.0);
 }
@@ -4339,7 +4214,7 @@ void factors_15([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(3*omega2)*t) in y = harmonic_re_y_A_y3*A_y^3
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_15(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_12(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_1 = data.amplitude[1];
@@ -4354,12 +4229,12 @@ void rows_15(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_15(const BatchArrays& data, double* const* columns) {
-  rows_15(data, FactorValues<factors_15<double>>{}, columns);
+inline void columns_12(const BatchArrays& data, double* const* columns) {
+  rows_12(data, FactorValues<factors_12<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_15(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_12(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
@@ -4368,7 +4243,7 @@ inline void column_slopes_15(const BatchArrays& data, [[maybe_unused]] std::size
 /// What multiplies the 1 terms of the harmonic omega1+2*omega2 of y: functions of the frequencies alone. 0
 /// operations.
 template <class Scalar>
-void factors_16([[maybe_unused]] const Scalar* natural_frequency,
+void factors_13([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   factor[0] = Scalar(1.0);
 }
@@ -4377,7 +4252,7 @@ void factors_16([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(omega1 + 2*omega2)*t) in y = harmonic_re_y_A_x_A_y2*A_x*A_y^2
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_16(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_13(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -4394,12 +4269,12 @@ void rows_16(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_16(const BatchArrays& data, double* const* columns) {
-  rows_16(data, FactorValues<factors_16<double>>{}, columns);
+inline void columns_13(const BatchArrays& data, double* const* columns) {
+  rows_13(data, FactorValues<factors_13<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_16(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_13(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
@@ -4548,70 +4423,70 @@ namespace one_to_three {
 /// lumps[7]: conservative_y_A_y2_conjA_y = (9*omega1^4*omega2^2*b5 - 10*omega1^4*a4^2 - 36*omega1^2*omega2^4*b5
 /// - 18*omega1^2*omega2^2*a3^2 + 40*omega1^2*omega2^2*a4^2 + 48*omega2^4*a3^2)/(6*omega1^4*omega2^3 -
 /// 24*omega1^2*omega2^5)
-/// lumps[8]: a3 = a3
+/// lumps[8]: a2 = a2
 /// lumps[9]: a1 = a1
-/// lumps[10]: a2 = a2
-/// lumps[11]: harmonic_re_x_A_y2_conjA_y = (-9*omega1^4*omega2^2*b4 + 10*omega1^4*a3*a4 +
-/// 36*omega1^2*omega2^4*b4 + 18*omega1^2*omega2^2*a2*a3 - 40*omega1^2*omega2^2*a3*a4 -
-/// 48*omega2^4*a2*a3)/(3*omega1^6*omega2^2 - 15*omega1^4*omega2^4 + 12*omega1^2*omega2^6)
-/// lumps[12]: harmonic_re_x_A_x_A_y_conjA_x = (-24*omega1^6*omega2^2*b2 + 16*omega1^6*a2*a3 +
-/// 102*omega1^4*omega2^4*b2 + 24*omega1^4*omega2^2*a1*a2 - 100*omega1^4*omega2^2*a2*a3 - 24*omega1^2*omega2^6*b2
-/// - 100*omega1^2*omega2^4*a1*a2 + 24*omega1^2*omega2^4*a2*a3 + 16*omega2^6*a1*a2)/(4*omega1^8*omega2^2 -
-/// 21*omega1^6*omega2^4 + 21*omega1^4*omega2^6 - 4*omega1^2*omega2^8)
-/// lumps[13]: harmonic_re_x_A_x3 = (12*omega1^4*b1 - 3*omega1^2*omega2^2*b1 + 8*omega1^2*a1^2 + 6*omega1^2*a2^2
-/// - 2*omega2^2*a1^2)/(96*omega1^6 - 24*omega1^4*omega2^2)
-/// lumps[14]: harmonic_re_x_A_y3 = (-3*omega1^2*omega2^2*b4 - 2*omega1^2*a3*a4 + 12*omega2^4*b4 +
-/// 6*omega2^2*a2*a3 + 8*omega2^2*a3*a4)/(3*omega1^4*omega2^2 - 39*omega1^2*omega2^4 + 108*omega2^6)
-/// lumps[15]: harmonic_re_x_A_x_conjA_y2 = (-6*omega1^4*omega2^2*b3 - 4*omega1^4*a2*a4 + 3*omega1^3*omega2^3*b3
+/// lumps[10]: a3 = a3
+/// lumps[11]: harmonic_re_x_A_y2_conjA_x = (-6*omega1^4*omega2^2*b3 - 4*omega1^4*a2*a4 + 3*omega1^3*omega2^3*b3
 /// + 12*omega1^3*omega2*a2^2 + 2*omega1^3*omega2*a2*a4 + 24*omega1^2*omega2^4*b3 + 12*omega1^2*omega2^2*a1*a3 +
 /// 16*omega1^2*omega2^2*a2*a4 - 24*omega1^2*omega2^2*a3^2 - 12*omega1*omega2^5*b3 - 6*omega1*omega2^3*a1*a3 -
 /// 48*omega1*omega2^3*a2^2 - 8*omega1*omega2^3*a2*a4 - 36*omega1*omega2^3*a3^2 +
 /// 24*omega2^4*a3^2)/(24*omega1^5*omega2^3 - 36*omega1^4*omega2^4 - 84*omega1^3*omega2^5 + 144*omega1^2*omega2^6
 /// - 48*omega1*omega2^7)
-/// lumps[16]: harmonic_re_x_A_x_A_y2 = (6*omega1^4*omega2^2*b3 + 4*omega1^4*a2*a4 + 3*omega1^3*omega2^3*b3 +
+/// lumps[12]: harmonic_re_x_A_x2_A_y = (36*omega1^5*omega2*b2 + 72*omega1^4*omega2^2*b2 + 24*omega1^4*a1*a2 -
+/// 9*omega1^3*omega2^3*b2 + 44*omega1^3*omega2*a1*a2 + 54*omega1^3*omega2*a2*a3 - 18*omega1^2*omega2^4*b2 -
+/// 8*omega1^2*omega2^2*a1*a2 + 12*omega1^2*omega2^2*a2*a3 - 2*omega1*omega2^3*a1*a2 - 12*omega1*omega2^3*a2*a3 -
+/// 4*omega2^4*a1*a2)/(36*omega1^7*omega2 + 120*omega1^6*omega2^2 + 99*omega1^5*omega2^3 - 6*omega1^4*omega2^4 -
+/// 27*omega1^3*omega2^5 - 6*omega1^2*omega2^6)
+/// lumps[13]: harmonic_re_x_A_y2_conjA_y = (-9*omega1^4*omega2^2*b4 + 10*omega1^4*a3*a4 +
+/// 36*omega1^2*omega2^4*b4 + 18*omega1^2*omega2^2*a2*a3 - 40*omega1^2*omega2^2*a3*a4 -
+/// 48*omega2^4*a2*a3)/(3*omega1^6*omega2^2 - 15*omega1^4*omega2^4 + 12*omega1^2*omega2^6)
+/// lumps[14]: harmonic_re_x_A_x_A_y_conjA_x = (-24*omega1^6*omega2^2*b2 + 16*omega1^6*a2*a3 +
+/// 102*omega1^4*omega2^4*b2 + 24*omega1^4*omega2^2*a1*a2 - 100*omega1^4*omega2^2*a2*a3 - 24*omega1^2*omega2^6*b2
+/// - 100*omega1^2*omega2^4*a1*a2 + 24*omega1^2*omega2^4*a2*a3 + 16*omega2^6*a1*a2)/(4*omega1^8*omega2^2 -
+/// 21*omega1^6*omega2^4 + 21*omega1^4*omega2^6 - 4*omega1^2*omega2^8)
+/// lumps[15]: harmonic_re_x_A_x3 = (12*omega1^4*b1 - 3*omega1^2*omega2^2*b1 + 8*omega1^2*a1^2 + 6*omega1^2*a2^2
+/// - 2*omega2^2*a1^2)/(96*omega1^6 - 24*omega1^4*omega2^2)
+/// lumps[16]: harmonic_re_x_A_y3 = (-3*omega1^2*omega2^2*b4 - 2*omega1^2*a3*a4 + 12*omega2^4*b4 +
+/// 6*omega2^2*a2*a3 + 8*omega2^2*a3*a4)/(3*omega1^4*omega2^2 - 39*omega1^2*omega2^4 + 108*omega2^6)
+/// lumps[17]: harmonic_re_x_A_x_A_y2 = (6*omega1^4*omega2^2*b3 + 4*omega1^4*a2*a4 + 3*omega1^3*omega2^3*b3 +
 /// 12*omega1^3*omega2*a2^2 + 2*omega1^3*omega2*a2*a4 - 24*omega1^2*omega2^4*b3 - 12*omega1^2*omega2^2*a1*a3 -
 /// 16*omega1^2*omega2^2*a2*a4 + 24*omega1^2*omega2^2*a3^2 - 12*omega1*omega2^5*b3 - 6*omega1*omega2^3*a1*a3 -
 /// 48*omega1*omega2^3*a2^2 - 8*omega1*omega2^3*a2*a4 - 36*omega1*omega2^3*a3^2 -
 /// 24*omega2^4*a3^2)/(24*omega1^5*omega2^3 + 36*omega1^4*omega2^4 - 84*omega1^3*omega2^5 - 144*omega1^2*omega2^6
 /// - 48*omega1*omega2^7)
-/// lumps[17]: harmonic_re_x_A_x2_A_y = (36*omega1^5*omega2*b2 + 72*omega1^4*omega2^2*b2 + 24*omega1^4*a1*a2 -
-/// 9*omega1^3*omega2^3*b2 + 44*omega1^3*omega2*a1*a2 + 54*omega1^3*omega2*a2*a3 - 18*omega1^2*omega2^4*b2 -
-/// 8*omega1^2*omega2^2*a1*a2 + 12*omega1^2*omega2^2*a2*a3 - 2*omega1*omega2^3*a1*a2 - 12*omega1*omega2^3*a2*a3 -
-/// 4*omega2^4*a1*a2)/(36*omega1^7*omega2 + 120*omega1^6*omega2^2 + 99*omega1^5*omega2^3 - 6*omega1^4*omega2^4 -
-/// 27*omega1^3*omega2^5 - 6*omega1^2*omega2^6)
 /// lumps[18]: a4 = a4
-/// lumps[19]: e2 = e2
-/// lumps[20]: harmonic_re_y_A_x_A_y_conjA_y = (24*omega1^6*omega2^2*b4 - 16*omega1^6*a3*a4 -
-/// 102*omega1^4*omega2^4*b4 - 24*omega1^4*omega2^2*a2*a3 + 100*omega1^4*omega2^2*a3*a4 + 24*omega1^2*omega2^6*b4
-/// + 100*omega1^2*omega2^4*a2*a3 - 24*omega1^2*omega2^4*a3*a4 - 16*omega2^6*a2*a3)/(4*omega1^8*omega2^2 -
-/// 21*omega1^6*omega2^4 + 21*omega1^4*omega2^6 - 4*omega1^2*omega2^8)
-/// lumps[21]: harmonic_re_y_A_x2_conjA_x = (36*omega1^4*omega2^2*b2 - 48*omega1^4*a2*a3 - 9*omega1^2*omega2^4*b2
-/// - 40*omega1^2*omega2^2*a1*a2 + 18*omega1^2*omega2^2*a2*a3 + 10*omega2^4*a1*a2)/(12*omega1^6*omega2^2 -
-/// 15*omega1^4*omega2^4 + 3*omega1^2*omega2^6)
-/// lumps[22]: harmonic_re_y_A_y3 = (3*omega1^2*omega2^2*b5 + 2*omega1^2*a4^2 - 12*omega2^4*b5 - 6*omega2^2*a3^2
-/// - 8*omega2^2*a4^2)/(24*omega1^2*omega2^4 - 96*omega2^6)
-/// lumps[23]: harmonic_re_y_A_x_conjA_y2 = (18*omega1^4*omega2^2*b4 + 4*omega1^4*a3*a4 - 9*omega1^3*omega2^3*b4
-/// - 12*omega1^3*omega2*a2*a3 - 2*omega1^3*omega2*a3*a4 - 72*omega1^2*omega2^4*b4 - 12*omega1^2*omega2^2*a2*a3 +
-/// 8*omega1^2*omega2^2*a3*a4 + 36*omega1*omega2^5*b4 + 54*omega1*omega2^3*a2*a3 + 44*omega1*omega2^3*a3*a4 -
-/// 24*omega2^4*a3*a4)/(6*omega1^6*omega2^2 - 27*omega1^5*omega2^3 + 6*omega1^4*omega2^4 + 99*omega1^3*omega2^5 -
-/// 120*omega1^2*omega2^6 + 36*omega1*omega2^7)
-/// lumps[24]: harmonic_re_y_A_x_A_y2 = (18*omega1^4*omega2^2*b4 + 4*omega1^4*a3*a4 + 9*omega1^3*omega2^3*b4 +
-/// 12*omega1^3*omega2*a2*a3 + 2*omega1^3*omega2*a3*a4 - 72*omega1^2*omega2^4*b4 - 12*omega1^2*omega2^2*a2*a3 +
-/// 8*omega1^2*omega2^2*a3*a4 - 36*omega1*omega2^5*b4 - 54*omega1*omega2^3*a2*a3 - 44*omega1*omega2^3*a3*a4 -
-/// 24*omega2^4*a3*a4)/(6*omega1^6*omega2^2 + 27*omega1^5*omega2^3 + 6*omega1^4*omega2^4 - 99*omega1^3*omega2^5 -
-/// 120*omega1^2*omega2^6 - 36*omega1*omega2^7)
-/// lumps[25]: harmonic_re_y_A_x2_conjA_y = (12*omega1^5*omega2*b3 - 24*omega1^4*omega2^2*b3 - 24*omega1^4*a2^2 -
+/// lumps[19]: harmonic_re_y_A_y_conjA_x2 = (12*omega1^5*omega2*b3 - 24*omega1^4*omega2^2*b3 - 24*omega1^4*a2^2 -
 /// 3*omega1^3*omega2^3*b3 + 8*omega1^3*omega2*a1*a3 + 36*omega1^3*omega2*a2^2 + 6*omega1^3*omega2*a2*a4 +
 /// 48*omega1^3*omega2*a3^2 + 6*omega1^2*omega2^4*b3 - 16*omega1^2*omega2^2*a1*a3 + 24*omega1^2*omega2^2*a2^2 -
 /// 12*omega1^2*omega2^2*a2*a4 - 2*omega1*omega2^3*a1*a3 - 12*omega1*omega2^3*a3^2 +
 /// 4*omega2^4*a1*a3)/(48*omega1^7*omega2 - 144*omega1^6*omega2^2 + 84*omega1^5*omega2^3 + 36*omega1^4*omega2^4 -
 /// 24*omega1^3*omega2^5)
-/// lumps[26]: harmonic_re_y_A_x2_A_y = (12*omega1^5*omega2*b3 + 24*omega1^4*omega2^2*b3 + 24*omega1^4*a2^2 -
+/// lumps[20]: e2 = e2
+/// lumps[21]: harmonic_re_y_A_x_A_y_conjA_y = (24*omega1^6*omega2^2*b4 - 16*omega1^6*a3*a4 -
+/// 102*omega1^4*omega2^4*b4 - 24*omega1^4*omega2^2*a2*a3 + 100*omega1^4*omega2^2*a3*a4 + 24*omega1^2*omega2^6*b4
+/// + 100*omega1^2*omega2^4*a2*a3 - 24*omega1^2*omega2^4*a3*a4 - 16*omega2^6*a2*a3)/(4*omega1^8*omega2^2 -
+/// 21*omega1^6*omega2^4 + 21*omega1^4*omega2^6 - 4*omega1^2*omega2^8)
+/// lumps[22]: harmonic_re_y_A_x2_conjA_x = (36*omega1^4*omega2^2*b2 - 48*omega1^4*a2*a3 - 9*omega1^2*omega2^4*b2
+/// - 40*omega1^2*omega2^2*a1*a2 + 18*omega1^2*omega2^2*a2*a3 + 10*omega2^4*a1*a2)/(12*omega1^6*omega2^2 -
+/// 15*omega1^4*omega2^4 + 3*omega1^2*omega2^6)
+/// lumps[23]: harmonic_re_y_A_y2_conjA_x = (18*omega1^4*omega2^2*b4 + 4*omega1^4*a3*a4 - 9*omega1^3*omega2^3*b4
+/// - 12*omega1^3*omega2*a2*a3 - 2*omega1^3*omega2*a3*a4 - 72*omega1^2*omega2^4*b4 - 12*omega1^2*omega2^2*a2*a3 +
+/// 8*omega1^2*omega2^2*a3*a4 + 36*omega1*omega2^5*b4 + 54*omega1*omega2^3*a2*a3 + 44*omega1*omega2^3*a3*a4 -
+/// 24*omega2^4*a3*a4)/(6*omega1^6*omega2^2 - 27*omega1^5*omega2^3 + 6*omega1^4*omega2^4 + 99*omega1^3*omega2^5 -
+/// 120*omega1^2*omega2^6 + 36*omega1*omega2^7)
+/// lumps[24]: harmonic_re_y_A_x2_A_y = (12*omega1^5*omega2*b3 + 24*omega1^4*omega2^2*b3 + 24*omega1^4*a2^2 -
 /// 3*omega1^3*omega2^3*b3 + 8*omega1^3*omega2*a1*a3 + 36*omega1^3*omega2*a2^2 + 6*omega1^3*omega2*a2*a4 +
 /// 48*omega1^3*omega2*a3^2 - 6*omega1^2*omega2^4*b3 + 16*omega1^2*omega2^2*a1*a3 - 24*omega1^2*omega2^2*a2^2 +
 /// 12*omega1^2*omega2^2*a2*a4 - 2*omega1*omega2^3*a1*a3 - 12*omega1*omega2^3*a3^2 -
 /// 4*omega2^4*a1*a3)/(48*omega1^7*omega2 + 144*omega1^6*omega2^2 + 84*omega1^5*omega2^3 - 36*omega1^4*omega2^4 -
 /// 24*omega1^3*omega2^5)
+/// lumps[25]: harmonic_re_y_A_y3 = (3*omega1^2*omega2^2*b5 + 2*omega1^2*a4^2 - 12*omega2^4*b5 - 6*omega2^2*a3^2
+/// - 8*omega2^2*a4^2)/(24*omega1^2*omega2^4 - 96*omega2^6)
+/// lumps[26]: harmonic_re_y_A_x_A_y2 = (18*omega1^4*omega2^2*b4 + 4*omega1^4*a3*a4 + 9*omega1^3*omega2^3*b4 +
+/// 12*omega1^3*omega2*a2*a3 + 2*omega1^3*omega2*a3*a4 - 72*omega1^2*omega2^4*b4 - 12*omega1^2*omega2^2*a2*a3 +
+/// 8*omega1^2*omega2^2*a3*a4 - 36*omega1*omega2^5*b4 - 54*omega1*omega2^3*a2*a3 - 44*omega1*omega2^3*a3*a4 -
+/// 24*omega2^4*a3*a4)/(6*omega1^6*omega2^2 + 27*omega1^5*omega2^3 + 6*omega1^4*omega2^4 - 99*omega1^3*omega2^5 -
+/// 120*omega1^2*omega2^6 - 36*omega1*omega2^7)
 /// 968 operations.
 template <class Scalar>
 void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* lumps) {
@@ -4686,34 +4561,11 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
       + Scalar(40.0) * omega1_2 * omega2_2 * a4_2
       + Scalar(48.0) * omega2_4 * a3_2) / (Scalar(6.0) * omega1_4 * omega2_3
       - Scalar(24.0) * omega1_2 * omega2_5);
-  lumps[8] = a3;  // a3
+  lumps[8] = a2;  // a2
   lumps[9] = a1;  // a1
-  lumps[10] = a2;  // a2
-  // harmonic_re_x_A_y2_conjA_y
-  lumps[11] = (-Scalar(9.0) * omega1_4 * omega2_2 * b4 + Scalar(10.0) * omega1_4 * a3 * a4
-      + Scalar(36.0) * omega1_2 * omega2_4 * b4 + Scalar(18.0) * omega1_2 * omega2_2 * a2 * a3
-      - Scalar(40.0) * omega1_2 * omega2_2 * a3 * a4
-      - Scalar(48.0) * omega2_4 * a2 * a3) / (Scalar(3.0) * omega1_6 * omega2_2
-      - Scalar(15.0) * omega1_4 * omega2_4 + Scalar(12.0) * omega1_2 * omega2_6);
-  // harmonic_re_x_A_x_A_y_conjA_x
-  lumps[12] = (-Scalar(24.0) * omega1_6 * omega2_2 * b2 + Scalar(16.0) * omega1_6 * a2 * a3
-      + Scalar(102.0) * omega1_4 * omega2_4 * b2 + Scalar(24.0) * omega1_4 * omega2_2 * a1 * a2
-      - Scalar(100.0) * omega1_4 * omega2_2 * a2 * a3 - Scalar(24.0) * omega1_2 * omega2_6 * b2
-      - Scalar(100.0) * omega1_2 * omega2_4 * a1 * a2 + Scalar(24.0) * omega1_2 * omega2_4 * a2 * a3
-      + Scalar(16.0) * omega2_6 * a1 * a2) / (Scalar(4.0) * omega1_8 * omega2_2
-      - Scalar(21.0) * omega1_6 * omega2_4 + Scalar(21.0) * omega1_4 * omega2_6
-      - Scalar(4.0) * omega1_2 * omega2_8);
-  // harmonic_re_x_A_x3
-  lumps[13] = (Scalar(12.0) * omega1_4 * b1 - Scalar(3.0) * omega1_2 * omega2_2 * b1
-      + Scalar(8.0) * omega1_2 * a1_2 + Scalar(6.0) * omega1_2 * a2_2
-      - Scalar(2.0) * omega2_2 * a1_2) / (Scalar(96.0) * omega1_6 - Scalar(24.0) * omega1_4 * omega2_2);
-  // harmonic_re_x_A_y3
-  lumps[14] = (-Scalar(3.0) * omega1_2 * omega2_2 * b4 - Scalar(2.0) * omega1_2 * a3 * a4
-      + Scalar(12.0) * omega2_4 * b4 + Scalar(6.0) * omega2_2 * a2 * a3
-      + Scalar(8.0) * omega2_2 * a3 * a4) / (Scalar(3.0) * omega1_4 * omega2_2
-      - Scalar(39.0) * omega1_2 * omega2_4 + Scalar(108.0) * omega2_6);
-  // harmonic_re_x_A_x_conjA_y2
-  lumps[15] = (-Scalar(6.0) * omega1_4 * omega2_2 * b3 - Scalar(4.0) * omega1_4 * a2 * a4
+  lumps[10] = a3;  // a3
+  // harmonic_re_x_A_y2_conjA_x
+  lumps[11] = (-Scalar(6.0) * omega1_4 * omega2_2 * b3 - Scalar(4.0) * omega1_4 * a2 * a4
       + Scalar(3.0) * omega1_3 * omega2_3 * b3 + Scalar(12.0) * omega1_3 * omega2 * a2_2
       + Scalar(2.0) * omega1_3 * omega2 * a2 * a4 + Scalar(24.0) * omega1_2 * omega2_4 * b3
       + Scalar(12.0) * omega1_2 * omega2_2 * a1 * a3 + Scalar(16.0) * omega1_2 * omega2_2 * a2 * a4
@@ -4723,19 +4575,8 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
       + Scalar(24.0) * omega2_4 * a3_2) / (Scalar(24.0) * omega1_5 * omega2_3 - Scalar(36.0) * omega1_4 * omega2_4
       - Scalar(84.0) * omega1_3 * omega2_5 + Scalar(144.0) * omega1_2 * omega2_6
       - Scalar(48.0) * omega1 * omega2_7);
-  // harmonic_re_x_A_x_A_y2
-  lumps[16] = (Scalar(6.0) * omega1_4 * omega2_2 * b3 + Scalar(4.0) * omega1_4 * a2 * a4
-      + Scalar(3.0) * omega1_3 * omega2_3 * b3 + Scalar(12.0) * omega1_3 * omega2 * a2_2
-      + Scalar(2.0) * omega1_3 * omega2 * a2 * a4 - Scalar(24.0) * omega1_2 * omega2_4 * b3
-      - Scalar(12.0) * omega1_2 * omega2_2 * a1 * a3 - Scalar(16.0) * omega1_2 * omega2_2 * a2 * a4
-      + Scalar(24.0) * omega1_2 * omega2_2 * a3_2 - Scalar(12.0) * omega1 * omega2_5 * b3
-      - Scalar(6.0) * omega1 * omega2_3 * a1 * a3 - Scalar(48.0) * omega1 * omega2_3 * a2_2
-      - Scalar(8.0) * omega1 * omega2_3 * a2 * a4 - Scalar(36.0) * omega1 * omega2_3 * a3_2
-      - Scalar(24.0) * omega2_4 * a3_2) / (Scalar(24.0) * omega1_5 * omega2_3 + Scalar(36.0) * omega1_4 * omega2_4
-      - Scalar(84.0) * omega1_3 * omega2_5 - Scalar(144.0) * omega1_2 * omega2_6
-      - Scalar(48.0) * omega1 * omega2_7);
   // harmonic_re_x_A_x2_A_y
-  lumps[17] = (Scalar(36.0) * omega1_5 * omega2 * b2 + Scalar(72.0) * omega1_4 * omega2_2 * b2
+  lumps[12] = (Scalar(36.0) * omega1_5 * omega2 * b2 + Scalar(72.0) * omega1_4 * omega2_2 * b2
       + Scalar(24.0) * omega1_4 * a1 * a2 - Scalar(9.0) * omega1_3 * omega2_3 * b2
       + Scalar(44.0) * omega1_3 * omega2 * a1 * a2 + Scalar(54.0) * omega1_3 * omega2 * a2 * a3
       - Scalar(18.0) * omega1_2 * omega2_4 * b2 - Scalar(8.0) * omega1_2 * omega2_2 * a1 * a2
@@ -4745,10 +4586,55 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
       + Scalar(120.0) * omega1_6 * omega2_2 + Scalar(99.0) * omega1_5 * omega2_3
       - Scalar(6.0) * omega1_4 * omega2_4 - Scalar(27.0) * omega1_3 * omega2_5
       - Scalar(6.0) * omega1_2 * omega2_6);
+  // harmonic_re_x_A_y2_conjA_y
+  lumps[13] = (-Scalar(9.0) * omega1_4 * omega2_2 * b4 + Scalar(10.0) * omega1_4 * a3 * a4
+      + Scalar(36.0) * omega1_2 * omega2_4 * b4 + Scalar(18.0) * omega1_2 * omega2_2 * a2 * a3
+      - Scalar(40.0) * omega1_2 * omega2_2 * a3 * a4
+      - Scalar(48.0) * omega2_4 * a2 * a3) / (Scalar(3.0) * omega1_6 * omega2_2
+      - Scalar(15.0) * omega1_4 * omega2_4 + Scalar(12.0) * omega1_2 * omega2_6);
+  // harmonic_re_x_A_x_A_y_conjA_x
+  lumps[14] = (-Scalar(24.0) * omega1_6 * omega2_2 * b2 + Scalar(16.0) * omega1_6 * a2 * a3
+      + Scalar(102.0) * omega1_4 * omega2_4 * b2 + Scalar(24.0) * omega1_4 * omega2_2 * a1 * a2
+      - Scalar(100.0) * omega1_4 * omega2_2 * a2 * a3 - Scalar(24.0) * omega1_2 * omega2_6 * b2
+      - Scalar(100.0) * omega1_2 * omega2_4 * a1 * a2 + Scalar(24.0) * omega1_2 * omega2_4 * a2 * a3
+      + Scalar(16.0) * omega2_6 * a1 * a2) / (Scalar(4.0) * omega1_8 * omega2_2
+      - Scalar(21.0) * omega1_6 * omega2_4 + Scalar(21.0) * omega1_4 * omega2_6
+      - Scalar(4.0) * omega1_2 * omega2_8);
+  // harmonic_re_x_A_x3
+  lumps[15] = (Scalar(12.0) * omega1_4 * b1 - Scalar(3.0) * omega1_2 * omega2_2 * b1
+      + Scalar(8.0) * omega1_2 * a1_2 + Scalar(6.0) * omega1_2 * a2_2
+      - Scalar(2.0) * omega2_2 * a1_2) / (Scalar(96.0) * omega1_6 - Scalar(24.0) * omega1_4 * omega2_2);
+  // harmonic_re_x_A_y3
+  lumps[16] = (-Scalar(3.0) * omega1_2 * omega2_2 * b4 - Scalar(2.0) * omega1_2 * a3 * a4
+      + Scalar(12.0) * omega2_4 * b4 + Scalar(6.0) * omega2_2 * a2 * a3
+      + Scalar(8.0) * omega2_2 * a3 * a4) / (Scalar(3.0) * omega1_4 * omega2_2
+      - Scalar(39.0) * omega1_2 * omega2_4 + Scalar(108.0) * omega2_6);
+  // harmonic_re_x_A_x_A_y2
+  lumps[17] = (Scalar(6.0) * omega1_4 * omega2_2 * b3 + Scalar(4.0) * omega1_4 * a2 * a4
+      + Scalar(3.0) * omega1_3 * omega2_3 * b3 + Scalar(12.0) * omega1_3 * omega2 * a2_2
+      + Scalar(2.0) * omega1_3 * omega2 * a2 * a4 - Scalar(24.0) * omega1_2 * omega2_4 * b3
+      - Scalar(12.0) * omega1_2 * omega2_2 * a1 * a3 - Scalar(16.0) * omega1_2 * omega2_2 * a2 * a4
+      + Scalar(24.0) * omega1_2 * omega2_2 * a3_2 - Scalar(12.0) * omega1 * omega2_5 * b3
+      - Scalar(6.0) * omega1 * omega2_3 * a1 * a3 - Scalar(48.0) * omega1 * omega2_3 * a2_2
+      - Scalar(8.0) * omega1 * omega2_3 * a2 * a4 - Scalar(36.0) * omega1 * omega2_3 * a3_2
+      - Scalar(24.0) * omega2_4 * a3_2) / (Scalar(24.0) * omega1_5 * omega2_3 + Scalar(36.0) * omega1_4 * omega2_4
+      - Scalar(84.0) * omega1_3 * omega2_5 - Scalar(144.0) * omega1_2 * omega2_6
+      - Scalar(48.0) * omega1 * omega2_7);
   lumps[18] = a4;  // a4
-  lumps[19] = e2;  // e2
+  // harmonic_re_y_A_y_conjA_x2
+  lumps[19] = (Scalar(12.0) * omega1_5 * omega2 * b3 - Scalar(24.0) * omega1_4 * omega2_2 * b3
+      - Scalar(24.0) * omega1_4 * a2_2 - Scalar(3.0) * omega1_3 * omega2_3 * b3
+      + Scalar(8.0) * omega1_3 * omega2 * a1 * a3 + Scalar(36.0) * omega1_3 * omega2 * a2_2
+      + Scalar(6.0) * omega1_3 * omega2 * a2 * a4 + Scalar(48.0) * omega1_3 * omega2 * a3_2
+      + Scalar(6.0) * omega1_2 * omega2_4 * b3 - Scalar(16.0) * omega1_2 * omega2_2 * a1 * a3
+      + Scalar(24.0) * omega1_2 * omega2_2 * a2_2 - Scalar(12.0) * omega1_2 * omega2_2 * a2 * a4
+      - Scalar(2.0) * omega1 * omega2_3 * a1 * a3 - Scalar(12.0) * omega1 * omega2_3 * a3_2
+      + Scalar(4.0) * omega2_4 * a1 * a3) / (Scalar(48.0) * omega1_7 * omega2
+      - Scalar(144.0) * omega1_6 * omega2_2 + Scalar(84.0) * omega1_5 * omega2_3
+      + Scalar(36.0) * omega1_4 * omega2_4 - Scalar(24.0) * omega1_3 * omega2_5);
+  lumps[20] = e2;  // e2
   // harmonic_re_y_A_x_A_y_conjA_y
-  lumps[20] = (Scalar(24.0) * omega1_6 * omega2_2 * b4 - Scalar(16.0) * omega1_6 * a3 * a4
+  lumps[21] = (Scalar(24.0) * omega1_6 * omega2_2 * b4 - Scalar(16.0) * omega1_6 * a3 * a4
       - Scalar(102.0) * omega1_4 * omega2_4 * b4 - Scalar(24.0) * omega1_4 * omega2_2 * a2 * a3
       + Scalar(100.0) * omega1_4 * omega2_2 * a3 * a4 + Scalar(24.0) * omega1_2 * omega2_6 * b4
       + Scalar(100.0) * omega1_2 * omega2_4 * a2 * a3 - Scalar(24.0) * omega1_2 * omega2_4 * a3 * a4
@@ -4756,16 +4642,12 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
       - Scalar(21.0) * omega1_6 * omega2_4 + Scalar(21.0) * omega1_4 * omega2_6
       - Scalar(4.0) * omega1_2 * omega2_8);
   // harmonic_re_y_A_x2_conjA_x
-  lumps[21] = (Scalar(36.0) * omega1_4 * omega2_2 * b2 - Scalar(48.0) * omega1_4 * a2 * a3
+  lumps[22] = (Scalar(36.0) * omega1_4 * omega2_2 * b2 - Scalar(48.0) * omega1_4 * a2 * a3
       - Scalar(9.0) * omega1_2 * omega2_4 * b2 - Scalar(40.0) * omega1_2 * omega2_2 * a1 * a2
       + Scalar(18.0) * omega1_2 * omega2_2 * a2 * a3
       + Scalar(10.0) * omega2_4 * a1 * a2) / (Scalar(12.0) * omega1_6 * omega2_2
       - Scalar(15.0) * omega1_4 * omega2_4 + Scalar(3.0) * omega1_2 * omega2_6);
-  // harmonic_re_y_A_y3
-  lumps[22] = (Scalar(3.0) * omega1_2 * omega2_2 * b5 + Scalar(2.0) * omega1_2 * a4_2
-      - Scalar(12.0) * omega2_4 * b5 - Scalar(6.0) * omega2_2 * a3_2
-      - Scalar(8.0) * omega2_2 * a4_2) / (Scalar(24.0) * omega1_2 * omega2_4 - Scalar(96.0) * omega2_6);
-  // harmonic_re_y_A_x_conjA_y2
+  // harmonic_re_y_A_y2_conjA_x
   lumps[23] = (Scalar(18.0) * omega1_4 * omega2_2 * b4 + Scalar(4.0) * omega1_4 * a3 * a4
       - Scalar(9.0) * omega1_3 * omega2_3 * b4 - Scalar(12.0) * omega1_3 * omega2 * a2 * a3
       - Scalar(2.0) * omega1_3 * omega2 * a3 * a4 - Scalar(72.0) * omega1_2 * omega2_4 * b4
@@ -4776,30 +4658,8 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
       - Scalar(27.0) * omega1_5 * omega2_3 + Scalar(6.0) * omega1_4 * omega2_4
       + Scalar(99.0) * omega1_3 * omega2_5 - Scalar(120.0) * omega1_2 * omega2_6
       + Scalar(36.0) * omega1 * omega2_7);
-  // harmonic_re_y_A_x_A_y2
-  lumps[24] = (Scalar(18.0) * omega1_4 * omega2_2 * b4 + Scalar(4.0) * omega1_4 * a3 * a4
-      + Scalar(9.0) * omega1_3 * omega2_3 * b4 + Scalar(12.0) * omega1_3 * omega2 * a2 * a3
-      + Scalar(2.0) * omega1_3 * omega2 * a3 * a4 - Scalar(72.0) * omega1_2 * omega2_4 * b4
-      - Scalar(12.0) * omega1_2 * omega2_2 * a2 * a3 + Scalar(8.0) * omega1_2 * omega2_2 * a3 * a4
-      - Scalar(36.0) * omega1 * omega2_5 * b4 - Scalar(54.0) * omega1 * omega2_3 * a2 * a3
-      - Scalar(44.0) * omega1 * omega2_3 * a3 * a4
-      - Scalar(24.0) * omega2_4 * a3 * a4) / (Scalar(6.0) * omega1_6 * omega2_2
-      + Scalar(27.0) * omega1_5 * omega2_3 + Scalar(6.0) * omega1_4 * omega2_4
-      - Scalar(99.0) * omega1_3 * omega2_5 - Scalar(120.0) * omega1_2 * omega2_6
-      - Scalar(36.0) * omega1 * omega2_7);
-  // harmonic_re_y_A_x2_conjA_y
-  lumps[25] = (Scalar(12.0) * omega1_5 * omega2 * b3 - Scalar(24.0) * omega1_4 * omega2_2 * b3
-      - Scalar(24.0) * omega1_4 * a2_2 - Scalar(3.0) * omega1_3 * omega2_3 * b3
-      + Scalar(8.0) * omega1_3 * omega2 * a1 * a3 + Scalar(36.0) * omega1_3 * omega2 * a2_2
-      + Scalar(6.0) * omega1_3 * omega2 * a2 * a4 + Scalar(48.0) * omega1_3 * omega2 * a3_2
-      + Scalar(6.0) * omega1_2 * omega2_4 * b3 - Scalar(16.0) * omega1_2 * omega2_2 * a1 * a3
-      + Scalar(24.0) * omega1_2 * omega2_2 * a2_2 - Scalar(12.0) * omega1_2 * omega2_2 * a2 * a4
-      - Scalar(2.0) * omega1 * omega2_3 * a1 * a3 - Scalar(12.0) * omega1 * omega2_3 * a3_2
-      + Scalar(4.0) * omega2_4 * a1 * a3) / (Scalar(48.0) * omega1_7 * omega2
-      - Scalar(144.0) * omega1_6 * omega2_2 + Scalar(84.0) * omega1_5 * omega2_3
-      + Scalar(36.0) * omega1_4 * omega2_4 - Scalar(24.0) * omega1_3 * omega2_5);
   // harmonic_re_y_A_x2_A_y
-  lumps[26] = (Scalar(12.0) * omega1_5 * omega2 * b3 + Scalar(24.0) * omega1_4 * omega2_2 * b3
+  lumps[24] = (Scalar(12.0) * omega1_5 * omega2 * b3 + Scalar(24.0) * omega1_4 * omega2_2 * b3
       + Scalar(24.0) * omega1_4 * a2_2 - Scalar(3.0) * omega1_3 * omega2_3 * b3
       + Scalar(8.0) * omega1_3 * omega2 * a1 * a3 + Scalar(36.0) * omega1_3 * omega2 * a2_2
       + Scalar(6.0) * omega1_3 * omega2 * a2 * a4 + Scalar(48.0) * omega1_3 * omega2 * a3_2
@@ -4809,6 +4669,21 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
       - Scalar(4.0) * omega2_4 * a1 * a3) / (Scalar(48.0) * omega1_7 * omega2
       + Scalar(144.0) * omega1_6 * omega2_2 + Scalar(84.0) * omega1_5 * omega2_3
       - Scalar(36.0) * omega1_4 * omega2_4 - Scalar(24.0) * omega1_3 * omega2_5);
+  // harmonic_re_y_A_y3
+  lumps[25] = (Scalar(3.0) * omega1_2 * omega2_2 * b5 + Scalar(2.0) * omega1_2 * a4_2
+      - Scalar(12.0) * omega2_4 * b5 - Scalar(6.0) * omega2_2 * a3_2
+      - Scalar(8.0) * omega2_2 * a4_2) / (Scalar(24.0) * omega1_2 * omega2_4 - Scalar(96.0) * omega2_6);
+  // harmonic_re_y_A_x_A_y2
+  lumps[26] = (Scalar(18.0) * omega1_4 * omega2_2 * b4 + Scalar(4.0) * omega1_4 * a3 * a4
+      + Scalar(9.0) * omega1_3 * omega2_3 * b4 + Scalar(12.0) * omega1_3 * omega2 * a2 * a3
+      + Scalar(2.0) * omega1_3 * omega2 * a3 * a4 - Scalar(72.0) * omega1_2 * omega2_4 * b4
+      - Scalar(12.0) * omega1_2 * omega2_2 * a2 * a3 + Scalar(8.0) * omega1_2 * omega2_2 * a3 * a4
+      - Scalar(36.0) * omega1 * omega2_5 * b4 - Scalar(54.0) * omega1 * omega2_3 * a2 * a3
+      - Scalar(44.0) * omega1 * omega2_3 * a3 * a4
+      - Scalar(24.0) * omega2_4 * a3 * a4) / (Scalar(6.0) * omega1_6 * omega2_2
+      + Scalar(27.0) * omega1_5 * omega2_3 + Scalar(6.0) * omega1_4 * omega2_4
+      - Scalar(99.0) * omega1_3 * omega2_5 - Scalar(120.0) * omega1_2 * omega2_6
+      - Scalar(36.0) * omega1 * omega2_7);
 }
 
 /// gradient[p] = d conservative_x_A_x_A_y_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
@@ -5036,180 +4911,12 @@ void lump_gradient_7(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sca
   gradient[10] = (Scalar(9.0) * omega1_4 * omega2_2 - Scalar(36.0) * omega1_2 * omega2_4) / denominator;  // by b5
 }
 
-/// gradient[p] = d harmonic_re_x_A_y2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 96 operations.
-template <class Scalar>
-void lump_gradient_11(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(3.0) * omega1_6 * omega2_2 - Scalar(15.0) * omega1_4 * omega2_4
-      + Scalar(12.0) * omega1_2 * omega2_6;
-  // by omega1
-  gradient[0] = (-Scalar(36.0) * omega1_3 * omega2_2 * b4 + Scalar(40.0) * omega1_3 * a3 * a4
-      + Scalar(72.0) * omega1 * omega2_4 * b4 + Scalar(36.0) * omega1 * omega2_2 * a2 * a3
-      - Scalar(80.0) * omega1 * omega2_2 * a3 * a4 - lump * (Scalar(18.0) * omega1_5 * omega2_2
-      - Scalar(60.0) * omega1_3 * omega2_4 + Scalar(24.0) * omega1 * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(18.0) * omega1_4 * omega2 * b4 + Scalar(144.0) * omega1_2 * omega2_3 * b4
-      + Scalar(36.0) * omega1_2 * omega2 * a2 * a3 - Scalar(80.0) * omega1_2 * omega2 * a3 * a4
-      - Scalar(192.0) * omega2_3 * a2 * a3 - lump * (Scalar(6.0) * omega1_6 * omega2
-      - Scalar(60.0) * omega1_4 * omega2_3 + Scalar(72.0) * omega1_2 * omega2_5)) / denominator;
-  gradient[3] = (Scalar(18.0) * omega1_2 * omega2_2 * a3 - Scalar(48.0) * omega2_4 * a3) / denominator;  // by a2
-  // by a3
-  gradient[4] = (Scalar(10.0) * omega1_4 * a4 + Scalar(18.0) * omega1_2 * omega2_2 * a2
-      - Scalar(40.0) * omega1_2 * omega2_2 * a4 - Scalar(48.0) * omega2_4 * a2) / denominator;
-  gradient[5] = (Scalar(10.0) * omega1_4 * a3 - Scalar(40.0) * omega1_2 * omega2_2 * a3) / denominator;  // by a4
-  gradient[9] = (-Scalar(9.0) * omega1_4 * omega2_2 + Scalar(36.0) * omega1_2 * omega2_4) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_A_y_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 94 operations.
-template <class Scalar>
-void lump_gradient_12(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega1_8 = omega1_7 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar omega2_8 = omega2_7 * omega2;
-  const Scalar denominator = Scalar(4.0) * omega1_8 * omega2_2 - Scalar(21.0) * omega1_6 * omega2_4
-      + Scalar(21.0) * omega1_4 * omega2_6 - Scalar(4.0) * omega1_2 * omega2_8;
-  // multiplies a1*a2
-  const Scalar c_0 = Scalar(24.0) * omega1_4 * omega2_2 - Scalar(100.0) * omega1_2 * omega2_4
-      + Scalar(16.0) * omega2_6;
-  // multiplies a2*a3
-  const Scalar c_1 = Scalar(16.0) * omega1_6 - Scalar(100.0) * omega1_4 * omega2_2
-      + Scalar(24.0) * omega1_2 * omega2_4;
-  // multiplies b2
-  const Scalar c_2 = -Scalar(24.0) * omega1_6 * omega2_2 + Scalar(102.0) * omega1_4 * omega2_4
-      - Scalar(24.0) * omega1_2 * omega2_6;
-  const Scalar w_0 = -Scalar(24.0) * b2;  // multiplies omega1^6*omega2^2
-  const Scalar w_1 = Scalar(16.0) * a2 * a3;  // multiplies omega1^6
-  const Scalar w_2 = Scalar(102.0) * b2;  // multiplies omega1^4*omega2^4
-  const Scalar w_3 = Scalar(24.0) * a1 * a2 - Scalar(100.0) * a2 * a3;  // multiplies omega1^4*omega2^2
-  const Scalar w_4 = -Scalar(24.0) * b2;  // multiplies omega1^2*omega2^6
-  const Scalar w_5 = -Scalar(100.0) * a1 * a2 + Scalar(24.0) * a2 * a3;  // multiplies omega1^2*omega2^4
-  const Scalar w_6 = Scalar(16.0) * a1 * a2;  // multiplies omega2^6
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1_5 * omega2_2 * w_0 + Scalar(6.0) * omega1_5 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_4 * w_2 + Scalar(4.0) * omega1_3 * omega2_2 * w_3
-      + Scalar(2.0) * omega1 * omega2_6 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      - lump * (Scalar(32.0) * omega1_7 * omega2_2 - Scalar(126.0) * omega1_5 * omega2_4
-      + Scalar(84.0) * omega1_3 * omega2_6 - Scalar(8.0) * omega1 * omega2_8)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_6 * omega2 * w_0 + Scalar(4.0) * omega1_4 * omega2_3 * w_2
-      + Scalar(2.0) * omega1_4 * omega2 * w_3 + Scalar(6.0) * omega1_2 * omega2_5 * w_4
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(6.0) * omega2_5 * w_6
-      - lump * (Scalar(8.0) * omega1_8 * omega2 - Scalar(84.0) * omega1_6 * omega2_3
-      + Scalar(126.0) * omega1_4 * omega2_5 - Scalar(32.0) * omega1_2 * omega2_7)) / denominator;
-  gradient[2] = (a2 * c_0) / denominator;  // by a1
-  gradient[3] = (a1 * c_0 + a3 * c_1) / denominator;  // by a2
-  gradient[4] = (a2 * c_1) / denominator;  // by a3
-  gradient[7] = (c_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_x_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 39 operations.
-template <class Scalar>
-void lump_gradient_13(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar b1 = parameters[6];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar a1_2 = a1 * a1;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar denominator = Scalar(96.0) * omega1_6 - Scalar(24.0) * omega1_4 * omega2_2;
-  // by omega1
-  gradient[0] = (Scalar(48.0) * omega1_3 * b1 - Scalar(6.0) * omega1 * omega2_2 * b1
-      + Scalar(16.0) * omega1 * a1_2 + Scalar(12.0) * omega1 * a2_2 - lump * (Scalar(576.0) * omega1_5
-      - Scalar(96.0) * omega1_3 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(6.0) * omega1_2 * omega2 * b1 - Scalar(4.0) * omega2 * a1_2
-      - lump * (-Scalar(48.0) * omega1_4 * omega2)) / denominator;
-  gradient[2] = (Scalar(16.0) * omega1_2 * a1 - Scalar(4.0) * omega2_2 * a1) / denominator;  // by a1
-  gradient[3] = (Scalar(12.0) * omega1_2 * a2) / denominator;  // by a2
-  gradient[6] = (Scalar(12.0) * omega1_4 - Scalar(3.0) * omega1_2 * omega2_2) / denominator;  // by b1
-}
-
-/// gradient[p] = d harmonic_re_x_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 59 operations.
-template <class Scalar>
-void lump_gradient_14(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(3.0) * omega1_4 * omega2_2 - Scalar(39.0) * omega1_2 * omega2_4
-      + Scalar(108.0) * omega2_6;
-  // by omega1
-  gradient[0] = (-Scalar(6.0) * omega1 * omega2_2 * b4 - Scalar(4.0) * omega1 * a3 * a4
-      - lump * (Scalar(12.0) * omega1_3 * omega2_2 - Scalar(78.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(6.0) * omega1_2 * omega2 * b4 + Scalar(48.0) * omega2_3 * b4
-      + Scalar(12.0) * omega2 * a2 * a3 + Scalar(16.0) * omega2 * a3 * a4
-      - lump * (Scalar(6.0) * omega1_4 * omega2 - Scalar(156.0) * omega1_2 * omega2_3
-      + Scalar(648.0) * omega2_5)) / denominator;
-  gradient[3] = (Scalar(6.0) * omega2_2 * a3) / denominator;  // by a2
-  // by a3
-  gradient[4] = (-Scalar(2.0) * omega1_2 * a4 + Scalar(6.0) * omega2_2 * a2
-      + Scalar(8.0) * omega2_2 * a4) / denominator;
-  gradient[5] = (-Scalar(2.0) * omega1_2 * a3 + Scalar(8.0) * omega2_2 * a3) / denominator;  // by a4
-  gradient[9] = (-Scalar(3.0) * omega1_2 * omega2_2 + Scalar(12.0) * omega2_4) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_conjA_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// gradient[p] = d harmonic_re_x_A_y2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
 /// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
 /// them.
 /// 132 operations.
 template <class Scalar>
-void lump_gradient_15(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+void lump_gradient_11(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
   const Scalar omega1 = parameters[0];
   const Scalar omega2 = parameters[1];
   const Scalar a1 = parameters[2];
@@ -5275,12 +4982,245 @@ void lump_gradient_15(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
   gradient[8] = (c_4) / denominator;  // by b3
 }
 
+/// gradient[p] = d harmonic_re_x_A_x2_A_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
+/// them.
+/// 128 operations.
+template <class Scalar>
+void lump_gradient_12(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega1_5 = omega1_4 * omega1;
+  const Scalar omega1_6 = omega1_5 * omega1;
+  const Scalar omega1_7 = omega1_6 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar omega2_5 = omega2_4 * omega2;
+  const Scalar omega2_6 = omega2_5 * omega2;
+  const Scalar denominator = Scalar(36.0) * omega1_7 * omega2 + Scalar(120.0) * omega1_6 * omega2_2
+      + Scalar(99.0) * omega1_5 * omega2_3 - Scalar(6.0) * omega1_4 * omega2_4
+      - Scalar(27.0) * omega1_3 * omega2_5 - Scalar(6.0) * omega1_2 * omega2_6;
+  // multiplies a1*a2
+  const Scalar c_0 = Scalar(24.0) * omega1_4 + Scalar(44.0) * omega1_3 * omega2
+      - Scalar(8.0) * omega1_2 * omega2_2 - Scalar(2.0) * omega1 * omega2_3 - Scalar(4.0) * omega2_4;
+  // multiplies a2*a3
+  const Scalar c_1 = Scalar(54.0) * omega1_3 * omega2 + Scalar(12.0) * omega1_2 * omega2_2
+      - Scalar(12.0) * omega1 * omega2_3;
+  // multiplies b2
+  const Scalar c_2 = Scalar(36.0) * omega1_5 * omega2 + Scalar(72.0) * omega1_4 * omega2_2
+      - Scalar(9.0) * omega1_3 * omega2_3 - Scalar(18.0) * omega1_2 * omega2_4;
+  const Scalar w_0 = Scalar(36.0) * b2;  // multiplies omega1^5*omega2
+  const Scalar w_1 = Scalar(72.0) * b2;  // multiplies omega1^4*omega2^2
+  const Scalar w_2 = Scalar(24.0) * a1 * a2;  // multiplies omega1^4
+  const Scalar w_3 = -Scalar(9.0) * b2;  // multiplies omega1^3*omega2^3
+  const Scalar w_4 = Scalar(44.0) * a1 * a2 + Scalar(54.0) * a2 * a3;  // multiplies omega1^3*omega2
+  const Scalar w_5 = -Scalar(18.0) * b2;  // multiplies omega1^2*omega2^4
+  const Scalar w_6 = -Scalar(8.0) * a1 * a2 + Scalar(12.0) * a2 * a3;  // multiplies omega1^2*omega2^2
+  const Scalar w_7 = -Scalar(2.0) * a1 * a2 - Scalar(12.0) * a2 * a3;  // multiplies omega1*omega2^3
+  const Scalar w_8 = -Scalar(4.0) * a1 * a2;  // multiplies omega2^4
+  // by omega1
+  gradient[0] = (Scalar(5.0) * omega1_4 * omega2 * w_0 + Scalar(4.0) * omega1_3 * omega2_2 * w_1
+      + Scalar(4.0) * omega1_3 * w_2 + Scalar(3.0) * omega1_2 * omega2_3 * w_3
+      + Scalar(3.0) * omega1_2 * omega2 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
+      + Scalar(2.0) * omega1 * omega2_2 * w_6 + omega2_3 * w_7 - lump * (Scalar(252.0) * omega1_6 * omega2
+      + Scalar(720.0) * omega1_5 * omega2_2 + Scalar(495.0) * omega1_4 * omega2_3
+      - Scalar(24.0) * omega1_3 * omega2_4 - Scalar(81.0) * omega1_2 * omega2_5
+      - Scalar(12.0) * omega1 * omega2_6)) / denominator;
+  // by omega2
+  gradient[1] = (omega1_5 * w_0 + Scalar(2.0) * omega1_4 * omega2 * w_1 + Scalar(3.0) * omega1_3 * omega2_2 * w_3
+      + omega1_3 * w_4 + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(2.0) * omega1_2 * omega2 * w_6
+      + Scalar(3.0) * omega1 * omega2_2 * w_7 + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(36.0) * omega1_7
+      + Scalar(240.0) * omega1_6 * omega2 + Scalar(297.0) * omega1_5 * omega2_2
+      - Scalar(24.0) * omega1_4 * omega2_3 - Scalar(135.0) * omega1_3 * omega2_4
+      - Scalar(36.0) * omega1_2 * omega2_5)) / denominator;
+  gradient[2] = (a2 * c_0) / denominator;  // by a1
+  gradient[3] = (a1 * c_0 + a3 * c_1) / denominator;  // by a2
+  gradient[4] = (a2 * c_1) / denominator;  // by a3
+  gradient[7] = (c_2) / denominator;  // by b2
+}
+
+/// gradient[p] = d harmonic_re_x_A_y2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// 96 operations.
+template <class Scalar>
+void lump_gradient_13(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega1_5 = omega1_4 * omega1;
+  const Scalar omega1_6 = omega1_5 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar omega2_5 = omega2_4 * omega2;
+  const Scalar omega2_6 = omega2_5 * omega2;
+  const Scalar denominator = Scalar(3.0) * omega1_6 * omega2_2 - Scalar(15.0) * omega1_4 * omega2_4
+      + Scalar(12.0) * omega1_2 * omega2_6;
+  // by omega1
+  gradient[0] = (-Scalar(36.0) * omega1_3 * omega2_2 * b4 + Scalar(40.0) * omega1_3 * a3 * a4
+      + Scalar(72.0) * omega1 * omega2_4 * b4 + Scalar(36.0) * omega1 * omega2_2 * a2 * a3
+      - Scalar(80.0) * omega1 * omega2_2 * a3 * a4 - lump * (Scalar(18.0) * omega1_5 * omega2_2
+      - Scalar(60.0) * omega1_3 * omega2_4 + Scalar(24.0) * omega1 * omega2_6)) / denominator;
+  // by omega2
+  gradient[1] = (-Scalar(18.0) * omega1_4 * omega2 * b4 + Scalar(144.0) * omega1_2 * omega2_3 * b4
+      + Scalar(36.0) * omega1_2 * omega2 * a2 * a3 - Scalar(80.0) * omega1_2 * omega2 * a3 * a4
+      - Scalar(192.0) * omega2_3 * a2 * a3 - lump * (Scalar(6.0) * omega1_6 * omega2
+      - Scalar(60.0) * omega1_4 * omega2_3 + Scalar(72.0) * omega1_2 * omega2_5)) / denominator;
+  gradient[3] = (Scalar(18.0) * omega1_2 * omega2_2 * a3 - Scalar(48.0) * omega2_4 * a3) / denominator;  // by a2
+  // by a3
+  gradient[4] = (Scalar(10.0) * omega1_4 * a4 + Scalar(18.0) * omega1_2 * omega2_2 * a2
+      - Scalar(40.0) * omega1_2 * omega2_2 * a4 - Scalar(48.0) * omega2_4 * a2) / denominator;
+  gradient[5] = (Scalar(10.0) * omega1_4 * a3 - Scalar(40.0) * omega1_2 * omega2_2 * a3) / denominator;  // by a4
+  gradient[9] = (-Scalar(9.0) * omega1_4 * omega2_2 + Scalar(36.0) * omega1_2 * omega2_4) / denominator;  // by b4
+}
+
+/// gradient[p] = d harmonic_re_x_A_x_A_y_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
+/// them.
+/// 94 operations.
+template <class Scalar>
+void lump_gradient_14(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega1_5 = omega1_4 * omega1;
+  const Scalar omega1_6 = omega1_5 * omega1;
+  const Scalar omega1_7 = omega1_6 * omega1;
+  const Scalar omega1_8 = omega1_7 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar omega2_5 = omega2_4 * omega2;
+  const Scalar omega2_6 = omega2_5 * omega2;
+  const Scalar omega2_7 = omega2_6 * omega2;
+  const Scalar omega2_8 = omega2_7 * omega2;
+  const Scalar denominator = Scalar(4.0) * omega1_8 * omega2_2 - Scalar(21.0) * omega1_6 * omega2_4
+      + Scalar(21.0) * omega1_4 * omega2_6 - Scalar(4.0) * omega1_2 * omega2_8;
+  // multiplies a1*a2
+  const Scalar c_0 = Scalar(24.0) * omega1_4 * omega2_2 - Scalar(100.0) * omega1_2 * omega2_4
+      + Scalar(16.0) * omega2_6;
+  // multiplies a2*a3
+  const Scalar c_1 = Scalar(16.0) * omega1_6 - Scalar(100.0) * omega1_4 * omega2_2
+      + Scalar(24.0) * omega1_2 * omega2_4;
+  // multiplies b2
+  const Scalar c_2 = -Scalar(24.0) * omega1_6 * omega2_2 + Scalar(102.0) * omega1_4 * omega2_4
+      - Scalar(24.0) * omega1_2 * omega2_6;
+  const Scalar w_0 = -Scalar(24.0) * b2;  // multiplies omega1^6*omega2^2
+  const Scalar w_1 = Scalar(16.0) * a2 * a3;  // multiplies omega1^6
+  const Scalar w_2 = Scalar(102.0) * b2;  // multiplies omega1^4*omega2^4
+  const Scalar w_3 = Scalar(24.0) * a1 * a2 - Scalar(100.0) * a2 * a3;  // multiplies omega1^4*omega2^2
+  const Scalar w_4 = -Scalar(24.0) * b2;  // multiplies omega1^2*omega2^6
+  const Scalar w_5 = -Scalar(100.0) * a1 * a2 + Scalar(24.0) * a2 * a3;  // multiplies omega1^2*omega2^4
+  const Scalar w_6 = Scalar(16.0) * a1 * a2;  // multiplies omega2^6
+  // by omega1
+  gradient[0] = (Scalar(6.0) * omega1_5 * omega2_2 * w_0 + Scalar(6.0) * omega1_5 * w_1
+      + Scalar(4.0) * omega1_3 * omega2_4 * w_2 + Scalar(4.0) * omega1_3 * omega2_2 * w_3
+      + Scalar(2.0) * omega1 * omega2_6 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
+      - lump * (Scalar(32.0) * omega1_7 * omega2_2 - Scalar(126.0) * omega1_5 * omega2_4
+      + Scalar(84.0) * omega1_3 * omega2_6 - Scalar(8.0) * omega1 * omega2_8)) / denominator;
+  // by omega2
+  gradient[1] = (Scalar(2.0) * omega1_6 * omega2 * w_0 + Scalar(4.0) * omega1_4 * omega2_3 * w_2
+      + Scalar(2.0) * omega1_4 * omega2 * w_3 + Scalar(6.0) * omega1_2 * omega2_5 * w_4
+      + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(6.0) * omega2_5 * w_6
+      - lump * (Scalar(8.0) * omega1_8 * omega2 - Scalar(84.0) * omega1_6 * omega2_3
+      + Scalar(126.0) * omega1_4 * omega2_5 - Scalar(32.0) * omega1_2 * omega2_7)) / denominator;
+  gradient[2] = (a2 * c_0) / denominator;  // by a1
+  gradient[3] = (a1 * c_0 + a3 * c_1) / denominator;  // by a2
+  gradient[4] = (a2 * c_1) / denominator;  // by a3
+  gradient[7] = (c_2) / denominator;  // by b2
+}
+
+/// gradient[p] = d harmonic_re_x_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// 39 operations.
+template <class Scalar>
+void lump_gradient_15(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar b1 = parameters[6];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega1_5 = omega1_4 * omega1;
+  const Scalar omega1_6 = omega1_5 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar a1_2 = a1 * a1;
+  const Scalar a2_2 = a2 * a2;
+  const Scalar denominator = Scalar(96.0) * omega1_6 - Scalar(24.0) * omega1_4 * omega2_2;
+  // by omega1
+  gradient[0] = (Scalar(48.0) * omega1_3 * b1 - Scalar(6.0) * omega1 * omega2_2 * b1
+      + Scalar(16.0) * omega1 * a1_2 + Scalar(12.0) * omega1 * a2_2 - lump * (Scalar(576.0) * omega1_5
+      - Scalar(96.0) * omega1_3 * omega2_2)) / denominator;
+  // by omega2
+  gradient[1] = (-Scalar(6.0) * omega1_2 * omega2 * b1 - Scalar(4.0) * omega2 * a1_2
+      - lump * (-Scalar(48.0) * omega1_4 * omega2)) / denominator;
+  gradient[2] = (Scalar(16.0) * omega1_2 * a1 - Scalar(4.0) * omega2_2 * a1) / denominator;  // by a1
+  gradient[3] = (Scalar(12.0) * omega1_2 * a2) / denominator;  // by a2
+  gradient[6] = (Scalar(12.0) * omega1_4 - Scalar(3.0) * omega1_2 * omega2_2) / denominator;  // by b1
+}
+
+/// gradient[p] = d harmonic_re_x_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// 59 operations.
+template <class Scalar>
+void lump_gradient_16(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar omega2_5 = omega2_4 * omega2;
+  const Scalar omega2_6 = omega2_5 * omega2;
+  const Scalar denominator = Scalar(3.0) * omega1_4 * omega2_2 - Scalar(39.0) * omega1_2 * omega2_4
+      + Scalar(108.0) * omega2_6;
+  // by omega1
+  gradient[0] = (-Scalar(6.0) * omega1 * omega2_2 * b4 - Scalar(4.0) * omega1 * a3 * a4
+      - lump * (Scalar(12.0) * omega1_3 * omega2_2 - Scalar(78.0) * omega1 * omega2_4)) / denominator;
+  // by omega2
+  gradient[1] = (-Scalar(6.0) * omega1_2 * omega2 * b4 + Scalar(48.0) * omega2_3 * b4
+      + Scalar(12.0) * omega2 * a2 * a3 + Scalar(16.0) * omega2 * a3 * a4
+      - lump * (Scalar(6.0) * omega1_4 * omega2 - Scalar(156.0) * omega1_2 * omega2_3
+      + Scalar(648.0) * omega2_5)) / denominator;
+  gradient[3] = (Scalar(6.0) * omega2_2 * a3) / denominator;  // by a2
+  // by a3
+  gradient[4] = (-Scalar(2.0) * omega1_2 * a4 + Scalar(6.0) * omega2_2 * a2
+      + Scalar(8.0) * omega2_2 * a4) / denominator;
+  gradient[5] = (-Scalar(2.0) * omega1_2 * a3 + Scalar(8.0) * omega2_2 * a3) / denominator;  // by a4
+  gradient[9] = (-Scalar(3.0) * omega1_2 * omega2_2 + Scalar(12.0) * omega2_4) / denominator;  // by b4
+}
+
 /// gradient[p] = d harmonic_re_x_A_x_A_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
 /// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
 /// them.
 /// 132 operations.
 template <class Scalar>
-void lump_gradient_16(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+void lump_gradient_17(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
   const Scalar omega1 = parameters[0];
   const Scalar omega2 = parameters[1];
   const Scalar a1 = parameters[2];
@@ -5346,339 +5286,12 @@ void lump_gradient_16(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
   gradient[8] = (c_4) / denominator;  // by b3
 }
 
-/// gradient[p] = d harmonic_re_x_A_x2_A_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 128 operations.
-template <class Scalar>
-void lump_gradient_17(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(36.0) * omega1_7 * omega2 + Scalar(120.0) * omega1_6 * omega2_2
-      + Scalar(99.0) * omega1_5 * omega2_3 - Scalar(6.0) * omega1_4 * omega2_4
-      - Scalar(27.0) * omega1_3 * omega2_5 - Scalar(6.0) * omega1_2 * omega2_6;
-  // multiplies a1*a2
-  const Scalar c_0 = Scalar(24.0) * omega1_4 + Scalar(44.0) * omega1_3 * omega2
-      - Scalar(8.0) * omega1_2 * omega2_2 - Scalar(2.0) * omega1 * omega2_3 - Scalar(4.0) * omega2_4;
-  // multiplies a2*a3
-  const Scalar c_1 = Scalar(54.0) * omega1_3 * omega2 + Scalar(12.0) * omega1_2 * omega2_2
-      - Scalar(12.0) * omega1 * omega2_3;
-  // multiplies b2
-  const Scalar c_2 = Scalar(36.0) * omega1_5 * omega2 + Scalar(72.0) * omega1_4 * omega2_2
-      - Scalar(9.0) * omega1_3 * omega2_3 - Scalar(18.0) * omega1_2 * omega2_4;
-  const Scalar w_0 = Scalar(36.0) * b2;  // multiplies omega1^5*omega2
-  const Scalar w_1 = Scalar(72.0) * b2;  // multiplies omega1^4*omega2^2
-  const Scalar w_2 = Scalar(24.0) * a1 * a2;  // multiplies omega1^4
-  const Scalar w_3 = -Scalar(9.0) * b2;  // multiplies omega1^3*omega2^3
-  const Scalar w_4 = Scalar(44.0) * a1 * a2 + Scalar(54.0) * a2 * a3;  // multiplies omega1^3*omega2
-  const Scalar w_5 = -Scalar(18.0) * b2;  // multiplies omega1^2*omega2^4
-  const Scalar w_6 = -Scalar(8.0) * a1 * a2 + Scalar(12.0) * a2 * a3;  // multiplies omega1^2*omega2^2
-  const Scalar w_7 = -Scalar(2.0) * a1 * a2 - Scalar(12.0) * a2 * a3;  // multiplies omega1*omega2^3
-  const Scalar w_8 = -Scalar(4.0) * a1 * a2;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2 * w_0 + Scalar(4.0) * omega1_3 * omega2_2 * w_1
-      + Scalar(4.0) * omega1_3 * w_2 + Scalar(3.0) * omega1_2 * omega2_3 * w_3
-      + Scalar(3.0) * omega1_2 * omega2 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      + Scalar(2.0) * omega1 * omega2_2 * w_6 + omega2_3 * w_7 - lump * (Scalar(252.0) * omega1_6 * omega2
-      + Scalar(720.0) * omega1_5 * omega2_2 + Scalar(495.0) * omega1_4 * omega2_3
-      - Scalar(24.0) * omega1_3 * omega2_4 - Scalar(81.0) * omega1_2 * omega2_5
-      - Scalar(12.0) * omega1 * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (omega1_5 * w_0 + Scalar(2.0) * omega1_4 * omega2 * w_1 + Scalar(3.0) * omega1_3 * omega2_2 * w_3
-      + omega1_3 * w_4 + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(2.0) * omega1_2 * omega2 * w_6
-      + Scalar(3.0) * omega1 * omega2_2 * w_7 + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(36.0) * omega1_7
-      + Scalar(240.0) * omega1_6 * omega2 + Scalar(297.0) * omega1_5 * omega2_2
-      - Scalar(24.0) * omega1_4 * omega2_3 - Scalar(135.0) * omega1_3 * omega2_4
-      - Scalar(36.0) * omega1_2 * omega2_5)) / denominator;
-  gradient[2] = (a2 * c_0) / denominator;  // by a1
-  gradient[3] = (a1 * c_0 + a3 * c_1) / denominator;  // by a2
-  gradient[4] = (a2 * c_1) / denominator;  // by a3
-  gradient[7] = (c_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_A_y_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 94 operations.
-template <class Scalar>
-void lump_gradient_20(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega1_8 = omega1_7 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar omega2_8 = omega2_7 * omega2;
-  const Scalar denominator = Scalar(4.0) * omega1_8 * omega2_2 - Scalar(21.0) * omega1_6 * omega2_4
-      + Scalar(21.0) * omega1_4 * omega2_6 - Scalar(4.0) * omega1_2 * omega2_8;
-  // multiplies a2*a3
-  const Scalar c_0 = -Scalar(24.0) * omega1_4 * omega2_2 + Scalar(100.0) * omega1_2 * omega2_4
-      - Scalar(16.0) * omega2_6;
-  // multiplies a3*a4
-  const Scalar c_1 = -Scalar(16.0) * omega1_6 + Scalar(100.0) * omega1_4 * omega2_2
-      - Scalar(24.0) * omega1_2 * omega2_4;
-  // multiplies b4
-  const Scalar c_2 = Scalar(24.0) * omega1_6 * omega2_2 - Scalar(102.0) * omega1_4 * omega2_4
-      + Scalar(24.0) * omega1_2 * omega2_6;
-  const Scalar w_0 = Scalar(24.0) * b4;  // multiplies omega1^6*omega2^2
-  const Scalar w_1 = -Scalar(16.0) * a3 * a4;  // multiplies omega1^6
-  const Scalar w_2 = -Scalar(102.0) * b4;  // multiplies omega1^4*omega2^4
-  const Scalar w_3 = -Scalar(24.0) * a2 * a3 + Scalar(100.0) * a3 * a4;  // multiplies omega1^4*omega2^2
-  const Scalar w_4 = Scalar(24.0) * b4;  // multiplies omega1^2*omega2^6
-  const Scalar w_5 = Scalar(100.0) * a2 * a3 - Scalar(24.0) * a3 * a4;  // multiplies omega1^2*omega2^4
-  const Scalar w_6 = -Scalar(16.0) * a2 * a3;  // multiplies omega2^6
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1_5 * omega2_2 * w_0 + Scalar(6.0) * omega1_5 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_4 * w_2 + Scalar(4.0) * omega1_3 * omega2_2 * w_3
-      + Scalar(2.0) * omega1 * omega2_6 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      - lump * (Scalar(32.0) * omega1_7 * omega2_2 - Scalar(126.0) * omega1_5 * omega2_4
-      + Scalar(84.0) * omega1_3 * omega2_6 - Scalar(8.0) * omega1 * omega2_8)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_6 * omega2 * w_0 + Scalar(4.0) * omega1_4 * omega2_3 * w_2
-      + Scalar(2.0) * omega1_4 * omega2 * w_3 + Scalar(6.0) * omega1_2 * omega2_5 * w_4
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(6.0) * omega2_5 * w_6
-      - lump * (Scalar(8.0) * omega1_8 * omega2 - Scalar(84.0) * omega1_6 * omega2_3
-      + Scalar(126.0) * omega1_4 * omega2_5 - Scalar(32.0) * omega1_2 * omega2_7)) / denominator;
-  gradient[3] = (a3 * c_0) / denominator;  // by a2
-  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
-  gradient[5] = (a3 * c_1) / denominator;  // by a4
-  gradient[9] = (c_2) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_y_A_x2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 96 operations.
-template <class Scalar>
-void lump_gradient_21(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(12.0) * omega1_6 * omega2_2 - Scalar(15.0) * omega1_4 * omega2_4
-      + Scalar(3.0) * omega1_2 * omega2_6;
-  // by omega1
-  gradient[0] = (Scalar(144.0) * omega1_3 * omega2_2 * b2 - Scalar(192.0) * omega1_3 * a2 * a3
-      - Scalar(18.0) * omega1 * omega2_4 * b2 - Scalar(80.0) * omega1 * omega2_2 * a1 * a2
-      + Scalar(36.0) * omega1 * omega2_2 * a2 * a3 - lump * (Scalar(72.0) * omega1_5 * omega2_2
-      - Scalar(60.0) * omega1_3 * omega2_4 + Scalar(6.0) * omega1 * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(72.0) * omega1_4 * omega2 * b2 - Scalar(36.0) * omega1_2 * omega2_3 * b2
-      - Scalar(80.0) * omega1_2 * omega2 * a1 * a2 + Scalar(36.0) * omega1_2 * omega2 * a2 * a3
-      + Scalar(40.0) * omega2_3 * a1 * a2 - lump * (Scalar(24.0) * omega1_6 * omega2
-      - Scalar(60.0) * omega1_4 * omega2_3 + Scalar(18.0) * omega1_2 * omega2_5)) / denominator;
-  gradient[2] = (-Scalar(40.0) * omega1_2 * omega2_2 * a2 + Scalar(10.0) * omega2_4 * a2) / denominator;  // by a1
-  // by a2
-  gradient[3] = (-Scalar(48.0) * omega1_4 * a3 - Scalar(40.0) * omega1_2 * omega2_2 * a1
-      + Scalar(18.0) * omega1_2 * omega2_2 * a3 + Scalar(10.0) * omega2_4 * a1) / denominator;
-  gradient[4] = (-Scalar(48.0) * omega1_4 * a2 + Scalar(18.0) * omega1_2 * omega2_2 * a2) / denominator;  // by a3
-  gradient[7] = (Scalar(36.0) * omega1_4 * omega2_2 - Scalar(9.0) * omega1_2 * omega2_4) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_y_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 39 operations.
-template <class Scalar>
-void lump_gradient_22(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b5 = parameters[10];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar a4_2 = a4 * a4;
-  const Scalar denominator = Scalar(24.0) * omega1_2 * omega2_4 - Scalar(96.0) * omega2_6;
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1 * omega2_2 * b5 + Scalar(4.0) * omega1 * a4_2
-      - lump * (Scalar(48.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(6.0) * omega1_2 * omega2 * b5 - Scalar(48.0) * omega2_3 * b5
-      - Scalar(12.0) * omega2 * a3_2 - Scalar(16.0) * omega2 * a4_2 - lump * (Scalar(96.0) * omega1_2 * omega2_3
-      - Scalar(576.0) * omega2_5)) / denominator;
-  gradient[4] = (-Scalar(12.0) * omega2_2 * a3) / denominator;  // by a3
-  gradient[5] = (Scalar(4.0) * omega1_2 * a4 - Scalar(16.0) * omega2_2 * a4) / denominator;  // by a4
-  gradient[10] = (Scalar(3.0) * omega1_2 * omega2_2 - Scalar(12.0) * omega2_4) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_conjA_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 128 operations.
-template <class Scalar>
-void lump_gradient_23(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar denominator = Scalar(6.0) * omega1_6 * omega2_2 - Scalar(27.0) * omega1_5 * omega2_3
-      + Scalar(6.0) * omega1_4 * omega2_4 + Scalar(99.0) * omega1_3 * omega2_5
-      - Scalar(120.0) * omega1_2 * omega2_6 + Scalar(36.0) * omega1 * omega2_7;
-  // multiplies a2*a3
-  const Scalar c_0 = -Scalar(12.0) * omega1_3 * omega2 - Scalar(12.0) * omega1_2 * omega2_2
-      + Scalar(54.0) * omega1 * omega2_3;
-  // multiplies a3*a4
-  const Scalar c_1 = Scalar(4.0) * omega1_4 - Scalar(2.0) * omega1_3 * omega2 + Scalar(8.0) * omega1_2 * omega2_2
-      + Scalar(44.0) * omega1 * omega2_3 - Scalar(24.0) * omega2_4;
-  // multiplies b4
-  const Scalar c_2 = Scalar(18.0) * omega1_4 * omega2_2 - Scalar(9.0) * omega1_3 * omega2_3
-      - Scalar(72.0) * omega1_2 * omega2_4 + Scalar(36.0) * omega1 * omega2_5;
-  const Scalar w_0 = Scalar(18.0) * b4;  // multiplies omega1^4*omega2^2
-  const Scalar w_1 = Scalar(4.0) * a3 * a4;  // multiplies omega1^4
-  const Scalar w_2 = -Scalar(9.0) * b4;  // multiplies omega1^3*omega2^3
-  const Scalar w_3 = -Scalar(12.0) * a2 * a3 - Scalar(2.0) * a3 * a4;  // multiplies omega1^3*omega2
-  const Scalar w_4 = -Scalar(72.0) * b4;  // multiplies omega1^2*omega2^4
-  const Scalar w_5 = -Scalar(12.0) * a2 * a3 + Scalar(8.0) * a3 * a4;  // multiplies omega1^2*omega2^2
-  const Scalar w_6 = Scalar(36.0) * b4;  // multiplies omega1*omega2^5
-  const Scalar w_7 = Scalar(54.0) * a2 * a3 + Scalar(44.0) * a3 * a4;  // multiplies omega1*omega2^3
-  const Scalar w_8 = -Scalar(24.0) * a3 * a4;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
-      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
-      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
-      + omega2_3 * w_7 - lump * (Scalar(36.0) * omega1_5 * omega2_2 - Scalar(135.0) * omega1_4 * omega2_3
-      + Scalar(24.0) * omega1_3 * omega2_4 + Scalar(297.0) * omega1_2 * omega2_5
-      - Scalar(240.0) * omega1 * omega2_6 + Scalar(36.0) * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
-      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
-      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(12.0) * omega1_6 * omega2
-      - Scalar(81.0) * omega1_5 * omega2_2 + Scalar(24.0) * omega1_4 * omega2_3
-      + Scalar(495.0) * omega1_3 * omega2_4 - Scalar(720.0) * omega1_2 * omega2_5
-      + Scalar(252.0) * omega1 * omega2_6)) / denominator;
-  gradient[3] = (a3 * c_0) / denominator;  // by a2
-  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
-  gradient[5] = (a3 * c_1) / denominator;  // by a4
-  gradient[9] = (c_2) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_A_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 128 operations.
-template <class Scalar>
-void lump_gradient_24(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar denominator = Scalar(6.0) * omega1_6 * omega2_2 + Scalar(27.0) * omega1_5 * omega2_3
-      + Scalar(6.0) * omega1_4 * omega2_4 - Scalar(99.0) * omega1_3 * omega2_5
-      - Scalar(120.0) * omega1_2 * omega2_6 - Scalar(36.0) * omega1 * omega2_7;
-  // multiplies a2*a3
-  const Scalar c_0 = Scalar(12.0) * omega1_3 * omega2 - Scalar(12.0) * omega1_2 * omega2_2
-      - Scalar(54.0) * omega1 * omega2_3;
-  // multiplies a3*a4
-  const Scalar c_1 = Scalar(4.0) * omega1_4 + Scalar(2.0) * omega1_3 * omega2 + Scalar(8.0) * omega1_2 * omega2_2
-      - Scalar(44.0) * omega1 * omega2_3 - Scalar(24.0) * omega2_4;
-  // multiplies b4
-  const Scalar c_2 = Scalar(18.0) * omega1_4 * omega2_2 + Scalar(9.0) * omega1_3 * omega2_3
-      - Scalar(72.0) * omega1_2 * omega2_4 - Scalar(36.0) * omega1 * omega2_5;
-  const Scalar w_0 = Scalar(18.0) * b4;  // multiplies omega1^4*omega2^2
-  const Scalar w_1 = Scalar(4.0) * a3 * a4;  // multiplies omega1^4
-  const Scalar w_2 = Scalar(9.0) * b4;  // multiplies omega1^3*omega2^3
-  const Scalar w_3 = Scalar(12.0) * a2 * a3 + Scalar(2.0) * a3 * a4;  // multiplies omega1^3*omega2
-  const Scalar w_4 = -Scalar(72.0) * b4;  // multiplies omega1^2*omega2^4
-  const Scalar w_5 = -Scalar(12.0) * a2 * a3 + Scalar(8.0) * a3 * a4;  // multiplies omega1^2*omega2^2
-  const Scalar w_6 = -Scalar(36.0) * b4;  // multiplies omega1*omega2^5
-  const Scalar w_7 = -Scalar(54.0) * a2 * a3 - Scalar(44.0) * a3 * a4;  // multiplies omega1*omega2^3
-  const Scalar w_8 = -Scalar(24.0) * a3 * a4;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
-      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
-      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
-      + omega2_3 * w_7 - lump * (Scalar(36.0) * omega1_5 * omega2_2 + Scalar(135.0) * omega1_4 * omega2_3
-      + Scalar(24.0) * omega1_3 * omega2_4 - Scalar(297.0) * omega1_2 * omega2_5
-      - Scalar(240.0) * omega1 * omega2_6 - Scalar(36.0) * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
-      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
-      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(12.0) * omega1_6 * omega2
-      + Scalar(81.0) * omega1_5 * omega2_2 + Scalar(24.0) * omega1_4 * omega2_3
-      - Scalar(495.0) * omega1_3 * omega2_4 - Scalar(720.0) * omega1_2 * omega2_5
-      - Scalar(252.0) * omega1 * omega2_6)) / denominator;
-  gradient[3] = (a3 * c_0) / denominator;  // by a2
-  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
-  gradient[5] = (a3 * c_1) / denominator;  // by a4
-  gradient[9] = (c_2) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_y_A_x2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// gradient[p] = d harmonic_re_y_A_y_conjA_x2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
 /// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
 /// them.
 /// 132 operations.
 template <class Scalar>
-void lump_gradient_25(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+void lump_gradient_19(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
   const Scalar omega1 = parameters[0];
   const Scalar omega2 = parameters[1];
   const Scalar a1 = parameters[2];
@@ -5743,12 +5356,179 @@ void lump_gradient_25(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
   gradient[8] = (c_4) / denominator;  // by b3
 }
 
+/// gradient[p] = d harmonic_re_y_A_x_A_y_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
+/// them.
+/// 94 operations.
+template <class Scalar>
+void lump_gradient_21(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega1_5 = omega1_4 * omega1;
+  const Scalar omega1_6 = omega1_5 * omega1;
+  const Scalar omega1_7 = omega1_6 * omega1;
+  const Scalar omega1_8 = omega1_7 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar omega2_5 = omega2_4 * omega2;
+  const Scalar omega2_6 = omega2_5 * omega2;
+  const Scalar omega2_7 = omega2_6 * omega2;
+  const Scalar omega2_8 = omega2_7 * omega2;
+  const Scalar denominator = Scalar(4.0) * omega1_8 * omega2_2 - Scalar(21.0) * omega1_6 * omega2_4
+      + Scalar(21.0) * omega1_4 * omega2_6 - Scalar(4.0) * omega1_2 * omega2_8;
+  // multiplies a2*a3
+  const Scalar c_0 = -Scalar(24.0) * omega1_4 * omega2_2 + Scalar(100.0) * omega1_2 * omega2_4
+      - Scalar(16.0) * omega2_6;
+  // multiplies a3*a4
+  const Scalar c_1 = -Scalar(16.0) * omega1_6 + Scalar(100.0) * omega1_4 * omega2_2
+      - Scalar(24.0) * omega1_2 * omega2_4;
+  // multiplies b4
+  const Scalar c_2 = Scalar(24.0) * omega1_6 * omega2_2 - Scalar(102.0) * omega1_4 * omega2_4
+      + Scalar(24.0) * omega1_2 * omega2_6;
+  const Scalar w_0 = Scalar(24.0) * b4;  // multiplies omega1^6*omega2^2
+  const Scalar w_1 = -Scalar(16.0) * a3 * a4;  // multiplies omega1^6
+  const Scalar w_2 = -Scalar(102.0) * b4;  // multiplies omega1^4*omega2^4
+  const Scalar w_3 = -Scalar(24.0) * a2 * a3 + Scalar(100.0) * a3 * a4;  // multiplies omega1^4*omega2^2
+  const Scalar w_4 = Scalar(24.0) * b4;  // multiplies omega1^2*omega2^6
+  const Scalar w_5 = Scalar(100.0) * a2 * a3 - Scalar(24.0) * a3 * a4;  // multiplies omega1^2*omega2^4
+  const Scalar w_6 = -Scalar(16.0) * a2 * a3;  // multiplies omega2^6
+  // by omega1
+  gradient[0] = (Scalar(6.0) * omega1_5 * omega2_2 * w_0 + Scalar(6.0) * omega1_5 * w_1
+      + Scalar(4.0) * omega1_3 * omega2_4 * w_2 + Scalar(4.0) * omega1_3 * omega2_2 * w_3
+      + Scalar(2.0) * omega1 * omega2_6 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
+      - lump * (Scalar(32.0) * omega1_7 * omega2_2 - Scalar(126.0) * omega1_5 * omega2_4
+      + Scalar(84.0) * omega1_3 * omega2_6 - Scalar(8.0) * omega1 * omega2_8)) / denominator;
+  // by omega2
+  gradient[1] = (Scalar(2.0) * omega1_6 * omega2 * w_0 + Scalar(4.0) * omega1_4 * omega2_3 * w_2
+      + Scalar(2.0) * omega1_4 * omega2 * w_3 + Scalar(6.0) * omega1_2 * omega2_5 * w_4
+      + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(6.0) * omega2_5 * w_6
+      - lump * (Scalar(8.0) * omega1_8 * omega2 - Scalar(84.0) * omega1_6 * omega2_3
+      + Scalar(126.0) * omega1_4 * omega2_5 - Scalar(32.0) * omega1_2 * omega2_7)) / denominator;
+  gradient[3] = (a3 * c_0) / denominator;  // by a2
+  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
+  gradient[5] = (a3 * c_1) / denominator;  // by a4
+  gradient[9] = (c_2) / denominator;  // by b4
+}
+
+/// gradient[p] = d harmonic_re_y_A_x2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// 96 operations.
+template <class Scalar>
+void lump_gradient_22(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega1_5 = omega1_4 * omega1;
+  const Scalar omega1_6 = omega1_5 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar omega2_5 = omega2_4 * omega2;
+  const Scalar omega2_6 = omega2_5 * omega2;
+  const Scalar denominator = Scalar(12.0) * omega1_6 * omega2_2 - Scalar(15.0) * omega1_4 * omega2_4
+      + Scalar(3.0) * omega1_2 * omega2_6;
+  // by omega1
+  gradient[0] = (Scalar(144.0) * omega1_3 * omega2_2 * b2 - Scalar(192.0) * omega1_3 * a2 * a3
+      - Scalar(18.0) * omega1 * omega2_4 * b2 - Scalar(80.0) * omega1 * omega2_2 * a1 * a2
+      + Scalar(36.0) * omega1 * omega2_2 * a2 * a3 - lump * (Scalar(72.0) * omega1_5 * omega2_2
+      - Scalar(60.0) * omega1_3 * omega2_4 + Scalar(6.0) * omega1 * omega2_6)) / denominator;
+  // by omega2
+  gradient[1] = (Scalar(72.0) * omega1_4 * omega2 * b2 - Scalar(36.0) * omega1_2 * omega2_3 * b2
+      - Scalar(80.0) * omega1_2 * omega2 * a1 * a2 + Scalar(36.0) * omega1_2 * omega2 * a2 * a3
+      + Scalar(40.0) * omega2_3 * a1 * a2 - lump * (Scalar(24.0) * omega1_6 * omega2
+      - Scalar(60.0) * omega1_4 * omega2_3 + Scalar(18.0) * omega1_2 * omega2_5)) / denominator;
+  gradient[2] = (-Scalar(40.0) * omega1_2 * omega2_2 * a2 + Scalar(10.0) * omega2_4 * a2) / denominator;  // by a1
+  // by a2
+  gradient[3] = (-Scalar(48.0) * omega1_4 * a3 - Scalar(40.0) * omega1_2 * omega2_2 * a1
+      + Scalar(18.0) * omega1_2 * omega2_2 * a3 + Scalar(10.0) * omega2_4 * a1) / denominator;
+  gradient[4] = (-Scalar(48.0) * omega1_4 * a2 + Scalar(18.0) * omega1_2 * omega2_2 * a2) / denominator;  // by a3
+  gradient[7] = (Scalar(36.0) * omega1_4 * omega2_2 - Scalar(9.0) * omega1_2 * omega2_4) / denominator;  // by b2
+}
+
+/// gradient[p] = d harmonic_re_y_A_y2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
+/// them.
+/// 128 operations.
+template <class Scalar>
+void lump_gradient_23(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega1_5 = omega1_4 * omega1;
+  const Scalar omega1_6 = omega1_5 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar omega2_5 = omega2_4 * omega2;
+  const Scalar omega2_6 = omega2_5 * omega2;
+  const Scalar omega2_7 = omega2_6 * omega2;
+  const Scalar denominator = Scalar(6.0) * omega1_6 * omega2_2 - Scalar(27.0) * omega1_5 * omega2_3
+      + Scalar(6.0) * omega1_4 * omega2_4 + Scalar(99.0) * omega1_3 * omega2_5
+      - Scalar(120.0) * omega1_2 * omega2_6 + Scalar(36.0) * omega1 * omega2_7;
+  // multiplies a2*a3
+  const Scalar c_0 = -Scalar(12.0) * omega1_3 * omega2 - Scalar(12.0) * omega1_2 * omega2_2
+      + Scalar(54.0) * omega1 * omega2_3;
+  // multiplies a3*a4
+  const Scalar c_1 = Scalar(4.0) * omega1_4 - Scalar(2.0) * omega1_3 * omega2 + Scalar(8.0) * omega1_2 * omega2_2
+      + Scalar(44.0) * omega1 * omega2_3 - Scalar(24.0) * omega2_4;
+  // multiplies b4
+  const Scalar c_2 = Scalar(18.0) * omega1_4 * omega2_2 - Scalar(9.0) * omega1_3 * omega2_3
+      - Scalar(72.0) * omega1_2 * omega2_4 + Scalar(36.0) * omega1 * omega2_5;
+  const Scalar w_0 = Scalar(18.0) * b4;  // multiplies omega1^4*omega2^2
+  const Scalar w_1 = Scalar(4.0) * a3 * a4;  // multiplies omega1^4
+  const Scalar w_2 = -Scalar(9.0) * b4;  // multiplies omega1^3*omega2^3
+  const Scalar w_3 = -Scalar(12.0) * a2 * a3 - Scalar(2.0) * a3 * a4;  // multiplies omega1^3*omega2
+  const Scalar w_4 = -Scalar(72.0) * b4;  // multiplies omega1^2*omega2^4
+  const Scalar w_5 = -Scalar(12.0) * a2 * a3 + Scalar(8.0) * a3 * a4;  // multiplies omega1^2*omega2^2
+  const Scalar w_6 = Scalar(36.0) * b4;  // multiplies omega1*omega2^5
+  const Scalar w_7 = Scalar(54.0) * a2 * a3 + Scalar(44.0) * a3 * a4;  // multiplies omega1*omega2^3
+  const Scalar w_8 = -Scalar(24.0) * a3 * a4;  // multiplies omega2^4
+  // by omega1
+  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
+      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
+      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
+      + omega2_3 * w_7 - lump * (Scalar(36.0) * omega1_5 * omega2_2 - Scalar(135.0) * omega1_4 * omega2_3
+      + Scalar(24.0) * omega1_3 * omega2_4 + Scalar(297.0) * omega1_2 * omega2_5
+      - Scalar(240.0) * omega1 * omega2_6 + Scalar(36.0) * omega2_7)) / denominator;
+  // by omega2
+  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
+      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
+      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
+      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(12.0) * omega1_6 * omega2
+      - Scalar(81.0) * omega1_5 * omega2_2 + Scalar(24.0) * omega1_4 * omega2_3
+      + Scalar(495.0) * omega1_3 * omega2_4 - Scalar(720.0) * omega1_2 * omega2_5
+      + Scalar(252.0) * omega1 * omega2_6)) / denominator;
+  gradient[3] = (a3 * c_0) / denominator;  // by a2
+  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
+  gradient[5] = (a3 * c_1) / denominator;  // by a4
+  gradient[9] = (c_2) / denominator;  // by b4
+}
+
 /// gradient[p] = d harmonic_re_y_A_x2_A_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
 /// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
 /// them.
 /// 132 operations.
 template <class Scalar>
-void lump_gradient_26(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+void lump_gradient_24(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
   const Scalar omega1 = parameters[0];
   const Scalar omega2 = parameters[1];
   const Scalar a1 = parameters[2];
@@ -5813,6 +5593,101 @@ void lump_gradient_26(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
   gradient[8] = (c_4) / denominator;  // by b3
 }
 
+/// gradient[p] = d harmonic_re_y_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// 39 operations.
+template <class Scalar>
+void lump_gradient_25(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b5 = parameters[10];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar omega2_5 = omega2_4 * omega2;
+  const Scalar omega2_6 = omega2_5 * omega2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar a4_2 = a4 * a4;
+  const Scalar denominator = Scalar(24.0) * omega1_2 * omega2_4 - Scalar(96.0) * omega2_6;
+  // by omega1
+  gradient[0] = (Scalar(6.0) * omega1 * omega2_2 * b5 + Scalar(4.0) * omega1 * a4_2
+      - lump * (Scalar(48.0) * omega1 * omega2_4)) / denominator;
+  // by omega2
+  gradient[1] = (Scalar(6.0) * omega1_2 * omega2 * b5 - Scalar(48.0) * omega2_3 * b5
+      - Scalar(12.0) * omega2 * a3_2 - Scalar(16.0) * omega2 * a4_2 - lump * (Scalar(96.0) * omega1_2 * omega2_3
+      - Scalar(576.0) * omega2_5)) / denominator;
+  gradient[4] = (-Scalar(12.0) * omega2_2 * a3) / denominator;  // by a3
+  gradient[5] = (Scalar(4.0) * omega1_2 * a4 - Scalar(16.0) * omega2_2 * a4) / denominator;  // by a4
+  gradient[10] = (Scalar(3.0) * omega1_2 * omega2_2 - Scalar(12.0) * omega2_4) / denominator;  // by b5
+}
+
+/// gradient[p] = d harmonic_re_y_A_x_A_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
+/// them.
+/// 128 operations.
+template <class Scalar>
+void lump_gradient_26(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega1_5 = omega1_4 * omega1;
+  const Scalar omega1_6 = omega1_5 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar omega2_5 = omega2_4 * omega2;
+  const Scalar omega2_6 = omega2_5 * omega2;
+  const Scalar omega2_7 = omega2_6 * omega2;
+  const Scalar denominator = Scalar(6.0) * omega1_6 * omega2_2 + Scalar(27.0) * omega1_5 * omega2_3
+      + Scalar(6.0) * omega1_4 * omega2_4 - Scalar(99.0) * omega1_3 * omega2_5
+      - Scalar(120.0) * omega1_2 * omega2_6 - Scalar(36.0) * omega1 * omega2_7;
+  // multiplies a2*a3
+  const Scalar c_0 = Scalar(12.0) * omega1_3 * omega2 - Scalar(12.0) * omega1_2 * omega2_2
+      - Scalar(54.0) * omega1 * omega2_3;
+  // multiplies a3*a4
+  const Scalar c_1 = Scalar(4.0) * omega1_4 + Scalar(2.0) * omega1_3 * omega2 + Scalar(8.0) * omega1_2 * omega2_2
+      - Scalar(44.0) * omega1 * omega2_3 - Scalar(24.0) * omega2_4;
+  // multiplies b4
+  const Scalar c_2 = Scalar(18.0) * omega1_4 * omega2_2 + Scalar(9.0) * omega1_3 * omega2_3
+      - Scalar(72.0) * omega1_2 * omega2_4 - Scalar(36.0) * omega1 * omega2_5;
+  const Scalar w_0 = Scalar(18.0) * b4;  // multiplies omega1^4*omega2^2
+  const Scalar w_1 = Scalar(4.0) * a3 * a4;  // multiplies omega1^4
+  const Scalar w_2 = Scalar(9.0) * b4;  // multiplies omega1^3*omega2^3
+  const Scalar w_3 = Scalar(12.0) * a2 * a3 + Scalar(2.0) * a3 * a4;  // multiplies omega1^3*omega2
+  const Scalar w_4 = -Scalar(72.0) * b4;  // multiplies omega1^2*omega2^4
+  const Scalar w_5 = -Scalar(12.0) * a2 * a3 + Scalar(8.0) * a3 * a4;  // multiplies omega1^2*omega2^2
+  const Scalar w_6 = -Scalar(36.0) * b4;  // multiplies omega1*omega2^5
+  const Scalar w_7 = -Scalar(54.0) * a2 * a3 - Scalar(44.0) * a3 * a4;  // multiplies omega1*omega2^3
+  const Scalar w_8 = -Scalar(24.0) * a3 * a4;  // multiplies omega2^4
+  // by omega1
+  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
+      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
+      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
+      + omega2_3 * w_7 - lump * (Scalar(36.0) * omega1_5 * omega2_2 + Scalar(135.0) * omega1_4 * omega2_3
+      + Scalar(24.0) * omega1_3 * omega2_4 - Scalar(297.0) * omega1_2 * omega2_5
+      - Scalar(240.0) * omega1 * omega2_6 - Scalar(36.0) * omega2_7)) / denominator;
+  // by omega2
+  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
+      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
+      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
+      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(12.0) * omega1_6 * omega2
+      + Scalar(81.0) * omega1_5 * omega2_2 + Scalar(24.0) * omega1_4 * omega2_3
+      - Scalar(495.0) * omega1_3 * omega2_4 - Scalar(720.0) * omega1_2 * omega2_5
+      - Scalar(252.0) * omega1 * omega2_6)) / denominator;
+  gradient[3] = (a3 * c_0) / denominator;  // by a2
+  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
+  gradient[5] = (a3 * c_1) / denominator;  // by a4
+  gradient[9] = (c_2) / denominator;  // by b4
+}
+
 /// jacobian[l * 15 + p] = d lumps[l] / d parameters[p]. 0 operations.
 template <class Scalar>
 void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* jacobian) {
@@ -5827,25 +5702,25 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   lump_gradient_5(parameters, lumps[5], jacobian + 75);  // d conservative_y_A_x3
   jacobian[103] = Scalar(1.0);  // d mu2 / d mu2
   lump_gradient_7(parameters, lumps[7], jacobian + 105);  // d conservative_y_A_y2_conjA_y
-  jacobian[124] = Scalar(1.0);  // d a3 / d a3
+  jacobian[123] = Scalar(1.0);  // d a2 / d a2
   jacobian[137] = Scalar(1.0);  // d a1 / d a1
-  jacobian[153] = Scalar(1.0);  // d a2 / d a2
-  lump_gradient_11(parameters, lumps[11], jacobian + 165);  // d harmonic_re_x_A_y2_conjA_y
-  lump_gradient_12(parameters, lumps[12], jacobian + 180);  // d harmonic_re_x_A_x_A_y_conjA_x
-  lump_gradient_13(parameters, lumps[13], jacobian + 195);  // d harmonic_re_x_A_x3
-  lump_gradient_14(parameters, lumps[14], jacobian + 210);  // d harmonic_re_x_A_y3
-  lump_gradient_15(parameters, lumps[15], jacobian + 225);  // d harmonic_re_x_A_x_conjA_y2
-  lump_gradient_16(parameters, lumps[16], jacobian + 240);  // d harmonic_re_x_A_x_A_y2
-  lump_gradient_17(parameters, lumps[17], jacobian + 255);  // d harmonic_re_x_A_x2_A_y
+  jacobian[154] = Scalar(1.0);  // d a3 / d a3
+  lump_gradient_11(parameters, lumps[11], jacobian + 165);  // d harmonic_re_x_A_y2_conjA_x
+  lump_gradient_12(parameters, lumps[12], jacobian + 180);  // d harmonic_re_x_A_x2_A_y
+  lump_gradient_13(parameters, lumps[13], jacobian + 195);  // d harmonic_re_x_A_y2_conjA_y
+  lump_gradient_14(parameters, lumps[14], jacobian + 210);  // d harmonic_re_x_A_x_A_y_conjA_x
+  lump_gradient_15(parameters, lumps[15], jacobian + 225);  // d harmonic_re_x_A_x3
+  lump_gradient_16(parameters, lumps[16], jacobian + 240);  // d harmonic_re_x_A_y3
+  lump_gradient_17(parameters, lumps[17], jacobian + 255);  // d harmonic_re_x_A_x_A_y2
   jacobian[275] = Scalar(1.0);  // d a4 / d a4
-  jacobian[299] = Scalar(1.0);  // d e2 / d e2
-  lump_gradient_20(parameters, lumps[20], jacobian + 300);  // d harmonic_re_y_A_x_A_y_conjA_y
-  lump_gradient_21(parameters, lumps[21], jacobian + 315);  // d harmonic_re_y_A_x2_conjA_x
-  lump_gradient_22(parameters, lumps[22], jacobian + 330);  // d harmonic_re_y_A_y3
-  lump_gradient_23(parameters, lumps[23], jacobian + 345);  // d harmonic_re_y_A_x_conjA_y2
-  lump_gradient_24(parameters, lumps[24], jacobian + 360);  // d harmonic_re_y_A_x_A_y2
-  lump_gradient_25(parameters, lumps[25], jacobian + 375);  // d harmonic_re_y_A_x2_conjA_y
-  lump_gradient_26(parameters, lumps[26], jacobian + 390);  // d harmonic_re_y_A_x2_A_y
+  lump_gradient_19(parameters, lumps[19], jacobian + 285);  // d harmonic_re_y_A_y_conjA_x2
+  jacobian[314] = Scalar(1.0);  // d e2 / d e2
+  lump_gradient_21(parameters, lumps[21], jacobian + 315);  // d harmonic_re_y_A_x_A_y_conjA_y
+  lump_gradient_22(parameters, lumps[22], jacobian + 330);  // d harmonic_re_y_A_x2_conjA_x
+  lump_gradient_23(parameters, lumps[23], jacobian + 345);  // d harmonic_re_y_A_y2_conjA_x
+  lump_gradient_24(parameters, lumps[24], jacobian + 360);  // d harmonic_re_y_A_x2_A_y
+  lump_gradient_25(parameters, lumps[25], jacobian + 375);  // d harmonic_re_y_A_y3
+  lump_gradient_26(parameters, lumps[26], jacobian + 390);  // d harmonic_re_y_A_x_A_y2
 }
 
 /// What multiplies the 5 terms of the modulation of x: functions of the frequencies alone. 2 operations.
@@ -5958,19 +5833,23 @@ inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 2, 1, 4>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic 0 of x: functions of the frequencies alone. 3 operations.
+/// What multiplies the 2 terms of the harmonic -omega1+omega2 of x: functions of the frequencies alone. 8
+/// operations.
 template <class Scalar>
 void factors_2([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
+  const Scalar omega2 = natural_frequency[1];
   const Scalar omega1_2 = omega1 * omega1;
-  factor[0] = -Scalar(2.0) / omega1_2;
-  factor[1] = -Scalar(2.0) / omega1_2;
+  const Scalar omega2_2 = omega2 * omega2;
+  factor[0] = -Scalar(2.0) / (Scalar(2.0) * omega1 * omega2 - omega2_2);
+  factor[1] = Scalar(1.0) / (Scalar(3.0) * omega1_2);
 }
 
-/// Rows of the harmonic 0 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(0)*t) in x = -2/omega1^2*a3*A_y*conj(A_y) - 2/omega1^2*a1*A_x*conj(A_x)
-/// 2 columns; per observation at most 2 products and sums of complex numbers.
+/// Rows of the harmonic -omega1+omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
+/// amplitude of exp(i*(-omega1 + omega2)*t) in x = -2/(2*omega1*omega2 - omega2^2)*a2*conj(A_x)*A_y +
+/// 1/(3*omega1^2)*a1*A_x^2
+/// 2 columns; per observation at most 6 products and sums of complex numbers.
 template <class Factors>
 void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
@@ -5984,11 +5863,10 @@ void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
   factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
     const Complex A_x = load_complex(amplitude_0, i);
-    const Scalar norm_A_x = norm_of(A_x);
+    const Complex conj_A_x = conjugate(A_x);
     const Complex A_y = load_complex(amplitude_1, i);
-    const Scalar norm_A_y = norm_of(A_y);
-    store_complex(column_0, i, Complex(factor[0] * (norm_A_y)));  // a3
-    store_complex(column_1, i, Complex(factor[1] * (norm_A_x)));  // a1
+    store_complex(column_0, i, factor[0] * (conj_A_x * A_y));  // a2
+    store_complex(column_1, i, factor[1] * (A_x * A_x));  // a1
   }
 }
 
@@ -6003,9 +5881,54 @@ inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 2, 1, 2>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 2*omega2 of x: functions of the frequencies alone. 5 operations.
+/// What multiplies the 2 terms of the harmonic 0 of x: functions of the frequencies alone. 3 operations.
 template <class Scalar>
 void factors_3([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega1 = natural_frequency[0];
+  const Scalar omega1_2 = omega1 * omega1;
+  factor[0] = -Scalar(2.0) / omega1_2;
+  factor[1] = -Scalar(2.0) / omega1_2;
+}
+
+/// Rows of the harmonic 0 of x: target = sum of columns[j][i] * lump_j, with the factors above.
+/// amplitude of exp(i*(0)*t) in x = -2/omega1^2*a1*A_x*conj(A_x) - 2/omega1^2*a3*A_y*conj(A_y)
+/// 2 columns; per observation at most 2 products and sums of complex numbers.
+template <class Factors>
+void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict amplitude_1 = data.amplitude[1];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar factor[2];
+  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_x = load_complex(amplitude_0, i);
+    const Scalar norm_A_x = norm_of(A_x);
+    const Complex A_y = load_complex(amplitude_1, i);
+    const Scalar norm_A_y = norm_of(A_y);
+    store_complex(column_0, i, Complex(factor[0] * (norm_A_x)));  // a1
+    store_complex(column_1, i, Complex(factor[1] * (norm_A_y)));  // a3
+  }
+}
+
+/// columns[j][i] of the rows.
+inline void columns_3(const BatchArrays& data, double* const* columns) {
+  rows_3(data, FactorValues<factors_3<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
+  rows_3(data, FactorSlopes<factors_3<DualNumber>, 2, 1, 2>{mode}, columns);
+}
+
+/// What multiplies the 1 terms of the harmonic 2*omega2 of x: functions of the frequencies alone. 5 operations.
+template <class Scalar>
+void factors_4([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
@@ -6018,7 +5941,7 @@ void factors_3([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(2*omega2)*t) in x = -1/(omega1^2 - 4*omega2^2)*a3*A_y^2
 /// 1 columns; per observation at most 3 products and sums of complex numbers.
 template <class Factors>
-void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_1 = data.amplitude[1];
@@ -6029,49 +5952,6 @@ void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
   for (std::size_t i = 0; i < data.count; ++i) {
     const Complex A_y = load_complex(amplitude_1, i);
     store_complex(column_0, i, factor[0] * (A_y * A_y));  // a3
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_3(const BatchArrays& data, double* const* columns) {
-  rows_3(data, FactorValues<factors_3<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_3(data, FactorSlopes<factors_3<DualNumber>, 2, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic omega1-omega2 of x: functions of the frequencies alone. 5
-/// operations.
-template <class Scalar>
-void factors_4([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar omega2_2 = omega2 * omega2;
-  factor[0] = -Scalar(2.0) / (Scalar(2.0) * omega1 * omega2 - omega2_2);
-}
-
-/// Rows of the harmonic omega1-omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 - omega2)*t) in x = -2/(2*omega1*omega2 - omega2^2)*a2*A_x*conj(A_y)
-/// 1 columns; per observation at most 3 products and sums of complex numbers.
-template <class Factors>
-void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    const Complex conj_A_y = conjugate(A_y);
-    store_complex(column_0, i, factor[0] * (A_x * conj_A_y));  // a2
   }
 }
 
@@ -6128,30 +6008,36 @@ inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_5(data, FactorSlopes<factors_5<DualNumber>, 2, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 2*omega1 of x: functions of the frequencies alone. 3 operations.
+/// What multiplies the 2 terms of the harmonic -omega1+2*omega2 of x: functions of the frequencies alone. 0
+/// operations.
 template <class Scalar>
 void factors_6([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega1_2 = omega1 * omega1;
-  factor[0] = Scalar(1.0) / (Scalar(3.0) * omega1_2);
+  factor[0] = Scalar(1.0);
+  factor[1] = Scalar(1.0);
 }
 
-/// Rows of the harmonic 2*omega1 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega1)*t) in x = 1/(3*omega1^2)*a1*A_x^2
-/// 1 columns; per observation at most 3 products and sums of complex numbers.
+/// Rows of the harmonic -omega1+2*omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
+/// amplitude of exp(i*(-omega1 + 2*omega2)*t) in x = harmonic_re_x_A_y2_conjA_x*conj(A_x)*A_y^2 +
+/// harmonic_re_x_A_x2_A_y*A_x^2*A_y
+/// 2 columns; per observation at most 10 products and sums of complex numbers.
 template <class Factors>
 void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict amplitude_1 = data.amplitude[1];
   Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar factor[2];
   const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
   factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
     const Complex A_x = load_complex(amplitude_0, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_x));  // a1
+    const Complex conj_A_x = conjugate(A_x);
+    const Complex A_y = load_complex(amplitude_1, i);
+    store_complex(column_0, i, factor[0] * (conj_A_x * A_y * A_y));  // harmonic_re_x_A_y2_conjA_x
+    store_complex(column_1, i, factor[1] * (A_x * A_x * A_y));  // harmonic_re_x_A_x2_A_y
   }
 }
 
@@ -6163,7 +6049,8 @@ inline void columns_6(const BatchArrays& data, double* const* columns) {
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_6(data, FactorSlopes<factors_6<DualNumber>, 2, 1, 1>{mode}, columns);
+  for (std::size_t j = 0; j < 2; ++j)
+    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
 /// What multiplies the 3 terms of the harmonic omega2 of x: functions of the frequencies alone. 0 operations.
@@ -6251,51 +6138,10 @@ inline void column_slopes_8(const BatchArrays& data, [[maybe_unused]] std::size_
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
-/// What multiplies the 1 terms of the harmonic omega1-2*omega2 of x: functions of the frequencies alone. 0
-/// operations.
-template <class Scalar>
-void factors_9([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega1-2*omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 - 2*omega2)*t) in x = harmonic_re_x_A_x_conjA_y2*A_x*conj(A_y)^2
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_9(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    const Complex conj_A_y = conjugate(A_y);
-    store_complex(column_0, i, factor[0] * (A_x * conj_A_y * conj_A_y));  // harmonic_re_x_A_x_conjA_y2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_9(const BatchArrays& data, double* const* columns) {
-  rows_9(data, FactorValues<factors_9<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_9(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
 /// What multiplies the 1 terms of the harmonic omega1+2*omega2 of x: functions of the frequencies alone. 0
 /// operations.
 template <class Scalar>
-void factors_10([[maybe_unused]] const Scalar* natural_frequency,
+void factors_9([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   factor[0] = Scalar(1.0);
 }
@@ -6304,7 +6150,7 @@ void factors_10([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(omega1 + 2*omega2)*t) in x = harmonic_re_x_A_x_A_y2*A_x*A_y^2
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_10(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_9(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -6321,6 +6167,55 @@ void rows_10(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
+inline void columns_9(const BatchArrays& data, double* const* columns) {
+  rows_9(data, FactorValues<factors_9<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_9(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
+  for (std::size_t j = 0; j < 1; ++j)
+    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
+}
+
+/// What multiplies the 2 terms of the harmonic -omega1+omega2 of y: functions of the frequencies alone. 9
+/// operations.
+template <class Scalar>
+void factors_10([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega1 = natural_frequency[0];
+  const Scalar omega2 = natural_frequency[1];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  factor[0] = Scalar(1.0) / (Scalar(4.0) * omega1_2 - omega2_2);
+  factor[1] = Scalar(2.0) / (omega1_2 - Scalar(2.0) * omega1 * omega2);
+}
+
+/// Rows of the harmonic -omega1+omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
+/// amplitude of exp(i*(-omega1 + omega2)*t) in y = 1/(4*omega1^2 - omega2^2)*a2*A_x^2 + 2/(omega1^2 -
+/// 2*omega1*omega2)*a3*conj(A_x)*A_y
+/// 2 columns; per observation at most 6 products and sums of complex numbers.
+template <class Factors>
+void rows_10(const BatchArrays& data, Factors factors, double* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict amplitude_1 = data.amplitude[1];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar factor[2];
+  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
+    const Complex A_y = load_complex(amplitude_1, i);
+    store_complex(column_0, i, factor[0] * (A_x * A_x));  // a2
+    store_complex(column_1, i, factor[1] * (conj_A_x * A_y));  // a3
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_10(const BatchArrays& data, double* const* columns) {
   rows_10(data, FactorValues<factors_10<double>>{}, columns);
 }
@@ -6328,53 +6223,12 @@ inline void columns_10(const BatchArrays& data, double* const* columns) {
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_10(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic 2*omega1+omega2 of x: functions of the frequencies alone. 0
-/// operations.
-template <class Scalar>
-void factors_11([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic 2*omega1+omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega1 + omega2)*t) in x = harmonic_re_x_A_x2_A_y*A_x^2*A_y
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_11(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_x * A_y));  // harmonic_re_x_A_x2_A_y
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_11(const BatchArrays& data, double* const* columns) {
-  rows_11(data, FactorValues<factors_11<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_11(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
+  rows_10(data, FactorSlopes<factors_10<DualNumber>, 2, 1, 2>{mode}, columns);
 }
 
 /// What multiplies the 2 terms of the harmonic 0 of y: functions of the frequencies alone. 3 operations.
 template <class Scalar>
-void factors_12([[maybe_unused]] const Scalar* natural_frequency,
+void factors_11([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega2 = natural_frequency[1];
   const Scalar omega2_2 = omega2 * omega2;
@@ -6386,7 +6240,7 @@ void factors_12([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(0)*t) in y = -2/omega2^2*a2*A_x*conj(A_x) - 2/omega2^2*a4*A_y*conj(A_y)
 /// 2 columns; per observation at most 2 products and sums of complex numbers.
 template <class Factors>
-void rows_12(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_11(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -6407,19 +6261,19 @@ void rows_12(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_12(const BatchArrays& data, double* const* columns) {
-  rows_12(data, FactorValues<factors_12<double>>{}, columns);
+inline void columns_11(const BatchArrays& data, double* const* columns) {
+  rows_11(data, FactorValues<factors_11<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_12(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_11(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_12(data, FactorSlopes<factors_12<DualNumber>, 2, 1, 2>{mode}, columns);
+  rows_11(data, FactorSlopes<factors_11<DualNumber>, 2, 1, 2>{mode}, columns);
 }
 
 /// What multiplies the 1 terms of the harmonic 2*omega2 of y: functions of the frequencies alone. 3 operations.
 template <class Scalar>
-void factors_13([[maybe_unused]] const Scalar* natural_frequency,
+void factors_12([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega2 = natural_frequency[1];
   const Scalar omega2_2 = omega2 * omega2;
@@ -6430,7 +6284,7 @@ void factors_13([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(2*omega2)*t) in y = 1/(3*omega2^2)*a4*A_y^2
 /// 1 columns; per observation at most 3 products and sums of complex numbers.
 template <class Factors>
-void rows_13(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_12(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_1 = data.amplitude[1];
@@ -6445,63 +6299,20 @@ void rows_13(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_13(const BatchArrays& data, double* const* columns) {
-  rows_13(data, FactorValues<factors_13<double>>{}, columns);
+inline void columns_12(const BatchArrays& data, double* const* columns) {
+  rows_12(data, FactorValues<factors_12<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_13(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_12(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_13(data, FactorSlopes<factors_13<DualNumber>, 2, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic omega1-omega2 of y: functions of the frequencies alone. 5
-/// operations.
-template <class Scalar>
-void factors_14([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
-  factor[0] = Scalar(2.0) / (omega1_2 - Scalar(2.0) * omega1 * omega2);
-}
-
-/// Rows of the harmonic omega1-omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 - omega2)*t) in y = 2/(omega1^2 - 2*omega1*omega2)*a3*A_x*conj(A_y)
-/// 1 columns; per observation at most 3 products and sums of complex numbers.
-template <class Factors>
-void rows_14(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    const Complex conj_A_y = conjugate(A_y);
-    store_complex(column_0, i, factor[0] * (A_x * conj_A_y));  // a3
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_14(const BatchArrays& data, double* const* columns) {
-  rows_14(data, FactorValues<factors_14<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_14(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_14(data, FactorSlopes<factors_14<DualNumber>, 2, 1, 1>{mode}, columns);
+  rows_12(data, FactorSlopes<factors_12<DualNumber>, 2, 1, 1>{mode}, columns);
 }
 
 /// What multiplies the 1 terms of the harmonic omega1+omega2 of y: functions of the frequencies alone. 5
 /// operations.
 template <class Scalar>
-void factors_15([[maybe_unused]] const Scalar* natural_frequency,
+void factors_13([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
@@ -6513,7 +6324,7 @@ void factors_15([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(omega1 + omega2)*t) in y = 2/(omega1^2 + 2*omega1*omega2)*a3*A_x*A_y
 /// 1 columns; per observation at most 3 products and sums of complex numbers.
 template <class Factors>
-void rows_15(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_13(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -6530,75 +6341,37 @@ void rows_15(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_15(const BatchArrays& data, double* const* columns) {
-  rows_15(data, FactorValues<factors_15<double>>{}, columns);
+inline void columns_13(const BatchArrays& data, double* const* columns) {
+  rows_13(data, FactorValues<factors_13<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_15(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_13(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_15(data, FactorSlopes<factors_15<DualNumber>, 2, 1, 1>{mode}, columns);
+  rows_13(data, FactorSlopes<factors_13<DualNumber>, 2, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 2*omega1 of y: functions of the frequencies alone. 5 operations.
+/// What multiplies the 4 terms of the harmonic Omega of y: functions of the frequencies alone. 6 operations.
 template <class Scalar>
-void factors_16([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  factor[0] = Scalar(1.0) / (Scalar(4.0) * omega1_2 - omega2_2);
-}
-
-/// Rows of the harmonic 2*omega1 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega1)*t) in y = 1/(4*omega1^2 - omega2^2)*a2*A_x^2
-/// 1 columns; per observation at most 3 products and sums of complex numbers.
-template <class Factors>
-void rows_16(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_x));  // a2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_16(const BatchArrays& data, double* const* columns) {
-  rows_16(data, FactorValues<factors_16<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_16(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_16(data, FactorSlopes<factors_16<DualNumber>, 2, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 3 terms of the harmonic Omega of y: functions of the frequencies alone. 6 operations.
-template <class Scalar>
-void factors_17([[maybe_unused]] const Scalar* natural_frequency,
+void factors_14([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega2 = natural_frequency[1];
   const Scalar Omega = excitation_frequency[0];
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar Omega_2 = Omega * Omega;
-  factor[0] = Scalar(1.0) / (Scalar(2.0) * omega2_2 - Scalar(2.0) * Omega_2);
-  factor[1] = Scalar(1.0);
+  factor[0] = Scalar(1.0);
+  factor[1] = Scalar(1.0) / (Scalar(2.0) * omega2_2 - Scalar(2.0) * Omega_2);
   factor[2] = Scalar(1.0);
+  factor[3] = Scalar(1.0);
 }
 
 /// Rows of the harmonic Omega of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(Omega)*t) in y = 1/(2*omega2^2 - 2*Omega^2)*e2*F +
-/// harmonic_re_y_A_x_A_y_conjA_y*A_x*A_y*conj(A_y) + harmonic_re_y_A_x2_conjA_x*A_x^2*conj(A_x)
-/// 3 columns; per observation at most 7 products and sums of complex numbers.
+/// amplitude of exp(i*(Omega)*t) in y = harmonic_re_y_A_y_conjA_x2*conj(A_x)^2*A_y + 1/(2*omega2^2 -
+/// 2*Omega^2)*e2*F + harmonic_re_y_A_x_A_y_conjA_y*A_x*A_y*conj(A_y) +
+/// harmonic_re_y_A_x2_conjA_x*A_x^2*conj(A_x)
+/// 4 columns; per observation at most 12 products and sums of complex numbers.
 template <class Factors>
-void rows_17(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_14(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -6607,37 +6380,85 @@ void rows_17(const BatchArrays& data, Factors factors, double* const* columns) {
   Scalar* __restrict column_0 = columns[0];
   Scalar* __restrict column_1 = columns[1];
   Scalar* __restrict column_2 = columns[2];
-  Scalar factor[3];
+  Scalar* __restrict column_3 = columns[3];
+  Scalar factor[4];
   const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
   const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
   for (std::size_t i = 0; i < data.count; ++i) {
     const Scalar excitation_frequency[] = {frequency_0[i]};
     factors(natural_frequency, excitation_frequency, factor);
     const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
     const Scalar norm_A_x = norm_of(A_x);
     const Complex A_y = load_complex(amplitude_1, i);
     const Scalar norm_A_y = norm_of(A_y);
     const Complex F = load_complex(forcing_0, i);
-    store_complex(column_0, i, factor[0] * (F));  // e2
-    store_complex(column_1, i, factor[1] * (A_x * norm_A_y));  // harmonic_re_y_A_x_A_y_conjA_y
-    store_complex(column_2, i, factor[2] * (norm_A_x * A_x));  // harmonic_re_y_A_x2_conjA_x
+    store_complex(column_0, i, factor[0] * (conj_A_x * conj_A_x * A_y));  // harmonic_re_y_A_y_conjA_x2
+    store_complex(column_1, i, factor[1] * (F));  // e2
+    store_complex(column_2, i, factor[2] * (A_x * norm_A_y));  // harmonic_re_y_A_x_A_y_conjA_y
+    store_complex(column_3, i, factor[3] * (norm_A_x * A_x));  // harmonic_re_y_A_x2_conjA_x
   }
 }
 
 /// columns[j][i] of the rows.
-inline void columns_17(const BatchArrays& data, double* const* columns) {
-  rows_17(data, FactorValues<factors_17<double>>{}, columns);
+inline void columns_14(const BatchArrays& data, double* const* columns) {
+  rows_14(data, FactorValues<factors_14<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_17(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_14(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_17(data, FactorSlopes<factors_17<DualNumber>, 2, 1, 3>{mode}, columns);
+  rows_14(data, FactorSlopes<factors_14<DualNumber>, 2, 1, 4>{mode}, columns);
+}
+
+/// What multiplies the 2 terms of the harmonic -omega1+2*omega2 of y: functions of the frequencies alone. 0
+/// operations.
+template <class Scalar>
+void factors_15([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  factor[0] = Scalar(1.0);
+  factor[1] = Scalar(1.0);
+}
+
+/// Rows of the harmonic -omega1+2*omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
+/// amplitude of exp(i*(-omega1 + 2*omega2)*t) in y = harmonic_re_y_A_y2_conjA_x*conj(A_x)*A_y^2 +
+/// harmonic_re_y_A_x2_A_y*A_x^2*A_y
+/// 2 columns; per observation at most 10 products and sums of complex numbers.
+template <class Factors>
+void rows_15(const BatchArrays& data, Factors factors, double* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict amplitude_1 = data.amplitude[1];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar factor[2];
+  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
+    const Complex A_y = load_complex(amplitude_1, i);
+    store_complex(column_0, i, factor[0] * (conj_A_x * A_y * A_y));  // harmonic_re_y_A_y2_conjA_x
+    store_complex(column_1, i, factor[1] * (A_x * A_x * A_y));  // harmonic_re_y_A_x2_A_y
+  }
+}
+
+/// columns[j][i] of the rows.
+inline void columns_15(const BatchArrays& data, double* const* columns) {
+  rows_15(data, FactorValues<factors_15<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_15(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
+  for (std::size_t j = 0; j < 2; ++j)
+    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
 /// What multiplies the 1 terms of the harmonic 3*omega2 of y: functions of the frequencies alone. 0 operations.
 template <class Scalar>
-void factors_18([[maybe_unused]] const Scalar* natural_frequency,
+void factors_16([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   factor[0] = Scalar(1.0);
 }
@@ -6646,7 +6467,7 @@ void factors_18([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(3*omega2)*t) in y = harmonic_re_y_A_y3*A_y^3
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_18(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_16(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_1 = data.amplitude[1];
@@ -6661,53 +6482,12 @@ void rows_18(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_18(const BatchArrays& data, double* const* columns) {
-  rows_18(data, FactorValues<factors_18<double>>{}, columns);
+inline void columns_16(const BatchArrays& data, double* const* columns) {
+  rows_16(data, FactorValues<factors_16<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_18(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic omega1-2*omega2 of y: functions of the frequencies alone. 0
-/// operations.
-template <class Scalar>
-void factors_19([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega1-2*omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 - 2*omega2)*t) in y = harmonic_re_y_A_x_conjA_y2*A_x*conj(A_y)^2
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_19(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    const Complex conj_A_y = conjugate(A_y);
-    store_complex(column_0, i, factor[0] * (A_x * conj_A_y * conj_A_y));  // harmonic_re_y_A_x_conjA_y2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_19(const BatchArrays& data, double* const* columns) {
-  rows_19(data, FactorValues<factors_19<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_19(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_16(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
@@ -6716,7 +6496,7 @@ inline void column_slopes_19(const BatchArrays& data, [[maybe_unused]] std::size
 /// What multiplies the 1 terms of the harmonic omega1+2*omega2 of y: functions of the frequencies alone. 0
 /// operations.
 template <class Scalar>
-void factors_20([[maybe_unused]] const Scalar* natural_frequency,
+void factors_17([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   factor[0] = Scalar(1.0);
 }
@@ -6725,7 +6505,7 @@ void factors_20([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(omega1 + 2*omega2)*t) in y = harmonic_re_y_A_x_A_y2*A_x*A_y^2
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_20(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_17(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -6742,93 +6522,12 @@ void rows_20(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_20(const BatchArrays& data, double* const* columns) {
-  rows_20(data, FactorValues<factors_20<double>>{}, columns);
+inline void columns_17(const BatchArrays& data, double* const* columns) {
+  rows_17(data, FactorValues<factors_17<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_20(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic 2*omega1-omega2 of y: functions of the frequencies alone. 0
-/// operations.
-template <class Scalar>
-void factors_21([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic 2*omega1-omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega1 - omega2)*t) in y = harmonic_re_y_A_x2_conjA_y*A_x^2*conj(A_y)
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_21(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    const Complex conj_A_y = conjugate(A_y);
-    store_complex(column_0, i, factor[0] * (A_x * A_x * conj_A_y));  // harmonic_re_y_A_x2_conjA_y
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_21(const BatchArrays& data, double* const* columns) {
-  rows_21(data, FactorValues<factors_21<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_21(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic 2*omega1+omega2 of y: functions of the frequencies alone. 0
-/// operations.
-template <class Scalar>
-void factors_22([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic 2*omega1+omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega1 + omega2)*t) in y = harmonic_re_y_A_x2_A_y*A_x^2*A_y
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_22(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_x * A_y));  // harmonic_re_y_A_x2_A_y
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_22(const BatchArrays& data, double* const* columns) {
-  rows_22(data, FactorValues<factors_22<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_22(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_17(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
@@ -6963,20 +6662,20 @@ namespace free_one_to_two {
 /// lumps[14]: harmonic_re_x_A_x2_A_y = -4*a2*a3/(omega1^4 - 8*omega1^2*omega2^2 + 16*omega2^4)
 /// lumps[15]: harmonic_im_x_A_y2 = (4*omega2*a3*mu1 - 8*omega2*a3*mu2)/(omega1^4 - 8*omega1^2*omega2^2 +
 /// 16*omega2^4)
-/// lumps[16]: harmonic_re_x_A_x3 = (-2*omega1*a2^2 - 2*omega2*a2^2)/(4*omega1^2*omega2^3 + 4*omega1*omega2^4 +
+/// lumps[16]: harmonic_re_x_A_y2_conjA_x = (-3*omega1^3*omega2^2*b3 - 2*omega1^3*a2*a4 + 12*omega1*omega2^4*b3 +
+/// 6*omega1*omega2^2*a1*a3 + 8*omega1*omega2^2*a2*a4 - 12*omega1*omega2^2*a3^2 -
+/// 24*omega2^3*a3^2)/(12*omega1^4*omega2^3 - 12*omega1^3*omega2^4 - 48*omega1^2*omega2^5 + 48*omega1*omega2^6)
+/// lumps[17]: harmonic_re_x_A_x3 = (-2*omega1*a2^2 - 2*omega2*a2^2)/(4*omega1^2*omega2^3 + 4*omega1*omega2^4 +
 /// omega2^5)
-/// lumps[17]: harmonic_re_x_A_y2_conjA_y = (-9*omega1^4*omega2^2*b4 + 10*omega1^4*a3*a4 +
+/// lumps[18]: harmonic_re_x_A_y2_conjA_y = (-9*omega1^4*omega2^2*b4 + 10*omega1^4*a3*a4 +
 /// 36*omega1^2*omega2^4*b4 + 18*omega1^2*omega2^2*a2*a3 - 40*omega1^2*omega2^2*a3*a4 -
 /// 48*omega2^4*a2*a3)/(3*omega1^6*omega2^2 - 15*omega1^4*omega2^4 + 12*omega1^2*omega2^6)
-/// lumps[18]: harmonic_re_x_A_x_A_y_conjA_x = (-12*omega1^5*omega2^2*b2 + 8*omega1^5*a2*a3 -
+/// lumps[19]: harmonic_re_x_A_x_A_y_conjA_x = (-12*omega1^5*omega2^2*b2 + 8*omega1^5*a2*a3 -
 /// 6*omega1^4*omega2^3*b2 - 4*omega1^4*omega2*a1*a2 + 4*omega1^4*omega2*a2*a3 + 48*omega1^3*omega2^4*b2 +
 /// 8*omega1^3*omega2^2*a1*a2 - 48*omega1^3*omega2^2*a2*a3 + 24*omega1^2*omega2^5*b2 + 20*omega1^2*omega2^3*a1*a2
 /// - 24*omega1^2*omega2^3*a2*a3 - 32*omega1*omega2^4*a1*a2 - 16*omega2^5*a1*a2)/(2*omega1^7*omega2^2 +
 /// omega1^6*omega2^3 - 10*omega1^5*omega2^4 - 5*omega1^4*omega2^5 + 8*omega1^3*omega2^6 + 4*omega1^2*omega2^7)
-/// lumps[19]: harmonic_im_x_A_x2 = -4*a1*mu1/(9*omega1^3)
-/// lumps[20]: harmonic_re_x_A_x_conjA_y2 = (-3*omega1^3*omega2^2*b3 - 2*omega1^3*a2*a4 + 12*omega1*omega2^4*b3 +
-/// 6*omega1*omega2^2*a1*a3 + 8*omega1*omega2^2*a2*a4 - 12*omega1*omega2^2*a3^2 -
-/// 24*omega2^3*a3^2)/(12*omega1^4*omega2^3 - 12*omega1^3*omega2^4 - 48*omega1^2*omega2^5 + 48*omega1*omega2^6)
+/// lumps[20]: harmonic_im_x_A_x2 = -4*a1*mu1/(9*omega1^3)
 /// lumps[21]: harmonic_re_x_A_y3 = (-3*omega1^2*omega2^2*b4 - 2*omega1^2*a3*a4 + 12*omega2^4*b4 +
 /// 6*omega2^2*a2*a3 + 8*omega2^2*a3*a4)/(3*omega1^4*omega2^2 - 39*omega1^2*omega2^4 + 108*omega2^6)
 /// lumps[22]: harmonic_re_x_A_x_A_y2 = (6*omega1^4*omega2^2*b3 + 4*omega1^4*a2*a4 + 3*omega1^3*omega2^3*b3 +
@@ -6985,24 +6684,24 @@ namespace free_one_to_two {
 /// 48*omega1*omega2^3*a2^2 - 8*omega1*omega2^3*a2*a4 - 36*omega1*omega2^3*a3^2 -
 /// 24*omega2^4*a3^2)/(24*omega1^5*omega2^3 + 36*omega1^4*omega2^4 - 84*omega1^3*omega2^5 - 144*omega1^2*omega2^6
 /// - 48*omega1*omega2^7)
-/// lumps[23]: a4 = a4
-/// lumps[24]: harmonic_re_y_A_y_conjA_x2 = (3*omega1^3*b3 - 6*omega1^2*omega2*b3 + 2*omega1*a1*a3 +
-/// 12*omega1*a3^2 - 4*omega2*a1*a3)/(12*omega1^5 - 36*omega1^4*omega2 + 24*omega1^3*omega2^2)
-/// lumps[25]: harmonic_re_y_A_x2_A_y = -4*a2*a4/(9*omega2^4)
-/// lumps[26]: harmonic_im_y_A_y2 = -4*a4*mu2/(9*omega2^3)
-/// lumps[27]: harmonic_im_y_A_x_conjA_y = (-4*omega1*a3*mu1 + 4*omega2*a3*mu1)/(omega1^4 - 4*omega1^3*omega2 +
+/// lumps[23]: harmonic_im_y_A_y_conjA_x = (4*omega1*a3*mu1 - 4*omega2*a3*mu1)/(omega1^4 - 4*omega1^3*omega2 +
 /// 4*omega1^2*omega2^2)
-/// lumps[28]: harmonic_re_y_A_x3 = (3*omega1^2*b2 + 2*a1*a2)/(27*omega1^4 - 3*omega1^2*omega2^2)
-/// lumps[29]: harmonic_re_y_A_x_conjA_y2 = (9*omega1^3*omega2^2*b4 + 2*omega1^3*a3*a4 - 36*omega1*omega2^4*b4 -
-/// 6*omega1*omega2^2*a2*a3 + 4*omega1*omega2^2*a3*a4 + 24*omega2^3*a3*a4)/(3*omega1^5*omega2^2 -
-/// 12*omega1^4*omega2^3 - 3*omega1^3*omega2^4 + 48*omega1^2*omega2^5 - 36*omega1*omega2^6)
-/// lumps[30]: harmonic_re_y_A_x_A_y_conjA_y = (12*omega1^5*omega2^2*b4 - 8*omega1^5*a3*a4 +
+/// lumps[24]: harmonic_re_y_A_x_A_y_conjA_y = (12*omega1^5*omega2^2*b4 - 8*omega1^5*a3*a4 +
 /// 6*omega1^4*omega2^3*b4 + 4*omega1^4*omega2*a2*a3 - 4*omega1^4*omega2*a3*a4 - 48*omega1^3*omega2^4*b4 -
 /// 8*omega1^3*omega2^2*a2*a3 + 48*omega1^3*omega2^2*a3*a4 - 24*omega1^2*omega2^5*b4 - 20*omega1^2*omega2^3*a2*a3
 /// + 24*omega1^2*omega2^3*a3*a4 + 32*omega1*omega2^4*a2*a3 + 16*omega2^5*a2*a3)/(2*omega1^7*omega2^2 +
 /// omega1^6*omega2^3 - 10*omega1^5*omega2^4 - 5*omega1^4*omega2^5 + 8*omega1^3*omega2^6 + 4*omega1^2*omega2^7)
-/// lumps[31]: harmonic_re_y_A_x2_conjA_x = (9*omega1^2*omega2^2*b2 - 12*omega1^2*a2*a3 -
+/// lumps[25]: harmonic_re_y_A_x2_conjA_x = (9*omega1^2*omega2^2*b2 - 12*omega1^2*a2*a3 -
 /// 10*omega2^2*a1*a2)/(3*omega1^4*omega2^2 - 3*omega1^2*omega2^4)
+/// lumps[26]: a4 = a4
+/// lumps[27]: harmonic_re_y_A_y_conjA_x2 = (3*omega1^3*b3 - 6*omega1^2*omega2*b3 + 2*omega1*a1*a3 +
+/// 12*omega1*a3^2 - 4*omega2*a1*a3)/(12*omega1^5 - 36*omega1^4*omega2 + 24*omega1^3*omega2^2)
+/// lumps[28]: harmonic_re_y_A_x2_A_y = -4*a2*a4/(9*omega2^4)
+/// lumps[29]: harmonic_im_y_A_y2 = -4*a4*mu2/(9*omega2^3)
+/// lumps[30]: harmonic_re_y_A_y2_conjA_x = (9*omega1^3*omega2^2*b4 + 2*omega1^3*a3*a4 - 36*omega1*omega2^4*b4 -
+/// 6*omega1*omega2^2*a2*a3 + 4*omega1*omega2^2*a3*a4 + 24*omega2^3*a3*a4)/(3*omega1^5*omega2^2 -
+/// 12*omega1^4*omega2^3 - 3*omega1^3*omega2^4 + 48*omega1^2*omega2^5 - 36*omega1*omega2^6)
+/// lumps[31]: harmonic_re_y_A_x3 = (3*omega1^2*b2 + 2*a1*a2)/(27*omega1^4 - 3*omega1^2*omega2^2)
 /// lumps[32]: harmonic_re_y_A_y3 = (3*omega1^2*omega2^2*b5 + 2*omega1^2*a4^2 - 12*omega2^4*b5 - 6*omega2^2*a3^2
 /// - 8*omega2^2*a4^2)/(24*omega1^2*omega2^4 - 96*omega2^6)
 /// lumps[33]: harmonic_re_y_A_x_A_y2 = (18*omega1^4*omega2^2*b4 + 4*omega1^4*a3*a4 + 9*omega1^3*omega2^3*b4 +
@@ -7098,17 +6797,23 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
   // harmonic_im_x_A_y2
   lumps[15] = (Scalar(4.0) * omega2 * a3 * mu1 - Scalar(8.0) * omega2 * a3 * mu2) / (omega1_4
       - Scalar(8.0) * omega1_2 * omega2_2 + Scalar(16.0) * omega2_4);
+  // harmonic_re_x_A_y2_conjA_x
+  lumps[16] = (-Scalar(3.0) * omega1_3 * omega2_2 * b3 - Scalar(2.0) * omega1_3 * a2 * a4
+      + Scalar(12.0) * omega1 * omega2_4 * b3 + Scalar(6.0) * omega1 * omega2_2 * a1 * a3
+      + Scalar(8.0) * omega1 * omega2_2 * a2 * a4 - Scalar(12.0) * omega1 * omega2_2 * a3_2
+      - Scalar(24.0) * omega2_3 * a3_2) / (Scalar(12.0) * omega1_4 * omega2_3 - Scalar(12.0) * omega1_3 * omega2_4
+      - Scalar(48.0) * omega1_2 * omega2_5 + Scalar(48.0) * omega1 * omega2_6);
   // harmonic_re_x_A_x3
-  lumps[16] = (-Scalar(2.0) * omega1 * a2_2 - Scalar(2.0) * omega2 * a2_2) / (Scalar(4.0) * omega1_2 * omega2_3
+  lumps[17] = (-Scalar(2.0) * omega1 * a2_2 - Scalar(2.0) * omega2 * a2_2) / (Scalar(4.0) * omega1_2 * omega2_3
       + Scalar(4.0) * omega1 * omega2_4 + omega2_5);
   // harmonic_re_x_A_y2_conjA_y
-  lumps[17] = (-Scalar(9.0) * omega1_4 * omega2_2 * b4 + Scalar(10.0) * omega1_4 * a3 * a4
+  lumps[18] = (-Scalar(9.0) * omega1_4 * omega2_2 * b4 + Scalar(10.0) * omega1_4 * a3 * a4
       + Scalar(36.0) * omega1_2 * omega2_4 * b4 + Scalar(18.0) * omega1_2 * omega2_2 * a2 * a3
       - Scalar(40.0) * omega1_2 * omega2_2 * a3 * a4
       - Scalar(48.0) * omega2_4 * a2 * a3) / (Scalar(3.0) * omega1_6 * omega2_2
       - Scalar(15.0) * omega1_4 * omega2_4 + Scalar(12.0) * omega1_2 * omega2_6);
   // harmonic_re_x_A_x_A_y_conjA_x
-  lumps[18] = (-Scalar(12.0) * omega1_5 * omega2_2 * b2 + Scalar(8.0) * omega1_5 * a2 * a3
+  lumps[19] = (-Scalar(12.0) * omega1_5 * omega2_2 * b2 + Scalar(8.0) * omega1_5 * a2 * a3
       - Scalar(6.0) * omega1_4 * omega2_3 * b2 - Scalar(4.0) * omega1_4 * omega2 * a1 * a2
       + Scalar(4.0) * omega1_4 * omega2 * a2 * a3 + Scalar(48.0) * omega1_3 * omega2_4 * b2
       + Scalar(8.0) * omega1_3 * omega2_2 * a1 * a2 - Scalar(48.0) * omega1_3 * omega2_2 * a2 * a3
@@ -7117,13 +6822,7 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
       - Scalar(16.0) * omega2_5 * a1 * a2) / (Scalar(2.0) * omega1_7 * omega2_2 + omega1_6 * omega2_3
       - Scalar(10.0) * omega1_5 * omega2_4 - Scalar(5.0) * omega1_4 * omega2_5 + Scalar(8.0) * omega1_3 * omega2_6
       + Scalar(4.0) * omega1_2 * omega2_7);
-  lumps[19] = -Scalar(4.0) * a1 * mu1 / (Scalar(9.0) * omega1_3);  // harmonic_im_x_A_x2
-  // harmonic_re_x_A_x_conjA_y2
-  lumps[20] = (-Scalar(3.0) * omega1_3 * omega2_2 * b3 - Scalar(2.0) * omega1_3 * a2 * a4
-      + Scalar(12.0) * omega1 * omega2_4 * b3 + Scalar(6.0) * omega1 * omega2_2 * a1 * a3
-      + Scalar(8.0) * omega1 * omega2_2 * a2 * a4 - Scalar(12.0) * omega1 * omega2_2 * a3_2
-      - Scalar(24.0) * omega2_3 * a3_2) / (Scalar(12.0) * omega1_4 * omega2_3 - Scalar(12.0) * omega1_3 * omega2_4
-      - Scalar(48.0) * omega1_2 * omega2_5 + Scalar(48.0) * omega1 * omega2_6);
+  lumps[20] = -Scalar(4.0) * a1 * mu1 / (Scalar(9.0) * omega1_3);  // harmonic_im_x_A_x2
   // harmonic_re_x_A_y3
   lumps[21] = (-Scalar(3.0) * omega1_2 * omega2_2 * b4 - Scalar(2.0) * omega1_2 * a3 * a4
       + Scalar(12.0) * omega2_4 * b4 + Scalar(6.0) * omega2_2 * a2 * a3
@@ -7140,28 +6839,11 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
       - Scalar(24.0) * omega2_4 * a3_2) / (Scalar(24.0) * omega1_5 * omega2_3 + Scalar(36.0) * omega1_4 * omega2_4
       - Scalar(84.0) * omega1_3 * omega2_5 - Scalar(144.0) * omega1_2 * omega2_6
       - Scalar(48.0) * omega1 * omega2_7);
-  lumps[23] = a4;  // a4
-  // harmonic_re_y_A_y_conjA_x2
-  lumps[24] = (Scalar(3.0) * omega1_3 * b3 - Scalar(6.0) * omega1_2 * omega2 * b3 + Scalar(2.0) * omega1 * a1 * a3
-      + Scalar(12.0) * omega1 * a3_2 - Scalar(4.0) * omega2 * a1 * a3) / (Scalar(12.0) * omega1_5
-      - Scalar(36.0) * omega1_4 * omega2 + Scalar(24.0) * omega1_3 * omega2_2);
-  lumps[25] = -Scalar(4.0) * a2 * a4 / (Scalar(9.0) * omega2_4);  // harmonic_re_y_A_x2_A_y
-  lumps[26] = -Scalar(4.0) * a4 * mu2 / (Scalar(9.0) * omega2_3);  // harmonic_im_y_A_y2
-  // harmonic_im_y_A_x_conjA_y
-  lumps[27] = (-Scalar(4.0) * omega1 * a3 * mu1 + Scalar(4.0) * omega2 * a3 * mu1) / (omega1_4
+  // harmonic_im_y_A_y_conjA_x
+  lumps[23] = (Scalar(4.0) * omega1 * a3 * mu1 - Scalar(4.0) * omega2 * a3 * mu1) / (omega1_4
       - Scalar(4.0) * omega1_3 * omega2 + Scalar(4.0) * omega1_2 * omega2_2);
-  // harmonic_re_y_A_x3
-  lumps[28] = (Scalar(3.0) * omega1_2 * b2 + Scalar(2.0) * a1 * a2) / (Scalar(27.0) * omega1_4
-      - Scalar(3.0) * omega1_2 * omega2_2);
-  // harmonic_re_y_A_x_conjA_y2
-  lumps[29] = (Scalar(9.0) * omega1_3 * omega2_2 * b4 + Scalar(2.0) * omega1_3 * a3 * a4
-      - Scalar(36.0) * omega1 * omega2_4 * b4 - Scalar(6.0) * omega1 * omega2_2 * a2 * a3
-      + Scalar(4.0) * omega1 * omega2_2 * a3 * a4
-      + Scalar(24.0) * omega2_3 * a3 * a4) / (Scalar(3.0) * omega1_5 * omega2_2
-      - Scalar(12.0) * omega1_4 * omega2_3 - Scalar(3.0) * omega1_3 * omega2_4
-      + Scalar(48.0) * omega1_2 * omega2_5 - Scalar(36.0) * omega1 * omega2_6);
   // harmonic_re_y_A_x_A_y_conjA_y
-  lumps[30] = (Scalar(12.0) * omega1_5 * omega2_2 * b4 - Scalar(8.0) * omega1_5 * a3 * a4
+  lumps[24] = (Scalar(12.0) * omega1_5 * omega2_2 * b4 - Scalar(8.0) * omega1_5 * a3 * a4
       + Scalar(6.0) * omega1_4 * omega2_3 * b4 + Scalar(4.0) * omega1_4 * omega2 * a2 * a3
       - Scalar(4.0) * omega1_4 * omega2 * a3 * a4 - Scalar(48.0) * omega1_3 * omega2_4 * b4
       - Scalar(8.0) * omega1_3 * omega2_2 * a2 * a3 + Scalar(48.0) * omega1_3 * omega2_2 * a3 * a4
@@ -7171,9 +6853,26 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
       - Scalar(10.0) * omega1_5 * omega2_4 - Scalar(5.0) * omega1_4 * omega2_5 + Scalar(8.0) * omega1_3 * omega2_6
       + Scalar(4.0) * omega1_2 * omega2_7);
   // harmonic_re_y_A_x2_conjA_x
-  lumps[31] = (Scalar(9.0) * omega1_2 * omega2_2 * b2 - Scalar(12.0) * omega1_2 * a2 * a3
+  lumps[25] = (Scalar(9.0) * omega1_2 * omega2_2 * b2 - Scalar(12.0) * omega1_2 * a2 * a3
       - Scalar(10.0) * omega2_2 * a1 * a2) / (Scalar(3.0) * omega1_4 * omega2_2
       - Scalar(3.0) * omega1_2 * omega2_4);
+  lumps[26] = a4;  // a4
+  // harmonic_re_y_A_y_conjA_x2
+  lumps[27] = (Scalar(3.0) * omega1_3 * b3 - Scalar(6.0) * omega1_2 * omega2 * b3 + Scalar(2.0) * omega1 * a1 * a3
+      + Scalar(12.0) * omega1 * a3_2 - Scalar(4.0) * omega2 * a1 * a3) / (Scalar(12.0) * omega1_5
+      - Scalar(36.0) * omega1_4 * omega2 + Scalar(24.0) * omega1_3 * omega2_2);
+  lumps[28] = -Scalar(4.0) * a2 * a4 / (Scalar(9.0) * omega2_4);  // harmonic_re_y_A_x2_A_y
+  lumps[29] = -Scalar(4.0) * a4 * mu2 / (Scalar(9.0) * omega2_3);  // harmonic_im_y_A_y2
+  // harmonic_re_y_A_y2_conjA_x
+  lumps[30] = (Scalar(9.0) * omega1_3 * omega2_2 * b4 + Scalar(2.0) * omega1_3 * a3 * a4
+      - Scalar(36.0) * omega1 * omega2_4 * b4 - Scalar(6.0) * omega1 * omega2_2 * a2 * a3
+      + Scalar(4.0) * omega1 * omega2_2 * a3 * a4
+      + Scalar(24.0) * omega2_3 * a3 * a4) / (Scalar(3.0) * omega1_5 * omega2_2
+      - Scalar(12.0) * omega1_4 * omega2_3 - Scalar(3.0) * omega1_3 * omega2_4
+      + Scalar(48.0) * omega1_2 * omega2_5 - Scalar(36.0) * omega1 * omega2_6);
+  // harmonic_re_y_A_x3
+  lumps[31] = (Scalar(3.0) * omega1_2 * b2 + Scalar(2.0) * a1 * a2) / (Scalar(27.0) * omega1_4
+      - Scalar(3.0) * omega1_2 * omega2_2);
   // harmonic_re_y_A_y3
   lumps[32] = (Scalar(3.0) * omega1_2 * omega2_2 * b5 + Scalar(2.0) * omega1_2 * a4_2
       - Scalar(12.0) * omega2_4 * b5 - Scalar(6.0) * omega2_2 * a3_2
@@ -7449,10 +7148,60 @@ void lump_gradient_15(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
   gradient[13] = (-Scalar(8.0) * omega2 * a3) / denominator;  // by mu2
 }
 
+/// gradient[p] = d harmonic_re_x_A_y2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
+/// them.
+/// 70 operations.
+template <class Scalar>
+void lump_gradient_16(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b3 = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar omega2_5 = omega2_4 * omega2;
+  const Scalar omega2_6 = omega2_5 * omega2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar denominator = Scalar(12.0) * omega1_4 * omega2_3 - Scalar(12.0) * omega1_3 * omega2_4
+      - Scalar(48.0) * omega1_2 * omega2_5 + Scalar(48.0) * omega1 * omega2_6;
+  const Scalar c_0 = Scalar(6.0) * omega1 * omega2_2;  // multiplies a1*a3
+  const Scalar c_1 = -Scalar(2.0) * omega1_3 + Scalar(8.0) * omega1 * omega2_2;  // multiplies a2*a4
+  const Scalar c_2 = -Scalar(12.0) * omega1 * omega2_2 - Scalar(24.0) * omega2_3;  // multiplies a3^2
+  const Scalar c_3 = -Scalar(3.0) * omega1_3 * omega2_2 + Scalar(12.0) * omega1 * omega2_4;  // multiplies b3
+  const Scalar w_0 = -Scalar(3.0) * b3;  // multiplies omega1^3*omega2^2
+  const Scalar w_1 = -Scalar(2.0) * a2 * a4;  // multiplies omega1^3
+  const Scalar w_2 = Scalar(12.0) * b3;  // multiplies omega1*omega2^4
+  // multiplies omega1*omega2^2
+  const Scalar w_3 = Scalar(6.0) * a1 * a3 + Scalar(8.0) * a2 * a4 - Scalar(12.0) * a3_2;
+  const Scalar w_4 = -Scalar(24.0) * a3_2;  // multiplies omega2^3
+  // by omega1
+  gradient[0] = (Scalar(3.0) * omega1_2 * omega2_2 * w_0 + Scalar(3.0) * omega1_2 * w_1 + omega2_4 * w_2
+      + omega2_2 * w_3 - lump * (Scalar(48.0) * omega1_3 * omega2_3 - Scalar(36.0) * omega1_2 * omega2_4
+      - Scalar(96.0) * omega1 * omega2_5 + Scalar(48.0) * omega2_6)) / denominator;
+  // by omega2
+  gradient[1] = (Scalar(2.0) * omega1_3 * omega2 * w_0 + Scalar(4.0) * omega1 * omega2_3 * w_2
+      + Scalar(2.0) * omega1 * omega2 * w_3 + Scalar(3.0) * omega2_2 * w_4
+      - lump * (Scalar(36.0) * omega1_4 * omega2_2 - Scalar(48.0) * omega1_3 * omega2_3
+      - Scalar(240.0) * omega1_2 * omega2_4 + Scalar(288.0) * omega1 * omega2_5)) / denominator;
+  gradient[2] = (a3 * c_0) / denominator;  // by a1
+  gradient[3] = (a4 * c_1) / denominator;  // by a2
+  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_2) / denominator;  // by a3
+  gradient[5] = (a2 * c_1) / denominator;  // by a4
+  gradient[8] = (c_3) / denominator;  // by b3
+}
+
 /// gradient[p] = d harmonic_re_x_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
 /// 24 operations.
 template <class Scalar>
-void lump_gradient_16(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+void lump_gradient_17(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
   const Scalar omega1 = parameters[0];
   const Scalar omega2 = parameters[1];
   const Scalar a2 = parameters[3];
@@ -7475,7 +7224,7 @@ void lump_gradient_16(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
 /// gradient[p] = d harmonic_re_x_A_y2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
 /// 96 operations.
 template <class Scalar>
-void lump_gradient_17(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+void lump_gradient_18(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
   const Scalar omega1 = parameters[0];
   const Scalar omega2 = parameters[1];
   const Scalar a2 = parameters[3];
@@ -7517,7 +7266,7 @@ void lump_gradient_17(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
 /// them.
 /// 139 operations.
 template <class Scalar>
-void lump_gradient_18(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+void lump_gradient_19(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
   const Scalar omega1 = parameters[0];
   const Scalar omega2 = parameters[1];
   const Scalar a1 = parameters[2];
@@ -7578,56 +7327,6 @@ void lump_gradient_18(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
   gradient[3] = (a1 * c_0 + a3 * c_1) / denominator;  // by a2
   gradient[4] = (a2 * c_1) / denominator;  // by a3
   gradient[7] = (c_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_conjA_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 70 operations.
-template <class Scalar>
-void lump_gradient_20(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(12.0) * omega1_4 * omega2_3 - Scalar(12.0) * omega1_3 * omega2_4
-      - Scalar(48.0) * omega1_2 * omega2_5 + Scalar(48.0) * omega1 * omega2_6;
-  const Scalar c_0 = Scalar(6.0) * omega1 * omega2_2;  // multiplies a1*a3
-  const Scalar c_1 = -Scalar(2.0) * omega1_3 + Scalar(8.0) * omega1 * omega2_2;  // multiplies a2*a4
-  const Scalar c_2 = -Scalar(12.0) * omega1 * omega2_2 - Scalar(24.0) * omega2_3;  // multiplies a3^2
-  const Scalar c_3 = -Scalar(3.0) * omega1_3 * omega2_2 + Scalar(12.0) * omega1 * omega2_4;  // multiplies b3
-  const Scalar w_0 = -Scalar(3.0) * b3;  // multiplies omega1^3*omega2^2
-  const Scalar w_1 = -Scalar(2.0) * a2 * a4;  // multiplies omega1^3
-  const Scalar w_2 = Scalar(12.0) * b3;  // multiplies omega1*omega2^4
-  // multiplies omega1*omega2^2
-  const Scalar w_3 = Scalar(6.0) * a1 * a3 + Scalar(8.0) * a2 * a4 - Scalar(12.0) * a3_2;
-  const Scalar w_4 = -Scalar(24.0) * a3_2;  // multiplies omega2^3
-  // by omega1
-  gradient[0] = (Scalar(3.0) * omega1_2 * omega2_2 * w_0 + Scalar(3.0) * omega1_2 * w_1 + omega2_4 * w_2
-      + omega2_2 * w_3 - lump * (Scalar(48.0) * omega1_3 * omega2_3 - Scalar(36.0) * omega1_2 * omega2_4
-      - Scalar(96.0) * omega1 * omega2_5 + Scalar(48.0) * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_3 * omega2 * w_0 + Scalar(4.0) * omega1 * omega2_3 * w_2
-      + Scalar(2.0) * omega1 * omega2 * w_3 + Scalar(3.0) * omega2_2 * w_4
-      - lump * (Scalar(36.0) * omega1_4 * omega2_2 - Scalar(48.0) * omega1_3 * omega2_3
-      - Scalar(240.0) * omega1_2 * omega2_4 + Scalar(288.0) * omega1 * omega2_5)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (a4 * c_1) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_2) / denominator;  // by a3
-  gradient[5] = (a2 * c_1) / denominator;  // by a4
-  gradient[8] = (c_3) / denominator;  // by b3
 }
 
 /// gradient[p] = d harmonic_re_x_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
@@ -7737,41 +7436,10 @@ void lump_gradient_22(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
   gradient[8] = (c_4) / denominator;  // by b3
 }
 
-/// gradient[p] = d harmonic_re_y_A_y_conjA_x2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 51 operations.
-template <class Scalar>
-void lump_gradient_24(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a3 = parameters[4];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(12.0) * omega1_5 - Scalar(36.0) * omega1_4 * omega2
-      + Scalar(24.0) * omega1_3 * omega2_2;
-  // by omega1
-  gradient[0] = (Scalar(9.0) * omega1_2 * b3 - Scalar(12.0) * omega1 * omega2 * b3 + Scalar(2.0) * a1 * a3
-      + Scalar(12.0) * a3_2 - lump * (Scalar(60.0) * omega1_4 - Scalar(144.0) * omega1_3 * omega2
-      + Scalar(72.0) * omega1_2 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(6.0) * omega1_2 * b3 - Scalar(4.0) * a1 * a3 - lump * (-Scalar(36.0) * omega1_4
-      + Scalar(48.0) * omega1_3 * omega2)) / denominator;
-  gradient[2] = (Scalar(2.0) * omega1 * a3 - Scalar(4.0) * omega2 * a3) / denominator;  // by a1
-  // by a3
-  gradient[4] = (Scalar(2.0) * omega1 * a1 + Scalar(24.0) * omega1 * a3
-      - Scalar(4.0) * omega2 * a1) / denominator;
-  gradient[8] = (Scalar(3.0) * omega1_3 - Scalar(6.0) * omega1_2 * omega2) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_im_y_A_x_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// gradient[p] = d harmonic_im_y_A_y_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
 /// 31 operations.
 template <class Scalar>
-void lump_gradient_27(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+void lump_gradient_23(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
   const Scalar omega1 = parameters[0];
   const Scalar omega2 = parameters[1];
   const Scalar a3 = parameters[4];
@@ -7782,79 +7450,13 @@ void lump_gradient_27(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar denominator = omega1_4 - Scalar(4.0) * omega1_3 * omega2 + Scalar(4.0) * omega1_2 * omega2_2;
   // by omega1
-  gradient[0] = (-Scalar(4.0) * a3 * mu1 - lump * (Scalar(4.0) * omega1_3 - Scalar(12.0) * omega1_2 * omega2
+  gradient[0] = (Scalar(4.0) * a3 * mu1 - lump * (Scalar(4.0) * omega1_3 - Scalar(12.0) * omega1_2 * omega2
       + Scalar(8.0) * omega1 * omega2_2)) / denominator;
   // by omega2
-  gradient[1] = (Scalar(4.0) * a3 * mu1 - lump * (-Scalar(4.0) * omega1_3
+  gradient[1] = (-Scalar(4.0) * a3 * mu1 - lump * (-Scalar(4.0) * omega1_3
       + Scalar(8.0) * omega1_2 * omega2)) / denominator;
-  gradient[4] = (-Scalar(4.0) * omega1 * mu1 + Scalar(4.0) * omega2 * mu1) / denominator;  // by a3
-  gradient[11] = (-Scalar(4.0) * omega1 * a3 + Scalar(4.0) * omega2 * a3) / denominator;  // by mu1
-}
-
-/// gradient[p] = d harmonic_re_y_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 15 operations.
-template <class Scalar>
-void lump_gradient_28(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar denominator = Scalar(27.0) * omega1_4 - Scalar(3.0) * omega1_2 * omega2_2;
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1 * b2 - lump * (Scalar(108.0) * omega1_3
-      - Scalar(6.0) * omega1 * omega2_2)) / denominator;
-  gradient[1] = (-lump * (-Scalar(6.0) * omega1_2 * omega2)) / denominator;  // by omega2
-  gradient[2] = (Scalar(2.0) * a2) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a1) / denominator;  // by a2
-  gradient[7] = (Scalar(3.0) * omega1_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_conjA_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 110 operations.
-template <class Scalar>
-void lump_gradient_29(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(3.0) * omega1_5 * omega2_2 - Scalar(12.0) * omega1_4 * omega2_3
-      - Scalar(3.0) * omega1_3 * omega2_4 + Scalar(48.0) * omega1_2 * omega2_5 - Scalar(36.0) * omega1 * omega2_6;
-  // by omega1
-  gradient[0] = (Scalar(27.0) * omega1_2 * omega2_2 * b4 + Scalar(6.0) * omega1_2 * a3 * a4
-      - Scalar(36.0) * omega2_4 * b4 - Scalar(6.0) * omega2_2 * a2 * a3 + Scalar(4.0) * omega2_2 * a3 * a4
-      - lump * (Scalar(15.0) * omega1_4 * omega2_2 - Scalar(48.0) * omega1_3 * omega2_3
-      - Scalar(9.0) * omega1_2 * omega2_4 + Scalar(96.0) * omega1 * omega2_5
-      - Scalar(36.0) * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(18.0) * omega1_3 * omega2 * b4 - Scalar(144.0) * omega1 * omega2_3 * b4
-      - Scalar(12.0) * omega1 * omega2 * a2 * a3 + Scalar(8.0) * omega1 * omega2 * a3 * a4
-      + Scalar(72.0) * omega2_2 * a3 * a4 - lump * (Scalar(6.0) * omega1_5 * omega2
-      - Scalar(36.0) * omega1_4 * omega2_2 - Scalar(12.0) * omega1_3 * omega2_3
-      + Scalar(240.0) * omega1_2 * omega2_4 - Scalar(216.0) * omega1 * omega2_5)) / denominator;
-  gradient[3] = (-Scalar(6.0) * omega1 * omega2_2 * a3) / denominator;  // by a2
-  // by a3
-  gradient[4] = (Scalar(2.0) * omega1_3 * a4 - Scalar(6.0) * omega1 * omega2_2 * a2
-      + Scalar(4.0) * omega1 * omega2_2 * a4 + Scalar(24.0) * omega2_3 * a4) / denominator;
-  // by a4
-  gradient[5] = (Scalar(2.0) * omega1_3 * a3 + Scalar(4.0) * omega1 * omega2_2 * a3
-      + Scalar(24.0) * omega2_3 * a3) / denominator;
-  gradient[9] = (Scalar(9.0) * omega1_3 * omega2_2 - Scalar(36.0) * omega1 * omega2_4) / denominator;  // by b4
+  gradient[4] = (Scalar(4.0) * omega1 * mu1 - Scalar(4.0) * omega2 * mu1) / denominator;  // by a3
+  gradient[11] = (Scalar(4.0) * omega1 * a3 - Scalar(4.0) * omega2 * a3) / denominator;  // by mu1
 }
 
 /// gradient[p] = d harmonic_re_y_A_x_A_y_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
@@ -7862,7 +7464,7 @@ void lump_gradient_29(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
 /// them.
 /// 139 operations.
 template <class Scalar>
-void lump_gradient_30(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+void lump_gradient_24(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
   const Scalar omega1 = parameters[0];
   const Scalar omega2 = parameters[1];
   const Scalar a2 = parameters[3];
@@ -7928,7 +7530,7 @@ void lump_gradient_30(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
 /// gradient[p] = d harmonic_re_y_A_x2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
 /// 40 operations.
 template <class Scalar>
-void lump_gradient_31(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+void lump_gradient_25(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
   const Scalar omega1 = parameters[0];
   const Scalar omega2 = parameters[1];
   const Scalar a1 = parameters[2];
@@ -7952,6 +7554,103 @@ void lump_gradient_31(const Scalar* parameters, [[maybe_unused]] Scalar lump, Sc
   gradient[3] = (-Scalar(12.0) * omega1_2 * a3 - Scalar(10.0) * omega2_2 * a1) / denominator;  // by a2
   gradient[4] = (-Scalar(12.0) * omega1_2 * a2) / denominator;  // by a3
   gradient[7] = (Scalar(9.0) * omega1_2 * omega2_2) / denominator;  // by b2
+}
+
+/// gradient[p] = d harmonic_re_y_A_y_conjA_x2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// 51 operations.
+template <class Scalar>
+void lump_gradient_27(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a3 = parameters[4];
+  const Scalar b3 = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega1_5 = omega1_4 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar denominator = Scalar(12.0) * omega1_5 - Scalar(36.0) * omega1_4 * omega2
+      + Scalar(24.0) * omega1_3 * omega2_2;
+  // by omega1
+  gradient[0] = (Scalar(9.0) * omega1_2 * b3 - Scalar(12.0) * omega1 * omega2 * b3 + Scalar(2.0) * a1 * a3
+      + Scalar(12.0) * a3_2 - lump * (Scalar(60.0) * omega1_4 - Scalar(144.0) * omega1_3 * omega2
+      + Scalar(72.0) * omega1_2 * omega2_2)) / denominator;
+  // by omega2
+  gradient[1] = (-Scalar(6.0) * omega1_2 * b3 - Scalar(4.0) * a1 * a3 - lump * (-Scalar(36.0) * omega1_4
+      + Scalar(48.0) * omega1_3 * omega2)) / denominator;
+  gradient[2] = (Scalar(2.0) * omega1 * a3 - Scalar(4.0) * omega2 * a3) / denominator;  // by a1
+  // by a3
+  gradient[4] = (Scalar(2.0) * omega1 * a1 + Scalar(24.0) * omega1 * a3
+      - Scalar(4.0) * omega2 * a1) / denominator;
+  gradient[8] = (Scalar(3.0) * omega1_3 - Scalar(6.0) * omega1_2 * omega2) / denominator;  // by b3
+}
+
+/// gradient[p] = d harmonic_re_y_A_y2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// 110 operations.
+template <class Scalar>
+void lump_gradient_30(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega1_5 = omega1_4 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar omega2_5 = omega2_4 * omega2;
+  const Scalar omega2_6 = omega2_5 * omega2;
+  const Scalar denominator = Scalar(3.0) * omega1_5 * omega2_2 - Scalar(12.0) * omega1_4 * omega2_3
+      - Scalar(3.0) * omega1_3 * omega2_4 + Scalar(48.0) * omega1_2 * omega2_5 - Scalar(36.0) * omega1 * omega2_6;
+  // by omega1
+  gradient[0] = (Scalar(27.0) * omega1_2 * omega2_2 * b4 + Scalar(6.0) * omega1_2 * a3 * a4
+      - Scalar(36.0) * omega2_4 * b4 - Scalar(6.0) * omega2_2 * a2 * a3 + Scalar(4.0) * omega2_2 * a3 * a4
+      - lump * (Scalar(15.0) * omega1_4 * omega2_2 - Scalar(48.0) * omega1_3 * omega2_3
+      - Scalar(9.0) * omega1_2 * omega2_4 + Scalar(96.0) * omega1 * omega2_5
+      - Scalar(36.0) * omega2_6)) / denominator;
+  // by omega2
+  gradient[1] = (Scalar(18.0) * omega1_3 * omega2 * b4 - Scalar(144.0) * omega1 * omega2_3 * b4
+      - Scalar(12.0) * omega1 * omega2 * a2 * a3 + Scalar(8.0) * omega1 * omega2 * a3 * a4
+      + Scalar(72.0) * omega2_2 * a3 * a4 - lump * (Scalar(6.0) * omega1_5 * omega2
+      - Scalar(36.0) * omega1_4 * omega2_2 - Scalar(12.0) * omega1_3 * omega2_3
+      + Scalar(240.0) * omega1_2 * omega2_4 - Scalar(216.0) * omega1 * omega2_5)) / denominator;
+  gradient[3] = (-Scalar(6.0) * omega1 * omega2_2 * a3) / denominator;  // by a2
+  // by a3
+  gradient[4] = (Scalar(2.0) * omega1_3 * a4 - Scalar(6.0) * omega1 * omega2_2 * a2
+      + Scalar(4.0) * omega1 * omega2_2 * a4 + Scalar(24.0) * omega2_3 * a4) / denominator;
+  // by a4
+  gradient[5] = (Scalar(2.0) * omega1_3 * a3 + Scalar(4.0) * omega1 * omega2_2 * a3
+      + Scalar(24.0) * omega2_3 * a3) / denominator;
+  gradient[9] = (Scalar(9.0) * omega1_3 * omega2_2 - Scalar(36.0) * omega1 * omega2_4) / denominator;  // by b4
+}
+
+/// gradient[p] = d harmonic_re_y_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
+/// 15 operations.
+template <class Scalar>
+void lump_gradient_31(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar denominator = Scalar(27.0) * omega1_4 - Scalar(3.0) * omega1_2 * omega2_2;
+  // by omega1
+  gradient[0] = (Scalar(6.0) * omega1 * b2 - lump * (Scalar(108.0) * omega1_3
+      - Scalar(6.0) * omega1 * omega2_2)) / denominator;
+  gradient[1] = (-lump * (-Scalar(6.0) * omega1_2 * omega2)) / denominator;  // by omega2
+  gradient[2] = (Scalar(2.0) * a2) / denominator;  // by a1
+  gradient[3] = (Scalar(2.0) * a1) / denominator;  // by a2
+  gradient[7] = (Scalar(3.0) * omega1_2) / denominator;  // by b2
 }
 
 /// gradient[p] = d harmonic_re_y_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
@@ -8106,28 +7805,28 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   lump_gradient_13(parameters, lumps[13], jacobian + 195);  // d harmonic_re_x_A_y_conjA_x2
   lump_gradient_14(parameters, lumps[14], jacobian + 210);  // d harmonic_re_x_A_x2_A_y
   lump_gradient_15(parameters, lumps[15], jacobian + 225);  // d harmonic_im_x_A_y2
-  lump_gradient_16(parameters, lumps[16], jacobian + 240);  // d harmonic_re_x_A_x3
-  lump_gradient_17(parameters, lumps[17], jacobian + 255);  // d harmonic_re_x_A_y2_conjA_y
-  lump_gradient_18(parameters, lumps[18], jacobian + 270);  // d harmonic_re_x_A_x_A_y_conjA_x
-  jacobian[285] = Scalar(4.0) * a1 * mu1 / (Scalar(3.0) * omega1_4);  // d harmonic_im_x_A_x2 / d omega1
-  jacobian[287] = -Scalar(4.0) * mu1 / (Scalar(9.0) * omega1_3);  // d harmonic_im_x_A_x2 / d a1
-  jacobian[296] = -Scalar(4.0) * a1 / (Scalar(9.0) * omega1_3);  // d harmonic_im_x_A_x2 / d mu1
-  lump_gradient_20(parameters, lumps[20], jacobian + 300);  // d harmonic_re_x_A_x_conjA_y2
+  lump_gradient_16(parameters, lumps[16], jacobian + 240);  // d harmonic_re_x_A_y2_conjA_x
+  lump_gradient_17(parameters, lumps[17], jacobian + 255);  // d harmonic_re_x_A_x3
+  lump_gradient_18(parameters, lumps[18], jacobian + 270);  // d harmonic_re_x_A_y2_conjA_y
+  lump_gradient_19(parameters, lumps[19], jacobian + 285);  // d harmonic_re_x_A_x_A_y_conjA_x
+  jacobian[300] = Scalar(4.0) * a1 * mu1 / (Scalar(3.0) * omega1_4);  // d harmonic_im_x_A_x2 / d omega1
+  jacobian[302] = -Scalar(4.0) * mu1 / (Scalar(9.0) * omega1_3);  // d harmonic_im_x_A_x2 / d a1
+  jacobian[311] = -Scalar(4.0) * a1 / (Scalar(9.0) * omega1_3);  // d harmonic_im_x_A_x2 / d mu1
   lump_gradient_21(parameters, lumps[21], jacobian + 315);  // d harmonic_re_x_A_y3
   lump_gradient_22(parameters, lumps[22], jacobian + 330);  // d harmonic_re_x_A_x_A_y2
-  jacobian[350] = Scalar(1.0);  // d a4 / d a4
-  lump_gradient_24(parameters, lumps[24], jacobian + 360);  // d harmonic_re_y_A_y_conjA_x2
-  jacobian[376] = Scalar(16.0) * a2 * a4 / (Scalar(9.0) * omega2_5);  // d harmonic_re_y_A_x2_A_y / d omega2
-  jacobian[378] = -Scalar(4.0) * a4 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_x2_A_y / d a2
-  jacobian[380] = -Scalar(4.0) * a2 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_x2_A_y / d a4
-  jacobian[391] = Scalar(4.0) * a4 * mu2 / (Scalar(3.0) * omega2_4);  // d harmonic_im_y_A_y2 / d omega2
-  jacobian[395] = -Scalar(4.0) * mu2 / (Scalar(9.0) * omega2_3);  // d harmonic_im_y_A_y2 / d a4
-  jacobian[403] = -Scalar(4.0) * a4 / (Scalar(9.0) * omega2_3);  // d harmonic_im_y_A_y2 / d mu2
-  lump_gradient_27(parameters, lumps[27], jacobian + 405);  // d harmonic_im_y_A_x_conjA_y
-  lump_gradient_28(parameters, lumps[28], jacobian + 420);  // d harmonic_re_y_A_x3
-  lump_gradient_29(parameters, lumps[29], jacobian + 435);  // d harmonic_re_y_A_x_conjA_y2
-  lump_gradient_30(parameters, lumps[30], jacobian + 450);  // d harmonic_re_y_A_x_A_y_conjA_y
-  lump_gradient_31(parameters, lumps[31], jacobian + 465);  // d harmonic_re_y_A_x2_conjA_x
+  lump_gradient_23(parameters, lumps[23], jacobian + 345);  // d harmonic_im_y_A_y_conjA_x
+  lump_gradient_24(parameters, lumps[24], jacobian + 360);  // d harmonic_re_y_A_x_A_y_conjA_y
+  lump_gradient_25(parameters, lumps[25], jacobian + 375);  // d harmonic_re_y_A_x2_conjA_x
+  jacobian[395] = Scalar(1.0);  // d a4 / d a4
+  lump_gradient_27(parameters, lumps[27], jacobian + 405);  // d harmonic_re_y_A_y_conjA_x2
+  jacobian[421] = Scalar(16.0) * a2 * a4 / (Scalar(9.0) * omega2_5);  // d harmonic_re_y_A_x2_A_y / d omega2
+  jacobian[423] = -Scalar(4.0) * a4 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_x2_A_y / d a2
+  jacobian[425] = -Scalar(4.0) * a2 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_x2_A_y / d a4
+  jacobian[436] = Scalar(4.0) * a4 * mu2 / (Scalar(3.0) * omega2_4);  // d harmonic_im_y_A_y2 / d omega2
+  jacobian[440] = -Scalar(4.0) * mu2 / (Scalar(9.0) * omega2_3);  // d harmonic_im_y_A_y2 / d a4
+  jacobian[448] = -Scalar(4.0) * a4 / (Scalar(9.0) * omega2_3);  // d harmonic_im_y_A_y2 / d mu2
+  lump_gradient_30(parameters, lumps[30], jacobian + 450);  // d harmonic_re_y_A_y2_conjA_x
+  lump_gradient_31(parameters, lumps[31], jacobian + 465);  // d harmonic_re_y_A_x3
   lump_gradient_32(parameters, lumps[32], jacobian + 480);  // d harmonic_re_y_A_y3
   lump_gradient_33(parameters, lumps[33], jacobian + 495);  // d harmonic_re_y_A_x_A_y2
 }
@@ -8361,7 +8060,7 @@ inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_3(data, FactorSlopes<factors_3<DualNumber>, 2, 1, 4>{mode}, columns);
 }
 
-/// What multiplies the 4 terms of the harmonic omega1+omega2 of x: functions of the frequencies alone. 20
+/// What multiplies the 6 terms of the harmonic omega1+omega2 of x: functions of the frequencies alone. 22
 /// operations.
 template <class Scalar>
 void factors_4([[maybe_unused]] const Scalar* natural_frequency,
@@ -8378,13 +8077,16 @@ void factors_4([[maybe_unused]] const Scalar* natural_frequency,
   factor[1] = Scalar(2.0) / (Scalar(2.0) * omega1 * omega2 + omega2_2);
   factor[2] = Scalar(1.0);
   factor[3] = Scalar(1.0);
+  factor[4] = Scalar(2.0) * omega2 / omega1;
+  factor[5] = Scalar(1.0);
 }
 
 /// Rows of the harmonic omega1+omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(omega1 + omega2)*t) in x = (-8*omega1^3 - 8*omega1^2*omega2)/(4*omega1^2*omega2^2 +
 /// 4*omega1*omega2^3 + omega2^4)*i*dissipative_x_A_y_conjA_x*A_x*A_y + 2/(2*omega1*omega2 + omega2^2)*a2*A_x*A_y
-/// + harmonic_re_x_A_x3*A_x^3 + harmonic_re_x_A_x3*A_x^3
-/// 3 columns; per observation at most 17 products and sums of complex numbers.
+/// + harmonic_re_x_A_y2_conjA_x*conj(A_x)*A_y^2 + harmonic_re_x_A_x3*A_x^3 +
+/// 2*omega2/omega1*harmonic_re_x_A_x3*conj(A_x)*A_y^2 + harmonic_re_x_A_x3*A_x^3
+/// 4 columns; per observation at most 28 products and sums of complex numbers.
 template <class Factors>
 void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
@@ -8394,16 +8096,20 @@ void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
   Scalar* __restrict column_0 = columns[0];
   Scalar* __restrict column_1 = columns[1];
   Scalar* __restrict column_2 = columns[2];
-  Scalar factor[4];
+  Scalar* __restrict column_3 = columns[3];
+  Scalar factor[6];
   const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
   factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
     const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
     const Complex A_y = load_complex(amplitude_1, i);
     store_complex(column_0, i, times_i(factor[0] * (A_x * A_y)));  // dissipative_x_A_y_conjA_x
     store_complex(column_1, i, factor[1] * (A_x * A_y));  // a2
+    store_complex(column_2, i, factor[2] * (conj_A_x * A_y * A_y));  // harmonic_re_x_A_y2_conjA_x
     // harmonic_re_x_A_x3
-    store_complex(column_2, i, factor[2] * (A_x * A_x * A_x) + factor[3] * (A_x * A_x * A_x));
+    store_complex(column_3, i, factor[3] * (A_x * A_x * A_x) + factor[4] * (conj_A_x * A_y * A_y)
+        + factor[5] * (A_x * A_x * A_x));
   }
 }
 
@@ -8415,7 +8121,7 @@ inline void columns_4(const BatchArrays& data, double* const* columns) {
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_4(data, FactorSlopes<factors_4<DualNumber>, 2, 1, 4>{mode}, columns);
+  rows_4(data, FactorSlopes<factors_4<DualNumber>, 2, 1, 6>{mode}, columns);
 }
 
 /// What multiplies the 5 terms of the harmonic omega2 of x: functions of the frequencies alone. 3 operations.
@@ -8473,55 +8179,9 @@ inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_5(data, FactorSlopes<factors_5<DualNumber>, 2, 1, 5>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic omega1-2*omega2 of x: functions of the frequencies alone. 2
-/// operations.
-template <class Scalar>
-void factors_6([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega2 = natural_frequency[1];
-  factor[0] = Scalar(2.0) * omega2 / omega1;
-  factor[1] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega1-2*omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 - 2*omega2)*t) in x = 2*omega2/omega1*harmonic_re_x_A_x3*A_x*conj(A_y)^2 +
-/// harmonic_re_x_A_x_conjA_y2*A_x*conj(A_y)^2
-/// 2 columns; per observation at most 10 products and sums of complex numbers.
-template <class Factors>
-void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar* __restrict column_1 = columns[1];
-  Scalar factor[2];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    const Complex conj_A_y = conjugate(A_y);
-    store_complex(column_0, i, factor[0] * (A_x * conj_A_y * conj_A_y));  // harmonic_re_x_A_x3
-    store_complex(column_1, i, factor[1] * (A_x * conj_A_y * conj_A_y));  // harmonic_re_x_A_x_conjA_y2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_6(const BatchArrays& data, double* const* columns) {
-  rows_6(data, FactorValues<factors_6<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_6(data, FactorSlopes<factors_6<DualNumber>, 2, 1, 2>{mode}, columns);
-}
-
 /// What multiplies the 1 terms of the harmonic 3*omega2 of x: functions of the frequencies alone. 0 operations.
 template <class Scalar>
-void factors_7([[maybe_unused]] const Scalar* natural_frequency,
+void factors_6([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   factor[0] = Scalar(1.0);
 }
@@ -8530,7 +8190,7 @@ void factors_7([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(3*omega2)*t) in x = harmonic_re_x_A_y3*A_y^3
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_1 = data.amplitude[1];
@@ -8545,12 +8205,12 @@ void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_7(const BatchArrays& data, double* const* columns) {
-  rows_7(data, FactorValues<factors_7<double>>{}, columns);
+inline void columns_6(const BatchArrays& data, double* const* columns) {
+  rows_6(data, FactorValues<factors_6<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_7(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
@@ -8559,7 +8219,7 @@ inline void column_slopes_7(const BatchArrays& data, [[maybe_unused]] std::size_
 /// What multiplies the 1 terms of the harmonic omega1+2*omega2 of x: functions of the frequencies alone. 0
 /// operations.
 template <class Scalar>
-void factors_8([[maybe_unused]] const Scalar* natural_frequency,
+void factors_7([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   factor[0] = Scalar(1.0);
 }
@@ -8568,7 +8228,7 @@ void factors_8([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(omega1 + 2*omega2)*t) in x = harmonic_re_x_A_x_A_y2*A_x*A_y^2
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_8(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -8585,6 +8245,73 @@ void rows_8(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
+inline void columns_7(const BatchArrays& data, double* const* columns) {
+  rows_7(data, FactorValues<factors_7<double>>{}, columns);
+}
+
+/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
+inline void column_slopes_7(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+    double* const* columns) {
+  for (std::size_t j = 0; j < 1; ++j)
+    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
+}
+
+/// What multiplies the 6 terms of the harmonic omega1 of y: functions of the frequencies alone. 22 operations.
+template <class Scalar>
+void factors_8([[maybe_unused]] const Scalar* natural_frequency,
+    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
+  const Scalar omega1 = natural_frequency[0];
+  const Scalar omega2 = natural_frequency[1];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  factor[0] = Scalar(2.0) / (omega1_2 - Scalar(2.0) * omega1 * omega2);
+  factor[1] = (omega1_3 + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3) / omega1_3;
+  factor[2] = (-omega1_3 - Scalar(3.0) * omega1_2 * omega2
+      + Scalar(4.0) * omega2_3) / (Scalar(2.0) * omega1_2 * omega2);
+  factor[3] = Scalar(1.0);
+  factor[4] = Scalar(1.0);
+  factor[5] = Scalar(1.0);
+}
+
+/// Rows of the harmonic omega1 of y: target = sum of columns[j][i] * lump_j, with the factors above.
+/// amplitude of exp(i*(omega1)*t) in y = 2/(omega1^2 - 2*omega1*omega2)*a3*conj(A_x)*A_y + (omega1^3 +
+/// 3*omega1^2*omega2 - 4*omega2^3)/omega1^3*harmonic_re_x_A_x2_A_y*A_x*A_y*conj(A_y) + (-omega1^3 -
+/// 3*omega1^2*omega2 + 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_x2_A_y*A_x^2*conj(A_x) +
+/// i*harmonic_im_y_A_y_conjA_x*conj(A_x)*A_y + harmonic_re_y_A_x_A_y_conjA_y*A_x*A_y*conj(A_y) +
+/// harmonic_re_y_A_x2_conjA_x*A_x^2*conj(A_x)
+/// 5 columns; per observation at most 19 products and sums of complex numbers.
+template <class Factors>
+void rows_8(const BatchArrays& data, Factors factors, double* const* columns) {
+  using Scalar = double;
+  using Complex = ComplexNumber<double>;
+  const Scalar* __restrict amplitude_0 = data.amplitude[0];
+  const Scalar* __restrict amplitude_1 = data.amplitude[1];
+  Scalar* __restrict column_0 = columns[0];
+  Scalar* __restrict column_1 = columns[1];
+  Scalar* __restrict column_2 = columns[2];
+  Scalar* __restrict column_3 = columns[3];
+  Scalar* __restrict column_4 = columns[4];
+  Scalar factor[6];
+  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
+  factors(natural_frequency, nullptr, factor);
+  for (std::size_t i = 0; i < data.count; ++i) {
+    const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
+    const Scalar norm_A_x = norm_of(A_x);
+    const Complex A_y = load_complex(amplitude_1, i);
+    const Scalar norm_A_y = norm_of(A_y);
+    store_complex(column_0, i, factor[0] * (conj_A_x * A_y));  // a3
+    // harmonic_re_x_A_x2_A_y
+    store_complex(column_1, i, factor[1] * (A_x * norm_A_y) + factor[2] * (norm_A_x * A_x));
+    store_complex(column_2, i, times_i(factor[3] * (conj_A_x * A_y)));  // harmonic_im_y_A_y_conjA_x
+    store_complex(column_3, i, factor[4] * (A_x * norm_A_y));  // harmonic_re_y_A_x_A_y_conjA_y
+    store_complex(column_4, i, factor[5] * (norm_A_x * A_x));  // harmonic_re_y_A_x2_conjA_x
+  }
+}
+
+/// columns[j][i] of the rows.
 inline void columns_8(const BatchArrays& data, double* const* columns) {
   rows_8(data, FactorValues<factors_8<double>>{}, columns);
 }
@@ -8592,8 +8319,7 @@ inline void columns_8(const BatchArrays& data, double* const* columns) {
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_8(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
+  rows_8(data, FactorSlopes<factors_8<DualNumber>, 2, 1, 6>{mode}, columns);
 }
 
 /// What multiplies the 4 terms of the harmonic 0 of y: functions of the frequencies alone. 3 operations.
@@ -8698,7 +8424,7 @@ inline void column_slopes_10(const BatchArrays& data, [[maybe_unused]] std::size
   rows_10(data, FactorSlopes<factors_10<DualNumber>, 2, 1, 4>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic omega1-omega2 of y: functions of the frequencies alone. 5
+/// What multiplies the 6 terms of the harmonic omega1+omega2 of y: functions of the frequencies alone. 33
 /// operations.
 template <class Scalar>
 void factors_11([[maybe_unused]] const Scalar* natural_frequency,
@@ -8706,14 +8432,27 @@ void factors_11([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
   const Scalar omega1_2 = omega1 * omega1;
-  factor[0] = Scalar(2.0) / (omega1_2 - Scalar(2.0) * omega1 * omega2);
-  factor[1] = Scalar(1.0);
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  factor[0] = Scalar(2.0) / (omega1_2 + Scalar(2.0) * omega1 * omega2);
+  factor[1] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2
+      + Scalar(4.0) * omega2_3) / (Scalar(2.0) * omega1_2 * omega2);
+  factor[2] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2 + Scalar(4.0) * omega2_3) / omega1_3;
+  factor[3] = (-omega1_3 + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3) / (omega1_3
+      + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3);
+  factor[4] = Scalar(1.0);
+  factor[5] = Scalar(1.0);
 }
 
-/// Rows of the harmonic omega1-omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 - omega2)*t) in y = 2/(omega1^2 - 2*omega1*omega2)*a3*A_x*conj(A_y) +
-/// i*harmonic_im_y_A_x_conjA_y*A_x*conj(A_y)
-/// 2 columns; per observation at most 6 products and sums of complex numbers.
+/// Rows of the harmonic omega1+omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
+/// amplitude of exp(i*(omega1 + omega2)*t) in y = 2/(omega1^2 + 2*omega1*omega2)*a3*A_x*A_y + (omega1^3 -
+/// 3*omega1^2*omega2 + 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_x2_A_y*A_x^3 + (omega1^3 -
+/// 3*omega1^2*omega2 + 4*omega2^3)/omega1^3*harmonic_re_x_A_x2_A_y*conj(A_x)*A_y^2 + (-omega1^3 +
+/// 3*omega1^2*omega2 - 4*omega2^3)/(omega1^3 + 3*omega1^2*omega2 -
+/// 4*omega2^3)*i*harmonic_im_y_A_y_conjA_x*A_x*A_y + harmonic_re_y_A_y2_conjA_x*conj(A_x)*A_y^2 +
+/// harmonic_re_y_A_x3*A_x^3
+/// 5 columns; per observation at most 27 products and sums of complex numbers.
 template <class Factors>
 void rows_11(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
@@ -8722,15 +8461,22 @@ void rows_11(const BatchArrays& data, Factors factors, double* const* columns) {
   const Scalar* __restrict amplitude_1 = data.amplitude[1];
   Scalar* __restrict column_0 = columns[0];
   Scalar* __restrict column_1 = columns[1];
-  Scalar factor[2];
+  Scalar* __restrict column_2 = columns[2];
+  Scalar* __restrict column_3 = columns[3];
+  Scalar* __restrict column_4 = columns[4];
+  Scalar factor[6];
   const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
   factors(natural_frequency, nullptr, factor);
   for (std::size_t i = 0; i < data.count; ++i) {
     const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
     const Complex A_y = load_complex(amplitude_1, i);
-    const Complex conj_A_y = conjugate(A_y);
-    store_complex(column_0, i, factor[0] * (A_x * conj_A_y));  // a3
-    store_complex(column_1, i, times_i(factor[1] * (A_x * conj_A_y)));  // harmonic_im_y_A_x_conjA_y
+    store_complex(column_0, i, factor[0] * (A_x * A_y));  // a3
+    // harmonic_re_x_A_x2_A_y
+    store_complex(column_1, i, factor[1] * (A_x * A_x * A_x) + factor[2] * (conj_A_x * A_y * A_y));
+    store_complex(column_2, i, times_i(factor[3] * (A_x * A_y)));  // harmonic_im_y_A_y_conjA_x
+    store_complex(column_3, i, factor[4] * (conj_A_x * A_y * A_y));  // harmonic_re_y_A_y2_conjA_x
+    store_complex(column_4, i, factor[5] * (A_x * A_x * A_x));  // harmonic_re_y_A_x3
   }
 }
 
@@ -8742,179 +8488,12 @@ inline void columns_11(const BatchArrays& data, double* const* columns) {
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_11(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_11(data, FactorSlopes<factors_11<DualNumber>, 2, 1, 2>{mode}, columns);
-}
-
-/// What multiplies the 4 terms of the harmonic omega1+omega2 of y: functions of the frequencies alone. 27
-/// operations.
-template <class Scalar>
-void factors_12([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  factor[0] = Scalar(2.0) / (omega1_2 + Scalar(2.0) * omega1 * omega2);
-  factor[1] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2
-      + Scalar(4.0) * omega2_3) / (Scalar(2.0) * omega1_2 * omega2);
-  factor[2] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2 + Scalar(4.0) * omega2_3) / (omega1_3
-      + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3);
-  factor[3] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega1+omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + omega2)*t) in y = 2/(omega1^2 + 2*omega1*omega2)*a3*A_x*A_y + (omega1^3 -
-/// 3*omega1^2*omega2 + 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_x2_A_y*A_x^3 + (omega1^3 -
-/// 3*omega1^2*omega2 + 4*omega2^3)/(omega1^3 + 3*omega1^2*omega2 -
-/// 4*omega2^3)*i*harmonic_im_y_A_x_conjA_y*A_x*A_y + harmonic_re_y_A_x3*A_x^3
-/// 4 columns; per observation at most 16 products and sums of complex numbers.
-template <class Factors>
-void rows_12(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar* __restrict column_1 = columns[1];
-  Scalar* __restrict column_2 = columns[2];
-  Scalar* __restrict column_3 = columns[3];
-  Scalar factor[4];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_y));  // a3
-    store_complex(column_1, i, factor[1] * (A_x * A_x * A_x));  // harmonic_re_x_A_x2_A_y
-    store_complex(column_2, i, times_i(factor[2] * (A_x * A_y)));  // harmonic_im_y_A_x_conjA_y
-    store_complex(column_3, i, factor[3] * (A_x * A_x * A_x));  // harmonic_re_y_A_x3
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_12(const BatchArrays& data, double* const* columns) {
-  rows_12(data, FactorValues<factors_12<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_12(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_12(data, FactorSlopes<factors_12<DualNumber>, 2, 1, 4>{mode}, columns);
-}
-
-/// What multiplies the 2 terms of the harmonic omega1-2*omega2 of y: functions of the frequencies alone. 10
-/// operations.
-template <class Scalar>
-void factors_13([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  factor[0] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2 + Scalar(4.0) * omega2_3) / omega1_3;
-  factor[1] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega1-2*omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 - 2*omega2)*t) in y = (omega1^3 - 3*omega1^2*omega2 +
-/// 4*omega2^3)/omega1^3*harmonic_re_x_A_x2_A_y*A_x*conj(A_y)^2 + harmonic_re_y_A_x_conjA_y2*A_x*conj(A_y)^2
-/// 2 columns; per observation at most 10 products and sums of complex numbers.
-template <class Factors>
-void rows_13(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar* __restrict column_1 = columns[1];
-  Scalar factor[2];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    const Complex conj_A_y = conjugate(A_y);
-    store_complex(column_0, i, factor[0] * (A_x * conj_A_y * conj_A_y));  // harmonic_re_x_A_x2_A_y
-    store_complex(column_1, i, factor[1] * (A_x * conj_A_y * conj_A_y));  // harmonic_re_y_A_x_conjA_y2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_13(const BatchArrays& data, double* const* columns) {
-  rows_13(data, FactorValues<factors_13<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_13(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_13(data, FactorSlopes<factors_13<DualNumber>, 2, 1, 2>{mode}, columns);
-}
-
-/// What multiplies the 4 terms of the harmonic omega1 of y: functions of the frequencies alone. 18 operations.
-template <class Scalar>
-void factors_14([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  factor[0] = (omega1_3 + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3) / omega1_3;
-  factor[1] = (-omega1_3 - Scalar(3.0) * omega1_2 * omega2
-      + Scalar(4.0) * omega2_3) / (Scalar(2.0) * omega1_2 * omega2);
-  factor[2] = Scalar(1.0);
-  factor[3] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega1 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1)*t) in y = (omega1^3 + 3*omega1^2*omega2 -
-/// 4*omega2^3)/omega1^3*harmonic_re_x_A_x2_A_y*A_x*A_y*conj(A_y) + (-omega1^3 - 3*omega1^2*omega2 +
-/// 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_x2_A_y*A_x^2*conj(A_x) +
-/// harmonic_re_y_A_x_A_y_conjA_y*A_x*A_y*conj(A_y) + harmonic_re_y_A_x2_conjA_x*A_x^2*conj(A_x)
-/// 3 columns; per observation at most 13 products and sums of complex numbers.
-template <class Factors>
-void rows_14(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar* __restrict column_1 = columns[1];
-  Scalar* __restrict column_2 = columns[2];
-  Scalar factor[4];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Scalar norm_A_x = norm_of(A_x);
-    const Complex A_y = load_complex(amplitude_1, i);
-    const Scalar norm_A_y = norm_of(A_y);
-    // harmonic_re_x_A_x2_A_y
-    store_complex(column_0, i, factor[0] * (A_x * norm_A_y) + factor[1] * (norm_A_x * A_x));
-    store_complex(column_1, i, factor[2] * (A_x * norm_A_y));  // harmonic_re_y_A_x_A_y_conjA_y
-    store_complex(column_2, i, factor[3] * (norm_A_x * A_x));  // harmonic_re_y_A_x2_conjA_x
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_14(const BatchArrays& data, double* const* columns) {
-  rows_14(data, FactorValues<factors_14<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_14(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_14(data, FactorSlopes<factors_14<DualNumber>, 2, 1, 4>{mode}, columns);
+  rows_11(data, FactorSlopes<factors_11<DualNumber>, 2, 1, 6>{mode}, columns);
 }
 
 /// What multiplies the 1 terms of the harmonic 3*omega2 of y: functions of the frequencies alone. 0 operations.
 template <class Scalar>
-void factors_15([[maybe_unused]] const Scalar* natural_frequency,
+void factors_12([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   factor[0] = Scalar(1.0);
 }
@@ -8923,7 +8502,7 @@ void factors_15([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(3*omega2)*t) in y = harmonic_re_y_A_y3*A_y^3
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_15(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_12(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_1 = data.amplitude[1];
@@ -8938,12 +8517,12 @@ void rows_15(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_15(const BatchArrays& data, double* const* columns) {
-  rows_15(data, FactorValues<factors_15<double>>{}, columns);
+inline void columns_12(const BatchArrays& data, double* const* columns) {
+  rows_12(data, FactorValues<factors_12<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_15(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_12(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
@@ -8952,7 +8531,7 @@ inline void column_slopes_15(const BatchArrays& data, [[maybe_unused]] std::size
 /// What multiplies the 1 terms of the harmonic omega1+2*omega2 of y: functions of the frequencies alone. 0
 /// operations.
 template <class Scalar>
-void factors_16([[maybe_unused]] const Scalar* natural_frequency,
+void factors_13([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   factor[0] = Scalar(1.0);
 }
@@ -8961,7 +8540,7 @@ void factors_16([[maybe_unused]] const Scalar* natural_frequency,
 /// amplitude of exp(i*(omega1 + 2*omega2)*t) in y = harmonic_re_y_A_x_A_y2*A_x*A_y^2
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
-void rows_16(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_13(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -8978,12 +8557,12 @@ void rows_16(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_16(const BatchArrays& data, double* const* columns) {
-  rows_16(data, FactorValues<factors_16<double>>{}, columns);
+inline void columns_13(const BatchArrays& data, double* const* columns) {
+  rows_13(data, FactorValues<factors_13<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_16(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_13(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;

@@ -224,7 +224,7 @@ inline void column_slopes_0(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 1, 10>{mode}, columns);
 }
 
-/// What multiplies the 6 terms of the harmonic omega0+Omega of x: functions of the frequencies alone. 30
+/// What multiplies the 7 terms of the harmonic omega0+Omega of x: functions of the frequencies alone. 42
 /// operations.
 template <class Scalar>
 void factors_1([[maybe_unused]] const Scalar* natural_frequency,
@@ -239,19 +239,22 @@ void factors_1([[maybe_unused]] const Scalar* natural_frequency,
   factor[0] = (Scalar(48.0) * omega0_3 - Scalar(48.0) * omega0_2 * Omega) / (Scalar(28.0) * omega0_2 * Omega_2
       + Scalar(28.0) * omega0 * Omega_3 + Scalar(7.0) * Omega_4);
   factor[1] = -Scalar(9.0) / (Scalar(28.0) * omega0);
-  factor[2] = -Scalar(1.0) / (Scalar(8.0) * omega0);
-  factor[3] = Scalar(1.0) / (Scalar(8.0) * omega0_2);
-  factor[4] = Scalar(7.0) / (Scalar(20.0) * omega0);
-  factor[5] = Scalar(1.0) / (Scalar(4.0) * omega0 * Omega + Scalar(2.0) * Omega_2);
+  factor[2] = (-Scalar(16.0) * omega0_3 - Scalar(16.0) * omega0_2 * Omega) / (Scalar(12.0) * omega0_2 * Omega_2
+      + Scalar(12.0) * omega0 * Omega_3 + Scalar(3.0) * Omega_4);
+  factor[3] = -Scalar(1.0) / (Scalar(8.0) * omega0);
+  factor[4] = Scalar(1.0) / (Scalar(8.0) * omega0_2);
+  factor[5] = Scalar(7.0) / (Scalar(20.0) * omega0);
+  factor[6] = Scalar(1.0) / (Scalar(4.0) * omega0 * Omega + Scalar(2.0) * Omega_2);
 }
 
 /// Rows of the harmonic omega0+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(omega0 + Omega)*t) in x = (48*omega0^3 - 48*omega0^2*Omega)/(28*omega0^2*Omega^2 +
 /// 28*omega0*Omega^3 + 7*Omega^4)*conservative_x_A_x3_F*A_x^2*conj(A_x)*F -
-/// 9/(28*omega0)*conservative_x_A_x3_F*A_x^2*conj(A_x)*F - 1/(8*omega0)*i*dissipative_x_A_x2_conjA_x*A_x^3 +
-/// 1/(8*omega0^2)*a3*A_x^3 + 7/(20*omega0)*conservative_x_A_x3_conjA_x2*A_x^4*conj(A_x) + 1/(4*omega0*Omega +
-/// 2*Omega^2)*h*A_x*F
-/// 5 columns; per observation at most 31 products and sums of complex numbers.
+/// 9/(28*omega0)*conservative_x_A_x3_F*A_x^2*conj(A_x)*F + (-16*omega0^3 -
+/// 16*omega0^2*Omega)/(12*omega0^2*Omega^2 + 12*omega0*Omega^3 + 3*Omega^4)*conservative_x_A_x_F2*conj(A_x)*F^2
+/// - 1/(8*omega0)*i*dissipative_x_A_x2_conjA_x*A_x^3 + 1/(8*omega0^2)*a3*A_x^3 +
+/// 7/(20*omega0)*conservative_x_A_x3_conjA_x2*A_x^4*conj(A_x) + 1/(4*omega0*Omega + 2*Omega^2)*h*A_x*F
+/// 6 columns; per observation at most 36 products and sums of complex numbers.
 template <class Factors>
 void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
@@ -263,21 +266,24 @@ void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
   Scalar* __restrict column_2 = columns[2];
   Scalar* __restrict column_3 = columns[3];
   Scalar* __restrict column_4 = columns[4];
-  Scalar factor[6];
+  Scalar* __restrict column_5 = columns[5];
+  Scalar factor[7];
   const Scalar natural_frequency[] = {data.natural_frequency[0]};
   const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
   for (std::size_t i = 0; i < data.count; ++i) {
     const Scalar excitation_frequency[] = {frequency_0[i]};
     factors(natural_frequency, excitation_frequency, factor);
     const Complex A_x = load_complex(amplitude_0, i);
+    const Complex conj_A_x = conjugate(A_x);
     const Scalar norm_A_x = norm_of(A_x);
     const Complex F = load_complex(forcing_0, i);
     // conservative_x_A_x3_F
     store_complex(column_0, i, factor[0] * (norm_A_x * A_x * F) + factor[1] * (norm_A_x * A_x * F));
-    store_complex(column_1, i, times_i(factor[2] * (A_x * A_x * A_x)));  // dissipative_x_A_x2_conjA_x
-    store_complex(column_2, i, factor[3] * (A_x * A_x * A_x));  // a3
-    store_complex(column_3, i, factor[4] * (norm_A_x * A_x * A_x * A_x));  // conservative_x_A_x3_conjA_x2
-    store_complex(column_4, i, factor[5] * (A_x * F));  // h
+    store_complex(column_1, i, factor[2] * (conj_A_x * F * F));  // conservative_x_A_x_F2
+    store_complex(column_2, i, times_i(factor[3] * (A_x * A_x * A_x)));  // dissipative_x_A_x2_conjA_x
+    store_complex(column_3, i, factor[4] * (A_x * A_x * A_x));  // a3
+    store_complex(column_4, i, factor[5] * (norm_A_x * A_x * A_x * A_x));  // conservative_x_A_x3_conjA_x2
+    store_complex(column_5, i, factor[6] * (A_x * F));  // h
   }
 }
 
@@ -289,64 +295,13 @@ inline void columns_1(const BatchArrays& data, double* const* columns) {
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 6>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic omega0-2*Omega of x: functions of the frequencies alone. 17
-/// operations.
-template <class Scalar>
-void factors_2([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar Omega = excitation_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  const Scalar omega0_3 = omega0_2 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  factor[0] = (-Scalar(16.0) * omega0_3 - Scalar(16.0) * omega0_2 * Omega) / (Scalar(12.0) * omega0_2 * Omega_2
-      + Scalar(12.0) * omega0 * Omega_3 + Scalar(3.0) * Omega_4);
-}
-
-/// Rows of the harmonic omega0-2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 - 2*Omega)*t) in x = (-16*omega0^3 - 16*omega0^2*Omega)/(12*omega0^2*Omega^2 +
-/// 12*omega0*Omega^3 + 3*Omega^4)*conservative_x_A_x_F2*A_x*F^2
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict forcing_0 = data.forcing[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  const Scalar* __restrict frequency_0 = data.excitation_frequency[0];
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Scalar excitation_frequency[] = {frequency_0[i]};
-    factors(natural_frequency, excitation_frequency, factor);
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex F = load_complex(forcing_0, i);
-    const Complex conj_F = conjugate(F);
-    store_complex(column_0, i, factor[0] * (A_x * conj_F * conj_F));  // conservative_x_A_x_F2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_2(const BatchArrays& data, double* const* columns) {
-  rows_2(data, FactorValues<factors_2<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 1, 1>{mode}, columns);
+  rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 7>{mode}, columns);
 }
 
 /// What multiplies the 3 terms of the harmonic omega0+2*Omega of x: functions of the frequencies alone. 34
 /// operations.
 template <class Scalar>
-void factors_3([[maybe_unused]] const Scalar* natural_frequency,
+void factors_2([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
@@ -370,7 +325,7 @@ void factors_3([[maybe_unused]] const Scalar* natural_frequency,
 /// 3*Omega^4)*conservative_x_A_x_F2*A_x*F^2 - 1/(60*omega0)*conservative_x_A_x3_conjA_x2*A_x^5
 /// 3 columns; per observation at most 13 products and sums of complex numbers.
 template <class Factors>
-void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
+void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
   using Scalar = double;
   using Complex = ComplexNumber<double>;
   const Scalar* __restrict amplitude_0 = data.amplitude[0];
@@ -393,14 +348,14 @@ void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
 }
 
 /// columns[j][i] of the rows.
-inline void columns_3(const BatchArrays& data, double* const* columns) {
-  rows_3(data, FactorValues<factors_3<double>>{}, columns);
+inline void columns_2(const BatchArrays& data, double* const* columns) {
+  rows_2(data, FactorValues<factors_2<double>>{}, columns);
 }
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
+inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
-  rows_3(data, FactorSlopes<factors_3<DualNumber>, 1, 1, 3>{mode}, columns);
+  rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 1, 3>{mode}, columns);
 }
 
 /// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state. amplitude

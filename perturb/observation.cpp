@@ -213,6 +213,39 @@ std::vector<std::pair<FieldKey, ex>> terms_of(const Field& field) {
   return {field.terms().begin(), field.terms().end()};
 }
 
+// At the nominal values, an excitation's without one as the resonance has it; not a number without them.
+double nominal_frequency(const Phase& phase, const Derivation& d) {
+  const Model& model = *d.model;
+  const auto nominal = [&](std::size_t i) {
+    const auto entry = model.nominal.find(model.frequency_name(i));
+    return entry == model.nominal.end() ? std::numeric_limits<double>::quiet_NaN() : entry->second;
+  };
+  double frequency = 0;
+  for (std::size_t i = 0; i < phase.size(); ++i) {
+    if (phase[i] == 0) continue;
+    double value = nominal(i);
+    if (std::isnan(value) && i >= model.modes.size()) {
+      GiNaC::exmap numbers;
+      for (std::size_t k = 0; k < model.modes.size(); ++k)
+        if (!std::isnan(nominal(k))) numbers[model.frequency(k)] = nominal(k);
+      const ex resonant = d.lattice.resonant_frequency(i - model.modes.size()).subs(numbers).evalf();
+      if (GiNaC::is_a<numeric>(resonant)) value = GiNaC::ex_to<numeric>(resonant).to_double();
+    }
+    frequency += phase[i] * value;
+  }
+  return frequency;
+}
+
+// Of a phase and its conjugate one is listed, of all phases that are seen at one frequency (`seen`, a row over all
+// frequencies) the same one: with Omega = 3*omega0, omega0 - 2*Omega and 2*omega0 + Omega make one line, which is
+// one equation.
+bool conjugate_is_listed(const Phase& phase, const std::vector<numeric>& seen, const Derivation& d) {
+  const double frequency = nominal_frequency(phase, d);
+  if (!std::isnan(frequency) && frequency != 0) return frequency < 0;
+  const auto first = std::find_if(seen.begin(), seen.end(), [](const numeric& x) { return !x.is_zero(); });
+  return first != seen.end() && first->is_negative();
+}
+
 struct PhaseRowLess {
   bool operator()(const std::vector<numeric>& a, const std::vector<numeric>& b) const {
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -240,8 +273,7 @@ std::vector<ObservationBlock> harmonic_blocks(const Derivation& d, const Observe
         continue;  // the oscillation itself
       const std::vector<numeric> seen = frequencies.of_phase(phase);
       const bool zero = std::all_of(seen.begin(), seen.end(), [](const numeric& x) { return x.is_zero(); });
-      Phase oriented = phase;
-      if (!zero && orient(oriented, d)) continue;  // its conjugate is listed
+      if (!zero && conjugate_is_listed(phase, seen, d)) continue;
       const auto [group, added] = groups.try_emplace(seen, blocks.size());
       if (added) {
         ObservationBlock block;
@@ -318,24 +350,7 @@ std::optional<ObservedFrequencies> observed_frequencies(const Derivation& d) {
 }
 
 bool orient(Phase& phase, const Derivation& d) {
-  const Model& model = *d.model;
-  const auto nominal = [&](std::size_t i) {
-    const auto entry = model.nominal.find(model.frequency_name(i));
-    return entry == model.nominal.end() ? std::numeric_limits<double>::quiet_NaN() : entry->second;
-  };
-  double frequency = 0;
-  for (std::size_t i = 0; i < phase.size(); ++i) {
-    if (phase[i] == 0) continue;
-    double value = nominal(i);
-    if (std::isnan(value) && i >= model.modes.size()) {
-      GiNaC::exmap numbers;
-      for (std::size_t k = 0; k < model.modes.size(); ++k)
-        if (!std::isnan(nominal(k))) numbers[model.frequency(k)] = nominal(k);
-      const ex resonant = d.lattice.resonant_frequency(i - model.modes.size()).subs(numbers).evalf();
-      if (GiNaC::is_a<numeric>(resonant)) value = GiNaC::ex_to<numeric>(resonant).to_double();
-    }
-    frequency += phase[i] * value;
-  }
+  const double frequency = nominal_frequency(phase, d);
   bool turn = frequency < 0;
   if (std::isnan(frequency) || frequency == 0) {
     const auto first = std::find_if(phase.begin(), phase.end(), [](int p) { return p != 0; });

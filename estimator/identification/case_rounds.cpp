@@ -95,11 +95,19 @@ std::vector<std::vector<std::size_t>> modulation_blocks(const Estimation& e) {
   return blocks;
 }
 
-// Harmonics of the leading order, and first-order ones whose lumps say something about the parameters that the
-// modulation equations do not. (A first-order harmonic that only repeats what they say would bring its own
-// truncation error and nothing else. Those of the leading order, the forced motion under hard excitation, are the
-// strongest lines of all, as exact as the modulation equations: that these also determine their lumps by way of
-// small terms says nothing of how well.)
+// Whether the excitation moves something in the leading order (hard excitation): what is not small makes harmonics
+// of the first order as large as the terms of the modulation equations.
+bool is_hard(const CompiledCase& resonance) {
+  return std::any_of(resonance.blocks.begin(), resonance.blocks.end(), [](const RegressorBlock& block) {
+    return block.kind == BlockKind::harmonic && block.order == 0;
+  });
+}
+
+// Under hard excitation all harmonics of the leading and the first order: they are as exact as the modulation
+// equations, and that these determine a coefficient as well (by way of a small term, or by its square, which tells
+// nothing where it is near zero) says nothing of how well. Else first-order ones whose lumps say something about
+// the parameters that the modulation equations do not: a harmonic that only repeats what they say would bring its
+// own truncation error and nothing else.
 bool add_useful_harmonics(Estimation& e) {
   CampaignKnowledge known = campaign_knowledge(e);
   // Coefficients take natural frequencies as known: from this campaign or from the model's nominal values.
@@ -109,6 +117,7 @@ bool add_useful_harmonics(Estimation& e) {
   bool added = false;
   for (std::size_t s = 0; s < e.sets.size(); ++s) {
     const CompiledCase& resonance = *e.sets[s]->resonance;
+    const bool hard = is_hard(resonance);
     for (std::size_t b = 0; b < resonance.blocks.size(); ++b) {
       const RegressorBlock& block = resonance.blocks[b];
       if (block.kind != BlockKind::harmonic || block.order > 1) continue;
@@ -117,7 +126,7 @@ bool add_useful_harmonics(Estimation& e) {
       if (!measured) continue;
       CampaignKnowledge further = known;
       for (const int l : block.lumps) further.cases[s].lumps[static_cast<std::size_t>(l)] = true;
-      if (block.order > 0 && scaled_rank(known_jacobian(further, point)) <= rank) continue;
+      if (!hard && scaled_rank(known_jacobian(further, point)) <= rank) continue;
       e.blocks[s].push_back(b);
       added = true;
     }

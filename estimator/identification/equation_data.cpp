@@ -135,7 +135,8 @@ bool EquationData::present(std::size_t block, const Observation& o) const {
                                          : o.harmonic_sd[block] >= 0;
 }
 
-void EquationData::evaluate(const std::vector<double>& natural_frequency) {
+void EquationData::evaluate(const std::vector<double>& found) {
+  const std::vector<double>& natural_frequency = set_.column_frequency.empty() ? found : set_.column_frequency;
   if (!evaluated_at_.empty()) {
     double moved = 0;
     for (std::size_t k = 0; k < natural_frequency.size(); ++k)

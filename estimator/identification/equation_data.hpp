@@ -30,8 +30,9 @@ class EquationData {
   EquationData(const ObservationSet& set, const std::vector<std::size_t>& blocks,
                Errors errors = Errors::of_measurement);
 
-  /// Columns at these natural frequencies (by mode); nothing is done while they move by less than 1e-11.
-  void evaluate(const std::vector<double>& natural_frequency);
+  /// Columns at ObservationSet::column_frequency, without it at the natural frequencies `found` (by mode); nothing
+  /// is done while they move by less than 1e-11.
+  void evaluate(const std::vector<double>& found);
 
   /// Real rows that one observation has.
   Eigen::Index row_count(std::size_t observation) const;

@@ -19,8 +19,10 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Observations x blocks: left minus right side of the truncated equations, at motions of the full ones.
-Eigen::MatrixXcd left_by_truncation(const ObservationSet& motions, const VectorXd& parameters, unsigned threads) {
+// Observations x blocks: left minus right side of the truncated equations, at motions of the full ones, with the
+// columns at `column_frequency`.
+Eigen::MatrixXcd left_by_truncation(const ObservationSet& motions, const VectorXd& parameters,
+                                    const std::vector<double>& column_frequency, unsigned threads) {
   const CompiledCase& resonance = *motions.resonance;
   std::vector<std::size_t> blocks;
   for (std::size_t b = 0; b < resonance.blocks.size(); ++b)
@@ -29,7 +31,7 @@ Eigen::MatrixXcd left_by_truncation(const ObservationSet& motions, const VectorX
                    {parameters.data(), parameters.data() + motions.model->modes()}};
   if (!at.lump.empty()) resonance.evaluate_lumps(parameters.data(), at.lump.data());
   EquationData data(motions, blocks, EquationData::Errors::none);
-  data.evaluate(at.natural_frequency);
+  data.evaluate(column_frequency);
   Eigen::MatrixXcd left = Eigen::MatrixXcd::Zero(static_cast<Index>(motions.observations.size()),
                                                  static_cast<Index>(resonance.blocks.size()));
   in_parallel(motions.observations.size(), threads, [&](std::size_t i) {
@@ -52,7 +54,8 @@ std::vector<ObservationSet> with_truncation(std::span<const ObservationSet> sets
   std::vector<ObservationSet> result;
   for (std::size_t s = 0; s < sets.size(); ++s) {
     ObservationSet set = sets[s];
-    const Eigen::MatrixXcd left = left_by_truncation(replayed[s], parameters, threads);
+    set.column_frequency.assign(parameters.data(), parameters.data() + set.model->modes());
+    const Eigen::MatrixXcd left = left_by_truncation(replayed[s], parameters, set.column_frequency, threads);
     std::vector<Observation> kept;
     std::vector<Index> from;
     for_common_observations(set, replayed[s], [&](std::size_t i, std::size_t other) {
@@ -72,7 +75,7 @@ std::vector<Eigen::MatrixXcd> truncation_difference(std::span<const ObservationS
   std::vector<Eigen::MatrixXcd> result;
   for (std::size_t s = 0; s < corrected.size(); ++s) {
     const Eigen::MatrixXcd &from = corrected[s].truncation,
-                           to = left_by_truncation(replayed[s], parameters, threads);
+                           to = left_by_truncation(replayed[s], parameters, corrected[s].column_frequency, threads);
     Eigen::MatrixXcd difference = Eigen::MatrixXcd::Zero(from.rows(), from.cols());
     for_common_observations(corrected[s], replayed[s], [&](std::size_t i, std::size_t other) {
       const auto row = static_cast<Index>(i);

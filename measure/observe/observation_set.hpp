@@ -45,6 +45,9 @@ struct ObservationSet {
   /// observations x blocks: what the truncated equations leave (left minus right side) where they should leave
   /// nothing, by motion_frame; taken out of them before they are fitted. Empty: not known.
   Eigen::MatrixXcd truncation;
+  /// With `truncation`: natural frequencies, by mode, at which the equations' columns are taken there and in the
+  /// regression. Empty: those that the regression finds.
+  std::vector<double> column_frequency;
   /// By direction in which parameters may move without any lump noticing (SharedParameters::null_space): how much
   /// larger `truncation` is where they have moved along it. Empty: not known.
   std::vector<Eigen::MatrixXcd> truncation_change;

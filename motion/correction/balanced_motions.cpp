@@ -10,9 +10,10 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-/// A motion with a line beside the modes' own and the mean that is larger than these times the first (what an
-/// excitation drives directly may well be larger than a subharmonic that begins), or whose amplitudes would change
-/// by more than the second of themselves in a radian, is none that was measured.
+/// A motion with a line beside the modes' own and the mean that is larger than these times the largest line that
+/// was measured, or whose amplitudes would change by more than the second of themselves in a radian, is none that
+/// was measured. (What an excitation drives directly may be any number of times larger than a super- or
+/// subharmonic.)
 constexpr double largest_line = 10, largest_excess = 0.25;
 
 /// Highest line by the highest one on which a mode or a force is; and points of a turn.
@@ -63,19 +64,21 @@ std::optional<BalancedMotions::Balanced> BalancedMotions::at(const Eigen::Vector
           .solve(setting,
                  Eigen::Map<const Eigen::VectorXcd>(amplitudes.data(), static_cast<Index>(amplitudes.size())),
                  std::span(parameters.data(), static_cast<std::size_t>(parameters.size())), start);
-  if (!result.motion.converged || !is_near_what_was_measured(result)) return std::nullopt;
+  if (!result.motion.converged || !is_near_what_was_measured(result, o)) return std::nullopt;
   return result;
 }
 
-bool BalancedMotions::is_near_what_was_measured(const Balanced& balanced) const {
+bool BalancedMotions::is_near_what_was_measured(const Balanced& balanced, const Observation& o) const {
   const std::vector<MasterLine>& masters = balanced.setting.masters;
   Eigen::MatrixXd lines = balanced.motion.displacement.cwiseAbs();
-  double own = 0;
+  double seen = 0;
   for (const MasterLine& m : masters) {
     double& line = lines(static_cast<Index>(m.mode), m.line);
-    own = std::max(own, std::exchange(line, 0));
+    seen = std::max(seen, std::exchange(line, 0));
   }
-  if (!(lines.rightCols(lines.cols() - 1).maxCoeff() <= largest_line * own)) return false;
+  for (std::size_t b = 0; b < o.harmonic.size(); ++b)
+    if (o.harmonic_sd[b] >= 0) seen = std::max(seen, std::abs(o.harmonic[b]));
+  if (!(lines.rightCols(lines.cols() - 1).maxCoeff() <= largest_line * seen)) return false;
   return std::all_of(masters.begin(), masters.end(), [&](const MasterLine& m) {
     return std::abs(excess_rate(m.mode, balanced)) <= largest_excess * std::abs(balanced.setting.line_rate(m.line));
   });

@@ -45,7 +45,7 @@ class BalancedMotions {
  private:
   /// rate_of less the observed rate; zero of a mode at rest.
   std::complex<double> excess_rate(std::size_t mode, const Balanced& balanced) const;
-  bool is_near_what_was_measured(const Balanced& balanced) const;
+  bool is_near_what_was_measured(const Balanced& balanced, const Observation& o) const;
   const MasterLine* master(std::size_t mode, const Balanced& balanced) const;
 
   /// A line of either sign: the torus holds one of each pair.

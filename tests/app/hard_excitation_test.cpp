@@ -61,8 +61,8 @@ class SlowHardExcitation : public testing::Test {
     const testing_support::Outcome outcome = testing_support::run_program(folder_, arguments, {});
     ASSERT_EQ(outcome.status, 0) << arguments << ": " << outcome.errors;
   }
-  // The expansion's truncation is not all in the error bars: within one part in a thousand, and nothing doubtful
-  // that the error bar contains.
+  // Within one part in a thousand, and nothing doubtful that the error bar contains. (How often error bars contain
+  // it: SlowHardCoverage.)
   void expect_truth(const std::map<std::string, double>& truth, const std::string& output) const {
     std::ifstream stream(folder_ / output / "estimate.json");
     const nlohmann::json document = nlohmann::json::parse(stream);
