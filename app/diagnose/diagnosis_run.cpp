@@ -206,13 +206,15 @@ bool share_a_delay(const TriedModel& tried, const Campaign& campaign, const Reco
   return !misses(campaign, read, *tried.model, tried.own, options, upper_median(std::move(late)));
 }
 
-// How much of the gap a diagnosis accounts for.
+// How much of the gap a diagnosis accounts for. Frequencies of each record's own that follow the settings account
+// for nothing: they are no scatter but what is missing.
 int how_told(const Diagnosis& d) {
+  if (d.frequency_scatter.follows_settings || !d.frequency_scatter.suffices) return -1;
   return is_told(d) ? 2 : d.verdict == "approximate" ? 1 : 0;
 }
 
-/// Share of what frequencies differ by that chance may have, beside what follows the settings, without being tried
-/// first (of no effect but on the time that is needed).
+/// Share of what frequencies differ by that chance may have, beside what follows the settings, without being looked
+/// at: what follows them is nine tenths then.
 constexpr double little = 0.1;
 
 // What differs from record to record is allowed for at once where the model's equations hold then: a phase of each
@@ -240,7 +242,6 @@ class StepByStep {
     if (at_random && tells(diagnosed({}, frequencies))) return take();
     if (tells(diagnosed({}, {}))) return take();
     if (!late_s.empty() && tells(diagnosed(late_s, {}))) return take();
-    if (scatter.any() && !at_random && tells(diagnosed({}, frequencies))) return take();
     return take();
   }
 
@@ -253,10 +254,9 @@ class StepByStep {
     return diagnose(campaign_, read_, *tried_.model, tried_.own, tried_.effects, options_);
   }
 
-  // Keeps what accounts for most of the gap; whether it accounts for all of it. Frequencies of each record's own
-  // that follow the settings are no scatter but what is missing.
+  // Keeps what accounts for most of the gap; whether it accounts for all of it.
   bool tells(Diagnosis fresh) {
-    if (!best_ || (!fresh.frequency_scatter.follows_settings && how_told(fresh) > how_told(*best_))) {
+    if (!best_ || how_told(fresh) > how_told(*best_)) {
       best_ = std::move(fresh);
       late_s_ = options_.late_s;
     }

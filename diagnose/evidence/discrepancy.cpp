@@ -167,7 +167,8 @@ std::vector<OwnFrequency> Discrepancy::own_frequencies(const Eigen::VectorXd& un
     for (Index k = 0; k < modes(); ++k) {
       const RecordDirections::Told own = directions.told(rows, directions.size() - modes() + k);
       const double sd = nuisances_.frequency_sd(k);
-      if (std::isfinite(own.variance))
+      // Of others the rows tell less than is known without them.
+      if (own.variance < 1)
         told.push_back({record, static_cast<std::size_t>(k), sd * own.value, sd * sd * own.variance});
     }
   return told;

@@ -57,6 +57,10 @@ class Diagnoser {
     for (const std::size_t s : free_)
       if (s < model_.modes()) inference_options.anchors.push_back(s);  // natural frequencies
     infer_beside_scatter(inference_options);
+    if (!result_.frequency_scatter.suffices) {
+      result_.verdict = "unknown";
+      return std::move(result_);
+    }
     if (options_.given)
       judged_ = judge_given(options_.given, model_, free_, discrepancy(), comparison_.start, options_.threads);
     result_.warnings = comparison_.warnings;
@@ -85,7 +89,8 @@ class Diagnoser {
   const Discrepancy& discrepancy() const { return comparison_.discrepancy; }
 
   // Natural frequencies scatter about the best explanation. What a model that lacks something leaves of them is
-  // larger: with what is left about its best explanation the search is made again.
+  // larger: with what is left about its best explanation the search is made again. A smaller scatter allows for
+  // less: where the larger one leaves more than noise already, it is not what is there, or not all.
   void infer_beside_scatter(const InferenceOptions& inference_options) {
     RecordNuisances& of_records = comparison_.of_records;
     for (int round = 1;; ++round) {
@@ -96,8 +101,12 @@ class Diagnoser {
                              inference_.explanations.front().log_evidence > inference_.null.log_evidence;
       const Refit& best = explained ? inference_.explanations.front().fit : inference_.null.fit;
       result_.frequency_scatter = scatter_about(discrepancy(), best.unknowns, model_.modes());
+      result_.frequency_scatter.suffices =
+          chi_squared_upper_tail(best.chi_squared, static_cast<double>(discrepancy().freedom() - best.rank)) >=
+          false_alarm;
       const VectorXd sd = admitted(result_.frequency_scatter);
-      if (round == most_rounds || is_as_large(sd, of_records.frequency_sd)) return;
+      if (!result_.frequency_scatter.suffices || round == most_rounds || is_as_large(sd, of_records.frequency_sd))
+        return;
       of_records.frequency_sd = sd;
       comparison_.discrepancy.admit(of_records);
     }
@@ -403,15 +412,8 @@ FrequencyScatter find_frequency_scatter(const Campaign& campaign, const RecordRe
   const std::vector<std::size_t> fitted = comparison.fitted_beside(own);
   InferenceOptions inference_options;
   inference_options.threads = options.threads;
-  FrequencyScatter found;
-  for (int round = 1;; ++round) {
-    const Inference null = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
-    found = scatter_about(comparison.discrepancy, null.null.fit.unknowns, model.modes());
-    const VectorXd sd = admitted(found);
-    if (round == most_rounds || !found.any() || is_as_large(sd, comparison.of_records.frequency_sd)) return found;
-    comparison.of_records.frequency_sd = sd;
-    comparison.discrepancy.admit(comparison.of_records);
-  }
+  const Inference null = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
+  return scatter_about(comparison.discrepancy, null.null.fit.unknowns, model.modes());
 }
 
 bool is_told(const Diagnosis& d) {

@@ -26,11 +26,12 @@ constexpr double same_size = 0.2;
 /// What is left of a function beside others, by rounding.
 constexpr double dependent = 1e-6;
 
-// What is known of a record before any model: level and frequency of its excitation, amplitude, time.
+// What is known of a record before any model, what laws most often depend on first: level and frequency of its
+// excitation, amplitude, time.
 VectorXd settings_of(const RowLabel& label) {
   VectorXd s(10);
   const double level = label.level, w = label.frequency, a = label.amplitude;
-  s << 1, level, level * level, w, w * w, level * w, a, a * a, label.time_s, label.level > 0 ? 1 : 0;
+  s << 1, level * level, a * a, label.time_s, w, a, level, level > 0 ? 1 : 0, level * w, w * w;
   return s;
 }
 
@@ -44,11 +45,11 @@ MatrixXd functions_of(const std::vector<OwnFrequency>& own, const std::map<std::
     for (Index r = 0; r < count; ++r) function(r) = settings.at(own[static_cast<std::size_t>(r)].record)(s);
     const double before = function.norm();
     for (int pass = 0; pass < 2; ++pass) function -= independent * (independent.transpose() * function);
-    if (!(function.norm() > dependent * before)) continue;
+    if (!(function.norm() > dependent * before) || 2 * (independent.cols() + 1) > count) continue;
     independent.conservativeResize(count, independent.cols() + 1);
     independent.rightCols(1) = function.normalized();
   }
-  return count < 2 * independent.cols() ? MatrixXd(independent.leftCols(1)) : independent;
+  return independent;
 }
 
 // F law of what all but the constant explain.

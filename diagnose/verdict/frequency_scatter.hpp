@@ -15,6 +15,7 @@ struct FrequencyScatter {
   /// Departures are a smooth function of the records' level, frequency, amplitude and time (F law, 5 %), as what a
   /// missing law does to them is; also where there are too few records to tell.
   bool follows_settings = false;
+  bool suffices = true;  ///< what it was found beside leaves no more than noise
   double at_random = 0;  ///< largest share of a mode's variance between records that follows no setting
 
   bool any() const { return sd.size() > 0 && sd.maxCoeff() > 0; }
