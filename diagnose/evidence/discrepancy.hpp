@@ -55,7 +55,7 @@ class Evidence {
   virtual Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const { return rows; }
 };
 
-/// What differs from record to record and explains nothing (docs/inference.md (24), (25)).
+/// What differs from record to record and explains nothing (docs/inference.md (24), (26)).
 struct RecordNuisances {
   /// Unknown that delays the excitation; by record the standard deviation of its responses' lateness in s, where it
   /// is not known at all that of a whole period, period/sqrt(12).

@@ -7,7 +7,7 @@ namespace secular {
 
 /// What in the rows of one record may be its own: unknowns c of unit variance that move the rows by C c, such as
 /// the lateness of its responses and its natural frequencies' departure from those of all records. Rows with the
-/// covariance I + C C' are multiplied by its inverse root (docs/inference.md (24), (25)).
+/// covariance I + C C' are multiplied by its inverse root (docs/inference.md (24), (26)).
 class RecordDirections {
  public:
   /// `rows`: places among all rows. `columns`: C, of these rows. `put_in`: values of c that the model was given,

@@ -7,7 +7,7 @@
 
 namespace secular {
 
-/// How natural frequencies differ from record to record (docs/inference.md (25)).
+/// How natural frequencies differ from record to record (docs/inference.md (26)).
 struct FrequencyScatter {
   /// By mode, relative, about what follows the settings; 0: records do not differ beyond their noise.
   Eigen::VectorXd sd;

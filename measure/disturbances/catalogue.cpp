@@ -65,10 +65,12 @@ std::span<const DisturbanceKind> disturbance_catalogue() {
       DisturbanceKind{"late_record", "responses shifted in time against their excitation, by record", "s",
                       "by identify, from a case's equations with and without phases of their own (F law)",
                       "phases tell neither damping nor force: the fit does without them"},
-      DisturbanceKind{"record_scatter", "a natural frequency that differs from decay to decay",
-                      "distance from the mean of all records, rad/s",
-                      "by identify, from what decays show beyond what their stretches scatter (F law)",
-                      "stretches of one decay are no independent conditions: error bars know it"},
+      DisturbanceKind{
+          "record_scatter", "a natural frequency that differs from record to record",
+          "distance from the mean of all records, rad/s (in a diagnosis relative)",
+          "by identify, from what decays show beyond what their stretches scatter (F law); by diagnose, from "
+          "what the explanation leaves of each record's frequency",
+          "stretches of one decay are no independent conditions: error bars know it"},
   };
   return kinds;
 }

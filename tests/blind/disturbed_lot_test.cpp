@@ -70,13 +70,28 @@ std::vector<Number> identified(std::size_t number, std::uint64_t seed, const fs:
   return numbers;
 }
 
-// A campaign of 20 dwells and three decays at 40 dB whose lot is one disturbance, as `diagnose` sees it.
+// Every dwell has natural frequencies of its own, and nothing else disturbs; decays have those of the structure.
+void let_frequencies_scatter(SealedCase& sealed, double sd, std::uint64_t seed) {
+  Disturbances& d = sealed.disturbances;
+  d = {};
+  d.kinds = {"record_scatter"};
+  d.frequency_scatter = sd;
+  d.records.resize(sealed.motions.size() + sealed.decays.size());
+  Random random(seed, 1);
+  for (std::size_t r = 0; r < sealed.motions.size(); ++r) {
+    d.records[r].frequency_factor = 1 + sd * random.gaussian();
+    sealed.motions[r] = dwell_motion(sealed, sealed.specimen.dwells[r], r);
+  }
+}
+
+// A campaign of 20 dwells and three decays at 40 dB whose lot is one disturbance, as `diagnose` sees it. `scatter`:
+// sd of natural frequencies, relative, in place of the lot.
 struct Diagnosed {
   SealedCase sealed;
   nlohmann::json said;
 };
 
-Diagnosed diagnosed(std::size_t number, const std::vector<std::string>& effects) {
+Diagnosed diagnosed(std::size_t number, const std::vector<std::string>& effects, double scatter = 0) {
   constexpr std::uint64_t seed = 60606;
   CasePlan plan;
   plan.number = number;
@@ -87,6 +102,7 @@ Diagnosed diagnosed(std::size_t number, const std::vector<std::string>& effects)
   plan.disturbed = true;
   Diagnosed result{draw_case(plan, seed), {}};
   result.sealed.parameters.clear();
+  if (scatter > 0) let_frequencies_scatter(result.sealed, scatter, seed);
   const fs::path folder = testing_support::process_folder() / ("diagnosed_" + std::to_string(number));
   write_case(result.sealed, seed, folder);
   const std::string command = testing_support::program() + " diagnose " + (folder / "campaign").string() +
@@ -117,6 +133,30 @@ TEST(SlowDisturbedLot, LateRecordsAreNoCause) {
   ASSERT_GE(late.size(), 15U);
   for (const auto& [record, seconds] : late)
     EXPECT_NEAR(seconds, d.sealed.disturbances.of_record(record).late_s, 1e-3) << record;
+}
+
+// By 0.2 %, a fifth of the resonance's width; frequencies are told relative to their mean.
+TEST(SlowDisturbedLot, FrequenciesThatScatterAreNoCause) {
+  const Diagnosed d = diagnosed(91, {}, 0.002);
+  EXPECT_EQ(d.said.at("verdict"), "no_gap");
+  const std::map<std::size_t, double> own = sizes_of(d, "record_scatter");
+  ASSERT_GE(own.size(), 18U);
+  double mean = 0, sum = 0;
+  const auto off = [&](std::size_t record, double shift) {
+    return shift - (d.sealed.disturbances.of_record(record).frequency_factor - 1);
+  };
+  for (const auto& [record, shift] : own) mean += off(record, shift) / static_cast<double>(own.size());
+  for (const auto& [record, shift] : own) {
+    EXPECT_NEAR(off(record, shift), mean, 3e-4) << record;
+    sum += std::pow(off(record, shift) - mean, 2);
+  }
+  EXPECT_LT(std::sqrt(sum / static_cast<double>(own.size())), 1e-4);
+}
+
+TEST(SlowDisturbedLot, AnEffectIsNamedBesideFrequenciesThatScatter) {
+  const Diagnosed d = diagnosed(91, {"quintic_stiffness"}, 0.002);
+  EXPECT_EQ(d.said.at("verdict"), "cause");
+  EXPECT_EQ(d.said.at("cause"), "quintic_stiffness");
 }
 
 TEST(SlowDisturbedLot, NoNumberIsFarOffUnmarked) {
