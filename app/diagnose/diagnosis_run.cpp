@@ -234,8 +234,9 @@ class StepByStep {
     if (!late_s.empty() && lateness_.holds) return diagnosed(late_s, {});
     FrequencyScatter scatter;
     scatter.sd = lateness_.frequency_sd;
-    if (!scatter.any()) scatter = find_frequency_scatter(campaign_, read_, *tried_.model, tried_.own, options_);
-    scatter.sd.conservativeResizeLike(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(tried_.model->modes())));
+    // Decays tell the mode that they are of.
+    if (!scatter.any() || tried_.model->modes() > 1)
+      scatter = with_decays(find_frequency_scatter(campaign_, read_, *tried_.model, tried_.own, options_));
     const Eigen::VectorXd frequencies = admitted(scatter);
     const bool at_random = scatter.any() && (!scatter.follows_settings || scatter.at_random > little);
     // What comes at random before what follows the settings, which a law that the model lacks does.
@@ -254,9 +255,19 @@ class StepByStep {
     return diagnose(campaign_, read_, *tried_.model, tried_.own, tried_.effects, options_);
   }
 
-  // Keeps what accounts for most of the gap; whether it accounts for all of it.
+  // What decays tell of a mode outranks what the model as it is leaves of it.
+  FrequencyScatter with_decays(FrequencyScatter scatter) const {
+    const Eigen::VectorXd& decays = lateness_.frequency_sd;
+    for (Eigen::Index k = 0; k < std::min(decays.size(), scatter.sd.size()); ++k)
+      if (decays(k) > 0) scatter.sd(k) = decays(k);
+    return scatter;
+  }
+
+  // Keeps what accounts for most of the gap, of two that do as much the plain one; whether it accounts for all of
+  // it.
   bool tells(Diagnosis fresh) {
-    if (!best_ || how_told(fresh) > how_told(*best_)) {
+    const bool plain = options_.late_s.empty() && options_.frequency_scatter.size() == 0;
+    if (!best_ || how_told(fresh) > how_told(*best_) || (plain && how_told(fresh) == how_told(*best_))) {
       best_ = std::move(fresh);
       late_s_ = options_.late_s;
     }

@@ -91,6 +91,11 @@ class Discrepancy {
   Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale, unsigned threads) const;
   Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const;
+  /// By mode, relative, as put in; empty: the record has the frequencies of all.
+  Eigen::VectorXd frequency_shift(std::size_t record) const {
+    const auto own = shifts_.find(record);
+    return own == shifts_.end() ? Eigen::VectorXd() : own->second;
+  }
   /// Of the records that tell them, at these unknowns.
   std::vector<OwnFrequency> own_frequencies(const Eigen::VectorXd& unknowns) const;
 

@@ -142,7 +142,6 @@ class Search {
     RefitOptions options;
     options.threads = threads;
     options.scale_guess = scales_.all();
-    options.rough = frozen_.coarse > 0;  // a way to walk
     return options;
   }
 

@@ -96,7 +96,7 @@ class Descent {
         fit.chi_squared = chi_squared;
         damping_ = damping_ < 1e-6 ? 0 : damping_ / 30;
         const bool was_fresh = std::exchange(fresh_, false);
-        if (gain < least_gain(fit)) {
+        if (gain < 1e-4 + 1e-7 * chi_squared) {
           stuck_ = was_fresh;
           return left - 1;
         }
@@ -122,11 +122,6 @@ class Descent {
   bool is_stuck() const { return stuck_; }
 
  private:
-  double least_gain(const Refit& fit) const {
-    if (!options_.rough) return 1e-4 + 1e-7 * fit.chi_squared;
-    return promise_kept * dispersion_of(fit.chi_squared, static_cast<double>(discrepancy_.freedom() - fit.rank));
-  }
-
   void correct(Refit& fit, const VectorXd& step, const VectorXd& change) {
     const double squares = step.squaredNorm();
     if (squares > 0) fit.jacobian += (change - fit.jacobian * step) * (step / squares).transpose();

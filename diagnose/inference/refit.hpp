@@ -33,7 +33,6 @@ double dispersion_of(double chi_squared, double freedom);
 
 struct RefitOptions {
   int iterations = 25;
-  bool rough = false;  ///< ends as soon as a step gains less than tells a fit that has converged from others
   bool bends = false;  ///< steps follow the second derivative of the rows: one evaluation more each
   unsigned threads = 1;
   double damping = 0;           ///< at first: holds back what the rows hardly see, far from the goal

@@ -61,6 +61,8 @@ class Diagnoser {
       result_.verdict = "unknown";
       return std::move(result_);
     }
+    for (Condition& condition : comparison_.conditions)
+      condition.frequency_shift = discrepancy().frequency_shift(condition.record);
     if (options_.given)
       judged_ = judge_given(options_.given, model_, free_, discrepancy(), comparison_.start, options_.threads);
     result_.warnings = comparison_.warnings;
@@ -105,7 +107,9 @@ class Diagnoser {
           chi_squared_upper_tail(best.chi_squared, static_cast<double>(discrepancy().freedom() - best.rank)) >=
           false_alarm;
       const VectorXd sd = admitted(result_.frequency_scatter);
-      if (!result_.frequency_scatter.suffices || round == most_rounds || is_as_large(sd, of_records.frequency_sd))
+      const bool grows = (sd.array() > of_records.frequency_sd.array()).any();
+      if ((!result_.frequency_scatter.suffices && !grows) || round == most_rounds ||
+          is_as_large(sd, of_records.frequency_sd))
         return;
       of_records.frequency_sd = sd;
       comparison_.discrepancy.admit(of_records);

@@ -23,20 +23,25 @@ constexpr double none = 1e-9;
 /// A standard deviation of as few values as there are records is not known better.
 constexpr double same_size = 0.2;
 
+/// With fewer degrees of freedom the F law sees a law only where it is nearly all: 0.8 of the variance with two
+/// functions.
+constexpr double fewest_freedom = 6;
+
 /// What is left of a function beside others, by rounding.
 constexpr double dependent = 1e-6;
 
-// What is known of a record before any model, what laws most often depend on first: level and frequency of its
-// excitation, amplitude, time.
+// What is known of a record before any model, what laws most often depend on first: whether it is driven,
+// amplitude, level and frequency of a dwell, time. (How large a decay is says nothing of its mean frequency: it
+// dies out.)
 VectorXd settings_of(const RowLabel& label) {
   VectorXd s(10);
-  const double level = label.level, w = label.frequency, a = label.amplitude;
-  s << 1, level * level, a * a, label.time_s, w, a, level, level > 0 ? 1 : 0, level * w, w * w;
+  const double level = label.level, w = label.frequency, a = level > 0 ? label.amplitude : 0;
+  s << 1, level > 0 ? 1 : 0, a * a, level * level, label.time_s, w, a, level, level * w, w * w;
   return s;
 }
 
-// Independent ones among the settings of these records, the constant first, each of length 1; only the constant
-// where they would leave fewer degrees of freedom than they take.
+// Independent ones among the settings of these records, the constant first, each of length 1; the first of them, no
+// more than leave as many degrees of freedom as they take.
 MatrixXd functions_of(const std::vector<OwnFrequency>& own, const std::map<std::size_t, VectorXd>& settings) {
   const auto count = static_cast<Index>(own.size());
   MatrixXd independent = MatrixXd::Constant(count, 1, 1 / std::sqrt(static_cast<double>(count)));
@@ -55,7 +60,7 @@ MatrixXd functions_of(const std::vector<OwnFrequency>& own, const std::map<std::
 // F law of what all but the constant explain.
 bool follows(const VectorXd& shift, const VectorXd& weight, const MatrixXd& functions) {
   const auto rank = static_cast<double>(functions.cols()), freedom = static_cast<double>(shift.size()) - rank;
-  if (rank < 2) return true;
+  if (rank < 2 || freedom < fewest_freedom) return true;
   const auto left_beside = [&](Index columns) {
     const MatrixXd weighted = weight.asDiagonal() * functions.leftCols(columns);
     const VectorXd values = weight.cwiseProduct(shift);
