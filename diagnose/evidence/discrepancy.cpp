@@ -163,6 +163,7 @@ std::vector<OwnFrequency> Discrepancy::own_frequencies(const Eigen::VectorXd& un
   std::vector<OwnFrequency> told;
   if (modes() == 0) return told;
   const Eigen::VectorXd rows = raw_rows(unknowns);
+  if (!rows.allFinite()) return told;
   for (const auto& [record, directions] : directions_)
     for (Index k = 0; k < modes(); ++k) {
       const RecordDirections::Told own = directions.told(rows, directions.size() - modes() + k);
