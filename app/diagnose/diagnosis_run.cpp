@@ -217,9 +217,9 @@ int how_told(const Diagnosis& d) {
 /// at: what follows them is nine tenths then.
 constexpr double little = 0.1;
 
-// What differs from record to record is allowed for at once where the model's equations hold then: a phase of each
-// dwell's own where identify finds it out of step with its excitation, natural frequencies of each record's own.
-// Otherwise it is allowed for where the diagnosis then accounts for more than without.
+// What differs from record to record: a phase of each dwell's own is allowed for at once where the model's
+// equations hold then; natural frequencies of each record's own are tried first where they come at random. Either
+// counts where the diagnosis then accounts for more than without.
 class StepByStep {
  public:
   StepByStep(const DiagnosisRequest& request, const TriedModel& tried, const Campaign& campaign,
