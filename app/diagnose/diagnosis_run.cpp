@@ -271,7 +271,7 @@ class StepByStep {
       best_ = std::move(fresh);
       late_s_ = options_.late_s;
     }
-    return is_told(*best_) && !best_->frequency_scatter.follows_settings;
+    return how_told(*best_) == 2;
   }
 
   Diagnosis take() {

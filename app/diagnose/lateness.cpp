@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "app/shared/identification.hpp"
 #include "input/input_error.hpp"
 #include "measure/disturbances/catalogue.hpp"
-#include "numerics/distribution.hpp"
+#include "numerics/explained_variation.hpp"
 
 namespace secular::app {
 namespace {
@@ -34,13 +34,10 @@ bool follows_settings(const Campaign& campaign, const std::map<std::size_t, doub
     functions.col(c).array() -= functions.col(c).mean();
     if (const double size = functions.col(c).norm(); size > 0) functions.col(c) /= size;
   }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> fit(functions);
-  const auto rank = static_cast<double>(fit.rank()), freedom = static_cast<double>(count) - rank;
-  if (freedom < rank) return true;
-  const double left = (late - functions * fit.solve(late)).squaredNorm(),
-               all = (late.array() - late.mean()).matrix().squaredNorm();
-  if (!(left > 0) || rank < 2) return all > 0;
-  return f_upper_tail((all - left) / (rank - 1) / (left / freedom), rank - 1, freedom) < structure_alarm;
+  const ExplainedVariation explained = explained_variation(late, functions);
+  if (explained.freedom < explained.rank) return true;
+  if (!(explained.left > 0) || explained.rank < 2) return explained.all > 0;
+  return explained.p_value() < structure_alarm;
 }
 
 // Of natural frequencies that differ more than their decays leave open, at the level of all disturbances.

@@ -1,11 +1,11 @@
 #include "diagnose/verdict/frequency_scatter.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "numerics/distribution.hpp"
+#include "numerics/explained_variation.hpp"
 
 namespace secular {
 namespace {
@@ -57,18 +57,11 @@ MatrixXd functions_of(const std::vector<OwnFrequency>& own, const std::map<std::
   return independent;
 }
 
-// F law of what all but the constant explain.
 bool follows(const VectorXd& shift, const VectorXd& weight, const MatrixXd& functions) {
-  const auto rank = static_cast<double>(functions.cols()), freedom = static_cast<double>(shift.size()) - rank;
-  if (rank < 2 || freedom < fewest_freedom) return true;
-  const auto left_beside = [&](Index columns) {
-    const MatrixXd weighted = weight.asDiagonal() * functions.leftCols(columns);
-    const VectorXd values = weight.cwiseProduct(shift);
-    return (values - weighted * weighted.householderQr().solve(values)).squaredNorm();
-  };
-  const double left = left_beside(functions.cols()), all = left_beside(1);
-  return !(left > 0) ||
-         f_upper_tail((all - left) / (rank - 1) / (left / freedom), rank - 1, freedom) < structure_alarm;
+  const ExplainedVariation explained =
+      explained_variation(weight.cwiseProduct(shift), weight.asDiagonal() * functions);
+  if (explained.rank < 2 || explained.freedom < fewest_freedom || !(explained.left > 0)) return true;
+  return explained.p_value() < structure_alarm;
 }
 
 }  // namespace
