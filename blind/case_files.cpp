@@ -282,6 +282,7 @@ nlohmann::ordered_json label_of(const SealedCase& c) {
                         {"parameters_given", !c.parameters.empty()},
                         {"effects", ordered_json::array()}};
   if (c.plan.disturbed) label["disturbances"] = disturbances_json(c.disturbances);
+  label["numbers"] = numbers_of(c.specimen);
   if (!c.moved.empty()) label["parameters_moved"] = c.moved;
   for (const Truth& truth : c.truths) {
     const Withheld& w = truth.withheld;

@@ -57,7 +57,7 @@ fs::path follow_up_folder(const fs::path& place, const std::string& which) {
 FollowUpSummary follow_up_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
   const SetOptions set = options_of(folder);
   const Diagnoser diagnoser(options);
-  const std::vector<CasePlan> plans = draw_plans(set.cases, set.seed, set.size, set.disturbed);
+  const std::vector<CasePlan> plans = draw_plans(set);
   FollowUpSummary summary;
   Failures failures;
   std::atomic<std::size_t> done{0}, sets{0}, proposed{0};

@@ -22,7 +22,7 @@ fs::path look_alikes_file(const fs::path& place) {
 LeaveOutSummary leave_out_of_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
   const SetOptions set = options_of(folder);
   const Diagnoser diagnoser(options);
-  const std::vector<CasePlan> plans = draw_plans(set.cases, set.seed, set.size, set.disturbed);
+  const std::vector<CasePlan> plans = draw_plans(set);
   LeaveOutSummary summary;
   Failures failures;
   std::atomic<std::size_t> done{0}, cases{0}, kept{0};

@@ -64,7 +64,8 @@ std::string name_of_set(const fs::path& folder) {
   const nlohmann::json labels = read_labels(folder);
   return fmt::format("{} set of {} cases, seed {}{}", labels.at("set").get<std::string>(),
                      labels.at("cases").get<std::size_t>(), labels.at("seed").get<std::uint64_t>(),
-                     labels.value("disturbed", false) ? ", disturbed records" : "");
+                     labels.value("disturbed", false) ? ", disturbed records" : "") +
+         (labels.value("nothing_withheld", false) ? ", nothing withheld" : "");
 }
 
 }  // namespace secular::blind

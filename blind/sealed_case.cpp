@@ -219,14 +219,6 @@ void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, cons
   }
 }
 
-std::map<std::string, double> numbers_of(const Specimen& specimen) {
-  std::map<std::string, double> numbers;
-  Structure own = specimen.structure;
-  for (std::size_t k = 0; k < own.modes; ++k) numbers[specimen.frequency_symbols[k]] = own.mode[k].omega;
-  for (const OwnTerm& term : specimen.own) numbers[term.symbol] = *coefficient(own, term.effect, term.mode);
-  return numbers;
-}
-
 // Moves one to three of the model's own numbers until the response is `target` standard deviations away.
 void move_parameters(SealedCase& c, const Signatures& signatures, double target, Random& random) {
   struct Move {
@@ -356,10 +348,18 @@ std::vector<Decay> lasting_decays(const SealedCase& c) {
 
 }  // namespace
 
-std::vector<CasePlan> draw_plans(std::size_t cases, std::uint64_t seed, SetSize size, bool disturbed) {
-  Random random(seed, 0);
+std::map<std::string, double> numbers_of(const Specimen& specimen) {
+  std::map<std::string, double> numbers;
+  Structure own = specimen.structure;
+  for (std::size_t k = 0; k < own.modes; ++k) numbers[specimen.frequency_symbols[k]] = own.mode[k].omega;
+  for (const OwnTerm& term : specimen.own) numbers[term.symbol] = *coefficient(own, term.effect, term.mode);
+  return numbers;
+}
+
+std::vector<CasePlan> draw_plans(const SetOptions& set) {
+  Random random(set.seed, 0);
   const std::vector<double> noise =
-      size == SetSize::short_set ? std::vector<double>{40, 30} : std::vector<double>{40, 30, 20, 10};
+      set.size == SetSize::short_set ? std::vector<double>{40, 30} : std::vector<double>{40, 30, 20, 10};
   std::vector<std::string> deck = catalogued_effects(), outside = uncatalogued_effects(), pairable;
   for (const std::string& effect : catalogued_effects())
     if (!is_measurement_fault(effect) && effect != "quadratic_inertia" && effect != "cubic_inertia")
@@ -370,9 +370,10 @@ std::vector<CasePlan> draw_plans(std::size_t cases, std::uint64_t seed, SetSize 
   std::vector<std::string> kinds = {"single", "none",   "single",  "outside", "single",     "pair",  "single",
                                     "none",   "single", "single",  "outside", "single",     "pair",  "single",
                                     "none",   "single", "outside", "single",  "parameters", "single"};
+  if (set.nothing_withheld) kinds = {"none"};
   std::vector<CasePlan> plans;
   std::size_t singles = 0, outsiders = 0;
-  for (std::size_t i = 0; i < cases; ++i) {
+  for (std::size_t i = 0; i < set.cases; ++i) {
     if (i % kinds.size() == 0) random.shuffle(kinds);
     CasePlan plan;
     plan.number = i + 1;
@@ -391,8 +392,8 @@ std::vector<CasePlan> draw_plans(std::size_t cases, std::uint64_t seed, SetSize 
       } while (plan.family.empty());
     }
     plan.snr_db = noise[random.below(noise.size())];
-    plan.dwells = size == SetSize::short_set ? 20 : 40;
-    plan.disturbed = disturbed;
+    plan.dwells = set.size == SetSize::short_set ? 20 : 40;
+    plan.disturbed = set.disturbed;
     plans.push_back(plan);
   }
   return plans;

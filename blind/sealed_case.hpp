@@ -13,6 +13,16 @@ namespace secular::blind {
 
 enum class SetSize { short_set, full_set };
 
+/// What a set of cases is made with.
+struct SetOptions {
+  std::size_t cases = 60;
+  std::uint64_t seed = 1;
+  SetSize size = SetSize::short_set;
+  bool disturbed = false;         ///< records bear disturbances drawn by lot
+  bool nothing_withheld = false;  ///< every model is its structure's own: what numbers are held to
+  unsigned threads = 1;           ///< cases at once; the set does not depend on it
+};
+
 /// What a case is to be, before anything is drawn for it.
 struct CasePlan {
   std::size_t number = 1;
@@ -26,7 +36,7 @@ struct CasePlan {
 
 /// The plans of a set: every effect as often as any other, every noise level, in an order that the seed fixes.
 /// The same seed gives the same structures and effects, `disturbed` or not.
-std::vector<CasePlan> draw_plans(std::size_t cases, std::uint64_t seed, SetSize size, bool disturbed = false);
+std::vector<CasePlan> draw_plans(const SetOptions& set);
 
 /// One thing that the model does not know, with how strongly the data show it. Strengths are norms of the change of
 /// a dwell's harmonic amplitudes in standard deviations of one ensemble, root mean square over the dwells.
@@ -60,6 +70,9 @@ struct SealedCase {
 /// The settled motion of a dwell, through all of the campaign's record number `record`, which is `length` times as
 /// long as those of the programme.
 Motion dwell_motion(const SealedCase& sealed, const Dwell& dwell, std::size_t record, std::size_t length = 1);
+
+/// The true value of every symbol of the model file, in its units.
+std::map<std::string, double> numbers_of(const Specimen& specimen);
 
 /// Draws everything of a case. Depends on the seed and the plan alone. Throws std::runtime_error where every
 /// attempt grows beyond bounds.

@@ -32,6 +32,7 @@ ordered_json heading(const SetOptions& options) {
                        {"set", options.size == SetSize::short_set ? "short" : "full"},
                        {"cases", options.cases}};
   if (options.disturbed) head["disturbed"] = true;
+  if (options.nothing_withheld) head["nothing_withheld"] = true;
   return head;
 }
 
@@ -57,6 +58,7 @@ SetOptions options_of(const fs::path& folder) {
   options.seed = head["seed"].get<std::uint64_t>();
   options.size = head.value("set", "") == "short" ? SetSize::short_set : SetSize::full_set;
   options.disturbed = head.value("disturbed", false);
+  options.nothing_withheld = head.value("nothing_withheld", false);
   return options;
 }
 
@@ -108,7 +110,7 @@ void generate_set(const fs::path& folder, const SetOptions& options, const Progr
     write_text(begun, head.dump() + "\n");
   }
   fs::create_directories(unsealed(folder));
-  const std::vector<CasePlan> plans = draw_plans(options.cases, options.seed, options.size, options.disturbed);
+  const std::vector<CasePlan> plans = draw_plans(options);
   std::vector<ordered_json> labels(plans.size());
   std::atomic<std::size_t> done{0};
   in_parallel(plans.size(), options.threads, [&](std::size_t i) {

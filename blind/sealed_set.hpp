@@ -10,14 +10,6 @@
 
 namespace secular::blind {
 
-struct SetOptions {
-  std::size_t cases = 60;
-  std::uint64_t seed = 1;
-  SetSize size = SetSize::short_set;
-  bool disturbed = false;  ///< records bear disturbances drawn by lot
-  unsigned threads = 1;
-};
-
 using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
 /// Makes FOLDER/case_0001/ ... and seals their labels: labels.json and the hash of its bytes in labels.sha256. The

@@ -12,6 +12,7 @@
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
 #include "app/shared/progress_line.hpp"
+#include "blind/estimate_set.hpp"
 #include "blind/follow_up.hpp"
 #include "blind/leave_out.hpp"
 #include "blind/measured_page.hpp"
@@ -29,7 +30,7 @@ struct Options {
   std::uint64_t seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   double limit_s = 300;
-  bool disturbed = false;
+  bool disturbed = false, nothing_withheld = false;
   // Of measured sets.
   std::string data, list = "models/measured/sets.toml", work = "out/measured";
   std::vector<std::string> only;
@@ -44,6 +45,7 @@ void generate(const Options& options) {
   set.seed = options.seed;
   set.threads = options.threads;
   set.disturbed = options.disturbed;
+  set.nothing_withheld = options.nothing_withheld;
   ProgressLine line("cases made");
   blind::generate_set(options.folder, set, [&line](std::size_t done, std::size_t total) { line(done, total); });
   fmt::print("{} cases in {}, labels sealed\n", set.cases, options.folder);
@@ -88,17 +90,34 @@ void leave_out(const Options& options) {
   print_failed(summary.failed);
 }
 
-void score(const Options& options) {
-  const blind::Score score = blind::score_set(options.folder);
-  blind::write_score(score, blind::name_of_set(options.folder), options.page);
-  for (const blind::Figure& f : score.figures) {
+void print_figures(const std::vector<blind::Figure>& figures, const char* trials) {
+  for (const blind::Figure& f : figures) {
     if (f.trials == 0) continue;
-    fmt::print("{:72} {:8.3f}  ({} cases)", f.name, f.value, f.trials);
+    fmt::print("{:72} {:8.3f}  ({} {})", f.name, f.value, f.trials, trials);
     if (f.target) fmt::print("  target {} {}", f.at_most ? "at most" : "at least", *f.target);
     fmt::print("\n");
   }
+}
+
+void score(const Options& options) {
+  const blind::Score score = blind::score_set(options.folder);
+  blind::write_score(score, blind::name_of_set(options.folder), options.page);
+  print_figures(score.figures, "cases");
   fmt::print("{} of {} cases went wrong, {} without a diagnosis; see {}/score.md\n", score.wrong.size(),
              score.cases, score.failed, options.page);
+}
+
+void estimates(const Options& options) {
+  ProgressLine line("cases identified");
+  const blind::RunSummary summary = blind::identify_set(
+      options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
+  fmt::print("{} cases, {} identified before, {} failed\n", summary.cases, summary.kept, summary.failed.size());
+  print_failed(summary.failed);
+  const blind::EstimateScore score = blind::score_estimates(options.folder);
+  blind::write_estimate_score(score, blind::name_of_set(options.folder), options.page);
+  print_figures(score.figures, "numbers");
+  fmt::print("{} unmarked numbers are off by more than 4 sd; see {}/estimates.md\n", score.far_off.size(),
+             options.page);
 }
 
 void measured(const Options& options) {
@@ -129,6 +148,8 @@ void add_set_options(CLI::App* command, const std::shared_ptr<Options>& options)
       "--disturbed", options->disturbed,
       "every campaign with one to three disturbances drawn by lot: mains, steps of a converter, coloured "
       "noise, late records, ...; structures and effects stay those of the seed");
+  command->add_flag("--nothing-withheld", options->nothing_withheld,
+                    "every model file is its structure's own: for the check of numbers by `blind estimates`");
   command->add_option("-o,--output", options->folder, "folder to make or to complete")->required();
 }
 
@@ -183,6 +204,14 @@ void add_blind_command(CLI::App& root, Action& chosen) {
   scoring->add_option("FOLDER", score_options->folder, "made by generate, diagnosed by run")->required();
   scoring->add_option("-o,--output", score_options->page, "folder of score.md, score.json and calibration.svg")
       ->capture_default_str();
+  const auto [estimating, estimate_options] =
+      add("estimates", "Identify every campaign of a set with nothing withheld; compare its numbers with the truth",
+          estimates);
+  estimating->add_option("FOLDER", estimate_options->folder, "made by generate --nothing-withheld")->required();
+  estimating->add_option("-o,--output", estimate_options->page, "folder of estimates.md and estimates.json")
+      ->capture_default_str();
+  add_threads(estimating, estimate_options);
+  add_run_options(estimating, estimate_options);
   const auto [measuring, measured_options] =
       add("measured", "Diagnose records that others measured and compare with what is known of them", measured);
   measured_options->command = measuring;

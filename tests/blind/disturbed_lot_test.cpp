@@ -24,14 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::map<std::string, double> truth_of(const SealedCase& c) {
-  std::map<std::string, double> truth;
-  Structure own = c.specimen.structure;
-  for (std::size_t k = 0; k < own.modes; ++k) truth[c.specimen.frequency_symbols[k]] = own.mode[k].omega;
-  for (const OwnTerm& term : c.specimen.own) truth[term.symbol] = *coefficient(own, term.effect, term.mode);
-  return truth;
-}
-
 struct Number {
   std::string name;
   bool given = false, doubtful = false, held = false;
@@ -56,7 +48,7 @@ std::vector<Number> identified(std::size_t number, std::uint64_t seed, const fs:
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   const auto estimate = nlohmann::json::parse(read_text(folder / "out/estimate.json"));
   std::vector<Number> numbers;
-  for (const auto& [name, truth] : truth_of(sealed)) {
+  for (const auto& [name, truth] : numbers_of(sealed.specimen)) {
     Number& n = numbers.emplace_back();
     n.name = name;
     for (const auto& value : estimate.at("estimates")) {

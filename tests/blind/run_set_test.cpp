@@ -85,7 +85,7 @@ TEST_F(BlindRun, GivesParametersWhereACaseHasThem) {
 using SlowBlindRun = BlindRun;
 
 TEST_F(SlowBlindRun, LeavesOutTheOneEffectThatACaseHas) {
-  const std::vector<CasePlan> plans = draw_plans(3, 1, SetSize::short_set);
+  const std::vector<CasePlan> plans = draw_plans({.cases = 3});
   const LeaveOutSummary summary = leave_out_of_set(folder, {.program = program, .threads = 2, .limit_s = 20}, {});
   const std::string calls = read_text(folder / "calls");
   std::size_t singles = 0;

@@ -72,7 +72,7 @@ TEST(BlindRandom, GaussianHasItsMoments) {
 }
 
 TEST(BlindPlans, EveryEffectIsDrawnAndKindsKeepTheirShares) {
-  const std::vector<CasePlan> plans = draw_plans(400, 3, SetSize::full_set);
+  const std::vector<CasePlan> plans = draw_plans({.cases = 400, .seed = 3, .size = SetSize::full_set});
   std::map<std::string, int> kinds;
   std::set<std::string> effects;
   std::set<double> noise;
