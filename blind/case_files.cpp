@@ -87,7 +87,7 @@ void disturb(const SealedCase& c, Random& noise, Random& lot, std::vector<std::v
     for (double& x : channels[i]) x += c.noise_sd[i] * noise.gaussian();
   clip(c.reality.measurement, channels);
   for (std::size_t i = 0; i < channels.size(); ++i)
-    if (c.quantum[i] > 0)
+    if (c.quantum[i] > 0 && c.disturbances.step.empty())  // a channel has one converter
       for (double& x : channels[i]) x = c.quantum[i] * std::round(x / c.quantum[i]);
   convert_samples(c.disturbances, lot, channels);
 }

@@ -148,6 +148,9 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
 
 namespace {
 
+// Phases at truncated equations, then at corrected ones: each round leaves the square of what was left.
+constexpr int most_phase_rounds = 4;
+
 EstimateOptions options_of(const IdentificationRequest& request) {
   EstimateOptions options;
   options.fixed = request.fixed;
@@ -158,8 +161,9 @@ EstimateOptions options_of(const IdentificationRequest& request) {
   return options;
 }
 
-// Corrected for the expansion's truncation, if that is possible.
-void estimate_corrected(const IdentificationRequest& request, Identification& id) {
+// Corrected for the expansion's truncation, if that is possible. Returns what equations it was estimated from, with
+// the truncation taken out; nothing where that was not possible.
+std::vector<ObservationSet> estimate_corrected(const IdentificationRequest& request, Identification& id) {
   StageClock clock(id.seconds);
   const MeasuredUnits units{id.coordinate_unit, id.excitation_units};
   const EstimateOptions options = options_of(request);
@@ -176,6 +180,7 @@ void estimate_corrected(const IdentificationRequest& request, Identification& id
     id.replayed = std::move(correction.replayed);
     for (ObservationSet& set : id.replayed)
       if (set.resonance->excited) to_steady_amplitudes(set, id.estimate.parameter_values);
+    return std::move(correction.corrected);
   } catch (const NumericalFailure& failure) {
     id.replayed = id.measured;
     for (ObservationSet& set : id.replayed) set.observations.clear();
@@ -184,6 +189,7 @@ void estimate_corrected(const IdentificationRequest& request, Identification& id
     uncorrected.start = raw.state;
     id.estimate = estimate(id.measured, units, uncorrected);
     id.estimate = with_failed_correction(std::move(id.estimate), failure.what());
+    return {};
   }
 }
 
@@ -228,8 +234,13 @@ void free_phases(const IdentificationRequest& request, const std::vector<Observa
   const auto is_freed = [](const CaseLateness& lateness) { return lateness.finding != PhaseFinding::nothing_told; };
   if (std::any_of(unknown.cases.begin(), unknown.cases.end(), is_freed)) {
     Identification freed = id;
-    freed.measured = unknown.sets;
-    estimate_corrected(request, freed);
+    for (int round = 0; round < most_phase_rounds; ++round) {
+      freed.measured = unknown.sets;
+      const std::vector<ObservationSet> corrected = estimate_corrected(request, freed);
+      if (!refine_phases(unknown, corrected, {id.coordinate_unit, id.excitation_units}, options_of(request),
+                         freed.estimate))
+        break;
+    }
     const std::set<std::string> misfit = cases_that_misfit(freed.estimate);
     bool explained = true;
     for (CaseLateness& lateness : unknown.cases) {

@@ -10,7 +10,7 @@
 #include "estimator/identification/short_list.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/file_pattern.hpp"
-#include "measure/disturbances/catalogue.hpp"
+#include "measure/disturbances/treatment.hpp"
 #include "measure/observe/passed_record.hpp"
 #include "measure/observe/record_window.hpp"
 
@@ -84,10 +84,10 @@ WatchedReader::Look at_what_counts(const Campaign& campaign, const Window& windo
   };
 }
 
-// Held samples and spikes of whole records: a filter would spread them.
-WatchedReader::Mask mask_of(const Campaign& campaign) {
+// Of whole records: a filter would spread held samples and spikes, and hide a converter's steps.
+WatchedReader::Treat treatments(const Campaign& campaign) {
   return [&campaign](std::size_t index, const Record& record, const std::vector<ChannelValues>& values) {
-    return masked_samples(campaign, index, record, values);
+    return treatment_of(campaign, index, record, values);
   };
 }
 
@@ -151,7 +151,7 @@ void require_sampled(const Window& window, double sample_rate_hz) {
 SelectedRecords::SelectedRecords(const Campaign& campaign, const Window& window, WatchedReader::Look look)
     : campaign_(campaign),
       window_(window),
-      reader_(campaign, at_what_counts(campaign, window, std::move(look)), mask_of(campaign)) {
+      reader_(campaign, at_what_counts(campaign, window, std::move(look)), treatments(campaign)) {
   require_match(campaign, window);
   require_sampled(window, campaign.sample_rate_hz);
   require_samples(campaign, window);

@@ -49,6 +49,7 @@ std::complex<double> effect_on_modulation(const PhaseProblem& problem, const Equ
 double step_phases(const PhaseProblem& problem, const CaseFit& fit, const EquationData& data, PhaseFit& phases) {
   const VectorXd values = fit.fit.coefficients - fit.reference;
   double largest = 0;
+  phases.sd.assign(problem.records.size(), INFINITY);
   for (std::size_t r = 0; r < problem.records.size(); ++r) {
     double gradient = 0, curvature = 0;
     for (const std::size_t i : problem.records[r].observations) {
@@ -59,9 +60,10 @@ double step_phases(const PhaseProblem& problem, const CaseFit& fit, const Equati
       curvature += phase.squaredNorm();
     }
     if (!(curvature > 0)) continue;
+    phases.sd[r] = 1 / std::sqrt(curvature);
     const double step = -gradient / curvature;
     phases.ahead[r] += std::clamp(step, -1.0, 1.0);
-    largest = std::max(largest, std::abs(step) * std::sqrt(curvature));
+    largest = std::max(largest, std::abs(step) / phases.sd[r]);
   }
   return largest;
 }
@@ -156,6 +158,10 @@ std::vector<PhaseFit> equal_minima(const PhaseProblem& problem, const std::vecto
                                chi_squared_upper_quantile(told_apart, 1) * found.front().misfit)
     found.pop_back();
   return found;
+}
+
+std::optional<PhaseFit> nearest_minimum(const PhaseProblem& problem) {
+  return refined(problem, std::vector<double>(problem.records.size(), 0), most_steps);
 }
 
 ObservationSet with_phases(const PhaseProblem& problem, const std::vector<double>& ahead) {

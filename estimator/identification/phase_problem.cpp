@@ -46,12 +46,16 @@ PhaseProblem::PhaseProblem(const ObservationSet& observed, std::vector<std::size
       threads(with_threads),
       records(members_of(observed, blocks)) {}
 
-ObservationSet turned(const PhaseProblem& problem, const std::vector<double>& ahead) {
+void turn(ObservationSet& set, const std::vector<RecordMembers>& records, const std::vector<double>& ahead) {
   std::map<std::size_t, double> by_record;
-  for (std::size_t r = 0; r < problem.records.size(); ++r) by_record[problem.records[r].record] = ahead[r];
-  ObservationSet result = problem.set;
-  for (Observation& o : result.observations)
+  for (std::size_t r = 0; r < records.size(); ++r) by_record[records[r].record] = ahead[r];
+  for (Observation& o : set.observations)
     for (std::size_t j = 0; j < o.forcing.size(); ++j) o.forcing[j] *= put_ahead(o, j, by_record[o.record]);
+}
+
+ObservationSet turned(const PhaseProblem& problem, const std::vector<double>& ahead) {
+  ObservationSet result = problem.set;
+  turn(result, problem.records, ahead);
   return result;
 }
 

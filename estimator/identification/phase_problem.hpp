@@ -45,8 +45,10 @@ struct PhaseProblem {
   std::vector<RecordMembers> records;
 };
 
-/// The set with the excitation of each record `ahead` by an angle (of the first excitation, others by as much
-/// time).
+/// Puts the excitation of each record ahead by an angle (of the first excitation, others by as much time).
+void turn(ObservationSet& set, const std::vector<RecordMembers>& records, const std::vector<double>& ahead);
+
+/// The set with the excitation of each record `ahead` as turn() does.
 ObservationSet turned(const PhaseProblem& problem, const std::vector<double>& ahead);
 
 /// Whether phases of all records agree within `enough`, periods apart or not.

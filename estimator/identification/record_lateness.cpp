@@ -35,6 +35,9 @@ constexpr double false_alarm = 0.001;
 /// free.
 constexpr double no_growth = 1e-6;
 
+/// Of the error of a phase: less moves no number by what it would be seen by.
+constexpr double enough_of_error = 0.1;
+
 // How many observations of a case are stable motions of the modulation equations: one that stood still for
 // seconds is.
 std::size_t stable_motions(const ObservationSet& set, const VectorXd& parameters) {
@@ -285,6 +288,31 @@ UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const Me
     if (follow_the_amplitude(late.problem, phases)) result.cases.back().finding = PhaseFinding::like_a_law;
   }
   return result;
+}
+
+bool refine_phases(UnknownPhases& unknown, std::span<const ObservationSet> corrected, const MeasuredUnits& units,
+                   const EstimateOptions& options, const Estimate& estimate) {
+  const Estimation e(corrected, units, options);
+  bool moved = false;
+  for (std::size_t s = 0; s < e.sets.size(); ++s) {
+    const ObservationSet& set = *e.sets[s];
+    if (!set.phase_unknown) continue;
+    const PhaseProblem problem(set, estimate.state->blocks[s], e.knowledge, options.threads);
+    const std::optional<PhaseFit> phases = nearest_minimum(problem);
+    if (!phases) continue;
+    for (std::size_t r = 0; r < phases->ahead.size(); ++r)
+      moved = moved || std::abs(phases->ahead[r]) > enough_of_error * phases->sd[r];
+    turn(unknown.sets[static_cast<std::size_t>(&set - corrected.data())], problem.records, phases->ahead);
+    for (CaseLateness& lateness : unknown.cases) {
+      if (lateness.resonance != set.resonance->name) continue;
+      for (std::size_t r = 0; r < lateness.records.size() && r < phases->ahead.size(); ++r) {
+        RecordLateness& record = lateness.records[r];
+        record.late_s = std::remainder(record.late_s - phases->ahead[r] / (2 * std::numbers::pi) * record.period_s,
+                                       record.period_s);
+      }
+    }
+  }
+  return moved;
 }
 
 }  // namespace secular

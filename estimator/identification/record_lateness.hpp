@@ -65,4 +65,11 @@ struct UnknownPhases {
 UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const MeasuredUnits& units,
                                   const EstimateOptions& options, const Estimate& estimate);
 
+/// Phases once more, at equations that truncation has been taken out of, `corrected`: those of truncated equations
+/// are off by more than their errors, and the square of that is no longer nothing (docs/inference.md (16)). Turns
+/// the excitations of `unknown.sets` and moves the lateness of their records; false where nothing moves by more
+/// than a tenth of its standard deviation.
+bool refine_phases(UnknownPhases& unknown, std::span<const ObservationSet> corrected, const MeasuredUnits& units,
+                   const EstimateOptions& options, const Estimate& estimate);
+
 }  // namespace secular

@@ -26,9 +26,11 @@ Record to_relative(const Campaign& campaign, Record record) {
 }
 
 // Returns how many samples could not be replaced.
-std::size_t replace(Record& record, const std::vector<std::vector<std::size_t>>& places) {
+std::size_t mend(Record& record, const Treatment& treatment) {
   std::size_t left = 0;
-  for (std::size_t c = 0; c < places.size(); ++c) left += fill_gaps(record.channels[c], places[c]).size();
+  for (std::size_t c = 0; c < treatment.masked.size(); ++c)
+    left += fill_gaps(record.channels[c], treatment.masked[c]).size();
+  if (treatment.then) treatment.then(record);
   return left;
 }
 
@@ -43,12 +45,14 @@ ChannelValues values_of(std::span<const double> samples) {
 
 Record WatchedReader::read(std::size_t index) {
   Record record = read_record(campaign_, campaign_.records[index]);
+  const Treatment* known = nullptr;
   {
     const std::lock_guard lock(mutex_);
-    if (const auto before = seen_.find(index); before != seen_.end()) {
-      replace(record, before->second.masked);
-      return to_relative(campaign_, std::move(record));
-    }
+    if (const auto before = seen_.find(index); before != seen_.end()) known = &before->second.treatment;
+  }
+  if (known != nullptr) {  // it stays where it is, and as it is
+    mend(record, *known);
+    return to_relative(campaign_, std::move(record));
   }
   Seen seen;
   std::vector<ChannelValues> values;
@@ -60,8 +64,8 @@ Record WatchedReader::read(std::size_t index) {
   if (record.jitter_s > 0)
     seen.jitter = jitter_text({record.start_s, record.sample_rate_hz, record.jitter_s}, record.channels);
   if (look_) look_(index, record, values);
-  if (mask_) seen.masked = mask_(index, record, values);
-  seen.not_replaced = replace(record, seen.masked);
+  if (treat_) seen.treatment = treat_(index, record, values);
+  seen.not_replaced = mend(record, seen.treatment);
   const std::lock_guard lock(mutex_);
   seen_.emplace(index, std::move(seen));
   return to_relative(campaign_, std::move(record));

@@ -25,6 +25,13 @@ struct ChannelValues {
 /// All samples must be finite.
 ChannelValues values_of(std::span<const double> samples);
 
+/// What mends a record each time that it is read.
+struct Treatment {
+  /// Samples, by channel and rising, that are replaced by what those around them tell (fill_gaps).
+  std::vector<std::vector<std::size_t>> masked;
+  std::function<void(Record&)> then;  ///< what is done after that; none: nothing
+};
+
 /// Reads the records of a campaign and keeps in mind which channels are clipped and where time stamps scatter, for
 /// whoever uses them. Responses that are absolute become relative to the base. Records may be read by several
 /// threads, and more than once. The campaign must live as long.
@@ -33,15 +40,13 @@ class WatchedReader {
   /// What else looks at every record, once, when it is read for the first time: in any thread.
   using Look = std::function<void(std::size_t, const Record&, const std::vector<ChannelValues>&)>;
 
-  /// Which samples of a record, by channel and rising, are to be replaced by what those around them tell
-  /// (fill_gaps).
-  using Mask = std::function<std::vector<std::vector<std::size_t>>(std::size_t, const Record&,
-                                                                   const std::vector<ChannelValues>&)>;
+  /// What mends a record, found once, when it is read for the first time: in any thread.
+  using Treat = std::function<Treatment(std::size_t, const Record&, const std::vector<ChannelValues>&)>;
 
-  explicit WatchedReader(const Campaign& campaign, Look look = {}, Mask mask = {})
-      : campaign_(campaign), look_(std::move(look)), mask_(std::move(mask)) {}
+  explicit WatchedReader(const Campaign& campaign, Look look = {}, Treat treat = {})
+      : campaign_(campaign), look_(std::move(look)), treat_(std::move(treat)) {}
 
-  /// As read_record does, relative to the base, samples of the mask replaced.
+  /// As read_record does, mended, relative to the base.
   Record read(std::size_t record);
 
   /// One line for each channel that is clipped in some of the records that were read, and one for the time stamps
@@ -51,14 +56,14 @@ class WatchedReader {
  private:
   const Campaign& campaign_;
   Look look_;
-  Mask mask_;
+  Treat treat_;
   mutable std::mutex mutex_;
   struct Seen {
     std::vector<Clipping> clipping;  // by channel
     double jitter_of_step = 0;
-    std::string jitter;                            // in words
-    std::vector<std::vector<std::size_t>> masked;  // by channel
-    std::size_t not_replaced = 0;                  // of these
+    std::string jitter;  // in words
+    Treatment treatment;
+    std::size_t not_replaced = 0;  // of its masked samples
   };
   std::map<std::size_t, Seen> seen_;  // by record, whatever the order of reading
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "measure/disturbances/rows.hpp"
 
@@ -73,34 +72,6 @@ std::span<const DisturbanceKind> disturbance_catalogue() {
           "stretches of one decay are no independent conditions: error bars know it"},
   };
   return kinds;
-}
-
-std::vector<std::vector<std::size_t>> masked_samples(const Campaign& campaign, std::size_t index,
-                                                     const Record& record,
-                                                     const std::vector<ChannelValues>& values) {
-  const double level =
-      disturbance_false_alarm / static_cast<double>(campaign.records.size() * campaign.channels.size());
-  const auto stands_out = [&](std::size_t c) {
-    const HeldSamples held = find_held(record.channels[c], values[c], level);
-    return !held.at.empty() || !find_impulses(record.channels[c], values[c].grid, held, level).spikes.empty();
-  };
-  std::vector<std::vector<std::size_t>> places(record.channels.size());
-  std::vector<std::size_t> channels(places.size());
-  std::iota(channels.begin(), channels.end(), std::size_t{0});
-  if (std::none_of(channels.begin(), channels.end(), stands_out)) return places;
-  const SearchedRecord look = searched(campaign, index, record, values);
-  for (std::size_t c = 0; c < places.size(); ++c) {
-    const std::vector<double>& x = record.channels[c];
-    const SearchedChannel& channel = look.channels[c];
-    if (is_held(channel))
-      for (std::size_t i : channel.held.at)
-        for (; i < x.size() && x[i] == x[i - 1]; ++i) places[c].push_back(i);
-    if (has_spikes(look, c))
-      for (const Impulses::One& spike : channel.impulses.spikes) places[c].push_back(spike.at);
-    std::sort(places[c].begin(), places[c].end());
-    places[c].erase(std::unique(places[c].begin(), places[c].end()), places[c].end());
-  }
-  return places;
 }
 
 std::vector<Disturbance> find_disturbances(const Campaign& campaign, std::size_t index, const Record& record,

@@ -28,12 +28,6 @@ struct DisturbanceKind {
 /// All kinds.
 std::span<const DisturbanceKind> disturbance_catalogue();
 
-/// Samples of a record without missing ones that its file holds wrongly, by channel and rising: held ones and
-/// spikes. For WatchedReader.
-std::vector<std::vector<std::size_t>> masked_samples(const Campaign& campaign, std::size_t index,
-                                                     const Record& record,
-                                                     const std::vector<ChannelValues>& values);
-
 /// What a record holds, by the order of the catalogue. Missing samples are NaN. `values`: of every channel of a
 /// record without missing samples, if they are known.
 std::vector<Disturbance> find_disturbances(const Campaign& campaign, std::size_t index, const Record& record);

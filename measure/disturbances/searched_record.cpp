@@ -58,6 +58,10 @@ Disturbance SearchedRecord::found(std::string_view kind, std::size_t c, double s
   return disturbance;
 }
 
+double false_alarm_of_channel(const Campaign& campaign) {
+  return disturbance_false_alarm / static_cast<double>(campaign.records.size() * campaign.channels.size());
+}
+
 SearchedRecord searched(const Campaign& campaign, std::size_t index, const Record& record,
                         const std::vector<ChannelValues>& values) {
   SearchedRecord result;
@@ -67,7 +71,7 @@ SearchedRecord searched(const Campaign& campaign, std::size_t index, const Recor
   result.lost_rows = record.lost.size();
   result.rate = record.sample_rate_hz;
   result.jitter_s = record.jitter_s;
-  result.level = disturbance_false_alarm / static_cast<double>(campaign.records.size() * campaign.channels.size());
+  result.level = false_alarm_of_channel(campaign);
   const std::vector<std::span<const double>> stretch = complete_stretch(record);
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
     const std::vector<double>& samples = record.channels[c];

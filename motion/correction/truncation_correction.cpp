@@ -210,7 +210,8 @@ class Correction {
           "the correction for the expansion's truncation depends on parameters that are not well known, and "
           "motions with other values of them grow beyond bounds: error bars do not contain that");
     done_(regression);
-    return {std::move(estimate_), {measured_.begin(), measured_.end()}, motions_.replays()};
+    return {
+        std::move(estimate_), {measured_.begin(), measured_.end()}, std::move(at_.corrected), motions_.replays()};
   }
 
  private:

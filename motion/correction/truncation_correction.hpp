@@ -16,7 +16,8 @@ using StageDone = std::function<void(const char* stage)>;
 struct TruncationCorrection {
   Estimate estimate;
   std::vector<ObservationSet> measured;  ///< what was corrected: where large motions had to be left out, the others
-  std::vector<ObservationSet> replayed;  ///< at the parameters of the last correction
+  std::vector<ObservationSet> corrected;  ///< the same with what was taken out of their equations
+  std::vector<ObservationSet> replayed;   ///< at the parameters of the last correction
 };
 
 /// docs/inference.md (11) to (13). Takes what the truncated equations leave at the motions of the full ones out of

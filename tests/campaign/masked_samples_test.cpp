@@ -15,6 +15,7 @@
 #include "measure/data/lost_rows.hpp"
 #include "measure/data/watched_reader.hpp"
 #include "measure/disturbances/catalogue.hpp"
+#include "measure/disturbances/treatment.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {
@@ -57,7 +58,7 @@ Campaign written(const fs::path& folder, const std::vector<double>& response,
 
 Record read_masked(const Campaign& campaign) {
   WatchedReader reader(campaign, {}, [&](std::size_t r, const Record& record, const auto& values) {
-    return masked_samples(campaign, r, record, values);
+    return treatment_of(campaign, r, record, values);
   });
   const Record first = reader.read(0), again = reader.read(0);
   EXPECT_EQ(first.channels, again.channels);

@@ -1,0 +1,96 @@
+#include "measure/disturbances/treatment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "measure/disturbances/converter_lines.hpp"
+#include "measure/disturbances/rows.hpp"
+#include "measure/disturbances/searched_record.hpp"
+
+namespace secular {
+namespace {
+
+// Without ensembles: samples in which frequencies of the strongest lines are told apart to a few turns.
+constexpr std::size_t longest_block = 4096;
+
+struct RoundedChannel {
+  std::size_t index = 0;  // of the channel
+  ConverterLattice lattice;
+  std::vector<double> frequencies_hz;
+  std::vector<std::size_t> masked;
+};
+
+// Held ones and spikes, rising.
+std::vector<std::size_t> wrong_samples(const SearchedRecord& look, std::size_t c, const std::vector<double>& x) {
+  std::vector<std::size_t> wrong;
+  const SearchedChannel& channel = look.channels[c];
+  if (is_held(channel))
+    for (std::size_t i : channel.held.at)
+      for (; i < x.size() && x[i] == x[i - 1]; ++i) wrong.push_back(i);
+  if (has_spikes(look, c))
+    for (const Impulses::One& spike : channel.impulses.spikes) wrong.push_back(spike.at);
+  std::sort(wrong.begin(), wrong.end());
+  wrong.erase(std::unique(wrong.begin(), wrong.end()), wrong.end());
+  return wrong;
+}
+
+// Rows that the file does not hold were no values of the converter, nor is what replaces wrong samples.
+std::vector<std::size_t> not_rounded(const Record& record, const std::vector<std::size_t>& masked) {
+  std::vector<std::size_t> all = masked;
+  all.insert(all.end(), record.lost.begin(), record.lost.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+bool needs_a_look(const SearchedRecord& empty, const ChannelValues& values, const std::vector<double>& samples) {
+  if (empty.entry().kind == RecordKind::dwell && is_lattice(values.grid, empty.level)) return true;
+  const HeldSamples held = find_held(samples, values, empty.level);
+  return !held.at.empty() || !find_impulses(samples, values.grid, held, empty.level).spikes.empty();
+}
+
+std::vector<RoundedChannel> rounded_channels(const SearchedRecord& look, const Record& record,
+                                             const std::vector<std::vector<std::size_t>>& masked) {
+  std::vector<RoundedChannel> rounded;
+  for (std::size_t c = 0; c < look.channels.size(); ++c) {
+    const std::optional<ConverterLattice> lattice = repeating_lattice(look.channels[c], look.level);
+    if (!lattice) continue;
+    RoundedChannel& channel =
+        rounded.emplace_back(c, *lattice, std::vector<double>(), not_rounded(record, masked[c]));
+    for (const Line& line : look.channels[c].lines) channel.frequencies_hz.push_back(line.frequency_hz);
+  }
+  return rounded;
+}
+
+}  // namespace
+
+Treatment treatment_of(const Campaign& campaign, std::size_t index, const Record& record,
+                       const std::vector<ChannelValues>& values) {
+  SearchedRecord empty;
+  empty.campaign = &campaign;
+  empty.index = index;
+  empty.level = false_alarm_of_channel(campaign);
+  bool nothing = true;
+  for (std::size_t c = 0; c < record.channels.size() && nothing; ++c)
+    nothing = !needs_a_look(empty, values[c], record.channels[c]);
+  Treatment treatment;
+  if (nothing) return treatment;
+  const SearchedRecord look = searched(campaign, index, record, values);
+  for (std::size_t c = 0; c < record.channels.size(); ++c)
+    treatment.masked.push_back(wrong_samples(look, c, record.channels[c]));
+  if (look.entry().kind != RecordKind::dwell) return treatment;
+  std::vector<RoundedChannel> rounded = rounded_channels(look, record, treatment.masked);
+  if (rounded.empty()) return treatment;
+  const double ensemble_s = look.entry().ensemble_s.value_or(INFINITY);
+  treatment.then = [rounded = std::move(rounded), ensemble_s](Record& mended) {
+    const double ensemble = std::round(ensemble_s * mended.sample_rate_hz);
+    const std::size_t block =
+        ensemble < static_cast<double>(longest_block) ? static_cast<std::size_t>(ensemble) : longest_block;
+    for (const RoundedChannel& c : rounded)
+      take_out_rounding(mended.channels[c.index], mended.sample_rate_hz, c.frequencies_hz, c.lattice, block,
+                        c.masked);
+  };
+  return treatment;
+}
+
+}  // namespace secular
