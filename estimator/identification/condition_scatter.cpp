@@ -1,6 +1,8 @@
 #include "estimator/identification/condition_scatter.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
 
 #include "numerics/unit_scale.hpp"
 
@@ -25,6 +27,20 @@ VectorXd left_by_common_fit(const CommonFit& c) {
   if (rows.others.cols() == 0) return left;
   const MatrixXd weighted = rows.kept * rows.others;
   return left - rows.others * weighted.completeOrthogonalDecomposition().solve(rows.kept * left);
+}
+
+// Conditions differ by no less than their repeats make them: docs/inference.md (27). `least`: that variance, by
+// unknown, and `error`: its square over its degrees of freedom.
+void keep_above(const VectorXd& least, const VectorXd& error, ConditionScatter& scatter) {
+  VectorXd larger = VectorXd::Ones(least.size());
+  for (Index p = 0; p < least.size(); ++p) {
+    const double found = scatter.covariance(p, p), kept = std::max(found, least(p));
+    double& freedom = scatter.degrees_of_freedom(p);
+    if (!(found > 0) || !(freedom > 0)) continue;
+    larger(p) = std::sqrt(kept / found);
+    freedom = kept * kept / (error(p) + (kept * kept - least(p) * least(p)) / freedom);
+  }
+  scatter.covariance = larger.asDiagonal() * scatter.covariance * larger.asDiagonal();
 }
 
 }  // namespace
@@ -60,6 +76,7 @@ std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cas
   // By condition of all cases: its Gram matrix in the coordinates u, and what it alone moves the unknowns by.
   std::vector<MatrixXd> grams, roots;
   std::vector<VectorXd> moves;
+  VectorXd repeats = VectorXd::Zero(common), repeats_error = VectorXd::Zero(common);
   row = 0;
   for (const CommonFit& c : cases) {
     const RowsByCondition& rows = *c.rows;
@@ -67,6 +84,10 @@ std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cas
     row += rows.entries.rows();
     const Eigen::PartialPivLU<MatrixXd> kept(rows.kept);
     const VectorXd left = left_by_common_fit(c);
+    const double noise = rows.repeat_variance / (rows.residual_sd * rows.residual_sd);
+    const VectorXd of_case = noise * (spread * part.transpose()).rowwise().squaredNorm();
+    repeats += of_case;
+    if (rows.repeat_freedom > 0) repeats_error += of_case.cwiseAbs2() / rows.repeat_freedom;
     for (std::size_t g = 0; g < rows.gram.size(); ++g) {
       const MatrixXd gram = part.transpose() * rows.gram[g] * kept.solve(part);
       const MatrixXd symmetric = 0.5 * (gram + gram.transpose());
@@ -97,6 +118,7 @@ std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cas
     const double trace = forms.trace(), square = forms.squaredNorm();
     if (trace > 0 && square > 0) result.degrees_of_freedom(p) = trace * trace / square;
   }
+  keep_above(repeats, repeats_error, result);
   return result;
 }
 

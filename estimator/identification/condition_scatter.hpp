@@ -16,6 +16,9 @@ struct RowsByCondition {
   Eigen::VectorXd estimate;   ///< coordinates of the case's own estimate
   Eigen::MatrixXd kept;       ///< LinearFit::kept
   double residual_sd = 1;
+  /// Of rows about the mean of what is the same equation of the same condition: what noise alone makes of them.
+  double repeat_variance = 0;
+  double repeat_freedom = 0;
   std::vector<Eigen::MatrixXd> gram;   ///< by condition, coordinates x coordinates
   std::vector<Eigen::VectorXd> score;  ///< by condition: rows times residuals of the case's own estimate
 };

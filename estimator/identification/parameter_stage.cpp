@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <tuple>
 
 #include "estimator/identification/case_quality.hpp"
 #include "estimator/identification/estimation.hpp"
@@ -37,6 +39,30 @@ MatrixXd known_combinations(const LinearFit& fit, const std::vector<Index>& lost
          scale.cwiseInverse().asDiagonal();
 }
 
+// Each phase that is unknown takes up one row of its observation's.
+void note_repeats(const CaseFit& fit, RowsByCondition& rows) {
+  struct Repeats {
+    double count = 0, sum = 0, squares = 0;
+  };
+  std::map<std::tuple<int, std::size_t, EquationPart>, Repeats> equations;
+  const WhitenedSystem& system = fit.system;
+  for (Index r = 0; r < fit.fit.residual.size(); ++r) {
+    const auto at = static_cast<std::size_t>(r);
+    Repeats& repeats = equations[{system.condition[at], system.block[at], system.part[at]}];
+    repeats.count += 1;
+    repeats.sum += fit.fit.residual(r);
+    repeats.squares += fit.fit.residual(r) * fit.fit.residual(r);
+  }
+  double squares = 0, freedom = 0;
+  for (const auto& [equation, repeats] : equations) {
+    squares += std::max(0.0, repeats.squares - repeats.sum * repeats.sum / repeats.count);
+    freedom += repeats.count - 1;
+  }
+  const auto all = static_cast<double>(fit.fit.residual.size());
+  rows.repeat_freedom = freedom * (1 - static_cast<double>(system.by_phase.size()) / all);
+  rows.repeat_variance = rows.repeat_freedom > 0 ? squares / rows.repeat_freedom : 0;
+}
+
 // `used`: columns that parameters make. What the case has lost may be anything.
 RowsByCondition rows_of(const CaseFit& fit, const std::vector<Index>& used) {
   const LinearFit& regression = fit.fit;
@@ -55,6 +81,7 @@ RowsByCondition rows_of(const CaseFit& fit, const std::vector<Index>& used) {
   rows.estimate = coordinates * (regression.coefficients - fit.reference);
   rows.kept = regression.kept;
   rows.residual_sd = regression.residual_sd;
+  note_repeats(fit, rows);
   rows.gram = regression.cluster_gram;
   rows.score = regression.cluster_score;
   return rows;

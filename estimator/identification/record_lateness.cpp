@@ -292,6 +292,7 @@ UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const Me
 
 bool refine_phases(UnknownPhases& unknown, std::span<const ObservationSet> corrected, const MeasuredUnits& units,
                    const EstimateOptions& options, const Estimate& estimate) {
+  if (corrected.empty()) return false;
   const Estimation e(corrected, units, options);
   bool moved = false;
   for (std::size_t s = 0; s < e.sets.size(); ++s) {

@@ -68,7 +68,7 @@ UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const Me
 /// Phases once more, at equations that truncation has been taken out of, `corrected`: those of truncated equations
 /// are off by more than their errors, and the square of that is no longer nothing (docs/inference.md (16)). Turns
 /// the excitations of `unknown.sets` and moves the lateness of their records; false where nothing moves by more
-/// than a tenth of its standard deviation.
+/// than a tenth of its standard deviation, or where nothing could be corrected (no sets).
 bool refine_phases(UnknownPhases& unknown, std::span<const ObservationSet> corrected, const MeasuredUnits& units,
                    const EstimateOptions& options, const Estimate& estimate);
 

@@ -27,10 +27,10 @@ bool is_lattice(const ValueGrid& grid, double level);
 std::optional<ConverterLattice> repeating_lattice(const SearchedChannel& channel, double level);
 
 /// What rounding to the lattice adds to a value x in the mean, with Gaussian noise of that sd before it
-/// (docs/inference.md (27)). Exact for an sd of a tenth of a step or more.
+/// (docs/inference.md (28)). Exact for an sd of a tenth of a step or more.
 double mean_rounding(double x, const ConverterLattice& lattice, double sd);
 
-/// Takes what rounding adds in the mean out of `samples`: (27) at the motion that tones at `frequencies_hz` and a
+/// Takes what rounding adds in the mean out of `samples`: (28) at the motion that tones at `frequencies_hz` and a
 /// straight line make in each block of `block` samples, again and again until motion and rounding agree. A block in
 /// which they do not stays as it is. `skip`: samples, rising, that no converter has rounded.
 void take_out_rounding(std::span<double> samples, double rate_hz, const std::vector<double>& frequencies_hz,

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <random>
 #include <utility>
@@ -170,7 +172,7 @@ TEST(SlowRecordScatter, IsInTheErrorBars) {
 TEST(SlowRecordScatter, IsNotToldOfDecaysOfOneStructure) {
   const Experiment experiment = shipped_experiment("pendulum_decay");
   const CompiledModel& model = *generated::find_compiled_model(experiment.model);
-  double above = 0, held = 0;
+  double above = 0, held = 0, inside = 0;
   const int draws = 20;
   for (std::uint64_t seed = 101; seed < 101 + draws; ++seed) {
     const Estimate estimate = identified(decays(experiment, model, 0, seed), model);
@@ -179,7 +181,12 @@ TEST(SlowRecordScatter, IsNotToldOfDecaysOfOneStructure) {
     EXPECT_GT(v.between_records->p_value, 1e-3) << seed;
     above += v.between_records->p_value < 0.5;
     held += v.between_records->low == 0;
+    const Interval interval = confidence_interval(*v.value, v.sd, v.degrees_of_freedom);
+    inside += interval.low <= experiment.parameters(0) && experiment.parameters(0) <= interval.high;
+    EXPECT_LT(std::abs(*v.value - experiment.parameters(0)), 6 * v.sd) << seed;
+    if (std::getenv("DBG")) fprintf(stderr, "omega z %.2f sd %.2g dof %.1f between %.2g\n", (*v.value - experiment.parameters(0)) / v.sd, v.sd / experiment.parameters(0), v.degrees_of_freedom, v.between_records->sd/ experiment.parameters(0));
   }
+  EXPECT_GE(inside, 0.95 * draws - 3.3 * std::sqrt(0.05 * 0.95 * draws));
   EXPECT_NEAR(above, 0.5 * draws, 3.3 * std::sqrt(0.25 * draws));
   EXPECT_GE(held, 0.975 * draws - 3.3 * std::sqrt(0.025 * draws));
 }
