@@ -128,7 +128,6 @@ TEST(ConditionScatter, IntervalsHoldWithUnequalConditions) {
     const double share = static_cast<double>(inside) / draws;
     EXPECT_GE(share, 0.945 - 0.015) << "shared " << shared;
     EXPECT_LE(share, 0.968 + 0.012) << "shared " << shared;
-    fprintf(stderr, "shared %g: %g\n", shared, share);
   }
 }
 

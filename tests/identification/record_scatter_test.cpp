@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <random>
 #include <utility>
@@ -184,7 +182,6 @@ TEST(SlowRecordScatter, IsNotToldOfDecaysOfOneStructure) {
     const Interval interval = confidence_interval(*v.value, v.sd, v.degrees_of_freedom);
     inside += interval.low <= experiment.parameters(0) && experiment.parameters(0) <= interval.high;
     EXPECT_LT(std::abs(*v.value - experiment.parameters(0)), 6 * v.sd) << seed;
-    if (std::getenv("DBG")) fprintf(stderr, "omega z %.2f sd %.2g dof %.1f between %.2g\n", (*v.value - experiment.parameters(0)) / v.sd, v.sd / experiment.parameters(0), v.degrees_of_freedom, v.between_records->sd/ experiment.parameters(0));
   }
   EXPECT_GE(inside, 0.95 * draws - 3.3 * std::sqrt(0.05 * 0.95 * draws));
   EXPECT_NEAR(above, 0.5 * draws, 3.3 * std::sqrt(0.25 * draws));
