@@ -30,6 +30,10 @@ constexpr double separate_bins = 2.5, comfortable_bins = 3, bins_from_constant =
 /// where they do not separate it, it is left out.
 constexpr double near_harmonic = 0.15;
 
+/// A mode that moves further than this, in bins, from where it was expected is another motion or noise (what is
+/// slow in an acceleration looks like a large displacement): it is not seen.
+constexpr double still_the_mode = 0.5;
+
 /// Steps to the frequency at the window's centre; each leaves the square of its distance in bins.
 constexpr int frequency_steps = 6;
 
@@ -155,6 +159,7 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
   const double noise = window_.noise_factor(rate);
   SlowToneFit seen;
   Tones list;
+  const VectorXd expected = frequency;
   for (int step = 0; step < frequency_steps; ++step) {
     list = tones(frequency, seconds, rate);
     seen = fit_slow_tones(modal, rate, list.frequency, degree, rectifies_ ? degree : 0);
@@ -178,6 +183,7 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
       const Integration to({0, w}, d);
       o.amplitude_sd[k] = std::abs(to.value) * seen.sd[0](tone, at);
       if (2 * std::abs(y0) < seen_above_noise * seen.noise_sd(at)) continue;
+      if (std::abs(frequency(at) - expected(at)) > still_the_mode * two_pi / seconds) continue;
       o.amplitude[k] = to.value * y0 + to.slope * y1 + to.curvature * y2;
       const Complex slope = to.value * y1 + to.slope * y2, a = o.amplitude[k];
       o.rate[k] = Complex(0, w) + slope / a;
@@ -192,6 +198,8 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
     }
     if (moved < 1e-3) break;
   }
+  for (const std::size_t k : oscillating_)
+    if (o.growth_sd[k] < 0) frequency(static_cast<Index>(k)) = expected(static_cast<Index>(k));
   window.noise_sd = seen.noise_sd;
   window.degrees_of_freedom = static_cast<double>(seen.degrees_of_freedom);
   for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {

@@ -10,6 +10,7 @@
 #include "blind/case_files.hpp"
 #include "blind/score_set.hpp"
 #include "blind/sealed_set.hpp"
+#include "blind/sha256.hpp"
 #include "input/input_error.hpp"
 #include "tests/places.hpp"
 #include "tests/process_folder.hpp"
@@ -63,7 +64,10 @@ TEST(EstimateSet, IdentifiesEveryCaseOnceAndScoresIt) {
 
 TEST(EstimateSet, RefusesASetThatWithholdsSomething) {
   const fs::path folder = testing_support::process_folder() / "withheld";
-  generate_set(folder, {.cases = 1, .seed = 12}, {});
+  fs::create_directories(folder);
+  const std::string labels = json{{"schema", 1}, {"cases", 0}, {"labels", json::array()}}.dump();
+  write_text(folder / "labels.json", labels);
+  write_text(folder / "labels.sha256", sha256(labels) + "  labels.json\n");
   EXPECT_THROW(score_estimates(folder), InputError);
   fs::remove_all(folder);
 }
