@@ -109,7 +109,7 @@ struct Side {
 
 Side judge_side(std::span<const double> samples, const std::vector<double>& sorted, double sign, double quantum) {
   const double range = sorted.back() - sorted.front(), extreme = sign > 0 ? sorted.back() : sorted.front();
-  const double same = 1e-9 * range;  // differences by arithmetic on a stuck value
+  const double same = equal_within(sorted);
   Side side;
   std::size_t short_runs = 0, samples_in_short_runs = 0;
   std::vector<Peak> peaks;

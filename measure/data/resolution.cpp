@@ -12,6 +12,10 @@ std::vector<double> in_order(std::span<const double> samples) {
   return sorted;
 }
 
+double equal_within(const std::vector<double>& sorted) {
+  return 1e-8 * std::max(std::abs(sorted.front()), std::abs(sorted.back()));
+}
+
 ValueGrid value_grid(std::span<const double> samples) {
   return grid_of_sorted(in_order(samples));
 }
@@ -19,8 +23,7 @@ ValueGrid value_grid(std::span<const double> samples) {
 ValueGrid grid_of_sorted(const std::vector<double>& sorted) {
   ValueGrid grid;
   if (sorted.empty()) return grid;
-  // Differences below this come from arithmetic on the quantised values (a factor, an offset).
-  const double same = 1e-9 * (sorted.back() - sorted.front());
+  const double same = equal_within(sorted);
   std::vector<double> gaps;
   double level = sorted.front();
   for (const double value : sorted) {

@@ -9,10 +9,15 @@ namespace secular {
 
 /// The grid that finite samples lie on, as an encoder, a converter or printed decimals leave it.
 struct ValueGrid {
-  std::size_t levels = 0;      ///< different values, up to a billionth of the range
+  std::size_t levels = 0;      ///< different values (equal_within)
   std::optional<double> step;  ///< smallest gap between levels, if (nearly) all gaps are multiples of it
   bool visited = false;  ///< most neighbouring levels are few steps apart: the step is the channel's resolution
 };
+
+/// Values that differ by no more are equal: arithmetic on quantised ones (a factor, an offset) leaves such
+/// differences. A hundred-millionth of the largest magnitude is a sixth of a step of 24 bits, and five times what a
+/// relative change of 1e-9 makes of equal values.
+double equal_within(const std::vector<double>& sorted);
 
 /// Sorts a copy of the samples: O(n log n). All samples must be finite.
 ValueGrid value_grid(std::span<const double> samples);

@@ -21,14 +21,14 @@ constexpr double sd_of_median = 1.4826;  // normal law: sd over the median of ab
 class LocalGaps {
  public:
   explicit LocalGaps(const std::vector<double>& sorted) {
-    const double same = 1e-9 * (sorted.back() - sorted.front());  // arithmetic on one value
+    const double same = equal_within(sorted);
     for (std::size_t begin = 0; begin < sorted.size(); begin += neighbours) {
       double gap = std::numeric_limits<double>::infinity();
       const std::size_t end = std::min(sorted.size(), begin + neighbours + 1);
       for (std::size_t i = begin + 1; i < end; ++i)
         if (sorted[i] - sorted[i - 1] > same) gap = std::min(gap, sorted[i] - sorted[i - 1]);
       first_.push_back(sorted[begin]);
-      gap_.push_back(gap);
+      gap_.push_back(std::max(gap, 2 * same));
     }
   }
   double at(double value) const {
@@ -74,16 +74,18 @@ HeldSamples find_held(std::span<const double> x, const ChannelValues& values, do
   HeldSamples held;
   if (x.size() < block || values.clipping.found() || !(values.sorted.back() > values.sorted.front())) return held;
   bool any = false;
-  for (std::size_t i = 2; i + 1 < x.size() && !any; ++i) any = x[i] == x[i - 1];
+  held.same = equal_within(values.sorted);
+  const auto equals = [&](std::size_t i, std::size_t j) { return std::abs(x[i] - x[j]) <= held.same; };
+  for (std::size_t i = 2; i + 1 < x.size() && !any; ++i) any = equals(i, i - 1);
   if (!any) return held;
   const LocalGaps gaps(values.sorted);
   const std::vector<double> scatter = scatters(x);
   std::size_t runs = 0;
   for (std::size_t i = 2; i + 1 < x.size(); ++i) {
     std::size_t end = i + 1;
-    const bool equal = x[i] == x[i - 1];
+    const bool equal = equals(i, i - 1);
     if (equal)
-      while (end < x.size() && x[end] == x[i]) ++end;
+      while (end < x.size() && equals(end, i)) ++end;
     if (end == x.size()) break;
     const double p = chance(gaps.at(x[i - 1]), scatter[(i - 2) / block], slope_around(x, i, end));
     held.expected += p;

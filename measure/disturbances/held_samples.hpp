@@ -13,6 +13,7 @@ struct HeldSamples {
   std::vector<std::size_t> at;  ///< first of every run, in ascending order; empty where chance explains them
   std::size_t samples = 0;      ///< in all runs
   double expected = 0;          ///< runs that chance makes, at most
+  double same = 0;              ///< samples that differ by no more repeat
 };
 
 /// A sample equals the one before by chance with a probability of at most q times the density of their difference

@@ -27,7 +27,7 @@ std::vector<std::size_t> wrong_samples(const SearchedRecord& look, std::size_t c
   const SearchedChannel& channel = look.channels[c];
   if (is_held(channel))
     for (std::size_t i : channel.held.at)
-      for (; i < x.size() && x[i] == x[i - 1]; ++i) wrong.push_back(i);
+      for (; i < x.size() && std::abs(x[i] - x[i - 1]) <= channel.held.same; ++i) wrong.push_back(i);
   if (has_spikes(look, c))
     for (const Impulses::One& spike : channel.impulses.spikes) wrong.push_back(spike.at);
   std::sort(wrong.begin(), wrong.end());

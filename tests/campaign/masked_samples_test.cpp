@@ -129,6 +129,26 @@ TEST_F(MaskedSamples, HeldSamplesAndSpikesAreReplaced) {
   EXPECT_LT(worst, 0.01);
 }
 
+// What a relative change of 1e-9 moves would hang on rounding. An offset makes equal samples differ most.
+TEST_F(MaskedSamples, HeldSamplesAndStepsAreTheSameThroughRounding) {
+  std::vector<double> held = signal(1e-3), stepped = signal(5e-3);
+  for (double& x : held) x += 8;
+  for (std::size_t i = 60; i + 60 < samples; i += 131) held[i] = held[i - 1];
+  for (double& x : stepped) x = 0.05 * std::round((x + 8) / 0.05);
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto jittered = [&](std::vector<double> x) {
+    for (double& value : x) value *= 1 + 1e-9 * uniform(random);
+    return x;
+  };
+  for (const std::vector<double>& x : {held, stepped}) {
+    const Record plain = read_masked(written(folder, x, {}));
+    const Record moved = read_masked(written(folder, jittered(x), {}));
+    EXPECT_NE(plain.channels[1], x);
+    for (std::size_t i = 0; i < samples; ++i) EXPECT_NEAR(moved.channels[1][i], plain.channels[1][i], 1e-6) << i;
+  }
+}
+
 TEST_F(MaskedSamples, ACleanRecordIsReadAsItIs) {
   const std::vector<double> x = signal(1e-3);
   const Campaign campaign = written(folder, x, {});
