@@ -18,7 +18,7 @@
 #include "perturb/model.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/places.hpp"
-#include "tests/runtime/compare_models.hpp"
+#include "tests/runtime/compare_lanes.hpp"
 
 namespace secular {
 namespace {
@@ -125,6 +125,11 @@ TEST_F(RuntimeModels, EqualTheCompiledInAndTheInterpreted) {
     expect_same_tables(compiled_in, *interpreted.model);
     EXPECT_LT(largest_difference(compiled_in, *interpreted.model, 20), 1e-12) << name;
   }
+}
+
+TEST(ShippedModels, ComputeMotionsSideBySideAsEachAlone) {
+  for (const CompiledModel* model : generated::compiled_models())
+    test::expect_lanes_of_each(*model, test::points_of_lanes(*model, 7));
 }
 
 TEST_F(RuntimeModels, TwoModesCompiledEqualInterpreted) {
