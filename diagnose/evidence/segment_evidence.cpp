@@ -6,8 +6,9 @@
 #include <complex>
 #include <limits>
 
-#include "diagnose/evidence/saturation.hpp"
+#include "diagnose/evidence/segment_readings.hpp"
 #include "numerics/hertz.hpp"
+#include "numerics/in_parallel.hpp"
 #include "numerics/median.hpp"
 #include "numerics/third_differences.hpp"
 
@@ -114,64 +115,47 @@ Index SegmentEvidence::freedom() const {
   return size() - static_cast<Index>(4 * model_->modes() * segments_.size()) - at_jumps;
 }
 
-VectorXd SegmentEvidence::errors(const Segment& s, const VectorXd& unknowns, const VectorXd& state, Index samples,
-                                 const std::vector<LinearChange>& change, std::vector<Index>* jumps) const {
-  const std::size_t symbols = model_->symbols.size();
-  const Faults faults = table_.faults(unknowns.data() + symbols);
-  std::vector<double> parameters(unknowns.data(), unknowns.data() + symbols);
+MotionStart SegmentEvidence::start_of(const Segment& s, const Trial& trial, const Faults& faults) const {
+  MotionStart start;
+  start.parameters.assign(trial.unknowns.data(), trial.unknowns.data() + model_->symbols.size());
   for (std::size_t k = 0; k < model_->modes(); ++k) {
-    parameters[k] *= 1 + faults.frequency_drift[k] * s.time_s;
-    if (s.frequency_shift.size() > 0) parameters[k] *= 1 + s.frequency_shift(static_cast<Index>(k));
+    start.parameters[k] *= 1 + faults.frequency_drift[k] * s.time_s;
+    if (s.frequency_shift.size() > 0) start.parameters[k] *= 1 + s.frequency_shift(static_cast<Index>(k));
   }
-  DrivingSignal signal;
-  signal.sample_s = s.sample_s;
-  signal.half_steps = s.excitation;
-  for (Index j = 0; j < signal.half_steps.rows(); ++j) {
-    const ChannelFaults& fault = faults.excitation[static_cast<std::size_t>(j)];
-    if (fault.offset != 0) signal.half_steps.row(j).array() -= fault.offset;
-    if (fault.gain != 0) signal.half_steps.row(j) /= 1 + fault.gain;
-    if (fault.delay != 0) {
-      // Measured late: the true signal is ahead by the delay.
-      const Eigen::RowVectorXd late = signal.half_steps.row(j);
-      const double shift = fault.delay / (0.5 * s.sample_s);
-      for (Index i = 0; i < late.size(); ++i) {
-        const double at = std::clamp(static_cast<double>(i) + shift, 0.0, static_cast<double>(late.size() - 1));
-        const auto low = std::min<Index>(static_cast<Index>(at), late.size() - 2);
-        signal.half_steps(j, i) = late(low) + (at - static_cast<double>(low)) * (late(low + 1) - late(low));
-      }
-    }
+  start.state = trial.state;
+  start.change = trial.change;
+  const std::vector<double>& extra = faults.extra.amplitude;
+  if (s.excitation.rows() > 0 && std::any_of(extra.begin(), extra.end(), [](double a) { return a != 0; }))
+    start.side = SideOscillator{faults.extra.frequency, faults.extra.damping};
+  return start;
+}
+
+std::vector<VectorXd> SegmentEvidence::errors(const Segment& s, const std::vector<Trial>& trials, Index samples,
+                                              std::vector<Index>* jumps) const {
+  std::vector<Faults> faults;
+  std::vector<MotionStart> starts;
+  for (const Trial& trial : trials) {
+    faults.push_back(table_.faults(trial.unknowns.data() + model_->symbols.size()));
+    starts.push_back(start_of(s, trial, faults.back()));
   }
-  const bool extra =
-      signal.half_steps.rows() > 0 &&
-      std::any_of(faults.extra.amplitude.begin(), faults.extra.amplitude.end(), [](double a) { return a != 0; });
-  const SideOscillator side{faults.extra.frequency, faults.extra.damping};
-  const StretchOfMotion motion = integrate_stretch(*model_, forces_, parameters, signal, state, samples, s.substeps,
-                                                   change, extra ? &side : nullptr);
-  if (jumps) *jumps = motion.jumps;
-  MatrixXd shapes = sensors_.shapes;
-  if (!faults.mixing.isZero(0)) shapes += sensors_.shapes * faults.mixing;
-  MatrixXd seen = shapes * (sensors_.derivatives == 2   ? motion.acceleration
-                            : sensors_.derivatives == 1 ? motion.velocity
-                                                        : motion.displacement);
-  VectorXd all(seen.rows() * samples);
-  for (Index c = 0; c < seen.rows(); ++c) {
-    const ChannelFaults& fault = faults.response[static_cast<std::size_t>(c)];
-    if (extra) seen.row(c) += faults.extra.amplitude[static_cast<std::size_t>(c)] * motion.side;
-    if (fault.cross != 0 && signal.half_steps.rows() > 0)
-      for (Index i = 0; i < samples; ++i) seen(c, i) += fault.cross * signal.half_steps(0, 2 * i);
-    if (fault.delay != 0) {
-      const Eigen::RowVectorXd prompt = seen.row(c);
-      const double shift = fault.delay / s.sample_s;
-      for (Index i = 0; i < samples; ++i) {
-        const Index low = std::clamp<Index>(i, 1, samples - 2);
-        seen(c, i) = prompt(i) - shift * 0.5 * (prompt(low + 1) - prompt(low - 1));
-      }
+  std::vector<VectorXd> all(trials.size());
+  // Motions go side by side that the same signal drives.
+  std::vector<bool> done(trials.size(), false);
+  for (std::size_t first = 0; first < trials.size(); ++first) {
+    if (done[first]) continue;
+    std::vector<std::size_t> same;
+    for (std::size_t i = first; i < trials.size(); ++i)
+      if (!done[i] && drive_alike(s, faults[first].excitation, faults[i].excitation)) same.push_back(i);
+    std::vector<MotionStart> together;
+    for (const std::size_t i : same) together.push_back(starts[i]);
+    const DrivingSignal signal = true_signal(s, faults[first].excitation);
+    const std::vector<StretchOfMotion> motions =
+        MotionIntegrator(*model_, forces_, signal, s.substeps).motions(together, samples);
+    for (std::size_t m = 0; m < same.size(); ++m) {
+      all[same[m]] = reading_errors(s, sensors_, faults[same[m]], signal, motions[m]);
+      done[same[m]] = true;
     }
-    seen.row(c) *= 1 + fault.gain;
-    if (fault.saturates())
-      for (double& reading : seen.row(c)) reading = saturated(reading, fault.level(), s.noise_sd(c));
-    seen.row(c).array() += fault.offset;
-    all.segment(c * samples, samples) = (s.response.row(c).head(samples) - seen.row(c)).transpose() / s.noise_sd(c);
+    if (first == 0 && jumps) *jumps = motions.front().jumps;
   }
   return all;
 }
@@ -205,7 +189,7 @@ double SegmentEvidence::improve_state(const Segment& s, const VectorXd& unknowns
                                       const std::vector<Index>& at_jumps) const {
   const auto size = static_cast<Index>(2 * model_->modes());
   const auto errors_from = [&](const VectorXd& at) {
-    return silenced(errors(s, unknowns, at, samples, {}), samples, at_jumps);
+    return silenced(errors(s, unknowns, at, samples), samples, at_jumps);
   };
   // Scales of displacement and velocity from the channels.
   const double frequency = unknowns(0);
@@ -217,12 +201,12 @@ double SegmentEvidence::improve_state(const Segment& s, const VectorXd& unknowns
   step.tail(size / 2).setConstant(1e-4 * largest * frequency);
   VectorXd error = errors_from(state);
   for (int i = 0; i < 10; ++i) {
+    std::vector<Trial> trials(static_cast<std::size_t>(size), {unknowns, state});
+    for (Index k = 0; k < size; ++k) trials[static_cast<std::size_t>(k)].state(k) += step(k);
+    const std::vector<VectorXd> moved_errors = errors(s, trials, samples);
     MatrixXd slope(error.size(), size);
-    for (Index k = 0; k < size; ++k) {
-      VectorXd moved = state;
-      moved(k) += step(k);
-      slope.col(k) = errors_from(moved) - error;
-    }
+    for (Index k = 0; k < size; ++k)
+      slope.col(k) = silenced(moved_errors[static_cast<std::size_t>(k)], samples, at_jumps) - error;
     const VectorXd change = -slope.colPivHouseholderQr().solve(error);
     if (!change.allFinite()) break;
     double factor = 1, gain = -1;
@@ -250,11 +234,11 @@ void SegmentEvidence::find_state(const Segment& s, const VectorXd& unknowns, Vec
   state = fresh;
 }
 
-VectorXd SegmentEvidence::frozen_errors(std::size_t segment, const VectorXd& unknowns, const VectorXd& state,
-                                        const std::vector<LinearChange>& change) const {
-  const Segment& s = segments_[segment];
-  const Index samples = s.response.cols();
-  return silenced(errors(s, unknowns, state, samples, change), samples, frozen_[segment].at_jumps);
+std::vector<VectorXd> SegmentEvidence::frozen_errors(std::size_t segment, const std::vector<Trial>& trials) const {
+  const Index samples = segments_[segment].response.cols();
+  std::vector<VectorXd> all = errors(segments_[segment], trials, samples);
+  for (VectorXd& error : all) error = silenced(std::move(error), samples, frozen_[segment].at_jumps);
+  return all;
 }
 
 void SegmentEvidence::freeze_segment(std::size_t segment, const VectorXd& unknowns, double coarse) {
@@ -265,7 +249,7 @@ void SegmentEvidence::freeze_segment(std::size_t segment, const VectorXd& unknow
   f.at_jumps.clear();
   if (sensors_.derivatives == 2) {
     std::vector<Index> jumps;
-    errors(s, unknowns, f.state, samples, {}, &jumps);
+    errors(s, {{unknowns, f.state}}, samples, &jumps);
     for (const Index before : jumps)
       for (const Index sample : {before, before + 1})
         if (f.at_jumps.empty() || f.at_jumps.back() < sample) f.at_jumps.push_back(sample);
@@ -277,26 +261,34 @@ void SegmentEvidence::freeze_segment(std::size_t segment, const VectorXd& unknow
                         std::sqrt(static_cast<double>(samples));
     f.widening = std::hypot(1.0, std::sqrt(coarse) * size);
   }
-  const VectorXd error = frozen_errors(segment, unknowns, f.state, {});
-  const auto modes = static_cast<Index>(model_->modes());
-  MatrixXd slope(error.size(), 2 * modes);
+  freeze_bases(segment, unknowns);
+}
+
+void SegmentEvidence::freeze_bases(std::size_t segment, const VectorXd& unknowns) {
+  Frozen& f = frozen_[segment];
+  const auto modes = model_->modes();
   const VectorXd size = f.state.cwiseAbs().cwiseMax(1e-3 * f.state.cwiseAbs().maxCoeff() + 1e-30);
-  for (Index k = 0; k < 2 * modes; ++k) {
-    VectorXd moved = f.state;
-    moved(k) += 1e-4 * size(k);
-    slope.col(k) = (frozen_errors(segment, unknowns, moved, {}) - error) * 1e4;
+  // As it is, then with each part of the state and each mode's stiffness and damping changed.
+  std::vector<Trial> trials(1 + 4 * modes, {unknowns, f.state});
+  for (std::size_t i = 0; i < 2 * modes; ++i) {
+    const auto row = static_cast<Index>(i);
+    trials[1 + i].state(row) += 1e-4 * size(row);
   }
-  f.state_basis = beyond(MatrixXd(error.size(), 0), slope);
-  MatrixXd changes(error.size(), 2 * modes);
-  for (Index k = 0; k < modes; ++k) {
-    const double w = unknowns(k);
-    std::vector<LinearChange> change(static_cast<std::size_t>(modes));
-    change[static_cast<std::size_t>(k)].stiffness = 1e-6 * w * w;
-    changes.col(2 * k) = (frozen_errors(segment, unknowns, f.state, change) - error) * 1e6;
-    change[static_cast<std::size_t>(k)] = {0, 1e-6 * w};
-    changes.col(2 * k + 1) = (frozen_errors(segment, unknowns, f.state, change) - error) * 1e6;
+  for (std::size_t k = 0; k < modes; ++k) {
+    const double w = unknowns(static_cast<Index>(k));
+    for (const std::size_t i : {2 * k, 2 * k + 1}) trials[1 + 2 * modes + i].change.resize(modes);
+    trials[1 + 2 * modes + 2 * k].change[k].stiffness = 1e-6 * w * w;
+    trials[2 + 2 * modes + 2 * k].change[k].damping = 1e-6 * w;
   }
-  f.change_basis = beyond(f.state_basis, changes);
+  const std::vector<VectorXd> errors = frozen_errors(segment, trials);
+  const auto differences = [&](std::size_t first, double scale) {
+    MatrixXd columns(errors.front().size(), static_cast<Index>(2 * modes));
+    for (std::size_t i = 0; i < 2 * modes; ++i)
+      columns.col(static_cast<Index>(i)) = (errors[first + i] - errors.front()) * scale;
+    return columns;
+  };
+  f.state_basis = beyond(MatrixXd(errors.front().size(), 0), differences(1, 1e4));
+  f.change_basis = beyond(f.state_basis, differences(1 + 2 * modes, 1e6));
 }
 
 void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
@@ -329,7 +321,7 @@ void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
     for (std::size_t i = first; i < end; ++i) {
       const Frozen& f = frozen_[i];
       const auto column = static_cast<Index>(i - first);
-      const VectorXd error = frozen_errors(i, unknowns, f.state, {});
+      const VectorXd error = frozen_errors(i, unknowns);
       white(column) = white_variance(error, segments_[i].response.cols());
       changes.col(column) = f.change_basis.transpose() * error;
       const double squares = error.squaredNorm() - (f.state_basis.transpose() * error).squaredNorm() -
@@ -362,10 +354,8 @@ void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> ro
   }
   Index first = 0;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    VectorXd error = frozen_errors(i, unknowns, frozen_[i].state, {});
-    const Index count = frozen_[i].change_basis.cols() + error.size();
-    rows_of(i, std::move(error), rows.segment(first, count));
-    first += count;
+    rows_of(i, frozen_errors(i, unknowns), rows.segment(first, rows_in(i)));
+    first += rows_in(i);
   }
 }
 
@@ -388,9 +378,8 @@ VectorXd SegmentEvidence::offset_slopes(std::size_t channel, double scale) const
     const Index samples = s.response.cols(), c = static_cast<Index>(channel);
     VectorXd error = VectorXd::Zero(s.response.rows() * samples);
     error.segment(c * samples, samples).setConstant(-scale / s.noise_sd(c));
-    const Index count = frozen_[i].change_basis.cols() + error.size();
-    rows_of(i, silenced(std::move(error), samples, frozen_[i].at_jumps), column.segment(first, count));
-    first += count;
+    rows_of(i, silenced(std::move(error), samples, frozen_[i].at_jumps), column.segment(first, rows_in(i)));
+    first += rows_in(i);
   }
   return column;
 }
@@ -412,7 +401,52 @@ MatrixXd SegmentEvidence::slopes(const VectorXd& unknowns, const std::vector<std
       places.push_back(place);
     }
   }
-  columns(Eigen::all, places) = Evidence::slopes(unknowns, others, scale(places), threads);
+  columns(Eigen::all, places) = differences(unknowns, others, scale(places), threads);
+  return columns;
+}
+
+void SegmentEvidence::segment_differences(std::size_t segment, const std::vector<VectorXd>& ends,
+                                          Eigen::Ref<MatrixXd> rows) const {
+  std::vector<Trial> trials;
+  for (const VectorXd& end : ends) trials.push_back({end, frozen_[segment].state});
+  std::vector<VectorXd> errors = frozen_errors(segment, trials);
+  VectorXd up(rows.rows()), down(rows.rows());
+  for (Index i = 0; i < rows.cols(); ++i) {
+    const auto end = static_cast<std::size_t>(2 * i);
+    rows_of(segment, std::move(errors[end]), up);
+    rows_of(segment, std::move(errors[end + 1]), down);
+    rows.col(i) = up - down;
+  }
+}
+
+MatrixXd SegmentEvidence::differences(const VectorXd& unknowns, const std::vector<std::size_t>& which,
+                                      const VectorXd& scale, unsigned threads) const {
+  constexpr std::size_t together = Lanes::count / 2;  // either side of each
+  MatrixXd columns(size(), static_cast<Index>(which.size()));
+  std::vector<Index> first{0};
+  for (std::size_t i = 0; i < segments_.size(); ++i) first.push_back(first.back() + rows_in(i));
+  const std::size_t groups = (which.size() + together - 1) / together;
+  const auto moved = [&](std::size_t w, double side) {
+    VectorXd end = unknowns;
+    end(static_cast<Index>(which[w])) += side * scale(static_cast<Index>(w));
+    return end;
+  };
+  in_parallel(segments_.size() * groups, threads, [&](std::size_t task) {
+    const std::size_t segment = task / groups, begin = task % groups * together,
+                      end = std::min(begin + together, which.size());
+    std::vector<VectorXd> ends;
+    for (std::size_t w = begin; w < end; ++w)
+      for (const double side : {0.5, -0.5}) ends.push_back(moved(w, side));
+    segment_differences(segment, ends,
+                        columns.block(first[segment], static_cast<Index>(begin), rows_in(segment),
+                                      static_cast<Index>(end - begin)));
+  });
+  for (std::size_t w = 0; w < which.size(); ++w) {
+    auto column = columns.col(static_cast<Index>(w));
+    const bool there =
+        has_frequencies(moved(w, 0.5), model_->modes()) && has_frequencies(moved(w, -0.5), model_->modes());
+    if (!there || !column.allFinite()) column.setZero();
+  }
   return columns;
 }
 
@@ -438,7 +472,7 @@ VectorXd SegmentEvidence::mean_square_error(const VectorXd& unknowns) const {
     VectorXd state = frozen_[i].state;
     find_state(s, unknowns, state);
     const Index samples = s.response.cols();
-    const VectorXd error = errors(s, unknowns, state, samples, {});
+    const VectorXd error = errors(s, unknowns, state, samples);
     for (Index c = 0; c < channels; ++c)
       sum(c) += error.segment(c * samples, samples).squaredNorm() * s.noise_sd(c) * s.noise_sd(c);
     count += static_cast<double>(samples);

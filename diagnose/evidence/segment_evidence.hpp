@@ -27,7 +27,8 @@ class SegmentEvidence : public Evidence {
   void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
   void shift_frequencies(const std::map<std::size_t, Eigen::VectorXd>& shifts) override;
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
-  /// Offsets of response channels, which no motion depends on, in closed form; the others by differences.
+  /// Offsets of response channels, which no motion depends on, in closed form; the others by differences of motions
+  /// that are integrated side by side.
   Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale, unsigned threads) const override;
 
@@ -63,10 +64,20 @@ class SegmentEvidence : public Evidence {
     Eigen::VectorXd change_sd;  // of the first rows
     double rest_sd = 1;         // of the others
   };
-  /// `jumps`: see StretchOfMotion.
+  /// What a segment is computed with.
+  struct Trial {
+    const Eigen::VectorXd& unknowns;
+    Eigen::VectorXd state;
+    std::vector<LinearChange> change = {};
+  };
+  /// Of the first samples, by trial. `jumps`: of the first trial's motion, see StretchOfMotion.
+  std::vector<Eigen::VectorXd> errors(const Segment& segment, const std::vector<Trial>& trials,
+                                      Eigen::Index samples, std::vector<Eigen::Index>* jumps = nullptr) const;
   Eigen::VectorXd errors(const Segment& segment, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& state,
-                         Eigen::Index samples, const std::vector<LinearChange>& change,
-                         std::vector<Eigen::Index>* jumps = nullptr) const;
+                         Eigen::Index samples) const {
+    return std::move(errors(segment, {{unknowns, state}}, samples).front());
+  }
+  MotionStart start_of(const Segment& segment, const Trial& trial, const Faults& faults) const;
   void measure_noise(const Eigen::VectorXd& unknowns);
   /// A segment's rows, from errors of its samples.
   void rows_of(std::size_t segment, Eigen::VectorXd error, Eigen::Ref<Eigen::VectorXd> rows) const;
@@ -82,9 +93,23 @@ class SegmentEvidence : public Evidence {
                        Eigen::Index samples, const std::vector<Eigen::Index>& at_jumps = {}) const;
   void find_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state) const;
   void freeze_segment(std::size_t segment, const Eigen::VectorXd& unknowns, double coarse);
-  /// Errors of a frozen segment.
-  Eigen::VectorXd frozen_errors(std::size_t segment, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& state,
-                                const std::vector<LinearChange>& change) const;
+  /// Directions in which errors move with the state, and with the change of every mode, where the segment is.
+  void freeze_bases(std::size_t segment, const Eigen::VectorXd& unknowns);
+  /// Errors of a frozen segment, by trial.
+  std::vector<Eigen::VectorXd> frozen_errors(std::size_t segment, const std::vector<Trial>& trials) const;
+  Eigen::VectorXd frozen_errors(std::size_t segment, const Eigen::VectorXd& unknowns) const {
+    return std::move(frozen_errors(segment, {{unknowns, frozen_[segment].state}}).front());
+  }
+  /// Rows of a segment.
+  Eigen::Index rows_in(std::size_t segment) const {
+    return static_cast<Eigen::Index>(2 * model_->modes()) + segments_[segment].response.size();
+  }
+  /// Central differences of half a scale.
+  Eigen::MatrixXd differences(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
+                              const Eigen::VectorXd& scale, unsigned threads) const;
+  /// The same in the rows of one segment, between the `ends` of each column: up, down, up, down, ...
+  void segment_differences(std::size_t segment, const std::vector<Eigen::VectorXd>& ends,
+                           Eigen::Ref<Eigen::MatrixXd> rows) const;
 
   const CompiledModel* model_;
   std::vector<StateForce> forces_;

@@ -46,8 +46,8 @@ class FrictionEvidence : public testing::TestWithParam<int> {
     const VectorXd values = unknowns(strength);
     DrivingSignal silent;
     silent.sample_s = sample_s;
-    return integrate_stretch(model, {}, {values.data(), model.symbols.size()}, silent, state, samples, substeps, {},
-                             nullptr);
+    return MotionIntegrator(model, {}, silent, substeps)
+        .motion({{values.data(), values.data() + model.symbols.size()}, state}, samples);
   }
   // A decay as it is measured, with noise of a thousandth of its begin.
   SegmentEvidence decay() const {
@@ -134,8 +134,9 @@ TEST_P(FrictionStretch, IsPiecewiseExactAndComesToRest) {
   DrivingSignal silent;
   silent.sample_s = sample_s;
   const auto worst = [&](int substeps) {
-    const StretchOfMotion m = integrate_stretch(model, {}, {values.data(), model.symbols.size()}, silent,
-                                                Eigen::Vector2d(start, 0), 200, substeps, {}, nullptr);
+    const StretchOfMotion m =
+        MotionIntegrator(model, {}, silent, substeps)
+            .motion({{values.data(), values.data() + model.symbols.size()}, Eigen::Vector2d(start, 0)}, 200);
     double error = 0;
     for (Index i = 0; i < 200; ++i) {
       const double turns = natural * sample_s * static_cast<double>(i) / std::numbers::pi;

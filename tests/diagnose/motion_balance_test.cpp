@@ -93,8 +93,8 @@ TEST(StretchOfMotion, FollowsTheLinearDecayToFourthOrder) {
   DrivingSignal silent;
   silent.sample_s = 0.05;
   const auto worst = [&](int substeps) {
-    const StretchOfMotion motion = integrate_stretch(model, {}, {p.data(), static_cast<std::size_t>(p.size())},
-                                                     silent, Eigen::Vector2d(1, -mu), 200, substeps, {}, nullptr);
+    const StretchOfMotion motion = MotionIntegrator(model, {}, silent, substeps)
+                                       .motion({{p.data(), p.data() + p.size()}, Eigen::Vector2d(1, -mu)}, 200);
     double error = 0;
     for (Eigen::Index i = 0; i < 200; ++i) {
       const double t = 0.05 * static_cast<double>(i);
