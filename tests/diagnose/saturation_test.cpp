@@ -32,8 +32,7 @@ TEST(Saturation, ReadingIsTheMeanOfCutNoise) {
 }
 
 TEST(Saturation, WithoutNoiseItIsAPlainCut) {
-  for (const double value : {-2.0, -1.0, 0.3, 1.0, 1.5})
-    EXPECT_EQ(saturated(value, 1, 0), std::clamp(value, -1.0, 1.0));
+  for (const double value : {-2.0, -1.0, 0.3, 1.0, 1.5}) EXPECT_EQ(saturated(value, 1, 0), std::clamp(value, -1.0, 1.0));
 }
 
 TEST(Saturation, FundamentalIsThatOfTheCutSinusoid) {
@@ -46,8 +45,7 @@ TEST(Saturation, FundamentalIsThatOfTheCutSinusoid) {
         sum += saturated(2 * half * std::cos(angle), 1, noise) * std::polar(1.0 / points, -angle);
       }
       // A round corner is averaged over 128 points a turn.
-      EXPECT_NEAR(saturated_fundamental(half, 1, noise), sum.real(), noise > 0 ? 2e-5 : 1e-6)
-          << half << " " << noise;
+      EXPECT_NEAR(saturated_fundamental(half, 1, noise), sum.real(), noise > 0 ? 2e-5 : 1e-6) << half << " " << noise;
     }
 }
 

@@ -4,8 +4,8 @@
 
 namespace secular::test {
 
-/// A model's accelerations of several motions at once are those of each, to the last bit; parameters of some motions
-/// may be zero where those of others are not.
+/// A model's accelerations of several motions at once are those of each, to the last bit; parameters of some
+/// motions may be zero where those of others are not.
 inline void expect_lanes_of_each(const CompiledModel& model, const std::vector<Point>& points) {
   ASSERT_TRUE(static_cast<bool>(model.acceleration_of_lanes)) << model.name;
   ASSERT_EQ(points.size(), Lanes::count);
