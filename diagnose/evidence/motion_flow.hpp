@@ -49,18 +49,17 @@ class MotionFlow {
 
   /// One motion for each start; where fewer are given than go side by side, the first one's parameters and no
   /// forces fill the rest.
-  MotionFlow(const CompiledModel& model, const std::vector<StateForce>& forces, const DrivingSignal& signal,
-             std::span<const MotionStart> starts)
+  MotionFlow(const CompiledModel& model, const std::vector<StateForce>& forces, std::span<const MotionStart> starts)
       : model_(model),
-        signal_(signal),
         modes_(model.modes()),
         size_(2 * modes_),
         parameters_(model.symbols.size()),
         excitation_(model.excitations.size()),
-        driven_(std::min(static_cast<std::size_t>(signal.half_steps.rows()), excitation_.size())) {
-    if (signal.half_steps.rows() > 0) level_ = squared_amplitude(signal.half_steps.row(0));
+        driven_(std::min(static_cast<std::size_t>(starts.front().signal->half_steps.rows()), excitation_.size())) {
     for (std::size_t m = 0; m < Motions<Number>::count; ++m) {
       const MotionStart& start = starts[m < starts.size() ? m : 0];
+      signals_[m] = start.signal.get();
+      one_signal_ = one_signal_ && signals_[m] == signals_[0];
       for (std::size_t p = 0; p < parameters_.size(); ++p)
         Motions<Number>::set_parameter(parameters_[p], m, start.parameters[p]);
       take_beside(m, start);
@@ -85,8 +84,15 @@ class MotionFlow {
   /// Sets what drives; time in half steps of the samples.
   void drive(double at) {
     for (std::size_t j = 0; j < driven_; ++j) {
-      const ExcitationSample now = interpolated(signal_, static_cast<Eigen::Index>(j), at);
+      const ExcitationSample now = interpolated(*signals_[0], static_cast<Eigen::Index>(j), at);
       excitation_[j] = {Number(now.value), Number(now.first_derivative), Number(now.second_derivative)};
+      if (one_signal_) continue;
+      for (std::size_t m = 1; m < Motions<Number>::count; ++m) {
+        const ExcitationSample own = interpolated(*signals_[m], static_cast<Eigen::Index>(j), at);
+        Motions<Number>::set(excitation_[j].value, m, own.value);
+        Motions<Number>::set(excitation_[j].first_derivative, m, own.first_derivative);
+        Motions<Number>::set(excitation_[j].second_derivative, m, own.second_derivative);
+      }
     }
   }
 
@@ -136,7 +142,8 @@ class MotionFlow {
   struct ActiveForce {
     const StateForce* force = nullptr;
     std::array<bool, Motions<Number>::count> acts{};
-    std::array<double, Motions<Number>::count> shape{};
+    std::array<double, Motions<Number>::count> shape{},
+        level{};  // level: squared amplitude of the first excitation
     std::array<std::vector<StretchedSlider>, Motions<Number>::count> sliders;
     bool relaxes = false;
     std::size_t place = 0;  // in the state, of what relaxes
@@ -165,6 +172,8 @@ class MotionFlow {
       if (parameters[force.strength_symbol] == 0) continue;
       acts = active.acts[m] = true;
       active.shape[m] = force.shape(parameters);
+      if (force.law.kind == ForceLaw::Kind::level && driven_ > 0)
+        active.level[m] = squared_amplitude(signals_[m]->half_steps.row(0));
       for (const Slider& slider : sliders_of(force, active.shape[m])) active.sliders[m].push_back({slider});
       Motions<Number>::set(active.time, m, active.shape[m]);
     }
@@ -192,7 +201,7 @@ class MotionFlow {
       if (force.law.kind == ForceLaw::Kind::state)
         value = force.law.value(here, Motions<Number>::of(velocity[force.mode], m), active.shape[m], force.scale);
       else if (force.law.kind == ForceLaw::Kind::level)
-        value = level_;
+        value = active.level[m];
       else if (active.relaxes)
         value = Motions<Number>::of(state[active.place], m);
       const double way = here - Motions<Number>::of(origin[force.mode], m);
@@ -204,12 +213,12 @@ class MotionFlow {
   }
 
   const CompiledModel& model_;
-  const DrivingSignal& signal_;
+  std::array<const DrivingSignal*, Motions<Number>::count> signals_{};
+  bool one_signal_ = true;
   std::size_t modes_, size_;  // of the state
   std::vector<typename Motions<Number>::Parameter> parameters_;
   std::vector<typename Motions<Number>::Sample> excitation_;  // zero where neither the signal nor a force drives
   std::size_t driven_;
-  double level_ = 0;                         // squared amplitude of the first excitation
   std::vector<Number> stiffness_, damping_;  // of LinearChange
   bool has_side_ = false;
   Number side_frequency_ = Number(1.0), side_damping_ = Number(0.0);

@@ -115,7 +115,8 @@ Index SegmentEvidence::freedom() const {
   return size() - static_cast<Index>(4 * model_->modes() * segments_.size()) - at_jumps;
 }
 
-MotionStart SegmentEvidence::start_of(const Segment& s, const Trial& trial, const Faults& faults) const {
+MotionStart SegmentEvidence::start_of(const Trial& trial, const Faults& faults) const {
+  const Segment& s = trial.segment;
   MotionStart start;
   start.parameters.assign(trial.unknowns.data(), trial.unknowns.data() + model_->symbols.size());
   for (std::size_t k = 0; k < model_->modes(); ++k) {
@@ -123,6 +124,8 @@ MotionStart SegmentEvidence::start_of(const Segment& s, const Trial& trial, cons
     if (s.frequency_shift.size() > 0) start.parameters[k] *= 1 + s.frequency_shift(static_cast<Index>(k));
   }
   start.state = trial.state;
+  start.samples = trial.samples;
+  start.substeps = s.substeps;
   start.change = trial.change;
   const std::vector<double>& extra = faults.extra.amplitude;
   if (s.excitation.rows() > 0 && std::any_of(extra.begin(), extra.end(), [](double a) { return a != 0; }))
@@ -130,33 +133,24 @@ MotionStart SegmentEvidence::start_of(const Segment& s, const Trial& trial, cons
   return start;
 }
 
-std::vector<VectorXd> SegmentEvidence::errors(const Segment& s, const std::vector<Trial>& trials, Index samples,
-                                              std::vector<Index>* jumps) const {
+std::vector<VectorXd> SegmentEvidence::errors(const std::vector<Trial>& trials, std::vector<Index>* jumps) const {
   std::vector<Faults> faults;
   std::vector<MotionStart> starts;
-  for (const Trial& trial : trials) {
-    faults.push_back(table_.faults(trial.unknowns.data() + model_->symbols.size()));
-    starts.push_back(start_of(s, trial, faults.back()));
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const Segment& s = trials[i].segment;
+    faults.push_back(table_.faults(trials[i].unknowns.data() + model_->symbols.size()));
+    starts.push_back(start_of(trials[i], faults.back()));
+    // Trials of a segment have one signal, unless a fault makes it another.
+    const bool again =
+        i > 0 && &trials[i - 1].segment == &s && drive_alike(s, faults[i - 1].excitation, faults[i].excitation);
+    starts.back().signal =
+        again ? starts[i - 1].signal : std::make_shared<const DrivingSignal>(true_signal(s, faults[i].excitation));
   }
-  std::vector<VectorXd> all(trials.size());
-  // Motions go side by side that the same signal drives.
-  std::vector<bool> done(trials.size(), false);
-  for (std::size_t first = 0; first < trials.size(); ++first) {
-    if (done[first]) continue;
-    std::vector<std::size_t> same;
-    for (std::size_t i = first; i < trials.size(); ++i)
-      if (!done[i] && drive_alike(s, faults[first].excitation, faults[i].excitation)) same.push_back(i);
-    std::vector<MotionStart> together;
-    for (const std::size_t i : same) together.push_back(starts[i]);
-    const DrivingSignal signal = true_signal(s, faults[first].excitation);
-    const std::vector<StretchOfMotion> motions =
-        MotionIntegrator(*model_, forces_, signal, s.substeps).motions(together, samples);
-    for (std::size_t m = 0; m < same.size(); ++m) {
-      all[same[m]] = reading_errors(s, sensors_, faults[same[m]], signal, motions[m]);
-      done[same[m]] = true;
-    }
-    if (first == 0 && jumps) *jumps = motions.front().jumps;
-  }
+  const std::vector<StretchOfMotion> motions = MotionIntegrator(*model_, forces_).motions(starts);
+  std::vector<VectorXd> all;
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    all.push_back(reading_errors(trials[i].segment, sensors_, faults[i], *starts[i].signal, motions[i]));
+  if (jumps) *jumps = motions.front().jumps;
   return all;
 }
 
@@ -189,7 +183,7 @@ double SegmentEvidence::improve_state(const Segment& s, const VectorXd& unknowns
                                       const std::vector<Index>& at_jumps) const {
   const auto size = static_cast<Index>(2 * model_->modes());
   const auto errors_from = [&](const VectorXd& at) {
-    return silenced(errors(s, unknowns, at, samples), samples, at_jumps);
+    return silenced(errors({{s, samples, unknowns, at}}).front(), samples, at_jumps);
   };
   // Scales of displacement and velocity from the channels.
   const double frequency = unknowns(0);
@@ -201,9 +195,9 @@ double SegmentEvidence::improve_state(const Segment& s, const VectorXd& unknowns
   step.tail(size / 2).setConstant(1e-4 * largest * frequency);
   VectorXd error = errors_from(state);
   for (int i = 0; i < 10; ++i) {
-    std::vector<Trial> trials(static_cast<std::size_t>(size), {unknowns, state});
+    std::vector<Trial> trials(static_cast<std::size_t>(size), {s, samples, unknowns, state});
     for (Index k = 0; k < size; ++k) trials[static_cast<std::size_t>(k)].state(k) += step(k);
-    const std::vector<VectorXd> moved_errors = errors(s, trials, samples);
+    const std::vector<VectorXd> moved_errors = errors(trials);
     MatrixXd slope(error.size(), size);
     for (Index k = 0; k < size; ++k)
       slope.col(k) = silenced(moved_errors[static_cast<std::size_t>(k)], samples, at_jumps) - error;
@@ -235,9 +229,18 @@ void SegmentEvidence::find_state(const Segment& s, const VectorXd& unknowns, Vec
 }
 
 std::vector<VectorXd> SegmentEvidence::frozen_errors(std::size_t segment, const std::vector<Trial>& trials) const {
-  const Index samples = segments_[segment].response.cols();
-  std::vector<VectorXd> all = errors(segments_[segment], trials, samples);
-  for (VectorXd& error : all) error = silenced(std::move(error), samples, frozen_[segment].at_jumps);
+  std::vector<VectorXd> all = errors(trials);
+  for (VectorXd& error : all)
+    error = silenced(std::move(error), segments_[segment].response.cols(), frozen_[segment].at_jumps);
+  return all;
+}
+
+std::vector<VectorXd> SegmentEvidence::frozen_errors(const VectorXd& unknowns) const {
+  std::vector<Trial> trials;
+  for (std::size_t i = 0; i < segments_.size(); ++i) trials.push_back(frozen_trial(i, unknowns));
+  std::vector<VectorXd> all = errors(trials);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = silenced(std::move(all[i]), trials[i].samples, frozen_[i].at_jumps);
   return all;
 }
 
@@ -249,7 +252,7 @@ void SegmentEvidence::freeze_segment(std::size_t segment, const VectorXd& unknow
   f.at_jumps.clear();
   if (sensors_.derivatives == 2) {
     std::vector<Index> jumps;
-    errors(s, {{unknowns, f.state}}, samples, &jumps);
+    errors({frozen_trial(segment, unknowns)}, &jumps);
     for (const Index before : jumps)
       for (const Index sample : {before, before + 1})
         if (f.at_jumps.empty() || f.at_jumps.back() < sample) f.at_jumps.push_back(sample);
@@ -269,7 +272,7 @@ void SegmentEvidence::freeze_bases(std::size_t segment, const VectorXd& unknowns
   const auto modes = model_->modes();
   const VectorXd size = f.state.cwiseAbs().cwiseMax(1e-3 * f.state.cwiseAbs().maxCoeff() + 1e-30);
   // As it is, then with each part of the state and each mode's stiffness and damping changed.
-  std::vector<Trial> trials(1 + 4 * modes, {unknowns, f.state});
+  std::vector<Trial> trials(1 + 4 * modes, frozen_trial(segment, unknowns));
   for (std::size_t i = 0; i < 2 * modes; ++i) {
     const auto row = static_cast<Index>(i);
     trials[1 + i].state(row) += 1e-4 * size(row);
@@ -311,6 +314,7 @@ SegmentEvidence::Noise SegmentEvidence::noise_of(const VectorXd& white, const Ma
 }
 
 void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
+  const std::vector<VectorXd> errors = frozen_errors(unknowns);
   std::vector<Noise> found;
   for (std::size_t first = 0, end = 0; first < segments_.size(); first = end) {
     while (end < segments_.size() && segments_[end].record == segments_[first].record) ++end;
@@ -321,7 +325,7 @@ void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
     for (std::size_t i = first; i < end; ++i) {
       const Frozen& f = frozen_[i];
       const auto column = static_cast<Index>(i - first);
-      const VectorXd error = frozen_errors(i, unknowns);
+      const VectorXd& error = errors[i];
       white(column) = white_variance(error, segments_[i].response.cols());
       changes.col(column) = f.change_basis.transpose() * error;
       const double squares = error.squaredNorm() - (f.state_basis.transpose() * error).squaredNorm() -
@@ -352,9 +356,10 @@ void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> ro
     rows.setConstant(std::numeric_limits<double>::infinity());
     return;
   }
+  std::vector<VectorXd> errors = frozen_errors(unknowns);
   Index first = 0;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    rows_of(i, frozen_errors(i, unknowns), rows.segment(first, rows_in(i)));
+    rows_of(i, std::move(errors[i]), rows.segment(first, rows_in(i)));
     first += rows_in(i);
   }
 }
@@ -408,7 +413,7 @@ MatrixXd SegmentEvidence::slopes(const VectorXd& unknowns, const std::vector<std
 void SegmentEvidence::segment_differences(std::size_t segment, const std::vector<VectorXd>& ends,
                                           Eigen::Ref<MatrixXd> rows) const {
   std::vector<Trial> trials;
-  for (const VectorXd& end : ends) trials.push_back({end, frozen_[segment].state});
+  for (const VectorXd& end : ends) trials.push_back(frozen_trial(segment, end));
   std::vector<VectorXd> errors = frozen_errors(segment, trials);
   VectorXd up(rows.rows()), down(rows.rows());
   for (Index i = 0; i < rows.cols(); ++i) {
@@ -472,7 +477,7 @@ VectorXd SegmentEvidence::mean_square_error(const VectorXd& unknowns) const {
     VectorXd state = frozen_[i].state;
     find_state(s, unknowns, state);
     const Index samples = s.response.cols();
-    const VectorXd error = errors(s, unknowns, state, samples);
+    const VectorXd error = errors({{s, samples, unknowns, state}}).front();
     for (Index c = 0; c < channels; ++c)
       sum(c) += error.segment(c * samples, samples).squaredNorm() * s.noise_sd(c) * s.noise_sd(c);
     count += static_cast<double>(samples);

@@ -64,20 +64,18 @@ class SegmentEvidence : public Evidence {
     Eigen::VectorXd change_sd;  // of the first rows
     double rest_sd = 1;         // of the others
   };
-  /// What a segment is computed with.
+  /// What the first samples of a segment are computed with.
   struct Trial {
+    const Segment& segment;
+    Eigen::Index samples;
     const Eigen::VectorXd& unknowns;
     Eigen::VectorXd state;
     std::vector<LinearChange> change = {};
   };
-  /// Of the first samples, by trial. `jumps`: of the first trial's motion, see StretchOfMotion.
-  std::vector<Eigen::VectorXd> errors(const Segment& segment, const std::vector<Trial>& trials,
-                                      Eigen::Index samples, std::vector<Eigen::Index>* jumps = nullptr) const;
-  Eigen::VectorXd errors(const Segment& segment, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& state,
-                         Eigen::Index samples) const {
-    return std::move(errors(segment, {{unknowns, state}}, samples).front());
-  }
-  MotionStart start_of(const Segment& segment, const Trial& trial, const Faults& faults) const;
+  /// By trial. `jumps`: of the first trial's motion, see StretchOfMotion.
+  std::vector<Eigen::VectorXd> errors(const std::vector<Trial>& trials,
+                                      std::vector<Eigen::Index>* jumps = nullptr) const;
+  MotionStart start_of(const Trial& trial, const Faults& faults) const;
   void measure_noise(const Eigen::VectorXd& unknowns);
   /// A segment's rows, from errors of its samples.
   void rows_of(std::size_t segment, Eigen::VectorXd error, Eigen::Ref<Eigen::VectorXd> rows) const;
@@ -95,11 +93,14 @@ class SegmentEvidence : public Evidence {
   void freeze_segment(std::size_t segment, const Eigen::VectorXd& unknowns, double coarse);
   /// Directions in which errors move with the state, and with the change of every mode, where the segment is.
   void freeze_bases(std::size_t segment, const Eigen::VectorXd& unknowns);
-  /// Errors of a frozen segment, by trial.
-  std::vector<Eigen::VectorXd> frozen_errors(std::size_t segment, const std::vector<Trial>& trials) const;
-  Eigen::VectorXd frozen_errors(std::size_t segment, const Eigen::VectorXd& unknowns) const {
-    return std::move(frozen_errors(segment, {{unknowns, frozen_[segment].state}}).front());
+  /// A frozen segment as it is.
+  Trial frozen_trial(std::size_t segment, const Eigen::VectorXd& unknowns) const {
+    return {segments_[segment], segments_[segment].response.cols(), unknowns, frozen_[segment].state};
   }
+  /// Errors of trials of one frozen segment.
+  std::vector<Eigen::VectorXd> frozen_errors(std::size_t segment, const std::vector<Trial>& trials) const;
+  /// Errors of all frozen segments.
+  std::vector<Eigen::VectorXd> frozen_errors(const Eigen::VectorXd& unknowns) const;
   /// Rows of a segment.
   Eigen::Index rows_in(std::size_t segment) const {
     return static_cast<Eigen::Index>(2 * model_->modes()) + segments_[segment].response.size();

@@ -66,8 +66,10 @@ class SmoothMotions {
 template <class Number>
 class Records {
  public:
-  Records(std::span<const MotionStart> starts, std::size_t modes, Index samples)
-      : modes_(modes), motions_(starts.size()) {
+  /// All of as many samples.
+  Records(std::span<const MotionStart> starts, std::size_t modes)
+      : pace_(starts.front()), modes_(modes), motions_(starts.size()) {
+    const Index samples = pace_.samples;
     for (std::size_t m = 0; m < starts.size(); ++m) {
       StretchOfMotion& motion = motions_[m];
       motion.displacement = Eigen::MatrixXd::Zero(static_cast<Index>(modes), samples);
@@ -76,6 +78,9 @@ class Records {
       bound_.push_back(1e6 * (starts[m].state.cwiseAbs().maxCoeff() + 1e-3));
     }
   }
+
+  /// One of the motions: samples and steps of all are its.
+  const MotionStart& pace() const { return pace_; }
 
   /// Of the motions that are within their bounds.
   void take(Index sample, const std::vector<Number>& state, const std::vector<Number>& rate) {
@@ -107,22 +112,23 @@ class Records {
   std::vector<StretchOfMotion> get() { return std::move(motions_); }
 
  private:
+  const MotionStart& pace_;
   std::size_t modes_;
   std::vector<StretchOfMotion> motions_;
   std::vector<double> bound_;  // 0: was passed
 };
 
 template <class Number, class Stepper>
-std::vector<StretchOfMotion> follow(Stepper& stepper, std::vector<Number> state, Records<Number> records,
-                                    Index samples, double sample_s, int substeps) {
-  const double step = sample_s / substeps, half_steps = 2.0 / substeps;
-  for (Index i = 0; i < samples; ++i) {
+std::vector<StretchOfMotion> follow(Stepper& stepper, std::vector<Number> state, Records<Number> records) {
+  const MotionStart& pace = records.pace();
+  const double step = pace.signal->sample_s / pace.substeps, half_steps = 2.0 / pace.substeps;
+  for (Index i = 0; i < pace.samples; ++i) {
     const auto begin = static_cast<double>(2 * i);
     stepper.begin(begin, state);
     records.take(i, state, stepper.rate());
-    if (i + 1 == samples) break;
+    if (i + 1 == pace.samples) break;
     bool jumped = false;
-    for (int s = 0; s < substeps; ++s)
+    for (int s = 0; s < pace.substeps; ++s)
       jumped = stepper.advance(begin + half_steps * s, half_steps, step, state, s == 0) || jumped;
     if (jumped) records.add_jump(i);
     if (!records.within(state)) break;
@@ -130,42 +136,57 @@ std::vector<StretchOfMotion> follow(Stepper& stepper, std::vector<Number> state,
   return records.get();
 }
 
+// Whether two motions have their samples and steps at the same times.
+bool go_in_step(const MotionStart& a, const MotionStart& b) {
+  return a.samples == b.samples && a.substeps == b.substeps && a.signal->sample_s == b.signal->sample_s &&
+         a.signal->half_steps.rows() == b.signal->half_steps.rows();
+}
+
 }  // namespace
 
-StretchOfMotion MotionIntegrator::motion(const MotionStart& start, Index samples) const {
+StretchOfMotion MotionIntegrator::motion(const MotionStart& start) const {
   const std::span<const MotionStart> one(&start, 1);
-  MotionFlow<double> flow(model_, forces_, signal_, one);
+  MotionFlow<double> flow(model_, forces_, one);
   const std::vector<double> state = flow.state_of(one);
   JumpingMotion stepper(flow, state);
-  return follow(stepper, state, Records<double>(one, model_.modes(), samples), samples, signal_.sample_s, substeps_)
-      .front();
+  return follow(stepper, state, Records<double>(one, model_.modes())).front();
 }
 
 bool MotionIntegrator::jumps(const MotionStart& start) const {
   const std::span<const MotionStart> one(&start, 1);
-  MotionFlow<double> flow(model_, forces_, signal_, one);
+  MotionFlow<double> flow(model_, forces_, one);
   return JumpingMotion(flow, flow.state_of(one)).has_jumps();
 }
 
-std::vector<StretchOfMotion> MotionIntegrator::motions(const std::vector<MotionStart>& starts,
-                                                       Index samples) const {
+std::vector<StretchOfMotion> MotionIntegrator::side_by_side(const std::vector<MotionStart>& starts) const {
+  if (starts.size() == 1) return {motion(starts.front())};
+  MotionFlow<Lanes> flow(model_, forces_, starts);
+  const std::vector<Lanes> state = flow.state_of(starts);
+  SmoothMotions stepper(flow, state);
+  return follow(stepper, state, Records<Lanes>(starts, model_.modes()));
+}
+
+std::vector<StretchOfMotion> MotionIntegrator::motions(const std::vector<MotionStart>& starts) const {
   std::vector<StretchOfMotion> all(starts.size());
-  std::vector<std::size_t> smooth;
+  std::vector<bool> done(starts.size(), false);
+  const bool alone = starts.size() == 1 || !model_.acceleration_of_lanes;
   for (std::size_t i = 0; i < starts.size(); ++i)
-    if (starts.size() > 1 && model_.acceleration_of_lanes && !jumps(starts[i]))
-      smooth.push_back(i);
-    else
-      all[i] = motion(starts[i], samples);
-  for (std::size_t first = 0; first < smooth.size(); first += Lanes::count) {
-    const std::size_t count = std::min(Lanes::count, smooth.size() - first);
+    if (alone || jumps(starts[i])) {
+      all[i] = motion(starts[i]);
+      done[i] = true;
+    }
+  for (std::size_t first = 0; first < starts.size(); ++first) {
+    std::vector<std::size_t> places;
     std::vector<MotionStart> together;
-    for (std::size_t m = 0; m < count; ++m) together.push_back(starts[smooth[first + m]]);
-    MotionFlow<Lanes> flow(model_, forces_, signal_, together);
-    const std::vector<Lanes> state = flow.state_of(together);
-    SmoothMotions stepper(flow, state);
-    std::vector<StretchOfMotion> motions = follow(stepper, state, Records<Lanes>(together, model_.modes(), samples),
-                                                  samples, signal_.sample_s, substeps_);
-    for (std::size_t m = 0; m < count; ++m) all[smooth[first + m]] = std::move(motions[m]);
+    for (std::size_t i = first; i < starts.size() && together.size() < Lanes::count; ++i)
+      if (!done[i] && go_in_step(starts[first], starts[i])) {
+        places.push_back(i);
+        together.push_back(starts[i]);
+        done[i] = true;
+      }
+    if (together.empty()) continue;
+    std::vector<StretchOfMotion> motions = side_by_side(together);
+    for (std::size_t m = 0; m < places.size(); ++m) all[places[m]] = std::move(motions[m]);
   }
   return all;
 }

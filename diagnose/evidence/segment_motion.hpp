@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,7 +30,10 @@ struct DrivingSignal {
 /// What is integrated over a stretch.
 struct MotionStart {
   std::vector<double> parameters;
-  Eigen::VectorXd state;                  ///< displacements, then velocities
+  Eigen::VectorXd state;  ///< displacements, then velocities
+  std::shared_ptr<const DrivingSignal> signal;
+  Eigen::Index samples = 0;
+  int substeps = 1;
   std::vector<LinearChange> change = {};  ///< by mode; empty: none
   std::optional<SideOscillator> side = {};
 };
@@ -49,23 +53,22 @@ struct StretchOfMotion {
 /// vibration at its mode's natural frequency. Samples after a state beyond 1e6 times its start stay zero.
 class MotionIntegrator {
  public:
-  /// Keeps references to the model and the signal.
-  MotionIntegrator(const CompiledModel& model, std::vector<StateForce> forces, const DrivingSignal& signal,
-                   int substeps)
-      : model_(model), forces_(std::move(forces)), signal_(signal), substeps_(substeps) {}
+  /// Keeps a reference to the model.
+  MotionIntegrator(const CompiledModel& model, std::vector<StateForce> forces)
+      : model_(model), forces_(std::move(forces)) {}
 
-  StretchOfMotion motion(const MotionStart& start, Eigen::Index samples) const;
-  /// The same motions, to the last bit, in far less time: those without jumps are integrated side by side.
-  std::vector<StretchOfMotion> motions(const std::vector<MotionStart>& starts, Eigen::Index samples) const;
+  StretchOfMotion motion(const MotionStart& start) const;
+  /// The same motions, to the last bit, in far less time: those without jumps whose samples are as many, as far
+  /// apart and as finely divided are integrated side by side.
+  std::vector<StretchOfMotion> motions(const std::vector<MotionStart>& starts) const;
 
  private:
+  std::vector<StretchOfMotion> side_by_side(const std::vector<MotionStart>& starts) const;
   /// Whether accelerations jump with the sign of a velocity.
   bool jumps(const MotionStart& start) const;
 
   const CompiledModel& model_;
   std::vector<StateForce> forces_;
-  const DrivingSignal& signal_;
-  int substeps_;
 };
 
 }  // namespace secular

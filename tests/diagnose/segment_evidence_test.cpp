@@ -25,15 +25,17 @@ std::vector<Segment> decay(const Laboratory& lab, const VectorXd& unknowns, std:
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   std::vector<Segment> segments;
-  MotionStart start{{unknowns.data(), unknowns.data() + lab.compiled.symbols.size()}, Eigen::Vector2d(1e-3, 0)};
+  MotionStart start{{unknowns.data(), unknowns.data() + lab.compiled.symbols.size()},
+                    Eigen::Vector2d(1e-3, 0),
+                    std::make_shared<const DrivingSignal>(DrivingSignal{{}, 2e-3 * 80 / natural}),
+                    samples + 1,
+                    4};
   for (int i = 0; i < count; ++i) {
     Segment s;
     s.fold = i;
-    s.sample_s = 2e-3 * 80 / natural;
+    s.sample_s = start.signal->sample_s;
     s.time_s = s.in_record_s = i * samples * s.sample_s;
-    DrivingSignal signal;
-    signal.sample_s = s.sample_s;
-    const StretchOfMotion motion = MotionIntegrator(lab.compiled, {}, signal, 4).motion(start, samples + 1);
+    const StretchOfMotion motion = MotionIntegrator(lab.compiled, {}).motion(start);
     s.response = motion.acceleration.leftCols(samples);
     s.noise_sd = VectorXd::Constant(1, 1e-4 * 1e-3 * natural * natural);
     for (double& reading : s.response.row(0)) reading += s.noise_sd(0) * normal(random);

@@ -27,11 +27,12 @@ class SideBySide : public testing::Test {
     return 0;
   }
   // As many as fill two groups and a part of one, each with numbers of its own.
-  std::vector<MotionStart> starts() const {
+  std::vector<MotionStart> starts(const std::shared_ptr<const DrivingSignal>& signal = silent()) const {
     std::vector<MotionStart> all;
     for (int i = 0; i < 19; ++i) {
       MotionStart one{std::vector<double>(model.symbols.size(), 0.0),
-                      Eigen::Vector2d(start * (1 + 0.05 * i), 0.01 * natural * start * i)};
+                      Eigen::Vector2d(start * (1 + 0.05 * i), 0.01 * natural * start * i), signal, samples,
+                      substeps};
       one.parameters[symbol("omega0")] = natural * (1 + 1e-3 * i);
       one.parameters[symbol("mu1")] = 0.4;
       one.parameters[symbol("mu3")] = i % 3 == 0 ? 30 : 0;
@@ -42,21 +43,23 @@ class SideBySide : public testing::Test {
     }
     return all;
   }
-  DrivingSignal silent() const { return {Eigen::MatrixXd(), 2e-3}; }
-  DrivingSignal driven() const {
+  // With and without a driving signal.
+  static std::shared_ptr<const DrivingSignal> silent() {
+    return std::make_shared<const DrivingSignal>(DrivingSignal{Eigen::MatrixXd(), 2e-3});
+  }
+  static std::shared_ptr<const DrivingSignal> driven() {
     DrivingSignal signal{Eigen::MatrixXd(1, 2 * samples - 1), 2e-3};
     for (Index i = 0; i < signal.half_steps.cols(); ++i)
       signal.half_steps(0, i) =
           std::sin(0.09 * static_cast<double>(i)) + 0.3 * std::cos(0.21 * static_cast<double>(i));
-    return signal;
+    return std::make_shared<const DrivingSignal>(std::move(signal));
   }
-  void expect_the_same(const std::vector<StateForce>& forces, const DrivingSignal& signal,
-                       const std::vector<MotionStart>& all) const {
-    const MotionIntegrator integrator(model, forces, signal, substeps);
-    const std::vector<StretchOfMotion> together = integrator.motions(all, samples);
+  void expect_the_same(const std::vector<StateForce>& forces, const std::vector<MotionStart>& all) const {
+    const MotionIntegrator integrator(model, forces);
+    const std::vector<StretchOfMotion> together = integrator.motions(all);
     ASSERT_EQ(together.size(), all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const StretchOfMotion alone = integrator.motion(all[i], samples);
+      const StretchOfMotion alone = integrator.motion(all[i]);
       EXPECT_EQ(together[i].displacement, alone.displacement) << "motion " << i;
       EXPECT_EQ(together[i].velocity, alone.velocity) << "motion " << i;
       EXPECT_EQ(together[i].acceleration, alone.acceleration) << "motion " << i;
@@ -69,29 +72,42 @@ class SideBySide : public testing::Test {
 
 TEST_F(SideBySide, FreeMotionsAndThoseWithSmallChanges) {
   std::vector<MotionStart> all = starts();
-  expect_the_same({}, silent(), all);
+  expect_the_same({}, all);
   all[3].change = {{1e-3 * natural * natural, 0}};
   all[4].change = {{0, 1e-3 * natural}};
-  expect_the_same({}, silent(), all);
+  expect_the_same({}, all);
 }
 
 TEST_F(SideBySide, DrivenMotionsWithAnOscillatorBesideSome) {
-  std::vector<MotionStart> all = starts();
+  std::vector<MotionStart> all = starts(driven());
   for (MotionStart& one : all) {
     one.parameters[symbol("eta1")] = -0.02;
     one.parameters[symbol("eta2")] = 7;
   }
-  expect_the_same({}, driven(), all);
+  expect_the_same({}, all);
   for (std::size_t i = 0; i < all.size(); i += 2)
     all[i].side = SideOscillator{natural * (0.9 + 0.01 * static_cast<double>(i)), 0.01};
-  expect_the_same({}, driven(), all);
+  expect_the_same({}, all);
+}
+
+TEST_F(SideBySide, MotionsUnderSignalsOfTheirOwnAndOfOtherLengths) {
+  std::vector<MotionStart> all = starts(driven());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].parameters[symbol("eta1")] = -0.02;
+    DrivingSignal own = *all[i].signal;
+    own.half_steps *= 1 + 0.1 * static_cast<double>(i);
+    if (i % 3 > 0) all[i].signal = std::make_shared<const DrivingSignal>(std::move(own));
+    if (i % 5 == 0) all[i].samples = samples / 2;
+    if (i % 7 == 0) all[i].substeps = 2;
+  }
+  expect_the_same({}, all);
 }
 
 TEST_F(SideBySide, AMotionThatGoesBeyondAllBoundsStopsAlone) {
   std::vector<MotionStart> all = starts();
   all[2].parameters[symbol("mu1")] = -60;
-  expect_the_same({}, silent(), all);
-  const StretchOfMotion lost = MotionIntegrator(model, {}, silent(), substeps).motion(all[2], samples);
+  expect_the_same({}, all);
+  const StretchOfMotion lost = MotionIntegrator(model, {}).motion(all[2]);
   EXPECT_EQ(lost.displacement(0, samples - 1), 0);
 }
 
@@ -108,7 +124,7 @@ TEST_F(SideBySide, ForcesOfEveryLaw) {
       all[i].parameters[symbol("eta1")] = -0.05 * natural * natural;
       all[i].parameters[symbol("mu2")] = law.kind == ForceLaw::Kind::relaxation ? 0.01 : 3e-4;
     }
-    expect_the_same({force}, silent(), all);
+    expect_the_same({force}, all);
   }
 }
 
@@ -121,8 +137,8 @@ TEST_F(SideBySide, FrictionJumps) {
   const StateForce friction{sign, 0, 0, symbol("eta1")};
   std::vector<MotionStart> all = starts();
   for (const std::size_t i : {0UL, 5UL, 6UL}) all[i].parameters[symbol("eta1")] = -0.1 * start * natural * natural;
-  expect_the_same({friction}, silent(), all);
-  EXPECT_FALSE(MotionIntegrator(model, {friction}, silent(), substeps).motion(all[5], samples).jumps.empty());
+  expect_the_same({friction}, all);
+  EXPECT_FALSE(MotionIntegrator(model, {friction}).motion(all[5]).jumps.empty());
 }
 
 }  // namespace
