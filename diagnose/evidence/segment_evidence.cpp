@@ -3,11 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
 
-#include "diagnose/evidence/segment_readings.hpp"
-#include "numerics/hertz.hpp"
 #include "numerics/in_parallel.hpp"
 #include "numerics/median.hpp"
 #include "numerics/third_differences.hpp"
@@ -49,14 +46,6 @@ double roughness(const std::vector<double>& values) {
   return upper_median(std::move(third)) / (0.6745 * std::sqrt(third_difference_variance));
 }
 
-// Errors, channel after channel, with nothing at some samples.
-VectorXd silenced(VectorXd error, Index samples, const std::vector<Index>& at) {
-  for (Index first = 0; first + samples <= error.size(); first += samples)
-    for (const Index sample : at)
-      if (sample < samples) error(first + sample) = 0;
-  return error;
-}
-
 double lower_quartile(std::vector<double> values) {
   const auto quarter = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
   std::nth_element(values.begin(), quarter, values.end());
@@ -78,10 +67,7 @@ double white_variance(const VectorXd& error, Index samples) {
 
 SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateForce> forces, SensorModel sensors,
                                  FaultTable table, std::vector<Segment> segments)
-    : model_(&model),
-      forces_(std::move(forces)),
-      sensors_(std::move(sensors)),
-      table_(std::move(table)),
+    : model_(model, std::move(forces), std::move(sensors), std::move(table)),
       segments_(std::move(segments)),
       frozen_(segments_.size()) {
   for (const Segment& s : segments_) {
@@ -103,7 +89,7 @@ SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateFo
     label.component = EffectComponent::measurement;
     label.harmonic = "rest of the signal";
     for (Index c = 0; c < s.response.rows(); ++c) {
-      label.place = sensors_.response_names[static_cast<std::size_t>(c)];
+      label.place = model_.sensors().response_names[static_cast<std::size_t>(c)];
       labels_.insert(labels_.end(), static_cast<std::size_t>(s.response.cols()), label);
     }
   }
@@ -111,134 +97,23 @@ SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateFo
 
 Index SegmentEvidence::freedom() const {
   Index at_jumps = 0;
-  for (const Frozen& f : frozen_) at_jumps += static_cast<Index>(f.at_jumps.size() * sensors_.responses.size());
-  return size() - static_cast<Index>(4 * model_->modes() * segments_.size()) - at_jumps;
+  for (const Frozen& f : frozen_)
+    at_jumps += static_cast<Index>(f.at_jumps.size() * model_.sensors().responses.size());
+  return size() - static_cast<Index>(4 * model_.modes() * segments_.size()) - at_jumps;
 }
 
-MotionStart SegmentEvidence::start_of(const Trial& trial, const Faults& faults) const {
-  const Segment& s = trial.segment;
-  MotionStart start;
-  start.parameters.assign(trial.unknowns.data(), trial.unknowns.data() + model_->symbols.size());
-  for (std::size_t k = 0; k < model_->modes(); ++k) {
-    start.parameters[k] *= 1 + faults.frequency_drift[k] * s.time_s;
-    if (s.frequency_shift.size() > 0) start.parameters[k] *= 1 + s.frequency_shift(static_cast<Index>(k));
-  }
-  start.state = trial.state;
-  start.samples = trial.samples;
-  start.substeps = s.substeps;
-  start.change = trial.change;
-  const std::vector<double>& extra = faults.extra.amplitude;
-  if (s.excitation.rows() > 0 && std::any_of(extra.begin(), extra.end(), [](double a) { return a != 0; }))
-    start.side = SideOscillator{faults.extra.frequency, faults.extra.damping};
-  return start;
-}
-
-std::vector<VectorXd> SegmentEvidence::errors(const std::vector<Trial>& trials, std::vector<Index>* jumps) const {
-  std::vector<Faults> faults;
-  std::vector<MotionStart> starts;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    const Segment& s = trials[i].segment;
-    faults.push_back(table_.faults(trials[i].unknowns.data() + model_->symbols.size()));
-    starts.push_back(start_of(trials[i], faults.back()));
-    // Trials of a segment have one signal, unless a fault makes it another.
-    const bool again =
-        i > 0 && &trials[i - 1].segment == &s && drive_alike(s, faults[i - 1].excitation, faults[i].excitation);
-    starts.back().signal =
-        again ? starts[i - 1].signal : std::make_shared<const DrivingSignal>(true_signal(s, faults[i].excitation));
-  }
-  const std::vector<StretchOfMotion> motions = MotionIntegrator(*model_, forces_).motions(starts);
-  std::vector<VectorXd> all;
-  for (std::size_t i = 0; i < trials.size(); ++i)
-    all.push_back(reading_errors(trials[i].segment, sensors_, faults[i], *starts[i].signal, motions[i]));
-  if (jumps) *jumps = motions.front().jumps;
-  return all;
-}
-
-// Displacements and velocities at the first sample by a sinusoid at every natural frequency over the first turns.
-VectorXd SegmentEvidence::guessed_state(const Segment& s, const VectorXd& unknowns) const {
-  const auto modes = static_cast<Index>(model_->modes());
-  const MatrixXd modal = sensors_.filter * s.response;
-  VectorXd state = VectorXd::Zero(2 * modes);
-  for (Index k = 0; k < modes; ++k) {
-    const double w = unknowns(k);
-    const auto samples = static_cast<Index>(
-        std::min(static_cast<double>(s.response.cols()), std::floor(1.2 * two_pi / w / s.sample_s) + 3));
-    const Eigen::ArrayXd phase =
-        Eigen::ArrayXd::LinSpaced(samples, 0, static_cast<double>(samples - 1)) * (w * s.sample_s);
-    MatrixXd waves(samples, 3);
-    waves.col(0) = phase.cos();
-    waves.col(1) = phase.sin();
-    waves.col(2).setOnes();
-    const VectorXd fit = waves.colPivHouseholderQr().solve(modal.row(k).head(samples).transpose());
-    // Of the measured quantity; divided by i w as often as it is differentiated.
-    std::complex<double> amplitude(fit(0), -fit(1));
-    for (int d = 0; d < sensors_.derivatives; ++d) amplitude /= std::complex<double>(0, w);
-    state(k) = amplitude.real();
-    state(modes + k) = (amplitude * std::complex<double>(0, w)).real();
-  }
-  return state;
-}
-
-double SegmentEvidence::improve_state(const Segment& s, const VectorXd& unknowns, VectorXd& state, Index samples,
-                                      const std::vector<Index>& at_jumps) const {
-  const auto size = static_cast<Index>(2 * model_->modes());
-  const auto errors_from = [&](const VectorXd& at) {
-    return silenced(errors({{s, samples, unknowns, at}}).front(), samples, at_jumps);
-  };
-  // Scales of displacement and velocity from the channels.
-  const double frequency = unknowns(0);
-  const double largest = s.response.cwiseAbs().maxCoeff() /
-                         std::max(1e-300, sensors_.shapes.cwiseAbs().maxCoeff()) /
-                         std::pow(frequency, sensors_.derivatives);
-  VectorXd step(size);
-  step.head(size / 2).setConstant(1e-4 * largest);
-  step.tail(size / 2).setConstant(1e-4 * largest * frequency);
-  VectorXd error = errors_from(state);
-  for (int i = 0; i < 10; ++i) {
-    std::vector<Trial> trials(static_cast<std::size_t>(size), {s, samples, unknowns, state});
-    for (Index k = 0; k < size; ++k) trials[static_cast<std::size_t>(k)].state(k) += step(k);
-    const std::vector<VectorXd> moved_errors = errors(trials);
-    MatrixXd slope(error.size(), size);
-    for (Index k = 0; k < size; ++k)
-      slope.col(k) = silenced(moved_errors[static_cast<std::size_t>(k)], samples, at_jumps) - error;
-    const VectorXd change = -slope.colPivHouseholderQr().solve(error);
-    if (!change.allFinite()) break;
-    double factor = 1, gain = -1;
-    for (int half = 0; half < 5 && gain < 0; ++half, factor *= 0.3) {
-      const VectorXd moved = state + factor * change.cwiseProduct(step);
-      const VectorXd next = errors_from(moved);
-      if (!(next.squaredNorm() < error.squaredNorm())) continue;
-      gain = error.squaredNorm() - next.squaredNorm();
-      state = moved;
-      error = next;
-    }
-    if (gain < 1e-3 + 1e-6 * error.squaredNorm()) break;
-  }
-  return error.squaredNorm();
-}
-
-void SegmentEvidence::find_state(const Segment& s, const VectorXd& unknowns, VectorXd& state) const {
-  const Index samples = s.response.cols();
-  // A long stretch has many minima: a new state is found from its beginning on, and the better one stays.
-  VectorXd fresh = guessed_state(s, unknowns);
-  for (const Index part : {samples / 8, samples / 3})
-    if (part > 8) improve_state(s, unknowns, fresh, part);
-  const double fresh_error = improve_state(s, unknowns, fresh, samples);
-  if (state.size() > 0 && improve_state(s, unknowns, state, samples) <= fresh_error) return;
-  state = fresh;
-}
-
-std::vector<VectorXd> SegmentEvidence::frozen_errors(std::size_t segment, const std::vector<Trial>& trials) const {
-  std::vector<VectorXd> all = errors(trials);
+std::vector<VectorXd> SegmentEvidence::frozen_errors(std::size_t segment,
+                                                     const std::vector<SegmentTrial>& trials) const {
+  std::vector<VectorXd> all = model_.errors(trials);
   for (VectorXd& error : all)
     error = silenced(std::move(error), segments_[segment].response.cols(), frozen_[segment].at_jumps);
   return all;
 }
 
 std::vector<VectorXd> SegmentEvidence::frozen_errors(const VectorXd& unknowns) const {
-  std::vector<Trial> trials;
+  std::vector<SegmentTrial> trials;
   for (std::size_t i = 0; i < segments_.size(); ++i) trials.push_back(frozen_trial(i, unknowns));
-  std::vector<VectorXd> all = errors(trials);
+  std::vector<VectorXd> all = model_.errors(trials);
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i] = silenced(std::move(all[i]), trials[i].samples, frozen_[i].at_jumps);
   return all;
@@ -248,15 +123,15 @@ void SegmentEvidence::freeze_segment(std::size_t segment, const VectorXd& unknow
   const Segment& s = segments_[segment];
   Frozen& f = frozen_[segment];
   const Index samples = s.response.cols();
-  find_state(s, unknowns, f.state);
+  model_.find_state(s, unknowns, f.state);
   f.at_jumps.clear();
-  if (sensors_.derivatives == 2) {
+  if (model_.sensors().derivatives == 2) {
     std::vector<Index> jumps;
-    errors({frozen_trial(segment, unknowns)}, &jumps);
+    model_.errors({frozen_trial(segment, unknowns)}, &jumps);
     for (const Index before : jumps)
       for (const Index sample : {before, before + 1})
         if (f.at_jumps.empty() || f.at_jumps.back() < sample) f.at_jumps.push_back(sample);
-    if (!jumps.empty()) improve_state(s, unknowns, f.state, samples, f.at_jumps);
+    if (!jumps.empty()) model_.improve_state(s, unknowns, f.state, samples, f.at_jumps);
   }
   f.widening = 1;
   if (coarse > 0) {
@@ -269,10 +144,10 @@ void SegmentEvidence::freeze_segment(std::size_t segment, const VectorXd& unknow
 
 void SegmentEvidence::freeze_bases(std::size_t segment, const VectorXd& unknowns) {
   Frozen& f = frozen_[segment];
-  const auto modes = model_->modes();
+  const auto modes = model_.modes();
   const VectorXd size = f.state.cwiseAbs().cwiseMax(1e-3 * f.state.cwiseAbs().maxCoeff() + 1e-30);
   // As it is, then with each part of the state and each mode's stiffness and damping changed.
-  std::vector<Trial> trials(1 + 4 * modes, frozen_trial(segment, unknowns));
+  std::vector<SegmentTrial> trials(1 + 4 * modes, frozen_trial(segment, unknowns));
   for (std::size_t i = 0; i < 2 * modes; ++i) {
     const auto row = static_cast<Index>(i);
     trials[1 + i].state(row) += 1e-4 * size(row);
@@ -352,7 +227,7 @@ void SegmentEvidence::shift_frequencies(const std::map<std::size_t, VectorXd>& s
 }
 
 void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const {
-  if (!has_frequencies(unknowns, model_->modes())) {
+  if (!has_frequencies(unknowns, model_.modes())) {
     rows.setConstant(std::numeric_limits<double>::infinity());
     return;
   }
@@ -396,10 +271,9 @@ MatrixXd SegmentEvidence::slopes(const VectorXd& unknowns, const std::vector<std
   std::vector<Index> places;
   for (std::size_t w = 0; w < which.size(); ++w) {
     std::size_t channel = 0;
-    while (channel < sensors_.responses.size() && which[w] != model_->symbols.size() + table_.offset(channel))
-      ++channel;
+    while (channel < model_.sensors().responses.size() && which[w] != model_.offset(channel)) ++channel;
     const auto place = static_cast<Index>(w);
-    if (channel < sensors_.responses.size()) {
+    if (channel < model_.sensors().responses.size()) {
       columns.col(place) = offset_slopes(channel, scale(place));
     } else {
       others.push_back(which[w]);
@@ -412,7 +286,7 @@ MatrixXd SegmentEvidence::slopes(const VectorXd& unknowns, const std::vector<std
 
 void SegmentEvidence::segment_differences(std::size_t segment, const std::vector<VectorXd>& ends,
                                           Eigen::Ref<MatrixXd> rows) const {
-  std::vector<Trial> trials;
+  std::vector<SegmentTrial> trials;
   for (const VectorXd& end : ends) trials.push_back(frozen_trial(segment, end));
   std::vector<VectorXd> errors = frozen_errors(segment, trials);
   VectorXd up(rows.rows()), down(rows.rows());
@@ -449,7 +323,7 @@ MatrixXd SegmentEvidence::differences(const VectorXd& unknowns, const std::vecto
   for (std::size_t w = 0; w < which.size(); ++w) {
     auto column = columns.col(static_cast<Index>(w));
     const bool there =
-        has_frequencies(moved(w, 0.5), model_->modes()) && has_frequencies(moved(w, -0.5), model_->modes());
+        has_frequencies(moved(w, 0.5), model_.modes()) && has_frequencies(moved(w, -0.5), model_.modes());
     if (!there || !column.allFinite()) column.setZero();
   }
   return columns;
@@ -469,15 +343,15 @@ std::vector<SegmentEvidence::Disturbed> SegmentEvidence::disturbed() const {
 }
 
 VectorXd SegmentEvidence::mean_square_error(const VectorXd& unknowns) const {
-  const auto channels = static_cast<Index>(sensors_.response_names.size());
+  const auto channels = static_cast<Index>(model_.sensors().response_names.size());
   VectorXd sum = VectorXd::Zero(channels);
   double count = 0;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const Segment& s = segments_[i];
     VectorXd state = frozen_[i].state;
-    find_state(s, unknowns, state);
+    model_.find_state(s, unknowns, state);
     const Index samples = s.response.cols();
-    const VectorXd error = errors({{s, samples, unknowns, state}}).front();
+    const VectorXd error = model_.errors({{s, samples, unknowns, state}}).front();
     for (Index c = 0; c < channels; ++c)
       sum(c) += error.segment(c * samples, samples).squaredNorm() * s.noise_sd(c) * s.noise_sd(c);
     count += static_cast<double>(samples);
@@ -486,7 +360,7 @@ VectorXd SegmentEvidence::mean_square_error(const VectorXd& unknowns) const {
 }
 
 VectorXd SegmentEvidence::mean_square_signal() const {
-  VectorXd sum = VectorXd::Zero(static_cast<Index>(sensors_.response_names.size()));
+  VectorXd sum = VectorXd::Zero(static_cast<Index>(model_.sensors().response_names.size()));
   double count = 0;
   for (const Segment& s : segments_) {
     sum += s.response.rowwise().squaredNorm();

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "diagnose/evidence/discrepancy.hpp"
-#include "diagnose/evidence/segment.hpp"
+#include "diagnose/evidence/segment_model.hpp"
 
 namespace secular {
 
@@ -64,18 +64,6 @@ class SegmentEvidence : public Evidence {
     Eigen::VectorXd change_sd;  // of the first rows
     double rest_sd = 1;         // of the others
   };
-  /// What the first samples of a segment are computed with.
-  struct Trial {
-    const Segment& segment;
-    Eigen::Index samples;
-    const Eigen::VectorXd& unknowns;
-    Eigen::VectorXd state;
-    std::vector<LinearChange> change = {};
-  };
-  /// By trial. `jumps`: of the first trial's motion, see StretchOfMotion.
-  std::vector<Eigen::VectorXd> errors(const std::vector<Trial>& trials,
-                                      std::vector<Eigen::Index>* jumps = nullptr) const;
-  MotionStart start_of(const Trial& trial, const Faults& faults) const;
   void measure_noise(const Eigen::VectorXd& unknowns);
   /// A segment's rows, from errors of its samples.
   void rows_of(std::size_t segment, Eigen::VectorXd error, Eigen::Ref<Eigen::VectorXd> rows) const;
@@ -85,25 +73,20 @@ class SegmentEvidence : public Evidence {
   /// the first and in the other rows.
   Noise noise_of(const Eigen::VectorXd& white, const Eigen::MatrixXd& changes, const std::vector<double>& rest,
                  bool repeats) const;
-  Eigen::VectorXd guessed_state(const Segment& segment, const Eigen::VectorXd& unknowns) const;
-  /// Gauss-Newton over the first `samples`; returns the sum of squared errors.
-  double improve_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state,
-                       Eigen::Index samples, const std::vector<Eigen::Index>& at_jumps = {}) const;
-  void find_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state) const;
   void freeze_segment(std::size_t segment, const Eigen::VectorXd& unknowns, double coarse);
   /// Directions in which errors move with the state, and with the change of every mode, where the segment is.
   void freeze_bases(std::size_t segment, const Eigen::VectorXd& unknowns);
   /// A frozen segment as it is.
-  Trial frozen_trial(std::size_t segment, const Eigen::VectorXd& unknowns) const {
+  SegmentTrial frozen_trial(std::size_t segment, const Eigen::VectorXd& unknowns) const {
     return {segments_[segment], segments_[segment].response.cols(), unknowns, frozen_[segment].state};
   }
   /// Errors of trials of one frozen segment.
-  std::vector<Eigen::VectorXd> frozen_errors(std::size_t segment, const std::vector<Trial>& trials) const;
+  std::vector<Eigen::VectorXd> frozen_errors(std::size_t segment, const std::vector<SegmentTrial>& trials) const;
   /// Errors of all frozen segments.
   std::vector<Eigen::VectorXd> frozen_errors(const Eigen::VectorXd& unknowns) const;
   /// Rows of a segment.
   Eigen::Index rows_in(std::size_t segment) const {
-    return static_cast<Eigen::Index>(2 * model_->modes()) + segments_[segment].response.size();
+    return static_cast<Eigen::Index>(2 * model_.modes()) + segments_[segment].response.size();
   }
   /// Central differences of half a scale.
   Eigen::MatrixXd differences(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
@@ -112,10 +95,7 @@ class SegmentEvidence : public Evidence {
   void segment_differences(std::size_t segment, const std::vector<Eigen::VectorXd>& ends,
                            Eigen::Ref<Eigen::MatrixXd> rows) const;
 
-  const CompiledModel* model_;
-  std::vector<StateForce> forces_;
-  SensorModel sensors_;
-  FaultTable table_;
+  SegmentModel model_;
   std::vector<Segment> segments_;
   std::vector<Frozen> frozen_;
   std::vector<Noise> noise_;
