@@ -12,19 +12,6 @@ inline bool is_nonzero(const LaneParameter& x) {
   return x.is_nonzero;
 }
 
-template <class Function>
-Lanes of_every_lane(const Lanes& x, const Function& function) {
-  Lanes result;
-  for (std::size_t lane = 0; lane < Lanes::count; ++lane) result.set(lane, function(x[lane]));
-  return result;
-}
-inline Lanes absolute(const Lanes& x) {
-  return of_every_lane(x, [](double number) { return absolute(number); });
-}
-inline Lanes sign_of(const Lanes& x) {
-  return of_every_lane(x, [](double number) { return sign_of(number); });
-}
-
 /// Lane by lane, for each chooses its pivots.
 inline void solve_in_place(Lanes* matrix, std::size_t size, Lanes* right_sides, std::size_t columns = 1) {
   const std::size_t entries = size * size, sides = size * columns;

@@ -31,9 +31,25 @@ class Lanes {
   }
   friend Lanes operator-(const Lanes& a) { return {-a.pair_[0], -a.pair_[1], -a.pair_[2], -a.pair_[3]}; }
 
+  friend Lanes absolute(const Lanes& a) {
+    constexpr Bits magnitude{0x7fffffffffffffff, 0x7fffffffffffffff};
+    return a.of_pairs([&](Pair x) { return Pair(Bits(x) & magnitude); });
+  }
+  /// -1, 0 or 1.
+  friend Lanes sign_of(const Lanes& a) {
+    constexpr Pair one{1, 1}, zero{0, 0};
+    return a.of_pairs([&](Pair x) { return Pair(Bits(one) & Bits(x > zero)) - Pair(Bits(one) & Bits(x < zero)); });
+  }
+
  private:
   using Pair = double __attribute__((vector_size(16)));
+  using Bits = long long __attribute__((vector_size(16)));
   Lanes(Pair a, Pair b, Pair c, Pair d) : pair_{a, b, c, d} {}
+
+  template <class Function>
+  Lanes of_pairs(const Function& function) const {
+    return {function(pair_[0]), function(pair_[1]), function(pair_[2]), function(pair_[3])};
+  }
 
   Pair pair_[4];
 };

@@ -335,17 +335,17 @@ TEST_F(RuntimeModels, NamesOfAModelCannotBecomeCode) {
 TEST_F(RuntimeModels, AnyIdentifierMayBeASymbol) {
   std::string damping, order;
   for (const char* const name :
-       {"int",           "std",      "__LINE__", "_Pragma",       "NAN",        "M_PI",
-        "errno",         "x_2",      "mu",       "mu_2",          "s_mu_2_s",   "A_x",
-        "norm_A_x",      "unit_A_x", "i",        "lumps",         "parameters", "rate",
-        "mass",          "force",    "Scalar",   "denominator_0", "factor_0_0", "evaluate_lumps",
-        "integer_power",
-
-        "data",          "count",    "asm",      "__asm__",       "F_",         "c_0_0"}) {
+       {"int",           "std",        "__LINE__",  "_Pragma",       "NAN",        "M_PI",
+        "errno",         "x_2",        "mu",        "mu_2",          "s_mu_2_s",   "A_x",
+        "norm_A_x",      "unit_A_x",   "i",         "lumps",         "parameters", "rate",
+        "mass",          "force",      "Scalar",    "denominator_0", "factor_0_0", "evaluate_lumps",
+        "integer_power", "is_nonzero", "Parameter", "Sample",        "Lanes",      "LaneSample",
+        "data",          "count",      "asm",       "__asm__",       "F_",         "c_0_0"}) {
     damping += std::string(" - ") + name + "*D(x)^3 - " + name + "^2*x^2";
     order += std::string(order.empty() ? "" : ", ") + name + " = 1";
   }
-  for (const char* const name : {"std", "int", "model", "cases", "CompiledModel", "__LINE__", "case_0", "main"}) {
+  for (const char* const name :
+       {"std", "int", "model", "cases", "CompiledModel", "__LINE__", "case_0", "main", "Lanes"}) {
     const fs::path file = write(
         "names.toml",
         "schema = 1\nname = \"" + std::string(name) +
