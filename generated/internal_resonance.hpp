@@ -25,15 +25,16 @@
 #include "estimator/model/dual_number.hpp"
 #include "estimator/model/excitation_sample.hpp"
 #include "estimator/model/integer_power.hpp"
+#include "estimator/model/lane_functions.hpp"
 #include "estimator/model/scalar_functions.hpp"
 
 namespace secular::generated::internal_resonance {
 
 /// Mass matrix M of the equations of motion M*acceleration + force = 0 below, state-dependent: mass[k * 2 + j]
 /// multiplies the acceleration of mode j in equation k. 0 operations.
-template <class Scalar>
-void mass_matrix([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void mass_matrix([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* mass) {
   mass[0] = Scalar(1.0);
@@ -49,9 +50,9 @@ void mass_matrix([[maybe_unused]] const Scalar* parameters,
 /// e2*F*cos(Omega*t)
 /// parameters: [0] omega1, [1] omega2, [2] a1, [3] a2, [4] a3, [5] a4, [6] b1, [7] b2, [8] b3, [9] b4, [10] b5,
 /// [11] mu1, [12] e1, [13] mu2, [14] e2. displacement, velocity, acceleration: 2 values. 68 operations.
-template <class Scalar>
-void accelerations([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void accelerations([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* acceleration) {
   const Scalar omega1 = parameters[0];
@@ -88,9 +89,9 @@ void accelerations([[maybe_unused]] const Scalar* parameters,
 /// slope[k * 4 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = x, y, D(x), D(y).
 /// Of nonsmooth terms the classical derivative: d|x| = sgn(x) dx, zero at the corner, and d sgn(x) = 0. 74
 /// operations before the solution of 4 right sides.
-template <class Scalar>
-void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void acceleration_by_state([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* slope) {
   const Scalar omega1 = parameters[0];
@@ -132,9 +133,9 @@ void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
 /// slope[k * 15 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = omega1, omega2,
 /// a1, a2, a3, a4, b1, b2, b3, b4, b5, mu1, e1, mu2, e2. Of nonsmooth terms the classical derivative: d|x| =
 /// sgn(x) dx, zero at the corner, and d sgn(x) = 0. 34 operations before the solution of 15 right sides.
-template <class Scalar>
-void acceleration_by_parameters([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void acceleration_by_parameters([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* slope) {
   const Scalar omega1 = parameters[0];

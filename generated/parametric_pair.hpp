@@ -21,15 +21,16 @@
 #include "estimator/model/dual_number.hpp"
 #include "estimator/model/excitation_sample.hpp"
 #include "estimator/model/integer_power.hpp"
+#include "estimator/model/lane_functions.hpp"
 #include "estimator/model/scalar_functions.hpp"
 
 namespace secular::generated::parametric_pair {
 
 /// Mass matrix M of the equations of motion M*acceleration + force = 0 below, state-dependent: mass[k * 2 + j]
 /// multiplies the acceleration of mode j in equation k. 0 operations.
-template <class Scalar>
-void mass_matrix([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void mass_matrix([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* mass) {
   mass[0] = Scalar(1.0);
@@ -43,9 +44,9 @@ void mass_matrix([[maybe_unused]] const Scalar* parameters,
 /// 0 = -q*x*F*cos(Omega*t) + b3*x^2*y + omega2^2*y + b5*y^3 + 2*mu2*D(y) + D2(y)
 /// parameters: [0] omega1, [1] omega2, [2] mu1, [3] b1, [4] b3, [5] p, [6] mu2, [7] b5, [8] q. displacement,
 /// velocity, acceleration: 2 values. 32 operations.
-template <class Scalar>
-void accelerations([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void accelerations([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* acceleration) {
   const Scalar omega1 = parameters[0];
@@ -70,9 +71,9 @@ void accelerations([[maybe_unused]] const Scalar* parameters,
 /// slope[k * 4 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = x, y, D(x), D(y).
 /// Of nonsmooth terms the classical derivative: d|x| = sgn(x) dx, zero at the corner, and d sgn(x) = 0. 28
 /// operations before the solution of 4 right sides.
-template <class Scalar>
-void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void acceleration_by_state([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* slope) {
   const Scalar omega1 = parameters[0];
@@ -104,9 +105,9 @@ void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
 /// slope[k * 9 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = omega1, omega2,
 /// mu1, b1, b3, p, mu2, b5, q. Of nonsmooth terms the classical derivative: d|x| = sgn(x) dx, zero at the
 /// corner, and d sgn(x) = 0. 18 operations before the solution of 9 right sides.
-template <class Scalar>
-void acceleration_by_parameters([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void acceleration_by_parameters([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* slope) {
   const Scalar omega1 = parameters[0];

@@ -17,15 +17,16 @@
 #include "estimator/model/dual_number.hpp"
 #include "estimator/model/excitation_sample.hpp"
 #include "estimator/model/integer_power.hpp"
+#include "estimator/model/lane_functions.hpp"
 #include "estimator/model/scalar_functions.hpp"
 
 namespace secular::generated::pendulum {
 
 /// Mass matrix M of the equations of motion M*acceleration + force = 0 below, state-dependent: mass[k * 1 + j]
 /// multiplies the acceleration of mode j in equation k. 0 operations.
-template <class Scalar>
-void mass_matrix([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void mass_matrix([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* mass) {
   mass[0] = Scalar(1.0);
@@ -36,9 +37,9 @@ void mass_matrix([[maybe_unused]] const Scalar* parameters,
 /// D2(theta) + fc*sgn(D(theta))
 /// parameters: [0] omega0, [1] alpha3, [2] alpha5, [3] mu1, [4] mu2, [5] fc. displacement, velocity,
 /// acceleration: 1 values. 20 operations.
-template <class Scalar>
-void accelerations([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void accelerations([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* acceleration) {
   const Scalar omega0 = parameters[0];
@@ -56,9 +57,9 @@ void accelerations([[maybe_unused]] const Scalar* parameters,
 /// slope[k * 2 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = theta, D(theta).
 /// Of nonsmooth terms the classical derivative: d|x| = sgn(x) dx, zero at the corner, and d sgn(x) = 0. 17
 /// operations before the solution of 2 right sides.
-template <class Scalar>
-void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void acceleration_by_state([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* slope) {
   const Scalar omega0 = parameters[0];
@@ -78,9 +79,9 @@ void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
 /// slope[k * 6 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = omega0, alpha3,
 /// alpha5, mu1, mu2, fc. Of nonsmooth terms the classical derivative: d|x| = sgn(x) dx, zero at the corner, and
 /// d sgn(x) = 0. 10 operations before the solution of 6 right sides.
-template <class Scalar>
-void acceleration_by_parameters([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void acceleration_by_parameters([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* slope) {
   const Scalar omega0 = parameters[0];

@@ -439,6 +439,7 @@ const CompiledModel model = {
   .cases = cases,
   .mass_matrix = mass_matrix<double>,
   .acceleration = accelerations<double>,
+  .acceleration_of_lanes = accelerations<Lanes>,
   .acceleration_by_state = acceleration_by_state<double>,
   .acceleration_by_parameters = acceleration_by_parameters<double>,
 };

@@ -195,15 +195,16 @@
 #include "estimator/model/dual_number.hpp"
 #include "estimator/model/excitation_sample.hpp"
 #include "estimator/model/integer_power.hpp"
+#include "estimator/model/lane_functions.hpp"
 #include "estimator/model/scalar_functions.hpp"
 
 namespace secular::generated::two_mass_frame {
 
 /// Mass matrix M of the equations of motion M*acceleration + force = 0 below, state-dependent: mass[k * 2 + j]
 /// multiplies the acceleration of mode j in equation k. 1070 operations.
-template <class Scalar>
-void mass_matrix([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void mass_matrix([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* mass) {
   const Scalar m1 = parameters[2];
@@ -504,9 +505,9 @@ void mass_matrix([[maybe_unused]] const Scalar* parameters,
 /// parameters: [0] omega1, [1] omega2, [2] m1, [3] p11, [4] p12, [5] h1, [6] m2, [7] p21, [8] p22, [9] h2, [10]
 /// k1, [11] k2, [12] g, [13] lift, [14] mu1, [15] tilt, [16] mu2. displacement, velocity, acceleration: 2
 /// values. 2724 operations.
-template <class Scalar>
-void accelerations([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void accelerations([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* acceleration) {
   const Scalar omega1 = parameters[0];
@@ -798,9 +799,9 @@ void accelerations([[maybe_unused]] const Scalar* parameters,
 /// slope[k * 4 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = v1, v2, D(v1),
 /// D(v2). Of nonsmooth terms the classical derivative: d|x| = sgn(x) dx, zero at the corner, and d sgn(x) = 0.
 /// 6404 operations before the solution of 4 right sides.
-template <class Scalar>
-void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void acceleration_by_state([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* slope) {
   Scalar acceleration[2];
@@ -1426,9 +1427,9 @@ void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
 /// m1, p11, p12, h1, m2, p21, p22, h2, k1, k2, g, lift, mu1, tilt, mu2. Of nonsmooth terms the classical
 /// derivative: d|x| = sgn(x) dx, zero at the corner, and d sgn(x) = 0. 16860 operations before the solution of
 /// 17 right sides.
-template <class Scalar>
-void acceleration_by_parameters([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void acceleration_by_parameters([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* slope) {
   Scalar acceleration[2];

@@ -19,15 +19,16 @@
 #include "estimator/model/dual_number.hpp"
 #include "estimator/model/excitation_sample.hpp"
 #include "estimator/model/integer_power.hpp"
+#include "estimator/model/lane_functions.hpp"
 #include "estimator/model/scalar_functions.hpp"
 
 namespace secular::generated::two_mass_lumps {
 
 /// Mass matrix M of the equations of motion M*acceleration + force = 0 below, state-dependent: mass[k * 2 + j]
 /// multiplies the acceleration of mode j in equation k. 0 operations.
-template <class Scalar>
-void mass_matrix([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void mass_matrix([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* mass) {
   mass[0] = Scalar(1.0);
@@ -43,9 +44,9 @@ void mass_matrix([[maybe_unused]] const Scalar* parameters,
 /// + D2(v2)
 /// parameters: [0] omega1, [1] omega2, [2] mu11, [3] mu13, [4] lambda, [5] alpha1, [6] kappa, [7] p, [8] q1, [9]
 /// mu22, [10] mu23, [11] alpha2, [12] q2. displacement, velocity, acceleration: 2 values. 43 operations.
-template <class Scalar>
-void accelerations([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void accelerations([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* acceleration) {
   const Scalar omega1 = parameters[0];
@@ -77,9 +78,9 @@ void accelerations([[maybe_unused]] const Scalar* parameters,
 /// slope[k * 4 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = v1, v2, D(v1),
 /// D(v2). Of nonsmooth terms the classical derivative: d|x| = sgn(x) dx, zero at the corner, and d sgn(x) = 0.
 /// 28 operations before the solution of 4 right sides.
-template <class Scalar>
-void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void acceleration_by_state([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* slope) {
   const Scalar omega1 = parameters[0];
@@ -114,9 +115,9 @@ void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
 /// mu11, mu13, lambda, alpha1, kappa, p, q1, mu22, mu23, alpha2, q2. Of nonsmooth terms the classical
 /// derivative: d|x| = sgn(x) dx, zero at the corner, and d sgn(x) = 0. 24 operations before the solution of 13
 /// right sides.
-template <class Scalar>
-void acceleration_by_parameters([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void acceleration_by_parameters([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* slope) {
   const Scalar omega1 = parameters[0];

@@ -22,15 +22,16 @@
 #include "estimator/model/dual_number.hpp"
 #include "estimator/model/excitation_sample.hpp"
 #include "estimator/model/integer_power.hpp"
+#include "estimator/model/lane_functions.hpp"
 #include "estimator/model/scalar_functions.hpp"
 
 namespace secular::generated::two_mass_mode1 {
 
 /// Mass matrix M of the equations of motion M*acceleration + force = 0 below, state-dependent: mass[k * 1 + j]
 /// multiplies the acceleration of mode j in equation k. 6 operations.
-template <class Scalar>
-void mass_matrix([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void mass_matrix([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* mass) {
   const Scalar delta2 = parameters[6];
@@ -43,9 +44,9 @@ void mass_matrix([[maybe_unused]] const Scalar* parameters,
 /// alpha3*v^3 + 2*mu1*D(v) + mu2*D(v)*abs(D(v)) + delta2*D(v)^2 + mu3*D(v)^3 + D2(v) - eta1*F*cos(Omega*t)
 /// parameters: [0] omega0, [1] mu1, [2] mu2, [3] mu3, [4] alpha2, [5] alpha3, [6] delta2, [7] delta3, [8] eta1,
 /// [9] eta2. displacement, velocity, acceleration: 1 values. 31 operations.
-template <class Scalar>
-void accelerations([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void accelerations([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* acceleration) {
   const Scalar omega0 = parameters[0];
@@ -72,9 +73,9 @@ void accelerations([[maybe_unused]] const Scalar* parameters,
 /// slope[k * 2 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = v, D(v). Of
 /// nonsmooth terms the classical derivative: d|x| = sgn(x) dx, zero at the corner, and d sgn(x) = 0. 37
 /// operations before the solution of 2 right sides.
-template <class Scalar>
-void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void acceleration_by_state([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* slope) {
   Scalar acceleration[1];
@@ -107,9 +108,9 @@ void acceleration_by_state([[maybe_unused]] const Scalar* parameters,
 /// slope[k * 10 + x] = d acceleration[k] / d x = -M^-1*(dM/dx*acceleration + d(force)/dx), x = omega0, mu1, mu2,
 /// mu3, alpha2, alpha3, delta2, delta3, eta1, eta2. Of nonsmooth terms the classical derivative: d|x| = sgn(x)
 /// dx, zero at the corner, and d sgn(x) = 0. 21 operations before the solution of 10 right sides.
-template <class Scalar>
-void acceleration_by_parameters([[maybe_unused]] const Scalar* parameters,
-    [[maybe_unused]] const ExcitationSample* excitation,
+template <class Scalar, class Parameter, class Sample>
+void acceleration_by_parameters([[maybe_unused]] const Parameter* parameters,
+    [[maybe_unused]] const Sample* excitation,
     [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,
     Scalar* slope) {
   Scalar acceleration[1];

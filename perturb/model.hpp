@@ -79,6 +79,7 @@ struct Model {
   std::optional<Lagrangian> lagrangian;
   std::vector<Excitation> excitations;
   std::vector<std::string> parameters;  ///< coefficient symbols in order of first appearance
+  std::vector<std::string> strengths;   ///< of added effects (AddedEffect), among the parameters
   std::vector<ResonanceCase> cases;
   std::vector<Shorthand> shorthands;
   std::map<std::string, double> nominal;

@@ -59,7 +59,7 @@ class Augmentation {
     }
     for (const std::string& stem : form->parameter_names()) {
       const int order = added.parameters.empty() ? -1 : 0;
-      added.parameters.push_back(add_parameter(stem + suffix));
+      added.parameters.push_back(order < 0 ? add_strength(stem + suffix) : add_parameter(stem + suffix));
       values[std::to_string(added.parameters.size() - 1)] = added.parameters.back();
       for (ResonanceCase& resonance : model_.cases) {
         resonance.order[added.parameters.back()] = order == 0 ? 0 : strength_order(*form, term, resonance);
@@ -94,6 +94,10 @@ class Augmentation {
     model_.symbols.add_real(name);
     model_.parameters.push_back(name);
     return name;
+  }
+
+  std::string add_strength(const std::string& wanted) {
+    return model_.strengths.emplace_back(add_parameter(wanted));
   }
 
   std::size_t add_excitation(const std::string& wanted) {
@@ -171,7 +175,7 @@ class Augmentation {
     const std::string& x = mode.coordinate;
     mode.frequency = free("omega_" + x);
     model_.symbols.add_positive(mode.frequency);
-    const std::string strength = add_parameter("eta1_" + x), damping = add_parameter("mu1_" + x);
+    const std::string strength = add_strength("eta1_" + x), damping = add_parameter("mu1_" + x);
     const std::string force = "-2*" + damping + "*D(" + x + ") + " + strength + "*" + drive;
     mode.source = {force, model_.file, 1};
     if (model_.lagrangian) {

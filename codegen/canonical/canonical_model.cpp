@@ -277,6 +277,7 @@ class Digest {
     for (const auto* names : {&model.coordinates, &model.natural_frequencies, &model.excitations,
                               &model.excitation_frequencies, &model.parameters, &model.order})
       add(*names);
+    for (const std::string& name : model.strengths) add("strength " + name);
     for (const CanonicalDimension& dimension : model.parameter_dimensions) add(dimension);
     for (const std::optional<double>& value : model.nominal) add(value ? fmt::format("{:a}", *value) : "none");
     for (const auto& equation : model.motion)
@@ -357,6 +358,7 @@ CanonicalModel canonical_model(const Model& model, const std::string& only_case,
   }
   result.parameters = result.natural_frequencies;
   result.parameters.insert(result.parameters.end(), model.parameters.begin(), model.parameters.end());
+  result.strengths = model.strengths;
   for (const std::string& name : result.parameters) {
     const auto dimension = dimensions.find(name);
     result.parameter_dimensions.push_back(

@@ -125,6 +125,7 @@ struct CanonicalModel {
   std::vector<std::string> coordinates, natural_frequencies;
   std::vector<std::string> excitations, excitation_frequencies;
   std::vector<std::string> parameters;  ///< natural frequencies first, then coefficients
+  std::vector<std::string> strengths;   ///< parameters without which an added effect has no terms
   std::vector<CanonicalDimension> parameter_dimensions;
   std::vector<std::optional<double>> nominal;            ///< by parameter
   SymbolOrder order;                                     ///< what RationalFunctions refer to

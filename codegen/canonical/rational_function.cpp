@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <functional>
+#include <iterator>
 #include <map>
 
 namespace secular {
@@ -167,6 +168,13 @@ RationalFunction product(const RationalFunction& a, const RationalFunction& b) {
 
 bool have_like_denominators(const RationalFunction& a, const RationalFunction& b) {
   return factored(a.denominator).rest == factored(b.denominator).rest;
+}
+
+RationalFunction terms_of(const RationalFunction& value, const std::function<bool(const PolynomialTerm&)>& wanted) {
+  if (std::all_of(value.numerator.begin(), value.numerator.end(), wanted)) return value;
+  std::vector<PolynomialTerm> terms;
+  std::copy_if(value.numerator.begin(), value.numerator.end(), std::back_inserter(terms), wanted);
+  return fraction(polynomial(terms), polynomial(value.denominator));
 }
 
 bool depends_on(const RationalFunction& value, std::size_t symbol) {

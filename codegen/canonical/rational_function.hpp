@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,9 @@ RationalFunction product(const RationalFunction& a, const RationalFunction& b);
 
 /// Denominators that differ by a number and powers of symbols only: the sum is not longer than its parts.
 bool have_like_denominators(const RationalFunction& a, const RationalFunction& b);
+
+/// What of the numerator's terms is wanted, over the denominator.
+RationalFunction terms_of(const RationalFunction& value, const std::function<bool(const PolynomialTerm&)>& wanted);
 
 /// Whether the symbol (its index in the order) occurs.
 bool depends_on(const RationalFunction& value, std::size_t symbol);

@@ -34,7 +34,7 @@ void banner(Emitter& emitter) {
 void include_function_headers(CodeText& code) {
   code.line("#include <cstddef>").line("#include <numbers>").line();
   for (const char* const name : {"batch_arrays", "complex_number", "dense_solve", "dual_number",
-                                 "excitation_sample", "integer_power", "scalar_functions"})
+                                 "excitation_sample", "integer_power", "lane_functions", "scalar_functions"})
     code.line(fmt::format("#include \"estimator/model/{}.hpp\"", name));
   code.line();
 }
@@ -49,8 +49,9 @@ constexpr const char* motion_functions[] = {"mass_matrix", "accelerations", "acc
 constexpr const char* modulation_functions[] = {"modulation", "modulation_jacobian"};
 
 // A template whose instantiation for double is in another unit.
-void declare(CodeText& code, const std::string& name, const char* generic, const char* instance) {
-  code.line("template <class Scalar>").line(fmt::format("void {}({});", name, generic));
+void declare(CodeText& code, const std::string& name, const char* generic, const char* instance,
+             const char* types = "class Scalar") {
+  code.line(fmt::format("template <{}>", types)).line(fmt::format("void {}({});", name, generic));
   code.line(fmt::format("extern template void {}<double>({});", name, instance)).line();
 }
 
@@ -61,16 +62,19 @@ void declare_lumps(CodeText& code) {
 
 constexpr const char* motion_arguments =
     "const double*, const ExcitationSample*, const double*, const double*, double*";
+constexpr const char* lane_arguments =
+    "const LaneParameter*, const LaneSample*, const Lanes*, const Lanes*, Lanes*";
 constexpr const char* modulation_arguments = "const double*, const double*, const double*, const double*, double*";
 
 void declare_functions(Emitter& emitter) {
   CodeText& code = emitter.code;
   for (const char* const name : motion_functions)
-    declare(
-        code, name,
-        "const Scalar* parameters, const ExcitationSample* excitation, const Scalar* displacement, const Scalar* "
-        "velocity, Scalar* result",
-        motion_arguments);
+    declare(code, name,
+            "const Parameter* parameters, const Sample* excitation, const Scalar* displacement, const Scalar* "
+            "velocity, "
+            "Scalar* result",
+            motion_arguments, "class Scalar, class Parameter, class Sample");
+  code.line(fmt::format("extern template void accelerations<Lanes>({});", lane_arguments)).line();
   for (const CanonicalCase& c : emitter.model.cases) {
     code.line(fmt::format("namespace {} {{", safe_namespace(c.name))).line();
     declare_lumps(code);
@@ -153,6 +157,7 @@ GeneratedFile functions_unit(const CanonicalModel& model) {
     code.line(fmt::format("template void {}<double>({});", name, arguments));
   };
   for (const char* const name : motion_functions) instantiate(name, motion_arguments);
+  code.line(fmt::format("template void accelerations<Lanes>({});", lane_arguments));
   for (const CanonicalCase& c : model.cases)
     for (const char* const name : modulation_functions)
       instantiate(fmt::format("{}::{}", safe_namespace(c.name), name), modulation_arguments);

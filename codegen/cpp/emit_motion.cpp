@@ -4,11 +4,14 @@
 #include <cmath>
 
 #include "codegen/canonical/motion_derivative.hpp"
+#include "codegen/canonical/motion_parts.hpp"
 #include "codegen/cpp/emitter.hpp"
 #include "codegen/document/print_text.hpp"
 
 namespace secular {
 namespace {
+
+using MotionTerms = std::vector<std::vector<CanonicalMotionTerm>>;  // [mode]
 
 std::string repeated(const std::string& base, int power) {
   std::string text;
@@ -77,9 +80,9 @@ std::string term_code(const CanonicalModel& model, CppWriter& writer, const Cano
 
 void declare(Emitter& emitter, const std::string& name, const std::string& result) {
   CodeText& code = emitter.code;
-  code.line("template <class Scalar>");
-  code.line(fmt::format("void {}([[maybe_unused]] const Scalar* parameters,", name));
-  code.line("    [[maybe_unused]] const ExcitationSample* excitation,");
+  code.line("template <class Scalar, class Parameter, class Sample>");
+  code.line(fmt::format("void {}([[maybe_unused]] const Parameter* parameters,", name));
+  code.line("    [[maybe_unused]] const Sample* excitation,");
   code.line("    [[maybe_unused]] const Scalar* displacement, [[maybe_unused]] const Scalar* velocity,");
   code.line(fmt::format("    Scalar* {}) {{", result));
 }
@@ -92,11 +95,11 @@ int operations(const CppWriter& writer, const std::vector<std::string>& expressi
 }
 
 // Entries [equation][mode] as code, empty where nothing multiplies the acceleration.
-std::vector<std::string> mass_entries(const CanonicalModel& model, CppWriter& writer) {
+std::vector<std::string> mass_entries(const CanonicalModel& model, const MotionTerms& motion, CppWriter& writer) {
   const std::size_t modes = model.coordinates.size();
   std::vector<std::string> mass(modes * modes);
   for (std::size_t k = 0; k < modes; ++k)
-    for (const CanonicalMotionTerm& term : model.motion[k])
+    for (const CanonicalMotionTerm& term : motion[k])
       if (term.acceleration_of) add_to_sum(mass[k * modes + *term.acceleration_of], term_code(model, writer, term));
   return mass;
 }
@@ -104,7 +107,7 @@ std::vector<std::string> mass_entries(const CanonicalModel& model, CppWriter& wr
 void mass_matrix(Emitter& emitter) {
   const CanonicalModel& model = emitter.model;
   CppWriter writer(model.order, "Scalar");
-  const std::vector<std::string> mass = mass_entries(model, writer);
+  const std::vector<std::string> mass = mass_entries(model, model.motion, writer);
   emitter.code.comment(
       fmt::format("Mass matrix M of the equations of motion M*acceleration + force = 0 below, state-dependent: "
                   "mass[k * {} + j] multiplies the acceleration of mode j in equation k. {} operations.",
@@ -117,24 +120,37 @@ void mass_matrix(Emitter& emitter) {
   emitter.code.line("}").line();
 }
 
-// right_sides = M^-1 right_sides; equations that no other acceleration enters are divided.
-void solve(Emitter& emitter, const std::string& right_sides, std::size_t columns) {
+// What a mass matrix is, by its entries.
+struct MassShape {
+  bool diagonal = true, unity = true;  // unity: ones on the diagonal
+  explicit MassShape(const std::vector<std::string>& mass, std::size_t modes) {
+    for (std::size_t i = 0; i < mass.size(); ++i) {
+      const bool on_diagonal = i % (modes + 1) == 0;
+      diagonal = diagonal && on_diagonal != mass[i].empty();
+      unity = unity && (!on_diagonal || mass[i] == "Scalar(1.0)");
+    }
+  }
+};
+
+std::string acts(std::size_t strength) {
+  return fmt::format("is_nonzero(parameters[{}])", strength);
+}
+
+// Condition under which the mass matrix is not unity because of an added effect; none: it is not without any.
+std::string inertia_acts(const CanonicalModel& model) {
+  const std::vector<MotionPart> parts = motion_parts(model);
+  CppWriter writer(model.order, "Scalar");
+  const MassShape own(mass_entries(model, parts.front().motion, writer), model.coordinates.size());
+  std::string condition;
+  for (std::size_t p = 1; own.diagonal && own.unity && p < parts.size(); ++p)
+    if (parts[p].has_inertia()) condition += (condition.empty() ? "" : " || ") + acts(*parts[p].strength);
+  return condition;
+}
+
+// Equations that no other acceleration enters are divided.
+void divide(Emitter& emitter, const std::vector<std::string>& mass, const std::string& right_sides,
+            std::size_t columns) {
   const std::size_t modes = emitter.model.coordinates.size();
-  CppWriter writer(emitter.model.order, "Scalar");
-  const std::vector<std::string> mass = mass_entries(emitter.model, writer);
-  bool diagonal = true, unity = true;
-  for (std::size_t i = 0; i < mass.size(); ++i) {
-    const bool on_diagonal = i % (modes + 1) == 0;
-    diagonal = diagonal && on_diagonal != mass[i].empty();
-    unity = unity && (!on_diagonal || mass[i] == "Scalar(1.0)");
-  }
-  if (diagonal && unity) return;
-  emitter.code.line(fmt::format("Scalar mass[{}];", modes * modes));
-  emitter.code.line("mass_matrix(parameters, excitation, displacement, velocity, mass);");
-  if (!diagonal) {
-    emitter.code.line(fmt::format("solve_in_place(mass, {}, {}, {});", modes, right_sides, columns));
-    return;
-  }
   for (std::size_t k = 0; k < modes; ++k) {
     if (mass[k * (modes + 1)] == "Scalar(1.0)") continue;
     const auto divide = [&](const std::string& i) {
@@ -148,25 +164,75 @@ void solve(Emitter& emitter, const std::string& right_sides, std::size_t columns
   }
 }
 
-void accelerations(Emitter& emitter) {
+// right_sides = M^-1 right_sides
+void solve(Emitter& emitter, const std::string& right_sides, std::size_t columns) {
   const CanonicalModel& model = emitter.model;
   const std::size_t modes = model.coordinates.size();
   CppWriter writer(model.order, "Scalar");
-  std::vector<std::string> force(modes);
-  for (std::size_t k = 0; k < modes; ++k)
-    for (const CanonicalMotionTerm& term : model.motion[k])
-      if (!term.acceleration_of) add_to_sum(force[k], term_code(model, writer, term));
+  const std::vector<std::string> mass = mass_entries(model, model.motion, writer);
+  const MassShape shape(mass, modes);
+  if (shape.diagonal && shape.unity) return;
+  const std::string condition = inertia_acts(model);
+  if (!condition.empty()) emitter.code.line("if (" + condition + ") {");
+  emitter.code.line(fmt::format("Scalar mass[{}];", modes * modes));
+  emitter.code.line("mass_matrix(parameters, excitation, displacement, velocity, mass);");
+  if (shape.diagonal)
+    divide(emitter, mass, right_sides, columns);
+  else
+    emitter.code.line(fmt::format("solve_in_place(mass, {}, {}, {});", modes, right_sides, columns));
+  if (!condition.empty()) emitter.code.line("}");
+}
+
+// Of one part of the equations of motion, as code by mode: what stands beside the accelerations.
+struct Forces {
+  CppWriter writer;
+  std::vector<std::string> of_mode;
+
+  Forces(const CanonicalModel& model, const MotionTerms& motion)
+      : writer(model.order, "Scalar"), of_mode(motion.size()) {
+    for (std::size_t k = 0; k < motion.size(); ++k)
+      for (const CanonicalMotionTerm& term : motion[k])
+        if (!term.acceleration_of) add_to_sum(of_mode[k], term_code(model, writer, term));
+  }
+};
+
+// Forces of an added effect, computed where it acts.
+void subtract_effect(Emitter& emitter, std::size_t strength, const Forces& forces) {
+  emitter.code.line("if (" + acts(strength) + ") {");
+  emitter.unpack(forces.writer.used_symbols());
+  emitter.definitions(forces.writer);
+  for (std::size_t k = 0; k < forces.of_mode.size(); ++k)
+    if (!forces.of_mode[k].empty())
+      emitter.code.line(fmt::format("acceleration[{0}] = acceleration[{0}] - ({1});", k, forces.of_mode[k]));
+  emitter.code.line("}");
+}
+
+void accelerations(Emitter& emitter) {
+  const CanonicalModel& model = emitter.model;
+  const std::size_t modes = model.coordinates.size();
+  const std::vector<MotionPart> parts = motion_parts(model);
+  std::vector<Forces> forces;
+  int count = 0;
+  for (const MotionPart& part : parts) {
+    forces.emplace_back(model, part.motion);
+    count += operations(forces.back().writer, forces.back().of_mode);
+  }
   emitter.code.comment(
       "Accelerations of the full equations of motion, solved from the state-dependent mass matrix.");
+  if (parts.size() > 1)
+    emitter.code.comment("Terms of an added effect are computed where its strength is not zero.");
   for (std::size_t k = 0; k < modes; ++k) emitter.code.comment(motion_text(model, k));
   emitter.code.comment(
       fmt::format("parameters: {}. displacement, velocity, acceleration: {} values. {} operations.",
-                  emitter.parameter_list(), modes, operations(writer, force)));
+                  emitter.parameter_list(), modes, count));
   declare(emitter, "accelerations", "acceleration");
-  emitter.unpack(writer.used_symbols());
-  emitter.definitions(writer);
-  for (std::size_t k = 0; k < modes; ++k)
-    emitter.code.line(fmt::format("acceleration[{}] = -({});", k, force[k].empty() ? "Scalar(0.0)" : force[k]));
+  emitter.unpack(forces.front().writer.used_symbols());
+  emitter.definitions(forces.front().writer);
+  for (std::size_t k = 0; k < modes; ++k) {
+    const std::string& own = forces.front().of_mode[k];
+    emitter.code.line(fmt::format("acceleration[{}] = -({});", k, own.empty() ? "Scalar(0.0)" : own));
+  }
+  for (std::size_t p = 1; p < parts.size(); ++p) subtract_effect(emitter, *parts[p].strength, forces[p]);
   solve(emitter, "acceleration", 1);
   emitter.code.line("}").line();
 }

@@ -58,6 +58,7 @@ class TableCode {
     code_.line(".symbols = symbols,").line(".nominal = nominal,");
     code_.line(model_.cases.empty() ? ".cases = {}," : ".cases = cases,");
     code_.line(".mass_matrix = mass_matrix<double>,").line(".acceleration = accelerations<double>,");
+    code_.line(".acceleration_of_lanes = accelerations<Lanes>,");
     for (const char* function : {"acceleration_by_state", "acceleration_by_parameters"})
       code_.line(fmt::format(".{0} = {0}<double>,", function));
     code_.line("};").line();

@@ -166,6 +166,7 @@ auto names_of(Model& model) {
                      std::pair("excitations", &model.excitations),
                      std::pair("excitation_frequencies", &model.excitation_frequencies),
                      std::pair("parameters", &model.parameters),
+                     std::pair("strengths", &model.strengths),
                      std::pair("order", &model.order)};
 }
 

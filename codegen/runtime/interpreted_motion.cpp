@@ -13,13 +13,13 @@
 namespace secular {
 
 InterpretedMotion::InterpretedMotion(const CanonicalModel& model)
-    : model_(model),
-      motion_{FormulaSet(model.order.size()), {}, 1, {}},
-      by_state_(motion_),
-      by_parameters_(motion_) {
+    : model_(model), by_state_{FormulaSet(model.order.size()), {}, 1, {}}, by_parameters_(by_state_) {
   refuse_unsupported_motion(model);
-  for (std::size_t k = 0; k < model.motion.size(); ++k)
-    for (const CanonicalMotionTerm& term : model.motion[k]) add(motion_, term, k, 0, 1);
+  for (const MotionPart& part : motion_parts(model)) {
+    Part& added = parts_.emplace_back(Part{part.strength, {FormulaSet(model.order.size()), {}, 1, {}}});
+    for (std::size_t k = 0; k < part.motion.size(); ++k)
+      for (const CanonicalMotionTerm& term : part.motion[k]) add(added.list, term, k, 0, 1);
+  }
   std::vector<MotionVariable> state, parameters;
   for (const auto kind : {MotionVariable::Kind::displacement, MotionVariable::Kind::velocity})
     for (std::size_t k = 0; k < model.coordinates.size(); ++k) state.push_back({kind, k});
@@ -109,28 +109,31 @@ double InterpretedMotion::value(const Factor& factor, const Point& point) {
   return 0.0;
 }
 
+template <class Take>
+void InterpretedMotion::each_term(const Point& point, bool inertia, const Take& take) const {
+  for (const Part& part : parts_) {
+    if (!part.acts(point)) continue;
+    const FormulaSet::Values coefficient(part.list.formulas, point.symbol_values);
+    for (const Term& term : part.list.terms) {
+      if (term.acceleration_of.has_value() != inertia) continue;
+      double product = coefficient[term.coefficient];
+      for (const Factor& factor : term.factors) product *= value(factor, point);
+      take(term, product);
+    }
+  }
+}
+
 void InterpretedMotion::mass_matrix(const Point& point, double* mass) const {
   const std::size_t modes = model_.coordinates.size();
-  const FormulaSet::Values coefficient(motion_.formulas, point.symbol_values);
   std::fill(mass, mass + modes * modes, 0.0);
-  for (const Term& term : motion_.terms) {
-    if (!term.acceleration_of) continue;
-    double product = coefficient[term.coefficient];
-    for (const Factor& factor : term.factors) product *= value(factor, point);
-    mass[term.mode * modes + *term.acceleration_of] += product;
-  }
+  each_term(point, true,
+            [&](const Term& term, double value) { mass[term.mode * modes + *term.acceleration_of] += value; });
 }
 
 void InterpretedMotion::acceleration(const Point& point, double* acceleration) const {
   const std::size_t modes = model_.coordinates.size();
-  const FormulaSet::Values coefficient(motion_.formulas, point.symbol_values);
   std::fill(acceleration, acceleration + modes, 0.0);
-  for (const Term& term : motion_.terms) {
-    if (term.acceleration_of) continue;
-    double product = coefficient[term.coefficient];
-    for (const Factor& factor : term.factors) product *= value(factor, point);
-    acceleration[term.mode] -= product;
-  }
+  each_term(point, false, [&](const Term& term, double value) { acceleration[term.mode] -= value; });
   std::vector<double> mass(modes * modes);
   mass_matrix(point, mass.data());
   solve_in_place(mass.data(), modes, acceleration);

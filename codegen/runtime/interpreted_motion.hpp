@@ -6,6 +6,7 @@
 
 #include "codegen/canonical/canonical_model.hpp"
 #include "codegen/canonical/motion_derivative.hpp"
+#include "codegen/canonical/motion_parts.hpp"
 #include "codegen/runtime/formula_set.hpp"
 #include "estimator/model/compiled_model.hpp"
 
@@ -54,16 +55,26 @@ class InterpretedMotion {
     std::size_t columns = 1;
     std::deque<CanonicalFactor> factors;  ///< what the terms point to
   };
+  struct Part {
+    std::optional<std::size_t> strength;  ///< of MotionPart
+    TermList list;
+
+    bool acts(const Point& point) const { return !strength || point.parameters[*strength] != 0; }
+  };
   void add(TermList& list, const CanonicalMotionTerm& canonical, std::size_t mode, std::size_t column,
            double weight) const;
   void add_slopes(TermList& list, const std::vector<MotionVariable>& variables) const;
   Factor prepared(const CanonicalFactor& factor) const;
   static double argument(const Factor& factor, const Point& point);
   static double value(const Factor& factor, const Point& point);
+  /// take(term, its value) for the terms with an acceleration, or without one, of the parts that act.
+  template <class Take>
+  void each_term(const Point& point, bool inertia, const Take& take) const;
   void acceleration_slopes(const TermList& list, const Point& point, double* slope) const;
 
   const CanonicalModel& model_;
-  TermList motion_, by_state_, by_parameters_;
+  std::deque<Part> parts_;  ///< stay where they are: terms point into them
+  TermList by_state_, by_parameters_;
 };
 
 }  // namespace secular

@@ -17,12 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* needed_headers[] = {
-    "estimator/model/compiled_model.hpp",    "estimator/model/model_function.hpp",
-    "estimator/model/batch_arrays.hpp",      "estimator/model/complex_number.hpp",
-    "estimator/model/dense_solve.hpp",       "estimator/model/dual_number.hpp",
-    "estimator/model/excitation_sample.hpp", "estimator/model/generated_table.hpp",
-    "estimator/model/integer_power.hpp",     "estimator/model/scalar_functions.hpp"};
+constexpr const char* needed_headers[] = {"estimator/model/compiled_model.hpp",
+                                          "estimator/model/model_function.hpp",
+                                          "estimator/model/batch_arrays.hpp",
+                                          "estimator/model/complex_number.hpp",
+                                          "estimator/model/dense_solve.hpp",
+                                          "estimator/model/dual_number.hpp",
+                                          "estimator/model/excitation_sample.hpp",
+                                          "estimator/model/generated_table.hpp",
+                                          "estimator/model/integer_power.hpp",
+                                          "estimator/model/lane_functions.hpp",
+                                          "estimator/model/lanes.hpp",
+                                          "estimator/model/scalar_functions.hpp"};
 
 struct Headers {
   fs::path folder;

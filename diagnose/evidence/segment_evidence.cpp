@@ -3,11 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
 
-#include "diagnose/evidence/saturation.hpp"
-#include "numerics/hertz.hpp"
+#include "numerics/in_parallel.hpp"
 #include "numerics/median.hpp"
 #include "numerics/third_differences.hpp"
 
@@ -48,14 +46,6 @@ double roughness(const std::vector<double>& values) {
   return upper_median(std::move(third)) / (0.6745 * std::sqrt(third_difference_variance));
 }
 
-// Errors, channel after channel, with nothing at some samples.
-VectorXd silenced(VectorXd error, Index samples, const std::vector<Index>& at) {
-  for (Index first = 0; first + samples <= error.size(); first += samples)
-    for (const Index sample : at)
-      if (sample < samples) error(first + sample) = 0;
-  return error;
-}
-
 double lower_quartile(std::vector<double> values) {
   const auto quarter = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
   std::nth_element(values.begin(), quarter, values.end());
@@ -77,10 +67,7 @@ double white_variance(const VectorXd& error, Index samples) {
 
 SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateForce> forces, SensorModel sensors,
                                  FaultTable table, std::vector<Segment> segments)
-    : model_(&model),
-      forces_(std::move(forces)),
-      sensors_(std::move(sensors)),
-      table_(std::move(table)),
+    : model_(model, std::move(forces), std::move(sensors), std::move(table)),
       segments_(std::move(segments)),
       frozen_(segments_.size()) {
   for (const Segment& s : segments_) {
@@ -102,7 +89,7 @@ SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateFo
     label.component = EffectComponent::measurement;
     label.harmonic = "rest of the signal";
     for (Index c = 0; c < s.response.rows(); ++c) {
-      label.place = sensors_.response_names[static_cast<std::size_t>(c)];
+      label.place = model_.sensors().response_names[static_cast<std::size_t>(c)];
       labels_.insert(labels_.end(), static_cast<std::size_t>(s.response.cols()), label);
     }
   }
@@ -110,166 +97,41 @@ SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateFo
 
 Index SegmentEvidence::freedom() const {
   Index at_jumps = 0;
-  for (const Frozen& f : frozen_) at_jumps += static_cast<Index>(f.at_jumps.size() * sensors_.responses.size());
-  return size() - static_cast<Index>(4 * model_->modes() * segments_.size()) - at_jumps;
+  for (const Frozen& f : frozen_)
+    at_jumps += static_cast<Index>(f.at_jumps.size() * model_.sensors().responses.size());
+  return size() - static_cast<Index>(4 * model_.modes() * segments_.size()) - at_jumps;
 }
 
-VectorXd SegmentEvidence::errors(const Segment& s, const VectorXd& unknowns, const VectorXd& state, Index samples,
-                                 const std::vector<LinearChange>& change, std::vector<Index>* jumps) const {
-  const std::size_t symbols = model_->symbols.size();
-  const Faults faults = table_.faults(unknowns.data() + symbols);
-  std::vector<double> parameters(unknowns.data(), unknowns.data() + symbols);
-  for (std::size_t k = 0; k < model_->modes(); ++k) {
-    parameters[k] *= 1 + faults.frequency_drift[k] * s.time_s;
-    if (s.frequency_shift.size() > 0) parameters[k] *= 1 + s.frequency_shift(static_cast<Index>(k));
-  }
-  DrivingSignal signal;
-  signal.sample_s = s.sample_s;
-  signal.half_steps = s.excitation;
-  for (Index j = 0; j < signal.half_steps.rows(); ++j) {
-    const ChannelFaults& fault = faults.excitation[static_cast<std::size_t>(j)];
-    if (fault.offset != 0) signal.half_steps.row(j).array() -= fault.offset;
-    if (fault.gain != 0) signal.half_steps.row(j) /= 1 + fault.gain;
-    if (fault.delay != 0) {
-      // Measured late: the true signal is ahead by the delay.
-      const Eigen::RowVectorXd late = signal.half_steps.row(j);
-      const double shift = fault.delay / (0.5 * s.sample_s);
-      for (Index i = 0; i < late.size(); ++i) {
-        const double at = std::clamp(static_cast<double>(i) + shift, 0.0, static_cast<double>(late.size() - 1));
-        const auto low = std::min<Index>(static_cast<Index>(at), late.size() - 2);
-        signal.half_steps(j, i) = late(low) + (at - static_cast<double>(low)) * (late(low + 1) - late(low));
-      }
-    }
-  }
-  const bool extra =
-      signal.half_steps.rows() > 0 &&
-      std::any_of(faults.extra.amplitude.begin(), faults.extra.amplitude.end(), [](double a) { return a != 0; });
-  const SideOscillator side{faults.extra.frequency, faults.extra.damping};
-  const StretchOfMotion motion = integrate_stretch(*model_, forces_, parameters, signal, state, samples, s.substeps,
-                                                   change, extra ? &side : nullptr);
-  if (jumps) *jumps = motion.jumps;
-  MatrixXd shapes = sensors_.shapes;
-  if (!faults.mixing.isZero(0)) shapes += sensors_.shapes * faults.mixing;
-  MatrixXd seen = shapes * (sensors_.derivatives == 2   ? motion.acceleration
-                            : sensors_.derivatives == 1 ? motion.velocity
-                                                        : motion.displacement);
-  VectorXd all(seen.rows() * samples);
-  for (Index c = 0; c < seen.rows(); ++c) {
-    const ChannelFaults& fault = faults.response[static_cast<std::size_t>(c)];
-    if (extra) seen.row(c) += faults.extra.amplitude[static_cast<std::size_t>(c)] * motion.side;
-    if (fault.cross != 0 && signal.half_steps.rows() > 0)
-      for (Index i = 0; i < samples; ++i) seen(c, i) += fault.cross * signal.half_steps(0, 2 * i);
-    if (fault.delay != 0) {
-      const Eigen::RowVectorXd prompt = seen.row(c);
-      const double shift = fault.delay / s.sample_s;
-      for (Index i = 0; i < samples; ++i) {
-        const Index low = std::clamp<Index>(i, 1, samples - 2);
-        seen(c, i) = prompt(i) - shift * 0.5 * (prompt(low + 1) - prompt(low - 1));
-      }
-    }
-    seen.row(c) *= 1 + fault.gain;
-    if (fault.saturates())
-      for (double& reading : seen.row(c)) reading = saturated(reading, fault.level(), s.noise_sd(c));
-    seen.row(c).array() += fault.offset;
-    all.segment(c * samples, samples) = (s.response.row(c).head(samples) - seen.row(c)).transpose() / s.noise_sd(c);
-  }
+std::vector<VectorXd> SegmentEvidence::frozen_errors(std::size_t segment,
+                                                     const std::vector<SegmentTrial>& trials) const {
+  std::vector<VectorXd> all = model_.errors(trials);
+  for (VectorXd& error : all)
+    error = silenced(std::move(error), segments_[segment].response.cols(), frozen_[segment].at_jumps);
   return all;
 }
 
-// Displacements and velocities at the first sample by a sinusoid at every natural frequency over the first turns.
-VectorXd SegmentEvidence::guessed_state(const Segment& s, const VectorXd& unknowns) const {
-  const auto modes = static_cast<Index>(model_->modes());
-  const MatrixXd modal = sensors_.filter * s.response;
-  VectorXd state = VectorXd::Zero(2 * modes);
-  for (Index k = 0; k < modes; ++k) {
-    const double w = unknowns(k);
-    const auto samples = static_cast<Index>(
-        std::min(static_cast<double>(s.response.cols()), std::floor(1.2 * two_pi / w / s.sample_s) + 3));
-    const Eigen::ArrayXd phase =
-        Eigen::ArrayXd::LinSpaced(samples, 0, static_cast<double>(samples - 1)) * (w * s.sample_s);
-    MatrixXd waves(samples, 3);
-    waves.col(0) = phase.cos();
-    waves.col(1) = phase.sin();
-    waves.col(2).setOnes();
-    const VectorXd fit = waves.colPivHouseholderQr().solve(modal.row(k).head(samples).transpose());
-    // Of the measured quantity; divided by i w as often as it is differentiated.
-    std::complex<double> amplitude(fit(0), -fit(1));
-    for (int d = 0; d < sensors_.derivatives; ++d) amplitude /= std::complex<double>(0, w);
-    state(k) = amplitude.real();
-    state(modes + k) = (amplitude * std::complex<double>(0, w)).real();
-  }
-  return state;
-}
-
-double SegmentEvidence::improve_state(const Segment& s, const VectorXd& unknowns, VectorXd& state, Index samples,
-                                      const std::vector<Index>& at_jumps) const {
-  const auto size = static_cast<Index>(2 * model_->modes());
-  const auto errors_from = [&](const VectorXd& at) {
-    return silenced(errors(s, unknowns, at, samples, {}), samples, at_jumps);
-  };
-  // Scales of displacement and velocity from the channels.
-  const double frequency = unknowns(0);
-  const double largest = s.response.cwiseAbs().maxCoeff() /
-                         std::max(1e-300, sensors_.shapes.cwiseAbs().maxCoeff()) /
-                         std::pow(frequency, sensors_.derivatives);
-  VectorXd step(size);
-  step.head(size / 2).setConstant(1e-4 * largest);
-  step.tail(size / 2).setConstant(1e-4 * largest * frequency);
-  VectorXd error = errors_from(state);
-  for (int i = 0; i < 10; ++i) {
-    MatrixXd slope(error.size(), size);
-    for (Index k = 0; k < size; ++k) {
-      VectorXd moved = state;
-      moved(k) += step(k);
-      slope.col(k) = errors_from(moved) - error;
-    }
-    const VectorXd change = -slope.colPivHouseholderQr().solve(error);
-    if (!change.allFinite()) break;
-    double factor = 1, gain = -1;
-    for (int half = 0; half < 5 && gain < 0; ++half, factor *= 0.3) {
-      const VectorXd moved = state + factor * change.cwiseProduct(step);
-      const VectorXd next = errors_from(moved);
-      if (!(next.squaredNorm() < error.squaredNorm())) continue;
-      gain = error.squaredNorm() - next.squaredNorm();
-      state = moved;
-      error = next;
-    }
-    if (gain < 1e-3 + 1e-6 * error.squaredNorm()) break;
-  }
-  return error.squaredNorm();
-}
-
-void SegmentEvidence::find_state(const Segment& s, const VectorXd& unknowns, VectorXd& state) const {
-  const Index samples = s.response.cols();
-  // A long stretch has many minima: a new state is found from its beginning on, and the better one stays.
-  VectorXd fresh = guessed_state(s, unknowns);
-  for (const Index part : {samples / 8, samples / 3})
-    if (part > 8) improve_state(s, unknowns, fresh, part);
-  const double fresh_error = improve_state(s, unknowns, fresh, samples);
-  if (state.size() > 0 && improve_state(s, unknowns, state, samples) <= fresh_error) return;
-  state = fresh;
-}
-
-VectorXd SegmentEvidence::frozen_errors(std::size_t segment, const VectorXd& unknowns, const VectorXd& state,
-                                        const std::vector<LinearChange>& change) const {
-  const Segment& s = segments_[segment];
-  const Index samples = s.response.cols();
-  return silenced(errors(s, unknowns, state, samples, change), samples, frozen_[segment].at_jumps);
+std::vector<VectorXd> SegmentEvidence::frozen_errors(const VectorXd& unknowns) const {
+  std::vector<SegmentTrial> trials;
+  for (std::size_t i = 0; i < segments_.size(); ++i) trials.push_back(frozen_trial(i, unknowns));
+  std::vector<VectorXd> all = model_.errors(trials);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = silenced(std::move(all[i]), trials[i].samples, frozen_[i].at_jumps);
+  return all;
 }
 
 void SegmentEvidence::freeze_segment(std::size_t segment, const VectorXd& unknowns, double coarse) {
   const Segment& s = segments_[segment];
   Frozen& f = frozen_[segment];
   const Index samples = s.response.cols();
-  find_state(s, unknowns, f.state);
+  model_.find_state(s, unknowns, f.state);
   f.at_jumps.clear();
-  if (sensors_.derivatives == 2) {
+  if (model_.sensors().derivatives == 2) {
     std::vector<Index> jumps;
-    errors(s, unknowns, f.state, samples, {}, &jumps);
+    model_.errors({frozen_trial(segment, unknowns)}, &jumps);
     for (const Index before : jumps)
       for (const Index sample : {before, before + 1})
         if (f.at_jumps.empty() || f.at_jumps.back() < sample) f.at_jumps.push_back(sample);
-    if (!jumps.empty()) improve_state(s, unknowns, f.state, samples, f.at_jumps);
+    if (!jumps.empty()) model_.improve_state(s, unknowns, f.state, samples, f.at_jumps);
   }
   f.widening = 1;
   if (coarse > 0) {
@@ -277,26 +139,34 @@ void SegmentEvidence::freeze_segment(std::size_t segment, const VectorXd& unknow
                         std::sqrt(static_cast<double>(samples));
     f.widening = std::hypot(1.0, std::sqrt(coarse) * size);
   }
-  const VectorXd error = frozen_errors(segment, unknowns, f.state, {});
-  const auto modes = static_cast<Index>(model_->modes());
-  MatrixXd slope(error.size(), 2 * modes);
+  freeze_bases(segment, unknowns);
+}
+
+void SegmentEvidence::freeze_bases(std::size_t segment, const VectorXd& unknowns) {
+  Frozen& f = frozen_[segment];
+  const auto modes = model_.modes();
   const VectorXd size = f.state.cwiseAbs().cwiseMax(1e-3 * f.state.cwiseAbs().maxCoeff() + 1e-30);
-  for (Index k = 0; k < 2 * modes; ++k) {
-    VectorXd moved = f.state;
-    moved(k) += 1e-4 * size(k);
-    slope.col(k) = (frozen_errors(segment, unknowns, moved, {}) - error) * 1e4;
+  // As it is, then with each part of the state and each mode's stiffness and damping changed.
+  std::vector<SegmentTrial> trials(1 + 4 * modes, frozen_trial(segment, unknowns));
+  for (std::size_t i = 0; i < 2 * modes; ++i) {
+    const auto row = static_cast<Index>(i);
+    trials[1 + i].state(row) += 1e-4 * size(row);
   }
-  f.state_basis = beyond(MatrixXd(error.size(), 0), slope);
-  MatrixXd changes(error.size(), 2 * modes);
-  for (Index k = 0; k < modes; ++k) {
-    const double w = unknowns(k);
-    std::vector<LinearChange> change(static_cast<std::size_t>(modes));
-    change[static_cast<std::size_t>(k)].stiffness = 1e-6 * w * w;
-    changes.col(2 * k) = (frozen_errors(segment, unknowns, f.state, change) - error) * 1e6;
-    change[static_cast<std::size_t>(k)] = {0, 1e-6 * w};
-    changes.col(2 * k + 1) = (frozen_errors(segment, unknowns, f.state, change) - error) * 1e6;
+  for (std::size_t k = 0; k < modes; ++k) {
+    const double w = unknowns(static_cast<Index>(k));
+    for (const std::size_t i : {2 * k, 2 * k + 1}) trials[1 + 2 * modes + i].change.resize(modes);
+    trials[1 + 2 * modes + 2 * k].change[k].stiffness = 1e-6 * w * w;
+    trials[2 + 2 * modes + 2 * k].change[k].damping = 1e-6 * w;
   }
-  f.change_basis = beyond(f.state_basis, changes);
+  const std::vector<VectorXd> errors = frozen_errors(segment, trials);
+  const auto differences = [&](std::size_t first, double scale) {
+    MatrixXd columns(errors.front().size(), static_cast<Index>(2 * modes));
+    for (std::size_t i = 0; i < 2 * modes; ++i)
+      columns.col(static_cast<Index>(i)) = (errors[first + i] - errors.front()) * scale;
+    return columns;
+  };
+  f.state_basis = beyond(MatrixXd(errors.front().size(), 0), differences(1, 1e4));
+  f.change_basis = beyond(f.state_basis, differences(1 + 2 * modes, 1e6));
 }
 
 void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
@@ -319,6 +189,7 @@ SegmentEvidence::Noise SegmentEvidence::noise_of(const VectorXd& white, const Ma
 }
 
 void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
+  const std::vector<VectorXd> errors = frozen_errors(unknowns);
   std::vector<Noise> found;
   for (std::size_t first = 0, end = 0; first < segments_.size(); first = end) {
     while (end < segments_.size() && segments_[end].record == segments_[first].record) ++end;
@@ -329,7 +200,7 @@ void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
     for (std::size_t i = first; i < end; ++i) {
       const Frozen& f = frozen_[i];
       const auto column = static_cast<Index>(i - first);
-      const VectorXd error = frozen_errors(i, unknowns, f.state, {});
+      const VectorXd& error = errors[i];
       white(column) = white_variance(error, segments_[i].response.cols());
       changes.col(column) = f.change_basis.transpose() * error;
       const double squares = error.squaredNorm() - (f.state_basis.transpose() * error).squaredNorm() -
@@ -356,16 +227,15 @@ void SegmentEvidence::shift_frequencies(const std::map<std::size_t, VectorXd>& s
 }
 
 void SegmentEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const {
-  if (!has_frequencies(unknowns, model_->modes())) {
+  if (!has_frequencies(unknowns, model_.modes())) {
     rows.setConstant(std::numeric_limits<double>::infinity());
     return;
   }
+  std::vector<VectorXd> errors = frozen_errors(unknowns);
   Index first = 0;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    VectorXd error = frozen_errors(i, unknowns, frozen_[i].state, {});
-    const Index count = frozen_[i].change_basis.cols() + error.size();
-    rows_of(i, std::move(error), rows.segment(first, count));
-    first += count;
+    rows_of(i, std::move(errors[i]), rows.segment(first, rows_in(i)));
+    first += rows_in(i);
   }
 }
 
@@ -388,9 +258,8 @@ VectorXd SegmentEvidence::offset_slopes(std::size_t channel, double scale) const
     const Index samples = s.response.cols(), c = static_cast<Index>(channel);
     VectorXd error = VectorXd::Zero(s.response.rows() * samples);
     error.segment(c * samples, samples).setConstant(-scale / s.noise_sd(c));
-    const Index count = frozen_[i].change_basis.cols() + error.size();
-    rows_of(i, silenced(std::move(error), samples, frozen_[i].at_jumps), column.segment(first, count));
-    first += count;
+    rows_of(i, silenced(std::move(error), samples, frozen_[i].at_jumps), column.segment(first, rows_in(i)));
+    first += rows_in(i);
   }
   return column;
 }
@@ -402,17 +271,61 @@ MatrixXd SegmentEvidence::slopes(const VectorXd& unknowns, const std::vector<std
   std::vector<Index> places;
   for (std::size_t w = 0; w < which.size(); ++w) {
     std::size_t channel = 0;
-    while (channel < sensors_.responses.size() && which[w] != model_->symbols.size() + table_.offset(channel))
-      ++channel;
+    while (channel < model_.sensors().responses.size() && which[w] != model_.offset(channel)) ++channel;
     const auto place = static_cast<Index>(w);
-    if (channel < sensors_.responses.size()) {
+    if (channel < model_.sensors().responses.size()) {
       columns.col(place) = offset_slopes(channel, scale(place));
     } else {
       others.push_back(which[w]);
       places.push_back(place);
     }
   }
-  columns(Eigen::all, places) = Evidence::slopes(unknowns, others, scale(places), threads);
+  columns(Eigen::all, places) = differences(unknowns, others, scale(places), threads);
+  return columns;
+}
+
+void SegmentEvidence::segment_differences(std::size_t segment, const std::vector<VectorXd>& ends,
+                                          Eigen::Ref<MatrixXd> rows) const {
+  std::vector<SegmentTrial> trials;
+  for (const VectorXd& end : ends) trials.push_back(frozen_trial(segment, end));
+  std::vector<VectorXd> errors = frozen_errors(segment, trials);
+  VectorXd up(rows.rows()), down(rows.rows());
+  for (Index i = 0; i < rows.cols(); ++i) {
+    const auto end = static_cast<std::size_t>(2 * i);
+    rows_of(segment, std::move(errors[end]), up);
+    rows_of(segment, std::move(errors[end + 1]), down);
+    rows.col(i) = up - down;
+  }
+}
+
+MatrixXd SegmentEvidence::differences(const VectorXd& unknowns, const std::vector<std::size_t>& which,
+                                      const VectorXd& scale, unsigned threads) const {
+  constexpr std::size_t together = Lanes::count / 2;  // either side of each
+  MatrixXd columns(size(), static_cast<Index>(which.size()));
+  std::vector<Index> first{0};
+  for (std::size_t i = 0; i < segments_.size(); ++i) first.push_back(first.back() + rows_in(i));
+  const std::size_t groups = (which.size() + together - 1) / together;
+  const auto moved = [&](std::size_t w, double side) {
+    VectorXd end = unknowns;
+    end(static_cast<Index>(which[w])) += side * scale(static_cast<Index>(w));
+    return end;
+  };
+  in_parallel(segments_.size() * groups, threads, [&](std::size_t task) {
+    const std::size_t segment = task / groups, begin = task % groups * together,
+                      end = std::min(begin + together, which.size());
+    std::vector<VectorXd> ends;
+    for (std::size_t w = begin; w < end; ++w)
+      for (const double side : {0.5, -0.5}) ends.push_back(moved(w, side));
+    segment_differences(segment, ends,
+                        columns.block(first[segment], static_cast<Index>(begin), rows_in(segment),
+                                      static_cast<Index>(end - begin)));
+  });
+  for (std::size_t w = 0; w < which.size(); ++w) {
+    auto column = columns.col(static_cast<Index>(w));
+    const bool there =
+        has_frequencies(moved(w, 0.5), model_.modes()) && has_frequencies(moved(w, -0.5), model_.modes());
+    if (!there || !column.allFinite()) column.setZero();
+  }
   return columns;
 }
 
@@ -430,15 +343,15 @@ std::vector<SegmentEvidence::Disturbed> SegmentEvidence::disturbed() const {
 }
 
 VectorXd SegmentEvidence::mean_square_error(const VectorXd& unknowns) const {
-  const auto channels = static_cast<Index>(sensors_.response_names.size());
+  const auto channels = static_cast<Index>(model_.sensors().response_names.size());
   VectorXd sum = VectorXd::Zero(channels);
   double count = 0;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const Segment& s = segments_[i];
     VectorXd state = frozen_[i].state;
-    find_state(s, unknowns, state);
+    model_.find_state(s, unknowns, state);
     const Index samples = s.response.cols();
-    const VectorXd error = errors(s, unknowns, state, samples, {});
+    const VectorXd error = model_.errors({{s, samples, unknowns, state}}).front();
     for (Index c = 0; c < channels; ++c)
       sum(c) += error.segment(c * samples, samples).squaredNorm() * s.noise_sd(c) * s.noise_sd(c);
     count += static_cast<double>(samples);
@@ -447,7 +360,7 @@ VectorXd SegmentEvidence::mean_square_error(const VectorXd& unknowns) const {
 }
 
 VectorXd SegmentEvidence::mean_square_signal() const {
-  VectorXd sum = VectorXd::Zero(static_cast<Index>(sensors_.response_names.size()));
+  VectorXd sum = VectorXd::Zero(static_cast<Index>(model_.sensors().response_names.size()));
   double count = 0;
   for (const Segment& s : segments_) {
     sum += s.response.rowwise().squaredNorm();

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "diagnose/evidence/discrepancy.hpp"
-#include "diagnose/evidence/segment.hpp"
+#include "diagnose/evidence/segment_model.hpp"
 
 namespace secular {
 
@@ -27,7 +27,8 @@ class SegmentEvidence : public Evidence {
   void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
   void shift_frequencies(const std::map<std::size_t, Eigen::VectorXd>& shifts) override;
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
-  /// Offsets of response channels, which no motion depends on, in closed form; the others by differences.
+  /// Offsets of response channels, which no motion depends on, in closed form; the others by differences of motions
+  /// that are integrated side by side.
   Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale, unsigned threads) const override;
 
@@ -63,10 +64,6 @@ class SegmentEvidence : public Evidence {
     Eigen::VectorXd change_sd;  // of the first rows
     double rest_sd = 1;         // of the others
   };
-  /// `jumps`: see StretchOfMotion.
-  Eigen::VectorXd errors(const Segment& segment, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& state,
-                         Eigen::Index samples, const std::vector<LinearChange>& change,
-                         std::vector<Eigen::Index>* jumps = nullptr) const;
   void measure_noise(const Eigen::VectorXd& unknowns);
   /// A segment's rows, from errors of its samples.
   void rows_of(std::size_t segment, Eigen::VectorXd error, Eigen::Ref<Eigen::VectorXd> rows) const;
@@ -76,20 +73,29 @@ class SegmentEvidence : public Evidence {
   /// the first and in the other rows.
   Noise noise_of(const Eigen::VectorXd& white, const Eigen::MatrixXd& changes, const std::vector<double>& rest,
                  bool repeats) const;
-  Eigen::VectorXd guessed_state(const Segment& segment, const Eigen::VectorXd& unknowns) const;
-  /// Gauss-Newton over the first `samples`; returns the sum of squared errors.
-  double improve_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state,
-                       Eigen::Index samples, const std::vector<Eigen::Index>& at_jumps = {}) const;
-  void find_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state) const;
   void freeze_segment(std::size_t segment, const Eigen::VectorXd& unknowns, double coarse);
-  /// Errors of a frozen segment.
-  Eigen::VectorXd frozen_errors(std::size_t segment, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& state,
-                                const std::vector<LinearChange>& change) const;
+  /// Directions in which errors move with the state, and with the change of every mode, where the segment is.
+  void freeze_bases(std::size_t segment, const Eigen::VectorXd& unknowns);
+  /// A frozen segment as it is.
+  SegmentTrial frozen_trial(std::size_t segment, const Eigen::VectorXd& unknowns) const {
+    return {segments_[segment], segments_[segment].response.cols(), unknowns, frozen_[segment].state};
+  }
+  /// Errors of trials of one frozen segment.
+  std::vector<Eigen::VectorXd> frozen_errors(std::size_t segment, const std::vector<SegmentTrial>& trials) const;
+  /// Errors of all frozen segments.
+  std::vector<Eigen::VectorXd> frozen_errors(const Eigen::VectorXd& unknowns) const;
+  /// Rows of a segment.
+  Eigen::Index rows_in(std::size_t segment) const {
+    return static_cast<Eigen::Index>(2 * model_.modes()) + segments_[segment].response.size();
+  }
+  /// Central differences of half a scale.
+  Eigen::MatrixXd differences(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
+                              const Eigen::VectorXd& scale, unsigned threads) const;
+  /// The same in the rows of one segment, between the `ends` of each column: up, down, up, down, ...
+  void segment_differences(std::size_t segment, const std::vector<Eigen::VectorXd>& ends,
+                           Eigen::Ref<Eigen::MatrixXd> rows) const;
 
-  const CompiledModel* model_;
-  std::vector<StateForce> forces_;
-  SensorModel sensors_;
-  FaultTable table_;
+  SegmentModel model_;
   std::vector<Segment> segments_;
   std::vector<Frozen> frozen_;
   std::vector<Noise> noise_;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
+#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "estimator/model/compiled_model.hpp"
@@ -25,6 +27,17 @@ struct DrivingSignal {
   double sample_s = 0;
 };
 
+/// What is integrated over a stretch.
+struct MotionStart {
+  std::vector<double> parameters;
+  Eigen::VectorXd state;  ///< displacements, then velocities
+  std::shared_ptr<const DrivingSignal> signal;
+  Eigen::Index samples = 0;
+  int substeps = 1;
+  std::vector<LinearChange> change = {};  ///< by mode; empty: none
+  std::optional<SideOscillator> side = {};
+};
+
 /// A stretch of motion at its samples.
 struct StretchOfMotion {
   Eigen::MatrixXd displacement, velocity, acceleration;  ///< modes x samples
@@ -36,12 +49,26 @@ struct StretchOfMotion {
 /// equal steps from sample to sample, the driving signal interpolated by parabolas. Where the equations jump with
 /// the sign of a coordinate's velocity (dry friction), a step holds to one side of the jump and ends where the
 /// velocity comes to zero, so that motions are continuous in the parameters; a coordinate that is pushed back
-/// either way stays where it is. `state`: displacements, then velocities. Sliders among `forces` start unstretched,
-/// what relaxes in the middle of a vibration at its mode's natural frequency.
-/// Samples after a state beyond 1e6 times its start stay zero.
-StretchOfMotion integrate_stretch(const CompiledModel& model, const std::vector<StateForce>& forces,
-                                  std::span<const double> parameters, const DrivingSignal& signal,
-                                  const Eigen::VectorXd& state, Eigen::Index samples, int substeps,
-                                  const std::vector<LinearChange>& change, const SideOscillator* side);
+/// either way stays where it is. Sliders among `forces` start unstretched, what relaxes in the middle of a
+/// vibration at its mode's natural frequency. Samples after a state beyond 1e6 times its start stay zero.
+class MotionIntegrator {
+ public:
+  /// Keeps a reference to the model.
+  MotionIntegrator(const CompiledModel& model, std::vector<StateForce> forces)
+      : model_(model), forces_(std::move(forces)) {}
+
+  StretchOfMotion motion(const MotionStart& start) const;
+  /// The same motions, to the last bit, in far less time: those without jumps whose samples are as many, as far
+  /// apart and as finely divided are integrated side by side.
+  std::vector<StretchOfMotion> motions(const std::vector<MotionStart>& starts) const;
+
+ private:
+  std::vector<StretchOfMotion> side_by_side(const std::vector<MotionStart>& starts) const;
+  /// Whether accelerations jump with the sign of a velocity.
+  bool jumps(const MotionStart& start) const;
+
+  const CompiledModel& model_;
+  std::vector<StateForce> forces_;
+};
 
 }  // namespace secular

@@ -27,30 +27,45 @@ constexpr double least_kept = 0.25;
 /// Differences are taken over changes of the rows by this to one over this standard deviations.
 constexpr double least_change = 0.03;
 
-// Minimum-norm solution in columns of unit length, and what it leaves undetermined.
-struct Step {
-  VectorXd step;
-  Index rank = 0;
-};
-
-Step damped_step(const MatrixXd& jacobian, const VectorXd& rows, double damping) {
-  const VectorXd length = jacobian.colwise().norm().cwiseMax(std::numeric_limits<double>::min()).transpose();
-  const MatrixXd unit = jacobian * length.cwiseInverse().asDiagonal();
-  const Eigen::BDCSVD<MatrixXd> svd(unit, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  Step result;
-  VectorXd weighted = svd.matrixU().transpose() * rows;
-  for (Index i = 0; i < weighted.size(); ++i) {
-    const double s = svd.singularValues()(i);
-    if (s > rank_tolerance * svd.singularValues()(0)) {
-      weighted(i) *= s / (s * s + damping);
-      ++result.rank;
-    } else {
-      weighted(i) = 0;
-    }
+// Singular directions of a Jacobian in columns of unit length (zero where nothing moves the rows). There are many
+// more rows than unknowns: they are turned into the columns' span first, J = QR, and R = USV' is small.
+class Directions {
+ public:
+  explicit Directions(const MatrixXd& jacobian)
+      : per_length_(jacobian.colwise().norm().transpose().unaryExpr([](double x) { return x > 0 ? 1 / x : 0.0; })),
+        turned_(jacobian * per_length_.asDiagonal()) {
+    const Index size = std::min(jacobian.rows(), jacobian.cols());
+    const MatrixXd small = turned_.matrixQR().topRows(size).triangularView<Eigen::Upper>();
+    svd_.compute(small, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    while (rank_ < size && value(rank_) > rank_tolerance * value(0)) ++rank_;
   }
-  result.step = -length.cwiseInverse().cwiseProduct(svd.matrixV() * weighted);
-  return result;
-}
+
+  Index rank() const { return rank_; }
+  double value(Index i) const { return svd_.singularValues()(i); }
+  /// Of the unknowns, in columns of unit length: the first rank() ones are seen.
+  const MatrixXd& of_unknowns() const { return svd_.matrixV(); }
+  /// One over the columns' lengths.
+  const VectorXd& per_length() const { return per_length_; }
+
+  /// Rows along every direction.
+  VectorXd along(const VectorXd& rows) const {
+    const VectorXd turned = turned_.householderQ().adjoint() * rows;
+    return svd_.matrixU().transpose() * turned.head(svd_.matrixU().rows());
+  }
+  /// The step that takes rows away: of minimum norm in columns of unit length.
+  VectorXd step(const VectorXd& rows, double damping) const {
+    VectorXd weighted = along(rows);
+    for (Index i = 0; i < weighted.size(); ++i)
+      weighted(i) *= i < rank_ ? value(i) / (value(i) * value(i) + damping) : 0;
+    return -per_length_.cwiseProduct(svd_.matrixV() * weighted);
+  }
+
+ private:
+  VectorXd per_length_;
+  Eigen::HouseholderQR<MatrixXd> turned_;
+  Eigen::JacobiSVD<MatrixXd> svd_;
+  Index rank_ = 0;
+};
 
 // Unknowns after a step of those that are free, in units of their scales.
 VectorXd moved_by(const Refit& fit, const VectorXd& step) {
@@ -63,12 +78,13 @@ VectorXd moved_by(const Refit& fit, const VectorXd& step) {
 // Along a curved valley straight steps must be short. The second derivative of the rows in the direction of a step
 // bends it (geodesic acceleration, Transtrum and Sethna 2012, with their numbers for the difference and for the
 // longest bend by the step).
-VectorXd bent(const Discrepancy& discrepancy, const Refit& fit, const VectorXd& step, double damping) {
+VectorXd bent(const Discrepancy& discrepancy, const Refit& fit, const Directions& directions, const VectorXd& step,
+              double damping) {
   constexpr double part = 0.1, longest = 0.75;
   const VectorXd ahead = discrepancy(moved_by(fit, part * step));
   const VectorXd curvature = 2 / part * ((ahead - fit.rows) / part - fit.jacobian * step);
   if (!curvature.allFinite()) return step;
-  const VectorXd bend = 0.5 * damped_step(fit.jacobian, curvature, damping).step;
+  const VectorXd bend = 0.5 * directions.step(curvature, damping);
   return 2 * bend.norm() > longest * step.norm() ? step : VectorXd(step + bend);
 }
 
@@ -82,12 +98,13 @@ class Descent {
   // Until steps bring nothing more, at most so many; how many of these are left.
   int go(Refit& fit, int left) {
     for (; left > 0; --left) {
-      const Step step = damped_step(fit.jacobian, fit.rows, damping_);
-      fit.rank = step.rank;
-      const VectorXd taken = options_.bends ? bent(discrepancy_, fit, step.step, damping_) : step.step;
+      const Directions directions(fit.jacobian);
+      fit.rank = directions.rank();
+      const VectorXd step = directions.step(fit.rows, damping_);
+      const VectorXd taken = options_.bends ? bent(discrepancy_, fit, directions, step, damping_) : step;
       const VectorXd next = moved_by(fit, taken), rows = discrepancy_(next);
       const double chi_squared = rows.squaredNorm(), gain = fit.chi_squared - chi_squared,
-                   promised = fit.chi_squared - (fit.rows + fit.jacobian * step.step).squaredNorm();
+                   promised = fit.chi_squared - (fit.rows + fit.jacobian * step).squaredNorm();
       if (std::isfinite(chi_squared) && gain >= 0) {
         const bool as_promised = !options_.bends && gain > least_kept * promised;
         if (as_promised) correct(fit, taken, rows - fit.rows);
@@ -135,27 +152,21 @@ class Descent {
 
 // Rank, covariance and ending of a fit, by the slopes where it is.
 FitEnding judge_end(const Discrepancy& discrepancy, Refit& fit) {
-  const VectorXd length = fit.jacobian.colwise().norm().transpose();
-  const VectorXd unit = length.unaryExpr([](double x) { return x > 0 ? 1 / x : 0.0; });
-  const Eigen::BDCSVD<MatrixXd> svd(fit.jacobian * unit.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);
-  VectorXd inverse = VectorXd::Zero(svd.singularValues().size());
-  const VectorXd promised = svd.matrixU().transpose() * fit.rows;
-  double promise = 0;
-  fit.rank = 0;
+  const Directions directions(fit.jacobian);
+  const VectorXd promised = directions.along(fit.rows);
+  const MatrixXd& of_unknowns = directions.of_unknowns();
+  VectorXd inverse = VectorXd::Zero(promised.size());
+  fit.rank = directions.rank();
+  for (Index i = 0; i < fit.rank; ++i) inverse(i) = 1 / (directions.value(i) * directions.value(i));
+  const double promise = promised.head(fit.rank).squaredNorm();
   fit.identifiable.assign(fit.free.size(), true);
-  for (Index i = 0; i < inverse.size(); ++i) {
-    if (svd.singularValues()(i) > rank_tolerance * svd.singularValues()(0)) {
-      inverse(i) = 1 / (svd.singularValues()(i) * svd.singularValues()(i));
-      promise += promised(i) * promised(i);
-      ++fit.rank;
-    } else {
-      for (std::size_t f = 0; f < fit.free.size(); ++f)
-        if (std::abs(svd.matrixV()(static_cast<Index>(f), i)) > 1e-3) fit.identifiable[f] = false;
-    }
+  for (std::size_t f = 0; f < fit.free.size(); ++f) {
+    const auto row = static_cast<Index>(f);
+    const bool seen = directions.per_length()(row) > 0;
+    const auto beyond = of_unknowns.row(row).tail(of_unknowns.cols() - fit.rank);
+    fit.identifiable[f] = seen && !(beyond.cwiseAbs().array() > 1e-3).any();
   }
-  for (std::size_t f = 0; f < fit.free.size(); ++f)
-    if (!(length(static_cast<Index>(f)) > 0)) fit.identifiable[f] = false;
-  const MatrixXd turned = fit.scale.cwiseProduct(unit).asDiagonal() * svd.matrixV();
+  const MatrixXd turned = fit.scale.cwiseProduct(directions.per_length()).asDiagonal() * of_unknowns;
   fit.covariance = turned * inverse.asDiagonal() * turned.transpose();
   // Damping makes every promise small: only what a free step promises tells whether this is the minimum.
   const double dispersion = dispersion_of(fit.chi_squared, static_cast<double>(discrepancy.freedom() - fit.rank));

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "estimator/model/excitation_sample.hpp"
+#include "estimator/model/lanes.hpp"
 #include "estimator/model/model_function.hpp"
 
 /// What generated code offers to the estimator and the simulator: plain tables and functions, no symbols.
@@ -112,6 +113,10 @@ struct CompiledModel {
                                             const double* displacement, const double* velocity, double* result)>;
   MotionFunction mass_matrix;   ///< [equation][mode], row-major
   MotionFunction acceleration;  ///< [mode], solved from the state-dependent mass matrix
+  /// The same of several motions at once, each number to the last bit. Empty: they are computed one by one.
+  ModelFunction<void(const LaneParameter* parameters, const LaneSample* excitation, const Lanes* displacement,
+                     const Lanes* velocity, Lanes* result)>
+      acceleration_of_lanes;
   /// [mode][displacements..., velocities...] and [mode][symbol], row-major: derivatives of the accelerations. Of
   /// nonsmooth terms the classical derivative on either side, zero at the corner.
   MotionFunction acceleration_by_state, acceleration_by_parameters;
@@ -122,11 +127,12 @@ struct CompiledModel {
 /// Number of this interface: its version, and the sizes that a compiler or a standard library may choose otherwise.
 /// A shared object of generated code is taken only if both sides compute the same.
 constexpr std::uint64_t compiled_model_abi() {
-  std::uint64_t number = 3;
+  std::uint64_t number = 4;
   for (const std::size_t size :
        {sizeof(CompiledModel), sizeof(CompiledCase), sizeof(RegressorBlock), sizeof(CompiledLump),
         sizeof(CompiledSymbol), sizeof(Ratio), sizeof(ObservationBatch), sizeof(ExcitationSample),
-        sizeof(std::span<const int>), sizeof(std::string_view), sizeof(std::complex<double>), sizeof(void*)})
+        sizeof(std::span<const int>), sizeof(std::string_view), sizeof(std::complex<double>), sizeof(void*),
+        sizeof(Lanes)})
     number = number * 1099511628211ULL + size;
   return number;
 }

@@ -13,6 +13,7 @@ struct DualNumber {
   constexpr DualNumber() = default;
   constexpr explicit DualNumber(double v, double s = 0) : value(v), slope(s) {}
 
+  friend constexpr bool operator==(const DualNumber&, const DualNumber&) = default;
   friend constexpr DualNumber operator+(const DualNumber& a, const DualNumber& b) {
     return DualNumber(a.value + b.value, a.slope + b.slope);
   }

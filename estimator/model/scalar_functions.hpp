@@ -41,6 +41,12 @@ Scalar sign_of(const Scalar& x) {
   return Scalar(static_cast<double>(real_part(x) > 0) - static_cast<double>(real_part(x) < 0));
 }
 
+/// Whether what this multiplies is there: false for a zero that no derivative is carried with.
+template <class Scalar>
+bool is_nonzero(const Scalar& x) {
+  return !(x == Scalar(0.0));
+}
+
 /// 1/x, and 0 for x = 0. The division comes first and unconditionally, so that loops over it become vector code.
 template <class Scalar>
 Scalar inverse_or_zero(const Scalar& x) {

@@ -124,11 +124,45 @@ void BalanceSweep::excite(Index point, const std::vector<Signal>& signals) {
 const MatrixXd& BalanceSweep::accelerations(const MatrixXd& position, const MatrixXd& velocity,
                                             std::span<const double> parameters,
                                             const std::vector<Signal>& signals) {
+  if (model_.acceleration_of_lanes) return accelerations_side_by_side(position, velocity, parameters, signals);
   std::fill(excitation_.begin(), excitation_.end(), ExcitationSample{});
   for (Index p = 0; p < position.cols(); ++p) {
     excite(p, signals);
     model_.acceleration(parameters.data(), excitation_.data(), position.col(p).data(), velocity.col(p).data(),
                         acceleration_.col(p).data());
+  }
+  return acceleration_;
+}
+
+// As many points at once; the last one fills what is left.
+const MatrixXd& BalanceSweep::accelerations_side_by_side(const MatrixXd& position, const MatrixXd& velocity,
+                                                         std::span<const double> parameters,
+                                                         const std::vector<Signal>& signals) {
+  const Index modes = position.rows(), points = position.cols();
+  std::vector<LaneParameter> same;
+  for (std::size_t s = 0; s < model_.symbols.size(); ++s)
+    same.push_back({Lanes(parameters[s]), parameters[s] != 0});
+  std::vector<LaneSample> excitation(excitation_.size());
+  std::vector<Lanes> here(model_.modes()), speed = here, result = here;
+  for (Index first = 0; first < points; first += static_cast<Index>(Lanes::count)) {
+    for (std::size_t lane = 0; lane < Lanes::count; ++lane) {
+      const Index p = std::min(first + static_cast<Index>(lane), points - 1);
+      for (const Index j : driven_) {
+        LaneSample& sample = excitation[static_cast<std::size_t>(j)];
+        sample.value.set(lane, force_(j, p));
+        sample.first_derivative.set(lane, force_rate_(j, p));
+        sample.second_derivative.set(lane, force_acceleration_(j, p));
+      }
+      for (const Signal& signal : signals) excitation[signal.force->excitation].value.set(lane, signal.values(p));
+      for (Index k = 0; k < modes; ++k) {
+        here[static_cast<std::size_t>(k)].set(lane, position(k, p));
+        speed[static_cast<std::size_t>(k)].set(lane, velocity(k, p));
+      }
+    }
+    model_.acceleration_of_lanes(same.data(), excitation.data(), here.data(), speed.data(), result.data());
+    for (Index p = first; p < std::min(first + static_cast<Index>(Lanes::count), points); ++p)
+      for (Index k = 0; k < modes; ++k)
+        acceleration_(k, p) = result[static_cast<std::size_t>(k)][static_cast<std::size_t>(p - first)];
   }
   return acceleration_;
 }

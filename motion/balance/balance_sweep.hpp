@@ -90,6 +90,11 @@ class BalanceSweep {
   const Eigen::MatrixXd& accelerations(const Eigen::MatrixXd& position, const Eigen::MatrixXd& velocity,
                                        std::span<const double> parameters, const std::vector<Signal>& signals);
 
+  const Eigen::MatrixXd& accelerations_side_by_side(const Eigen::MatrixXd& position,
+                                                    const Eigen::MatrixXd& velocity,
+                                                    std::span<const double> parameters,
+                                                    const std::vector<Signal>& signals);
+
   /// The real or the imaginary part of a slaved line.
   struct Entry {
     Eigen::Index mode, line;

@@ -44,10 +44,11 @@ class FrictionEvidence : public testing::TestWithParam<int> {
   }
   StretchOfMotion motion(double strength, const VectorXd& state, Index samples, int substeps) const {
     const VectorXd values = unknowns(strength);
-    DrivingSignal silent;
-    silent.sample_s = sample_s;
-    return integrate_stretch(model, {}, {values.data(), model.symbols.size()}, silent, state, samples, substeps, {},
-                             nullptr);
+    return MotionIntegrator(model, {}).motion({{values.data(), values.data() + model.symbols.size()},
+                                               state,
+                                               std::make_shared<const DrivingSignal>(DrivingSignal{{}, sample_s}),
+                                               samples,
+                                               substeps});
   }
   // A decay as it is measured, with noise of a thousandth of its begin.
   SegmentEvidence decay() const {
@@ -131,11 +132,10 @@ TEST_P(FrictionStretch, IsPiecewiseExactAndComesToRest) {
   const double about = GetParam() == 0 ? 0.02 : 0.045, start = 0.35, f = about * natural * natural;
   VectorXd values = unknowns(f);
   values(static_cast<Index>(symbol("mu1"))) = 0;
-  DrivingSignal silent;
-  silent.sample_s = sample_s;
+  const auto silent = std::make_shared<const DrivingSignal>(DrivingSignal{{}, sample_s});
   const auto worst = [&](int substeps) {
-    const StretchOfMotion m = integrate_stretch(model, {}, {values.data(), model.symbols.size()}, silent,
-                                                Eigen::Vector2d(start, 0), 200, substeps, {}, nullptr);
+    const StretchOfMotion m = MotionIntegrator(model, {}).motion(
+        {{values.data(), values.data() + model.symbols.size()}, Eigen::Vector2d(start, 0), silent, 200, substeps});
     double error = 0;
     for (Index i = 0; i < 200; ++i) {
       const double turns = natural * sample_s * static_cast<double>(i) / std::numbers::pi;

@@ -90,11 +90,10 @@ TEST(StretchOfMotion, FollowsTheLinearDecayToFourthOrder) {
   const double w0 = 5, mu = 0.2;
   const Eigen::VectorXd p = parameters_of(model, {{"omega0", w0}, {"mu1", mu}});
   const double wd = std::sqrt(w0 * w0 - mu * mu);
-  DrivingSignal silent;
-  silent.sample_s = 0.05;
+  const auto silent = std::make_shared<const DrivingSignal>(DrivingSignal{{}, 0.05});
   const auto worst = [&](int substeps) {
-    const StretchOfMotion motion = integrate_stretch(model, {}, {p.data(), static_cast<std::size_t>(p.size())},
-                                                     silent, Eigen::Vector2d(1, -mu), 200, substeps, {}, nullptr);
+    const StretchOfMotion motion = MotionIntegrator(model, {}).motion(
+        {{p.data(), p.data() + p.size()}, Eigen::Vector2d(1, -mu), silent, 200, substeps});
     double error = 0;
     for (Eigen::Index i = 0; i < 200; ++i) {
       const double t = 0.05 * static_cast<double>(i);

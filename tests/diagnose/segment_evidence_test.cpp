@@ -25,23 +25,22 @@ std::vector<Segment> decay(const Laboratory& lab, const VectorXd& unknowns, std:
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   std::vector<Segment> segments;
-  const std::vector<double> parameters(unknowns.data(), unknowns.data() + lab.compiled.symbols.size());
-  VectorXd state(2);
-  state << 1e-3, 0;
+  MotionStart start{{unknowns.data(), unknowns.data() + lab.compiled.symbols.size()},
+                    Eigen::Vector2d(1e-3, 0),
+                    std::make_shared<const DrivingSignal>(DrivingSignal{{}, 2e-3 * 80 / natural}),
+                    samples + 1,
+                    4};
   for (int i = 0; i < count; ++i) {
     Segment s;
     s.fold = i;
-    s.sample_s = 2e-3 * 80 / natural;
+    s.sample_s = start.signal->sample_s;
     s.time_s = s.in_record_s = i * samples * s.sample_s;
-    DrivingSignal signal;
-    signal.sample_s = s.sample_s;
-    const StretchOfMotion motion =
-        integrate_stretch(lab.compiled, {}, parameters, signal, state, samples + 1, 4, {}, nullptr);
+    const StretchOfMotion motion = MotionIntegrator(lab.compiled, {}).motion(start);
     s.response = motion.acceleration.leftCols(samples);
     s.noise_sd = VectorXd::Constant(1, 1e-4 * 1e-3 * natural * natural);
     for (double& reading : s.response.row(0)) reading += s.noise_sd(0) * normal(random);
     s.substeps = 4;
-    state << motion.displacement(0, samples), motion.velocity(0, samples);
+    start.state << motion.displacement(0, samples), motion.velocity(0, samples);
     segments.push_back(std::move(s));
   }
   return segments;
@@ -73,6 +72,42 @@ TEST(SegmentEvidence, ADecayGivesFrequencyAndDampingBack) {
     EXPECT_NEAR(unknowns(u), truth(u), 4 * sd) << "unknown " << u;
     EXPECT_LT(sd, 1e-2 * truth(u));
   }
+}
+
+// Motions side by side give the differences of the rows themselves; a fault of the channel alone moves no motion.
+TEST(SegmentEvidence, SlopesAreCentralDifferencesToTheLastBit) {
+  const Laboratory lab;
+  const VectorXd truth = lab.unknowns({{"alpha3", -2e7}, {"mu3", 30}});
+  Discrepancy discrepancy = decay_of(lab, truth);
+  discrepancy.freeze(truth);
+  std::vector<std::size_t> which;
+  for (std::size_t s = 0; s < lab.compiled.symbols.size(); ++s) which.push_back(s);
+  for (const std::size_t fault : {lab.faults.gain(0), lab.faults.delay(0), lab.faults.drift(0)})
+    which.push_back(lab.compiled.symbols.size() + fault);
+  VectorXd scale(static_cast<Index>(which.size()));
+  for (std::size_t w = 0; w < which.size(); ++w) {
+    const double value = std::abs(truth(static_cast<Index>(which[w])));
+    scale(static_cast<Index>(w)) = value > 0 ? 1e-3 * value : 1e-3;
+  }
+  const Eigen::MatrixXd slopes = discrepancy.slopes(truth, which, scale, 2);
+  for (std::size_t w = 0; w < which.size(); ++w) {
+    const auto u = static_cast<Index>(which[w]), column = static_cast<Index>(w);
+    VectorXd moved = truth;
+    moved(u) = truth(u) + 0.5 * scale(column);
+    VectorXd difference = discrepancy(moved);
+    moved(u) = truth(u) - 0.5 * scale(column);
+    difference -= discrepancy(moved);
+    EXPECT_EQ(slopes.col(column), difference) << "unknown " << which[w];
+  }
+}
+
+// Where the frequency would be passed by a difference there is no slope.
+TEST(SegmentEvidence, NoSlopeWhereAnEndHasNoFrequency) {
+  const Laboratory lab;
+  const VectorXd truth = lab.unknowns({});
+  Discrepancy discrepancy = decay_of(lab, truth);
+  discrepancy.freeze(truth);
+  EXPECT_TRUE(discrepancy.slopes(truth, {lab.symbol("omega0")}, VectorXd::Constant(1, 3 * natural), 1).isZero(0));
 }
 
 // Squares of natural frequencies are the same from either side, damping is not: nothing but this keeps a fit of a

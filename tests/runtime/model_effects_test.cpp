@@ -16,7 +16,7 @@
 #include "perturb/with_effects.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/places.hpp"
-#include "tests/runtime/compare_models.hpp"
+#include "tests/runtime/compare_lanes.hpp"
 
 namespace secular {
 namespace {
@@ -257,6 +257,15 @@ TEST_F(ModelEffects, ZeroStrengthIsTheModelItself) {
   }
 }
 
+// Motions side by side, in which every effect acts in one motion and not in the others.
+void expect_lanes_with_effects(const CompiledModel& code, const std::vector<AddedEffect>& effects) {
+  std::vector<test::Point> points = test::points_of_lanes(code, 6);
+  for (std::size_t e = 0; e < effects.size(); ++e)
+    for (std::size_t lane = 0; lane < points.size(); ++lane)
+      if (lane != e % points.size()) points[lane].parameters[index_of(code, effects[e].parameters[0])] = 0;
+  test::expect_lanes_of_each(code, points);
+}
+
 // All effects at once, compiled.
 class SlowModelEffects : public ModelEffects {};
 
@@ -271,6 +280,7 @@ TEST_F(SlowModelEffects, CompiledCodeIsThatModelToo) {
     EXPECT_TRUE(compiled.model->cases.empty());
     EXPECT_LT(test::largest_difference(*compiled.model, *interpreted(augmented.model), 10), 1e-12) << name;
     expect_identity_at_zero(*compiled.model, *base.model, augmented.effects);
+    expect_lanes_with_effects(*compiled.model, augmented.effects);
   }
 }
 

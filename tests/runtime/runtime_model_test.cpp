@@ -18,7 +18,7 @@
 #include "perturb/model.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/places.hpp"
-#include "tests/runtime/compare_models.hpp"
+#include "tests/runtime/compare_lanes.hpp"
 
 namespace secular {
 namespace {
@@ -125,6 +125,11 @@ TEST_F(RuntimeModels, EqualTheCompiledInAndTheInterpreted) {
     expect_same_tables(compiled_in, *interpreted.model);
     EXPECT_LT(largest_difference(compiled_in, *interpreted.model, 20), 1e-12) << name;
   }
+}
+
+TEST(ShippedModels, ComputeMotionsSideBySideAsEachAlone) {
+  for (const CompiledModel* model : generated::compiled_models())
+    test::expect_lanes_of_each(*model, test::points_of_lanes(*model, 7));
 }
 
 TEST_F(RuntimeModels, TwoModesCompiledEqualInterpreted) {
@@ -330,17 +335,17 @@ TEST_F(RuntimeModels, NamesOfAModelCannotBecomeCode) {
 TEST_F(RuntimeModels, AnyIdentifierMayBeASymbol) {
   std::string damping, order;
   for (const char* const name :
-       {"int",           "std",      "__LINE__", "_Pragma",       "NAN",        "M_PI",
-        "errno",         "x_2",      "mu",       "mu_2",          "s_mu_2_s",   "A_x",
-        "norm_A_x",      "unit_A_x", "i",        "lumps",         "parameters", "rate",
-        "mass",          "force",    "Scalar",   "denominator_0", "factor_0_0", "evaluate_lumps",
-        "integer_power",
-
-        "data",          "count",    "asm",      "__asm__",       "F_",         "c_0_0"}) {
+       {"int",           "std",        "__LINE__",  "_Pragma",       "NAN",        "M_PI",
+        "errno",         "x_2",        "mu",        "mu_2",          "s_mu_2_s",   "A_x",
+        "norm_A_x",      "unit_A_x",   "i",         "lumps",         "parameters", "rate",
+        "mass",          "force",      "Scalar",    "denominator_0", "factor_0_0", "evaluate_lumps",
+        "integer_power", "is_nonzero", "Parameter", "Sample",        "Lanes",      "LaneSample",
+        "data",          "count",      "asm",       "__asm__",       "F_",         "c_0_0"}) {
     damping += std::string(" - ") + name + "*D(x)^3 - " + name + "^2*x^2";
     order += std::string(order.empty() ? "" : ", ") + name + " = 1";
   }
-  for (const char* const name : {"std", "int", "model", "cases", "CompiledModel", "__LINE__", "case_0", "main"}) {
+  for (const char* const name :
+       {"std", "int", "model", "cases", "CompiledModel", "__LINE__", "case_0", "main", "Lanes"}) {
     const fs::path file = write(
         "names.toml",
         "schema = 1\nname = \"" + std::string(name) +

@@ -1,0 +1,230 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "diagnose/evidence/segment_motion.hpp"
+
+namespace secular {
+
+/// One motion, or several side by side, by the number that stands for a coordinate.
+template <class Number>
+struct Motions;
+
+template <>
+struct Motions<double> {
+  using Parameter = double;
+  using Sample = ExcitationSample;
+  static constexpr std::size_t count = 1;
+  static double of(double number, std::size_t /*motion*/) { return number; }
+  static void set(double& number, std::size_t /*motion*/, double value) { number = value; }
+  static void set_parameter(double& parameter, std::size_t /*motion*/, double value) { parameter = value; }
+  static const auto& acceleration(const CompiledModel& model) { return model.acceleration; }
+};
+
+template <>
+struct Motions<Lanes> {
+  using Parameter = LaneParameter;
+  using Sample = LaneSample;
+  static constexpr std::size_t count = Lanes::count;
+  static double of(const Lanes& number, std::size_t motion) { return number[motion]; }
+  static void set(Lanes& number, std::size_t motion, double value) { number.set(motion, value); }
+  static void set_parameter(LaneParameter& parameter, std::size_t motion, double value) {
+    parameter.set(motion, value);
+    parameter.is_nonzero = parameter.is_nonzero || value != 0;
+  }
+  static const auto& acceleration(const CompiledModel& model) { return model.acceleration_of_lanes; }
+};
+
+/// The signal at a time in half steps of the samples, by a parabola through three neighbouring half steps.
+ExcitationSample interpolated(const DrivingSignal& signal, Eigen::Index row, double at);
+
+/// Right-hand sides of the full equations of motion, with what drives them and what stands beside them. A state is
+/// displacements, velocities, displacement and velocity of the side oscillator, and what relaxes.
+template <class Number>
+class MotionFlow {
+ public:
+  using State = std::vector<Number>;
+
+  /// One motion for each start; where fewer are given than go side by side, the first one's parameters and no
+  /// forces fill the rest.
+  MotionFlow(const CompiledModel& model, const std::vector<StateForce>& forces, std::span<const MotionStart> starts)
+      : model_(model),
+        modes_(model.modes()),
+        size_(2 * modes_),
+        parameters_(model.symbols.size()),
+        excitation_(model.excitations.size()),
+        driven_(std::min(static_cast<std::size_t>(starts.front().signal->half_steps.rows()), excitation_.size())) {
+    for (std::size_t m = 0; m < Motions<Number>::count; ++m) {
+      const MotionStart& start = starts[m < starts.size() ? m : 0];
+      signals_[m] = start.signal.get();
+      one_signal_ = one_signal_ && signals_[m] == signals_[0];
+      for (std::size_t p = 0; p < parameters_.size(); ++p)
+        Motions<Number>::set_parameter(parameters_[p], m, start.parameters[p]);
+      take_beside(m, start);
+    }
+    if (has_side_) size_ += 2;
+    for (const StateForce& force : forces) take_force(force, starts);
+  }
+
+  std::size_t modes() const { return modes_; }
+
+  State state_of(std::span<const MotionStart> starts) const {
+    State state(size_, Number(0.0));
+    for (std::size_t m = 0; m < starts.size(); ++m) {
+      for (std::size_t i = 0; i < 2 * modes_; ++i)
+        Motions<Number>::set(state[i], m, starts[m].state(static_cast<Eigen::Index>(i)));
+      for (const ActiveForce& active : active_)
+        if (active.relaxes) Motions<Number>::set(state[active.place], m, swung_in(active, m, starts[m]));
+    }
+    return state;
+  }
+
+  /// Sets what drives; time in half steps of the samples.
+  void drive(double at) {
+    for (std::size_t j = 0; j < driven_; ++j) {
+      const ExcitationSample now = interpolated(*signals_[0], static_cast<Eigen::Index>(j), at);
+      excitation_[j] = {Number(now.value), Number(now.first_derivative), Number(now.second_derivative)};
+      if (one_signal_) continue;
+      for (std::size_t m = 1; m < Motions<Number>::count; ++m) {
+        const ExcitationSample own = interpolated(*signals_[m], static_cast<Eigen::Index>(j), at);
+        Motions<Number>::set(excitation_[j].value, m, own.value);
+        Motions<Number>::set(excitation_[j].first_derivative, m, own.first_derivative);
+        Motions<Number>::set(excitation_[j].second_derivative, m, own.second_derivative);
+      }
+    }
+  }
+
+  /// Accelerations with these velocities in place of the state's. Sliders as they are at `origin`, moved on to
+  /// here.
+  void accelerate(const State& state, const State& velocity, const State& origin, Number* acceleration) {
+    for (const ActiveForce& active : active_)
+      excitation_[active.force->excitation] = {signal_of(active, state, velocity, origin), Number(0.0),
+                                               Number(0.0)};
+    Motions<Number>::acceleration(model_)(parameters_.data(), excitation_.data(), state.data(), velocity.data(),
+                                          acceleration);
+  }
+
+  /// The rest of the derivative of the state, its accelerations being those of accelerate().
+  void complete(const State& state, State& rate) const {
+    for (std::size_t k = 0; k < modes_; ++k) rate[k] = state[modes_ + k];
+    for (std::size_t k = 0; k < stiffness_.size(); ++k)
+      rate[modes_ + k] = rate[modes_ + k] - (stiffness_[k] * state[k] + damping_[k] * state[modes_ + k]);
+    for (const ActiveForce& active : active_)
+      if (active.relaxes) rate[active.place] = rate[active.force->mode] - state[active.place] / active.time;
+    if (!has_side_) return;
+    const Number &x = state[2 * modes_], &v = state[2 * modes_ + 1];
+    const Number force = excitation_.empty() ? Number(0.0) : Number(excitation_[0].value);
+    rate[2 * modes_] = v;
+    rate[2 * modes_ + 1] =
+        force - Number(2.0) * side_damping_ * side_frequency_ * v - side_frequency_ * side_frequency_ * x;
+  }
+
+  /// Sliders go from one state to another.
+  void slide(const State& from, const State& to) {
+    for (ActiveForce& active : active_) {
+      const std::size_t mode = active.force->mode;
+      for (std::size_t m = 0; m < Motions<Number>::count; ++m)
+        for (auto& [slider, stretch] : active.sliders[m])
+          stretch = slider.advanced(stretch, Motions<Number>::of(to[mode], m) - Motions<Number>::of(from[mode], m));
+    }
+  }
+
+  double parameter(std::size_t symbol) const { return Motions<Number>::of(parameters_[symbol], 0); }
+
+ private:
+  struct StretchedSlider {
+    Slider slider;
+    double stretch = 0;
+  };
+  // A force that is not switched off in every motion.
+  struct ActiveForce {
+    const StateForce* force = nullptr;
+    std::array<bool, Motions<Number>::count> acts{};
+    std::array<double, Motions<Number>::count> shape{},
+        level{};  // level: squared amplitude of the first excitation
+    std::array<std::vector<StretchedSlider>, Motions<Number>::count> sliders;
+    bool relaxes = false;
+    std::size_t place = 0;  // in the state, of what relaxes
+    Number time = Number(1.0);
+  };
+
+  void take_beside(std::size_t motion, const MotionStart& start) {
+    stiffness_.resize(std::max(stiffness_.size(), start.change.size()), Number(0.0));
+    damping_.resize(stiffness_.size(), Number(0.0));
+    for (std::size_t k = 0; k < start.change.size(); ++k) {
+      Motions<Number>::set(stiffness_[k], motion, start.change[k].stiffness);
+      Motions<Number>::set(damping_[k], motion, start.change[k].damping);
+    }
+    if (!start.side) return;
+    has_side_ = true;
+    Motions<Number>::set(side_frequency_, motion, start.side->frequency);
+    Motions<Number>::set(side_damping_, motion, start.side->damping);
+  }
+
+  void take_force(const StateForce& force, std::span<const MotionStart> starts) {
+    ActiveForce active;
+    active.force = &force;
+    bool acts = false;
+    for (std::size_t m = 0; m < starts.size(); ++m) {
+      const std::vector<double>& parameters = starts[m].parameters;
+      if (parameters[force.strength_symbol] == 0) continue;
+      acts = active.acts[m] = true;
+      active.shape[m] = force.shape(parameters);
+      if (force.law.kind == ForceLaw::Kind::level && driven_ > 0)
+        active.level[m] = squared_amplitude(signals_[m]->half_steps.row(0));
+      for (const Slider& slider : sliders_of(force, active.shape[m])) active.sliders[m].push_back({slider});
+      Motions<Number>::set(active.time, m, active.shape[m]);
+    }
+    if (!acts) return;
+    active.relaxes = force.law.kind == ForceLaw::Kind::relaxation;
+    if (active.relaxes) active.place = size_++;
+    active_.push_back(std::move(active));
+  }
+
+  // What relaxes, in the middle of a free vibration at the natural frequency: z = i w tau/(1 + i w tau) x.
+  double swung_in(const ActiveForce& active, std::size_t motion, const MotionStart& start) const {
+    const auto k = static_cast<Eigen::Index>(active.force->mode), modes = static_cast<Eigen::Index>(modes_);
+    const double tau = active.shape[motion], turns = start.parameters[active.force->mode] * tau;
+    return (turns * turns * start.state(k) + tau * start.state(modes + k)) / (1 + turns * turns);
+  }
+
+  Number signal_of(const ActiveForce& active, const State& state, const State& velocity,
+                   const State& origin) const {
+    const StateForce& force = *active.force;
+    Number signal(0.0);
+    for (std::size_t m = 0; m < Motions<Number>::count; ++m) {
+      if (!active.acts[m]) continue;
+      const double here = Motions<Number>::of(state[force.mode], m);
+      double value = 0;
+      if (force.law.kind == ForceLaw::Kind::state)
+        value = force.law.value(here, Motions<Number>::of(velocity[force.mode], m), active.shape[m], force.scale);
+      else if (force.law.kind == ForceLaw::Kind::level)
+        value = active.level[m];
+      else if (active.relaxes)
+        value = Motions<Number>::of(state[active.place], m);
+      const double way = here - Motions<Number>::of(origin[force.mode], m);
+      for (const auto& [slider, stretch] : active.sliders[m])
+        value += slider.advanced(stretch, way) / static_cast<double>(active.sliders[m].size());
+      Motions<Number>::set(signal, m, value);
+    }
+    return signal;
+  }
+
+  const CompiledModel& model_;
+  std::array<const DrivingSignal*, Motions<Number>::count> signals_{};
+  bool one_signal_ = true;
+  std::size_t modes_, size_;  // of the state
+  std::vector<typename Motions<Number>::Parameter> parameters_;
+  std::vector<typename Motions<Number>::Sample> excitation_;  // zero where neither the signal nor a force drives
+  std::size_t driven_;
+  std::vector<Number> stiffness_, damping_;  // of LinearChange
+  bool has_side_ = false;
+  Number side_frequency_ = Number(1.0), side_damping_ = Number(0.0);
+  std::vector<ActiveForce> active_;
+};
+
+}  // namespace secular

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "diagnose/evidence/segment.hpp"
+
+namespace secular {
+
+/// What the first samples of a segment are computed with.
+struct SegmentTrial {
+  const Segment& segment;
+  Eigen::Index samples;
+  const Eigen::VectorXd& unknowns;
+  Eigen::VectorXd state;  ///< where it begins: displacements, then velocities
+  std::vector<LinearChange> change = {};
+};
+
+/// Errors, channel after channel, with nothing at some samples.
+Eigen::VectorXd silenced(Eigen::VectorXd error, Eigen::Index samples, const std::vector<Eigen::Index>& at);
+
+/// What the full equations of motion and the sensors make of segments.
+class SegmentModel {
+ public:
+  SegmentModel(const CompiledModel& model, std::vector<StateForce> forces, SensorModel sensors, FaultTable table);
+
+  std::size_t modes() const { return model_->modes(); }
+  const SensorModel& sensors() const { return sensors_; }
+  /// Unknown that is the offset of a response channel.
+  std::size_t offset(std::size_t channel) const { return model_->symbols.size() + table_.offset(channel); }
+
+  /// Measured minus computed, in units of the noise, by trial. `jumps`: of the first trial's motion, see
+  /// StretchOfMotion.
+  std::vector<Eigen::VectorXd> errors(const std::vector<SegmentTrial>& trials,
+                                      std::vector<Eigen::Index>* jumps = nullptr) const;
+  /// The state a segment begins at that fits it best; `state`: a guess, or empty.
+  void find_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state) const;
+  /// Gauss-Newton over the first `samples`; returns the sum of squared errors.
+  double improve_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state,
+                       Eigen::Index samples, const std::vector<Eigen::Index>& at_jumps = {}) const;
+
+ private:
+  MotionStart start_of(const SegmentTrial& trial, const Faults& faults) const;
+  Eigen::VectorXd guessed_state(const Segment& segment, const Eigen::VectorXd& unknowns) const;
+
+  const CompiledModel* model_;
+  std::vector<StateForce> forces_;
+  SensorModel sensors_;
+  FaultTable table_;
+};
+
+}  // namespace secular
