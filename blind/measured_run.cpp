@@ -28,24 +28,24 @@ struct Ended {
 };
 
 void write_ended(const fs::path& file, const Ended& e) {
-  const nlohmann::ordered_json json = {{"import", e.commands.import}, {"diagnose", e.commands.diagnose},
-                                       {"outcome", e.outcome},        {"reason", e.reason},
-                                       {"seconds", e.seconds},        {"limit_s", e.limit_s},
-                                       {"out_of_time", e.out_of_time}};
-  write_text(file, json.dump(1) + "\n");
+  const nlohmann::ordered_json document = {{"import", e.commands.import}, {"diagnose", e.commands.diagnose},
+                                           {"outcome", e.outcome},        {"reason", e.reason},
+                                           {"seconds", e.seconds},        {"limit_s", e.limit_s},
+                                           {"out_of_time", e.out_of_time}};
+  write_text(file, document.dump(1) + "\n");
 }
 
 std::optional<Ended> read_ended(const fs::path& place) {
   const fs::path file = place / "result.json";
   if (!fs::exists(file)) return std::nullopt;
-  const nlohmann::json json = nlohmann::json::parse(read_text(file));
+  const nlohmann::json document = nlohmann::json::parse(read_text(file));
   Ended e;
-  e.commands = {json.at("import"), json.at("diagnose")};
-  e.outcome = json.at("outcome").get<Outcome>();
-  e.reason = json.at("reason");
-  e.seconds = json.at("seconds");
-  e.limit_s = json.at("limit_s");
-  e.out_of_time = json.at("out_of_time");
+  e.commands = {document.at("import"), document.at("diagnose")};
+  e.outcome = document.at("outcome").get<Outcome>();
+  e.reason = document.at("reason");
+  e.seconds = document.at("seconds");
+  e.limit_s = document.at("limit_s");
+  e.out_of_time = document.at("out_of_time");
   if (e.outcome == Outcome::diagnosed && !fs::exists(place / "diagnosis" / "diagnosis.json")) return std::nullopt;
   return e;
 }

@@ -13,13 +13,13 @@ namespace secular {
 namespace {
 
 using Fraction = boost::rational<long long>;
-using Row = std::vector<Fraction>;
+using Fractions = std::vector<Fraction>;
 
 // Solves sum_r x_r * rows[r] = target; nothing if there is no solution. Rows are independent.
-std::optional<Row> solve(const std::vector<Phase>& rows, const Phase& target) {
-  std::vector<Row> equations;
+std::optional<Fractions> solve(const std::vector<Phase>& rows, const Phase& target) {
+  std::vector<Fractions> equations;
   for (std::size_t e = 0; e < target.size(); ++e) {
-    Row& equation = equations.emplace_back();
+    Fractions& equation = equations.emplace_back();
     for (const Phase& row : rows) equation.emplace_back(row[e]);
     equation.emplace_back(target[e]);
   }
@@ -109,7 +109,7 @@ void ResonanceLattice::refuse_impossible(const Model& model) const {
 }
 
 std::optional<std::vector<int>> ResonanceLattice::slow_multipliers(const Phase& phase) const {
-  const std::optional<Row> solution = solve(relations_, phase);
+  const std::optional<Fractions> solution = solve(relations_, phase);
   if (!solution) return std::nullopt;
   std::vector<int> multipliers;
   for (const Fraction& x : *solution) {
@@ -131,14 +131,14 @@ Phase ResonanceLattice::phase_of(const std::vector<int>& multipliers) const {
 // Gauss-Jordan on the excitation columns only: Omega_j = sum of natural frequencies + detunings.
 void ResonanceLattice::solve_excitation_frequencies(const Model& model) {
   const std::size_t natural = model.modes.size(), all = model.frequency_count();
-  std::vector<Row> rows;
+  std::vector<Fractions> rows;
   for (std::size_t r = 0; r < relations_.size(); ++r) {
-    Row row(relations_[r].begin(), relations_[r].end());
+    Fractions row(relations_[r].begin(), relations_[r].end());
     row.resize(all + relations_.size(), Fraction(0));
     row[all + r] = 1;  // remembers which relations were combined
     rows.push_back(std::move(row));
   }
-  std::vector<const Row*> solved(all, nullptr);
+  std::vector<const Fractions*> solved(all, nullptr);
   for (const Pivot& pivot : reduce_rows(rows, natural, all)) solved[pivot.column] = &rows[pivot.row];
   const auto number = [](const Fraction& f) {
     return GiNaC::numeric(static_cast<long>(f.numerator()), static_cast<long>(f.denominator()));
@@ -147,7 +147,7 @@ void ResonanceLattice::solve_excitation_frequencies(const Model& model) {
     GiNaC::ex value = model.frequency(column);
     std::vector<GiNaC::numeric> offset(relations_.size(), 0);
     if (solved[column]) {
-      const Row& row = *solved[column];
+      const Fractions& row = *solved[column];
       value = 0;
       for (std::size_t c = 0; c < all; ++c)
         if (c != column && row[c] != Fraction(0)) value -= number(row[c]) * model.frequency(c);

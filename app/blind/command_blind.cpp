@@ -24,7 +24,7 @@
 namespace secular::app {
 namespace {
 
-struct Options {
+struct BlindArguments {
   std::string folder, set = "short", page = "docs/blind_check", program;
   std::size_t cases = 0;
   std::uint64_t seed = 1;
@@ -38,7 +38,7 @@ struct Options {
   const CLI::App* command = nullptr;
 };
 
-void generate(const Options& options) {
+void generate(const BlindArguments& options) {
   blind::SetOptions set;
   set.size = options.set == "full" ? blind::SetSize::full_set : blind::SetSize::short_set;
   set.cases = options.cases > 0 ? options.cases : options.set == "full" ? 1000 : 60;
@@ -51,7 +51,7 @@ void generate(const Options& options) {
   fmt::print("{} cases in {}, labels sealed\n", set.cases, options.folder);
 }
 
-blind::RunOptions run_options(const Options& options) {
+blind::RunOptions run_options(const BlindArguments& options) {
   blind::RunOptions how;
   how.program = options.program.empty() ? std::filesystem::read_symlink("/proc/self/exe")
                                         : std::filesystem::absolute(options.program);
@@ -64,7 +64,7 @@ void print_failed(const std::vector<blind::FailedCase>& cases) {
   for (const blind::FailedCase& failed : cases) fmt::print("  case {:04}: {}\n", failed.number, failed.reason);
 }
 
-void follow(const Options& options) {
+void follow(const BlindArguments& options) {
   ProgressLine line("proposals followed");
   const blind::FollowUpSummary summary = blind::follow_up_set(
       options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
@@ -73,7 +73,7 @@ void follow(const Options& options) {
   print_failed(summary.failed);
 }
 
-void run(const Options& options) {
+void run(const BlindArguments& options) {
   ProgressLine line("cases diagnosed");
   const blind::RunSummary summary = blind::run_set(
       options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
@@ -81,7 +81,7 @@ void run(const Options& options) {
   print_failed(summary.failed);
 }
 
-void leave_out(const Options& options) {
+void leave_out(const BlindArguments& options) {
   ProgressLine line("effects left out");
   const blind::LeaveOutSummary summary = blind::leave_out_of_set(
       options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
@@ -99,7 +99,7 @@ void print_figures(const std::vector<blind::Figure>& figures, const char* trials
   }
 }
 
-void score(const Options& options) {
+void score(const BlindArguments& options) {
   const blind::Score score = blind::score_set(options.folder);
   blind::write_score(score, blind::name_of_set(options.folder), options.page);
   print_figures(score.figures, "cases");
@@ -107,7 +107,7 @@ void score(const Options& options) {
              score.cases, score.failed, options.page);
 }
 
-void estimates(const Options& options) {
+void estimates(const BlindArguments& options) {
   ProgressLine line("cases identified");
   const blind::RunSummary summary = blind::identify_set(
       options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
@@ -120,7 +120,7 @@ void estimates(const Options& options) {
              options.page);
 }
 
-void measured(const Options& options) {
+void measured(const BlindArguments& options) {
   const blind::MeasuredList list = blind::only_sets(blind::read_measured_list(options.list), options.only);
   ProgressLine line("sets diagnosed");
   blind::RunOptions how = run_options(options);
@@ -137,7 +137,7 @@ void measured(const Options& options) {
              met, options.page);
 }
 
-void add_set_options(CLI::App* command, const std::shared_ptr<Options>& options) {
+void add_set_options(CLI::App* command, const std::shared_ptr<BlindArguments>& options) {
   command->add_option("--cases", options->cases, "how many; without it 60 (short) or 1000 (full)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{9999}));
   command->add_option("--seed", options->seed, "of the draw")->capture_default_str();
@@ -153,12 +153,12 @@ void add_set_options(CLI::App* command, const std::shared_ptr<Options>& options)
   command->add_option("-o,--output", options->folder, "folder to make or to complete")->required();
 }
 
-void add_threads(CLI::App* command, const std::shared_ptr<Options>& options) {
+void add_threads(CLI::App* command, const std::shared_ptr<BlindArguments>& options) {
   command->add_option("--threads", options->threads, "cases at once; the result does not depend on it")
       ->check(CLI::Range(1U, 1024U));
 }
 
-void add_run_options(CLI::App* command, const std::shared_ptr<Options>& options) {
+void add_run_options(CLI::App* command, const std::shared_ptr<BlindArguments>& options) {
   command->add_option("--limit", options->limit_s, "wall time of a case, s")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -172,7 +172,7 @@ void add_blind_command(CLI::App& root, Action& chosen) {
   blind->require_subcommand(1);
   blind->footer("Example: secular blind all --set short -o blind_set");
   const auto add = [&](const char* name, const char* what, auto... steps) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BlindArguments>();
     CLI::App* command = blind->add_subcommand(name, what);
     command->callback([options, &chosen, steps...] {
       chosen = [options, steps...] {

@@ -25,7 +25,7 @@
 namespace secular::app {
 namespace {
 
-struct Options {
+struct DiagnoseArguments {
   DiagnosisRequest request;
   SelectionOptions selection;
   OutputFolder output{{"diagnosis.json", "report.html", "gap.svg"}};
@@ -105,7 +105,7 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
   fmt::print("written: {0}/diagnosis.json, {0}/report.html, {0}/gap.svg\n", folder);
 }
 
-int run(Options& options, const CLI::App& command) {
+int run(DiagnoseArguments& options, const CLI::App& command) {
   options.request.window = options.selection.window();
   if (options.request.check_from_s && options.request.check_to_s &&
       !(*options.request.check_from_s < *options.request.check_to_s))
@@ -140,7 +140,7 @@ int run(Options& options, const CLI::App& command) {
 }  // namespace
 
 void add_diagnose_command(CLI::App& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DiagnoseArguments>();
   DiagnosisRequest& request = options->request;
   request.threads = std::max(1U, std::thread::hardware_concurrency());
   CLI::App* command = root.add_subcommand(

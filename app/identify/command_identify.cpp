@@ -28,7 +28,7 @@
 namespace secular::app {
 namespace {
 
-struct Options {
+struct IdentifyArguments {
   IdentificationRequest request;
   SelectionOptions selection;
   OutputFolder output{{"estimate.json", "report.html", "response.svg"}};
@@ -36,7 +36,7 @@ struct Options {
   bool json = false, timings = false;
 };
 
-void parse_fixed(Options& options) {
+void parse_fixed(IdentifyArguments& options) {
   for (const std::string& text : options.fixed) {
     const std::size_t equals = text.find('=');
     char* end = nullptr;
@@ -126,7 +126,7 @@ std::optional<std::string> lost_records(const Identification& id, const Window& 
 }  // namespace
 
 void add_identify_command(CLI::App& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<IdentifyArguments>();
   options->request.threads = std::max(1U, std::thread::hardware_concurrency());
   CLI::App* command = root.add_subcommand("identify", "Estimates of a model's parameters from a campaign");
   command->add_option("CAMPAIGN", options->request.campaign, "campaign folder")->required();
@@ -144,8 +144,8 @@ void add_identify_command(CLI::App& root, Action& chosen) {
   options->selection.add_to(*command);
   command->add_option(
       "--fix", options->fixed,
-      "NAME=VALUE: a symbol of the model that is known, in every case. No lump: what its name stands for "
-      "differs from case to case (CASE:NAME)");
+      "NAME=VALUE: a symbol of the model that is known, in every case. CASE:NAME=VALUE: a lump of one case that "
+      "is known; what its name stands for differs from case to case");
   command->add_flag("--interpret", options->request.interpret, "no compiled code: slower, same results");
   command->add_option("--threads", options->request.threads, "threads; the result does not depend on it")
       ->check(CLI::Range(1U, 1024U));

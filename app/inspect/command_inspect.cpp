@@ -14,6 +14,7 @@
 
 #include "app/shared/commands.hpp"
 #include "app/shared/disturbance_output.hpp"
+#include "app/shared/json_numbers.hpp"
 #include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
@@ -243,10 +244,6 @@ Json faults_json(const std::vector<DataFault>& faults) {
   Json list = Json::array();
   for (const DataFault& fault : faults) list.push_back({{"kind", fault.kind}, {"text", fault.text}});
   return list;
-}
-
-Json optional_json(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
 }
 
 Json quality_json(const ChannelQuality& quality) {

@@ -23,7 +23,7 @@
 namespace secular::app {
 namespace {
 
-struct Options {
+struct ModalArguments {
   ModalSurveyOptions survey;
   std::string campaign;
   OutputFolder output{{"modal.json", "report.html"}};
@@ -34,7 +34,7 @@ struct Options {
   bool json = false;
 };
 
-void parse_driving_points(Options& options) {
+void parse_driving_points(ModalArguments& options) {
   for (const std::string& text : options.driving_points) {
     const std::size_t equals = text.rfind('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
@@ -46,7 +46,7 @@ void parse_driving_points(Options& options) {
   }
 }
 
-void check(const Options& options) {
+void check(const ModalArguments& options) {
   const ModalSurveyOptions& survey = options.survey;
   const auto not_negative = [](double value, const char* name) {
     if (!(value >= 0) || !std::isfinite(value)) throw InputError(name, "", "is not a positive number");
@@ -57,7 +57,7 @@ void check(const Options& options) {
   not_negative(options.response_decay, "--exponential-window");
 }
 
-void print_summary(const ModalSurvey& survey, const Options& options) {
+void print_summary(const ModalSurvey& survey, const ModalArguments& options) {
   fmt::print("{} mode{} of {} channels\n", survey.modes.size(), survey.modes.size() == 1 ? "" : "s",
              survey.channels.size());
   for (std::size_t r = 0; r < survey.modes.size(); ++r) {
@@ -88,7 +88,7 @@ void print_summary(const ModalSurvey& survey, const Options& options) {
   fmt::print("written: {0}/modal.json, {0}/report.html{1}\n", folder, basis.empty() ? "" : ", " + basis);
 }
 
-int run(Options& options, const CLI::App& command) {
+int run(ModalArguments& options, const CLI::App& command) {
   const Window window = options.selection.window();
   const CommandInput read = {"the campaign", options.campaign, true};
   options.output.check({read});
@@ -120,7 +120,7 @@ int run(Options& options, const CLI::App& command) {
 }  // namespace
 
 void add_modal_command(CLI::App& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ModalArguments>();
   ModalSurveyOptions& survey = options->survey;
   CLI::App* command =
       root.add_subcommand("modal", "Natural frequencies, damping and mode shapes from impacts or free decays");

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/shared/json_numbers.hpp"
 #include "measure/modal/modal_mass.hpp"
 #include "measure/modal/pole.hpp"
 #include "numerics/hertz.hpp"
@@ -14,15 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json list(const Eigen::Ref<const Eigen::VectorXd>& values) {
-  Json array = Json::array();
-  for (const double v : values) array.push_back(v);
-  return array;
-}
-
 Json rows(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
   Json array = Json::array();
-  for (Eigen::Index r = 0; r < matrix.rows(); ++r) array.push_back(list(matrix.row(r).transpose()));
+  for (Eigen::Index r = 0; r < matrix.rows(); ++r) array.push_back(list_json(matrix.row(r).transpose()));
   return array;
 }
 
@@ -47,10 +42,10 @@ Json mode_json(const ModalSurvey& survey, std::size_t r) {
                 {"pole_rad_per_s", {mode.pole.real(), mode.pole.imag()}}};
   const Eigen::VectorXd real = mode.shape.mean.real(), imaginary = mode.shape.mean.imag();
   entry["mode_shape"] = {{"scaling", "sum of squares one"},
-                         {"real", list(real)},
-                         {"real_sd", list(mode.shape.real_sd)},
-                         {"imaginary", list(imaginary)},
-                         {"imaginary_sd", list(mode.shape.imaginary_sd)},
+                         {"real", list_json(real)},
+                         {"real_sd", list_json(mode.shape.real_sd)},
+                         {"imaginary", list_json(imaginary)},
+                         {"imaginary_sd", list_json(mode.shape.imaginary_sd)},
                          {"estimates", mode.shape.windows},
                          {"phase_collinearity", mode.phase_collinearity}};
   entry["stabilisation"] = {{"natural_frequency_hz", natural_frequency(mode.diagram.pole) * to_hz},

@@ -19,7 +19,7 @@
 namespace secular::app {
 namespace {
 
-struct Options {
+struct PlanArguments {
   PlanRequest request;
   SelectionOptions selection;
   std::string frequency, amplitude, criterion = "D";
@@ -57,7 +57,7 @@ void print_summary(const PlanResult& plan, const std::string& folder) {
   fmt::print("written: {0}/plan.json, {0}/plan.toml, {0}/report.html\n", folder);
 }
 
-void declare_options(CLI::App* command, Options* options) {
+void declare_options(CLI::App* command, PlanArguments* options) {
   PlanRequest& request = options->request;
   command->add_option("MODEL", request.model, "model file, or the name of a shipped model")->required();
   command->add_option("--case", request.resonance, "resonance case; may be left out where there is only one");
@@ -117,7 +117,7 @@ void declare_options(CLI::App* command, Options* options) {
       "--against experiments/thesis_chapter5 -o out");
 }
 
-int run(Options& options, const CLI::App& command) {
+int run(PlanArguments& options, const CLI::App& command) {
   static const std::map<std::string, DesignCriterion> criteria = {
       {"D", DesignCriterion::d}, {"A", DesignCriterion::a}, {"c", DesignCriterion::c}};
   PlanRequest& asked = options.request;
@@ -143,7 +143,7 @@ int run(Options& options, const CLI::App& command) {
 }  // namespace
 
 void add_plan_command(CLI::App& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlanArguments>();
   CLI::App* command = root.add_subcommand("plan", "Levels and frequencies that best determine chosen parameters");
   declare_options(command, options.get());
   command->callback(

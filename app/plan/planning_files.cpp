@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/plan/planning.hpp"
+#include "app/shared/json_numbers.hpp"
 #include "numerics/hertz.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
@@ -37,16 +38,15 @@ const char* criterion_name(DesignCriterion criterion) {
   return criterion == DesignCriterion::d ? "D" : criterion == DesignCriterion::a ? "A" : "c";
 }
 
-Json finite(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json programme_json(const Programme& programme, const PlanResult& plan) {
   Json dwells = Json::array();
   for (const PlannedDwell& dwell : programme.dwells) {
-    Json entry = {{"frequency_hz", dwell.frequency_hz}, {"amplitude", dwell.amplitude},
-                  {"ensembles", dwell.ensembles},       {"settle_s", dwell.settle_s},
-                  {"needed_s", finite(dwell.needed_s)}, {"responds", dwell.responds}};
+    Json entry = {{"frequency_hz", dwell.frequency_hz},
+                  {"amplitude", dwell.amplitude},
+                  {"ensembles", dwell.ensembles},
+                  {"settle_s", dwell.settle_s},
+                  {"needed_s", finite_json(dwell.needed_s)},
+                  {"responds", dwell.responds}};
     Json response = Json::object();
     if (dwell.responds)
       for (std::size_t k = 0; k < plan.model->modes(); ++k)
@@ -56,9 +56,9 @@ Json programme_json(const Programme& programme, const PlanResult& plan) {
   }
   Json sd = Json::object();
   for (std::size_t u = 0; u < plan.unknowns.names.size(); ++u)
-    sd[plan.unknowns.names[u]] = finite(programme.sd(static_cast<Eigen::Index>(u)));
+    sd[plan.unknowns.names[u]] = finite_json(programme.sd(static_cast<Eigen::Index>(u)));
   return {{"time_s", programme.time_s},
-          {"settled_time_s", finite(programme.settled_time_s)},
+          {"settled_time_s", finite_json(programme.settled_time_s)},
           {"sd", sd},
           {"dwells", dwells}};
 }
@@ -172,8 +172,8 @@ std::string plan_json(const PlanRequest& request, const PlanResult& plan) {
     document["wanted"].push_back({{"name", plan.unknowns.names[u]},
                                   {"value", plan.unknowns.values(w)},
                                   {"unit", plan.units[u]},
-                                  {"sd", finite(plan.plan.sd(w))},
-                                  {"sd_in_use", plan.against ? finite(plan.against->sd(w)) : Json(nullptr)}});
+                                  {"sd", finite_json(plan.plan.sd(w))},
+                                  {"sd_in_use", plan.against ? finite_json(plan.against->sd(w)) : Json(nullptr)}});
   }
   document["plan"] = programme_json(plan.plan, plan);
   document["in_use"] = plan.against ? programme_json(*plan.against, plan) : Json(nullptr);

@@ -27,7 +27,7 @@
 namespace secular::app {
 namespace {
 
-struct Options {
+struct PredictArguments {
   PredictionRequest request;
   SelectionOptions selection;
   OutputFolder output{{"prediction.json", "prediction.csv", "report.html", "response.svg", "phases.svg",
@@ -49,7 +49,7 @@ std::optional<VariedParameter> varied(const std::vector<std::string>& texts, con
   return VariedParameter{texts[0], number_of(texts[1], option), number_of(texts[2], option)};
 }
 
-void parse(Options& options) {
+void parse(PredictArguments& options) {
   PredictionRequest& request = options.request;
   request.window = options.selection.window();
   request.vary = varied(options.vary, "--vary");
@@ -128,7 +128,7 @@ void write_files(const Prediction& prediction, const std::vector<PredictionFigur
 }  // namespace
 
 void add_predict_command(CLI::App& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PredictArguments>();
   PredictionRequest& request = options->request;
   request.threads = std::max(1U, std::thread::hardware_concurrency());
   CLI::App* command = root.add_subcommand("predict", "Steady responses, their stability and bifurcations");

@@ -19,7 +19,7 @@
 namespace secular::app {
 namespace {
 
-struct Options {
+struct ProcedureArguments {
   ProcedureRequest request;
   std::vector<std::string> terms;
   SelectionOptions selection;
@@ -63,7 +63,7 @@ void print_summary(const ProcedureRun& run, const std::string& folder) {
 }  // namespace
 
 void add_procedure_command(CLI::App& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ProcedureArguments>();
   ProcedureRequest& request = options->request;
   CLI::App* command =
       root.add_subcommand("procedure", "The source's own estimation procedures, beside truth and printed tables");

@@ -44,7 +44,7 @@ std::vector<const DwellMean*> saddle_node_points(const std::vector<DwellMean>& d
   return levels_of(chosen.empty() ? all : chosen);
 }
 
-FrequencyResponseData response_data(const ProcedureData& test, const SaddleNodeFit& damping, DampingLaw law,
+FrequencyResponseData response_data(const ProcedureData& test, const SaddleNodeFit& damping, NonlinearDamping law,
                                     bool with_phase) {
   FrequencyResponseData data;
   const auto& seen = test.run.measured.observations;
@@ -63,7 +63,7 @@ FrequencyResponseData response_data(const ProcedureData& test, const SaddleNodeF
   }
   data.omega0 = 0.5 * test.centre;
   data.linear = damping.shifted_linear;
-  (law == DampingLaw::quadratic ? data.quadratic : data.cubic) = damping.nonlinear;
+  (law == NonlinearDamping::quadratic ? data.quadratic : data.cubic) = damping.nonlinear;
   return data;
 }
 
@@ -89,16 +89,16 @@ void decide_damping(const ProcedureData& test) {
 
 /// One damping law: both regressions with what is printed and with what is right.
 struct LawFit {
-  DampingLaw law;
+  NonlinearDamping law;
   SaddleNodeFit printed, right;
   FrequencyResponseFit printed_response, right_response;
 
-  bool cubic() const { return law == DampingLaw::cubic; }
+  bool cubic() const { return law == NonlinearDamping::cubic; }
   std::string nonlinear() const { return cubic() ? "mu3" : "mu2"; }
 };
 
 // The saddle-node needs |alpha_e/eta_e|, the frequency response the damping: in turn until both stand.
-LawFit fit_law(const ProcedureData& test, DampingLaw law, const std::vector<const DwellMean*>& points) {
+LawFit fit_law(const ProcedureData& test, NonlinearDamping law, const std::vector<const DwellMean*>& points) {
   const double w0 = 0.5 * test.centre;
   VectorXd amplitude(static_cast<Index>(points.size())), forcing(amplitude.size());
   for (Index i = 0; i < amplitude.size(); ++i) {
@@ -192,7 +192,8 @@ ProcedureSection response_section(const ProcedureData& test, const LawFit& law_f
 }
 
 void saddle_node_and_response(const ProcedureData& test, const std::vector<const DwellMean*>& points) {
-  const LawFit laws[] = {fit_law(test, DampingLaw::quadratic, points), fit_law(test, DampingLaw::cubic, points)};
+  const LawFit laws[] = {fit_law(test, NonlinearDamping::quadratic, points),
+                         fit_law(test, NonlinearDamping::cubic, points)};
   if (!test.values_only) decide_damping(test);
   const LawFit& chosen = laws[0].right.residual_sd < laws[1].right.residual_sd ? laws[0] : laws[1];
   for (const LawFit& law : laws) {

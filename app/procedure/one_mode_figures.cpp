@@ -57,7 +57,7 @@ Figure saddle_node_figure(const ProcedureData& test, const std::vector<const Dwe
 }
 
 Figure response_figure(const ProcedureData& test, const SaddleNodeFit& damping,
-                       const FrequencyResponseFit& response, DampingLaw law) {
+                       const FrequencyResponseFit& response, NonlinearDamping law) {
   const double w0 = 0.5 * test.centre;
   std::vector<double> levels;
   for (const DwellMean& c : test.dwells) levels.push_back(c.forcing);
@@ -91,9 +91,10 @@ Figure response_figure(const ProcedureData& test, const SaddleNodeFit& damping,
   const double eta = std::abs(response.excitation);
   // The amplitude where the radicand vanishes, by doubling and bisection.
   const auto radicand = [&](double a) {
-    const double d = w0 * damping.shifted_linear +
-                     damping.nonlinear * (law == DampingLaw::cubic ? 0.375 * std::pow(w0, 3) * a * a
-                                                                   : 4 * w0 * w0 / (3 * std::numbers::pi) * a);
+    const double d =
+        w0 * damping.shifted_linear + damping.nonlinear * (law == NonlinearDamping::cubic
+                                                               ? 0.375 * std::pow(w0, 3) * a * a
+                                                               : 4 * w0 * w0 / (3 * std::numbers::pi) * a);
     return level * level - d * d;
   };
   double high = data.y.empty() ? 1e-3 : *std::max_element(data.y.begin(), data.y.end());

@@ -15,6 +15,6 @@ report::Figure saddle_node_figure(const ProcedureData& test, const std::vector<c
 
 /// Measured amplitudes at the level of most dwells, and Eq. (5.25) with the recovered numbers there.
 report::Figure response_figure(const ProcedureData& test, const SaddleNodeFit& damping,
-                               const FrequencyResponseFit& response, DampingLaw law);
+                               const FrequencyResponseFit& response, NonlinearDamping law);
 
 }  // namespace secular::app

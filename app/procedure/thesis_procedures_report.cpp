@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/procedure/thesis_procedures.hpp"
+#include "app/shared/json_numbers.hpp"
 #include "numerics/confidence.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
@@ -20,10 +21,6 @@ using Json = nlohmann::ordered_json;
 using report::Column;
 using report::Table;
 using report::Tone;
-
-Json optional_json(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
 
 Json anova_json(const std::string& name, const AnovaTable& table) {
   Json rows = Json::array();

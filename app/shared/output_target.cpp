@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr const char* force_description = "replace what stands there";
 
 // Links followed as far as there is something.
-fs::path resolved(const std::string& path) {
+fs::path links_followed(const std::string& path) {
   std::error_code error;
   fs::path result = fs::weakly_canonical(fs::absolute(path), error);
   if (error) result = fs::absolute(path).lexically_normal();
@@ -39,12 +39,12 @@ bool is_within(const fs::path& inner, const fs::path& outer) {
 
 void check_apart(const std::string& output, const std::string& option, const std::vector<CommandInput>& inputs) {
   if (output.empty()) throw InputError(option, "", "has no name", "name what is to be written");
-  const fs::path target = resolved(output);
+  const fs::path target = links_followed(output);
   for (const CommandInput& input : inputs) {
     std::error_code error;
     if (input.path.empty() || !fs::exists(input.path, error)) continue;
     if (fs::is_directory(input.path, error) && !input.may_be_folder) continue;
-    const fs::path source = resolved(input.path);
+    const fs::path source = links_followed(input.path);
     const char* how = nullptr;
     if (target == source)
       how = "is";

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string resolved(const std::string& path) {
+std::string file_named(const std::string& path) {
   std::error_code unreadable;
   if (fs::is_regular_file(path, unreadable) || path.empty() || fs::path(path).is_absolute()) return path;
   for (const fs::path& folder : model_folders()) {
@@ -49,7 +49,7 @@ void read_representative(const nlohmann::json& entry, const std::string& path, G
 }  // namespace
 
 GivenParameters read_parameter_file(const std::string& name) {
-  const std::string path = resolved(name);
+  const std::string path = file_named(name);
   std::ifstream stream(path, std::ios::binary);
   const nlohmann::json document = nlohmann::json::parse(stream, nullptr, false);
   GivenParameters given;

@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-struct Options {
+struct SpectrumArguments {
   std::string source, time;
   OutputFolder output{{"spectrum.json", "report.html"}};
   SelectionOptions selection;
@@ -55,7 +55,7 @@ struct Columns {
   std::string source;
 };
 
-Columns columns_of_campaign(const Options& options) {
+Columns columns_of_campaign(const SpectrumArguments& options) {
   const Campaign campaign = read_campaign(options.source);
   SelectedRecords reader(campaign, options.window);
   std::vector<std::size_t> chosen;
@@ -102,7 +102,7 @@ void filter(Columns& columns, const Window& window) {
       static_cast<double>(band_pass_reach(*window.band, columns.sample_rate_hz)) / columns.sample_rate_hz;
 }
 
-Columns columns_of_file(const Options& options) {
+Columns columns_of_file(const SpectrumArguments& options) {
   DataFile data = read_data_file(options.source);
   convert_csv_units(data);
   Columns columns;
@@ -139,7 +139,7 @@ std::string joined(const std::vector<std::string>& names) {
   return text.empty() ? "none" : text;
 }
 
-RecordSpectrum analysed(const Options& options, const Columns& columns) {
+RecordSpectrum analysed(const SpectrumArguments& options, const Columns& columns) {
   std::vector<std::size_t> chosen;
   if (options.channels.empty()) {
     for (std::size_t c = 0; c < columns.names.size(); ++c)
@@ -308,7 +308,7 @@ void print_table(const RecordSpectrum& record) {
     fmt::print("*: hyperbolic (a rate over 2 pi), or a product (frequency, and rate of growth or decay)\n");
 }
 
-int run(Options& options, const CLI::App& command) {
+int run(SpectrumArguments& options, const CLI::App& command) {
   options.window = options.selection.window();
   std::error_code ignored;
   if (!fs::exists(options.source, ignored))
@@ -353,7 +353,7 @@ int run(Options& options, const CLI::App& command) {
 }  // namespace
 
 void add_spectrum_command(CLI::App& root, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SpectrumArguments>();
   SpectralOptions& spectral = options->spectral;
   CLI::App* command = root.add_subcommand(
       "spectrum", "Tones, decays and their number in one record: decomposition, principal components, figures");

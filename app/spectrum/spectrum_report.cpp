@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/shared/json_numbers.hpp"
 #include "numerics/hertz.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
@@ -280,16 +281,6 @@ void add_tables(report::HtmlReport& page, const RecordSpectrum& record, std::siz
   page.details("First ensemble, beside the peaks of its discrete Fourier transform", [&] { page.table(first); });
 }
 
-Json list(const Eigen::Ref<const Eigen::VectorXd>& values) {
-  Json array = Json::array();
-  for (const double v : values) array.push_back(v);
-  return array;
-}
-
-Json finite(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 }  // namespace
 
 void conclude(RecordSpectrum& record) {
@@ -436,7 +427,7 @@ std::string spectrum_json(const RecordSpectrum& record) {
   result["order"] = survey.order;
   result["tones"] = {{"count", survey.tones}, {"at_least", survey.tones_limited}};
   result["functions_of_time"] = {
-      {"count", survey.step.functions}, {"clear", survey.step.clear}, {"step", finite(survey.step.ratio)}};
+      {"count", survey.step.functions}, {"clear", survey.step.clear}, {"step", finite_json(survey.step.ratio)}};
   if (record.names.size() > 1) {
     result["functions_of_space"] = {{"count", survey.spatial_count.functions},
                                     {"at_least", survey.spatial_count.limited},
@@ -444,26 +435,26 @@ std::string spectrum_json(const RecordSpectrum& record) {
   }
   if (survey.settling)
     result["settled"] = {{"settled", survey.settling->settled}, {"reason", survey.settling->reason}};
-  result["singular_values"] = {{"temporal", list(survey.temporal)},
-                               {"biased", list(survey.biased)},
-                               {"unbiased", list(survey.unbiased)},
-                               {"spatial", list(survey.spatial)}};
+  result["singular_values"] = {{"temporal", list_json(survey.temporal)},
+                               {"biased", list_json(survey.biased)},
+                               {"unbiased", list_json(survey.unbiased)},
+                               {"spatial", list_json(survey.spatial)}};
   result["channels"] = Json::array();
   for (std::size_t c = 0; c < record.names.size(); ++c) {
     Json channel = {{"name", record.names[c]}, {"unit", record.units[c]}, {"methods", Json::array()}};
     for (const MethodStatistics& method : survey.tables[c]) {
       Json entry = {{"name", method.name},
                     {"ensembles", method.ensembles},
-                    {"correlation", finite(method.correlation)},
-                    {"signal_to_noise_db", finite(method.signal_to_noise_db)},
+                    {"correlation", finite_json(method.correlation)},
+                    {"signal_to_noise_db", finite_json(method.signal_to_noise_db)},
                     {"terms", Json::array()}};
       for (const TermStatistics& term : method.terms)
         entry["terms"].push_back({{"family", family_name(term.family)},
                                   {"ensembles", term.ensembles},
                                   {"frequency_hz", term.frequency_hz},
-                                  {"frequency_sd_hz", finite(term.frequency_sd)},
+                                  {"frequency_sd_hz", finite_json(term.frequency_sd)},
                                   {"amplitude", term.amplitude},
-                                  {"amplitude_sd", finite(term.amplitude_sd)},
+                                  {"amplitude_sd", finite_json(term.amplitude_sd)},
                                   {"first_ensemble", {{"p", term.p}, {"q", term.q}}}});
       channel["methods"].push_back(std::move(entry));
     }

@@ -56,26 +56,26 @@ class TextSum {
   std::string sum_;
 };
 
-void multiply(std::string& product, const std::string& base, int power) {
-  if (power != 0) product += (product.empty() ? "" : "*") + base + (power == 1 ? "" : "^" + std::to_string(power));
-}
-
 std::string cartesian_factors(const CanonicalModel& model, const CartesianTerm& term) {
   std::string product;
   for (std::size_t k = 0; k < model.coordinates.size(); ++k) {
-    multiply(product, fmt::format("(x_{0}^2 + y_{0}^2)", model.coordinates[k]), term.norm_squared[k]);
-    multiply(product, fmt::format("sqrt(x_{0}^2 + y_{0}^2)", model.coordinates[k]), term.norm[k]);
+    append_power(product, fmt::format("(x_{0}^2 + y_{0}^2)", model.coordinates[k]), term.norm_squared[k]);
+    append_power(product, fmt::format("sqrt(x_{0}^2 + y_{0}^2)", model.coordinates[k]), term.norm[k]);
   }
   for (std::size_t j = 0; j < model.excitations.size(); ++j)
-    multiply(product, model.excitations[j], term.forcing[j]);
+    append_power(product, model.excitations[j], term.forcing[j]);
   for (std::size_t k = 0; k < model.coordinates.size(); ++k) {
-    multiply(product, "x_" + model.coordinates[k], term.x[k]);
-    multiply(product, "y_" + model.coordinates[k], term.y[k]);
+    append_power(product, "x_" + model.coordinates[k], term.x[k]);
+    append_power(product, "y_" + model.coordinates[k], term.y[k]);
   }
   return product;
 }
 
 }  // namespace
+
+void append_power(std::string& product, const std::string& base, int power) {
+  if (power != 0) product += (product.empty() ? "" : "*") + base + (power == 1 ? "" : "^" + std::to_string(power));
+}
 
 std::string cartesian_text(const CanonicalModel& model, const CanonicalCase& c) {
   std::string text = "\nCartesian form, B = (x + i*y)/2 in the observed frame\n";

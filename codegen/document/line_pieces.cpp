@@ -8,15 +8,15 @@ namespace {
 
 using Kind = Expression::Kind;
 
-constexpr double thin_space = 0.17, fixed_pitch = 0.53, digit = 0.5, letter = 0.6, bracket_width = 0.6,
+constexpr double thin_space = 0.17, fixed_pitch = 0.53, digit = 0.5, letter_width = 0.6, bracket_width = 0.6,
                  binary_operator = 1.25, script_scale = 0.72;
 
 double name_width(const SymbolName& name) {
   const double wide = name.base.kind == NamePart::Kind::number     ? digit
                       : name.base.kind == NamePart::Kind::verbatim ? fixed_pitch
-                                                                   : letter;
+                                                                   : letter_width;
   const bool one_sign = name.base.kind == NamePart::Kind::letter || name.base.kind == NamePart::Kind::greek;
-  double width = one_sign ? letter : wide * static_cast<double>(name.base.text.size());
+  double width = one_sign ? letter_width : wide * static_cast<double>(name.base.text.size());
   for (const SymbolName& subscript : name.subscripts) width += script_scale * (name_width(subscript) + 0.1);
   return width;
 }

@@ -17,11 +17,6 @@
 namespace secular {
 namespace {
 
-void multiply(std::string& product, const std::string& base, int power) {
-  if (power == 0) return;
-  product += (product.empty() ? "" : "*") + base + (power == 1 ? "" : "^" + std::to_string(power));
-}
-
 bool starts_negative(const RationalFunction& f) {
   return !f.numerator.empty() && f.numerator.front().coefficient.front() == '-' && f.numerator.size() == 1;
 }
@@ -107,11 +102,11 @@ std::string polar_sum(const CanonicalModel& model, const CanonicalCase& c, const
   for (const PolarTerm& term : terms) {
     std::string rest;
     for (std::size_t k = 0; k < model.coordinates.size(); ++k)
-      multiply(rest, "a_" + model.coordinates[k], term.amplitude[k]);
+      append_power(rest, "a_" + model.coordinates[k], term.amplitude[k]);
     for (std::size_t j = 0; j < model.excitations.size(); ++j)
-      multiply(rest, model.excitations[j], term.forcing[j]);
+      append_power(rest, model.excitations[j], term.forcing[j]);
     if (term.function != PolarTerm::Trigonometric::one)
-      multiply(
+      append_power(
           rest,
           (term.function == PolarTerm::Trigonometric::cosine ? "cos(" : "sin(") + polar_angle(model, c, term) + ")",
           1);
@@ -280,12 +275,12 @@ std::string phase_text(const CanonicalModel& model, const std::vector<int>& phas
 std::string powers_text(const CanonicalModel& model, const CanonicalPowers& powers) {
   std::string text;
   for (std::size_t k = 0; k < model.coordinates.size(); ++k) {
-    multiply(text, "A_" + model.coordinates[k], powers.amplitude[k]);
-    multiply(text, "conj(A_" + model.coordinates[k] + ")", powers.conjugate[k]);
-    multiply(text, "abs(A_" + model.coordinates[k] + ")", powers.modulus[k]);
+    append_power(text, "A_" + model.coordinates[k], powers.amplitude[k]);
+    append_power(text, "conj(A_" + model.coordinates[k] + ")", powers.conjugate[k]);
+    append_power(text, "abs(A_" + model.coordinates[k] + ")", powers.modulus[k]);
   }
   for (std::size_t j = 0; j < model.excitations.size(); ++j)
-    multiply(text, model.excitations[j], powers.forcing[j]);
+    append_power(text, model.excitations[j], powers.forcing[j]);
   return text;
 }
 

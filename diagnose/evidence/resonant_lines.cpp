@@ -7,7 +7,7 @@ namespace secular {
 namespace {
 
 /// A line this close to a natural frequency (relative) is near resonance.
-constexpr double near = 0.12;
+constexpr double near_resonance = 0.12;
 
 struct Multiple {
   int numerator = 1, denominator = 1;
@@ -17,7 +17,7 @@ struct Multiple {
 std::optional<Multiple> simplest_multiple(double natural, double excitation) {
   static constexpr Multiple candidates[] = {{1, 1}, {1, 2}, {2, 1}, {1, 3}, {3, 1}, {2, 3}, {3, 2}};
   std::optional<Multiple> best;
-  double distance = near;
+  double distance = near_resonance;
   for (const Multiple& m : candidates) {
     // The higher the multiple, the narrower its resonance.
     const int order = m.numerator * m.denominator;
@@ -59,7 +59,7 @@ std::vector<LineLayout> possible_layouts(const std::vector<double>& natural_freq
       if (multiples[low] || multiples[high] || natural_frequency[low] >= natural_frequency[high]) continue;
       for (const int sign : {1, -1}) {
         const double combined = natural_frequency[high] + sign * natural_frequency[low];
-        if (std::abs(combined / excitation - 1) > near) continue;
+        if (std::abs(combined / excitation - 1) > near_resonance) continue;
         LineLayout pair;
         pair.dimensions = 2;
         pair.excitation = {sign, 1};

@@ -28,7 +28,7 @@ constexpr double wanted_samples = 24, wanted_steps = 60;
 constexpr double decay_turns = 6, driven_turns = 40;
 
 /// Of a segment.
-constexpr Index fewest_samples = 48;
+constexpr Index fewest_segment_samples = 48;
 
 /// A decay keeps so many segments whatever the others hold: its laws of the amplitude are read from them, and how
 /// they repeat, which takes half as many.
@@ -87,8 +87,8 @@ class Cutter {
     const Index wanted = cut_.length == SegmentLength::whole
                              ? m.available()
                              : static_cast<Index>(std::ceil(turns * two_pi / lowest_ * m.thinned_rate()));
-    const auto length = std::min<Index>(m.available(), std::max(fewest_samples, wanted));
-    if (length >= fewest_samples) return length;
+    const auto length = std::min<Index>(m.available(), std::max(fewest_segment_samples, wanted));
+    if (length >= fewest_segment_samples) return length;
     left_out(entry, "shorter than a few turns of the lowest mode");
     return 0;
   }

@@ -23,7 +23,7 @@ using Eigen::VectorXd;
 constexpr std::size_t fewest_rows = 8;
 
 /// A function of which the fitted unknowns leave no more than this share is theirs.
-constexpr double rounding = 1e-6;
+constexpr double rounding_of_functions = 1e-6;
 
 /// Settings that differ by this share were meant to be the same.
 constexpr double same_setting = 1e-3;
@@ -86,7 +86,7 @@ SmoothStructure smooth_structure(const Refit& fit, const std::vector<RowLabel>& 
   if (functions.cols() == 0) return result;
   MatrixXd beside = without_span(basis_of(fit.jacobian), functions);
   for (Index c = 0; c < beside.cols(); ++c)
-    if (!(beside.col(c).norm() > rounding * functions.col(c).norm())) beside.col(c).setZero();
+    if (!(beside.col(c).norm() > rounding_of_functions * functions.col(c).norm())) beside.col(c).setZero();
   const MatrixXd basis = basis_of(beside);
   result.squares = (basis.transpose() * fit.rows.cwiseMin(largest_row).cwiseMax(-largest_row)).squaredNorm();
   result.freedom = static_cast<double>(basis.cols());

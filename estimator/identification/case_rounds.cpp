@@ -23,12 +23,26 @@ std::string what_else_it_is(const CompiledModel& model, const std::string& name)
   for (const CompiledCase& resonance : model.cases)
     for (std::size_t l = 0; l < resonance.lumps.size(); ++l) {
       const LumpKey key = key_of(resonance, l);
-      if (key.name != name && key.resonance + ":" + key.name != name) continue;
-      lumps += (++count == 1 ? "" : "; ") + key.resonance + ":" + key.name + " = " +
-               std::string(resonance.lumps[l].definition);
+      if (key.name != name) continue;
+      lumps += (++count == 1 ? "" : "; ") + text_of(key) + " = " + std::string(resonance.lumps[l].definition);
     }
   if (count == 0) return "";
   return (count == 1 ? ", but a lump: " : ", but a lump of each of several cases: ") + lumps;
+}
+
+// A lump of a case that is looked at, given as CASE:NAME.
+bool is_lump_in_use(const Estimation& e, const std::string& name) {
+  return std::any_of(e.sets.begin(), e.sets.end(), [&](const ObservationSet* set) {
+    for (std::size_t l = 0; l < set->resonance->lumps.size(); ++l)
+      if (text_of(key_of(*set->resonance, l)) == name) return true;
+    return false;
+  });
+}
+
+std::string cases_in_use(const Estimation& e) {
+  std::string names;
+  for (const ObservationSet* set : e.sets) names += (names.empty() ? "" : ", ") + std::string(set->resonance->name);
+  return names;
 }
 
 void check_fixed(Estimation& e) {
@@ -39,11 +53,15 @@ void check_fixed(Estimation& e) {
       known += (known.empty() ? "" : ", ") + std::string(symbol.name);
       found = found || symbol.name == name;
     }
-    if (found) continue;
+    if (found || is_lump_in_use(e, name)) continue;
+    if (name.find(':') != std::string::npos)
+      throw InputError("--fix " + name, "", "is no lump of a case that records of this campaign are of",
+                       "CASE:NAME of one of the cases " + cases_in_use(e) + ", named as estimate.json lists them");
     const std::string lump = what_else_it_is(e.model, name);
     throw InputError(
         "--fix " + name, "", "is no symbol of model " + std::string(e.model.name) + lump,
-        (lump.empty() ? "" : "the parameters that make it can be given; ") + ("its symbols are " + known));
+        (lump.empty() ? "" : "a lump is given as CASE:NAME=VALUE, or the parameters that make it are; ") +
+            ("its symbols are " + known));
   }
   e.given.assign(e.model.symbols.size(), false);
   for (std::size_t p = 0; p < e.given.size(); ++p)
@@ -54,7 +72,7 @@ void check_fixed(Estimation& e) {
 void start_frequencies(Estimation& e) {
   for (const ObservationSet* set : e.all)
     for (std::size_t l = 0; l < set->resonance->lumps.size(); ++l)
-      if (const auto value = given_value(e, set->resonance->lumps[l]))
+      if (const auto value = given_value(e, *set->resonance, l))
         e.knowledge.fixed[key_of(*set->resonance, l)] = *value;
   e.knowledge.errors_in_variables = e.options.refine;
   for (std::size_t k = 0; k < e.model.modes(); ++k) {
@@ -150,10 +168,20 @@ Estimation::Estimation(std::span<const ObservationSet> measured, const MeasuredU
   start_frequencies(*this);
 }
 
-std::optional<double> given_value(const Estimation& e, const CompiledLump& lump) {
-  const auto given = e.options.fixed.find(std::string(lump.name));
-  if (given == e.options.fixed.end() || !is_symbol(lump, given->first)) return std::nullopt;
+std::string text_of(const LumpKey& key) {
+  return key.resonance + ":" + key.name;
+}
+
+std::optional<double> given_value(const Estimation& e, const CompiledCase& resonance, std::size_t lump) {
+  if (is_given_itself(e, resonance, lump)) return e.options.fixed.at(text_of(key_of(resonance, lump)));
+  const CompiledLump& meant = resonance.lumps[lump];
+  const auto given = e.options.fixed.find(std::string(meant.name));
+  if (given == e.options.fixed.end() || !is_symbol(meant, given->first)) return std::nullopt;
   return given->second;
+}
+
+bool is_given_itself(const Estimation& e, const CompiledCase& resonance, std::size_t lump) {
+  return e.options.fixed.count(text_of(key_of(resonance, lump))) != 0;
 }
 
 Precision fit_rounds(Estimation& e) {
@@ -253,7 +281,7 @@ CampaignKnowledge campaign_knowledge(const Estimation& e) {
   for (const CaseFit& fit : e.fits) {
     KnownLumps part{fit.set->resonance, std::vector<bool>(fit.set->resonance->lumps.size(), false)};
     for (std::size_t l = 0; l < part.lumps.size(); ++l)
-      part.lumps[l] = given_value(e, part.resonance->lumps[l]).has_value();
+      part.lumps[l] = given_value(e, *part.resonance, l).has_value();
     for (std::size_t c = 0; c < fit.columns.size(); ++c) {
       if (fit.fit.coefficients.size() == 0 || !fit.fit.identifiable[c]) continue;
       if (fit.columns[c].kind == CaseColumn::Kind::lump) part.lumps[fit.columns[c].index] = true;

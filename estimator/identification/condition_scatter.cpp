@@ -14,7 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Singular values of columns of unit norm below this share of the largest are none.
-constexpr double lost_direction = 1e-9;
+constexpr double lost_column = 1e-9;
 
 /// A condition that alone determines a direction leaves nothing to compare it with.
 constexpr double largest_leverage = 0.999;
@@ -68,7 +68,7 @@ std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cas
   const Eigen::BDCSVD<MatrixXd> svd(design * scale.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);
   const VectorXd& singular = svd.singularValues();
   Index rank = 0;
-  while (rank < singular.size() && singular(rank) > lost_direction * singular(0)) ++rank;
+  while (rank < singular.size() && singular(rank) > lost_column * singular(0)) ++rank;
   const MatrixXd u = svd.matrixU().leftCols(rank);
   const MatrixXd of_fitted = scale.head(fitted).asDiagonal() * svd.matrixV().topLeftCorner(fitted, rank) *
                              singular.head(rank).cwiseInverse().asDiagonal();

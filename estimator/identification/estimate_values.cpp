@@ -225,7 +225,7 @@ void report_lumps(Estimation& e) {
                              std::vector<std::string>(e.model.modes(), e.units.coordinate), e.units.excitation);
       value.from =
           e.knowledge.fixed.count(key_of(*set->resonance, l)) != 0 ? "follows from its symbols" : "not used";
-      if (const auto given = given_value(e, set->resonance->lumps[l])) {
+      if (const auto given = given_value(e, *set->resonance, l)) {
         value.fixed = value.identifiable = true;
         value.value = given;
         value.from = "given";

@@ -72,8 +72,12 @@ void fit_cases(Estimation& e, Precision precision);
 bool know_frequency_shifts(Estimation& e);
 /// Shifts as they are at the parameters that were found with them, for the next estimate.
 void follow_frequency_shifts(Estimation& e);
-/// The value of a lump that is a given symbol.
-std::optional<double> given_value(const Estimation& e, const CompiledLump& lump);
+/// CASE:NAME
+std::string text_of(const LumpKey& key);
+/// The value of a lump that is given itself, CASE:NAME, or is a given symbol.
+std::optional<double> given_value(const Estimation& e, const CompiledCase& resonance, std::size_t lump);
+/// Whether it is given itself.
+bool is_given_itself(const Estimation& e, const CompiledCase& resonance, std::size_t lump);
 /// Which lumps and natural frequencies the fits tell.
 CampaignKnowledge campaign_knowledge(const Estimation& e);
 

@@ -21,7 +21,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Probability that a case whose equations hold shows a significant lack of fit.
-constexpr double false_alarm = 0.001;
+constexpr double false_misfit = 0.001;
 
 /// Of a window's length, by which its neighbour may seem to overlap it.
 constexpr double rounding = 1e-3;
@@ -260,7 +260,8 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) 
     test.p_value = f_upper_tail(test.f, test.numerator_df, test.denominator_df);
     result.push_back(std::move(test));
   }
-  for (LackOfFit& test : result) test.significant = test.p_value < false_alarm / static_cast<double>(result.size());
+  for (LackOfFit& test : result)
+    test.significant = test.p_value < false_misfit / static_cast<double>(result.size());
   return result;
 }
 

@@ -20,6 +20,10 @@ using Eigen::VectorXd;
 /// Standard deviation, relative, of a natural frequency about the observed one where nothing else tells it.
 constexpr double resonance_width = 0.005;
 
+/// Standard deviation, relative, of a lump that is given: far below what measurements tell, and far enough above
+/// rounding.
+constexpr double given_width = 1e-5;
+
 /// Moves of parameters, in units of their own size, that depend on one another to this share say nothing new.
 constexpr double dependent_moves = 1e-3;
 
@@ -140,6 +144,30 @@ void add_resonance_widths(Estimation& e) {
     near.plain = MatrixXd::Constant(1, 1, std::pow(resonance_width * near.values(0), 2));
     near.degrees_of_freedom = std::numeric_limits<double>::infinity();
     e.lump_estimates.push_back(std::move(near));
+  }
+}
+
+// A lump that is given is one of the values that parameters have to make, so sharp that nothing else moves it.
+void add_given_lumps(Estimation& e, const VectorXd& parameters) {
+  for (const ObservationSet* set : e.sets) {
+    const CompiledCase& resonance = *set->resonance;
+    const std::size_t count = resonance.lumps.size(), symbols = e.model.symbols.size();
+    std::vector<double> slope(count * symbols);
+    if (count > 0) resonance.evaluate_lumps_jacobian(parameters.data(), slope.data());
+    for (std::size_t l = 0; l < count; ++l) {
+      if (!is_given_itself(e, resonance, l)) continue;
+      LumpEstimates given;
+      given.resonance = &resonance;
+      given.index = {static_cast<int>(l)};
+      given.combination = MatrixXd::Identity(1, 1);
+      given.values = VectorXd::Constant(1, *given_value(e, resonance, l));
+      double size = std::abs(given.values(0));
+      for (std::size_t p = 0; p < symbols; ++p)
+        size = std::max(size, std::abs(slope[l * symbols + p] * parameters(static_cast<Index>(p))));
+      given.plain = MatrixXd::Constant(1, 1, std::pow(given_width * (size > 0 ? size : 1), 2));
+      given.degrees_of_freedom = std::numeric_limits<double>::infinity();
+      e.lump_estimates.push_back(std::move(given));
+    }
   }
 }
 
@@ -269,6 +297,7 @@ void share_parameters(Estimation& e) {
           start(p) = part.values(static_cast<Index>(i));
     if (e.given[static_cast<std::size_t>(p)]) start(p) = e.options.fixed.at(name);
   }
+  add_given_lumps(e, start);
   e.shared =
       shared_parameters(e.lump_estimates, start, e.given, e.options.null_space_place, e.options.rough_errors);
   add_silent_directions(e);

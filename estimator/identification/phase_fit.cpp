@@ -23,7 +23,7 @@ namespace {
 /// small where conditions part both. They end where phases move by less than this share of their error. A start
 /// from which they do not come to rest in so many leads to no minimum that conditions tell; from half a turn of a
 /// minimum they are followed as long as they shrink by a fifth each, over six decades.
-constexpr int most_steps = 12, most_steps_of_mate = 60;
+constexpr int most_phase_steps = 12, most_steps_of_mate = 60;
 constexpr double step_share = 0.03;
 
 /// Phases of all records nearer than this (radians) are one minimum.
@@ -143,7 +143,7 @@ std::vector<PhaseFit> equal_minima(const PhaseProblem& problem, const std::vecto
     });
     if (!known) found.push_back(std::move(*phases));
   };
-  for (const std::vector<double>& start : starts) search(start, most_steps);
+  for (const std::vector<double>& start : starts) search(start, most_phase_steps);
   // Half a turn of every phase fits as well with the other sign, whether or not a start has led there.
   for (std::size_t m = 0, reached = found.size(); m < reached; ++m) {
     std::vector<double> start = found[m].ahead;

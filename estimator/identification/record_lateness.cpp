@@ -29,7 +29,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Probability that records whose phases hold, of a model that holds, are said to be late.
-constexpr double false_alarm = 0.001;
+constexpr double false_lateness = 0.001;
 
 /// Of a rate of growth, next to the largest rate of the motion: rounding, and the frequency that a resonance leaves
 /// free.
@@ -156,7 +156,7 @@ bool follow_the_amplitude(const PhaseProblem& problem, const PhaseFit& phases) {
   const Solution by_law = least_squares({law, phase}), same = least_squares({MatrixXd::Ones(records, 1), phase});
   const auto left = static_cast<double>(records - by_law.rank), of_same = static_cast<double>(records - 1);
   if (left < 1 || !(by_law.misfit > 0)) return false;
-  return f_upper_tail(same.misfit / of_same / (by_law.misfit / left), of_same, left) < false_alarm;
+  return f_upper_tail(same.misfit / of_same / (by_law.misfit / left), of_same, left) < false_lateness;
 }
 
 CaseLateness lateness_of(const PhaseProblem& problem, const PhaseFit& phases, std::string assumed_positive) {
@@ -257,11 +257,11 @@ UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const Me
     const GridMinima on_grid = minima_on_grid(late.problem, late.together);
     late.minima = equal_minima(late.problem, on_grid.low);
     if (late.minima.empty()) {
-      if (on_grid.p_value < false_alarm)
+      if (on_grid.p_value < false_lateness)
         result.cases.push_back({name, PhaseFinding::nothing_told, {}, 0, on_grid.p_value, ""});
       continue;
     }
-    if (late.minima.front().p_value >= false_alarm) continue;
+    if (late.minima.front().p_value >= false_lateness) continue;
     const auto freed = [&](const PhaseFit& phases) { return with_phases(late.problem, phases.ahead); };
     keep_stable(late.minima, [&](const PhaseFit& phases) {
       result.sets[late.place] = freed(phases);

@@ -23,14 +23,14 @@ constexpr double well_apart = 1e-8, rounding = 1e-13;
 constexpr double zero_combination = 1e-11;
 
 /// Rows that one thread takes at a time.
-constexpr Index chunk = 1024;
+constexpr Index rows_at_a_time = 1024;
 
 // Sums over rows, chunk by chunk and in their order, whatever number of threads there is. Every chunk is still near
 // when its second product is formed.
 class RowSums {
  public:
   RowSums(const Eigen::Ref<const MatrixXd>& design, unsigned threads)
-      : design_(design), threads_(threads), chunks_((design.rows() + chunk - 1) / chunk) {}
+      : design_(design), threads_(threads), chunks_((design.rows() + rows_at_a_time - 1) / rows_at_a_time) {}
 
   // Lower half of the Gram matrix, and the products of columns and response.
   std::pair<MatrixXd, VectorXd> products(const Eigen::Ref<const VectorXd>& response) const {
@@ -60,8 +60,8 @@ class RowSums {
   VectorXd sum(const Part& part) const {
     std::vector<VectorXd> parts(static_cast<std::size_t>(chunks_));
     in_parallel(parts.size(), threads_, [&](std::size_t c) {
-      const Index begin = static_cast<Index>(c) * chunk;
-      parts[c] = part(begin, std::min(chunk, design_.rows() - begin), c);
+      const Index begin = static_cast<Index>(c) * rows_at_a_time;
+      parts[c] = part(begin, std::min(rows_at_a_time, design_.rows() - begin), c);
     });
     VectorXd all = VectorXd::Zero(design_.cols());
     for (const VectorXd& one : parts) all += one;

@@ -39,11 +39,11 @@ Digits mantissa_digits(std::string_view text) {
   return digits;
 }
 
-double rounded(double value, int digits) {
+}  // namespace
+
+double of_digits(double value, int digits) {
   return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
 }
-
-}  // namespace
 
 std::string_view stripped(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";
@@ -90,7 +90,8 @@ double meant_rate(std::string_view text, double step) {
   if (digits.printed < fewest_digits_of_a_rounded_interval) return 1 / step;
   const double last_digit = std::pow(10, std::floor(std::log10(step)) + 1 - digits.printed);
   for (int count = 1; count < digits.significant; ++count)
-    if (const double rate = rounded(1 / step, count); std::abs(1 / rate - step) <= 0.501 * last_digit) return rate;
+    if (const double rate = of_digits(1 / step, count); std::abs(1 / rate - step) <= 0.501 * last_digit)
+      return rate;
   return 1 / step;
 }
 

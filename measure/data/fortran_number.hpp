@@ -19,4 +19,7 @@ std::string_view stripped(std::string_view text);
 /// 2.44141E-04 is that of 4096 Hz. Of the rates with fewer digits than the interval the shortest is meant.
 double meant_rate(std::string_view text, double step);
 
+/// The number of so many significant digits that is next to `value`.
+double of_digits(double value, int digits);
+
 }  // namespace secular

@@ -21,11 +21,11 @@ namespace {
 using Bytes = std::span<const unsigned char>;
 
 constexpr const char* right_file = "the file is damaged or cut short: copy or save it again";
-constexpr std::size_t header_size = 128;
+constexpr std::size_t mat_header_size = 128;
 constexpr std::size_t tag_size = 8;
 constexpr std::size_t padding_limit = 8;  // that may follow a compressed variable
 constexpr int deepest_nesting = 32;
-constexpr std::uint64_t most_elements = std::uint64_t{1} << 40;
+constexpr std::uint64_t most_mat_elements = std::uint64_t{1} << 40;
 
 // Data types (mi...) and array classes (mx...) of the format, as far as their layout differs.
 enum DataType : std::uint32_t { mi_int32 = 5, mi_uint32 = 6, mi_matrix = 14, mi_compressed = 15 };
@@ -160,7 +160,7 @@ void check_matrix(Bytes content, bool swapped, int depth, UnsignedDimensions& fo
   std::uint64_t count = 1;
   for (std::size_t i = 0; i < rank; ++i) {
     const std::uint32_t length = reader.word(dimensions.content, 4 * i);
-    if (length != 0 && count > most_elements / length)
+    if (length != 0 && count > most_mat_elements / length)
       throw Damage{"an array's dimensions are out of all proportion"};
     count *= length;
   }
@@ -230,10 +230,10 @@ void append_repaired(std::vector<unsigned char>& copy, Bytes bytes, const Unsign
 std::vector<unsigned char> check_mat_structure(const std::filesystem::path& path) {
   const MappedFile mapped(path);
   const Bytes bytes(reinterpret_cast<const unsigned char*>(mapped.bytes().data()), mapped.bytes().size());
-  if (bytes.size() < header_size) throw InputError(path.string(), "", "ends inside of its header", right_file);
+  if (bytes.size() < mat_header_size) throw InputError(path.string(), "", "ends inside of its header", right_file);
   const bool swapped = is_swapped(bytes, path.string());
   std::vector<unsigned char> repaired;
-  ElementReader reader(bytes.subspan(header_size), swapped);
+  ElementReader reader(bytes.subspan(mat_header_size), swapped);
   while (!reader.at_end()) {
     const std::size_t at = bytes.size() - reader.left();
     try {

@@ -13,7 +13,7 @@
 namespace secular {
 namespace {
 
-constexpr std::size_t segment = 256;
+constexpr std::size_t noise_segment = 256;
 constexpr std::size_t bands = 8;  // of 8 bins each, in the upper half of the spectrum
 
 // Median of the mean of n unit exponential variables (Wilson and Hilferty): what the median of a band's power over
@@ -25,23 +25,23 @@ double median_of_mean(double n) {
 }  // namespace
 
 std::optional<double> noise_floor(std::span<const double> samples) {
-  if (samples.size() < 4 * segment) return std::nullopt;
-  std::vector<double> window(segment);
-  for (std::size_t i = 0; i < segment; ++i)
-    window[i] = 0.5 - 0.5 * std::cos(two_pi * static_cast<double>(i) / static_cast<double>(segment));
+  if (samples.size() < 4 * noise_segment) return std::nullopt;
+  std::vector<double> window(noise_segment);
+  for (std::size_t i = 0; i < noise_segment; ++i)
+    window[i] = 0.5 - 0.5 * std::cos(two_pi * static_cast<double>(i) / static_cast<double>(noise_segment));
   double gain = 0;  // sum of squares: expected power of a bin for unit white noise
   for (const double w : window) gain += w * w;
-  constexpr std::size_t first = segment / 4;
-  constexpr std::size_t width = (segment / 2 - first) / bands;
+  constexpr std::size_t first = noise_segment / 4;
+  constexpr std::size_t width = (noise_segment / 2 - first) / bands;
   std::vector<std::vector<double>> power(bands);
   Eigen::FFT<double> transform;
-  std::vector<double> piece(segment);
+  std::vector<double> piece(noise_segment);
   std::vector<std::complex<double>> spectrum;
-  for (std::size_t begin = 0; begin + segment <= samples.size(); begin += segment / 2) {
-    const auto part = samples.subspan(begin, segment);
+  for (std::size_t begin = 0; begin + noise_segment <= samples.size(); begin += noise_segment / 2) {
+    const auto part = samples.subspan(begin, noise_segment);
     // Removing the line through the ends keeps a drift from leaking into the upper half.
-    const double slope = (part.back() - part.front()) / static_cast<double>(segment - 1);
-    for (std::size_t i = 0; i < segment; ++i)
+    const double slope = (part.back() - part.front()) / static_cast<double>(noise_segment - 1);
+    for (std::size_t i = 0; i < noise_segment; ++i)
       piece[i] = window[i] * (part[i] - part.front() - slope * static_cast<double>(i));
     transform.fwd(spectrum, piece);
     for (std::size_t b = 0; b < bands; ++b) {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "input/input_error.hpp"
+#include "measure/data/fortran_number.hpp"
 #include "measure/data/rounded_stamps.hpp"
 #include "numerics/median.hpp"
 
@@ -97,10 +98,6 @@ double scatter(const std::vector<double>& stamps, const StampLine& line, double 
   return std::sqrt(square / static_cast<double>(stamps.size()));
 }
 
-double rounded(double value, int digits) {
-  return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
-}
-
 // The rate that is followed as closely as the fitted line, to 2 % of the jitter and a millionth of the step.
 double simplest_rate(const std::vector<double>& stamps, const StampLine& fitted, double jitter,
                      std::optional<double> expected) {
@@ -119,8 +116,8 @@ double simplest_rate(const std::vector<double>& stamps, const StampLine& fitted,
       largest_deviation(stamps, {fitted.mean, fitted.middle, 1 / whole}) <= largest_jitter * fitted.step)
     return whole;
   for (int digits = 1; digits <= 12; ++digits) {
-    if (const double rate = rounded(1 / fitted.step, digits); follows(rate)) return rate;
-    if (const double rate = 1 / rounded(fitted.step, digits); follows(rate)) return rate;
+    if (const double rate = of_digits(1 / fitted.step, digits); follows(rate)) return rate;
+    if (const double rate = 1 / of_digits(fitted.step, digits); follows(rate)) return rate;
   }
   return 1 / fitted.step;
 }

@@ -10,7 +10,7 @@ namespace secular {
 namespace {
 
 // Specific data types of the format.
-enum DataType {
+enum SpecificType {
   type_unknown = 0,
   type_general = 1,
   type_strain = 3,

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t riff_head = 12, chunk_head = 8, shortest_format = 16, extensible_format = 40;
 enum Coding : std::uint64_t { pcm = 1, floating_point = 3, extensible = 0xFFFE };
 
-struct Format {
+struct WavFormat {
   std::uint64_t coding = 0;
   std::size_t channels = 0, bytes_a_sample = 0;
   double sample_rate_hz = 0;
@@ -31,9 +31,9 @@ std::uint64_t number(std::string_view bytes, std::size_t at, std::size_t size) {
   return unsigned_at(bytes, at, size, ByteOrder::little);
 }
 
-Format read_format(std::string_view content, const std::string& file, const std::string& place) {
+WavFormat read_format(std::string_view content, const std::string& file, const std::string& place) {
   if (content.size() < shortest_format) throw InputError(file, place, "the format is cut off", whole_again);
-  Format format;
+  WavFormat format;
   format.coding = number(content, 0, 2);
   format.channels = static_cast<std::size_t>(number(content, 2, 2));
   format.sample_rate_hz = static_cast<double>(number(content, 4, 4));
@@ -53,7 +53,7 @@ Format read_format(std::string_view content, const std::string& file, const std:
 }
 
 struct Wav {
-  Format format;
+  WavFormat format;
   std::string_view samples;
 };
 
@@ -64,7 +64,7 @@ bool is_never_filled_in(std::uint64_t size) {
 
 Wav read_chunks(std::string_view bytes, const std::string& file) {
   const bool large = bytes.starts_with("RF64");
-  std::optional<Format> format;
+  std::optional<WavFormat> format;
   std::optional<std::uint64_t> large_size;
   for (std::size_t at = riff_head; at + chunk_head <= bytes.size();) {
     const std::string_view name = bytes.substr(at, 4);
@@ -108,7 +108,7 @@ DataFile read_wav(const std::filesystem::path& path, const std::vector<std::stri
   if (!looks_like_wav(path))
     throw InputError(path.string(), "byte 1", "is not the begin of a WAV file", "RIFF and WAVE were expected");
   const Wav wav = read_chunks(mapped.bytes(), path.string());
-  const Format& format = wav.format;
+  const WavFormat& format = wav.format;
   const std::size_t count = wav.samples.size() / (format.channels * format.bytes_a_sample);
   const auto is_wanted = [&](const std::string& name) {
     return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();

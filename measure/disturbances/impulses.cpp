@@ -12,7 +12,7 @@
 namespace secular {
 namespace {
 
-constexpr std::size_t block = 64;  // of samples that share a scale: their median is known to 15 %
+constexpr std::size_t impulse_block = 64;  // of samples that share a scale: their median is known to 15 %
 
 // How far every sample is off the cubic through two neighbours on either side, in units of the median of that over
 // the block around it, or beside it where that is larger: motion begins and dies away. Rounding to a lattice
@@ -27,9 +27,9 @@ Roughness roughness(std::span<const double> x, double step) {
   for (std::size_t i = 2; i + 2 < x.size(); ++i)
     result.off[i] = x[i] - (4 * (x[i - 1] + x[i + 1]) - x[i - 2] - x[i + 2]) / 6;
   std::vector<double> medians, size;
-  for (std::size_t begin = 2; begin + 2 < x.size(); begin += block) {
+  for (std::size_t begin = 2; begin + 2 < x.size(); begin += impulse_block) {
     size.clear();
-    for (std::size_t i = begin; i < std::min(x.size() - 2, begin + block); ++i)
+    for (std::size_t i = begin; i < std::min(x.size() - 2, begin + impulse_block); ++i)
       size.push_back(std::abs(result.off[i]));
     medians.push_back(upper_median(size));
   }
@@ -39,7 +39,7 @@ Roughness roughness(std::span<const double> x, double step) {
         std::max({medians[b == 0 ? 0 : b - 1], medians[b], medians[std::min(b + 1, medians.size() - 1)], rounding});
     if (!(scale > 0)) continue;
     result.blur = std::max(result.blur, rounding / scale);
-    for (std::size_t i = 2 + b * block; i < std::min(x.size() - 2, 2 + (b + 1) * block); ++i)
+    for (std::size_t i = 2 + b * impulse_block; i < std::min(x.size() - 2, 2 + (b + 1) * impulse_block); ++i)
       result.relative[i] = std::abs(result.off[i]) / scale;
   }
   return result;
@@ -113,7 +113,7 @@ void add(const SearchedRecord& record, std::size_t c, std::string_view kind,
 Impulses find_impulses(std::span<const double> samples, const ValueGrid& grid, const HeldSamples& held,
                        double false_alarm) {
   Impulses impulses;
-  if (samples.size() < 4 * block) return impulses;
+  if (samples.size() < 4 * impulse_block) return impulses;
   const Roughness rough = roughness(samples, grid.step.value_or(0));
   std::vector<std::size_t> peaks;
   std::vector<double> sizes;

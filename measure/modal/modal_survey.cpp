@@ -34,10 +34,6 @@ using Eigen::VectorXd;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-std::string toml_of(const ModalSurvey& survey) {
-  return (survey.campaign.folder / "campaign.toml").string();
-}
-
 StabilisationDiagram diagram_of(const ModalSurvey& survey, const ResponseSequence& responses, double rate,
                                 bool feedthrough) {
   StabilisationOptions options;

@@ -19,10 +19,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-std::string toml_of(const ModalSurvey& survey) {
-  return (survey.campaign.folder / "campaign.toml").string();
-}
-
 void choose_channels(ModalSurvey& survey) {
   const std::vector<Channel>& channels = survey.campaign.channels;
   for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -100,6 +96,10 @@ FreeRows free_rows(const MatrixXd& responses, bool struck, double rate) {
 }
 
 }  // namespace
+
+std::string toml_of(const ModalSurvey& survey) {
+  return (survey.campaign.folder / "campaign.toml").string();
+}
 
 // The responses (and the force, where there is one) between --from and --to, and the record time of the first row.
 struct SurveyRecords::Part {

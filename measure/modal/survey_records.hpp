@@ -48,6 +48,9 @@ struct SurveyImpacts {
   std::vector<ImpactPlace> places;
 };
 
+/// The file that faults of a survey's channels stand in.
+std::string toml_of(const ModalSurvey& survey);
+
 /// The records of a survey, one of them in memory at a time: samples are read when they are asked for, and the
 /// record read last is kept.
 class SurveyRecords {

@@ -31,7 +31,7 @@ constexpr double enough_progress = 0.2;
 constexpr double difference = 1e-6;
 
 /// An amplitude changes by no more than this share in one step, and a frequency by no more than the second.
-constexpr double longest_step = 0.2, longest_detuning = 1e-3;
+constexpr double longest_stride = 0.2, longest_detuning = 1e-3;
 
 // The unknowns of a steady motion: the logarithm of every complex amplitude, real and imaginary part, then the
 // frequencies that the resonance leaves free, relative. The phase that it leaves free with each of them moves
@@ -59,7 +59,7 @@ class Unknowns {
 
   // A step made no longer than the amplitudes and frequencies allow.
   VectorXd bounded(const VectorXd& step) const {
-    const double amplitudes = step.head(2 * oscillating()).cwiseAbs().maxCoeff() / longest_step,
+    const double amplitudes = step.head(2 * oscillating()).cwiseAbs().maxCoeff() / longest_stride,
                  detuning = free() > 0 ? step.tail(free()).cwiseAbs().maxCoeff() / longest_detuning : 0;
     return step / std::max({1.0, amplitudes, detuning});
   }

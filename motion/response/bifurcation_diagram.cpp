@@ -15,9 +15,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using ConstVector = Eigen::Ref<const VectorXd>;
 
-class Diagram {
+class DiagramSearch {
  public:
-  Diagram(const VectorField& field, const ConstVector& parameters, Index parameter, const DiagramOptions& options)
+  DiagramSearch(const VectorField& field, const ConstVector& parameters, Index parameter,
+                const DiagramOptions& options)
       : field_(field), parameters_(parameters), parameter_(parameter), options_(options) {
     scale_.resize(field.dimension() + 1);
     const ContinuationOptions& continuation = options.continuation;
@@ -125,7 +126,7 @@ BifurcationDiagram bifurcation_diagram(const VectorField& field, const ConstVect
   if (parameters.size() != field.parameter_count() || parameter < 0 || parameter >= parameters.size())
     throw std::invalid_argument("a diagram in a parameter that the vector field does not have");
   if (options.branch_limit < 1) throw std::invalid_argument("a limit of branches below 1");
-  return Diagram(field, parameters, parameter, options).run();
+  return DiagramSearch(field, parameters, parameter, options).run();
 }
 
 }  // namespace secular

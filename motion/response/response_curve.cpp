@@ -41,9 +41,9 @@ bool is_singular_at_rest(const ResponseField& field, const ConstVector& paramete
   return slope(1e-9 * scale) > 100 * slope(1e-5 * scale);
 }
 
-class Diagram {
+class CurveSearch {
  public:
-  Diagram(const ResponseField& field, const ResponseRequest& request)
+  CurveSearch(const ResponseField& field, const ResponseRequest& request)
       : field_(field),
         request_(request),
         scale_(amplitude_scale(field, request.parameters, request.parameter, request.lower, request.upper)) {
@@ -337,7 +337,7 @@ class Curves {
 }  // namespace
 
 ResponseDiagram response_diagram(const ResponseField& field, const ResponseRequest& request) {
-  return Diagram(field, request).run();
+  return CurveSearch(field, request).run();
 }
 
 std::vector<ResponseCurve> response_curves(const ResponseField& field, const CurveRequest& request) {

@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 using testing_support::run_program;
 using testing_support::text_of;
 
-constexpr const char* model_text = R"toml(schema = 1
+constexpr const char* noisy_model_text = R"toml(schema = 1
 name = "oscillator"
 [[mode]]
 coordinate = "x"
@@ -29,7 +29,7 @@ excitation = false
 w = 12
 )toml";
 
-constexpr const char* experiment_text = R"toml(schema = 1
+constexpr const char* noisy_experiment_text = R"toml(schema = 1
 name = "encoder"
 model = "oscillator.toml"
 sample_rate_hz = 128.0
@@ -51,8 +51,8 @@ using SlowDisturbanceOutput = TemporaryFolder;
 
 // A displacement that lies on the lattice of an encoder, which is what a campaign has beside the motion here.
 TEST_F(SlowDisturbanceOutput, IsTheSameListEverywhere) {
-  write("oscillator.toml", model_text);
-  write("experiment.toml", experiment_text);
+  write("oscillator.toml", noisy_model_text);
+  write("experiment.toml", noisy_experiment_text);
   const auto run = [&](const std::string& arguments) {
     const auto outcome = run_program(folder_, arguments);
     EXPECT_EQ(outcome.status, 0) << arguments << "\n" << outcome.errors;

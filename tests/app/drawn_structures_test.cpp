@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-double number_from(const char* variable, double usual) {
+double real_from(const char* variable, double usual) {
   const char* text = std::getenv(variable);
   return text ? std::atof(text) : usual;
 }
@@ -59,7 +59,7 @@ void count_values(const Estimate& estimate, const std::map<std::string, double>&
 }
 
 TEST(SlowDrawnStructures, IntervalsHoldTheTruth) {
-  const int cases = static_cast<int>(number_from("SECULAR_COVERAGE_CASES", 6));
+  const int cases = static_cast<int>(real_from("SECULAR_COVERAGE_CASES", 6));
   Count all;
   std::vector<double> misfit_f;
   for (const std::string& family : blind::families) {
@@ -69,7 +69,7 @@ TEST(SlowDrawnStructures, IntervalsHoldTheTruth) {
       plan.number = static_cast<std::size_t>(number);
       plan.kind = "none";
       plan.family = family;
-      plan.snr_db = number_from("SECULAR_COVERAGE_DB", 50);
+      plan.snr_db = real_from("SECULAR_COVERAGE_DB", 50);
       plan.dwells = 40;
       const blind::SealedCase sealed = blind::draw_case(plan, 9);
       const fs::path place = testing_support::process_folder() / family;

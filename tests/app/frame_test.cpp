@@ -15,7 +15,7 @@
 namespace secular {
 namespace {
 
-constexpr const char* experiment_text = R"toml(schema = 1
+constexpr const char* frame_experiment_text = R"toml(schema = 1
 name = "duff"
 model = "duffing"
 sample_rate_hz = 256.0
@@ -47,7 +47,7 @@ class AbsoluteFrame : public TemporaryFolder {
  protected:
   void SetUp() override {
     TemporaryFolder::SetUp();
-    write("experiment.toml", experiment_text);
+    write("experiment.toml", frame_experiment_text);
     ASSERT_EQ(run("simulate experiment.toml -o relative --seed 1"), 0) << errors_;
     campaign_ = read_campaign(folder_ / "relative");
     for (const RecordEntry& entry : campaign_.records) samples_.push_back(read_record(campaign_, entry));

@@ -89,12 +89,12 @@ class HardCampaign {
   SimulatedCampaign exact_;
 };
 
-int number_from(const char* variable, int otherwise) {
+int count_from(const char* variable, int otherwise) {
   const char* text = std::getenv(variable);
   return text ? std::atoi(text) : otherwise;
 }
 
-struct Coverage {
+struct HardCoverage {
   int inside = 0, count = 0, doubtful = 0;
   double largest = 0, error = 0, square = 0, sd = 0;  // largest: in standard deviations, of what is not doubtful
 
@@ -113,10 +113,10 @@ struct Coverage {
 
 // Every parameter has a number in every draw, and its intervals hold as often as they say (within four standard
 // deviations of the share that independent draws scatter by).
-void expect_intervals_to_hold(const HardExcitation& test) {
+void expect_hard_intervals_to_hold(const HardExcitation& test) {
   const HardCampaign campaign(test);
-  const int draws = number_from("SECULAR_COVERAGE_DRAWS", 12), first = number_from("SECULAR_COVERAGE_FIRST", 0);
-  std::map<std::string, Coverage> table;
+  const int draws = count_from("SECULAR_COVERAGE_DRAWS", 12), first = count_from("SECULAR_COVERAGE_FIRST", 0);
+  std::map<std::string, HardCoverage> table;
   int contradictions = 0;
   for (int draw = first; draw < first + draws; ++draw) {
     const Estimate estimate = campaign.identified(draw);
@@ -162,16 +162,16 @@ HardExcitation superharmonic_two(int expand_to) {
 }
 
 TEST(SlowHardCoverage, SuperharmonicTwo) {
-  expect_intervals_to_hold(superharmonic_two(2));
+  expect_hard_intervals_to_hold(superharmonic_two(2));
 }
 
 // The superharmonic is up to forty times smaller than the forced line, which is no sign of another motion.
 TEST(SlowHardCoverage, SuperharmonicTwoToFirstOrder) {
-  expect_intervals_to_hold(superharmonic_two(1));
+  expect_hard_intervals_to_hold(superharmonic_two(1));
 }
 
 TEST(SlowHardCoverage, SuperharmonicTwoWithCubicTerm) {
-  expect_intervals_to_hold(
+  expect_hard_intervals_to_hold(
       {.equation = cubic,
        .relation = "2*Omega = omega0 + eps*sigma",
        .order = "mu = 1, a2 = 1, a3 = 1, e = 0",
@@ -186,7 +186,7 @@ TEST(SlowHardCoverage, SuperharmonicTwoWithCubicTerm) {
 }
 
 TEST(SlowHardCoverage, SuperharmonicThree) {
-  expect_intervals_to_hold(
+  expect_hard_intervals_to_hold(
       {.equation = cubic,
        .relation = "3*Omega = omega0 + eps*sigma",
        .order = "mu = 1, a2 = 1, a3 = 1, e = 0",
@@ -201,17 +201,17 @@ TEST(SlowHardCoverage, SuperharmonicThree) {
 }
 
 TEST(SlowHardCoverage, SubharmonicTwo) {
-  expect_intervals_to_hold({.equation = cubic,
-                            .relation = "Omega = 2*omega0 + eps*sigma",
-                            .order = "mu = 1, a2 = 1, a3 = 1, e = 0",
-                            .expand_to = 2,
-                            .parameters = "omega0 = 1.0\nmu = 0.005\na2 = 0.1\na3 = 0.1\ne = 1.0",
-                            .sample_rate_hz = 4,
-                            .force_noise = 3e-4,
-                            .noise = 1e-4,
-                            .dwells = "frequencies_hz = [0.3175, 0.3185, 0.3195, 0.3205, 0.3215, 0.3225]\n"
-                                      "amplitudes = [0.5, 0.7, 0.9]\nensembles = 3\nensemble_s = 256.0\n"
-                                      "settle_s = 3000.0\ninitial_displacement = [0.5]"});
+  expect_hard_intervals_to_hold({.equation = cubic,
+                                 .relation = "Omega = 2*omega0 + eps*sigma",
+                                 .order = "mu = 1, a2 = 1, a3 = 1, e = 0",
+                                 .expand_to = 2,
+                                 .parameters = "omega0 = 1.0\nmu = 0.005\na2 = 0.1\na3 = 0.1\ne = 1.0",
+                                 .sample_rate_hz = 4,
+                                 .force_noise = 3e-4,
+                                 .noise = 1e-4,
+                                 .dwells = "frequencies_hz = [0.3175, 0.3185, 0.3195, 0.3205, 0.3215, 0.3225]\n"
+                                           "amplitudes = [0.5, 0.7, 0.9]\nensembles = 3\nensemble_s = 256.0\n"
+                                           "settle_s = 3000.0\ninitial_displacement = [0.5]"});
 }
 
 HardExcitation subharmonic_three(int expand_to) {
@@ -230,12 +230,12 @@ HardExcitation subharmonic_three(int expand_to) {
 }
 
 TEST(SlowHardCoverage, SubharmonicThree) {
-  expect_intervals_to_hold(subharmonic_three(1));
+  expect_hard_intervals_to_hold(subharmonic_three(1));
 }
 
 // To second order the modulation equation holds the square of a2 alone: harmonics tell a2 and its sign.
 TEST(SlowHardCoverage, SubharmonicThreeToSecondOrder) {
-  expect_intervals_to_hold(subharmonic_three(2));
+  expect_hard_intervals_to_hold(subharmonic_three(2));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct TwoModes {
   double w2;
 };
 
-std::string model_text(const TwoModes& model) {
+std::string joint_model_text(const TwoModes& model) {
   return "schema = 1\nname = \"" + model.name + "\"\n" +
          "[[mode]]\ncoordinate = \"x\"\nfrequency = \"w1\"\nequation = \"" + model.x +
          "\"\n[[mode]]\ncoordinate = \"y\"\nfrequency = \"w2\"\nequation = \"" + model.y +
@@ -37,7 +37,7 @@ std::string model_text(const TwoModes& model) {
          "\nexcitation = false\n[nominal]\nw1 = 40\nw2 = " + std::to_string(model.w2) + "\n";
 }
 
-std::string experiment_text(const fs::path& model, const Values& parameters) {
+std::string joint_experiment_text(const fs::path& model, const Values& parameters) {
   std::string text =
       "schema = 1\nname = \"pluck\"\nmodel = \"" + model.string() + "\"\nsample_rate_hz = 200.0\n[parameters]\n";
   for (const auto& [name, value] : parameters) text += name + " = " + std::to_string(value) + "\n";
@@ -62,7 +62,7 @@ class SlowJointDecay : public testing::Test {
   // Every parameter is identified, within four standard deviations, which are at most `share` of it.
   void expect_recovered(const std::string& model, const Values& truth, double share) const {
     std::ofstream(folder_ / "model.toml") << model;
-    std::ofstream(folder_ / "experiment.toml") << experiment_text(folder_ / "model.toml", truth);
+    std::ofstream(folder_ / "experiment.toml") << joint_experiment_text(folder_ / "model.toml", truth);
     run("simulate experiment.toml -o campaign");
     run("identify campaign --model model.toml -o out");
     std::ifstream stream(folder_ / "out" / "estimate.json");
@@ -84,18 +84,18 @@ class SlowJointDecay : public testing::Test {
 
 TEST_F(SlowJointDecay, CouplingByACommonCubicPotential) {
   expect_recovered(
-      model_text({"springs", "D2(x) + w1^2*x = -2*m1*D(x) - n1*D(x)^3 - k1*x^3 - k12*x*y^2",
-                  "D2(y) + w2^2*y = -2*m2*D(y) - k2*y^3 - k12*x^2*y", "",
-                  "m1 = 1, m2 = 1, n1 = 1, k1 = 1, k2 = 1, k12 = 1", 1, 97}),
+      joint_model_text({"springs", "D2(x) + w1^2*x = -2*m1*D(x) - n1*D(x)^3 - k1*x^3 - k12*x*y^2",
+                        "D2(y) + w2^2*y = -2*m2*D(y) - k2*y^3 - k12*x^2*y", "",
+                        "m1 = 1, m2 = 1, n1 = 1, k1 = 1, k2 = 1, k12 = 1", 1, 97}),
       {{"w1", 40}, {"w2", 97}, {"m1", 0.25}, {"m2", 0.35}, {"n1", 0.1}, {"k1", 6e3}, {"k2", 3e4}, {"k12", 1.5e4}},
       0.05);
 }
 
 // Energy goes to and fro between the modes: what one loses by damping is told from what it hands over.
 TEST_F(SlowJointDecay, OneToTwoInternalResonance) {
-  expect_recovered(model_text({"one_to_two", "D2(x) + w1^2*x = -2*m1*D(x) - 2*a*x*y - k1*x^3",
-                               "D2(y) + w2^2*y = -2*m2*D(y) - a*x^2", "\"w2 = 2*w1 + eps*sigma1\"",
-                               "m1 = 1, m2 = 1, a = 1, k1 = 2", 2, 81}),
+  expect_recovered(joint_model_text({"one_to_two", "D2(x) + w1^2*x = -2*m1*D(x) - 2*a*x*y - k1*x^3",
+                                     "D2(y) + w2^2*y = -2*m2*D(y) - a*x^2", "\"w2 = 2*w1 + eps*sigma1\"",
+                                     "m1 = 1, m2 = 1, a = 1, k1 = 2", 2, 81}),
                    {{"w1", 40}, {"w2", 81}, {"m1", 0.15}, {"m2", 0.25}, {"a", 600}, {"k1", 8e3}}, 0.05);
 }
 

@@ -50,14 +50,14 @@ std::string two_modes(const std::string& cases, const Values& nominal) {
          cases + "[nominal]\n" + lines_of(nominal);
 }
 
-std::string dwells(const std::string& frequencies, const std::string& levels, const std::string& start) {
+std::string dwells_text(const std::string& frequencies, const std::string& levels, const std::string& start) {
   return "[[dwell]]\nfrequencies_hz = " + frequencies + "\namplitudes = " + levels +
          "\nensembles = 6\nensemble_s = 4.0\nsettle_s = "
          "30.0\ninitial_displacement = " +
          start + "\n";
 }
 
-std::string decay(const std::string& start) {
+std::string decay_text(const std::string& start) {
   return "[[free_decay]]\ninitial_displacement = " + start + "\nduration_s = 16.0\n";
 }
 
@@ -128,18 +128,19 @@ std::string one_mode(const std::string& nominal) {
          "2\nexcitation = false\n";
 }
 
-const Values beam = {{"w", 94.25}, {"m", 0.6}, {"k", 2e7}, {"e", 0.8}};
+const Values beam_values = {{"w", 94.25}, {"m", 0.6}, {"k", 2e7}, {"e", 0.8}};
 
 TEST_F(SlowNominalStart, OfOneModeIsOutrankedByDwellsAndDecays) {
-  simulate(one_mode(""), {"q"}, beam,
-           dwells("[14.8, 14.9, 15.0, 15.05, 15.1, 15.2, 15.3]", "[0.5, 1.0]", "[1e-4]") + decay("[3e-3]"));
+  simulate(
+      one_mode(""), {"q"}, beam_values,
+      dwells_text("[14.8, 14.9, 15.0, 15.05, 15.1, 15.2, 15.3]", "[0.5, 1.0]", "[1e-4]") + decay_text("[3e-3]"));
   for (const char* nominal : {"110", "70", "190"}) {
-    const std::string errors =
-        expect_recovered(one_mode(std::string("[nominal]\nw = ") + nominal + "\n"), beam, {"w", "m", "k", "e"});
+    const std::string errors = expect_recovered(one_mode(std::string("[nominal]\nw = ") + nominal + "\n"),
+                                                beam_values, {"w", "m", "k", "e"});
     EXPECT_NE(errors.find("w is near 94"), std::string::npos) << errors;
     EXPECT_EQ(errors.find("left out"), std::string::npos) << errors;
   }
-  EXPECT_EQ(expect_recovered(one_mode("[nominal]\nw = 97\n"), beam, {"w", "m", "k", "e"}).find("is near"),
+  EXPECT_EQ(expect_recovered(one_mode("[nominal]\nw = 97\n"), beam_values, {"w", "m", "k", "e"}).find("is near"),
             std::string::npos);
   write("rough.json", "{\"w\": 125.66}");
   for (const char* nominal : {"", "[nominal]\nw = 110\n"}) {
@@ -161,8 +162,9 @@ TEST_F(SlowNominalStart, OfTwoModesGivesWayWhereItIsWrong) {
                         {"k2", 3e5}, {"e1", 1},  {"e2", 1},    {"p1", 0}};
   const std::string cases = first_case + second_case + free_case;
   simulate(two_modes(cases, {}), {"x", "y"}, truth,
-           dwells("[6.2, 6.3, 6.366, 6.4, 6.5]", "[0.02, 0.05]", "[1e-3, 0.0]") +
-               dwells("[15.2, 15.4, 15.44, 15.5, 15.7]", "[0.05, 0.1]", "[0.0, 1e-3]") + decay("[0.01, 0.005]"));
+           dwells_text("[6.2, 6.3, 6.366, 6.4, 6.5]", "[0.02, 0.05]", "[1e-3, 0.0]") +
+               dwells_text("[15.2, 15.4, 15.44, 15.5, 15.7]", "[0.05, 0.1]", "[0.0, 1e-3]") +
+               decay_text("[0.01, 0.005]"));
   for (const Values& nominal : {Values{{"w1", 40}, {"w2", 130}}, Values{{"w1", 60}, {"w2", 130}}})
     expect_recovered(two_modes(cases, nominal), truth, {"w1", "w2", "m1", "m2", "e1", "e2"});
 }
@@ -170,7 +172,7 @@ TEST_F(SlowNominalStart, OfTwoModesGivesWayWhereItIsWrong) {
 TEST_F(SlowNominalStart, OfDecaysGivesWayToTheirLines) {
   const Values truth = {{"w1", 40},  {"w2", 97}, {"m1", 0.25}, {"m2", 0.35}, {"k1", 6e4},
                         {"k2", 3e5}, {"e1", 1},  {"e2", 1},    {"p1", 0}};
-  simulate(two_modes(free_case, {}), {"x", "y"}, truth, decay("[0.02, 0.01]") + decay("[0.01, 0.015]"));
+  simulate(two_modes(free_case, {}), {"x", "y"}, truth, decay_text("[0.02, 0.01]") + decay_text("[0.01, 0.015]"));
   for (const Values& nominal :
        {Values{{"w1", 30}, {"w2", 73}}, Values{{"w1", 56}, {"w2", 135}}, Values{{"w1", 40}, {"w2", 73}}}) {
     const std::string errors =
@@ -188,8 +190,8 @@ TEST_F(SlowNominalStart, DoesNotSortDwellsWithASubharmonic) {
                         {"k2", 3e5}, {"e1", 1},  {"e2", 1},   {"p1", 40}};
   const std::string cases = parametric_case + second_case + free_case;
   simulate(two_modes(cases, {}), {"x", "y"}, truth,
-           dwells("[15.85, 15.92, 16.0, 16.1]", "[3.0, 4.0]", "[3e-2, 0.0]") +
-               dwells("[14.3, 14.5, 14.65, 14.8]", "[0.05, 0.1]", "[0.0, 1e-3]") + decay("[0.02, 0.01]"));
+           dwells_text("[15.85, 15.92, 16.0, 16.1]", "[3.0, 4.0]", "[3e-2, 0.0]") +
+               dwells_text("[14.3, 14.5, 14.65, 14.8]", "[0.05, 0.1]", "[0.0, 1e-3]") + decay_text("[0.02, 0.01]"));
   for (const Values& nominal : {Values{{"w1", 50}, {"w2", 101}}, Values{{"w1", 46}, {"w2", 100}}}) {
     const std::string errors =
         expect_recovered(two_modes(cases, nominal), truth, {"w1", "w2", "m1", "m2", "p1", "e2"});
@@ -214,7 +216,7 @@ TEST_F(SlowNominalStart, OfACombinationIsNotWhereItsLinesMustBe) {
            case_text("sum", "\"Omega = w1 + w2 + eps*s\"", "") + "[nominal]\n" + lines_of(nominal);
   };
   simulate(model({}), {"x", "y"}, truth,
-           dwells("[21.77, 21.79, 21.8, 21.81, 21.83, 21.85]", "[2.0, 3.0]", "[2e-2, 1e-2]"));
+           dwells_text("[21.77, 21.79, 21.8, 21.81, 21.83, 21.85]", "[2.0, 3.0]", "[2e-2, 1e-2]"));
   for (const Values& nominal : {Values{{"w1", 40}, {"w2", 120}}, Values{{"w1", 48}, {"w2", 80}}})
     expect_recovered(model(nominal), truth, {"w1", "w2"});
 }
@@ -225,8 +227,8 @@ TEST_F(SlowNominalStart, IsNotLeftForMoreDwellsOfAModeThatTheModelHasNot) {
                         {"k2", 3e5}, {"e1", 1},  {"e2", 1},    {"p1", 0}};
   const std::string cases = first_case + second_case;
   simulate(two_modes(cases, {}), {"x", "y"}, truth,
-           dwells("[6.2, 6.3, 6.366, 6.4, 6.5]", "[0.02, 0.05]", "[1e-3, 0.0]") +
-               dwells("[15.2, 15.3, 15.4, 15.44, 15.5, 15.7]", "[0.05, 0.1]", "[0.0, 1e-3]"));
+           dwells_text("[6.2, 6.3, 6.366, 6.4, 6.5]", "[0.02, 0.05]", "[1e-3, 0.0]") +
+               dwells_text("[15.2, 15.3, 15.4, 15.44, 15.5, 15.7]", "[0.05, 0.1]", "[0.0, 1e-3]"));
   write("model.toml", two_modes(first_case, {{"w1", 41}, {"w2", 300}}));
   const testing_support::Outcome outcome = run("identify campaign --model model.toml -o out", 1);
   EXPECT_NE(outcome.output.find("case first: 60 observations"), std::string::npos) << outcome.output;
@@ -235,9 +237,9 @@ TEST_F(SlowNominalStart, IsNotLeftForMoreDwellsOfAModeThatTheModelHasNot) {
 // Dwells far from the resonance that the others show, more than half of all:
 // said in one line, and the status is 1.
 TEST_F(SlowNominalStart, MostRecordsLeftOutIsAFailure) {
-  simulate(one_mode(""), {"q"}, beam,
-           dwells("[14.8, 14.9, 15.0, 15.1, 15.2, 15.3]", "[0.5, 1.0]", "[1e-4]") +
-               dwells("[20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0]", "[0.5, 1.0]", "[1e-4]"));
+  simulate(one_mode(""), {"q"}, beam_values,
+           dwells_text("[14.8, 14.9, 15.0, 15.1, 15.2, 15.3]", "[0.5, 1.0]", "[1e-4]") +
+               dwells_text("[20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0]", "[0.5, 1.0]", "[1e-4]"));
   write("model.toml", one_mode("[nominal]\nw = 94\n"));
   const testing_support::Outcome outcome = run("identify campaign --model model.toml -o out", 1);
   EXPECT_TRUE(fs::exists(folder_ / "out" / "estimate.json"));

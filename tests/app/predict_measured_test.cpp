@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* model_text = R"toml(schema = 1
+constexpr const char* measured_model_text = R"toml(schema = 1
 name = "forced_duffing"
 [[mode]]
 coordinate = "x"
@@ -33,7 +33,7 @@ expand_to = 1
 )toml";
 
 // Four dwells at the prediction's excitation and one at twice of it.
-constexpr const char* experiment_text = R"toml(schema = 1
+constexpr const char* measured_experiment_text = R"toml(schema = 1
 name = "forced"
 model = "FOLDER/model.toml"
 sample_rate_hz = 64.0
@@ -68,8 +68,8 @@ class SlowMeasuredDwells : public testing::Test {
  protected:
   void SetUp() override {
     fs::create_directories(folder_ / "cache");
-    std::ofstream(folder_ / "model.toml") << model_text;
-    std::string text = experiment_text;
+    std::ofstream(folder_ / "model.toml") << measured_model_text;
+    std::string text = measured_experiment_text;
     text.replace(text.find("FOLDER"), 6, folder_.string());
     std::ofstream(folder_ / "experiment.toml") << text;
     std::ofstream(folder_ / "numbers.json") << R"({"w": 40, "c": 1, "k3": 1000, "e": 1})";
@@ -117,7 +117,7 @@ TEST_F(SlowMeasuredDwells, LieOnTheResponseOfTheirExcitation) {
 // Beside and inside a principal parametric resonance: growth e F/(4 w) = 0.25 1/s against damping c = 0.1 1/s moves
 // within 2 sqrt(0.25^2 - 0.1^2) rad/s = 0.073 Hz of 2 w.
 TEST_F(SlowMeasuredDwells, AtRestLieOnTheAxis) {
-  std::string model = model_text, text = experiment_text;
+  std::string model = measured_model_text, text = measured_experiment_text;
   model.replace(model.find("e*F*cos"), 7, "e*F*x*cos");
   model.replace(model.find("Omega = w"), 9, "Omega = 2*w");
   std::ofstream(folder_ / "model.toml") << model;
@@ -153,7 +153,7 @@ TEST_F(SlowMeasuredDwells, OfSteppedSweepsJumpWithinAStepOfTheSaddleNodes) {
     up += (i ? ", " : "") + std::to_string(6.36 + step_hz * i);
     down += (i ? ", " : "") + std::to_string(6.50 - step_hz * i);
   }
-  std::string text = experiment_text;
+  std::string text = measured_experiment_text;
   text = text.substr(0, text.find("[[dwell]]"));
   text.replace(text.find("FOLDER"), 6, folder_.string());
   text.replace(text.find("c = 1.0"), 7, "c = 0.15");

@@ -110,37 +110,6 @@ TEST_F(SlowProcedure, TermsOfTheAnalysisOfVarianceAreNamed) {
 }
 
 // Chapter 6: what (6.49)-(6.52) make of 31 dwells of ten ensembles, and every table beside it.
-TEST(SlowTwoModeProcedure, SetsRecoveredBesideTrueBesidePrinted) {
-  const fs::path folder = testing_support::process_folder() / "secular_procedure_chapter6";
-  simulate("thesis_chapter6", "two_mass", folder);
-  ProcedureRequest request;
-  request.campaign = folder.string();
-  request.model = "two_mass";
-  request.truth = "experiments/thesis_chapter6";
-  request.bias = false;
-  const ProcedureRun run = run_procedures(request);
-  EXPECT_EQ(run.measured.observations.size(), 310u);
-  const ProcedureRow& frequency = row(run, "jump_frequencies", "omega1 + omega2");
-  EXPECT_NEAR(frequency.recovered, *frequency.truth, 0.001 * *frequency.truth);
-  const ProcedureRow& eta11 = row(run, "harmonic", "eta11");
-  EXPECT_NEAR(eta11.recovered, *eta11.truth, 0.01 * std::abs(*eta11.truth));
-  for (const char* name : {"mu11", "mu22", "Gamma_5"}) {
-    const ProcedureRow& r = row(run, "two_modes", name);
-    EXPECT_NEAR(r.recovered, *r.truth, 0.1 * std::abs(*r.truth)) << name;
-    EXPECT_NEAR(*r.as_printed, -r.recovered, 1e-6 * std::abs(r.recovered)) << name << ": the sign of the detuning";
-  }
-  // Tables D.3-D.5 of the source's equations, then each generated equation, weighted and not.
-  std::vector<std::string> tables;
-  for (const ProcedureSection& section : run.sections)
-    for (const auto& [name, table] : section.anova) tables.push_back(name);
-  EXPECT_EQ(tables, (std::vector<std::string>{
-                        "Eq. (6.49)", "Eq. (6.50)", "Eq. (6.51)", "modulation of v1, weighted by measured noise",
-                        "modulation of v1, equal weights", "modulation of v2, weighted by measured noise",
-                        "modulation of v2, equal weights"}));
-  EXPECT_NE(procedures_report(run, "command").find("Amplitudes of both modes"), std::string::npos);
-  fs::remove_all(folder);
-}
-
 TEST(Procedure, AnyCaseOfDwellsHasAnAnalysisOfVariance) {
   const fs::path folder = testing_support::process_folder() / "secular_procedure_primary";
   simulate("primary_resonance", "two_mass_mode1", folder);

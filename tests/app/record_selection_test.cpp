@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr double rate = 128, omega0 = 2 * std::numbers::pi * 10, damping = 0.8;
 
-constexpr const char* model_text = R"toml(schema = 1
+constexpr const char* selected_model_text = R"toml(schema = 1
 name = "one_mode"
 [[mode]]
 coordinate = "v"
@@ -161,7 +161,7 @@ class RecordSelection : public TemporaryFolder, public testing::WithParamInterfa
  protected:
   void SetUp() override {
     TemporaryFolder::SetUp();
-    write("model.toml", model_text);
+    write("model.toml", selected_model_text);
     write("numbers.json", R"({"omega0": 62.83, "mu": 0.8, "a3": 0, "e": 1})");
     write_campaign(test_.campaign, test_.samples, folder_ / "whole");
   }

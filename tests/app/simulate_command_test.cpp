@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* model_text = R"toml(schema = 1
+constexpr const char* simulated_model_text = R"toml(schema = 1
 name = "pair"
 [[mode]]
 coordinate = "x"
@@ -37,7 +37,7 @@ name = "free"
 order = { m1 = 2, m2 = 2, e1 = 1, e2 = 1 }
 )toml";
 
-std::string experiment_text(const std::string& more, const std::string& settle_s = "0.25") {
+std::string simulated_experiment_text(const std::string& more, const std::string& settle_s = "0.25") {
   return R"toml(schema = 1
 name = "effects"
 model = "pair.toml"
@@ -79,8 +79,8 @@ duration_s = 0.2
 class SimulateCommand : public TemporaryFolder {
  protected:
   LoadedExperiment loaded(const std::string& more, const std::string& settle_s) const {
-    write("pair.toml", model_text);
-    return load_experiment(write("experiment.toml", experiment_text(more, settle_s)), true);
+    write("pair.toml", simulated_model_text);
+    return load_experiment(write("experiment.toml", simulated_experiment_text(more, settle_s)), true);
   }
   SimulatedCampaign simulated(const std::string& more, unsigned threads = 1,
                               const std::string& settle_s = "0.25") const {
@@ -217,13 +217,13 @@ TEST_F(SimulateCommand, MemoryAndThreads) {
 }
 
 TEST_F(SimulateCommand, TheProgramWritesTheCampaignOrSaysWhatIsWrong) {
-  write("pair.toml", model_text);
-  write("good.toml", experiment_text(effect("cubic_stiffness", "mode = \"x\"\nstrength = 1e6")));
+  write("pair.toml", simulated_model_text);
+  write("good.toml", simulated_experiment_text(effect("cubic_stiffness", "mode = \"x\"\nstrength = 1e6")));
   const std::string at = folder_.string() + "/";
   EXPECT_EQ(run("simulate --interpret " + at + "good.toml -o " + at + "campaign"), 0) << read("stderr.txt");
   EXPECT_TRUE(fs::exists(folder_ / "campaign/campaign.toml"));
   const auto complaint = [&](const std::string& more, const std::string& part) {
-    write("bad.toml", experiment_text(more));
+    write("bad.toml", simulated_experiment_text(more));
     EXPECT_EQ(run("simulate --interpret " + at + "bad.toml -o " + at + "none"), 2);
     EXPECT_NE(read("stderr.txt").find(part), std::string::npos) << read("stderr.txt");
     EXPECT_NE(read("stderr.txt").find("line "), std::string::npos) << read("stderr.txt");

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* model_text = R"toml(schema = 1
+constexpr const char* unseen_model_text = R"toml(schema = 1
 name = "beam_with_stop"
 [[mode]]
 coordinate = "x"
@@ -33,7 +33,7 @@ excitation = false
 w = 40
 )toml";
 
-constexpr const char* experiment_text = R"toml(schema = 1
+constexpr const char* unseen_experiment_text = R"toml(schema = 1
 name = "beam"
 model = "MODEL"
 sample_rate_hz = 128.0
@@ -59,8 +59,8 @@ class SlowUnseenModel : public testing::Test {
  protected:
   void SetUp() override {
     fs::create_directories(folder_ / "cache");
-    std::ofstream(folder_ / "model.toml") << model_text;
-    std::string text = experiment_text;
+    std::ofstream(folder_ / "model.toml") << unseen_model_text;
+    std::string text = unseen_experiment_text;
     text.replace(text.find("MODEL"), 5, (folder_ / "model.toml").string());
     std::ofstream(folder_ / "experiment.toml") << text;
   }

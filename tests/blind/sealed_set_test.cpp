@@ -238,7 +238,8 @@ TEST_F(BlindFolder, SharedWorkIsDoneOnceAndItsFailureIsSeen) {
 class SlowBlindSet : public BlindFolder {};
 
 TEST_F(SlowBlindSet, IsTheSameForAnyThreadsAndKeepsWhatIsThere) {
-  SetOptions options{.cases = 2, .seed = 4, .size = SetSize::short_set, .threads = 1};
+  // One with wrong numbers and one without a gap: quick to draw.
+  SetOptions options{.cases = 2, .seed = 57, .size = SetSize::short_set, .threads = 1};
   generate_set(folder / "one", options, {});
   options.threads = 2;
   generate_set(folder / "two", options, {});
@@ -248,7 +249,7 @@ TEST_F(SlowBlindSet, IsTheSameForAnyThreadsAndKeepsWhatIsThere) {
   const auto written = fs::last_write_time(folder / "one" / "labels.json");
   generate_set(folder / "one", options, {});
   EXPECT_EQ(fs::last_write_time(folder / "one" / "labels.json"), written);
-  options.seed = 5;
+  options.seed = 58;
   EXPECT_THROW(generate_set(folder / "one", options, {}), InputError);
 }
 

@@ -33,12 +33,12 @@ class Normal {
   std::mt19937_64 random_;
 };
 
-constexpr double rate = 256, drive_hz = 24.64;
-constexpr std::size_t count = 4096;
+constexpr double drive_rate = 256, drive_hz = 24.64;
+constexpr std::size_t drive_count = 4096;
 
 Campaign campaign_of(std::size_t records, RecordKind kind) {
   Campaign campaign;
-  campaign.sample_rate_hz = rate;
+  campaign.sample_rate_hz = drive_rate;
   campaign.channels = {{"base", ChannelRole::excitation, Quantity::acceleration, "m/s^2"},
                        {"tip", ChannelRole::response, Quantity::acceleration, "m/s^2"}};
   for (std::size_t r = 0; r < records; ++r) {
@@ -55,11 +55,11 @@ Campaign campaign_of(std::size_t records, RecordKind kind) {
 Record clean(RecordKind kind, unsigned seed) {
   Normal normal(seed);
   Record record;
-  record.sample_rate_hz = rate;
-  record.channels.assign(2, Samples(count));
+  record.sample_rate_hz = drive_rate;
+  record.channels.assign(2, Samples(drive_count));
   const double phase = two_pi * normal.uniform();
-  for (std::size_t i = 0; i < count; ++i) {
-    const double t = static_cast<double>(i) / rate, p = two_pi * 0.5 * drive_hz * t + phase;
+  for (std::size_t i = 0; i < drive_count; ++i) {
+    const double t = static_cast<double>(i) / drive_rate, p = two_pi * 0.5 * drive_hz * t + phase;
     double& base = record.channels[0][i];
     double& tip = record.channels[1][i];
     base = kind == RecordKind::dwell ? std::sin(two_pi * drive_hz * t) : 0;
@@ -84,7 +84,7 @@ struct Case {
 };
 
 double at(std::size_t i) {
-  return static_cast<double>(i) / rate;
+  return static_cast<double>(i) / drive_rate;
 }
 
 // Of every row, in more than one size or record.
@@ -222,16 +222,16 @@ TEST(Disturbances, TheMotionItselfIsNone) {
   Normal normal(2);
   Campaign campaign = campaign_of(1, RecordKind::dwell);
   Record record = clean(RecordKind::dwell, 11);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < drive_count; ++i) {
     const double p = two_pi * 0.3137 * drive_hz * at(i), q = two_pi * drive_hz * at(i) - p;
     record.channels[1][i] = std::sin(p) + 0.4 * std::sin(q) + 0.05 * std::sin(2 * p + q) + 0.01 * normal();
   }
   EXPECT_TRUE(find_disturbances(campaign, 0, record).empty());
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < drive_count; ++i)
     record.channels[1][i] = (std::sin(two_pi * drive_hz * at(i)) > 0 ? 1 : -1) + 0.01 * normal();
   for (const Disturbance& d : find_disturbances(campaign, 0, record)) ADD_FAILURE() << d.kind << ": " << d.text;
   // Dry friction: the acceleration jumps at every turn, twelve of them in all.
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < drive_count; ++i) {
     const double p = two_pi * 0.4 * at(i);
     record.channels[1][i] = std::sin(p) + 0.3 * (std::cos(p) > 0 ? 1 : -1) + 0.001 * normal();
   }
@@ -240,7 +240,7 @@ TEST(Disturbances, TheMotionItselfIsNone) {
   campaign = campaign_of(1, RecordKind::free_decay);
   campaign.channels[1].quantity = Quantity::displacement;
   record = clean(RecordKind::free_decay, 12);
-  for (std::size_t i = 0; i < count; ++i) record.channels[1][i] += 0.05 * std::exp(-0.8 * at(i));
+  for (std::size_t i = 0; i < drive_count; ++i) record.channels[1][i] += 0.05 * std::exp(-0.8 * at(i));
   for (const Disturbance& d : find_disturbances(campaign, 0, record)) ADD_FAILURE() << d.kind << ": " << d.text;
 }
 
@@ -249,7 +249,7 @@ TEST(Disturbances, LinesForPeopleFoldRecordsWhateverTheirOrder) {
   std::vector<Record> records;
   for (unsigned r = 0; r < 4; ++r) records.push_back(clean(RecordKind::dwell, r + 1));
   for (const std::size_t r : {std::size_t{1}, std::size_t{2}})
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < drive_count; ++i)
       records[r].channels[1][i] += 0.02 * static_cast<double>(r) * std::sin(two_pi * 60 * at(i));
   std::vector<std::string> lines;
   for (const auto& order : {std::vector<std::size_t>{0, 1, 2, 3}, {3, 2, 1, 0}, {2, 0, 3, 1}}) {

@@ -21,23 +21,23 @@ namespace {
 namespace fs = std::filesystem;
 using Samples = std::vector<double>;
 
-constexpr double rate = 512;
-constexpr std::size_t count = 4096;
+constexpr double file_rate = 512;
+constexpr std::size_t file_count = 4096;
 
 class FileDisturbances : public TemporaryFolder {
  protected:
   static Samples time() {
-    Samples stamps(count);
-    for (std::size_t i = 0; i < count; ++i) stamps[i] = static_cast<double>(i) / rate;
+    Samples stamps(file_count);
+    for (std::size_t i = 0; i < file_count; ++i) stamps[i] = static_cast<double>(i) / file_rate;
     return stamps;
   }
   // Two modes that decay, in noise, and a tone of such an amplitude.
   static Samples decay(unsigned seed, double tone, double tone_hz) {
     std::mt19937_64 random(seed);
     const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
-    Samples samples(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const double t = static_cast<double>(i) / rate, turn = 2 * std::numbers::pi * t;
+    Samples samples(file_count);
+    for (std::size_t i = 0; i < file_count; ++i) {
+      const double t = static_cast<double>(i) / file_rate, turn = 2 * std::numbers::pi * t;
       const double noise = std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform());
       samples[i] = 3 * std::exp(-0.4 * t) * std::cos(20.3 * turn) + std::exp(-0.9 * t) * std::cos(57.7 * turn + 1) +
                    tone * std::cos(tone_hz * turn) + 0.003 * noise;
@@ -84,7 +84,7 @@ TEST_F(FileDisturbances, OfAMatFileWithAMatrix) {
   {
     MatWriter writer(file);
     writer.add(MatWriter::column("t", time()));
-    writer.add(MatWriter::array("m", MAT_C_DOUBLE, MAT_T_DOUBLE, count, 2, both));
+    writer.add(MatWriter::array("m", MAT_C_DOUBLE, MAT_T_DOUBLE, file_count, 2, both));
   }
   const Kinds kinds = found_in(file);
   EXPECT_TRUE(std::find(kinds.begin(), kinds.end(), "converter_step m(:,1)") != kinds.end());

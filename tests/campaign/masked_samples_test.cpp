@@ -23,15 +23,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double rate = 500;
-constexpr std::size_t samples = 4000;
+constexpr double masked_rate = 500;
+constexpr std::size_t masked_count = 4000;
 
 std::vector<double> signal(double noise) {
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
-  std::vector<double> x(samples);
-  for (std::size_t i = 0; i < samples; ++i)
-    x[i] = 2 * std::cos(2 * std::numbers::pi * 11.3 * static_cast<double>(i) / rate) + noise * normal(random);
+  std::vector<double> x(masked_count);
+  for (std::size_t i = 0; i < masked_count; ++i)
+    x[i] =
+        2 * std::cos(2 * std::numbers::pi * 11.3 * static_cast<double>(i) / masked_rate) + noise * normal(random);
   return x;
 }
 
@@ -49,9 +50,9 @@ Campaign written(const fs::path& folder, const std::vector<double>& response,
   file.precision(12);
   file << "t,base,tip\n";
   const std::vector<double> base = signal(1e-3);
-  for (std::size_t i = 0; i < samples; ++i)
+  for (std::size_t i = 0; i < masked_count; ++i)
     if (std::find(lost.begin(), lost.end(), i) == lost.end())
-      file << static_cast<double>(i) / rate << ',' << base[i] << ',' << response[i] << '\n';
+      file << static_cast<double>(i) / masked_rate << ',' << base[i] << ',' << response[i] << '\n';
   file.close();
   return read_campaign(folder);
 }
@@ -78,9 +79,9 @@ TEST_F(MaskedSamples, RowsThatAreNotInTheFileAreFilled) {
   const Campaign campaign = written(folder, x, lost);
   const Record record = read_record(campaign, campaign.records[0]);
   EXPECT_EQ(record.lost, lost);
-  EXPECT_EQ(record.sample_rate_hz, rate);
-  ASSERT_EQ(record.samples(), samples);
-  for (std::size_t i = 0; i < samples; ++i) EXPECT_NEAR(record.channels[1][i], x[i], 0.01) << i;
+  EXPECT_EQ(record.sample_rate_hz, masked_rate);
+  ASSERT_EQ(record.samples(), masked_count);
+  for (std::size_t i = 0; i < masked_count; ++i) EXPECT_NEAR(record.channels[1][i], x[i], 0.01) << i;
   const std::vector<Disturbance> found = find_disturbances(campaign, 0, record);
   const auto listed =
       std::find_if(found.begin(), found.end(), [](const Disturbance& d) { return d.kind == "lost_samples"; });
@@ -119,12 +120,12 @@ TEST(LostRows, StampsRoundedToTicksLackNothing) {
 TEST_F(MaskedSamples, HeldSamplesAndSpikesAreReplaced) {
   const std::vector<double> x = signal(1e-3);
   std::vector<double> faulty = x;
-  for (std::size_t i = 60; i + 60 < samples; i += 131) faulty[i] = faulty[i - 1];
+  for (std::size_t i = 60; i + 60 < masked_count; i += 131) faulty[i] = faulty[i - 1];
   faulty[777] += 9;
   faulty[2222] -= 11;
   const Record record = read_masked(written(folder, faulty, {}));
   double worst = 0;
-  for (std::size_t i = 0; i < samples; ++i)
+  for (std::size_t i = 0; i < masked_count; ++i)
     if (std::abs(faulty[i] - x[i]) > 0.02) worst = std::max(worst, std::abs(record.channels[1][i] - x[i]));
   EXPECT_LT(worst, 0.01);
 }

@@ -19,7 +19,7 @@
 namespace secular {
 namespace {
 
-constexpr std::size_t samples = 60000, columns = 3;
+constexpr std::size_t rows = 60000, columns = 3;
 constexpr InspectionLimit small_limit{1 << 16, 3000, 1000};
 
 double value(std::size_t i, std::size_t c) {
@@ -27,8 +27,8 @@ double value(std::size_t i, std::size_t c) {
 }
 
 std::vector<double> signal(std::size_t c) {
-  std::vector<double> values(samples);
-  for (std::size_t i = 0; i < samples; ++i) values[i] = c == 0 ? 0.01 * static_cast<double>(i) : value(i, c);
+  std::vector<double> values(rows);
+  for (std::size_t i = 0; i < rows; ++i) values[i] = c == 0 ? 0.01 * static_cast<double>(i) : value(i, c);
   return values;
 }
 
@@ -36,7 +36,7 @@ class Streaming : public TemporaryFolder {
  protected:
   std::filesystem::path csv(const std::string& name) const {
     std::string text = "t,a,b\n";
-    for (std::size_t i = 0; i < samples; ++i)
+    for (std::size_t i = 0; i < rows; ++i)
       text += fmt::format("{},{},{}\n", 0.01 * static_cast<double>(i), value(i, 1), value(i, 2));
     return write(name, text);
   }
@@ -57,14 +57,14 @@ class Streaming : public TemporaryFolder {
 
   std::filesystem::path wav() const {
     std::string bytes = "RIFF";
-    append_unsigned(bytes, 36 + 4 * samples, 4, ByteOrder::little);
+    append_unsigned(bytes, 36 + 4 * rows, 4, ByteOrder::little);
     bytes += "WAVEfmt ";
     for (const auto& [number, size] : std::vector<std::pair<std::uint64_t, std::size_t>>{
              {16, 4}, {1, 2}, {2, 2}, {100, 4}, {400, 4}, {4, 2}, {16, 2}})
       append_unsigned(bytes, number, size, ByteOrder::little);
     bytes += "data";
-    append_unsigned(bytes, 4 * samples, 4, ByteOrder::little);
-    for (std::size_t i = 0; i < samples; ++i)
+    append_unsigned(bytes, 4 * rows, 4, ByteOrder::little);
+    for (std::size_t i = 0; i < rows; ++i)
       for (std::size_t c = 1; c < columns; ++c)
         append_unsigned(bytes, static_cast<std::uint16_t>(static_cast<int>(value(i, c))), 2, ByteOrder::little);
     return write("a.wav", bytes);
@@ -85,7 +85,7 @@ class Streaming : public TemporaryFolder {
     if (chunked) form.chunk = {1000};
     form.deflate = chunked;
     for (std::size_t c = 0; c < columns; ++c)
-      writer.add(c == 0 ? "t" : c == 1 ? "a" : "b", {samples}, signal(c), form);
+      writer.add(c == 0 ? "t" : c == 1 ? "a" : "b", {rows}, signal(c), form);
     return path;
   }
 
@@ -109,7 +109,7 @@ TEST_F(Streaming, TheFirstValuesOfEveryFormat) {
     ASSERT_EQ(part.variables.size(), columns) << path;
     for (std::size_t c = 0; c < columns; ++c) {
       const std::vector<double>&all = whole.variables[c].values, &few = part.variables[c].values;
-      ASSERT_EQ(all.size(), samples) << path;
+      ASSERT_EQ(all.size(), rows) << path;
       ASSERT_GE(few.size(), 250u) << path;
       ASSERT_LE(few.size(), 260u) << path;  // up to the end of a line
       EXPECT_TRUE(std::equal(few.begin(), few.end(), all.begin())) << path;
@@ -123,7 +123,7 @@ TEST_F(Streaming, InspectingALargeFileAllocatesLittle) {
     inspect_file(path, small_limit);
     take_largest_allocation();
     const FileInspection file = inspect_file(path, small_limit);
-    EXPECT_LT(take_largest_allocation(), compressed ? 2 * 8 * samples : samples) << path;
+    EXPECT_LT(take_largest_allocation(), compressed ? 2 * 8 * rows : rows) << path;
     EXPECT_TRUE(file.partial) << path;
     EXPECT_FALSE(file.estimated) << path;
     for (const VariableInspection& variable : file.variables) {
@@ -131,18 +131,18 @@ TEST_F(Streaming, InspectingALargeFileAllocatesLittle) {
       EXPECT_LE(variable.quality->samples, 1010u) << path;
       std::size_t count = 1;
       for (const std::size_t length : variable.shape) count *= length;
-      EXPECT_EQ(count, samples) << path << " " << variable.name;
+      EXPECT_EQ(count, rows) << path << " " << variable.name;
     }
   }
 }
 
 TEST_F(Streaming, TheLengthOfACsvThatIsNotReadIsSaidToBeAnEstimate) {
   std::string text = "x,a\n";
-  for (std::size_t i = 0; i < samples; ++i) text += fmt::format("{},{}\n", value(i, 1), value(i, 2));
+  for (std::size_t i = 0; i < rows; ++i) text += fmt::format("{},{}\n", value(i, 1), value(i, 2));
   const FileInspection file = inspect_file(write("a.csv", text), small_limit);
   EXPECT_TRUE(file.partial);
   EXPECT_TRUE(file.estimated);
-  EXPECT_NEAR(static_cast<double>(file.variables[0].shape[0]), samples, 0.02 * samples);
+  EXPECT_NEAR(static_cast<double>(file.variables[0].shape[0]), rows, 0.02 * rows);
 }
 
 TEST_F(Streaming, AnEndThatDoesNotFitTheBeginningIsAFault) {
@@ -167,19 +167,19 @@ record = [{ file = "1.csv", kind = "free_decay" }, { file = "2.csv", kind = "fre
   const Campaign campaign = read_campaign(folder_);
   take_largest_allocation();
   take_allocated_peak();
-  for (const RecordEntry& entry : campaign.records) EXPECT_EQ(read_record(campaign, entry).samples(), samples);
+  for (const RecordEntry& entry : campaign.records) EXPECT_EQ(read_record(campaign, entry).samples(), rows);
   // One column at a time, never the text, and no more than the columns and the steps of the clock (twice) together.
-  EXPECT_LE(take_largest_allocation(), 8 * samples + 64);
-  EXPECT_LE(take_allocated_peak(), (columns + 2) * 8 * samples + (1 << 16));
+  EXPECT_LE(take_largest_allocation(), 8 * rows + 64);
+  EXPECT_LE(take_allocated_peak(), (columns + 2) * 8 * rows + (1 << 16));
   const std::vector<RecordInspection> part = inspect_records(campaign, small_limit);
   ASSERT_EQ(part.size(), 2u);
   for (const RecordInspection& record : part) {
-    EXPECT_EQ(record.samples, samples);
+    EXPECT_EQ(record.samples, rows);
     EXPECT_EQ(record.judged, 1000u);
     EXPECT_FALSE(record.estimated);
     EXPECT_TRUE(record.faults.empty());
   }
-  for (const RecordInspection& record : inspect_records(campaign)) EXPECT_EQ(record.judged, samples);
+  for (const RecordInspection& record : inspect_records(campaign)) EXPECT_EQ(record.judged, rows);
 }
 
 }  // namespace

@@ -22,13 +22,13 @@ namespace secular {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path root = testing_support::source_folder();
+const fs::path source = testing_support::source_folder();
 const std::vector<std::string> small_models = {"mathieu_duffing", "pendulum", "two_mass_lumps", "two_mass_mode1",
                                                "van_der_pol"};
 
 std::vector<std::string> shipped_models() {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(root / "models"))
+  for (const auto& entry : fs::directory_iterator(source / "models"))
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
   return names;
@@ -52,7 +52,7 @@ std::string text_of(const fs::path& path) {
 std::vector<GeneratedFile> generated_files(const std::vector<std::string>& models) {
   std::vector<GeneratedFile> files;
   for (const std::string& name : models)
-    for (GeneratedFile& file : emit_cpp(canonical_model(read_model(root / "models" / (name + ".toml")))))
+    for (GeneratedFile& file : emit_cpp(canonical_model(read_model(source / "models" / (name + ".toml")))))
       files.push_back(std::move(file));
   for (GeneratedFile& file : emit_registry(models)) files.push_back(std::move(file));
   return files;
@@ -75,12 +75,12 @@ TEST(Generated, FolderIsWhatTheGeneratorWrites) {
   std::vector<std::string> names;
   for (const GeneratedFile& file : generated_files(shipped_models())) {
     names.push_back(file.name);
-    const std::string committed = text_of(root / "generated" / file.name);
+    const std::string committed = text_of(source / "generated" / file.name);
     EXPECT_EQ(committed, file.text) << "generated/" << file.name
                                     << " has drifted; build with -DSECULAR_REGENERATE=ON. "
                                     << difference(committed, file.text);
   }
-  for (const auto& entry : fs::directory_iterator(root / "generated"))
+  for (const auto& entry : fs::directory_iterator(source / "generated"))
     EXPECT_NE(std::find(names.begin(), names.end(), entry.path().filename().string()), names.end())
         << entry.path() << " is not made by the generator";
 }
@@ -128,7 +128,7 @@ std::vector<double> random_parameters(const CompiledModel& model, std::mt19937_6
 class GeneratedModel : public testing::TestWithParam<std::string> {
  protected:
   const CompiledModel& compiled = *generated::find_compiled_model(GetParam());
-  Model model = read_model(root / "models" / (GetParam() + ".toml"));
+  Model model = read_model(source / "models" / (GetParam() + ".toml"));
   std::mt19937_64 random{11};
 
   GiNaC::exmap numbers(const std::vector<double>& values) const {
@@ -275,7 +275,7 @@ TEST_P(GeneratedModel, ZeroAmplitudeIsSafe) {
 INSTANTIATE_TEST_SUITE_P(Shipped, GeneratedModel, testing::ValuesIn(small_models));
 
 TEST(Evaluation, MatchesThesisFormulasAndIsByteStable) {
-  const Model model = read_model(root / "models/two_mass_mode1.toml");
+  const Model model = read_model(source / "models/two_mass_mode1.toml");
   const std::map<std::string, double> values = {{"omega0", 1.5}, {"mu1", 0.1},    {"mu2", 0.2},    {"mu3", 0.3},
                                                 {"alpha2", 0.4}, {"alpha3", 0.5}, {"delta2", 0.6}, {"delta3", 0.7},
                                                 {"eta1", 0.8},   {"eta2", 0.9}};

@@ -585,7 +585,7 @@ TEST(SteadyNames, AreNoneOfTheModel) {
   EXPECT_EQ(text.find("(w - w)"), std::string::npos);
 }
 
-std::size_t count(const std::string& text, const std::string& part) {
+std::size_t times_in(const std::string& text, const std::string& part) {
   std::size_t found = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++found;
   return found;
@@ -608,9 +608,9 @@ TEST(SteadyOutputs, SayTheSame) {
           }
     EXPECT_GT(equations, 20u);
     for (const char* heading : {"Jacobian of the Cartesian form", "Zero solution", "Steady states"}) {
-      EXPECT_EQ(count(text, std::string("\n") + heading + "\n"), model.cases.size());
-      EXPECT_EQ(count(latex, std::string("{") + heading + "}"), model.cases.size());
-      EXPECT_EQ(count(html, std::string(">") + heading + "<"), model.cases.size());
+      EXPECT_EQ(times_in(text, std::string("\n") + heading + "\n"), model.cases.size());
+      EXPECT_EQ(times_in(latex, std::string("{") + heading + "}"), model.cases.size());
+      EXPECT_EQ(times_in(html, std::string(">") + heading + "<"), model.cases.size());
     }
   }
 }
@@ -635,9 +635,9 @@ expand_to = 1
                                                                "rubbing"));
   ASSERT_FALSE(model.cases.at(0).quadratures.empty());
   const std::string text = derivation_text(model), latex = derivation_latex(model), html = derivation_html(model);
-  EXPECT_EQ(count(text, "mean["), model.cases[0].quadratures.size());
-  EXPECT_EQ(count(latex, "\\langle "), model.cases[0].quadratures.size());
-  EXPECT_EQ(count(html, "\u27E8"), model.cases[0].quadratures.size());
+  EXPECT_EQ(times_in(text, "mean["), model.cases[0].quadratures.size());
+  EXPECT_EQ(times_in(latex, "\\langle "), model.cases[0].quadratures.size());
+  EXPECT_EQ(times_in(html, "\u27E8"), model.cases[0].quadratures.size());
   EXPECT_NE(latex.find("\\lvert \\dot{u} - 2 \\dot{v}\\rvert"), std::string::npos);
   EXPECT_NE(text.find("Without the terms that are left to quadrature."), std::string::npos);
   EXPECT_EQ(zero_solution(model, model.cases[0]).kind, ZeroSolution::Kind::undecided);

@@ -34,7 +34,7 @@ using Formula = typeset::Expression;
 
 const std::vector<std::string> shipped = {"pendulum", "two_mass_mode1"};
 
-const CanonicalModel& shipped_model(const std::string& name) {
+const CanonicalModel& shipped_canonical(const std::string& name) {
   static std::map<std::string, CanonicalModel> models;
   if (!models.count(name))
     models[name] = canonical_model(read_model(testing_support::source_folder() / "models" / (name + ".toml")));
@@ -199,7 +199,7 @@ TEST(Typeset, TextIsEscaped) {
 }
 
 TEST(Typeset, LumpsThatTheDerivationNamedAreRecognised) {
-  const CanonicalModel& model = shipped_model("two_mass_mode1");
+  const CanonicalModel& model = shipped_canonical("two_mass_mode1");
   std::size_t found = 0;
   for (const CanonicalCase& c : model.cases)
     for (std::size_t i = 0; i < c.lumps.size(); ++i) {
@@ -229,7 +229,7 @@ TEST(Typeset, SymbolsThatWouldLookAlikeStandAsWritten) {
 class TypesetDocument : public testing::TestWithParam<std::string> {
  protected:
   const CanonicalModel& model() const {
-    return GetParam() == "awkward" ? awkward_model() : shipped_model(GetParam());
+    return GetParam() == "awkward" ? awkward_model() : shipped_canonical(GetParam());
   }
 };
 

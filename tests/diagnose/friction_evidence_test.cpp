@@ -15,7 +15,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double natural = 5.77, friction = 0.4, sample_s = 0.04;
+constexpr double swing = 5.77, friction = 0.4, sample_s = 0.04;
 
 class FrictionEvidence : public testing::TestWithParam<int> {
  protected:
@@ -34,11 +34,11 @@ class FrictionEvidence : public testing::TestWithParam<int> {
   VectorXd unknowns(double strength) const {
     const FaultTable faults(model, sensors);
     VectorXd values = VectorXd::Zero(static_cast<Index>(model.symbols.size() + faults.size()));
-    values(static_cast<Index>(symbol("omega0"))) = natural;
+    values(static_cast<Index>(symbol("omega0"))) = swing;
     values(static_cast<Index>(symbol("mu1"))) = 0.01;
     values(static_cast<Index>(symbol("fc"))) = strength;
     const auto first = static_cast<Index>(model.symbols.size());
-    values(first + static_cast<Index>(faults.extra_frequency())) = natural;
+    values(first + static_cast<Index>(faults.extra_frequency())) = swing;
     values(first + static_cast<Index>(faults.extra_damping())) = 0.01;
     return values;
   }
@@ -64,7 +64,7 @@ class FrictionEvidence : public testing::TestWithParam<int> {
       s.sample_s = sample_s;
       s.substeps = 4;
       s.response = seen.middleCols(i * length, length);
-      s.noise_sd = VectorXd::Constant(1, 1e-3 * 0.9 * std::pow(natural, GetParam()));
+      s.noise_sd = VectorXd::Constant(1, 1e-3 * 0.9 * std::pow(swing, GetParam()));
       for (double& reading : s.response.row(0)) reading += s.noise_sd(0) * normal(random);
       segments.push_back(std::move(s));
     }
@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Derivatives, FrictionEvidence, testing::Values(0, 1, 2)
 class FrictionStretch : public FrictionEvidence {};
 
 TEST_P(FrictionStretch, IsPiecewiseExactAndComesToRest) {
-  const double about = GetParam() == 0 ? 0.02 : 0.045, start = 0.35, f = about * natural * natural;
+  const double about = GetParam() == 0 ? 0.02 : 0.045, start = 0.35, f = about * swing * swing;
   VectorXd values = unknowns(f);
   values(static_cast<Index>(symbol("mu1"))) = 0;
   const auto silent = std::make_shared<const DrivingSignal>(DrivingSignal{{}, sample_s});
@@ -138,7 +138,7 @@ TEST_P(FrictionStretch, IsPiecewiseExactAndComesToRest) {
         {{values.data(), values.data() + model.symbols.size()}, Eigen::Vector2d(start, 0), silent, 200, substeps});
     double error = 0;
     for (Index i = 0; i < 200; ++i) {
-      const double turns = natural * sample_s * static_cast<double>(i) / std::numbers::pi;
+      const double turns = swing * sample_s * static_cast<double>(i) / std::numbers::pi;
       double peak = start, side = 1;  // of this half turn
       int half = 0;
       while (half < static_cast<int>(turns) && std::abs(peak) > about) {

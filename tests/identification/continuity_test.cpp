@@ -1,5 +1,5 @@
-// Two dozen draws of the shipped experiment: what rounding may move, and whether error bars of parameters and lumps
-// hold.
+// Two dozen draws of the shipped experiment: whether error bars of parameters and lumps hold, and, in the first of
+// them, what rounding may move.
 #include "continuity.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace testing_support;
 
-constexpr std::uint64_t seeds = 24;
+constexpr std::uint64_t seeds = 24, rounded_seeds = 8;
 
 void jitter(MadeCampaign& made, std::uint64_t seed) {
   for (std::size_t r = 0; r < made.simulated.samples.size(); ++r)
@@ -37,8 +37,10 @@ TEST(SlowContinuity, PrincipalParametricCampaign) {
     SCOPED_TRACE(seed);
     MadeCampaign made = make_campaign("principal_parametric", seed);
     const Recovered r = recover(made);
-    jitter(made, seed);
-    expect_continuous(r.estimate, recover(made).estimate);
+    if (seed <= rounded_seeds) {
+      jitter(made, seed);
+      expect_continuous(r.estimate, recover(made).estimate);
+    }
     for (const auto* list : {&r.estimate.parameters, &r.estimate.lumps})
       for (const EstimatedValue& v : *list) {
         if (!v.value) continue;

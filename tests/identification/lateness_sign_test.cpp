@@ -12,7 +12,7 @@
 namespace secular {
 namespace {
 
-constexpr double period = 0.05, frequency = 2 * std::numbers::pi / period;
+constexpr double drive_period = 0.05, frequency = 2 * std::numbers::pi / drive_period;
 
 class Delays {
  public:
@@ -42,7 +42,7 @@ std::vector<LatenessOfRecords> both(const std::vector<double>& late) {
 TEST(LatenessSign, AnglesAreBroughtNearToTheirCommonDirection) {
   const std::vector<double> late = {0.018, 0.022, 0.027, 0.031};
   const LatenessOfRecords found = both(late).front();
-  EXPECT_NEAR(found.period_s, period, 1e-12);
+  EXPECT_NEAR(found.period_s, drive_period, 1e-12);
   for (std::size_t r = 0; r < late.size(); ++r)
     EXPECT_NEAR(found.late_s[r] - found.late_s[0], late[r] - late[0], 1e-12) << r;
 }
@@ -54,7 +54,7 @@ TEST(LatenessSign, OfDelaysByLotIsTellingOrOpen) {
   for (const double share : {0.05, 0.2, 0.3, 0.45, 0.6, 0.8, 1.0, 1.7}) {
     double right = 0, wrong = 0;
     for (std::uint64_t draw = 1; draw <= static_cast<std::uint64_t>(draws); ++draw) {
-      const auto told = told_by_own_lateness(both(Delays(draw).between(0, share * period, 12)));
+      const auto told = told_by_own_lateness(both(Delays(draw).between(0, share * drive_period, 12)));
       right += told == 0U;
       wrong += told == 1U;
     }

@@ -106,6 +106,38 @@ TEST_F(HardExcitation, EachCaseTakesItsOwnLumpOfTheSameName) {
   }
 }
 
+// One case's lump is given, not that of the other case which has the same name, and parameters make both.
+TEST_F(HardExcitation, AGivenLumpIsThatOfItsCase) {
+  const std::vector<ObservationSet> sets = {set_of("superharmonic_3"), set_of("subharmonic_3")};
+  const double super = truth_of(model_, *sets[0].resonance, truth_, "conservative_x_A_x_F2");
+  EstimateOptions options = known_force();
+  options.fixed["superharmonic_3:conservative_x_A_x_F2"] = super;
+  const auto with_given = [&] {
+    options.start = nullptr;
+    Estimate both = estimate(sets, {"m", {"N"}}, options);
+    for (int pass = 0; pass < 3; ++pass) {
+      options.start = both.state;
+      both = estimate(sets, {"m", {"N"}}, options);
+    }
+    return both;
+  };
+  const Estimate both = with_given();
+  for (const EstimatedValue& lump : both.lumps)
+    if (lump.name == "conservative_x_A_x_F2") {
+      EXPECT_EQ(lump.fixed, lump.resonance == "superharmonic_3") << lump.resonance;
+      if (lump.fixed) {
+        EXPECT_EQ(*lump.value, super);
+        EXPECT_EQ(lump.from, "given");
+      }
+    }
+  EXPECT_NEAR(*value_of(both, "omega0").value, truth_(0), 1e-5);
+  EXPECT_NEAR(*value_of(both, "a3").value, truth_(3), 1e-2);
+  EXPECT_FALSE(both.consistency.significant) << both.consistency.chi_squared;
+  // A value that is not that of the parameters contradicts the lumps that were measured.
+  options.fixed["superharmonic_3:conservative_x_A_x_F2"] = 1.5 * super;
+  EXPECT_TRUE(with_given().consistency.significant);
+}
+
 TEST_F(HardExcitation, AGivenSymbolIsGivenInEveryCaseAndALumpIsNoSymbol) {
   const std::vector<ObservationSet> sets = {set_of("superharmonic_3"), set_of("subharmonic_3")};
   EstimateOptions options = known_force();
@@ -123,9 +155,11 @@ TEST_F(HardExcitation, AGivenSymbolIsGivenInEveryCaseAndALumpIsNoSymbol) {
     const std::string text = error.what();
     for (const char* part :
          {"a lump of each of several cases", "superharmonic_3:conservative_x_A_x_F2 = 243*a3*e^2",
-          "subharmonic_3:conservative_x_A_x_F2 = 3*a3*e^2", "the parameters that make it"})
+          "subharmonic_3:conservative_x_A_x_F2 = 3*a3*e^2", "given as CASE:NAME=VALUE"})
       EXPECT_NE(text.find(part), std::string::npos) << text;
   }
+  options.fixed = {{"primary:conservative_x_A_x_F2", 0.0}};
+  EXPECT_THROW(estimate(sets, {"m", {"N"}}, options), InputError) << "no record is of that case";
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 using namespace testing_fields;
 
 // Two modes, an excitation at twice the first frequency, detuned at eps and at eps^2.
-const std::string model_text = R"model(
+const std::string scales_text = R"model(
 schema = 1
 name = "m"
 [[mode]]
@@ -30,7 +30,7 @@ order = { g = 1, h = 1 }
 class TimeScales : public testing::TestWithParam<bool> {};
 
 TEST_P(TimeScales, TimeDerivativeIsThatOfTheNumbers) {
-  const Model model = read_model_text(model_text, "m");
+  const Model model = read_model_text(scales_text, "m");
   const ResonanceLattice lattice(model, model.cases[0]);
   const PhaseRates rates = phase_rates(model, model.cases[0], lattice, GetParam());
   const FieldLayout& layout = rates.layout;
@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(ExcitationFrequency, TimeScales, testing::Bool(),
                          [](const auto& resonant) { return resonant.param ? "resonant" : "kept"; });
 
 TEST(PhaseRates, TrueExcitationFrequencyIsTheSameHoweverItIsWritten) {
-  const Model model = read_model_text(model_text, "m");
+  const Model model = read_model_text(scales_text, "m");
   const ResonanceLattice lattice(model, model.cases[0]);
   const PhaseRates rates = phase_rates(model, model.cases[0], lattice, true);
   FieldKey key(rates.layout.size(), 0);

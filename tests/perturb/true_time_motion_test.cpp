@@ -40,7 +40,7 @@ TEST(SolvedFrequencies, FulfilAllRelationsOfEveryShippedCase) {
   EXPECT_GT(relations, 15);
 }
 
-const std::string model_text = R"model(
+const std::string true_time_text = R"model(
 schema = 1
 name = "m"
 [[mode]]
@@ -103,7 +103,7 @@ double velocity_error(const Motion& motion, const Model& model, std::size_t mode
 }
 
 TEST(TrueTimeMotion, VelocityIsTheDerivativeOfThePositionUpToTheTruncation) {
-  const Model model = read_model_text(model_text, "m");
+  const Model model = read_model_text(true_time_text, "m");
   const Derivation derivation = derive(model, model.cases[0]);
   const Motion motion(derivation, FloatingArithmetic{3});
   for (std::size_t mode = 0; mode < 2; ++mode) {
@@ -117,7 +117,7 @@ TEST(TrueTimeMotion, VelocityIsTheDerivativeOfThePositionUpToTheTruncation) {
 }
 
 TEST(TrueTimeMotion, FindsTheModeOfAMultipleAndOfNothingElse) {
-  const Model model = read_model_text(model_text, "m");
+  const Model model = read_model_text(true_time_text, "m");
   const Derivation derivation = derive(model, model.cases[0]);
   const TrueTimeMotion<ExactArithmetic> motion(derivation, ExactArithmetic{3});
   const auto three = motion.constant(3);

@@ -24,14 +24,14 @@ using Eigen::VectorXd;
 const double omega0 = 2 * std::numbers::pi * 12.39;
 constexpr double mu1 = 0.222, mu2 = 4.06, mu3 = 36.87, alpha_e = -10.62e6, eta_e = 1.922;
 
-double damping(DampingLaw law, double a) {
-  return omega0 * mu1 + (law == DampingLaw::quadratic ? 4 * omega0 * omega0 / (3 * std::numbers::pi) * mu2 * a
-                                                      : 0.375 * std::pow(omega0, 3) * mu3 * a * a);
+double damping(NonlinearDamping law, double a) {
+  return omega0 * mu1 + (law == NonlinearDamping::quadratic ? 4 * omega0 * omega0 / (3 * std::numbers::pi) * mu2 * a
+                                                            : 0.375 * std::pow(omega0, 3) * mu3 * a * a);
 }
 
 // Force with which sigma(a) = 2/w0 (alpha_e a^2 - sqrt(eta^2 F^2 - D^2)) has its turning point at this amplitude,
 // by bisection on the numerical derivative: nothing of the closed form of the procedure.
-double force_of_saddle_node(DampingLaw law, double a) {
+double force_of_saddle_node(NonlinearDamping law, double a) {
   const auto slope = [&](double force) {
     const auto sigma = [&](double x) {
       return alpha_e * x * x - std::sqrt(std::pow(eta_e * force, 2) - std::pow(damping(law, x), 2));
@@ -48,7 +48,7 @@ double force_of_saddle_node(DampingLaw law, double a) {
   return 0.5 * (low + high);
 }
 
-class SaddleNode : public testing::TestWithParam<DampingLaw> {
+class SaddleNode : public testing::TestWithParam<NonlinearDamping> {
  protected:
   SaddleNode() : amplitude(VectorXd::LinSpaced(8, 8e-4, 2.4e-3)), peak(8), turning(8) {
     for (Index i = 0; i < 8; ++i) {
@@ -56,7 +56,7 @@ class SaddleNode : public testing::TestWithParam<DampingLaw> {
       turning(i) = force_of_saddle_node(GetParam(), amplitude(i));
     }
   }
-  double nonlinear() const { return (GetParam() == DampingLaw::quadratic ? mu2 : mu3) / eta_e; }
+  double nonlinear() const { return (GetParam() == NonlinearDamping::quadratic ? mu2 : mu3) / eta_e; }
   VectorXd amplitude, peak, turning;
 };
 
@@ -86,16 +86,16 @@ TEST_P(SaddleNode, TheShiftPutsEveryPointToTheRight) {
   EXPECT_LT(fit.shifted_linear, fit.linear);
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, SaddleNode, testing::Values(DampingLaw::quadratic, DampingLaw::cubic),
+INSTANTIATE_TEST_SUITE_P(Laws, SaddleNode, testing::Values(NonlinearDamping::quadratic, NonlinearDamping::cubic),
                          [](const auto& instance) {
-                           return instance.param == DampingLaw::quadratic ? "quadratic" : "cubic";
+                           return instance.param == NonlinearDamping::quadratic ? "quadratic" : "cubic";
                          });
 
 TEST(SaddleNodeRegression, PrintedCubicLineIsOffByTheFactorOfTheVerdict) {
   // sqrt(1 + (3 w0^3 mu3/(8 alpha_e))^2), the 17 % that models/printed/fahey2000.toml records for (5.28).
   VectorXd amplitude = VectorXd::LinSpaced(8, 8e-4, 2.4e-3), turning(8);
-  for (Index i = 0; i < 8; ++i) turning(i) = force_of_saddle_node(DampingLaw::cubic, amplitude(i));
-  const SaddleNodeFit fit = saddle_node_regression(DampingLaw::cubic, amplitude, turning, omega0);
+  for (Index i = 0; i < 8; ++i) turning(i) = force_of_saddle_node(NonlinearDamping::cubic, amplitude(i));
+  const SaddleNodeFit fit = saddle_node_regression(NonlinearDamping::cubic, amplitude, turning, omega0);
   const double factor = std::hypot(1.0, 0.375 * std::pow(omega0, 3) * mu3 / alpha_e);
   EXPECT_NEAR(factor, 1.174, 5e-4);
   EXPECT_NEAR(fit.linear / (mu1 / eta_e), factor, 1e-4);
@@ -135,7 +135,7 @@ VectorXd table_5_4() {
 // Steady state of the generated modulation equation with this amplitude and force: phase and frequency from
 // (5.23), (5.24), confirmed by the generated code in the test.
 Steady steady(double a, double force, double side) {
-  const double sine = damping(DampingLaw::cubic, a) / (eta_e * force);
+  const double sine = damping(NonlinearDamping::cubic, a) / (eta_e * force);
   const double gamma = side > 0 ? std::asin(sine) : std::numbers::pi - std::asin(sine);
   const double sigma = 2 / omega0 * (alpha_e * a * a - eta_e * force * std::cos(gamma));
   return {0.5 * a * std::polar(1.0, -0.5 * gamma), 2 * omega0 + sigma};

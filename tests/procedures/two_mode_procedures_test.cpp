@@ -22,11 +22,11 @@ using Eigen::VectorXd;
 
 constexpr double omega1 = 77.84866595595507, omega2 = 208.41325663914688;
 
-const CompiledModel& model() {
+const CompiledModel& two_modes() {
   return *generated::find_compiled_model("two_mass_lumps");
 }
-const CompiledCase& resonance() {
-  return model().cases.front();
+const CompiledCase& combination() {
+  return two_modes().cases.front();
 }
 
 VectorXd table_6_2() {
@@ -43,15 +43,15 @@ VectorXd table_6_2() {
                                                      {"p", -6.604},
                                                      {"q1", -0.002592925271234858},
                                                      {"q2", -0.01757255546002525}};
-  VectorXd p(static_cast<Index>(model().symbols.size()));
-  for (std::size_t s = 0; s < model().symbols.size(); ++s)
-    p(static_cast<Index>(s)) = values.at(model().symbols[s].name);
+  VectorXd p(static_cast<Index>(two_modes().symbols.size()));
+  for (std::size_t s = 0; s < two_modes().symbols.size(); ++s)
+    p(static_cast<Index>(s)) = values.at(two_modes().symbols[s].name);
   return p;
 }
 
 // Table 6.2 with the signs that (6.34) should have; what the lumps of the model mean stands in its file.
 TEST(EngineLumps, AreThoseOfTable62) {
-  const VectorXd lumps = two_mode_lumps(model(), resonance(), table_6_2());
+  const VectorXd lumps = two_mode_lumps(two_modes(), combination(), table_6_2());
   const double expected[] = {0.273, 0.293, 229, 1006, 1.651, -0.1351, -0.342, 587, 111.8e9, -353e9, -7.77};
   for (int l = 0; l < static_cast<int>(TwoModeLump::count); ++l)
     EXPECT_NEAR(lumps(l), expected[l], 1e-9 * std::abs(expected[l])) << name_of(static_cast<TwoModeLump>(l));
@@ -60,7 +60,7 @@ TEST(EngineLumps, AreThoseOfTable62) {
 // Stable responses over the excitation frequency at several levels.
 const TwoModeData& steady_states() {
   static const TwoModeData result = [] {
-    const ResponseField field(model(), resonance());
+    const ResponseField field(two_modes(), combination());
     const VectorXd base = table_6_2();
     TwoModeData data;
     data.omega1 = omega1;
@@ -102,7 +102,7 @@ const TwoModeData& steady_states() {
 TEST(SlowTwoModeRegression, CorrectedReturnsTheLumpsOfTheEngine) {
   const TwoModeData& data = steady_states();
   ASSERT_GE(data.first.size(), 14);
-  const VectorXd truth = two_mode_lumps(model(), resonance(), table_6_2());
+  const VectorXd truth = two_mode_lumps(two_modes(), combination(), table_6_2());
   const TwoModeFit fit = two_mode_regression(data, false);
   EXPECT_LT(fit.first.fit.residual.norm(), 1e-9 * fit.first.response.norm());
   EXPECT_LT(fit.second.fit.residual.norm(), 1e-9 * fit.second.response.norm());

@@ -22,7 +22,7 @@ namespace secular {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path root = testing_support::source_folder();
+const fs::path source = testing_support::source_folder();
 
 std::shared_ptr<const CompiledModel> interpreted(const Model& model) {
   Model bare = model;
@@ -159,7 +159,7 @@ class ModelEffects : public TemporaryFolder {
     options.cases = std::vector<std::string>{};
     options.effects = effects;
     options.interpret = interpret;
-    options.header_folders = {root};
+    options.header_folders = {source};
     options.cache_folder = folder_ / "cache";
     return load_runtime_model(file, options);
   }
@@ -251,7 +251,7 @@ constexpr const char* some_models[] = {"duffing", "two_mass", "two_mass_frame"};
 
 TEST_F(ModelEffects, ZeroStrengthIsTheModelItself) {
   for (const char* const name : some_models) {
-    const Model model = read_model(root / "models" / (std::string(name) + ".toml"));
+    const Model model = read_model(source / "models" / (std::string(name) + ".toml"));
     const AugmentedModel augmented = with_effects(model, applicable_effects(model));
     expect_identity_at_zero(*interpreted(augmented.model), *interpreted(model), augmented.effects);
   }
@@ -271,7 +271,7 @@ class SlowModelEffects : public ModelEffects {};
 
 TEST_F(SlowModelEffects, CompiledCodeIsThatModelToo) {
   for (const char* const name : some_models) {
-    const fs::path file = root / "models" / (std::string(name) + ".toml");
+    const fs::path file = source / "models" / (std::string(name) + ".toml");
     const Model model = read_model(file);
     const std::vector<EffectTerm> terms = applicable_effects(model);
     const AugmentedModel augmented = with_effects(model, terms);
@@ -286,7 +286,7 @@ TEST_F(SlowModelEffects, CompiledCodeIsThatModelToo) {
 
 // The list of effects belongs to what a cached entry is found by.
 TEST_F(SlowModelEffects, EffectsAreCachedApart) {
-  const fs::path file = root / "models/duffing.toml";
+  const fs::path file = source / "models/duffing.toml";
   using Origin = RuntimeModel::Origin;
   const std::vector<EffectTerm> quintic = {{"quintic_stiffness", 0}}, drag = {{"quadratic_damping", 0}};
   EXPECT_EQ(load(file, quintic, false).origin, Origin::compiled);

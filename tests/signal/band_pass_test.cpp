@@ -13,7 +13,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-MatrixXd tone(double frequency_hz, double phase, Index samples, double rate) {
+MatrixXd band_tone(double frequency_hz, double phase, Index samples, double rate) {
   MatrixXd x(samples, 1);
   for (Index i = 0; i < samples; ++i)
     x(i, 0) = std::cos(2 * std::numbers::pi * frequency_hz * static_cast<double>(i) / rate + phase);
@@ -25,19 +25,19 @@ TEST(BandPass, LeavesWhatIsInsideAsItIsAndTakesAwayWhatIsOutside) {
   const Band band{40, 80};
   const Index half = band_pass_reach(band, rate), samples = 2000;
   for (const double inside : {40.0, 52.0, 60.0, 68.0, 80.0}) {
-    const MatrixXd x = tone(inside, 0.7, samples, rate), passed = band_pass(x, rate, band);
+    const MatrixXd x = band_tone(inside, 0.7, samples, rate), passed = band_pass(x, rate, band);
     ASSERT_EQ(passed.rows(), samples - 2 * half);
     // No delay: sample i of the result is sample i + half of the record.
     EXPECT_LT((passed - x.middleRows(half, passed.rows())).cwiseAbs().maxCoeff(), 3e-4) << inside;
   }
   for (const double outside : {0.0, 120.0, 300.0})
-    EXPECT_LT(band_pass(tone(outside, 0.3, samples, rate), rate, band).cwiseAbs().maxCoeff(), 3e-4) << outside;
+    EXPECT_LT(band_pass(band_tone(outside, 0.3, samples, rate), rate, band).cwiseAbs().maxCoeff(), 3e-4) << outside;
 }
 
 TEST(BandPass, OfABandFromZeroOnIsALowPassAndOfOneUpToHalfTheRateAHighPass) {
   const double rate = 1000;
   const auto left = [&](double frequency, const Band& band) {  // of one
-    const MatrixXd x = tone(frequency, 0.3, 2000, rate), passed = band_pass(x, rate, band);
+    const MatrixXd x = band_tone(frequency, 0.3, 2000, rate), passed = band_pass(x, rate, band);
     return passed.cwiseAbs().maxCoeff() /
            x.middleRows(band_pass_reach(band, rate), passed.rows()).cwiseAbs().maxCoeff();
   };
@@ -78,7 +78,7 @@ TEST(BandPass, KeepsAFreeDecaysRateAndFrequency) {
 }
 
 TEST(BandPass, ReturnsNothingOfARecordThatIsTooShort) {
-  EXPECT_EQ(band_pass(tone(60, 0, 100, 1000), 1000, {55, 65}).rows(), 0);
+  EXPECT_EQ(band_pass(band_tone(60, 0, 100, 1000), 1000, {55, 65}).rows(), 0);
 }
 
 }  // namespace

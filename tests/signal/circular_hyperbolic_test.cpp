@@ -14,13 +14,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-VectorXd times(Eigen::Index n, double rate) {
-  return VectorXd::LinSpaced(n, 0, static_cast<double>(n - 1)) / rate;
-}
-
 TEST(CircularHyperbolic, RecoversEveryFamilyExactly) {
   const double rate = 100;
-  const VectorXd t = times(120, rate);
+  const VectorXd t = testing_support::sampled_times(120, rate);
   VectorXd y = 1.5 * (12 * t).array().cos() - 0.5 * (12 * t).array().sin();  // circular
   CircularHyperbolicFit fit = circular_hyperbolic_decomposition(y, rate, 1);
   ASSERT_EQ(fit.circular.size(), 1U);
@@ -50,7 +46,7 @@ TEST(CircularHyperbolic, RecoversEveryFamilyExactly) {
 
 TEST(CircularHyperbolic, MixtureAndScaling) {
   const double rate = 50;
-  const VectorXd t = times(200, rate);
+  const VectorXd t = testing_support::sampled_times(200, rate);
   const VectorXd y = (7 * t).array().cos() + 0.2 * (19 * t).array().sin() + 0.05 * (0.4 * t).array().cosh();
   const CircularHyperbolicFit fit = circular_hyperbolic_decomposition(y, rate, 3);
   EXPECT_EQ(fit.circular.size(), 2U);
@@ -64,7 +60,7 @@ TEST(CircularHyperbolic, CableExampleOfTheThesisInTheLimitOfSmallNoise) {
   // Table 4.4: kappa = 0.3, a = 0.6, b = -0.4, step 0.025. The record's length is not printed; with 400 samples the
   // estimate must approach the true value as noise goes down, with errors proportional to it at first order.
   testing_support::Gaussian noise(4);
-  const VectorXd t = times(400, 40);
+  const VectorXd t = testing_support::sampled_times(400, 40);
   const VectorXd clean = 0.6 * (0.3 * t).array().cosh() - 0.4 * (0.3 * t).array().sinh();
   const VectorXd unit = noise.vector(400);
   std::vector<double> errors;

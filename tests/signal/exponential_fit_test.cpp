@@ -17,13 +17,9 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-VectorXd times(Index n, double rate) {
-  return VectorXd::LinSpaced(n, 0, static_cast<double>(n - 1)) / rate;
-}
-
 TEST(SpectrumPeak, ExactForAPeriodicToneOnly) {
   const Index n = 256;
-  const VectorXd t = times(n, 64);
+  const VectorXd t = testing_support::sampled_times(n, 64);
   const double bin = 2 * std::numbers::pi * 64 / 256;
   const VectorXd y = 0.7 * (40 * bin * t).array().cos() - 0.2 * (40 * bin * t).array().sin();
   const SpectrumPeak peak = spectrum_peak(y, 64, 40.3 * bin);
@@ -37,7 +33,7 @@ TEST(SpectrumPeak, ExactForAPeriodicToneOnly) {
 
 TEST(OrderSingularValues, NoiseLiftsTheBiasedOnesAndAveragesOutOfTheOthers) {
   testing_support::Gaussian random(6);
-  const VectorXd t = times(20000, 10);
+  const VectorXd t = testing_support::sampled_times(20000, 10);
   const double sd = 0.1;
   const VectorXd y = VectorXd((8 * t).array().cos()) + sd * random.vector(20000);
   const OrderSingularValues values = order_singular_values(y, 8);

@@ -27,4 +27,9 @@ class Gaussian {
   std::mt19937_64 random_;
 };
 
+/// Times of `n` samples, s.
+inline Eigen::VectorXd sampled_times(Eigen::Index n, double rate) {
+  return Eigen::VectorXd::LinSpaced(n, 0, static_cast<double>(n - 1)) / rate;
+}
+
 }  // namespace secular::testing_support

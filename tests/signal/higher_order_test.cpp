@@ -26,10 +26,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-VectorXd times(Index n, double rate) {
-  return VectorXd::LinSpaced(n, 0, static_cast<double>(n - 1)) / rate;
-}
-
 TEST(Ensembles, ThirtySevenWindowsOfTheShakerRecord) {
   const EnsembleLayout layout = ensemble_layout(160 * 64, 16 * 64, 0.75);
   EXPECT_EQ(layout.count, 37);
@@ -93,7 +89,7 @@ Amplitudes amplitudes_of(const MatrixXd& y, double rate, const EnsembleLayout& l
 TEST(BispectralPhaseStatistical, VarianceUnderOverlapIsHonestAndBiasSmall) {
   testing_support::Gaussian random(32);
   const double rate = 64, w1 = 2 * std::numbers::pi * 5.03, w2 = 2 * std::numbers::pi * 13.31;
-  const VectorXd t = times(4096, rate);
+  const VectorXd t = testing_support::sampled_times(4096, rate);
   MatrixXd clean(4096, 2);
   clean.col(0) = 0.6 * (w1 * t).array().cos() + 0.2 * (w2 * t.array() + 0.4).cos();
   clean.col(1) = ((w1 + w2) * t.array() + 1.1).cos();
@@ -139,7 +135,7 @@ VectorXd dwell(const VectorXd& t, double w, double transient, double bend) {
 TEST(SettlingStatistical, SteadyDwellPassesAndTransientIsReported) {
   testing_support::Gaussian random(35);
   const double rate = 64, w = 2 * std::numbers::pi * 9.8;
-  const VectorXd t = times(160 * 64, rate);
+  const VectorXd t = testing_support::sampled_times(160 * 64, rate);
   const EnsembleLayout layout = ensemble_layout(t.size(), 16 * 64, 0.75);
   constexpr int draws = 150;
   int alarms = 0, seen = 0, phases = 0;
@@ -164,7 +160,7 @@ TEST(SettlingStatistical, SteadyDwellPassesAndTransientIsReported) {
 
 TEST(Settling, AnOffsetOfTheFrequencyIsNoDriftUnlessItIsImposed) {
   const double rate = 64, w = 2 * std::numbers::pi * 9.8;
-  const VectorXd t = times(160 * 64, rate);
+  const VectorXd t = testing_support::sampled_times(160 * 64, rate);
   const EnsembleLayout layout = ensemble_layout(t.size(), 16 * 64, 0.75);
   const VectorXd y = dwell(t, w + 1e-3, 0, 0);
   EXPECT_TRUE(check_settling(y, rate, {w}, layout, true).settled);

@@ -21,10 +21,6 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-VectorXd times(Index n, double rate) {
-  return VectorXd::LinSpaced(n, 0, static_cast<double>(n - 1)) / rate;
-}
-
 MatrixXd white(testing_support::Gaussian& random, Index rows, Index columns, double sd) {
   MatrixXd values(rows, columns);
   for (Index c = 0; c < columns; ++c) values.col(c) = sd * random.vector(rows);
@@ -39,7 +35,7 @@ MatrixXd shapes() {
 }
 
 TEST(PrincipalComponents, SingularValuesAndShapesOfKnownFactors) {
-  const VectorXd t = times(1000, 100);
+  const VectorXd t = testing_support::sampled_times(1000, 100);
   const VectorXd shape = Eigen::Vector3d(2, -1, 2) / 3;
   const VectorXd motion = (2 * std::numbers::pi * t).array().sin();  // ten periods
   const SpatialComponents found = spatial_components(motion * shape.transpose());
@@ -50,7 +46,7 @@ TEST(PrincipalComponents, SingularValuesAndShapesOfKnownFactors) {
 
 TEST(PrincipalComponents, ImpulseResponseHasTwoTemporalFunctionsAndVanDerPolHasManyMore) {
   // Figs. 3.2 and 3.4: 60 delays of 100 s at 10 samples per second.
-  const VectorXd t = times(1000, 10);
+  const VectorXd t = testing_support::sampled_times(1000, 10);
   const double natural = std::sqrt(1 - 0.025 * 0.025);
   const VectorXd impulse = (-0.025 * t).array().exp() * (natural * t).array().sin();
   const VectorXd linear = temporal_singular_values(impulse, 60);
@@ -93,7 +89,7 @@ struct Event {
 };
 
 MatrixXd record_of(const Event& event, Index samples, double rate) {
-  const VectorXd t = times(samples, rate);
+  const VectorXd t = testing_support::sampled_times(samples, rate);
   MatrixXd modal = MatrixXd::Zero(samples, 3);
   for (Index i = 0; i < event.modal.rows(); ++i) {
     const double w = 2 * std::numbers::pi * event.hertz[static_cast<std::size_t>(i)];

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-VectorXd tone(Index samples, double rate, double hz, double amplitude, double phase) {
+VectorXd survey_tone(Index samples, double rate, double hz, double amplitude, double phase) {
   VectorXd y(samples);
   for (Index i = 0; i < samples; ++i)
     y(i) = amplitude * std::cos(two_pi * hz * static_cast<double>(i) / rate + phase);
@@ -67,8 +67,9 @@ TEST(SpectralSurvey, AVanDerPolOscillatorHasNoOrder) {
 // printed, with the right one the harmonics come out.
 TEST(SpectralSurvey, TheShakersTones) {
   const Index samples = 10240;
-  VectorXd y = tone(samples, 64, 9.796872, 0.896984, 0.83) + tone(samples, 64, 19.593744, 0.01809, 2.8) +
-               tone(samples, 64, 29.390616, 0.001317, 1.2);
+  VectorXd y = survey_tone(samples, 64, 9.796872, 0.896984, 0.83) +
+               survey_tone(samples, 64, 19.593744, 0.01809, 2.8) +
+               survey_tone(samples, 64, 29.390616, 0.001317, 1.2);
   testing_support::Gaussian noise(3);
   for (double& value : y) value += 1.07e-3 * noise();
   SpectralOptions options;
@@ -100,9 +101,9 @@ TEST(SpectralSurvey, TheShakersTones) {
 
 // Figs. C.2 and C.4.
 TEST(SpectralSurvey, ALinearRelationFindsAPrimaryResonanceAndNoParametricOne) {
-  const VectorXd excitation = tone(8000, 200, 24.7, 1, 0.3);
-  const LinearRelation primary = linear_relation(excitation, tone(8000, 200, 24.7, 3, 1.9), 20);
-  const LinearRelation parametric = linear_relation(excitation, tone(8000, 200, 12.35, 3, 1.9), 20);
+  const VectorXd excitation = survey_tone(8000, 200, 24.7, 1, 0.3);
+  const LinearRelation primary = linear_relation(excitation, survey_tone(8000, 200, 24.7, 3, 1.9), 20);
+  const LinearRelation parametric = linear_relation(excitation, survey_tone(8000, 200, 12.35, 3, 1.9), 20);
   EXPECT_GT(primary.explained, 0.999);
   EXPECT_LT(parametric.explained, 1e-3);
   EXPECT_GT(primary.block_correlation, 0.99);
@@ -120,7 +121,7 @@ TEST(SpectralSurvey, RefusesWhatCannotBeAnalysed) {
 }
 
 TEST(SpectralSurvey, TheAmplitudeSpectrumShowsPeakAmplitudes) {
-  const AmplitudeSpectrum spectrum = amplitude_spectrum(tone(4096, 256, 32, 1.7, 0.4), 256, 1024);
+  const AmplitudeSpectrum spectrum = amplitude_spectrum(survey_tone(4096, 256, 32, 1.7, 0.4), 256, 1024);
   Index at = 0;
   EXPECT_NEAR(spectrum.amplitude.col(0).maxCoeff(&at), 1.7, 1e-9);
   EXPECT_EQ(spectrum.frequency_hz(at), 32);

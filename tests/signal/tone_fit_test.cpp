@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-VectorXd tone(Eigen::Index n, double rate, Complex b, Complex s) {
+VectorXd complex_tone(Eigen::Index n, double rate, Complex b, Complex s) {
   VectorXd y(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const double tau = (static_cast<double>(i) - 0.5 * static_cast<double>(n - 1)) / rate;
@@ -29,8 +29,8 @@ VectorXd tone(Eigen::Index n, double rate, Complex b, Complex s) {
 TEST(ToneFit, RecoversFrequencyGrowthAndHarmonicsWithoutNoise) {
   const Complex b(0.3, -0.4), s(-0.2, 40), third(0.01, 0.02);
   MatrixXd y(600, 2);
-  y.col(0) = tone(600, 256, b, s) + tone(600, 256, third, 3.0 * s);
-  y.col(1) = tone(600, 256, 2.0 * b * Complex(0, 1), s);
+  y.col(0) = complex_tone(600, 256, b, s) + complex_tone(600, 256, third, 3.0 * s);
+  y.col(1) = complex_tone(600, 256, 2.0 * b * Complex(0, 1), s);
   y.col(0).array() += 0.7;
   ToneOptions options;
   options.harmonics = {1, 3};
@@ -47,7 +47,7 @@ TEST(ToneFit, RecoversFrequencyGrowthAndHarmonicsWithoutNoise) {
 
 TEST(ToneFit, InvariantUnderScalingOfChannelsAndTime) {
   testing_support::Gaussian noise(1);
-  const VectorXd y = tone(400, 100, {1, 0.5}, {0, 30}) + 0.01 * noise.vector(400);
+  const VectorXd y = complex_tone(400, 100, {1, 0.5}, {0, 30}) + 0.01 * noise.vector(400);
   const ToneFit fit = fit_harmonic_tone(y, 100, 30.1, {});
   const ToneFit louder = fit_harmonic_tone(1e6 * y, 100, 30.1, {});
   EXPECT_NEAR(louder.frequency, fit.frequency, 1e-9);
@@ -62,7 +62,7 @@ TEST(ToneFitStatistical, VarianceAtTheCramerRaoBoundAndHonestErrorBars) {
   const Complex b(0.6, 0.8);
   const double rate = 256, omega = 77.85, sd = 0.2;
   constexpr Eigen::Index n = 1024;
-  const VectorXd clean = tone(n, rate, b, {0, omega});
+  const VectorXd clean = complex_tone(n, rate, b, {0, omega});
   double moment = 0;
   for (Eigen::Index i = 0; i < n; ++i) moment += std::pow((static_cast<double>(i) - 0.5 * (n - 1)) / rate, 2);
   const double bound = sd * sd / (moment * 2 * std::norm(b));
@@ -88,7 +88,7 @@ TEST(ToneFitStatistical, VarianceAtTheCramerRaoBoundAndHonestErrorBars) {
 
 TEST(KnownFrequency, ExactWithoutNoiseAndUnbiasedErrorBars) {
   const Complex b(0.3, -0.2), c(-0.1, 0.05);
-  const VectorXd y = tone(512, 256, b, {0, 40}) + tone(512, 256, c, {0, 80});
+  const VectorXd y = complex_tone(512, 256, b, {0, 40}) + complex_tone(512, 256, c, {0, 80});
   const double frequencies[] = {40, 80};
   const KnownFrequencyFit fit = known_frequency_components(y, 256, frequencies, true);
   EXPECT_LT(std::abs(fit.amplitude(0, 0) - b), 1e-12);

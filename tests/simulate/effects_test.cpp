@@ -21,16 +21,16 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr Integrator every_method[] = {Integrator::dormand_prince, Integrator::bulirsch_stoer,
                                        Integrator::runge_kutta_4, Integrator::dormand_prince_87};
-constexpr std::string_view coordinates[] = {"x"};
-constexpr std::string_view excitations[] = {"F", "S"};
+constexpr std::string_view one_coordinate[] = {"x"};
+constexpr std::string_view two_excitations[] = {"F", "S"};
 
 using Acceleration = void (*)(const double*, const ExcitationSample*, const double*, const double*, double*);
 
-CompiledModel model_of(Acceleration acceleration) {
+CompiledModel model_with(Acceleration acceleration) {
   CompiledModel model;
   model.name = "hand_written";
-  model.coordinates = coordinates;
-  model.excitations = excitations;
+  model.coordinates = one_coordinate;
+  model.excitations = two_excitations;
   model.acceleration = acceleration;
   return model;
 }
@@ -42,7 +42,7 @@ const ExcitationSignal prescribed = [](double t, ExcitationSample* s) {
   s[1] = {};
 };
 const CompiledModel& free_point() {
-  static const CompiledModel model = model_of(
+  static const CompiledModel model = model_with(
       [](const double*, const ExcitationSample* u, const double*, const double*, double* a) { a[0] = u[0].value; });
   return model;
 }
@@ -91,8 +91,8 @@ TEST(Hysteresis, ElasticDisplacementIsExactAtEverySample) {
 // A motion that is interrupted goes on with the same element.
 TEST(Hysteresis, MemoryIsCarriedOn) {
   const auto run = [](const std::vector<std::size_t>& parts) {
-    const CompiledModel model = model_of([](const double*, const ExcitationSample* u, const double* x,
-                                            const double*, double* a) { a[0] = -x[0] - 2 * u[1].value; });
+    const CompiledModel model = model_with([](const double*, const ExcitationSample* u, const double* x,
+                                              const double*, double* a) { a[0] = -x[0] - 2 * u[1].value; });
     const ExcitationSignal silent = [](double, ExcitationSample* s) { s[0] = s[1] = {}; };
     MotionState state{{1}, {0}};
     std::vector<double> seen;
@@ -136,7 +136,7 @@ TEST(Drift, MovesTheFrequencyByTheStatedAmount) {
   const double w = 2 * pi * 10, drift = 1e-4;
   const double parameters[] = {w, drift};
   const CompiledModel model =
-      model_of([](const double* p, const ExcitationSample* u, const double* x, const double*, double* a) {
+      model_with([](const double* p, const ExcitationSample* u, const double* x, const double*, double* a) {
         a[0] = -p[0] * p[0] * x[0] - 2 * p[0] * p[0] * p[1] * x[0] * u[1].value;
       });
   const ExcitationSignal silent = [](double, ExcitationSample* s) { s[0] = s[1] = {}; };
@@ -167,7 +167,7 @@ TEST(Armature, IsASecondOrderSystemWithTheStructureOnIt) {
   const double w = 30, m = 0.5, suspension = 20, damping = 0.4;
   const double parameters[] = {w, m};
   const CompiledModel model =
-      model_of([](const double* p, const ExcitationSample* u, const double* x, const double* v, double* a) {
+      model_with([](const double* p, const ExcitationSample* u, const double* x, const double* v, double* a) {
         a[0] = -p[0] * p[0] * x[0] - 2 * p[1] * v[0] - u[0].value;
       });
   for (const double command : {12.0, 40.0})

@@ -11,7 +11,7 @@ namespace secular {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-SaddleNodeFit saddle_node_regression(DampingLaw law, const Eigen::Ref<const VectorXd>& amplitude,
+SaddleNodeFit saddle_node_regression(NonlinearDamping law, const Eigen::Ref<const VectorXd>& amplitude,
                                      const Eigen::Ref<const VectorXd>& forcing, double omega0,
                                      std::optional<double> stiffness_ratio) {
   const Index count = amplitude.size();
@@ -24,8 +24,8 @@ SaddleNodeFit saddle_node_regression(DampingLaw law, const Eigen::Ref<const Vect
   VectorXd slope(count);
   for (Index i = 0; i < count; ++i) {
     const double a = amplitude(i);
-    design(i, 1) = law == DampingLaw::quadratic ? quadratic * a : cubic * a * a;
-    slope(i) = law == DampingLaw::quadratic ? quadratic / (2 * a) : cubic;
+    design(i, 1) = law == NonlinearDamping::quadratic ? quadratic * a : cubic * a * a;
+    slope(i) = law == NonlinearDamping::quadratic ? quadratic / (2 * a) : cubic;
   }
   SaddleNodeFit fit;
   VectorXd factor = VectorXd::Ones(count);

@@ -5,7 +5,7 @@
 
 namespace secular {
 
-enum class DampingLaw {
+enum class NonlinearDamping {
   quadratic,  ///< linear and quadratic (drag), thesis Eqs. (5.34), (5.35)
   cubic       ///< linear and cubic, thesis Eqs. (5.36), (5.37)
 };
@@ -29,7 +29,7 @@ struct SaddleNodeFit {
 ///   F = D(a) sqrt(1 + (D'(a)/(2 r a))^2),   r = |alpha_e/eta_e|,
 /// which is fitted where `stiffness_ratio` r is given (the factor is constant for cubic damping), by repeated least
 /// squares. Throws std::invalid_argument for sizes that differ or fewer than three points.
-SaddleNodeFit saddle_node_regression(DampingLaw law, const Eigen::Ref<const Eigen::VectorXd>& amplitude,
+SaddleNodeFit saddle_node_regression(NonlinearDamping law, const Eigen::Ref<const Eigen::VectorXd>& amplitude,
                                      const Eigen::Ref<const Eigen::VectorXd>& forcing, double omega0,
                                      std::optional<double> stiffness_ratio = {});
 
