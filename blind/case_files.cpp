@@ -278,7 +278,7 @@ nlohmann::ordered_json label_of(const SealedCase& c) {
                         {"snr_db", c.plan.snr_db},
                         {"dwells", c.specimen.dwells.size()},
                         {"decays", c.specimen.decay_starts.size()},
-                        {"coarse_converter", c.quantum.front() > 0},
+                        {"coarse_converter", c.quantum.front() > 0 && c.disturbances.step.empty()},
                         {"parameters_given", !c.parameters.empty()},
                         {"effects", ordered_json::array()}};
   if (c.plan.disturbed) label["disturbances"] = disturbances_json(c.disturbances);

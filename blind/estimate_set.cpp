@@ -97,7 +97,9 @@ std::vector<JudgedNumber> judged_numbers(std::size_t number, const std::map<std:
     n.truth = value;
     if (!estimate.is_object()) continue;
     for (const nlohmann::json& found : estimate.at("estimates")) {
-      if (found.at("name") != symbol || !found.contains("value") || found["value"].is_null()) continue;
+      if (found.at("name") != symbol || !found.contains("value") || !found["value"].is_number()) continue;
+      if (!found.contains("sd") || !found["sd"].is_number() || !found.contains("ci95") || !found["ci95"].is_array())
+        continue;
       n.given = true;
       n.doubtful = found.value("doubtful", false);
       n.off = (found["value"].get<double>() - value) / found.at("sd").get<double>();

@@ -230,17 +230,19 @@ void free_phases(const IdentificationRequest& request, const std::vector<Observa
                  Identification& id) {
   UnknownPhases unknown =
       find_unknown_phases(observed, {id.coordinate_unit, id.excitation_units}, options_of(request), id.estimate);
-  const std::vector<CaseLateness> found = unknown.cases;
+  std::vector<CaseLateness> found = unknown.cases;
   const auto is_freed = [](const CaseLateness& lateness) { return lateness.finding != PhaseFinding::nothing_told; };
   if (std::any_of(unknown.cases.begin(), unknown.cases.end(), is_freed)) {
     Identification freed = id;
     for (int round = 0; round < most_phase_rounds; ++round) {
       freed.measured = unknown.sets;
       const std::vector<ObservationSet> corrected = estimate_corrected(request, freed);
+      if (round + 1 == most_phase_rounds) break;  // what was estimated holds these phases
       if (!refine_phases(unknown, corrected, {id.coordinate_unit, id.excitation_units}, options_of(request),
                          freed.estimate))
         break;
     }
+    found = unknown.cases;
     const std::set<std::string> misfit = cases_that_misfit(freed.estimate);
     bool explained = true;
     for (CaseLateness& lateness : unknown.cases) {

@@ -46,20 +46,23 @@ MatrixXd known_combinations(const LinearFit& fit, const std::vector<Index>& lost
 // Each phase that is unknown takes up one row of its observation's.
 void note_repeats(const CaseFit& fit, RowsByCondition& rows) {
   struct Repeats {
-    double count = 0, sum = 0, squares = 0;
+    double count = 0, weights = 0, sum = 0, squares = 0;
   };
   std::map<std::tuple<int, std::size_t, EquationPart>, Repeats> equations;
   const WhitenedSystem& system = fit.system;
   for (Index r = 0; r < fit.fit.residual.size(); ++r) {
     const auto at = static_cast<std::size_t>(r);
     Repeats& repeats = equations[{system.condition[at], system.block[at], system.part[at]}];
+    const double weight = fit.weight[system.observation[at]];  // rows are multiplied by its root
+    if (!(weight > 0)) continue;
     repeats.count += 1;
-    repeats.sum += fit.fit.residual(r);
+    repeats.weights += weight;
+    repeats.sum += std::sqrt(weight) * fit.fit.residual(r);
     repeats.squares += fit.fit.residual(r) * fit.fit.residual(r);
   }
   double squares = 0, freedom = 0;
   for (const auto& [equation, repeats] : equations) {
-    squares += std::max(0.0, repeats.squares - repeats.sum * repeats.sum / repeats.count);
+    squares += std::max(0.0, repeats.squares - repeats.sum * repeats.sum / repeats.weights);
     freedom += repeats.count - 1;
   }
   const auto all = static_cast<double>(fit.fit.residual.size());

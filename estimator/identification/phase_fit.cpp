@@ -161,7 +161,7 @@ std::vector<PhaseFit> equal_minima(const PhaseProblem& problem, const std::vecto
 }
 
 std::optional<PhaseFit> nearest_minimum(const PhaseProblem& problem) {
-  return refined(problem, std::vector<double>(problem.records.size(), 0), most_steps);
+  return refined(problem, std::vector<double>(problem.records.size(), 0), most_steps_of_mate);
 }
 
 ObservationSet with_phases(const PhaseProblem& problem, const std::vector<double>& ahead) {

@@ -297,21 +297,24 @@ bool refine_phases(UnknownPhases& unknown, std::span<const ObservationSet> corre
   bool moved = false;
   for (std::size_t s = 0; s < e.sets.size(); ++s) {
     const ObservationSet& set = *e.sets[s];
-    if (!set.phase_unknown) continue;
+    const auto place = static_cast<std::size_t>(&set - corrected.data());
+    const auto found = std::find_if(unknown.cases.begin(), unknown.cases.end(), [&](const CaseLateness& lateness) {
+      return lateness.resonance == set.resonance->name && lateness.finding == PhaseFinding::shifted;
+    });
+    if (!set.phase_unknown || found == unknown.cases.end()) continue;
     const PhaseProblem problem(set, estimate.state->blocks[s], e.knowledge, options.threads);
     const std::optional<PhaseFit> phases = nearest_minimum(problem);
     if (!phases) continue;
     for (std::size_t r = 0; r < phases->ahead.size(); ++r)
       moved = moved || std::abs(phases->ahead[r]) > enough_of_error * phases->sd[r];
-    turn(unknown.sets[static_cast<std::size_t>(&set - corrected.data())], problem.records, phases->ahead);
-    for (CaseLateness& lateness : unknown.cases) {
-      if (lateness.resonance != set.resonance->name) continue;
-      for (std::size_t r = 0; r < lateness.records.size() && r < phases->ahead.size(); ++r) {
-        RecordLateness& record = lateness.records[r];
-        record.late_s = std::remainder(record.late_s - phases->ahead[r] / (2 * std::numbers::pi) * record.period_s,
-                                       record.period_s);
-      }
-    }
+    turn(unknown.sets[place], problem.records, phases->ahead);
+    for (UnknownPhases::Rival& rival : unknown.rivals)  // half a turn away the equations are the same
+      if (rival.place == place) turn(rival.set, problem.records, phases->ahead);
+    for (std::size_t r = 0; r < phases->ahead.size(); ++r)
+      for (RecordLateness& record : found->records)
+        if (record.record == problem.records[r].record)
+          record.late_s = std::remainder(
+              record.late_s - phases->ahead[r] / (2 * std::numbers::pi) * record.period_s, record.period_s);
   }
   return moved;
 }

@@ -13,7 +13,8 @@ std::vector<double> in_order(std::span<const double> samples) {
 }
 
 double equal_within(const std::vector<double>& sorted) {
-  return 1e-8 * std::max(std::abs(sorted.front()), std::abs(sorted.back()));
+  return std::min(1e-8 * std::max(std::abs(sorted.front()), std::abs(sorted.back())),
+                  1e-6 * (sorted.back() - sorted.front()));
 }
 
 ValueGrid value_grid(std::span<const double> samples) {
@@ -34,6 +35,8 @@ ValueGrid grid_of_sorted(const std::vector<double>& sorted) {
   grid.levels = gaps.size() + 1;
   if (gaps.empty()) return grid;
   const double smallest = *std::min_element(gaps.begin(), gaps.end());
+  // Gaps that are hardly larger than what counts as equal are no lattice's: all of them would be one such gap long.
+  if (smallest < 20 * same) return grid;
   const auto on_grid = std::count_if(gaps.begin(), gaps.end(), [&](double gap) {
     const double multiple = gap / smallest;
     return std::abs(multiple - std::round(multiple)) < 0.05;

@@ -15,8 +15,8 @@ struct ValueGrid {
 };
 
 /// Values that differ by no more are equal: arithmetic on quantised ones (a factor, an offset) leaves such
-/// differences. A hundred-millionth of the largest magnitude is a sixth of a step of 24 bits, and five times what a
-/// relative change of 1e-9 makes of equal values.
+/// differences. A hundred-millionth of the largest magnitude is five times what a relative change of 1e-9 makes of
+/// equal values; behind an offset that large, no more than a millionth of the range.
 double equal_within(const std::vector<double>& sorted);
 
 /// Sorts a copy of the samples: O(n log n). All samples must be finite.

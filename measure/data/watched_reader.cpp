@@ -34,6 +34,15 @@ std::size_t mend(Record& record, const Treatment& treatment) {
   return left;
 }
 
+// What takes the place of rows that the file does not hold lies on no converter's lattice.
+void leave_out(std::span<const double> samples, const std::vector<std::size_t>& lost, ChannelValues& values) {
+  std::vector<double> read;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (!std::binary_search(lost.begin(), lost.end(), i)) read.push_back(samples[i]);
+  values.sorted = in_order(read);
+  values.grid = grid_of_sorted(values.sorted);
+}
+
 }  // namespace
 
 ChannelValues values_of(std::span<const double> samples) {
@@ -58,6 +67,7 @@ Record WatchedReader::read(std::size_t index) {
   std::vector<ChannelValues> values;
   for (const std::vector<double>& samples : record.channels) {
     values.push_back(values_of(samples));
+    if (!record.lost.empty()) leave_out(samples, record.lost, values.back());
     seen.clipping.push_back(values.back().clipping);
   }
   seen.jitter_of_step = record.jitter_s * record.sample_rate_hz;

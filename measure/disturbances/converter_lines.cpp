@@ -19,13 +19,26 @@ using Eigen::VectorXd;
 // Less noise before the converter, in steps, is taken for so much: what rounding adds then stays a smooth function
 // of the motion that a few terms hold (the ninth is 1e-7 of the first), and motion and rounding come to agree.
 constexpr double least_noise = 0.1;
-constexpr int most_terms = 8;
+constexpr int most_terms = MeanRounding::terms;
 // More blurs the steps: the first term is 3e-9 of a step.
 constexpr double blurred = 1;
 
 constexpr int most_rounds = 40;
 // They agree when the motion moves by less than this share of its standard error.
 constexpr double agreed = 0.05;
+
+// The smallest gap is low by the rounding of two printed numbers, more than a step over many steps: they are
+// counted from level to level.
+double exact_step(const std::vector<double>& sorted, double smallest) {
+  const double same = equal_within(sorted);
+  double steps = 0, level = sorted.front();
+  for (const double value : sorted) {
+    if (!(value - level > same)) continue;
+    steps += std::round((value - level) / smallest);
+    level = value;
+  }
+  return (level - sorted.front()) / steps;
+}
 
 // exp(-2 pi^2 n^2 s^2): what noise of s steps leaves of term n.
 double damped(int n, double s) {
@@ -80,7 +93,8 @@ std::optional<VectorXd> rounding_of(const VectorXd& values, const MatrixXd& moti
   for (int round = 0; round < most_rounds; ++round) {
     if (noise > blurred) return VectorXd::Zero(values.size());
     const double sd = std::max(noise, least_noise) * lattice.step;
-    for (Index i = 0; i < values.size(); ++i) added(i) = mean_rounding(moved(i), lattice, sd);
+    const MeanRounding rounding(lattice, sd);
+    for (Index i = 0; i < values.size(); ++i) added(i) = rounding.at(moved(i));
     const VectorXd corrected = values - added;
     const VectorXd next = motion * (motion.transpose() * corrected);
     square = (corrected - next).squaredNorm() / freedom;
@@ -110,39 +124,41 @@ std::optional<ConverterLattice> repeating_lattice(const SearchedChannel& channel
   if (channel.samples.empty() || !is_lattice(channel.values->grid, level)) return std::nullopt;
   const std::optional<double> noise = noise_floor(channel.samples);
   if (!noise) return std::nullopt;
-  const double smallest = *channel.values->grid.step;
   const std::vector<double>& sorted = channel.values->sorted;
-  // The smallest gap has the rounding of two printed numbers; over the range it is a small part of a step.
-  const double range = sorted.back() - sorted.front();
-  ConverterLattice lattice{range / std::round(range / smallest), sorted.front(), 0};
+  ConverterLattice lattice{exact_step(sorted, *channel.values->grid.step), sorted.front(), 0};
   lattice.noise = std::sqrt(std::max(0.0, *noise * *noise - lattice.step * lattice.step / 12));
   const double line_sd = *noise * std::sqrt(2 / static_cast<double>(channel.samples.size()));
   if (!(lattice.repeated_line() > line_sd)) return std::nullopt;
   return lattice;
 }
 
-double mean_rounding(double x, const ConverterLattice& lattice, double sd) {
-  const double s = sd / lattice.step;
-  const double turns = (x - lattice.origin) / lattice.step;
+MeanRounding::MeanRounding(const ConverterLattice& lattice, double sd) : lattice_(lattice) {
+  for (int n = 1; n <= most_terms; ++n)
+    term_[static_cast<std::size_t>(n - 1)] = (n % 2 == 0 ? 1 : -1) * damped(n, sd / lattice.step) / n;
+}
+
+double MeanRounding::at(double x) const {
+  const double turns = (x - lattice_.origin) / lattice_.step;
   const double phase = two_pi * (turns - std::round(turns));
   // sin(n phase) by its recurrence.
   const double twice = 2 * std::cos(phase);
   double before = 0, here = std::sin(phase), sum = 0;
-  for (int n = 1; n <= most_terms; ++n) {
-    const double part = damped(n, s) / n;
-    sum += (n % 2 == 0 ? part : -part) * here;
+  for (const double term : term_) {
+    sum += term * here;
     const double after = twice * here - before;
     before = here;
     here = after;
   }
-  return lattice.step / std::numbers::pi * sum;
+  return lattice_.step / std::numbers::pi * sum;
 }
 
 void take_out_rounding(std::span<double> samples, double rate_hz, const std::vector<double>& frequencies_hz,
                        const ConverterLattice& lattice, std::size_t block, const std::vector<std::size_t>& skip) {
   block = std::min(block, samples.size());
-  if (block < 4 * (2 + 2 * frequencies_hz.size())) return;
-  const MatrixXd motion = motion_columns(block, rate_hz, frequencies_hz);
+  if (block < 16) return;
+  const std::size_t told = std::min(frequencies_hz.size(), block / 8 - 1);
+  const MatrixXd motion = motion_columns(
+      block, rate_hz, {frequencies_hz.begin(), frequencies_hz.begin() + static_cast<std::ptrdiff_t>(told)});
   VectorXd added = VectorXd::Zero(static_cast<Index>(samples.size()));
   for (std::size_t begin = 0; begin < samples.size(); begin += block) {
     // The last block overlaps the one before it.

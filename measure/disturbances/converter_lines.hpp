@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -28,11 +29,22 @@ std::optional<ConverterLattice> repeating_lattice(const SearchedChannel& channel
 
 /// What rounding to the lattice adds to a value x in the mean, with Gaussian noise of that sd before it
 /// (docs/inference.md (28)). Exact for an sd of a tenth of a step or more.
-double mean_rounding(double x, const ConverterLattice& lattice, double sd);
+class MeanRounding {
+ public:
+  static constexpr int terms = 8;
+  MeanRounding(const ConverterLattice& lattice, double sd);
+  double at(double x) const;
+
+ private:
+  ConverterLattice lattice_;
+  std::array<double, terms> term_{};
+};
 
 /// Takes what rounding adds in the mean out of `samples`: (28) at the motion that tones at `frequencies_hz` and a
 /// straight line make in each block of `block` samples, again and again until motion and rounding agree. A block in
-/// which they do not stays as it is. `skip`: samples, rising, that no converter has rounded.
+/// which they do not stays as it is. The first of the
+/// frequencies count, as many as have four samples for each unknown. `skip`: samples, rising, that no converter has
+/// rounded.
 void take_out_rounding(std::span<double> samples, double rate_hz, const std::vector<double>& frequencies_hz,
                        const ConverterLattice& lattice, std::size_t block, const std::vector<std::size_t>& skip);
 

@@ -57,7 +57,10 @@ std::vector<RoundedChannel> rounded_channels(const SearchedRecord& look, const R
     if (!lattice) continue;
     RoundedChannel& channel =
         rounded.emplace_back(c, *lattice, std::vector<double>(), not_rounded(record, masked[c]));
-    for (const Line& line : look.channels[c].lines) channel.frequencies_hz.push_back(line.frequency_hz);
+    std::vector<Line> lines = look.channels[c].lines;
+    std::stable_sort(lines.begin(), lines.end(),
+                     [](const Line& a, const Line& b) { return a.amplitude > b.amplitude; });
+    for (const Line& line : lines) channel.frequencies_hz.push_back(line.frequency_hz);
   }
   return rounded;
 }

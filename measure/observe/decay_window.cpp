@@ -30,8 +30,8 @@ constexpr double separate_bins = 2.5, comfortable_bins = 3, bins_from_constant =
 /// where they do not separate it, it is left out.
 constexpr double near_harmonic = 0.15;
 
-/// A mode that moves further than this, in bins, from where it was expected is another motion or noise (what is
-/// slow in an acceleration looks like a large displacement): it is not seen.
+/// A mode that moves further than this, in bins of the shortest window, from where it was expected is another
+/// motion or noise (what is slow in an acceleration looks like a large displacement): it is not seen.
 constexpr double still_the_mode = 0.5;
 
 /// Steps to the frequency at the window's centre; each leaves the square of its distance in bins.
@@ -160,6 +160,7 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
   SlowToneFit seen;
   Tones list;
   const VectorXd expected = frequency;
+  const double reach = still_the_mode * two_pi / std::min(seconds, shortest_s(expected, rate));
   for (int step = 0; step < frequency_steps; ++step) {
     list = tones(frequency, seconds, rate);
     seen = fit_slow_tones(modal, rate, list.frequency, degree, rectifies_ ? degree : 0);
@@ -183,7 +184,7 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
       const Integration to({0, w}, d);
       o.amplitude_sd[k] = std::abs(to.value) * seen.sd[0](tone, at);
       if (2 * std::abs(y0) < seen_above_noise * seen.noise_sd(at)) continue;
-      if (std::abs(frequency(at) - expected(at)) > still_the_mode * two_pi / seconds) continue;
+      if (std::abs(frequency(at) - expected(at)) > reach) continue;
       o.amplitude[k] = to.value * y0 + to.slope * y1 + to.curvature * y2;
       const Complex slope = to.value * y1 + to.slope * y2, a = o.amplitude[k];
       o.rate[k] = Complex(0, w) + slope / a;

@@ -40,9 +40,9 @@ class DecayWindows {
   /// Shortest window (s) that separates each mode's tone from its neighbours at these frequencies (rad/s, [mode]).
   double shortest_s(const Eigen::VectorXd& frequency, double rate) const;
 
-  /// `modal`: samples of one window. `frequency`: [mode], rad/s, those of the oscillating modes within half a bin;
-  /// moved to what is found. A mode that is found further away is not seen, nor one that noise hides; its frequency
-  /// stays.
+  /// `modal`: samples of one window. `frequency`: [mode], rad/s, those of the oscillating modes within half a bin
+  /// of the shortest window; moved to what is found. A mode that is found further away is not seen, nor one that
+  /// noise hides; its frequency stays.
   DecayWindow fit(const Eigen::MatrixXd& modal, double rate, Eigen::VectorXd& frequency) const;
 
   /// The window of `like` in another record of the same sampling.

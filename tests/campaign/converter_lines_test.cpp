@@ -1,13 +1,16 @@
 // What a converter's steps add to the lines of a dwell, and that it is taken out.
 #include "measure/disturbances/converter_lines.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "measure/signal/tone_fit.hpp"
@@ -35,7 +38,7 @@ double mean_by_sum(double x, double sd) {
 TEST(ConverterLines, MeanOfRoundingIsThatOfItsDefinition) {
   for (const double noise : {0.1, 0.2, 0.4, 0.7})
     for (double x = -1; x < 1; x += 0.0137)
-      EXPECT_NEAR(mean_rounding(x, {step, origin, 0}, noise * step), mean_by_sum(x, noise * step), 1e-6 * step)
+      EXPECT_NEAR(MeanRounding({step, origin, 0}, noise * step).at(x), mean_by_sum(x, noise * step), 1e-6 * step)
           << x << ", " << noise;
 }
 
@@ -93,6 +96,42 @@ TEST(ConverterLines, TonesAreRightWithoutTheMeanOfRounding) {
     }
 }
 
+// Printed decimals make the smallest gap low; over many steps that is more than a step.
+TEST(ConverterLines, TheStepIsRightThroughPrintedDecimals) {
+  std::mt19937_64 random(6);
+  std::normal_distribution<double> normal;
+  for (const int digits : {5, 6, 7})
+    for (const double bits : {10.0, 12.0, 14.0}) {
+      const double q = 20 / std::pow(2, bits);
+      std::vector<double> values;
+      for (int i = 0; i < 6144; ++i) {
+        const double x = q * std::round((7.3 * std::cos(0.3 * i) + 0.12 * q * normal(random)) / q);
+        values.push_back(std::stod(fmt::format("{:.{}g}", x, digits)));
+      }
+      const ChannelValues known = values_of(values);
+      SearchedChannel channel;
+      channel.samples = values;
+      channel.values = &known;
+      const std::optional<ConverterLattice> lattice = repeating_lattice(channel, 1e-5);
+      if (!known.grid.step) continue;  // too few decimals for that many bits
+      ASSERT_TRUE(lattice) << digits << ", " << bits;
+      EXPECT_NEAR(lattice->step * std::round(14.6 / q), q * std::round(14.6 / q), 0.1 * q)
+          << digits << ", " << bits;
+    }
+}
+
+// Printed coordinates far from their origin: no tolerance may make steps of their own out of them.
+TEST(ConverterLines, AnOffsetOfAMillionRangesMakesNoLattice) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  for (const double offset : {1.0, 1e3, 5e6}) {
+    std::vector<double> values;
+    for (int i = 0; i < 4096; ++i) values.push_back(offset + 0.3 * std::cos(0.3 * i) + 1e-3 * normal(random));
+    EXPECT_FALSE(values_of(values).grid.step) << offset;
+    EXPECT_FALSE(values_of(values).clipping.found()) << offset;
+  }
+}
+
 TEST(ConverterLines, NoiseOfAStepHidesThem) {
   std::mt19937_64 random(4);
   const Draw one = drawn(random, 20, 1.2);
@@ -100,6 +139,22 @@ TEST(ConverterLines, NoiseOfAStepHidesThem) {
   take_out_rounding(values, rate, {one.frequency_hz, 2 * one.frequency_hz}, {step, origin, 1.2 * step}, samples,
                     {});
   EXPECT_EQ(values, one.values);
+}
+
+// Of blocks the last one overlaps the one before: every sample is treated once.
+TEST(ConverterLines, BlocksCoverTheRecordOnce) {
+  std::mt19937_64 random(9);
+  const Draw one = drawn(random, 20, 0.15);
+  const std::vector<double> lines = {one.frequency_hz, 2 * one.frequency_hz};
+  std::vector<double> whole = one.values, parts = one.values;
+  take_out_rounding(whole, rate, lines, {step, origin, 0.15 * step}, samples, {});
+  take_out_rounding(parts, rate, lines, {step, origin, 0.15 * step}, 300, {});
+  double difference = 0, moved = 0;
+  for (std::size_t i = 0; i < samples; ++i) {
+    difference += std::pow(parts[i] - whole[i], 2);
+    moved += std::pow(whole[i] - one.values[i], 2);
+  }
+  EXPECT_LT(difference, 0.2 * moved);
 }
 
 TEST(ConverterLines, SamplesThatNoConverterRoundedStay) {
