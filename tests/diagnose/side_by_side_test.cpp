@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double natural = 80, start = 1e-3;
+constexpr double swung_omega = 80, start = 1e-3;
 constexpr Index samples = 60;
 constexpr int substeps = 4;
 
@@ -31,9 +31,9 @@ class SideBySide : public testing::Test {
     std::vector<MotionStart> all;
     for (int i = 0; i < 19; ++i) {
       MotionStart one{std::vector<double>(model.symbols.size(), 0.0),
-                      Eigen::Vector2d(start * (1 + 0.05 * i), 0.01 * natural * start * i), signal, samples,
+                      Eigen::Vector2d(start * (1 + 0.05 * i), 0.01 * swung_omega * start * i), signal, samples,
                       substeps};
-      one.parameters[symbol("omega0")] = natural * (1 + 1e-3 * i);
+      one.parameters[symbol("omega0")] = swung_omega * (1 + 1e-3 * i);
       one.parameters[symbol("mu1")] = 0.4;
       one.parameters[symbol("mu3")] = i % 3 == 0 ? 30 : 0;
       one.parameters[symbol("alpha2")] = 1e4 * i;
@@ -73,8 +73,8 @@ class SideBySide : public testing::Test {
 TEST_F(SideBySide, FreeMotionsAndThoseWithSmallChanges) {
   std::vector<MotionStart> all = starts();
   expect_the_same({}, all);
-  all[3].change = {{1e-3 * natural * natural, 0}};
-  all[4].change = {{0, 1e-3 * natural}};
+  all[3].change = {{1e-3 * swung_omega * swung_omega, 0}};
+  all[4].change = {{0, 1e-3 * swung_omega}};
   expect_the_same({}, all);
 }
 
@@ -86,7 +86,7 @@ TEST_F(SideBySide, DrivenMotionsWithAnOscillatorBesideSome) {
   }
   expect_the_same({}, all);
   for (std::size_t i = 0; i < all.size(); i += 2)
-    all[i].side = SideOscillator{natural * (0.9 + 0.01 * static_cast<double>(i)), 0.01};
+    all[i].side = SideOscillator{swung_omega * (0.9 + 0.01 * static_cast<double>(i)), 0.01};
   expect_the_same({}, all);
 }
 
@@ -121,7 +121,7 @@ TEST_F(SideBySide, ForcesOfEveryLaw) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       // Without a shape where it does not act: a law is not asked for then.
       if (i % 4 == 1) continue;
-      all[i].parameters[symbol("eta1")] = -0.05 * natural * natural;
+      all[i].parameters[symbol("eta1")] = -0.05 * swung_omega * swung_omega;
       all[i].parameters[symbol("mu2")] = law.kind == ForceLaw::Kind::relaxation ? 0.01 : 3e-4;
     }
     expect_the_same({force}, all);
@@ -136,7 +136,8 @@ TEST_F(SideBySide, FrictionJumps) {
                                                                             : 0.0; }, true};
   const StateForce friction{sign, 0, 0, symbol("eta1")};
   std::vector<MotionStart> all = starts();
-  for (const std::size_t i : {0UL, 5UL, 6UL}) all[i].parameters[symbol("eta1")] = -0.1 * start * natural * natural;
+  for (const std::size_t i : {0UL, 5UL, 6UL})
+    all[i].parameters[symbol("eta1")] = -0.1 * start * swung_omega * swung_omega;
   expect_the_same({friction}, all);
   EXPECT_FALSE(MotionIntegrator(model, {friction}).motion(all[5]).jumps.empty());
 }
