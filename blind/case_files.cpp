@@ -7,7 +7,6 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <system_error>
 
 #include "blind/integrator.hpp"
@@ -134,7 +133,7 @@ std::string dwell_text(const std::string& file, const Drive& drive, const std::s
   return record_text(file, "dwell", drive.started) + fmt::format(
                                                          "excitation_frequency_hz = {:.4f}\nexcitation_amplitude = "
                                                          "{:.10g}\nensemble_s = {:.1f}\ngroup = \"{}\"\n",
-                                                         drive.frequency / (2 * std::numbers::pi), drive.amplitude,
+                                                         drive.frequency / two_pi, drive.amplitude,
                                                          static_cast<double>(ensemble_samples) / sample_rate_hz,
                                                          group);
 }

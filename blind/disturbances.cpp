@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 namespace secular::blind {
 namespace {
 
-constexpr double full_turn = 2 * std::numbers::pi;
 constexpr std::size_t most_kinds_at_once = 3;
 
 // Decay of coloured noise from one sample to the next.
@@ -23,10 +21,10 @@ std::vector<double> times(double factor, const std::vector<double>& sizes, bool 
 }
 
 void add_hum(const Disturbances& d, Random& random, std::vector<std::vector<double>>& channels) {
-  const double phase = random.uniform(0, full_turn);
+  const double phase = random.uniform(0, two_pi);
   for (std::size_t c = 0; c < channels.size(); ++c)
     for (std::size_t i = 0; i < channels[c].size(); ++i) {
-      const double turn = full_turn * d.hum_hz * static_cast<double>(i) / sample_rate_hz + phase;
+      const double turn = two_pi * d.hum_hz * static_cast<double>(i) / sample_rate_hz + phase;
       channels[c][i] += d.hum[c] * (std::cos(turn) + std::cos(3 * turn) / 3);
     }
 }
@@ -44,12 +42,11 @@ void add_coloured_noise(const Disturbances& d, Random& random, std::vector<std::
 }
 
 void add_ringing(const Disturbances& d, Random& random, std::vector<std::vector<double>>& channels) {
-  const double phase = random.uniform(0, full_turn);
+  const double phase = random.uniform(0, two_pi);
   for (std::size_t c = 1; c < channels.size(); ++c)
     for (std::size_t i = 0; i < channels[c].size(); ++i) {
       const double t = static_cast<double>(i) / sample_rate_hz;
-      channels[c][i] +=
-          d.ringing[c] * std::exp(-d.ringing_rate * t) * std::cos(full_turn * d.ringing_hz * t + phase);
+      channels[c][i] += d.ringing[c] * std::exp(-d.ringing_rate * t) * std::cos(two_pi * d.ringing_hz * t + phase);
     }
 }
 
@@ -79,7 +76,7 @@ double Disturbances::coloured_as_white(std::size_t channel, double hz) const {
   if (coloured.empty()) return 0;
   const double kept = kept_per_sample(correlation_s);
   return coloured[channel] * std::sqrt(1 - kept * kept) /
-         std::abs(1.0 - kept * std::polar(1.0, full_turn * hz / sample_rate_hz));
+         std::abs(1.0 - kept * std::polar(1.0, two_pi * hz / sample_rate_hz));
 }
 
 const std::vector<std::string>& disturbance_kinds() {
@@ -110,7 +107,7 @@ Disturbances draw_disturbances(const DisturbedCampaign& campaign, Random& random
   if (has(d, "neighbour_mode")) {
     d.ringing = times(random.log_uniform(0.01, 0.1), rms, false);
     d.ringing_hz = campaign.highest_natural_hz * random.uniform(1.5, 3.4);
-    d.ringing_rate = full_turn * d.ringing_hz * random.log_uniform(0.002, 0.02);
+    d.ringing_rate = two_pi * d.ringing_hz * random.log_uniform(0.002, 0.02);
   }
   if (has(d, "spikes")) {
     d.spike = times(random.uniform(0.3, 3), peak, false);

@@ -35,23 +35,12 @@ std::string shares_markdown(const std::string& what, const std::map<std::string,
 }  // namespace
 
 void write_estimate_score(const EstimateScore& score, const std::string& set_name, const fs::path& page) {
-  ordered_json figures = ordered_json::array(), far = ordered_json::array(), failed = ordered_json::array();
+  ordered_json far = ordered_json::array(), failed = ordered_json::array();
   std::string text = fmt::format(
       "# Numbers of `identify`: {}\n\n{} cases, {} without an estimate. Numbers of one case go together: intervals "
-      "of "
-      "shares take them for independent and are too short.\n\n| figure | value | 95 % interval | numbers | target "
-      "|\n|---|---|---|---|---|\n",
+      "of shares take them for independent and are too short.\n\n",
       set_name, score.cases, score.failed.size());
-  for (const Figure& f : score.figures) {
-    text += fmt::format("| {} | {:.3f} | {:.3f} to {:.3f} | {} | {} {} |\n", f.name, f.value, f.ci95.low,
-                        f.ci95.high, f.trials, f.at_most ? "at most" : "at least", *f.target);
-    figures.push_back({{"name", f.name},
-                       {"value", f.value},
-                       {"ci95", {f.ci95.low, f.ci95.high}},
-                       {"trials", f.trials},
-                       {"target", *f.target},
-                       {"at_most", f.at_most}});
-  }
+  text += figures_markdown(score.figures, "numbers");
   text += "\nA case bears up to three disturbances; it counts for each of them.\n";
   text += shares_markdown("disturbance", score.by_disturbance) + shares_markdown("family", score.by_family);
   text += "\n## Unmarked numbers off by more than 4 sd\n\n| case | symbol | truth | off, sd |\n|---|---|---|---|\n";
@@ -69,7 +58,7 @@ void write_estimate_score(const EstimateScore& score, const std::string& set_nam
   write_text(page / "estimates.json", ordered_json{{"schema", 1},
                                                    {"cases", score.cases},
                                                    {"failed", failed},
-                                                   {"figures", figures},
+                                                   {"figures", figures_json(score.figures)},
                                                    {"disturbances", shares_json(score.by_disturbance)},
                                                    {"families", shares_json(score.by_family)},
                                                    {"far_off", far}}

@@ -1,11 +1,9 @@
 #include "blind/estimate_set.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <system_error>
-#include <thread>
 
 #include "blind/case_files.hpp"
 #include "input/input_error.hpp"
@@ -20,19 +18,18 @@ constexpr double listed_off = 4;
 // Beyond this nothing may be off unmarked.
 constexpr double largest_off = 6;
 
-fs::path estimate_file(const fs::path& folder, std::size_t number) {
-  return case_folder(folder, number) / "estimate" / "estimate.json";
+fs::path estimate_file(const fs::path& place) {
+  return place / "estimate" / "estimate.json";
 }
 
 std::optional<std::string> identify_case(const fs::path& place, const RunOptions& options) {
   const fs::path out = place / "estimate", log = place / "estimate.log";
   std::error_code ignored;
   fs::remove_all(out, ignored);
-  const unsigned each = std::max(1U, std::thread::hardware_concurrency() / std::max(1U, options.threads));
   const ProcessEnd ended =
       run_process({.arguments = {options.program.string(), "identify", (place / "campaign").string(), "--model",
                                  (place / "model.toml").string(), "-o", out.string(), "--threads",
-                                 std::to_string(each), "--quiet"},
+                                 std::to_string(threads_of_each(options)), "--quiet"},
                    .log = log,
                    .limit_s = options.limit_s});
   return fault_of(ended, log, options.limit_s);
@@ -71,20 +68,9 @@ std::vector<Figure> figures_of(const NumberShare& all, std::size_t beyond) {
 }  // namespace
 
 RunSummary identify_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
-  RunSummary summary;
-  summary.cases = count_of_cases(folder);
-  Failures failures;
-  std::atomic<std::size_t> done{0}, kept{0};
-  in_parallel(summary.cases, options.threads, [&](std::size_t i) {
-    if (fs::exists(estimate_file(folder, i + 1)))
-      ++kept;
-    else if (const std::optional<std::string> fault = identify_case(case_folder(folder, i + 1), options))
-      failures.add(i + 1, *fault);
-    if (progress) progress(++done, summary.cases);
-  });
-  summary.kept = kept;
-  summary.failed = failures.by_number();
-  return summary;
+  return run_cases(
+      folder, options, [](const fs::path& place) { return fs::exists(estimate_file(place)); },
+      [&](const fs::path& place) { return identify_case(place, options); }, progress);
 }
 
 std::vector<JudgedNumber> judged_numbers(std::size_t number, const std::map<std::string, double>& truth,
@@ -119,7 +105,7 @@ EstimateScore score_estimates(const fs::path& folder) {
   std::size_t beyond = 0;
   for (const nlohmann::json& label : labels.at("labels")) {
     const std::size_t number = label.at("case").get<std::size_t>();
-    const fs::path file = estimate_file(folder, number);
+    const fs::path file = estimate_file(case_folder(folder, number));
     nlohmann::json estimate;
     if (fs::exists(file))
       estimate = nlohmann::json::parse(read_text(file));

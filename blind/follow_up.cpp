@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 #include <system_error>
 
@@ -23,8 +22,7 @@ std::optional<FurtherDwell> proposal_of(const nlohmann::json& diagnosis, std::si
   const std::string file = next.value("like", "");
   for (std::size_t d = 0; d < dwells; ++d)
     if (file == dwell_file(d))
-      return FurtherDwell{d, next.value("level_factor", 1.0),
-                          2 * std::numbers::pi * next.value("frequency_hz", 0.0),
+      return FurtherDwell{d, next.value("level_factor", 1.0), two_pi * next.value("frequency_hz", 0.0),
                           static_cast<std::size_t>(std::clamp(next.value("length_factor", 1.0), 1.0, 100.0))};
   return std::nullopt;
 }

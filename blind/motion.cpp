@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "blind/integrator.hpp"
@@ -52,7 +51,7 @@ double distance(const Structure& structure, const State& a, const State& b, std:
 }
 
 State settled_state(const Structure& structure, const Drive& drive, const State& from, const Settling& settling) {
-  const double period = 2 * std::numbers::pi / drive.frequency;
+  const double period = two_pi / drive.frequency;
   const double turn = period * static_cast<double>(settling.periods_of_two);
   const auto periods =
       settling.periods_of_two * static_cast<std::size_t>(std::max(1.0, std::round(settling.time_constant / turn)));

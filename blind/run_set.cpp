@@ -31,8 +31,7 @@ std::vector<std::string> thread_arguments(const RunOptions& options) {
   if (!help)
     throw InputError(options.program.string(), "", "has no command 'diagnose'", "a program that lists its options");
   if (help->find("--threads") == std::string::npos) return {};
-  const unsigned each = std::max(1U, std::thread::hardware_concurrency() / std::max(1U, options.threads));
-  return {"--threads", std::to_string(each)};
+  return {"--threads", std::to_string(threads_of_each(options))};
 }
 
 }  // namespace
@@ -91,25 +90,39 @@ std::vector<FailedCase> Failures::by_number() {
   return failed_;
 }
 
-RunSummary run_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
-  const std::size_t cases = count_of_cases(folder);
-  const Diagnoser diagnoser(options);
+RunSummary run_cases(const fs::path& folder, const RunOptions& options,
+                     const std::function<bool(const fs::path&)>& has_result,
+                     const std::function<std::optional<std::string>(const fs::path&)>& run,
+                     const Progress& progress) {
   RunSummary summary;
-  summary.cases = cases;
+  summary.cases = count_of_cases(folder);
   Failures failures;
   std::atomic<std::size_t> done{0}, kept{0};
-  in_parallel(cases, options.threads, [&](std::size_t i) {
+  in_parallel(summary.cases, options.threads, [&](std::size_t i) {
     const fs::path place = case_folder(folder, i + 1);
-    if (fs::exists(place / "diagnosis" / "diagnosis.json") && fs::exists(place / "run.json")) {
+    if (has_result(place))
       ++kept;
-    } else if (const std::optional<std::string> fault = diagnoser.run(place, place / "campaign", place)) {
+    else if (const std::optional<std::string> fault = run(place))
       failures.add(i + 1, *fault);
-    }
-    if (progress) progress(++done, cases);
+    if (progress) progress(++done, summary.cases);
   });
   summary.kept = kept;
   summary.failed = failures.by_number();
   return summary;
+}
+
+unsigned threads_of_each(const RunOptions& options) {
+  return std::max(1U, std::thread::hardware_concurrency() / std::max(1U, options.threads));
+}
+
+RunSummary run_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
+  const Diagnoser diagnoser(options);
+  return run_cases(
+      folder, options,
+      [](const fs::path& place) {
+        return fs::exists(place / "diagnosis" / "diagnosis.json") && fs::exists(place / "run.json");
+      },
+      [&](const fs::path& place) { return diagnoser.run(place, place / "campaign", place); }, progress);
 }
 
 }  // namespace secular::blind

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -38,6 +39,16 @@ struct RunSummary {
   std::size_t cases = 0, kept = 0;  ///< kept: had a diagnosis before
   std::vector<FailedCase> failed;
 };
+
+/// Runs every case of a set that has no result yet, several at once. `has_result` and `run` are given the case's
+/// folder and may be called by any thread; `run` returns what went wrong, if anything did.
+RunSummary run_cases(const std::filesystem::path& folder, const RunOptions& options,
+                     const std::function<bool(const std::filesystem::path&)>& has_result,
+                     const std::function<std::optional<std::string>(const std::filesystem::path&)>& run,
+                     const Progress& progress);
+
+/// Threads that each of the cases at once may use.
+unsigned threads_of_each(const RunOptions& options);
 
 /// What `PROGRAM diagnose --help` prints; nothing where the program has no such command.
 std::optional<std::string> help_of_diagnose(const std::filesystem::path& program);

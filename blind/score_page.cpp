@@ -50,15 +50,34 @@ std::string wrong_markdown(const Score& score) {
 
 }  // namespace
 
+ordered_json figures_json(const std::vector<Figure>& figures) {
+  ordered_json all = ordered_json::array();
+  for (const Figure& f : figures)
+    all.push_back({{"name", f.name},
+                   {"value", f.trials > 0 ? finite_or_null(f.value) : ordered_json(nullptr)},
+                   {"ci95", {finite_or_null(f.ci95.low), finite_or_null(f.ci95.high)}},
+                   {"trials", f.trials},
+                   {"target", f.target ? ordered_json(*f.target) : ordered_json(nullptr)},
+                   {"at_most", f.at_most}});
+  return all;
+}
+
+std::string figures_markdown(const std::vector<Figure>& figures, const std::string& trials) {
+  std::string text =
+      fmt::format("| figure | value | 95 % interval | {} | target | |\n|---|---|---|---|---|---|\n", trials);
+  for (const Figure& f : figures) {
+    const std::string interval = std::isfinite(f.ci95.low) && std::isfinite(f.ci95.high) && f.trials > 0
+                                     ? fmt::format("{:.3f} to {:.3f}", f.ci95.low, f.ci95.high)
+                                     : "";
+    text += fmt::format(
+        "| {} | {} | {} | {} | {} | {} |\n", f.name, f.trials > 0 ? number_text(f.value) : "", interval, f.trials,
+        f.target ? fmt::format("{} {}", f.at_most ? "at most" : "at least", *f.target) : "", verdict_of(f));
+  }
+  return text;
+}
+
 ordered_json score_json(const Score& score) {
-  ordered_json figures = ordered_json::array(), bins = ordered_json::array(), wrong = ordered_json::array();
-  for (const Figure& f : score.figures)
-    figures.push_back({{"name", f.name},
-                       {"value", f.trials > 0 ? finite_or_null(f.value) : ordered_json(nullptr)},
-                       {"ci95", {finite_or_null(f.ci95.low), finite_or_null(f.ci95.high)}},
-                       {"trials", f.trials},
-                       {"target", f.target ? ordered_json(*f.target) : ordered_json(nullptr)},
-                       {"at_most", f.at_most}});
+  ordered_json bins = ordered_json::array(), wrong = ordered_json::array();
   for (const CalibrationBin& b : score.calibration)
     bins.push_back({{"low", b.low},
                     {"high", b.high},
@@ -79,7 +98,7 @@ ordered_json score_json(const Score& score) {
   return {{"schema", 1},
           {"cases", score.cases},
           {"failed", score.failed},
-          {"figures", figures},
+          {"figures", figures_json(score.figures)},
           {"confusion", score.confusion},
           {"calibration", bins},
           {"disturbances", disturbed},
@@ -89,15 +108,7 @@ ordered_json score_json(const Score& score) {
 std::string score_markdown(const Score& score, const std::string& set_name) {
   std::string text = fmt::format("# Blind check: {}\n\n{} cases, {} without a diagnosis.\n\n## Figures\n\n",
                                  set_name, score.cases, score.failed);
-  text += "| figure | value | 95 % interval | cases | target | |\n|---|---|---|---|---|---|\n";
-  for (const Figure& f : score.figures) {
-    const std::string interval = std::isfinite(f.ci95.low) && std::isfinite(f.ci95.high) && f.trials > 0
-                                     ? fmt::format("{:.3f} to {:.3f}", f.ci95.low, f.ci95.high)
-                                     : "";
-    text += fmt::format(
-        "| {} | {} | {} | {} | {} | {} |\n", f.name, f.trials > 0 ? number_text(f.value) : "", interval, f.trials,
-        f.target ? fmt::format("{} {}", f.at_most ? "at most" : "at least", *f.target) : "", verdict_of(f));
-  }
+  text += figures_markdown(score.figures, "cases");
   text += "\n## Truth and what was named\n\nThe named cause is the one of the largest probability.\n\n";
   text += "| truth | cases | named (cases) |\n|---|---|---|\n";
   for (const auto& [truth, row] : score.confusion) {

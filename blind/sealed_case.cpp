@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -263,8 +262,7 @@ Disturbances disturbances_of(const Specimen& specimen, const Levels& levels, Ran
   DisturbedCampaign campaign{levels.median_rms, levels.peak, 1,
                              specimen.dwells.size() + specimen.decay_starts.size() + further_records};
   for (std::size_t k = 0; k < specimen.structure.modes; ++k)
-    campaign.highest_natural_hz =
-        std::max(campaign.highest_natural_hz, specimen.structure.mode[k].omega / (2 * std::numbers::pi));
+    campaign.highest_natural_hz = std::max(campaign.highest_natural_hz, specimen.structure.mode[k].omega / two_pi);
   return draw_disturbances(campaign, random);
 }
 

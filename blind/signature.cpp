@@ -5,7 +5,6 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace secular::blind {
@@ -103,7 +102,7 @@ Eigen::VectorXd Signatures::amplitudes(const Reality& reality, bool all_ensemble
         const Eigen::Map<const Eigen::VectorXd> y(samples[c].data() + e * ensemble_samples, ensemble_samples);
         result.segment(at, components()) = normal.solve(basis.transpose() * y);
         for (Eigen::Index i = 0; i < components(); ++i) {
-          const double hz = static_cast<double>((i + 1) / 2) * fundamental / (2 * std::numbers::pi);
+          const double hz = static_cast<double>((i + 1) / 2) * fundamental / two_pi;
           const double white = std::hypot(noise_sd_[c], disturbances_.coloured_as_white(c, hz));
           result(at + i) /= white * std::sqrt(2.0 / static_cast<double>(ensemble_samples));
         }

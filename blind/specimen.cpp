@@ -7,8 +7,6 @@
 namespace secular::blind {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
-
 // Draws a coefficient of an own term: share of the damping force at the typical amplitude.
 void add_own(Specimen& s, const std::string& effect, std::size_t mode, const std::string& symbol, double share) {
   *coefficient(s.structure, effect, mode) = coefficient_of_share(s, effect, mode, share);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace secular::blind {
 
@@ -33,8 +32,7 @@ double force(const Structure& structure, const Drive& drive, const Instant& at, 
   if (m.threshold_damping != 0 && regime.beyond[k] != 0) f -= m.threshold_damping * p;
   if (m.level_stiffness != 0) f -= m.level_stiffness * drive.amplitude * drive.amplitude * q;
   if (m.modulated_force != 0)
-    f += m.modulated_force * drive.amplitude * std::sin(2 * std::numbers::pi * t / 9) *
-         std::cos(drive.frequency * t);
+    f += m.modulated_force * drive.amplitude * std::sin(two_pi * t / 9) * std::cos(drive.frequency * t);
   if (structure.modes == 2) {
     const ModeTerms& o = structure.mode[1 - k];
     const double u = displacement(x, 1 - k), both = m.cubic_coupling + o.cubic_coupling;

@@ -3,11 +3,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <string>
 
 namespace secular::blind {
 
 inline constexpr std::size_t most_modes = 2;
+inline constexpr double two_pi = 2 * std::numbers::pi;
 
 /// What acts at one modal coordinate q (mass-normalised: unit mass, SI). Left-hand side
 ///   (1 + 2 delta2 q + delta3 q^2) q'' + delta2 q'^2 + delta3 q q'^2 + omega^2 q,

@@ -73,12 +73,20 @@ void follow(const BlindArguments& options) {
   print_failed(summary.failed);
 }
 
-void run(const BlindArguments& options) {
-  ProgressLine line("cases diagnosed");
-  const blind::RunSummary summary = blind::run_set(
-      options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
-  fmt::print("{} cases, {} diagnosed before, {} failed\n", summary.cases, summary.kept, summary.failed.size());
+using RunOfSet = blind::RunSummary (*)(const std::filesystem::path&, const blind::RunOptions&,
+                                       const blind::Progress&);
+
+// Every case through one command. `done`: what is done to them, in the past tense.
+void run_all(const BlindArguments& options, RunOfSet run_of_set, const std::string& done) {
+  ProgressLine line("cases " + done);
+  const blind::RunSummary summary = run_of_set(options.folder, run_options(options),
+                                               [&line](std::size_t made, std::size_t total) { line(made, total); });
+  fmt::print("{} cases, {} {} before, {} failed\n", summary.cases, summary.kept, done, summary.failed.size());
   print_failed(summary.failed);
+}
+
+void run(const BlindArguments& options) {
+  run_all(options, blind::run_set, "diagnosed");
 }
 
 void leave_out(const BlindArguments& options) {
@@ -108,11 +116,7 @@ void score(const BlindArguments& options) {
 }
 
 void estimates(const BlindArguments& options) {
-  ProgressLine line("cases identified");
-  const blind::RunSummary summary = blind::identify_set(
-      options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
-  fmt::print("{} cases, {} identified before, {} failed\n", summary.cases, summary.kept, summary.failed.size());
-  print_failed(summary.failed);
+  run_all(options, blind::identify_set, "identified");
   const blind::EstimateScore score = blind::score_estimates(options.folder);
   blind::write_estimate_score(score, blind::name_of_set(options.folder), options.page);
   print_figures(score.figures, "numbers");

@@ -228,20 +228,21 @@ void doubt_by_rival(const IdentificationRequest& request, const UnknownPhases& u
 // `id` is as it was if this throws.
 void free_phases(const IdentificationRequest& request, const std::vector<ObservationSet>& observed,
                  Identification& id) {
-  UnknownPhases unknown =
-      find_unknown_phases(observed, {id.coordinate_unit, id.excitation_units}, options_of(request), id.estimate);
+  const MeasuredUnits units{id.coordinate_unit, id.excitation_units};
+  const EstimateOptions options = options_of(request);
+  UnknownPhases unknown = find_unknown_phases(observed, units, options, id.estimate);
   std::vector<CaseLateness> found = unknown.cases;
   const auto is_freed = [](const CaseLateness& lateness) { return lateness.finding != PhaseFinding::nothing_told; };
   if (std::any_of(unknown.cases.begin(), unknown.cases.end(), is_freed)) {
     Identification freed = id;
-    for (int round = 0; round < most_phase_rounds; ++round) {
+    const auto estimate_freed = [&] {
       freed.measured = unknown.sets;
-      const std::vector<ObservationSet> corrected = estimate_corrected(request, freed);
-      if (round + 1 == most_phase_rounds) break;  // what was estimated holds these phases
-      if (!refine_phases(unknown, corrected, {id.coordinate_unit, id.excitation_units}, options_of(request),
-                         freed.estimate))
-        break;
-    }
+      return estimate_corrected(request, freed);
+    };
+    std::vector<ObservationSet> corrected = estimate_freed();
+    for (int round = 1;
+         round < most_phase_rounds && refine_phases(unknown, corrected, units, options, freed.estimate); ++round)
+      corrected = estimate_freed();
     found = unknown.cases;
     const std::set<std::string> misfit = cases_that_misfit(freed.estimate);
     bool explained = true;

@@ -44,6 +44,10 @@ ValueGrid grid_of_sorted(const std::vector<double>& sorted) {
   // Unquantised values hit a multiple by chance in one of ten gaps; three levels are too few to tell.
   if (gaps.size() < 3 || static_cast<double>(on_grid) < 0.95 * static_cast<double>(gaps.size())) return grid;
   grid.step = smallest;
+  // The smallest gap is low by the rounding of two printed numbers, more than a step over many steps.
+  double steps = 0;
+  for (const double gap : gaps) steps += std::round(gap / smallest);
+  grid.mean_step = (level - sorted.front()) / steps;
   const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
   std::nth_element(gaps.begin(), middle, gaps.end());
   grid.visited = *middle < 8.5 * smallest;

@@ -9,8 +9,9 @@ namespace secular {
 
 /// The grid that finite samples lie on, as an encoder, a converter or printed decimals leave it.
 struct ValueGrid {
-  std::size_t levels = 0;      ///< different values (equal_within)
-  std::optional<double> step;  ///< smallest gap between levels, if (nearly) all gaps are multiples of it
+  std::size_t levels = 0;           ///< different values (equal_within)
+  std::optional<double> step;       ///< smallest gap between levels, if (nearly) all gaps are multiples of it
+  std::optional<double> mean_step;  ///< with `step`: the range over the steps in it, told far better than one gap
   bool visited = false;  ///< most neighbouring levels are few steps apart: the step is the channel's resolution
 };
 

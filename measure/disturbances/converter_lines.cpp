@@ -19,26 +19,12 @@ using Eigen::VectorXd;
 // Less noise before the converter, in steps, is taken for so much: what rounding adds then stays a smooth function
 // of the motion that a few terms hold (the ninth is 1e-7 of the first), and motion and rounding come to agree.
 constexpr double least_noise = 0.1;
-constexpr int most_terms = MeanRounding::terms;
 // More blurs the steps: the first term is 3e-9 of a step.
 constexpr double blurred = 1;
 
 constexpr int most_rounds = 40;
 // They agree when the motion moves by less than this share of its standard error.
 constexpr double agreed = 0.05;
-
-// The smallest gap is low by the rounding of two printed numbers, more than a step over many steps: they are
-// counted from level to level.
-double exact_step(const std::vector<double>& sorted, double smallest) {
-  const double same = equal_within(sorted);
-  double steps = 0, level = sorted.front();
-  for (const double value : sorted) {
-    if (!(value - level > same)) continue;
-    steps += std::round((value - level) / smallest);
-    level = value;
-  }
-  return (level - sorted.front()) / steps;
-}
 
 // exp(-2 pi^2 n^2 s^2): what noise of s steps leaves of term n.
 double damped(int n, double s) {
@@ -49,7 +35,7 @@ double damped(int n, double s) {
 // Mean square of what is left of rounding and noise of s steps when the mean of rounding is taken out, in steps^2.
 double left_over(double s) {
   double taken_out = 0;
-  for (int n = 1; n <= most_terms; ++n) taken_out += std::pow(damped(n, s) / n, 2);
+  for (int n = 1; n <= MeanRounding::terms; ++n) taken_out += std::pow(damped(n, s) / n, 2);
   return s * s + 1.0 / 12 - taken_out / (2 * std::numbers::pi * std::numbers::pi);
 }
 
@@ -124,8 +110,7 @@ std::optional<ConverterLattice> repeating_lattice(const SearchedChannel& channel
   if (channel.samples.empty() || !is_lattice(channel.values->grid, level)) return std::nullopt;
   const std::optional<double> noise = noise_floor(channel.samples);
   if (!noise) return std::nullopt;
-  const std::vector<double>& sorted = channel.values->sorted;
-  ConverterLattice lattice{exact_step(sorted, *channel.values->grid.step), sorted.front(), 0};
+  ConverterLattice lattice{*channel.values->grid.mean_step, channel.values->sorted.front(), 0};
   lattice.noise = std::sqrt(std::max(0.0, *noise * *noise - lattice.step * lattice.step / 12));
   const double line_sd = *noise * std::sqrt(2 / static_cast<double>(channel.samples.size()));
   if (!(lattice.repeated_line() > line_sd)) return std::nullopt;
@@ -133,7 +118,7 @@ std::optional<ConverterLattice> repeating_lattice(const SearchedChannel& channel
 }
 
 MeanRounding::MeanRounding(const ConverterLattice& lattice, double sd) : lattice_(lattice) {
-  for (int n = 1; n <= most_terms; ++n)
+  for (int n = 1; n <= MeanRounding::terms; ++n)
     term_[static_cast<std::size_t>(n - 1)] = (n % 2 == 0 ? 1 : -1) * damped(n, sd / lattice.step) / n;
 }
 

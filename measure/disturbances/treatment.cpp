@@ -43,10 +43,11 @@ std::vector<std::size_t> not_rounded(const Record& record, const std::vector<std
   return all;
 }
 
-bool needs_a_look(const SearchedRecord& empty, const ChannelValues& values, const std::vector<double>& samples) {
-  if (empty.entry().kind == RecordKind::dwell && is_lattice(values.grid, empty.level)) return true;
-  const HeldSamples held = find_held(samples, values, empty.level);
-  return !held.at.empty() || !find_impulses(samples, values.grid, held, empty.level).spikes.empty();
+// Whether anything may have to be mended, before the record's lines are looked for.
+bool needs_a_look(bool dwell, const ChannelValues& values, const std::vector<double>& samples, double level) {
+  if (dwell && is_lattice(values.grid, level)) return true;
+  const HeldSamples held = find_held(samples, values, level);
+  return !held.at.empty() || !find_impulses(samples, values.grid, held, level).spikes.empty();
 }
 
 std::vector<RoundedChannel> rounded_channels(const SearchedRecord& look, const Record& record,
@@ -69,22 +70,21 @@ std::vector<RoundedChannel> rounded_channels(const SearchedRecord& look, const R
 
 Treatment treatment_of(const Campaign& campaign, std::size_t index, const Record& record,
                        const std::vector<ChannelValues>& values) {
-  SearchedRecord empty;
-  empty.campaign = &campaign;
-  empty.index = index;
-  empty.level = false_alarm_of_channel(campaign);
+  const RecordEntry& entry = campaign.records[index];
+  const bool dwell = entry.kind == RecordKind::dwell;
+  const double level = false_alarm_of_channel(campaign);
   bool nothing = true;
   for (std::size_t c = 0; c < record.channels.size() && nothing; ++c)
-    nothing = !needs_a_look(empty, values[c], record.channels[c]);
+    nothing = !needs_a_look(dwell, values[c], record.channels[c], level);
   Treatment treatment;
   if (nothing) return treatment;
   const SearchedRecord look = searched(campaign, index, record, values);
   for (std::size_t c = 0; c < record.channels.size(); ++c)
     treatment.masked.push_back(wrong_samples(look, c, record.channels[c]));
-  if (look.entry().kind != RecordKind::dwell) return treatment;
+  if (!dwell) return treatment;
   std::vector<RoundedChannel> rounded = rounded_channels(look, record, treatment.masked);
   if (rounded.empty()) return treatment;
-  const double ensemble_s = look.entry().ensemble_s.value_or(INFINITY);
+  const double ensemble_s = entry.ensemble_s.value_or(INFINITY);
   treatment.then = [rounded = std::move(rounded), ensemble_s](Record& mended) {
     const double ensemble = std::round(ensemble_s * mended.sample_rate_hz);
     const std::size_t block =

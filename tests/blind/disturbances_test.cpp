@@ -8,7 +8,6 @@
 #include <complex>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -21,8 +20,6 @@ namespace secular::blind {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 // Amplitude at a frequency, by the finite Fourier sum.
 std::complex<double> line(const std::vector<double>& x, double hz) {

@@ -7,18 +7,17 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "measure/signal/tone_fit.hpp"
+#include "numerics/hertz.hpp"
 
 namespace secular {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double rate = 256, step = 0.3, origin = -0.7;
 constexpr std::size_t samples = 1024;
 

@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "generated/registry.hpp"
+#include "tests/diagnose/symbol_of.hpp"
 
 namespace secular {
 
@@ -26,11 +27,7 @@ using Eigen::MatrixXcd;
 // by a force that a law of the motion supplies in place of the excitation.
 class SweepWithForce : public testing::TestWithParam<ForceLaw> {
  protected:
-  std::size_t symbol(const std::string& name) const {
-    for (std::size_t s = 0; s < model.symbols.size(); ++s)
-      if (model.symbols[s].name == name) return s;
-    return model.symbols.size();
-  }
+  std::size_t symbol(const std::string& name) const { return testing_support::symbol_of(model, name); }
 
   StateForce force() const {
     StateForce force;

@@ -8,6 +8,7 @@
 #include "diagnose/evidence/segment_evidence.hpp"
 #include "diagnose/inference/refit.hpp"
 #include "generated/registry.hpp"
+#include "tests/diagnose/symbol_of.hpp"
 
 namespace secular {
 namespace {
@@ -26,11 +27,7 @@ class FrictionEvidence : public testing::TestWithParam<int> {
     sensors.derivatives = GetParam();
   }
 
-  std::size_t symbol(const std::string& name) const {
-    for (std::size_t s = 0; s < model.symbols.size(); ++s)
-      if (model.symbols[s].name == name) return s;
-    return model.symbols.size();
-  }
+  std::size_t symbol(const std::string& name) const { return testing_support::symbol_of(model, name); }
   VectorXd unknowns(double strength) const {
     const FaultTable faults(model, sensors);
     VectorXd values = VectorXd::Zero(static_cast<Index>(model.symbols.size() + faults.size()));

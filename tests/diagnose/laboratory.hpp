@@ -5,6 +5,7 @@
 
 #include "diagnose/evidence/condition_rows.hpp"
 #include "generated/registry.hpp"
+#include "tests/diagnose/symbol_of.hpp"
 
 namespace secular::testing_support {
 
@@ -29,11 +30,7 @@ struct Laboratory {
   FaultTable faults{compiled, sensors};
   ConditionModel model{MotionBalance(compiled, {}), sensors, faults};
 
-  std::size_t symbol(const std::string& name) const {
-    for (std::size_t s = 0; s < compiled.symbols.size(); ++s)
-      if (compiled.symbols[s].name == name) return s;
-    return compiled.symbols.size();
-  }
+  std::size_t symbol(const std::string& name) const { return testing_support::symbol_of(compiled, name); }
   Eigen::VectorXd unknowns(std::initializer_list<std::pair<const char*, double>> more) const {
     Eigen::VectorXd values =
         Eigen::VectorXd::Zero(static_cast<Eigen::Index>(compiled.symbols.size() + faults.size()));

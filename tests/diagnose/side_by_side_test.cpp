@@ -6,6 +6,7 @@
 #include "diagnose/evidence/segment_motion.hpp"
 #include "effects/force_law.hpp"
 #include "generated/registry.hpp"
+#include "tests/diagnose/symbol_of.hpp"
 
 namespace secular {
 namespace {
@@ -20,12 +21,7 @@ class SideBySide : public testing::Test {
  protected:
   const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
 
-  std::size_t symbol(const std::string& name) const {
-    for (std::size_t s = 0; s < model.symbols.size(); ++s)
-      if (model.symbols[s].name == name) return s;
-    ADD_FAILURE() << name;
-    return 0;
-  }
+  std::size_t symbol(const std::string& name) const { return testing_support::symbol_of(model, name); }
   // As many as fill two groups and a part of one, each with numbers of its own.
   std::vector<MotionStart> starts(const std::shared_ptr<const DrivingSignal>& signal = silent()) const {
     std::vector<MotionStart> all;

@@ -8,6 +8,7 @@
 
 #include "generated/registry.hpp"
 #include "motion/balance/balance_sweep.hpp"
+#include "tests/diagnose/symbol_of.hpp"
 
 namespace secular {
 namespace {
@@ -77,11 +78,7 @@ class FrictionOverATurn : public testing::Test {
  protected:
   const CompiledModel& model = *generated::find_compiled_model("pendulum");
 
-  std::size_t symbol(const std::string& name) const {
-    for (std::size_t s = 0; s < model.symbols.size(); ++s)
-      if (model.symbols[s].name == name) return s;
-    return model.symbols.size();
-  }
+  std::size_t symbol(const std::string& name) const { return testing_support::symbol_of(model, name); }
   std::vector<double> parameters() const {
     std::vector<double> values(model.symbols.size(), 0.0);
     values[symbol("omega0")] = 5.77;
