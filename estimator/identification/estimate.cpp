@@ -51,8 +51,10 @@ Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& uni
   report_parameters(e);
   report_lumps(e);
   report_quality(e);
-  take_out_unsupported(e.result);
-  if (options.judge_fit) doubt_without_force(e.result, e.fits);
+  if (options.judge_fit) {
+    take_out_unsupported(e.result, e.fits);
+    doubt_without_force(e.result, e.fits);
+  }
   e.result.state = std::make_shared<const EstimationState>(EstimationState{
       std::move(e.blocks), std::move(e.states), e.knowledge.natural_frequency, std::move(e.frequency_shifts)});
   return std::move(e.result);

@@ -255,7 +255,9 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) 
     if (test.numerator_df < 1 || !scatter) continue;
     test.denominator_df = scatter->freedom;
     test.repeatability = std::sqrt(scatter->variance);
-    test.f = means / (test.numerator_df * scatter->variance + truncation);
+    const double usual = test.numerator_df * scatter->variance + truncation;
+    test.f = means / usual;
+    test.beyond = std::max(0.0, means - usual);
     test.misfit = std::sqrt(test.f);
     test.p_value = f_upper_tail(test.f, test.numerator_df, test.denominator_df);
     result.push_back(std::move(test));
@@ -266,11 +268,9 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) 
 }
 
 MatrixXd hidden_misfit(const CaseFit& fit, const std::vector<LackOfFit>& tests) {
-  std::map<Equation, double> seen;  // norm of the misfit beyond what repeatability gives
+  std::map<Equation, double> seen;  // norm of the misfit, over the measured noise
   for (const LackOfFit& test : tests)
-    if (test.significant)
-      seen[{test.block, test.part}] =
-          test.repeatability * std::sqrt(std::max(0.0, (test.f - 1) * test.numerator_df));
+    if (test.significant) seen[{test.block, test.part}] = std::sqrt(test.beyond);
   const Index columns = fit.fit.coefficients.size();
   if (seen.empty()) return MatrixXd::Zero(columns, 0);
   const std::vector<bool> repeats_at = repeats_of(*fit.set);

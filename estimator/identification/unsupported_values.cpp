@@ -49,6 +49,12 @@ bool told_by_these_alone(const EstimatedValue& value, const std::set<std::string
                                                [&](const std::string& name) { return cases.contains(name); });
 }
 
+bool leaves_open(const CaseFit& fit) {
+  for (std::size_t c = 0; c < fit.columns.size() && c < fit.fit.identifiable.size(); ++c)
+    if (fit.columns[c].kind == CaseColumn::Kind::lump && !fit.fit.identifiable[c]) return true;
+  return false;
+}
+
 }  // namespace
 
 std::set<std::string> cases_that_misfit(const Estimate& estimate) {
@@ -80,8 +86,15 @@ void take_out(Estimate& estimate, const std::set<std::string>& cases, const std:
   if (!names.empty()) estimate.warnings.push_back(why + ": no numbers are given for " + short_list(names));
 }
 
-void take_out_unsupported(Estimate& estimate) {
-  std::set<std::string> cases = cases_of_few_conditions(estimate);
+void take_out_unsupported(Estimate& estimate, std::span<const CaseFit> fits) {
+  std::set<std::string> cases = cases_of_few_conditions(estimate), open;
+  for (const CaseFit& fit : fits)
+    if (const std::string name(fit.set->resonance->name); cases.contains(name) && leaves_open(fit))
+      open.insert(name);
+  if (estimate.null_space.cols() > 0)
+    take_out(estimate, open,
+             "of too few conditions, which leave coefficients open that the expansion's truncation "
+             "depends on");
   if (!estimate.consistency.significant) {
     const std::set<std::string> misfit = cases_that_misfit(estimate);
     std::erase_if(cases, [&](const std::string& resonance) { return !misfit.contains(resonance); });

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "estimator/identification/case_regression.hpp"
 #include "estimator/identification/estimate.hpp"
 
 namespace secular {
@@ -19,8 +20,10 @@ void take_out(Estimate& estimate, const std::set<std::string>& cases, const std:
 
 /// docs/inference.md, "No number". What an equation lacks differs from condition to condition, and error bars by
 /// the scatter between conditions know something of it. Those by the scatter of repeats know nothing: where
-/// equations of such a case do not hold, or lumps contradict one another, there is no number.
-void take_out_unsupported(Estimate& estimate);
+/// equations of such a case do not hold, or lumps contradict one another, there is no number. Nor is there one
+/// where it leaves lumps of its own open that no other case tells: then the truncation is taken out at parameters
+/// of which nothing is known.
+void take_out_unsupported(Estimate& estimate, std::span<const CaseFit> fits);
 
 /// A motion that an excitation keeps up has a coefficient of it. Where none of a case differs from zero, nothing
 /// satisfies the balance of damping and force (docs/inference.md, "Phases that do not hold"): every value that such

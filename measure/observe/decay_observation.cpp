@@ -254,7 +254,8 @@ class DecayObserver {
   }
 
   // Windows that leave clearly more than quiet ones before and after them: a knock, lost samples, a step of the
-  // clock. What the tones leave out falls with the amplitude, and does not stand out from both sides.
+  // clock. What the tones leave out falls with the amplitude, and does not stand out from both sides; how much of
+  // it windows see depends on where in a turn they begin.
   std::vector<bool> disturbed(const std::vector<FoundWindow>& found) const {
     std::vector<bool> bad(found.size(), false);
     for (const std::size_t k : windows_.oscillating())
@@ -267,7 +268,7 @@ class DecayObserver {
         const double limit = disturbed_noise + disturbed_sd / std::sqrt(2 * found[i].window.degrees_of_freedom);
         const bool both = std::isfinite(before) && std::isfinite(after);
         const double quiet = both ? limit * std::max(before, after) : disturbed_end * std::min(before, after);
-        if (noise(i) > quiet) bad[i] = true;
+        if (noise(i) > std::hypot(quiet, found[i].window.beyond_degree(static_cast<Index>(k)))) bad[i] = true;
       }
     return bad;
   }

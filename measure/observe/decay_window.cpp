@@ -22,6 +22,10 @@ using Eigen::VectorXd;
 /// Of the amplitudes in time.
 constexpr int degree = 2;
 
+/// exp(-f u), u from -1/2 to 1/2, leaves f^3/6 u^3 beside the second degree, of which u^3 has 1/20 of Legendre's
+/// third polynomial in 2u, whose mean square is 1/7.
+constexpr double beyond_second_degree = 1 / (6 * 20 * 2.6457513110645906);
+
 /// Bins between two tones of second degree, for a window to separate them; `shortest_s` asks for some more. From a
 /// constant at zero frequency fewer are enough.
 constexpr double separate_bins = 2.5, comfortable_bins = 3, bins_from_constant = 2;
@@ -172,6 +176,7 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
     o.growth_sd.assign(modes, -1.0);
     o.frequency_sd.assign(modes, 0.0);
     window.bend = window.fall = 0;
+    window.beyond_degree = VectorXd::Zero(static_cast<Index>(modes));
     double moved = 0;
     for (const std::size_t k : oscillating_) {
       const auto at = static_cast<Index>(k);
@@ -192,6 +197,8 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
       const double size = std::abs(y0);
       window.bend = std::max(window.bend, (std::abs(y2) - 2 * seen.sd[2](tone, at)) / size * seconds * seconds / 8);
       window.fall = std::max(window.fall, (std::abs((y1 / y0).real()) - 2 * seen.sd[1](tone, at) / size) * seconds);
+      window.beyond_degree(at) = std::numbers::sqrt2 * size * beyond_second_degree *
+                                 std::pow(std::abs((y1 / y0).real()) * seconds, degree + 1);
       const double shift =
           std::clamp(o.rate[k].imag() - frequency(at), -0.25 * two_pi / seconds, 0.25 * two_pi / seconds);
       moved = std::max(moved, std::abs(shift) * seconds);

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "motion/correction/replay.hpp"
-#include "motion/correction/truncation_correction.hpp"
-#include "virtual_campaign.hpp"
+#include "recovered_campaign.hpp"
 
 namespace secular {
 namespace {
@@ -49,6 +47,17 @@ Corrected identified(const Experiment& e, const std::string& case_name) {
       correct_truncation(std::span(&set, 1), result.raw, {"kg^(1/2) m", {"m/s^2"}}, {}, replay, [](const char*) {
       }).estimate;
   return result;
+}
+
+// What an amplitude of second degree leaves of a steady decay depends on where in a turn the window begins: in one
+// without noise that is all there is, and no disturbance.
+TEST(Decay, WithoutNoiseHasNoDisturbedWindows) {
+  const Recovered r = recover("linear_impulse_response", 1);
+  EXPECT_EQ(r.measured.warnings, std::vector<std::string>());
+  ASSERT_TRUE(r.value("omega0").value && r.value("mu").value);
+  EXPECT_NEAR(*r.value("omega0").value, 1, 1e-6);
+  EXPECT_NEAR(*r.value("mu").value, 0.025, 1e-6);
+  EXPECT_NEAR(*r.value("a3").value, 0, 1e-5);
 }
 
 // Amplitudes of second degree in time leave a rate a bias of the order of (damping rate times window)^2: twice as

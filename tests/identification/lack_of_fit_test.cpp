@@ -78,6 +78,46 @@ TEST(LackOfFit, ADampingLawThatIsMissingIsToldAndCounts) {
   EXPECT_NEAR(*right.value, 36.87, 5 * right.sd);
 }
 
+// What is not known of the truncation makes a misfit less likely to be one. What is beyond that, and may hide along
+// the columns, is the same sum of squares less a larger one that is usual.
+TEST(LackOfFit, WhatMayHideIsWhatIsBeyondNoiseAndUnknownTruncation) {
+  OneMode truth;
+  truth.mu2 = 6;
+  ObservationSet set = truth.set(3);
+  const auto rows = static_cast<Eigen::Index>(set.observations.size());
+  const auto count = static_cast<Eigen::Index>(truth.resonance.blocks.size());
+  std::vector<std::size_t> blocks;
+  for (std::size_t b = 0; b < truth.resonance.blocks.size(); ++b)
+    if (truth.resonance.blocks[b].kind == BlockKind::modulation) blocks.push_back(b);
+  set.truncation = Eigen::MatrixXcd::Zero(rows, count);
+  set.truncation_of_moves = {Eigen::MatrixXcd::Zero(rows, count)};
+  for (Eigen::Index i = 0; i < rows; ++i)
+    set.truncation_of_moves[0](i, static_cast<Eigen::Index>(blocks.front())) = {5e-6, 5e-6};
+  CaseKnowledge known;
+  known.natural_frequency = {w0};
+  known.fixed[{std::string(truth.resonance.name), "mu2"}] = 0;
+  const CaseFit fit = fit_case(set, blocks, known);
+  const auto at = [&](double unknown) { return lack_of_fit(fit, Eigen::MatrixXd::Constant(1, 1, unknown)); };
+  const std::vector<LackOfFit> sure = at(0), open = at(0.3);
+  ASSERT_EQ(sure.size(), open.size());
+  bool any = false;
+  for (std::size_t i = 0; i < sure.size(); ++i) {
+    if (!sure[i].significant || !open[i].significant) continue;
+    any = true;
+    EXPECT_LT(open[i].f, 0.8 * sure[i].f);
+    const auto means = [](const LackOfFit& test) { return test.beyond * test.f / (test.f - 1); };
+    EXPECT_NEAR(means(open[i]) / means(sure[i]), 1, 1e-12);
+    EXPECT_NEAR(sure[i].beyond,
+                (sure[i].f - 1) * sure[i].numerator_df * sure[i].repeatability * sure[i].repeatability,
+                1e-9 * sure[i].beyond);
+  }
+  ASSERT_TRUE(any);
+  const Eigen::MatrixXd surely = hidden_misfit(fit, sure), openly = hidden_misfit(fit, open);
+  const double squares = openly.squaredNorm() / surely.squaredNorm();
+  EXPECT_LT(squares, 1);
+  EXPECT_GT(squares, 0.5);  // not by the factor that F fell by
+}
+
 // Repeats of one condition are taken at different instants: estimates, weights and tests must not notice, even
 // where the model does not fit.
 TEST(LackOfFit, InstantsOfTheEnsemblesDoNotMatter) {

@@ -11,7 +11,7 @@
 // Shipped experiments, simulated and identified as `secular identify` does it.
 namespace secular::testing_support {
 
-/// A simulated campaign of one case.
+/// A simulated campaign of one case: the model's first one of that kind of records, or the named one.
 struct MadeCampaign {
   Experiment experiment;
   const CompiledModel* model = nullptr;
@@ -19,14 +19,15 @@ struct MadeCampaign {
   SimulatedCampaign simulated;
 };
 
-inline MadeCampaign make_campaign(const std::string& name, std::uint64_t seed) {
+inline MadeCampaign make_campaign(const std::string& name, std::uint64_t seed, const std::string& resonance = "") {
   MadeCampaign made;
   made.experiment = shipped_experiment(name);
   made.model = generated::find_compiled_model(made.experiment.model);
   made.simulated = run_virtual_test(made.experiment, *made.model, seed, 2);
   const bool dwells = made.simulated.campaign.records.front().kind == RecordKind::dwell;
   for (const CompiledCase& candidate : made.model->cases)
-    if (candidate.excited == dwells && !made.resonance) made.resonance = &candidate;
+    if (resonance.empty() ? candidate.excited == dwells && !made.resonance : candidate.name == resonance)
+      made.resonance = &candidate;
   return made;
 }
 
