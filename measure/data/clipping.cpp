@@ -137,7 +137,9 @@ Side judge_side(std::span<const double> samples, const std::vector<double>& sort
   const auto nth_depth = [&](std::size_t n) {
     return sign * (extreme - (sign > 0 ? sorted[sorted.size() - 1 - n] : sorted[n]));
   };
-  if (too_many(peaks, same, grid_near_extreme(nth_depth, sorted.size(), range, same))) {
+  // Levels that are printed rounded have next to no common divisor; a step that all of them have is one of these,
+  // too.
+  if (too_many(peaks, same, std::max(quantum, grid_near_extreme(nth_depth, sorted.size(), range, same)))) {
     side.runs += short_runs;
     side.samples_in_runs += samples_in_short_runs;
   }

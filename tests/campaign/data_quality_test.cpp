@@ -91,6 +91,19 @@ TEST(Clipping, FlatTurningPointsOfQuantisedSignalsAreNone) {
       }
 }
 
+// A converter's levels as files hold them, with seven digits: no two differences of levels are the same.
+TEST(Clipping, LevelsThatArePrintedRoundedAreNoLimit) {
+  for (const double per_period : {11.3, 17.77, 29.34})
+    for (const double quantum : {0.03320728485892773, 0.0190529366777, 0.0047177})
+      for (const double amplitude : {1.0, 1.2918, 0.947}) {
+        Samples samples = quantised(sine(6144, per_period, amplitude), quantum);
+        for (double& x : samples) x = std::round(x * 1e6) * 1e-6;
+        EXPECT_FALSE(find_clipping(samples).found()) << per_period << " " << quantum << " " << amplitude;
+        EXPECT_TRUE(find_clipping(limited(samples, 0.5)).found())
+            << per_period << " " << quantum << " " << amplitude;
+      }
+}
+
 TEST(Clipping, APendulumHeldBeforeItsReleaseIsNone) {
   // Lifted within two seconds, held for three, released: quantum 0.025 degrees as of an encoder, 1 kHz.
   Samples angle;
