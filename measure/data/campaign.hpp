@@ -67,8 +67,13 @@ struct Record {
   double jitter_s = 0;                        ///< of its time stamps, see TimeAxis
   /// Rows that the file does not hold: their samples follow from what is around them.
   std::vector<std::size_t> lost{};
+  /// By channel, samples that are no numbers in the file: they follow from what is around them. Empty: none.
+  std::vector<std::vector<std::size_t>> no_numbers{};
   std::size_t samples() const { return channels.empty() ? 0 : channels.front().size(); }
 };
+
+/// The samples of a channel, rising, that the record's file does not hold: Record::lost and Record::no_numbers.
+std::vector<std::size_t> filled_samples(const Record& record, std::size_t channel);
 
 /// The channel that measures the base's acceleration: the only excitation that is an acceleration, if there is one.
 std::optional<std::size_t> base_channel(const Campaign& campaign);
@@ -77,9 +82,10 @@ std::optional<std::size_t> base_channel(const Campaign& campaign);
 Campaign read_campaign(const std::filesystem::path& folder);
 
 /// Reads one record's samples from any file that read_data_file reads. The record's rate is campaign.toml's
-/// wherever the time stamps follow it. Throws InputError for a missing column, text where a number should be, NaN
-/// or infinity, time that does not increase evenly (names the place), a sample rate that contradicts campaign.toml
-/// by more than 0.1 %.
+/// wherever the time stamps follow it. A few lost rows, and a few samples in a row that are no numbers (empty, NaN,
+/// infinity), follow from what is around them. Throws InputError for a missing column, text where a number should
+/// be, more samples that are no numbers, time that does not increase evenly (names the place), a sample rate that
+/// contradicts campaign.toml by more than 0.1 %.
 Record read_record(const Campaign& campaign, const RecordEntry& entry);
 
 }  // namespace secular

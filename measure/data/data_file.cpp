@@ -204,7 +204,7 @@ DataFile read_data_file(const fs::path& path, const std::vector<std::string>& wa
   if (mark != DecimalMark::by_dialect)
     throw InputError("--decimal-mark", "", fmt::format("{} is no CSV", path.string()), "leave it out");
   DataFile data = format->read(path, wanted, limit);
-  if (missing == MissingNumbers::keep_as_nan) return data;
+  if (missing != MissingNumbers::refuse) return data;
   for (const DataVariable& variable : data.variables)
     for (std::size_t i = 0; i < variable.values.size(); ++i)
       if (!std::isfinite(variable.values[i]))

@@ -18,7 +18,7 @@ struct DataVariable {
   std::string name;
   std::vector<std::size_t> shape;
   std::string type;                    ///< "double", "int16", ...; "text" for a CSV column without any number
-  std::vector<double> values;          ///< NaN where no number stands (MissingNumbers::keep_as_nan)
+  std::vector<double> values;          ///< NaN where no number stands (MissingNumbers)
   std::string fault;                   ///< why it has no values: "is complex", ...; empty if it has
   std::optional<Quantity> quantity{};  ///< what it measures, where the file says so in terms that are known
   std::string unit{};                  ///< of `values` where `quantity` is known: its SI unit

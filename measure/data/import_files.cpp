@@ -14,6 +14,7 @@
 #include "measure/data/import_channels.hpp"
 #include "measure/data/jitter.hpp"
 #include "measure/data/matrix_lines.hpp"
+#include "measure/data/missing_cells.hpp"
 #include "measure/data/names.hpp"
 #include "measure/data/time_axis.hpp"
 #include "measure/data/unit.hpp"
@@ -116,7 +117,7 @@ DataFile read_variables(const std::filesystem::path& path, const ExpectedFile& e
   for (const DescribedChannel& described : expected.channels)
     if (!contains(wanted, described.variable)) wanted.push_back(described.variable);
   if (!time.empty() && !contains(wanted, time)) wanted.push_back(time);
-  DataFile data = read_data_file(path, wanted, MissingNumbers::refuse, all_values, expected.rows.mark);
+  DataFile data = read_data_file(path, wanted, MissingNumbers::keep_gaps, all_values, expected.rows.mark);
   convert_csv_units(data);
   return data;
 }
@@ -168,6 +169,24 @@ void check_quantity(const DataVariable& variable, const DescribedChannel& descri
                      std::string("give ") + channel_form);
 }
 
+// Samples that are no numbers stay what they are: whoever reads the record knows that they follow from others.
+void note_missing(const DataFile& data, const std::vector<DescribedChannel>& channels, ReadFile& read) {
+  Record& record = read.record;
+  record.no_numbers = missing_cells(record.channels);
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const std::size_t missing = record.no_numbers[c].size();
+    if (missing == 0) continue;
+    const std::string& name = channels[c].channel.name;
+    std::vector<std::vector<double>> filled = {record.channels[c]};
+    if (fill_missing_cells({record.no_numbers[c]}, filled).front().size() < missing)
+      refuse_long_gap(filled.front(), name, data.file, data.place);
+    read.warnings.push_back(fmt::format(
+        "{}: {} of {} samples of {} are no finite numbers: written as nan, and replaced by what is around "
+        "them where the record is read",
+        data.file, missing, record.samples(), name));
+  }
+}
+
 ReadFile read_file(const std::filesystem::path& path, const ExpectedFile& expected) {
   DataFile data = read_variables(path, expected);
   ReadFile read;
@@ -196,6 +215,7 @@ ReadFile read_file(const std::filesystem::path& path, const ExpectedFile& expect
     record.start_s += static_cast<double>(align_channels(record.channels, delays)) / record.sample_rate_hz;
   if (record.samples() < 2)
     throw InputError(data.file, "", "has fewer than two samples", "a record needs many samples");
+  note_missing(data, channels, read);
   return read;
 }
 

@@ -12,6 +12,7 @@
 #include "measure/data/jitter.hpp"
 #include "measure/data/lost_rows.hpp"
 #include "measure/data/matrix_lines.hpp"
+#include "measure/data/missing_cells.hpp"
 #include "measure/data/record_data.hpp"
 #include "measure/data/unit.hpp"
 
@@ -90,13 +91,24 @@ std::size_t cut(const TimeSpan& span, TimeAxis& axis, std::size_t samples,
   return kept.count;
 }
 
+void note_filled(const std::vector<std::size_t>& filled, std::size_t samples, ChannelQuality& quality) {
+  quality.missing += filled.size();
+  quality.faults.push_back(
+      {"missing", fmt::format("{} of {} samples are no finite numbers, first sample {}: replaced by what those "
+                              "around them tell",
+                              filled.size(), samples, filled.front() + 1)});
+}
+
 RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std::size_t limit,
                                 const TimeSpan& span, const RecordLook& look) {
   RecordInspection inspection;
   try {
     RecordData data = read_record_data(campaign, campaign.records[index], MissingNumbers::keep_as_nan, limit);
+    const MissingCells missing = missing_cells(data.channels);
+    MissingCells filled = fill_missing_cells(missing, data.channels);
     std::vector<std::size_t> lost = lost_rows(data.stamps_s);
     if (!fill_lost_rows(lost, data.stamps_s, data.channels)) lost.clear();
+    move_behind(lost, filled);
     inspection.judged = data.stamps_s.size();
     inspection.samples = data.total + lost.size();
     inspection.axis = judged_axis(data.stamps_s, data.place, campaign.sample_rate_hz, inspection.faults);
@@ -116,10 +128,13 @@ RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std
     }
     if (inspection.axis && inspection.axis->jitter_s > 0)
       inspection.faults.push_back({"time", jitter_text(*inspection.axis, data.channels)});
-    for (const std::vector<double>& samples : data.channels) inspection.channels.push_back(check_channel(samples));
+    for (std::size_t c = 0; c < data.channels.size(); ++c) {
+      inspection.channels.push_back(check_channel(data.channels[c]));
+      if (!filled[c].empty()) note_filled(filled[c], inspection.samples, inspection.channels.back());
+    }
     if (look && inspection.axis)
       look(index, {inspection.axis->start_s, inspection.axis->sample_rate_hz, std::move(data.channels),
-                   inspection.axis->jitter_s, lost});
+                   inspection.axis->jitter_s, std::move(lost), std::move(filled)});
   } catch (const InputError& error) {
     inspection.faults.push_back({"unreadable", without_file(error)});
   }

@@ -19,7 +19,8 @@ constexpr double off_a_whole_number = 0.1;
 }  // namespace
 
 std::vector<std::size_t> lost_rows(const std::vector<double>& stamps_s) {
-  if (stamps_s.size() < 3) return {};
+  const auto finite = [](double x) { return std::isfinite(x); };
+  if (stamps_s.size() < 3 || !std::all_of(stamps_s.begin(), stamps_s.end(), finite)) return {};
   std::vector<double> steps(stamps_s.size() - 1);
   for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = stamps_s[i + 1] - stamps_s[i];
   const double step = upper_median(steps);

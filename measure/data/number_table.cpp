@@ -77,7 +77,9 @@ struct RowReader {
                                      : parse_number(field, header.dialect.decimal_comma, value);
       if (fault == FieldFault::none && header.dialect.decimal_comma && !known) marks.see(field, line_number, file);
       if (fault != FieldFault::none) {
-        if (missing == MissingNumbers::refuse && (more || fields == target.size()))
+        const bool kept = missing == MissingNumbers::keep_as_nan ||
+                          (missing == MissingNumbers::keep_gaps && fault != FieldFault::text);
+        if (!kept && (more || fields == target.size()))
           refuse(file, fmt::format("line {}, column {}", line_number, header.names[fields - 1]), fault, field);
         value = std::numeric_limits<double>::quiet_NaN();
       }

@@ -23,8 +23,12 @@ struct NumberTable {
 /// As a limit: every value that is there.
 inline constexpr std::size_t all_values = std::numeric_limits<std::size_t>::max();
 
-/// What becomes of a field that holds no finite number (empty, text, NaN, infinity).
-enum class MissingNumbers { refuse, keep_as_nan };
+/// What becomes of a field that holds no finite number.
+enum class MissingNumbers {
+  refuse,
+  keep_gaps,   ///< empty, NaN, infinity: NaN; text is refused
+  keep_as_nan  ///< text as well
+};
 
 /// The decimal mark of a CSV: as its dialect has it, or one that is known, and then the other mark, a blank or an
 /// apostrophe between groups of three digits part thousands.
@@ -40,7 +44,7 @@ CsvName bracketed_unit(const std::string& name);
 /// Reads a CSV of one of `csv_dialects` with one header line and perhaps a row of units below it; quoted names,
 /// CRLF, byte order mark, blanks and trailing empty lines are accepted. Only the `wanted` columns are read, in that
 /// order (empty: all), and at most `limit` rows of them. Throws InputError with the line for a row of another
-/// length, a field that is no finite number (MissingNumbers::refuse), a wanted column that is not there, two
+/// length, a field that is no finite number (unless `missing` keeps it), a wanted column that is not there, two
 /// columns of one name, and for a file without rows.
 NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& wanted = {},
                      MissingNumbers missing = MissingNumbers::refuse, std::size_t limit = all_values,

@@ -127,6 +127,10 @@ double simplest_rate(const std::vector<double>& stamps, const StampLine& fitted,
 TimeAxis even_time_axis(const std::vector<double>& stamps, const std::string& file, const RowPlace& place,
                         std::optional<double> expected_rate_hz) {
   if (stamps.size() < 2) throw InputError(file, "", "has fewer than two samples", "a record needs many samples");
+  const auto is_missing = [](double t) { return !std::isfinite(t); };
+  if (const auto missing = std::find_if(stamps.begin(), stamps.end(), is_missing); missing != stamps.end())
+    throw InputError(file, place.of(static_cast<std::size_t>(missing - stamps.begin())),
+                     "the time stamp is no finite number", "leave out rows without a time: short gaps are filled");
   if (const std::optional<TimeAxis> axis = axis_of_rounded(stamps, expected_rate_hz)) return *axis;
   check_steps(stamps, file, place);
   const StampLine fitted = fit_line(stamps);

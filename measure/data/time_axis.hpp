@@ -23,12 +23,13 @@ struct TimeAxis {
   double jitter_s = 0;  ///< rms scatter of the stamps about it, where that is more than how they are rounded
 };
 
-/// Checks that finite time stamps increase evenly and gives their start and rate. The rate is the least-squares
-/// line's, or rather the simplest number that follows the stamps as closely as that line: `expected_rate_hz` if it
-/// does, else the rate or step with the fewest digits. Stamps may jitter by a quarter of the step. What
-/// is left of them may be rounding: to the digits that all stamps are printed with, to single precision, or (steps
-/// of two neighbouring sizes) to the ticks of a clock; anything else above a millionth of the step is jitter_s.
-/// Throws InputError naming `file` and the row for a gap, a repeated or backward stamp.
+/// Checks that time stamps are finite and increase evenly and gives their start and rate. The rate is the
+/// least-squares line's, or rather the simplest number that follows the stamps as closely as that line:
+/// `expected_rate_hz` if it does, else the rate or step with the fewest digits. Stamps may jitter by a quarter of
+/// the step. What is left of them may be rounding: to the digits that all stamps are printed with, to single
+/// precision, or (steps of two neighbouring sizes) to the ticks of a clock; anything else above a millionth of the
+/// step is jitter_s. Throws InputError naming `file` and the row for a gap, a stamp that is no number, a repeated
+/// or backward one.
 TimeAxis even_time_axis(const std::vector<double>& stamps, const std::string& file, const RowPlace& place,
                         std::optional<double> expected_rate_hz = {});
 

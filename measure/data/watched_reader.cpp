@@ -34,11 +34,11 @@ std::size_t mend(Record& record, const Treatment& treatment) {
   return left;
 }
 
-// What takes the place of rows that the file does not hold lies on no converter's lattice.
-void leave_out(std::span<const double> samples, const std::vector<std::size_t>& lost, ChannelValues& values) {
+// What takes the place of samples that the file does not hold lies on no converter's lattice.
+void leave_out(std::span<const double> samples, const std::vector<std::size_t>& filled, ChannelValues& values) {
   std::vector<double> read;
   for (std::size_t i = 0; i < samples.size(); ++i)
-    if (!std::binary_search(lost.begin(), lost.end(), i)) read.push_back(samples[i]);
+    if (!std::binary_search(filled.begin(), filled.end(), i)) read.push_back(samples[i]);
   values.sorted = in_order(read);
   values.grid = grid_of_sorted(values.sorted);
 }
@@ -65,9 +65,10 @@ Record WatchedReader::read(std::size_t index) {
   }
   Seen seen;
   std::vector<ChannelValues> values;
-  for (const std::vector<double>& samples : record.channels) {
-    values.push_back(values_of(samples));
-    if (!record.lost.empty()) leave_out(samples, record.lost, values.back());
+  for (std::size_t c = 0; c < record.channels.size(); ++c) {
+    values.push_back(values_of(record.channels[c]));
+    if (const auto filled = filled_samples(record, c); !filled.empty())
+      leave_out(record.channels[c], filled, values.back());
     seen.clipping.push_back(values.back().clipping);
   }
   seen.jitter_of_step = record.jitter_s * record.sample_rate_hz;

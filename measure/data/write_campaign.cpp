@@ -38,8 +38,9 @@ void check_record(const Campaign& campaign, const RecordEntry& entry, const Reco
     const std::vector<double>& samples = record.channels[c];
     if (samples.size() != record.samples() || samples.size() < 2)
       throw std::invalid_argument("write_campaign: channels of a record need one length, two samples or more");
+    const std::vector<std::size_t> none = filled_samples(record, c);
     for (std::size_t i = 0; i < samples.size(); ++i)
-      if (!std::isfinite(samples[i]))
+      if (!std::isfinite(samples[i]) && !std::binary_search(none.begin(), none.end(), i))
         throw InputError(folder.string(), entry.file + ", channel " + campaign.channels[c].name,
                          fmt::format("sample {} is not a finite number", i + 1),
                          "only finite samples can be stored");

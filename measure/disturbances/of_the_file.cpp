@@ -22,14 +22,16 @@ void find_clipped(const SearchedRecord& record, std::vector<Disturbance>& found)
 
 void find_lost_samples(const SearchedRecord& record, std::vector<Disturbance>& found) {
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
-    const std::size_t missing = record.channels[c].missing, rows = record.lost_rows;
-    if (missing + rows == 0) continue;
-    Disturbance lost = record.found("lost_samples", c, static_cast<double>(missing + rows));
+    const std::size_t missing = record.channels[c].missing, rows = record.lost_rows,
+                      cells = record.channels[c].filled + missing;
+    if (cells + rows == 0) continue;
+    Disturbance lost = record.found("lost_samples", c, static_cast<double>(cells + rows));
     lost.unit = "samples";
     lost.share = lost.size / static_cast<double>(record.total);
     if (missing == 0) lost.treated = "masked";
-    lost.text = missing == 0 ? fmt::format("{} of {} samples are not in the file", rows, record.total)
-                             : fmt::format("{} of {} samples are no numbers", missing, record.total);
+    if (rows > 0) lost.text = fmt::format("{} of {} samples are not in the file", rows, record.total);
+    if (cells > 0)
+      lost.text += fmt::format("{}{} of {} samples are no numbers", rows > 0 ? ", " : "", cells, record.total);
     found.push_back(std::move(lost));
   }
 }

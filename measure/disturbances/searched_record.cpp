@@ -80,6 +80,7 @@ SearchedRecord searched(const Campaign& campaign, std::size_t index, const Recor
     channel.values = &values[c];
     channel.missing = static_cast<std::size_t>(
         std::count_if(samples.begin(), samples.end(), [](double x) { return !std::isfinite(x); }));
+    if (c < record.no_numbers.size()) channel.filled = record.no_numbers[c].size();
     channel.rms = stretch[c].empty() ? 0 : rms_about_mean(stretch[c]);
     if (!stretch[c].empty()) {
       channel.lines = find_lines(stretch[c], result.rate, result.level, &channel.powers);

@@ -19,6 +19,7 @@ struct SearchedChannel {
   std::span<const double> samples;        ///< of the longest stretch in which no channel lacks a sample
   const ChannelValues* values = nullptr;  ///< of them
   std::size_t missing = 0;                ///< samples of the record that are no finite numbers
+  std::size_t filled = 0;                 ///< that are none in its file, and follow from what is around them
   double rms = 0;                         ///< about the mean
   std::vector<Line> lines;                ///< that stand out of the spectrum around them
   std::vector<double> powers;             ///< of that spectrum

@@ -35,10 +35,11 @@ std::vector<std::size_t> wrong_samples(const SearchedRecord& look, std::size_t c
   return wrong;
 }
 
-// Rows that the file does not hold were no values of the converter, nor is what replaces wrong samples.
-std::vector<std::size_t> not_rounded(const Record& record, const std::vector<std::size_t>& masked) {
-  std::vector<std::size_t> all = masked;
-  all.insert(all.end(), record.lost.begin(), record.lost.end());
+// Samples that the file does not hold were no values of the converter, nor is what replaces wrong ones.
+std::vector<std::size_t> not_rounded(const Record& record, std::size_t channel,
+                                     const std::vector<std::size_t>& masked) {
+  std::vector<std::size_t> all = filled_samples(record, channel);
+  all.insert(all.end(), masked.begin(), masked.end());
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -57,7 +58,7 @@ std::vector<RoundedChannel> rounded_channels(const SearchedRecord& look, const R
     const std::optional<ConverterLattice> lattice = repeating_lattice(look.channels[c], look.level);
     if (!lattice) continue;
     RoundedChannel& channel =
-        rounded.emplace_back(c, *lattice, std::vector<double>(), not_rounded(record, masked[c]));
+        rounded.emplace_back(c, *lattice, std::vector<double>(), not_rounded(record, c, masked[c]));
     std::vector<Line> lines = look.channels[c].lines;
     std::stable_sort(lines.begin(), lines.end(),
                      [](const Line& a, const Line& b) { return a.amplitude > b.amplitude; });

@@ -151,9 +151,9 @@ TEST_F(CampaignFolder, RecordComplaintsNameFileAndPlace) {
   } cases[] = {
       {"t,base\n0,1\n0.1,2\n", {"line 1", "'tip'", "t, base"}},
       {"t,base,tip\n0,1,2\n0.1,x,4\n0.2,5,6\n", {"line 3", "base", "'x'", "a number"}},
-      {"t,base,tip\n0,1,2\n0.1,nan,4\n0.2,5,6\n", {"line 3", "base", "not a finite number"}},
-      {"t,base,tip\n0,1,2\n0.1,1e999,4\n0.2,5,6\n", {"line 3", "base", "not a finite number"}},
-      {"t,base,tip\n0,1,2\n0.1,,4\n0.2,5,6\n", {"line 3", "base", "is empty"}},
+      {"t,base,tip\n0,1,2\n0.1,nan,4\n0.2,5,6\n", {"line 3", "base", "no finite number"}},
+      {"t,base,tip\n0,1,2\n0.1,1e999,4\n0.2,5,6\n", {"line 3", "base", "no finite number"}},
+      {"t,base,tip\n0,1,2\n0.1,,4\n0.2,5,6\n", {"line 3", "base", "no finite number"}},
       {"t,base,tip\n0,1,2\n0.1,3\n0.2,5,6\n", {"line 3", "2 fields", "3"}},
       {"t,base,tip\n0,1,2\n0.1,3,4\n0.1,5,6\n", {"line 4", "repeats"}},
       {"t,base,tip\n0,1,2\n0.1,3,4\n0.05,5,6\n0.15,1,1\n", {"line 4", "backwards"}},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <numbers>
 #include <random>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
+#include "measure/data/inspection.hpp"
 #include "measure/data/lost_rows.hpp"
 #include "measure/data/watched_reader.hpp"
 #include "measure/disturbances/catalogue.hpp"
@@ -88,6 +90,62 @@ TEST_F(MaskedSamples, RowsThatAreNotInTheFileAreFilled) {
   ASSERT_NE(listed, found.end());
   EXPECT_EQ(listed->size, 5);
   EXPECT_EQ(listed->treated, "masked");
+}
+
+// Puts other text into cells of the response, by line of the file.
+void put(const fs::path& file, const std::map<std::size_t, std::string>& cells) {
+  std::ifstream from(file);
+  std::string text, line;
+  for (std::size_t number = 1; std::getline(from, line); ++number) {
+    if (const auto cell = cells.find(number); cell != cells.end())
+      line = line.substr(0, line.rfind(',') + 1) + cell->second;
+    text += line + '\n';
+  }
+  from.close();
+  std::ofstream(file) << text;
+}
+
+TEST_F(MaskedSamples, CellsThatAreNoNumbersAreFilledBesideLostRows) {
+  const std::vector<double> x = signal(1e-3);
+  const std::vector<std::size_t> lost = {100, 101};
+  const Campaign campaign = written(folder, x, lost);
+  put(folder / "records/0001.csv", {{52, "nan"}, {53, ""}, {2000, "NaN"}, {3500, "-inf"}});
+  const Record record = read_masked(campaign);
+  EXPECT_EQ(record.lost, lost);
+  // Line 2 is sample 0; from sample 102 on two lines are missing.
+  EXPECT_EQ(record.no_numbers.at(1), (std::vector<std::size_t>{50, 51, 2000, 3500}));
+  EXPECT_TRUE(record.no_numbers.at(0).empty());
+  for (std::size_t i = 0; i < masked_count; ++i) EXPECT_NEAR(record.channels[1][i], x[i], 0.01) << i;
+  const std::vector<Disturbance> found = find_disturbances(campaign, 0, record);
+  for (const std::size_t channel : {0U, 1U}) {
+    const auto listed = std::find_if(found.begin(), found.end(), [&](const Disturbance& d) {
+      return d.kind == "lost_samples" && d.channel == channel;
+    });
+    ASSERT_NE(listed, found.end());
+    EXPECT_EQ(listed->size, channel == 0 ? 2 : 6);
+    EXPECT_EQ(listed->treated, "masked");
+  }
+  const RecordInspection inspected = inspect_records(campaign).front();
+  EXPECT_EQ(inspected.channels[1].missing, 4u);
+  EXPECT_EQ(inspected.channels[1].faults.front().kind, "missing");
+  EXPECT_TRUE(inspected.faults.empty());
+}
+
+TEST_F(MaskedSamples, CellsThatNothingTellsAreRefusedAtTheirPlace) {
+  const Campaign campaign = written(folder, signal(1e-3), {});
+  const auto refusal = [&](const std::map<std::size_t, std::string>& cells) {
+    put(folder / "records/0001.csv", cells);
+    try {
+      read_record(campaign, campaign.records[0]);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  std::map<std::size_t, std::string> run;
+  for (std::size_t line = 700; line < 720; ++line) run[line] = "nan";
+  EXPECT_NE(refusal(run).find("line 700, column tip: 20 in a row are no finite number"), std::string::npos);
+  EXPECT_NE(refusal({{900, "ok"}}).find("line 900, column tip: 'ok' is not a number"), std::string::npos);
 }
 
 TEST_F(MaskedSamples, ALongGapIsRefusedAtItsPlace) {

@@ -1,0 +1,67 @@
+#include "measure/data/missing_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "input/input_error.hpp"
+#include "measure/data/campaign.hpp"
+#include "numerics/fill_gaps.hpp"
+
+namespace secular {
+
+MissingCells missing_cells(const std::vector<std::vector<double>>& channels) {
+  MissingCells missing;
+  for (const std::vector<double>& samples : channels) {
+    missing.emplace_back();
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      if (!std::isfinite(samples[i])) missing.back().push_back(i);
+  }
+  return missing;
+}
+
+MissingCells fill_missing_cells(MissingCells missing, std::vector<std::vector<double>>& channels) {
+  for (std::size_t c = 0; c < missing.size(); ++c) {
+    if (missing[c].empty()) continue;
+    for (const std::size_t i : missing[c]) channels[c][i] = 0;  // whatever it is
+    const std::vector<std::size_t> left = fill_gaps(channels[c], missing[c]);
+    for (const std::size_t i : left) channels[c][i] = std::nan("");
+    std::erase_if(missing[c], [&](std::size_t i) { return std::binary_search(left.begin(), left.end(), i); });
+  }
+  return missing;
+}
+
+void refuse_long_gap(const std::vector<double>& samples, const std::string& channel, const std::string& file,
+                     const RowPlace& place) {
+  const auto is_missing = [](double x) { return !std::isfinite(x); };
+  const auto first = std::find_if(samples.begin(), samples.end(), is_missing);
+  const auto length = std::find_if_not(first, samples.end(), is_missing) - first;
+  throw InputError(
+      file, fmt::format("{}, column {}", place.of(static_cast<std::size_t>(first - samples.begin())), channel),
+      length == 1 ? std::string("is no finite number, and what is around it does not tell it")
+                  : fmt::format("{} in a row are no finite numbers", length),
+      fmt::format("up to {} in a row are replaced by what enough numbers around them tell; cut the record around "
+                  "longer gaps",
+                  longest_filled));
+}
+
+void move_behind(const std::vector<std::size_t>& lost, MissingCells& cells) {
+  for (std::vector<std::size_t>& places : cells) {
+    std::size_t before = 0;  // lost rows
+    for (std::size_t& place : places) {
+      while (before < lost.size() && lost[before] <= place + before) ++before;
+      place += before;
+    }
+  }
+}
+
+std::vector<std::size_t> filled_samples(const Record& record, std::size_t channel) {
+  std::vector<std::size_t> all = record.lost;
+  if (channel < record.no_numbers.size())
+    all.insert(all.end(), record.no_numbers[channel].begin(), record.no_numbers[channel].end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+}  // namespace secular
