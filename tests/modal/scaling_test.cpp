@@ -9,8 +9,8 @@
 #include "measure/modal/modal_assurance.hpp"
 #include "measure/modal/modal_mass.hpp"
 #include "measure/modal/mode_scaling.hpp"
-#include "measure/modal/pole.hpp"
 #include "measure/modal/residue_conversion.hpp"
+#include "tests/modal/pole_of.hpp"
 
 namespace secular {
 namespace {
