@@ -16,8 +16,8 @@ struct RecordLot {
   double late_s = 0;            ///< of the responses behind the excitation
 };
 
-/// What disturbs the records of a campaign and is no cause of a gap, by the names of EFFECTS.md. A size of 0: it is
-/// not there. Sizes by channel are in the channel's unit.
+/// What disturbs the records of a campaign and is no cause of a gap, by the names of docs/simulating.md. A size of
+/// 0: it is not there. Sizes by channel are in the channel's unit.
 struct Disturbances {
   std::vector<std::string> kinds;  ///< of those that are there, in the order of `disturbance_kinds`
   std::vector<double> hum;         ///< foreign_tone: amplitude at `hum_hz`, a third of it at 3 times that

@@ -36,7 +36,7 @@ Reality reality_of(const Specimen& specimen);
 void switch_on(const Withheld& withheld, const Specimen& specimen, const std::vector<double>& peak,
                Reality& reality);
 
-/// Names of EFFECTS.md that a family can show, and effects that no catalogue lists.
+/// Names of docs/simulating.md that a family can show, and effects that no catalogue lists.
 std::vector<std::string> effects_of_family(const std::string& family);
 std::vector<std::string> uncatalogued_effects();
 bool is_measurement_fault(const std::string& effect);

@@ -9,10 +9,13 @@
 
 namespace secular::blind {
 
-/// 95 % interval of a probability from `hits` of `trials` (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927).
+/// Of a probability.
 struct Interval {
   double low = 0, high = 1;
 };
+
+/// 95 % interval of a probability from `hits` of `trials` (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927); all of [0,
+/// 1] without trials.
 Interval wilson(std::size_t hits, std::size_t trials);
 
 /// A figure beside its target.

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 #include "blind/signature.hpp"
+#include "input/numerical_failure.hpp"
 
 namespace secular::blind {
 namespace {
@@ -83,9 +83,9 @@ void set_strength(Truth& truth, const Specimen& specimen, const Signatures& sign
       return truth.relative > 0 ? std::min(wanted, cap / truth.relative) : wanted;
     };
     const bool last = attempt == 5;
-    double factor = factor_to_target(signatures.linear_remainder(change, all));
+    double factor = factor_to_target(signatures.linear_unexplained(change, all));
     if (last || std::abs(std::log(factor)) < 0.2) {
-      factor = factor_to_target(signatures.remainder(change, all));
+      factor = factor_to_target(signatures.unexplained(change, all));
       if (last || std::abs(std::log(factor)) < 0.4) break;
     }
     factor = std::clamp(factor, 0.02, 50.0);
@@ -161,7 +161,7 @@ double least_left_by(Withheld rival, double raw_sigma, double seen, const SeenCh
       rival.coefficient *= std::clamp(raw_sigma / size, 0.02, 50.0);
       continue;
     }
-    const Eigen::VectorXd own_taken_off = signatures.remainder(change, all);
+    const Eigen::VectorXd own_taken_off = signatures.unexplained(change, all);
     const double length = own_taken_off.norm();
     if (length == 0) break;
     Eigen::MatrixXd columns(own.rows(), own.cols() + 1);
@@ -176,7 +176,7 @@ double least_left_by(Withheld rival, double raw_sigma, double seen, const SeenCh
     rival.coefficient *= std::copysign(std::clamp(std::abs(factor), 0.02, 50.0), factor);
   }
   if (!(least < near * left.norm())) return least;
-  return std::min(least, signatures.refitted_remainder(truth.whole, all, with_rival, rival.coefficient).norm());
+  return std::min(least, signatures.refitted_unexplained(truth.whole, all, with_rival, rival.coefficient).norm());
 }
 
 /// With what explanations of one case are compared.
@@ -194,7 +194,7 @@ void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, cons
   Reality reality = reality_of(c.specimen);
   switch_on(truth.withheld, c.specimen, peak, reality);
   SeenChange change{signatures, all, signatures.change(reality, all), {}};
-  change.left = signatures.refitted_remainder(change.whole, all);
+  change.left = signatures.refitted_unexplained(change.whole, all);
   truth.sigma = signatures.strength(change.left, all);
   // One sensor alone has no sensitivity that the model's own parameters would not take up.
   const bool hidden = truth.withheld.effect == "sensor_gain" && c.specimen.measurement.names.size() == 2;
@@ -430,7 +430,8 @@ SealedCase draw_case(const CasePlan& plan, std::uint64_t seed) {
     c.decays = lasting_decays(c);
     if (c.decays.size() == c.specimen.decay_starts.size()) return c;
   }
-  throw std::runtime_error(fmt::format("case {} of seed {}: none of its draws stays bounded", plan.number, seed));
+  throw NumericalFailure(Ending::ran_away,
+                         fmt::format("case {} of seed {}: none of its draws stays bounded", plan.number, seed));
 }
 
 }  // namespace secular::blind

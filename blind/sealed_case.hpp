@@ -74,7 +74,7 @@ Motion dwell_motion(const SealedCase& sealed, const Dwell& dwell, std::size_t re
 /// The true value of every symbol of the model file, in its units.
 std::map<std::string, double> numbers_of(const Specimen& specimen);
 
-/// Draws everything of a case. Depends on the seed and the plan alone. Throws std::runtime_error where every
+/// Draws everything of a case. Depends on the seed and the plan alone. Throws NumericalFailure where every
 /// attempt grows beyond bounds.
 SealedCase draw_case(const CasePlan& plan, std::uint64_t seed);
 

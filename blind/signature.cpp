@@ -5,7 +5,8 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "input/numerical_failure.hpp"
 
 namespace secular::blind {
 namespace {
@@ -122,7 +123,8 @@ Eigen::MatrixX2d Signatures::excitation_noise(bool all_ensembles) const {
   constexpr double step = 0.002;
   const Eigen::VectorXd& here = nominal(all_ensembles);
   const Eigen::VectorXd larger = (amplitudes(reality_of(specimen_), all_ensembles, 1 + step) - here) / step;
-  if (!larger.allFinite()) throw std::runtime_error("a dwell of the model alone has no bounded motion");
+  if (!larger.allFinite())
+    throw NumericalFailure(Ending::ran_away, "a dwell of the model alone has no bounded motion");
   Eigen::MatrixX2d noise = Eigen::MatrixX2d::Zero(here.size(), 2);
   const Eigen::Index width = static_cast<Eigen::Index>(noise_sd_.size()) * components();
   const auto driven = static_cast<Eigen::Index>(specimen_.settling.periods_of_two);  // harmonic of the fundamental
@@ -229,7 +231,7 @@ const Eigen::MatrixXd& Signatures::own_parameters(bool all_ensembles) const {
   return columns;
 }
 
-Eigen::VectorXd Signatures::linear_remainder(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
+Eigen::VectorXd Signatures::linear_unexplained(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
   const Eigen::MatrixXd& columns = own_parameters(all_ensembles);
   return change_seen - columns * columns.colPivHouseholderQr().solve(change_seen);
 }
@@ -243,7 +245,7 @@ Eigen::VectorXd Signatures::change_with_own(Reality reality, const Eigen::Vector
   return change(reality, all_ensembles);
 }
 
-Eigen::VectorXd Signatures::remainder(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
+Eigen::VectorXd Signatures::unexplained(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
   const Eigen::MatrixXd& columns = own_parameters(all_ensembles);
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
   Eigen::VectorXd fitted = qr.solve(change_seen), best = change_seen - columns * fitted;
@@ -262,8 +264,8 @@ namespace {
 
 // What is left of `seen` by Gauss and Newton from zero on; Broyden's update after every step, slopes anew where
 // these lead no further, halving where even those do not.
-Eigen::VectorXd least_remainder(const Eigen::VectorXd& seen, Eigen::MatrixXd slopes,
-                                const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& change_of) {
+Eigen::VectorXd least_unexplained(const Eigen::VectorXd& seen, Eigen::MatrixXd slopes,
+                                  const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& change_of) {
   constexpr double worth_a_step = 0.97;
   constexpr int most_steps = 15, most_slopes = 2, most_halvings = 5;
   Eigen::VectorXd fitted = Eigen::VectorXd::Zero(slopes.cols()), left = seen - change_of(fitted);
@@ -300,22 +302,22 @@ Eigen::VectorXd least_remainder(const Eigen::VectorXd& seen, Eigen::MatrixXd slo
 
 }  // namespace
 
-Eigen::VectorXd Signatures::refitted_remainder(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
-  return least_remainder(change_seen, own_parameters(all_ensembles), [&](const Eigen::VectorXd& moved) {
+Eigen::VectorXd Signatures::refitted_unexplained(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
+  return least_unexplained(change_seen, own_parameters(all_ensembles), [&](const Eigen::VectorXd& moved) {
     return change_with_own(reality_of(specimen_), moved, all_ensembles);
   });
 }
 
-Eigen::VectorXd Signatures::refitted_remainder(const Eigen::VectorXd& change_seen, bool all_ensembles,
-                                               const std::function<Reality(double coefficient)>& rival,
-                                               double coefficient_at_first) const {
+Eigen::VectorXd Signatures::refitted_unexplained(const Eigen::VectorXd& change_seen, bool all_ensembles,
+                                                 const std::function<Reality(double coefficient)>& rival,
+                                                 double coefficient_at_first) const {
   const Eigen::MatrixXd& own = own_parameters(all_ensembles);
   const Eigen::VectorXd of_rival = change(rival(coefficient_at_first), all_ensembles);
   const double norm = of_rival.norm();
   if (!std::isfinite(norm) || norm == 0) return change_seen;
   Eigen::MatrixXd slopes(own.rows(), own.cols() + 1);
   slopes << own, of_rival / norm;
-  return least_remainder(change_seen, std::move(slopes), [&](const Eigen::VectorXd& moved) {
+  return least_unexplained(change_seen, std::move(slopes), [&](const Eigen::VectorXd& moved) {
     const double more = moved(own.cols()) / norm;
     return change_with_own(rival(coefficient_at_first * (1 + more)), moved, all_ensembles);
   });

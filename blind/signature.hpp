@@ -31,16 +31,16 @@ class Signatures {
   const Eigen::MatrixXd& own_parameters(bool all_ensembles) const;
   /// What is left of `change` when the model's own parameters are fitted to it (Gauss and Newton, the linearisation
   /// at the nominal values).
-  Eigen::VectorXd remainder(const Eigen::VectorXd& change, bool all_ensembles) const;
+  Eigen::VectorXd unexplained(const Eigen::VectorXd& change, bool all_ensembles) const;
   /// The same to convergence: slopes follow the fit, which a large change may lead far. Costs many times as much.
-  Eigen::VectorXd refitted_remainder(const Eigen::VectorXd& change, bool all_ensembles) const;
+  Eigen::VectorXd refitted_unexplained(const Eigen::VectorXd& change, bool all_ensembles) const;
   /// The same with the coefficient of a rival fitted beside them, from `coefficient` on: `rival` is the specimen's
   /// reality with it switched on.
-  Eigen::VectorXd refitted_remainder(const Eigen::VectorXd& change, bool all_ensembles,
-                                     const std::function<Reality(double coefficient)>& rival,
-                                     double coefficient) const;
+  Eigen::VectorXd refitted_unexplained(const Eigen::VectorXd& change, bool all_ensembles,
+                                       const std::function<Reality(double coefficient)>& rival,
+                                       double coefficient) const;
   /// The same after the first step alone.
-  Eigen::VectorXd linear_remainder(const Eigen::VectorXd& change, bool all_ensembles) const;
+  Eigen::VectorXd linear_unexplained(const Eigen::VectorXd& change, bool all_ensembles) const;
 
   /// Norm of a change over one ensemble of one dwell, root mean square over the dwells: in standard deviations.
   double strength(const Eigen::VectorXd& change, bool all_ensembles) const;
@@ -52,7 +52,8 @@ class Signatures {
   Eigen::Index components() const { return static_cast<Eigen::Index>(2 * harmonics_ + 1); }
   /// Of one channel's noise alone: each divided by its own standard deviation.
   Eigen::VectorXd difference(const Reality& reality, bool all_ensembles) const;
-  /// What errors of the excitation's amplitude and phase of one standard deviation do to the responses.
+  /// What errors of the excitation's amplitude and phase of one standard deviation do to the responses. Throws
+  /// NumericalFailure where a dwell of the model alone grows beyond bounds.
   Eigen::MatrixX2d excitation_noise(bool all_ensembles) const;
   /// The same of all that counts as noise of a whole dwell, a column each.
   const Eigen::MatrixXd& noise_of_dwells(bool all_ensembles) const;
@@ -77,6 +78,7 @@ inline constexpr std::size_t ensembles_per_dwell = 6;
 struct Levels {
   std::vector<double> median_rms, peak;
 };
+/// By channel, in its unit, without noise; for a reality whose dwells stay bounded.
 Levels levels_of(const Specimen& specimen, const Reality& reality);
 
 /// Drive of dwell `d` in a reality.

@@ -135,8 +135,8 @@ struct Accelerations {
 };
 Accelerations accelerations(const Structure& structure, const Drive& drive, const Instant& at);
 
-/// The coefficient that switches an effect of EFFECTS.md, or one of those outside of it, on; nullptr for faults of
-/// the excitation or the measurement.
+/// The coefficient that switches an effect of docs/simulating.md, or one of those outside of it, on; nullptr for
+/// faults of the excitation or the measurement.
 double* coefficient(Structure& structure, const std::string& effect, std::size_t mode);
 
 }  // namespace secular::blind

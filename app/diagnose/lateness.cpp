@@ -5,9 +5,11 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
 #include "app/shared/identification.hpp"
 #include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 #include "measure/disturbances/catalogue.hpp"
 #include "numerics/explained_variation.hpp"
 
@@ -72,10 +74,15 @@ Lateness find_lateness(const DiagnosisRequest& request) {
   wanted.window = request.window;
   wanted.threads = request.threads;
   Identification id;
+  const auto not_found_out = [](const std::exception& error) -> Lateness {
+    return {{}, {}, false, {}, fmt::format("whether records are late was not found out: {}", error.what())};
+  };
   try {
     id = identify(wanted);
   } catch (const InputError& error) {
-    return {{}, {}, false, {}, fmt::format("whether records are late was not found out: {}", error.what())};
+    return not_found_out(error);
+  } catch (const NumericalFailure& failure) {
+    return not_found_out(failure);
   }
   Lateness result;
   result.frequency_sd = scatter_of_decays(id);

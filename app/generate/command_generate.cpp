@@ -12,6 +12,7 @@
 #include "app/shared/shipped_models.hpp"
 #include "codegen/cpp/emit_cpp.hpp"
 #include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 #include "perturb/model.hpp"
 
 namespace secular::app {
@@ -47,8 +48,10 @@ void add_generate_command(CLI::App& root, Action& chosen) {
                            "give the model another name");
         for (const CanonicalCase& resonance : model.cases)
           if (!resonance.certificate.holds)
-            throw InputError(path, "case " + resonance.name, "its certificate does not hold",
-                             "see `secular derive`: no code is made from an expansion that is not certified");
+            throw NumericalFailure(Ending::out_of_range,
+                                   path + ", case " + resonance.name +
+                                       ": its certificate does not hold; see `secular derive`: no code is made "
+                                       "from an expansion that is not certified");
         names.push_back(model.name);
         for (GeneratedFile& file : emit_cpp(model)) files.push_back(std::move(file));
       }

@@ -81,11 +81,12 @@ Estimate first_estimate(const Identification& id, const MeasuredUnits& units, co
     return estimate(id.measured, units, options);
   } catch (const NumericalFailure& failure) {
     const std::size_t conditions = count_of_conditions(id.measured);
-    throw InputError(
-        id.campaign.folder.string(), "",
-        fmt::format("{} condition{} of it determine{} no parameters of {} ({})", conditions,
-                    conditions == 1 ? "" : "s", conditions == 1 ? "s" : "", id.model->name, failure.what()),
-        "dwells at several levels and frequencies around the resonance");
+    throw NumericalFailure(
+        failure.ending(),
+        fmt::format("{}: {} condition{} of it determine{} no parameters of {} ({}); dwells at several levels and "
+                    "frequencies around the resonance may",
+                    id.campaign.folder.string(), conditions, conditions == 1 ? "" : "s", conditions == 1 ? "s" : "",
+                    id.model->name, failure.what()));
   }
 }
 

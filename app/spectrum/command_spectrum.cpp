@@ -21,6 +21,7 @@
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/data_file.hpp"
+#include "measure/data/number_range.hpp"
 #include "measure/observe/observation_set.hpp"
 #include "measure/observe/record_window.hpp"
 #include "measure/signal/band_pass.hpp"
@@ -160,6 +161,8 @@ RecordSpectrum analysed(const SpectrumArguments& options, const Columns& columns
                        fmt::format("has {} samples, {} has {}", columns.values[c].size(),
                                    columns.names[chosen.front()], samples),
                        "choose channels of one length with --channel");
+  for (const std::size_t c : chosen)
+    require_number_range(columns.values[c], options.source, "channel " + columns.names[c]);
   const auto [first, count] = range_of(columns.start_s, columns.sample_rate_hz, samples, options.window);
   const auto part = [&](std::size_t c) {
     return Eigen::Map<const Eigen::VectorXd>(columns.values[c].data(), static_cast<Index>(samples))

@@ -144,8 +144,8 @@ Figure spatial_figure(const RecordSpectrum& record) {
 // From 200 dB below the highest ordinate upwards: below that there is rounding.
 Axis level_axis(const std::string& label, const std::string& unit, const Eigen::MatrixXd& amplitude) {
   const double top = amplitude.maxCoeff();
-  const double bottom =
-      std::max(1e-10 * top, 0.5 * std::max(1e-300, amplitude.bottomRows(amplitude.rows() - 1).minCoeff()));
+  if (!(top > 0)) return {label, unit, true, {}};  // of a constant nothing is left beside its mean
+  const double bottom = std::max(1e-10 * top, 0.5 * amplitude.bottomRows(amplitude.rows() - 1).minCoeff());
   return {label, unit, true, std::pair(bottom, 2 * top)};
 }
 

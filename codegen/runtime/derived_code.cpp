@@ -7,6 +7,7 @@
 #include "codegen/runtime/content_hash.hpp"
 #include "codegen/runtime/program_identity.hpp"
 #include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 #include "perturb/model.hpp"
 #include "perturb/with_effects.hpp"
 
@@ -63,8 +64,9 @@ CanonicalModel derive_for_code(const ModelRequest& request, std::vector<std::str
   CanonicalModel canonical = canonical_model(model, {}, CanonicalContent::code);
   for (const CanonicalCase& resonance : canonical.cases)
     if (!resonance.certificate.holds)
-      throw InputError(request.file, "case " + resonance.name, "its certificate does not hold",
-                       "see `secular derive`: no code is made from an expansion that is not certified");
+      throw NumericalFailure(Ending::out_of_range, request.file + ", case " + resonance.name +
+                                                       ": its certificate does not hold; see `secular derive`: no "
+                                                       "code is made from an expansion that is not certified");
   std::erase_if(canonical.cases, [&](const CanonicalCase& resonance) {
     try {
       refuse_unsupported(canonical, resonance);

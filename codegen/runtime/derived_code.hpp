@@ -22,7 +22,8 @@ struct ModelRequest {
 };
 
 /// The canonical model of a request, without cases that no code can be made of; these are named in `notes`. A case
-/// that was asked for by name and cannot be emitted, or whose certificate does not hold, is an InputError.
+/// that was asked for by name and cannot be emitted is an InputError, one whose certificate does not hold a
+/// NumericalFailure.
 CanonicalModel derive_for_code(const ModelRequest& request, std::vector<std::string>& notes);
 
 /// The same for interpretation: from the cache, or derived and put there; see canonical_json for what is kept.

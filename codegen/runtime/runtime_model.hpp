@@ -35,7 +35,7 @@ struct RuntimeModel {
 /// headers it includes, the compiler, its options and compiled_model_abi(). Without a compiler, or where its result
 /// cannot be loaded, the model is interpreted, from a derivation that is cached likewise. Throws InputError for
 /// what is wrong with the model, a case named in `options.cases` that cannot be emitted included; among all cases
-/// such a one is left out with a note.
+/// such a one is left out with a note. Throws NumericalFailure where a certificate does not hold.
 RuntimeModel load_runtime_model(const std::filesystem::path& file, const RuntimeModelOptions& options);
 
 }  // namespace secular

@@ -18,7 +18,8 @@ struct Nonstationarity {
 /// A dwell is unsteady where noise alone would vary as much less often than this.
 inline constexpr double unsteady_alarm = 1e-6;
 
-/// `amplitude`: by ensemble. `noise`: amplitudes beside the line, ensembles x frequencies.
+/// `amplitude`: by ensemble, in order of time. `noise`: amplitudes beside the line, ensembles x frequencies, in the
+/// same unit. Without noise, and of fewer than three ensembles, nothing: no freedom.
 Nonstationarity nonstationarity_of(const Eigen::VectorXcd& amplitude, const Eigen::MatrixXcd& noise);
 
 /// A test of all dwells together and of the worst alone.
@@ -28,6 +29,7 @@ struct NonstationarityTest {
   std::size_t record = 0;  ///< where it is largest
 };
 
+/// F law of the deviations over the noise. Dwells without freedom do not count; of none p is one.
 NonstationarityTest test_nonstationarity(const std::vector<Nonstationarity>& dwells);
 
 /// Whether one line of a dwell varies beyond the alarm.

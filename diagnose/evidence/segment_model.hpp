@@ -9,13 +9,13 @@ namespace secular {
 /// What the first samples of a segment are computed with.
 struct SegmentTrial {
   const Segment& segment;
-  Eigen::Index samples;
-  const Eigen::VectorXd& unknowns;
-  Eigen::VectorXd state;  ///< where it begins: displacements, then velocities
+  Eigen::Index samples;             ///< from its first one on
+  const Eigen::VectorXd& unknowns;  ///< the model's symbols, then those of the fault table
+  Eigen::VectorXd state;            ///< where it begins: displacements, then velocities, 2*modes
   std::vector<LinearChange> change = {};
 };
 
-/// Errors, channel after channel, with nothing at some samples.
+/// Errors, channel after channel of `samples` each, with zeros at the samples `at`.
 Eigen::VectorXd silenced(Eigen::VectorXd error, Eigen::Index samples, const std::vector<Eigen::Index>& at);
 
 /// What the full equations of motion and the sensors make of segments.
@@ -28,13 +28,14 @@ class SegmentModel {
   /// Unknown that is the offset of a response channel.
   std::size_t offset(std::size_t channel) const { return model_->symbols.size() + table_.offset(channel); }
 
-  /// Measured minus computed, in units of the noise, by trial. `jumps`: of the first trial's motion, see
+  /// Measured minus computed, in units of the noise, by trial: channel after channel, `samples` each. A motion that
+  /// passes a million times its beginning counts as zero from there on. `jumps`: of the first trial's motion, see
   /// StretchOfMotion.
   std::vector<Eigen::VectorXd> errors(const std::vector<SegmentTrial>& trials,
                                       std::vector<Eigen::Index>* jumps = nullptr) const;
   /// The state a segment begins at that fits it best; `state`: a guess, or empty.
   void find_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state) const;
-  /// Gauss-Newton over the first `samples`; returns the sum of squared errors.
+  /// Gauss-Newton over the first `samples` from `state` on, which moves; returns the sum of squared errors.
   double improve_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state,
                        Eigen::Index samples, const std::vector<Eigen::Index>& at_jumps = {}) const;
 

@@ -15,14 +15,14 @@ namespace {
 
 /// Columns shorter than this after own unknowns are taken out (rows of unit variance, strength of natural scale
 /// one) are not seen by the data.
-constexpr double unseen = 1e-3;
+constexpr double least_length = 1e-3;
 
 // What strengths with these slopes (per scale) would explain from `unknowns` on.
 Screening screen_slopes(const Refit& base, const MatrixXd& basis, const Candidate& candidate, VectorXd unknowns,
                         const MatrixXd& slopes, const VectorXd& scale) {
   const MatrixXd columns = without_span(basis, slopes);
   const MatrixXd seen = basis_of(columns);
-  if (seen.cols() == 0 || columns.norm() < unseen) return {};
+  if (seen.cols() == 0 || columns.norm() < least_length) return {};
   const double gain = (seen.transpose() * base.rows).squaredNorm();
   const VectorXd strength = -columns.completeOrthogonalDecomposition().solve(base.rows);
   for (std::size_t s = 0; s < candidate.strengths.size(); ++s)
@@ -52,7 +52,7 @@ Screening screen_from_least(const Discrepancy& discrepancy, const Refit& base, c
     put_shapes(candidate, shape, unknowns);
     unknowns(static_cast<Index>(candidate.strengths[0])) = candidate.least_strength;
     const VectorXd rows = discrepancy(unknowns);
-    if ((rows - base.rows).norm() < unseen) continue;
+    if ((rows - base.rows).norm() < least_length) continue;
     const double gain = base.chi_squared - without_span(basis, rows).squaredNorm();
     if (gain > best.gain || best.start.size() == 0) best = {std::max(0.0, gain), unknowns, {}};
   }

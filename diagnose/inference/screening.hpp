@@ -20,7 +20,9 @@ struct Screening {
 class KnownScales {
  public:
   explicit KnownScales(Eigen::Index unknowns) : scales_(Eigen::VectorXd::Zero(unknowns)) {}
+  /// `which`: indices of unknowns; `scale`: one each, zeros are passed over.
   void remember(const std::vector<std::size_t>& which, const Eigen::VectorXd& scale);
+  /// By unknown of the discrepancy, 0 where none is known.
   const Eigen::VectorXd& all() const { return scales_; }
 
  private:
@@ -28,13 +30,16 @@ class KnownScales {
 };
 
 /// Screens every candidate from the fit `base` on, start by start of their shapes, by slopes in the strengths of
-/// all at once.
+/// all at once. In the order of `candidates`; no gain for those that the data do not see and for passive
+/// ones whose strength would be negative. `discrepancy` is moved to the unknowns of `base` first (approach),
+/// `scales` are kept for the next screening. The result does not depend on `threads`.
 std::vector<Screening> screen_all(Discrepancy& discrepancy, const Refit& base,
                                   const std::vector<Candidate>& candidates, KnownScales& scales, unsigned threads);
 
-/// Columns without what an orthonormal basis spans.
+/// Columns without what an orthonormal basis spans: columns - basis basis' columns, both with a row each.
 Eigen::MatrixXd without_span(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& columns);
-/// Orthonormal basis of the columns, without directions that are rounding.
+/// Orthonormal basis of the columns, without directions whose singular value is below a millionth of the largest,
+/// of columns of unit length. No columns where all are zero.
 Eigen::MatrixXd basis_of(const Eigen::MatrixXd& columns);
 
 }  // namespace secular

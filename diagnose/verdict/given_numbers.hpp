@@ -27,7 +27,9 @@ enum class Judged {
   within_error_bars  ///< the numbers that were given, as far as their error bars reach
 };
 
+/// `fitted` without numbers, `within_error_bars` where any of them has an error bar.
 Judged whose_gap(const GivenNumbers& given);
+/// Words of a report: "given numbers".
 std::string to_string(Judged judged);
 
 /// Throws InputError where a number belongs to no symbol of `own`, or where numbers are given and a symbol of `own`

@@ -18,7 +18,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Standard deviation, relative, of a natural frequency about the observed one where nothing else tells it.
-constexpr double resonance_width = 0.005;
+constexpr double frequency_prior_sd = 0.005;
 
 /// Standard deviation, relative, of a lump that is given: far below what measurements tell, and far enough above
 /// rounding.
@@ -130,7 +130,7 @@ MatrixXd factor_of(const MatrixXd& covariance) {
 
 // A natural frequency that no regression separates from other changes of stiffness is still near the observed
 // one: that is what the resonance means. Without it, coefficients that hold it weakly would have to determine it.
-void add_resonance_widths(Estimation& e) {
+void add_frequency_priors(Estimation& e) {
   for (std::size_t k = 0; k < e.model.modes(); ++k) {
     bool estimated = false;
     for (std::size_t s = 0; s < e.fits.size(); ++s) {
@@ -144,7 +144,7 @@ void add_resonance_widths(Estimation& e) {
     near.index = {-1 - static_cast<int>(k)};
     near.combination = MatrixXd::Identity(1, 1);
     near.values = VectorXd::Constant(1, e.knowledge.natural_frequency[k]);
-    near.plain = MatrixXd::Constant(1, 1, std::pow(resonance_width * near.values(0), 2));
+    near.plain = MatrixXd::Constant(1, 1, std::pow(frequency_prior_sd * near.values(0), 2));
     near.degrees_of_freedom = std::numeric_limits<double>::infinity();
     e.lump_estimates.push_back(std::move(near));
   }
@@ -287,7 +287,7 @@ void share_parameters(Estimation& e) {
     e.used.push_back(std::move(used));
     e.single.push_back(static_cast<std::size_t>(single));
   }
-  add_resonance_widths(e);
+  add_frequency_priors(e);
   VectorXd start = VectorXd::Zero(static_cast<Index>(e.model.symbols.size()));
   for (Index p = 0; p < start.size(); ++p) {
     const std::string name(e.model.symbols[static_cast<std::size_t>(p)].name);

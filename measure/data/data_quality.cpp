@@ -7,6 +7,7 @@
 
 #include "measure/data/clipping.hpp"
 #include "measure/data/noise_floor.hpp"
+#include "measure/data/number_range.hpp"
 #include "measure/data/resolution.hpp"
 
 namespace secular {
@@ -92,6 +93,10 @@ ChannelQuality check_channel(std::span<const double> samples) {
     quality.rms = 0;
     if (finite > 1)  // a single number is a setting, no channel
       quality.faults.push_back({"constant", fmt::format("every sample is {}: a dead channel", quality.minimum)});
+    return quality;
+  }
+  if (const std::string fault = number_range_fault(samples); !fault.empty()) {
+    quality.faults.push_back({"range", fault});
     return quality;
   }
   const std::span<const double> whole = longest_finite(samples);

@@ -16,6 +16,7 @@
 #include "measure/data/matrix_lines.hpp"
 #include "measure/data/missing_cells.hpp"
 #include "measure/data/names.hpp"
+#include "measure/data/number_range.hpp"
 #include "measure/data/time_axis.hpp"
 #include "measure/data/unit.hpp"
 
@@ -206,6 +207,7 @@ ReadFile read_file(const std::filesystem::path& path, const ExpectedFile& expect
     record.channels.push_back(last ? std::move(variable.values) : variable.values);
     if (variable.unit.empty() && described->si_factor != 1)
       for (double& value : record.channels.back()) value *= described->si_factor;
+    require_number_range(record.channels.back(), data.file, "variable " + described->variable);
     if (record.channels.back().size() != count && !delays[record.channels.size() - 1])
       throw InputError(data.file, "variable " + described->variable,
                        fmt::format("has {} samples, {} has {}", record.channels.back().size(), first, count),

@@ -13,6 +13,7 @@
 #include "measure/data/lost_rows.hpp"
 #include "measure/data/matrix_lines.hpp"
 #include "measure/data/missing_cells.hpp"
+#include "measure/data/number_range.hpp"
 #include "measure/data/record_data.hpp"
 #include "measure/data/unit.hpp"
 
@@ -171,7 +172,7 @@ void look_at_file(const FileLook& look, const DataFile& data, const FileInspecti
   const std::size_t samples = data.vector(inspection.time).values.size();
   for (const DataVariable& variable : data.variables) {
     if (is_called_time(variable.name) || variable.name == inspection.time || !variable.fault.empty() ||
-        variable.values.size() != samples)
+        variable.values.size() != samples || !number_range_fault(variable.values).empty())
       continue;
     campaign.channels.push_back({variable.name, ChannelRole::response,
                                  variable.quantity.value_or(Quantity::displacement),

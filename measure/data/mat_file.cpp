@@ -12,8 +12,8 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <new>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -41,7 +41,7 @@ class FileInMemory {
     handle_ = memfd_create("secular", MFD_CLOEXEC);
     for (std::size_t written = 0; handle_ >= 0 && written < bytes.size();) {
       const ssize_t count = write(handle_, bytes.data() + written, bytes.size() - written);
-      if (count <= 0) throw std::runtime_error("no memory for a copy of a MAT file");
+      if (count <= 0) throw std::bad_alloc();
       written += static_cast<std::size_t>(count);
     }
   }

@@ -10,6 +10,7 @@
 #include "measure/data/data_file.hpp"
 #include "measure/data/lost_rows.hpp"
 #include "measure/data/missing_cells.hpp"
+#include "measure/data/number_range.hpp"
 #include "measure/data/record_data.hpp"
 #include "measure/data/time_axis.hpp"
 #include "measure/data/unit.hpp"
@@ -69,6 +70,7 @@ RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, 
           data.file, "channel " + campaign.channels[c].name,
           fmt::format("has {} samples for {} time stamps", record.channels.back().size(), record.stamps_s.size()),
           "all variables of a record have one length");
+    require_number_range(record.channels.back(), data.file, "channel " + campaign.channels[c].name);
   }
   return record;
 }

@@ -17,10 +17,6 @@ double equal_within(const std::vector<double>& sorted) {
                   1e-6 * (sorted.back() - sorted.front()));
 }
 
-ValueGrid value_grid(std::span<const double> samples) {
-  return grid_of_sorted(in_order(samples));
-}
-
 ValueGrid grid_of_sorted(const std::vector<double>& sorted) {
   ValueGrid grid;
   if (sorted.empty()) return grid;

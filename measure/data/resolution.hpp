@@ -20,10 +20,7 @@ struct ValueGrid {
 /// equal values; behind an offset that large, no more than a millionth of the range.
 double equal_within(const std::vector<double>& sorted);
 
-/// Sorts a copy of the samples: O(n log n). All samples must be finite.
-ValueGrid value_grid(std::span<const double> samples);
-
-/// A copy of the samples in ascending order, and their grid.
+/// A copy of the samples in ascending order, O(n log n), and the grid of such a copy. All samples must be finite.
 std::vector<double> in_order(std::span<const double> samples);
 ValueGrid grid_of_sorted(const std::vector<double>& sorted);
 

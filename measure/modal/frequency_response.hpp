@@ -40,7 +40,9 @@ struct ImpactSpectra {
   Eigen::MatrixXcd cross;       ///< lines x p, sum of X conj F
   int impacts = 0;
 
+  /// Empty sums take the size of the first; throws std::invalid_argument for one of another size.
   void add(const ImpactSpectra& other);
+  /// Of one that was added.
   void remove(const ImpactSpectra& other);
 };
 
@@ -58,7 +60,7 @@ FrequencyResponse frequency_response(const std::vector<ImpactBlock>& impacts, do
 
 /// First samples of the impacts in a force record: where its modulus first passes `share` of the record's largest
 /// value after having been below for at least `apart_s`. Two within `apart_s` are one impact with a bounce, counted
-/// in `bounces`.
+/// in `bounces`. None are found where the force is zero throughout. `force`: any unit; rate in Hz.
 struct ImpactTimes {
   std::vector<Eigen::Index> samples;
   int bounces = 0;
@@ -69,7 +71,8 @@ ImpactTimes find_impacts(const Eigen::Ref<const Eigen::VectorXd>& force, double 
 /// Responses to a unit pulse (Appendix A's Y) from accelerances, mobilities or receptances of every reference:
 /// lines up to `highest_hz` (all lines x p, one matrix a reference) through the inverse discrete Fourier transform,
 /// a sequence with the sample rate 2 * highest line; the second half, which holds what a sharp band limit sends
-/// ahead of the impact, is left out.
+/// ahead of the impact, is left out. pulse_response throws std::invalid_argument for no reference, and for fewer
+/// than four lines.
 struct PulseResponse {
   ResponseSequence samples;
   double sample_rate_hz = 0;

@@ -220,7 +220,8 @@ ImpactModes modes_of_lines(const ModalSurvey& survey, const std::vector<SurveyRe
       ++used;
     }
     result.masses.push_back(std::move(estimates));
-    result.mass.push_back(used > 0 ? std::optional<double>(sum / used) : std::nullopt);
+    // Eq. (2.7) holds for the scale of Eq. (2.2).
+    result.mass.push_back(used > 0 && !squares_cancel(leading) ? std::optional<double>(sum / used) : std::nullopt);
   }
   return result;
 }
@@ -586,6 +587,17 @@ std::string nothing_stands(const ModalSurvey& survey) {
   return "no pole of the stabilisation diagram stands out of the noise: " + list;
 }
 
+void warn_of_whirling(ModalSurvey& survey) {
+  for (std::size_t r = 0; r < survey.modes.size(); ++r) {
+    const SurveyMode& mode = survey.modes[r];
+    if (!squares_cancel(mode.shape.mean)) continue;
+    survey.warnings.push_back(fmt::format(
+        "mode {} ({:.4g} Hz) travels or whirls: the squares of its shape cancel, and Eq. (2.2) cannot scale "
+        "it; the squared moduli of its entries sum to one instead, and it has no modal mass",
+        r + 1, mode.natural_frequency_hz));
+  }
+}
+
 // What grows, and what does not tell whether it does.
 void warn_of_growth(ModalSurvey& survey) {
   for (std::size_t r = 0; r < survey.modes.size(); ++r) {
@@ -667,6 +679,7 @@ ModalSurvey modal_survey(const std::filesystem::path& folder, const ModalSurveyO
   }
   survey.mac = modal_assurance_matrix(shapes, shapes);
   warn_of_growth(survey);
+  warn_of_whirling(survey);
   give_masses(survey);
   for (std::string& warning : records.faults()) survey.warnings.push_back(std::move(warning));
   return survey;

@@ -7,12 +7,19 @@ namespace secular {
 
 using Complex = std::complex<double>;
 
+bool squares_cancel(const Eigen::Ref<const Eigen::VectorXcd>& shape) {
+  return !(std::abs((shape.array() * shape.array()).sum()) > 1e-6 * shape.squaredNorm());
+}
+
 ScaledShape scale_shape(const Eigen::Ref<const Eigen::VectorXcd>& shape) {
-  const Complex squares = (shape.array() * shape.array()).sum();
-  if (!(std::abs(squares) > 1e-6 * shape.squaredNorm()))
-    throw std::invalid_argument("scale_shape: the squares of the shape cancel");
+  if (!(shape.squaredNorm() > 0)) throw std::invalid_argument("scale_shape: a shape of zeros");
   ScaledShape result;
-  result.factor = std::sqrt(squares);
+  result.factor = std::sqrt((shape.array() * shape.array()).sum());
+  if (squares_cancel(shape)) {
+    Eigen::Index largest = 0;
+    shape.cwiseAbs2().maxCoeff(&largest);
+    result.factor = std::polar(shape.norm(), std::arg(shape(largest)));
+  }
   result.shape = shape / result.factor;
   Eigen::Index largest = 0;
   result.shape.real().cwiseAbs().maxCoeff(&largest);

@@ -13,8 +13,12 @@ struct ScaledShape {
   std::complex<double> factor;
 };
 
-/// Throws std::invalid_argument for a zero shape and for one that Eq. (2.2) cannot scale: a travelling wave whose
-/// squares cancel to less than 1e-6 of its squared length.
+/// Whether Eq. (2.2) cannot scale a shape: of a travelling wave or a whirling shaft (1, i) the squares cancel, here
+/// to less than 1e-6 of the sum of their moduli.
+bool squares_cancel(const Eigen::Ref<const Eigen::VectorXcd>& shape);
+
+/// A shape whose squares cancel gets the sum of squared moduli one instead, and its largest entry is real and
+/// positive. Throws std::invalid_argument for a shape of zeros.
 ScaledShape scale_shape(const Eigen::Ref<const Eigen::VectorXcd>& shape);
 
 }  // namespace secular

@@ -15,9 +15,4 @@ inline double damping_ratio(std::complex<double> pole) {
   return -pole.real() / std::abs(pole);
 }
 
-/// The pole of Eq. (2.8) from natural frequency (rad/s) and damping ratio below one.
-inline std::complex<double> pole_of(double frequency, double damping) {
-  return {-damping * frequency, frequency * std::sqrt(1 - damping * damping)};
-}
-
 }  // namespace secular

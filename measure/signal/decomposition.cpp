@@ -19,11 +19,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Column-scaled least squares with rank, amplitudes at the centre of the window.
+// Column-scaled least squares with rank, amplitudes at the centre of the window; NaN where a rate takes a function
+// beyond all numbers.
 MatrixXd linear_amplitudes(const MatrixXd& functions, const Eigen::Ref<const MatrixXd>& channels) {
+  if (functions.cols() == 0) return MatrixXd(0, channels.cols());  // a polynomial without roots: one sample of many
   const VectorXd scale =
       functions.colwise().norm().cwiseMax(std::numeric_limits<double>::min()).cwiseInverse().transpose();
   const MatrixXd scaled = functions * scale.asDiagonal();
+  if (!scaled.allFinite())
+    return MatrixXd::Constant(functions.cols(), channels.cols(), std::numeric_limits<double>::quiet_NaN());
   return scale.asDiagonal() * scaled.colPivHouseholderQr().solve(channels);
 }
 
@@ -146,8 +150,8 @@ std::optional<std::size_t> Decomposition::nearest(double frequency) const {
 
 Decomposition decompose(const Eigen::Ref<const MatrixXd>& channels, double sample_rate_hz,
                         const DecompositionOptions& options) {
-  if (!channels.allFinite())
-    throw std::invalid_argument("circular-hyperbolic decomposition of samples that are not finite");
+  if (!std::isfinite(channels.squaredNorm()))
+    throw std::invalid_argument("circular-hyperbolic decomposition of samples whose squares are not finite");
   std::vector<double> imposed;
   if (options.offset) imposed.push_back(0);
   for (const double frequency : options.imposed) imposed.push_back(frequency / sample_rate_hz);

@@ -58,7 +58,8 @@ struct Decomposition {
 /// `method`, its poles by family, amplitudes by linear least squares (4.19). With `refine` the poles are carried to
 /// the maximum of the likelihood; when they leave a tone behind (the closed form may be off by more than a bin
 /// where noise is high), poles from a search in the periodogram compete, and the larger likelihood wins. Throws
-/// std::invalid_argument for too few samples, an order below one or samples that are not finite.
+/// std::invalid_argument for too few samples, an order below one or samples whose squares are
+/// not finite.
 Decomposition decompose(const Eigen::Ref<const Eigen::MatrixXd>& channels, double sample_rate_hz,
                         const DecompositionOptions& options);
 

@@ -49,6 +49,7 @@ struct OrderStep {
   double ratio = 1;    ///< across the step
   bool clear = false;  ///< a factor of ten or more
 };
+/// `singular_values`: from the largest on. Without any, or where the first is zero, no step.
 OrderStep largest_step(const Eigen::Ref<const Eigen::VectorXd>& singular_values);
 
 /// What a linear relation with delays can make of input and output (Appendix C).
@@ -57,6 +58,8 @@ struct LinearRelation {
   double block_correlation = 0;                 ///< RV coefficient of the two blocks of Eq. (C.4)
   double explained = 0;  ///< share of the response's variance that delayed excitation explains by least squares
 };
+/// `delays`: of both, in samples. Throws std::invalid_argument for signals of different lengths, and for one that
+/// is shorter than three times the delays and two samples more.
 LinearRelation linear_relation(const Eigen::Ref<const Eigen::VectorXd>& excitation,
                                const Eigen::Ref<const Eigen::VectorXd>& response, int delays);
 
@@ -84,7 +87,9 @@ SpectralSurvey spectral_survey(const Eigen::Ref<const Eigen::MatrixXd>& channels
                                const SpectralOptions& options);
 
 /// Amplitude spectrum of every channel (Hann window over segments of `length` samples that overlap by half, root
-/// mean square over segments; a tone in the middle of a bin shows its peak amplitude): lines x channels.
+/// mean square over segments; a tone in the middle of a bin shows its peak amplitude): lines x channels, from zero
+/// to half the sample rate. `length` is cut to one that transforms are fast at; throws std::invalid_argument where
+/// that is below four.
 struct AmplitudeSpectrum {
   Eigen::VectorXd frequency_hz;
   Eigen::MatrixXd amplitude;

@@ -323,7 +323,7 @@ Campaign run_virtual_test(const Experiment& experiment, const CompiledModel& mod
   try {
     return VirtualTest(experiment, model, seed).run(threads, sink, progress);
   } catch (const NumericalFailure& failure) {
-    throw InputError("", "", failure.what());  // the experiment is what can be changed
+    throw InputError("", "", failure.what());  // see NumericalFailure: the experiment is what can be changed
   }
 }
 

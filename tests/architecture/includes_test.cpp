@@ -83,6 +83,17 @@ TEST(Layout, ArrowsPointUpTheTable) {
   }
 }
 
+/// The list of a folder is the shortest one.
+TEST(Layout, EveryArrowIsUsedByAnInclude) {
+  for (const auto& [folder, allowed] : folder_table()) {
+    std::set<std::string> used;
+    for (const fs::path& file : sources_of(root, folder))
+      for (const Include& include : includes_in(read(file))) used.insert(folder_of(include.target));
+    for (const std::string& target : allowed)
+      EXPECT_EQ(used.count(target), 1u) << folder << " may include " << target << " and does not";
+  }
+}
+
 /// GiNaC also arrives through a header of perturb: where it may not be included it may not be reached either.
 TEST(Layout, NumericFoldersDoNotReachGinac) {
   for (const auto& [folder, allowed] : allowed_folders) {

@@ -121,7 +121,7 @@ TEST(BlindSignature, CountsStandardDeviationsOfAnEnsemble) {
   }
   EXPECT_NEAR(signatures.strength(change, false), std::sqrt(squares / 2), 0.01 * std::sqrt(squares / 2));
   // The model's own parameters take it up.
-  EXPECT_LT(signatures.remainder(change, false).norm(), 1e-3 * change.norm());
+  EXPECT_LT(signatures.unexplained(change, false).norm(), 1e-3 * change.norm());
 }
 
 // Numbers of the model's own that have moved far: the first step of a fit does not get there.
@@ -137,8 +137,8 @@ TEST(BlindSignature, OwnParametersAreFittedToConvergence) {
   mode.direct *= 1.2;
   const Eigen::VectorXd change = signatures.change(reality, false);
   ASSERT_TRUE(change.allFinite());
-  EXPECT_GT(signatures.linear_remainder(change, false).norm(), 0.1 * change.norm());
-  EXPECT_LT(signatures.refitted_remainder(change, false).norm(), 0.01 * change.norm());
+  EXPECT_GT(signatures.linear_unexplained(change, false).norm(), 0.1 * change.norm());
+  EXPECT_LT(signatures.refitted_unexplained(change, false).norm(), 0.01 * change.norm());
 }
 
 // Changes that do not add up: a spring and the model's own parameters together lead to the truth that was made of
@@ -159,8 +159,8 @@ TEST(BlindSignature, ARivalIsFittedTogetherWithTheModelsOwnParameters) {
   reality.structure.mode[0].omega += 0.5 * specimen.decay_rate[0];
   const Eigen::VectorXd change = signatures.change(reality, false);
   ASSERT_TRUE(change.allFinite());
-  EXPECT_GT(signatures.refitted_remainder(change, false).norm(), 0.1 * change.norm());
-  EXPECT_LT(signatures.refitted_remainder(change, false, with_spring, 0.4 * cubic).norm(), 0.01 * change.norm());
+  EXPECT_GT(signatures.refitted_unexplained(change, false).norm(), 0.1 * change.norm());
+  EXPECT_LT(signatures.refitted_unexplained(change, false, with_spring, 0.4 * cubic).norm(), 0.01 * change.norm());
 }
 
 TEST_F(BlindFolder, CaseHasTheNoiseThatItsLabelSays) {

@@ -204,10 +204,11 @@ TEST_F(CampaignFolder, FormatsAreToldByContentAndByName) {
 }
 
 // Random bit patterns of finite doubles: every exponent, denormal numbers and signed zeros among them.
+// As large as a record may hold (number_range_fault) and as small as numbers are.
 std::vector<double> any_numbers(std::mt19937_64& random, std::size_t count) {
-  std::vector<double> numbers = {0.0, -0.0, 5e-324, std::numeric_limits<double>::max(), 0.1, 1.0 / 3};
+  std::vector<double> numbers = {0.0, -0.0, 5e-324, 1e30, 0.1, 1.0 / 3};
   while (numbers.size() < count)
-    if (const double x = std::bit_cast<double>(random()); std::isfinite(x)) numbers.push_back(x);
+    if (const double x = std::bit_cast<double>(random()); std::abs(x) <= 1e30) numbers.push_back(x);
   return numbers;
 }
 

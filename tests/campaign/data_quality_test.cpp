@@ -223,6 +223,7 @@ TEST(NoiseFloor, IgnoresASingleKnockAndALineInTheUpperHalf) {
 }
 
 TEST(Resolution, IsTheQuantumOfAnEncoder) {
+  const auto value_grid = [](const Samples& samples) { return grid_of_sorted(in_order(samples)); };
   const double quantum = 0.025 * std::numbers::pi / 180;
   const ValueGrid grid = value_grid(quantised(sine(50000, 333.3), quantum));
   ASSERT_TRUE(grid.step);
@@ -256,6 +257,9 @@ TEST(ChannelQuality, NamesFaults) {
   EXPECT_TRUE(has(check_channel(sum(sine(10000, 100.3), Samples(10000, 0.2))), "offset"));
   EXPECT_FALSE(has(check_channel(sum(sine(10000, 100.3), Samples(10000, 0.01))), "offset"));
   EXPECT_TRUE(has(check_channel(Samples(3, std::nan(""))), "missing"));
+  EXPECT_TRUE(has(check_channel(sine(10000, 100.3, 1e31)), "range"));
+  EXPECT_TRUE(has(check_channel(sine(10000, 100.3, 1e-31)), "range"));
+  EXPECT_TRUE(check_channel(sine(10000, 100.3, 1e-29)).faults.empty());
   EXPECT_EQ(check_channel({}).samples, 0u);
 }
 

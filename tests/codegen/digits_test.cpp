@@ -9,12 +9,12 @@
 #include "codegen/canonical/amplitude_derivative.hpp"
 #include "codegen/runtime/derived_code.hpp"
 #include "codegen/runtime/interpreted_model.hpp"
-#include "estimator/model/model_residual.hpp"
 #include "generated/registry.hpp"
 #include "perturb/model.hpp"
 #include "perturb/observation.hpp"
 #include "tests/codegen/fifty_digits.hpp"
 #include "tests/places.hpp"
+#include "tests/runtime/model_residual.hpp"
 
 namespace secular {
 namespace {

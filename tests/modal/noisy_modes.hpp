@@ -11,6 +11,7 @@
 
 #include "measure/data/campaign.hpp"
 #include "measure/modal/pole.hpp"
+#include "tests/modal/pole_of.hpp"
 #include "tests/modal/structure_campaign.hpp"
 #include "tests/signal/gaussian.hpp"
 

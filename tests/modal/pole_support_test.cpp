@@ -15,6 +15,7 @@
 #include "numerics/distribution.hpp"
 #include "tests/campaign/write_campaign.hpp"
 #include "tests/modal/noisy_modes.hpp"
+#include "tests/modal/pole_of.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular {

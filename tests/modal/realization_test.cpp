@@ -8,9 +8,9 @@
 
 #include "measure/modal/eigensystem_realization.hpp"
 #include "measure/modal/modal_assurance.hpp"
-#include "measure/modal/pole.hpp"
 #include "measure/modal/pole_fit.hpp"
 #include "measure/modal/stabilisation.hpp"
+#include "tests/modal/pole_of.hpp"
 
 namespace secular {
 namespace {

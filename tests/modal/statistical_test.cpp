@@ -7,8 +7,8 @@
 
 #include "measure/modal/amplitude_dependence.hpp"
 #include "measure/modal/frequency_response.hpp"
-#include "measure/modal/pole.hpp"
 #include "measure/modal/pole_fit.hpp"
+#include "tests/modal/pole_of.hpp"
 #include "tests/signal/gaussian.hpp"
 
 namespace secular {

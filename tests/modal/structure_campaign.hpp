@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "measure/data/campaign.hpp"
-#include "measure/modal/pole.hpp"
+#include "tests/modal/pole_of.hpp"
 #include "tests/modal/two_mass_structure.hpp"
 #include "tests/signal/gaussian.hpp"
 

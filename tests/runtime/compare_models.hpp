@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "estimator/model/compiled_model.hpp"
-#include "estimator/model/model_residual.hpp"
+#include "tests/runtime/model_residual.hpp"
 
 namespace secular::test {
 

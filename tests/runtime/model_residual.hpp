@@ -1,15 +1,30 @@
-#include "estimator/model/model_residual.hpp"
+#pragma once
 
 #include <algorithm>
+#include <complex>
+#include <vector>
 
-namespace secular {
-namespace {
+#include "estimator/model/compiled_model.hpp"
+
+/// Residuals of a case at measured amplitudes and derivatives by physical parameters. They follow from the tables
+/// of a CompiledModel alone: rows are linear in lumps,
+///   residual = observed - columns * lumps(parameters)             harmonic
+///   residual = observed - i*omega_k*B_k - columns * lumps          modulation of mode k, observed = rate * B_k
+/// with columns that depend on the natural frequencies, so that
+///   d residual/d lump_j      = -column_j,
+///   d residual/d parameter_p = -columns * d lumps/d p  - [p is omega_m] d columns/d omega_m * lumps
+///                              - [modulation and p is omega_k] i*B_k.
+/// Tests hold the tables of compiled and of interpreted models against digits and each other by them. The functions
+/// take plain arrays one by one, as those of CompiledCase do, which is why they have up to seven parameters.
+namespace secular::test {
 
 using Complex = std::complex<double>;
 
-constexpr std::size_t observations_at_once = 256;
+namespace residual_parts {
 
-Complex times_i(const Complex& z) {
+inline constexpr std::size_t observations_at_once = 256;
+
+inline Complex times_i(const Complex& z) {
   return {-z.imag(), z.real()};
 }
 
@@ -51,14 +66,14 @@ class Columns {
   std::vector<Complex*> pointers_;
 };
 
-std::vector<double> lumps_of(const CompiledCase& resonance, const double* parameters) {
+inline std::vector<double> lumps_of(const CompiledCase& resonance, const double* parameters) {
   std::vector<double> lumps(resonance.lumps.size());
   resonance.evaluate_lumps(parameters, lumps.data());
   return lumps;
 }
 
 // sum[i] += weight * column[i]
-void add(Complex* sum, double weight, const Complex* column, std::size_t count) {
+inline void add(Complex* sum, double weight, const Complex* column, std::size_t count) {
   if (weight == 0) return;
   for (std::size_t i = 0; i < count; ++i) sum[i] += weight * column[i];
 }
@@ -95,11 +110,14 @@ class RightSideSlopes {
   std::vector<double> lumps_, lump_jacobian_;
 };
 
-}  // namespace
+}  // namespace residual_parts
 
-void block_residual(const CompiledModel& model, const CompiledCase& resonance, const RegressorBlock& block,
-                    const double* parameters, const ObservationBatch& data, const Complex* observed,
-                    Complex* residual) {
+/// residual[observation] of one block; `parameters` in the order of CompiledModel::symbols (their first modes()
+/// entries are the natural frequencies; data.natural_frequency is not read), observed[observation].
+inline void block_residual(const CompiledModel& model, const CompiledCase& resonance, const RegressorBlock& block,
+                           const double* parameters, const ObservationBatch& data, const Complex* observed,
+                           Complex* residual) {
+  using namespace residual_parts;
   const std::vector<double> lumps = lumps_of(resonance, parameters);
   const Columns columns(block);
   const auto mode = static_cast<std::size_t>(block.mode);
@@ -116,9 +134,11 @@ void block_residual(const CompiledModel& model, const CompiledCase& resonance, c
   }
 }
 
-void block_residual_by_parameters(const CompiledModel& model, const CompiledCase& resonance,
-                                  const RegressorBlock& block, const double* parameters,
-                                  const ObservationBatch& data, Complex* jacobian) {
+/// jacobian[symbol][observation] = d residual/d parameter, symbol by symbol, contiguous.
+inline void block_residual_by_parameters(const CompiledModel& model, const CompiledCase& resonance,
+                                         const RegressorBlock& block, const double* parameters,
+                                         const ObservationBatch& data, Complex* jacobian) {
+  using namespace residual_parts;
   const RightSideSlopes slopes(model, resonance, parameters);
   const auto mode = static_cast<std::size_t>(block.mode);
   std::fill_n(jacobian, model.symbols.size() * data.count, Complex());
@@ -131,9 +151,12 @@ void block_residual_by_parameters(const CompiledModel& model, const CompiledCase
   }
 }
 
-void modulation_by_parameters(const CompiledModel& model, const CompiledCase& resonance, const double* parameters,
-                              const double* excitation_frequency, const Complex* amplitude, const Complex* forcing,
-                              double* jacobian) {
+/// Derivative of CompiledCase::modulation by the parameters at one point: with z = (Re B_0, Im B_0, ...),
+/// dz/dt = f(z, parameters), jacobian[i * symbols + p] = d f_i/d parameter_p; 2*modes rows.
+inline void modulation_by_parameters(const CompiledModel& model, const CompiledCase& resonance,
+                                     const double* parameters, const double* excitation_frequency,
+                                     const Complex* amplitude, const Complex* forcing, double* jacobian) {
+  using namespace residual_parts;
   const std::size_t modes = model.modes(), symbols = model.symbols.size(), excitations = model.excitations.size();
   const RightSideSlopes slopes(model, resonance, parameters);
   std::vector<const Complex*> amplitudes, forcings;
@@ -164,4 +187,4 @@ void modulation_by_parameters(const CompiledModel& model, const CompiledCase& re
     }
 }
 
-}  // namespace secular
+}  // namespace secular::test
