@@ -98,6 +98,11 @@ Identification identify(const IdentificationRequest& request) {
   SelectedRecords reader(campaign, request.window, watch.look());
   Identification result = identify(request, campaign, [&](std::size_t r) { return reader.read(r); });
   for (std::string& warning : reader.warnings()) result.estimate.warnings.push_back(std::move(warning));
+  if (const std::size_t wrong = reader.not_replaced(); wrong > 0) {
+    doubt_all(result.estimate);
+    result.estimate.warnings.push_back(
+        fmt::format("{} samples that are held or lost are used as they are: every value is doubtful", wrong));
+  }
   result.disturbances = watch.found();
   for (Disturbance& scatter : scatter_disturbances(result)) result.disturbances.push_back(std::move(scatter));
   result.looked_at = watch.records();

@@ -121,17 +121,47 @@ bool is_hard(const CompiledCase& resonance) {
   });
 }
 
+// By symbol: whether all that is known depends on it by even powers alone, as (b v^2) by b^2 where the modulation
+// has no other quadratic term: that tells little of it near zero, and not its sign.
+std::vector<bool> told_by_even_powers(const CampaignKnowledge& known, const VectorXd& point) {
+  const Eigen::MatrixXd slopes = known_jacobian(known, point);
+  std::vector<bool> even(static_cast<std::size_t>(point.size()), false);
+  for (Index p = 0; p < point.size(); ++p) {
+    if (known.parameters[static_cast<std::size_t>(p)] || slopes.col(p).isZero(0)) continue;
+    VectorXd without = point;
+    without(p) = 0;
+    even[static_cast<std::size_t>(p)] = known_jacobian(known, without).col(p).isZero(0);
+  }
+  return even;
+}
+
+// Whether lumps of a block depend on one of these symbols where it is zero.
+bool tells_linearly(const CompiledCase& resonance, const RegressorBlock& block, const std::vector<bool>& symbols,
+                    const VectorXd& point) {
+  for (std::size_t p = 0; p < symbols.size(); ++p) {
+    if (!symbols[p]) continue;
+    VectorXd without = point;
+    without(static_cast<Index>(p)) = 0;
+    std::vector<double> slope(resonance.lumps.size() * symbols.size());
+    resonance.evaluate_lumps_jacobian(without.data(), slope.data());
+    for (const int l : block.lumps)
+      if (slope[static_cast<std::size_t>(l) * symbols.size() + p] != 0) return true;
+  }
+  return false;
+}
+
 // Under hard excitation all harmonics of the leading and the first order: they are as exact as the modulation
 // equations, and that these determine a coefficient as well (by way of a small term, or by its square, which tells
 // nothing where it is near zero) says nothing of how well. Else first-order ones whose lumps say something about
-// the parameters that the modulation equations do not: a harmonic that only repeats what they say would bring its
-// own truncation error and nothing else.
+// the parameters that the modulation equations do not, or that these hold by even powers alone: a harmonic that
+// only repeats what they say would bring its own truncation error and nothing else.
 bool add_useful_harmonics(Estimation& e) {
   CampaignKnowledge known = campaign_knowledge(e);
   // Coefficients take natural frequencies as known: from this campaign or from the model's nominal values.
   for (std::size_t k = 0; k < e.model.modes(); ++k) known.parameters[k] = true;
   const VectorXd point = generic_point(static_cast<Index>(e.model.symbols.size()));
   const Index rank = scaled_rank(known_jacobian(known, point));
+  const std::vector<bool> even = told_by_even_powers(known, point);
   bool added = false;
   for (std::size_t s = 0; s < e.sets.size(); ++s) {
     const CompiledCase& resonance = *e.sets[s]->resonance;
@@ -144,7 +174,9 @@ bool add_useful_harmonics(Estimation& e) {
       if (!measured) continue;
       CampaignKnowledge further = known;
       for (const int l : block.lumps) further.cases[s].lumps[static_cast<std::size_t>(l)] = true;
-      if (!hard && scaled_rank(known_jacobian(further, point)) <= rank) continue;
+      if (!hard && scaled_rank(known_jacobian(further, point)) <= rank &&
+          !tells_linearly(resonance, block, even, point))
+        continue;
       e.blocks[s].push_back(b);
       added = true;
     }

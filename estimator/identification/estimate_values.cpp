@@ -184,7 +184,7 @@ void report_parameters(Estimation& e) {
                            std::vector<std::string>(e.model.modes(), e.units.coordinate), e.units.excitation);
     if (e.given[p]) {
       value.fixed = value.identifiable = true;
-      value.value = e.shared.values(at);
+      value.value = e.options.fixed.at(value.name);
       value.from = "given";
     } else if (what.determined[p] && e.shared.covariance(at, at) > 0) {
       value.identifiable = true;

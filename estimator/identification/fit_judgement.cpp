@@ -18,6 +18,15 @@ namespace {
 /// Probability that lumps of a model that holds contradict one another.
 constexpr double contradiction_alarm = 1e-3;
 
+// What a misfit is judged by, in words.
+const char* measure_of_fit(const CaseFit& fit, const std::vector<LackOfFit>& tests) {
+  if (fit.set->resonance->excited) return "as well as repeats of one condition agree";
+  const bool too_short =
+      std::all_of(tests.begin(), tests.end(), [](const LackOfFit& t) { return !std::isfinite(t.denominator_df); });
+  return too_short ? "to three times the measured noise (decays are too short to tell their scatter)"
+                   : "as well as windows of a decay that follow one another agree";
+}
+
 }  // namespace
 
 void test_fit(Estimation& e) {
@@ -33,13 +42,11 @@ void test_fit(Estimation& e) {
       worst += fmt::format("{}{} ({:.1f} times)", worst.empty() ? "" : "; ", test.name, test.misfit);
     }
     if (!worst.empty())
-      e.result.warnings.push_back(fmt::format(
-          "case {}: the model does not fit as well as {} agree: {}. It lacks something there, and its "
-          "parameters have absorbed part of it: error bars are widened by as much again as is seen to "
-          "be wrong",
-          tests.resonance,
-          fit.set->resonance->excited ? "repeats of one condition" : "windows of a decay that follow one another",
-          worst));
+      e.result.warnings.push_back(
+          fmt::format("case {}: the model does not fit {}: {}. It lacks something there, and its "
+                      "parameters have absorbed part of it: error bars are widened by as much again as is seen to "
+                      "be wrong",
+                      tests.resonance, measure_of_fit(fit, tests.equations), worst));
     if (!tests.equations.empty()) e.result.lack_of_fit.push_back(std::move(tests));
   }
 }

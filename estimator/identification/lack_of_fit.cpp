@@ -6,7 +6,6 @@
 #include <complex>
 #include <limits>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "estimator/identification/record_scatter.hpp"
@@ -31,8 +30,8 @@ constexpr double rounding = 1e-3;
 constexpr double dependent = 1e-6;
 
 /// Where there are fewer degrees of freedom among the repeats of dwells, the measured noise stands for them. What
-/// repeats in a decay is not the noise alone (other modes ring, too): it takes this many, or there is no test.
-constexpr double fewest_repeats = 10, fewest_repeats_of_decays = 4;
+/// repeats in a decay is not the noise alone (other modes ring, too): there, so many times that noise does.
+constexpr double fewest_repeats = 10, fewest_repeats_of_decays = 4, repeats_of_short_decays = 3;
 
 using Equation = std::pair<std::size_t, EquationPart>;
 
@@ -209,8 +208,7 @@ struct Scatter {
 
 // Ensembles of dwells about their condition's mean. What follows one another in a decay without overlap: about any
 // smooth law of the time, since a law that the model lacks changes from window to window by more than noise does.
-// Nothing: there are too few.
-std::optional<Scatter> scatter_of(const Conditions& conditions, bool of_dwells) {
+Scatter scatter_of(const Conditions& conditions, bool of_dwells) {
   double squares = 0, freedom = 0;
   if (of_dwells) {
     for (const auto& [label, group] : conditions.groups) {
@@ -226,7 +224,7 @@ std::optional<Scatter> scatter_of(const Conditions& conditions, bool of_dwells) 
       count += 1;
     }
   freedom = third_difference_freedom * count;
-  if (freedom < fewest_repeats_of_decays) return std::nullopt;
+  if (freedom < fewest_repeats_of_decays) return Scatter{repeats_of_short_decays * repeats_of_short_decays};
   return Scatter{squares / count, freedom};
 }
 
@@ -245,17 +243,17 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) 
     test.part = equation.second;
     test.name = name_of(fit, equation);
     test.conditions = conditions.groups.size();
-    const std::optional<Scatter> scatter = scatter_of(conditions, fit.set->resonance->excited);
+    const Scatter scatter = scatter_of(conditions, fit.set->resonance->excited);
     double means = 0, truncation = 0;
     for (const auto& [label, group] : conditions.groups) {
       means += group.between();
       truncation += group.truncation.squaredNorm() / group.weights;
     }
     test.numerator_df = static_cast<double>(test.conditions) - unknowns.at(equation);
-    if (test.numerator_df < 1 || !scatter) continue;
-    test.denominator_df = scatter->freedom;
-    test.repeatability = std::sqrt(scatter->variance);
-    const double usual = test.numerator_df * scatter->variance + truncation;
+    if (test.numerator_df < 1) continue;
+    test.denominator_df = scatter.freedom;
+    test.repeatability = std::sqrt(scatter.variance);
+    const double usual = test.numerator_df * scatter.variance + truncation;
     test.f = means / usual;
     test.beyond = std::max(0.0, means - usual);
     test.misfit = std::sqrt(test.f);

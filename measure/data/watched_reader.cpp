@@ -82,6 +82,13 @@ Record WatchedReader::read(std::size_t index) {
   return to_relative(campaign_, std::move(record));
 }
 
+std::size_t WatchedReader::not_replaced() const {
+  const std::lock_guard lock(mutex_);
+  std::size_t count = 0;
+  for (const auto& [record, seen] : seen_) count += seen.not_replaced;
+  return count;
+}
+
 std::vector<std::string> WatchedReader::warnings() const {
   const std::lock_guard lock(mutex_);
   std::vector<std::string> warnings;

@@ -53,6 +53,9 @@ class WatchedReader {
   /// that scatter most.
   std::vector<std::string> warnings() const;
 
+  /// Samples of all records read that their files hold wrongly, and that could not be replaced.
+  std::size_t not_replaced() const;
+
  private:
   const Campaign& campaign_;
   Look look_;

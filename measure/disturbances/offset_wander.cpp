@@ -20,6 +20,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr Index slow_terms = 4;     // cosines of up to two periods a record: what is slower than all else in it
+constexpr double entangled = 1e-6;  // a coefficient of which others take up more than this has no value
 constexpr Index fewest_blocks = 8;  // beyond the terms fitted: what tells the noise
 
 // Means of blocks under the window of the lines, half overlapping (which leaves 4 % of their noise in common), and
@@ -116,8 +117,9 @@ std::optional<Zero> zero_of(const SearchedRecord& record, std::size_t c, std::si
   blocks.square.conservativeResize(rows);
   if (rows < fewest_blocks + 1 + own + slow_terms) return std::nullopt;
   const MatrixXd x = columns(blocks.square, own);
-  const Eigen::ColPivHouseholderQR<MatrixXd> all(x), without(x.leftCols(1 + own));
-  const VectorXd fit = all.solve(blocks.mean);
+  const Eigen::CompleteOrthogonalDecomposition<MatrixXd> all(x), without(x.leftCols(1 + own));
+  const MatrixXd inverse = all.pseudoInverse();
+  const VectorXd fit = inverse * blocks.mean;
   Zero zero;
   zero.freedom = static_cast<double>(rows - all.rank());
   const double noise = (blocks.mean - x * fit).squaredNorm(), variance = noise / zero.freedom;
@@ -127,8 +129,9 @@ std::optional<Zero> zero_of(const SearchedRecord& record, std::size_t c, std::si
   if (terms > 0) zero.probability = f_upper_tail(slow / (terms * variance), terms, zero.freedom);
   zero.wander = x.rightCols(slow_terms) * fit.tail(slow_terms);
   zero.offset = fit(0);
-  const MatrixXd inverse = (x.transpose() * x).completeOrthogonalDecomposition().pseudoInverse();
-  zero.offset_sd = std::sqrt(variance * inverse(0, 0));
+  // Of a motion that is as large all the time nothing tells what its own mean is, and what the sensor's zero.
+  const bool told = (inverse.row(0) * x - VectorXd::Unit(x.cols(), 0).transpose()).norm() < entangled;
+  zero.offset_sd = told ? std::sqrt(variance) * inverse.row(0).norm() : INFINITY;
   return zero;
 }
 
