@@ -22,6 +22,8 @@
 namespace secular::app {
 namespace {
 
+constexpr std::string_view wandering = "offset_wander";
+
 // Of others the diagnosis has descriptions of its own: they are not terms that a line of a steady motion sees.
 bool is_seen_by_lines(const EffectTerm& term, const EffectCatalogue& catalogue) {
   const Effect& effect = *catalogue.find(term.effect);
@@ -132,6 +134,14 @@ std::vector<Disturbance> own_frequencies(const Diagnosis& diagnosis, const Compi
     found.push_back(std::move(d));
   }
   return found;
+}
+
+// A zero that wanders in one record does so in the others, seen there or not.
+WanderingZeros wandering_zeros(const std::vector<Disturbance>& found) {
+  WanderingZeros zeros;
+  for (const Disturbance& d : found)
+    if (d.kind == wandering && d.channel) zeros.insert(*d.channel);
+  return zeros;
 }
 
 DiagnosisOptions options_of(const DiagnosisRequest& request) {
@@ -309,6 +319,9 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   options.natural_frequency = starts.frequency;
   for (std::size_t k = 0; k < nominal.size(); ++k)
     if (std::isfinite(nominal[k]) && !starts.moved[k]) options.natural_frequency[k] = nominal[k];
+  for (std::size_t r = 0; r < run.campaign.records.size(); ++r)
+    if (request.window.takes(r, run.campaign.records[r].file)) read(r);  // looked at before any is compared
+  options.wandering = wandering_zeros(watch.found());
   const TriedModel tried = with_effects(source, request.catalogue);
   run.model = tried.model;
   options.forces = tried.forces;
@@ -328,7 +341,10 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
   run.disturbances = watch.found();
   for (Disturbance& d : run.disturbances)
-    if (d.kind == "offset" && d.channel && fitted_offset(run.campaign.channels[*d.channel], run.diagnosis))
+    if (d.channel &&
+        (d.kind == wandering
+             ? run.campaign.channels[*d.channel].role == ChannelRole::response
+             : d.kind == "offset" && fitted_offset(run.campaign.channels[*d.channel], run.diagnosis).has_value()))
       d.treated = "fitted";
   for (Disturbance& d : fitted_offsets(run.diagnosis, run.campaign, run.disturbances))
     run.disturbances.push_back(std::move(d));

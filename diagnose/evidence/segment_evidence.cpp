@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "diagnose/evidence/noise_bands.hpp"
 #include "numerics/in_parallel.hpp"
 #include "numerics/median.hpp"
 #include "numerics/third_differences.hpp"
@@ -39,6 +40,23 @@ MatrixXd beyond(const MatrixXd& basis, MatrixXd columns) {
   return columns;
 }
 
+/// Of a zero that wanders, within a segment: where it is and how fast it moves.
+constexpr Index wander_terms = 2;
+
+// What wandering zeros do to a segment's errors, in orthonormal columns.
+MatrixXd wander(const Segment& s) {
+  const Index samples = s.response.cols();
+  MatrixXd columns =
+      MatrixXd::Zero(s.response.rows() * samples, wander_terms * static_cast<Index>(s.wandering.size()));
+  for (std::size_t w = 0; w < s.wandering.size(); ++w) {
+    auto block =
+        columns.block(s.wandering[w] * samples, wander_terms * static_cast<Index>(w), samples, wander_terms);
+    block.col(0).setConstant(1 / std::sqrt(static_cast<double>(samples)));
+    block.col(1) = VectorXd::LinSpaced(samples, -1, 1).normalized();
+  }
+  return columns;
+}
+
 // Standard deviation of what is independent from one value to the next, by the median of |normal|, 0.6745.
 double roughness(const std::vector<double>& values) {
   std::vector<double> third = third_differences(values);
@@ -61,6 +79,11 @@ double white_variance(const VectorXd& error, Index samples) {
       count += 1;
     }
   return count > 0 ? sum / count : 1;
+}
+
+// What is white in the errors, whatever the channel's noise floor was taken for, from the variances of segments.
+double white_level(const VectorXd& white) {
+  return std::max(1e-3, std::sqrt(white.mean()));
 }
 
 }  // namespace
@@ -99,7 +122,9 @@ Index SegmentEvidence::freedom() const {
   Index at_jumps = 0;
   for (const Frozen& f : frozen_)
     at_jumps += static_cast<Index>(f.at_jumps.size() * model_.sensors().responses.size());
-  return size() - static_cast<Index>(4 * model_.modes() * segments_.size()) - at_jumps;
+  Index wandering = 0;
+  for (const Segment& s : segments_) wandering += wander_terms * static_cast<Index>(s.wandering.size());
+  return size() - static_cast<Index>(4 * model_.modes() * segments_.size()) - at_jumps - wandering;
 }
 
 std::vector<VectorXd> SegmentEvidence::frozen_errors(std::size_t segment,
@@ -165,7 +190,7 @@ void SegmentEvidence::freeze_bases(std::size_t segment, const VectorXd& unknowns
       columns.col(static_cast<Index>(i)) = (errors[first + i] - errors.front()) * scale;
     return columns;
   };
-  f.state_basis = beyond(MatrixXd(errors.front().size(), 0), differences(1, 1e4));
+  f.state_basis = beyond(wander(segments_[segment]), differences(1, 1e4));
   f.change_basis = beyond(f.state_basis, differences(1 + 2 * modes, 1e6));
 }
 
@@ -178,8 +203,7 @@ void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
 
 SegmentEvidence::Noise SegmentEvidence::noise_of(const VectorXd& white, const MatrixXd& changes,
                                                  const std::vector<double>& rest, bool repeats) const {
-  // What is white in the errors, whatever the channel's noise floor was taken for.
-  const double level = std::max(1e-3, std::sqrt(white.mean()));
+  const double level = white_level(white);
   Noise noise{VectorXd::Constant(changes.rows(), level), level};
   if (!repeats) return noise;
   noise.rest_sd = std::max(level, lower_quartile(rest));
@@ -195,7 +219,7 @@ void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
     while (end < segments_.size() && segments_[end].record == segments_[first].record) ++end;
     const auto count = static_cast<Index>(end - first);
     VectorXd white(count);
-    MatrixXd changes(frozen_[first].change_basis.cols(), count);
+    MatrixXd changes(frozen_[first].change_basis.cols(), count), all_rest(errors[first].size(), count);
     std::vector<double> rest, logarithm;
     for (std::size_t i = first; i < end; ++i) {
       const Frozen& f = frozen_[i];
@@ -203,20 +227,42 @@ void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
       const VectorXd& error = errors[i];
       white(column) = white_variance(error, segments_[i].response.cols());
       changes.col(column) = f.change_basis.transpose() * error;
-      const double squares = error.squaredNorm() - (f.state_basis.transpose() * error).squaredNorm() -
-                             changes.col(column).squaredNorm();
-      rest.push_back(std::sqrt(std::max(0.0, squares) /
-                               static_cast<double>(error.size() - f.state_basis.cols() - f.change_basis.cols())));
+      all_rest.col(column) =
+          error - f.state_basis * (f.state_basis.transpose() * error) - f.change_basis * changes.col(column);
+      rest.push_back(all_rest.col(column).norm() /
+                     std::sqrt(static_cast<double>(error.size() - f.state_basis.cols() - f.change_basis.cols())));
       logarithm.push_back(std::log(std::max(rest.back(), std::sqrt(white(column)))));
     }
     const bool repeats = segments_[first].excitation.cols() == 0 && end - first >= fewest_segments;
-    found.insert(found.end(), end - first, noise_of(white, changes, rest, repeats));
+    Noise noise = noise_of(white, changes, rest, repeats);
+    if (const double level = white_level(white); noise.rest_sd > level) {
+      noise.cosines = std::make_shared<const MatrixXd>(cosines(segments_[first].response.cols()));
+      noise.rest_by_cosine = noise_in_cosines(first, all_rest, *noise.cosines, level);
+    }
+    found.insert(found.end(), end - first, noise);
     for (std::size_t i = first; repeats && i < end && !noise_.empty(); ++i)
       found[i].change_sd = found[i].change_sd.cwiseMax(noise_[i].change_sd);
     const bool disturbed = repeats && roughness(logarithm) > irregular;
     for (std::size_t i = first; i < end; ++i) frozen_[i].disturbance = disturbed ? rest[i - first] : 0;
   }
   noise_ = std::move(found);
+}
+
+MatrixXd SegmentEvidence::noise_in_cosines(std::size_t first, const MatrixXd& errors, const MatrixXd& cosines,
+                                           double least) const {
+  const Index samples = cosines.rows(), channels = errors.rows() / samples;
+  MatrixXd sd(samples, channels);
+  for (Index c = 0; c < channels; ++c) {
+    const auto of_channel = Eigen::seqN(c * samples, samples);
+    CosineStretches stretches{cosines * errors(of_channel, Eigen::all), MatrixXd::Ones(samples, errors.cols())};
+    for (Index i = 0; i < errors.cols(); ++i) {
+      const Frozen& f = frozen_[first + static_cast<std::size_t>(i)];
+      for (const MatrixXd* basis : {&f.state_basis, &f.change_basis})
+        stretches.freedom.col(i) -= (cosines * (*basis)(of_channel, Eigen::all)).rowwise().squaredNorm();
+    }
+    sd.col(c) = noise_by_band(stretches, least);
+  }
+  return sd;
 }
 
 void SegmentEvidence::shift_frequencies(const std::map<std::size_t, VectorXd>& shifts) {
@@ -245,9 +291,22 @@ void SegmentEvidence::rows_of(std::size_t segment, VectorXd error, Eigen::Ref<Ve
   error -= f.state_basis * (f.state_basis.transpose() * error);
   const VectorXd changes = f.change_basis.transpose() * error;
   error -= f.change_basis * changes;
-  const Noise noise = coarse_ ? Noise{VectorXd::Ones(changes.size())} : noise_[segment];
+  auto rest = rows.tail(error.size());
+  if (coarse_) {
+    rows.head(changes.size()) = changes;
+    rest = error;
+    return;
+  }
+  const Noise& noise = noise_[segment];
   rows.head(changes.size()) = changes.cwiseQuotient(noise.change_sd);
-  rows.tail(error.size()) = error / std::max(noise.rest_sd, coarse_ ? 0 : f.disturbance);
+  if (!noise.cosines) {
+    rest = error / std::max(noise.rest_sd, f.disturbance);
+    return;
+  }
+  const Index samples = noise.cosines->rows();
+  for (Index c = 0; c < noise.rest_by_cosine.cols(); ++c)
+    rest.segment(c * samples, samples) = (*noise.cosines * error.segment(c * samples, samples))
+                                             .cwiseQuotient(noise.rest_by_cosine.col(c).cwiseMax(f.disturbance));
 }
 
 VectorXd SegmentEvidence::offset_slopes(std::size_t channel, double scale) const {

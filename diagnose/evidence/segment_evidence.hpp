@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 
 #include "diagnose/evidence/discrepancy.hpp"
 #include "diagnose/evidence/segment_model.hpp"
@@ -63,8 +64,14 @@ class SegmentEvidence : public Evidence {
   struct Noise {
     Eigen::VectorXd change_sd;  // of the first rows
     double rest_sd = 1;         // of the others
+    // Where they hold more than what is white: their standard deviations in cosines, by cosine and channel.
+    std::shared_ptr<const Eigen::MatrixXd> cosines = {};
+    Eigen::MatrixXd rest_by_cosine = {};
   };
   void measure_noise(const Eigen::VectorXd& unknowns);
+  /// Of the segments of one record from `first` on, one column of errors each.
+  Eigen::MatrixXd noise_in_cosines(std::size_t first, const Eigen::MatrixXd& errors, const Eigen::MatrixXd& cosines,
+                                   double least) const;
   /// A segment's rows, from errors of its samples.
   void rows_of(std::size_t segment, Eigen::VectorXd error, Eigen::Ref<Eigen::VectorXd> rows) const;
   /// Slopes by the offset of a response channel, per `scale`.

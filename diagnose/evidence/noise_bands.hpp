@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace secular {
+
+/// Rows that take a stretch of samples to its cosines (the orthonormal transform DCT-II: stationary noise of any
+/// colour is as good as independent in them), the slowest first.
+Eigen::MatrixXd cosines(Eigen::Index samples);
+
+/// Stretches of one record and channel in their cosines, and how many of each cosine's degrees of freedom are left
+/// in it.
+struct CosineStretches {
+  Eigen::MatrixXd values;   ///< cosine x stretch
+  Eigen::MatrixXd freedom;  ///< the same, 0 to 1
+};
+
+/// Standard deviation of the noise by cosine: in bands of half an octave, each that of its quietest quarter of
+/// stretches, as what a model misses is largest where the motion is. Nowhere less than `least`.
+Eigen::VectorXd noise_by_band(const CosineStretches& stretches, double least);
+
+}  // namespace secular
