@@ -20,4 +20,11 @@ struct CosineStretches {
 /// stretches, as what a model misses is largest where the motion is. Nowhere less than `least`.
 Eigen::VectorXd noise_by_band(const CosineStretches& stretches, double least);
 
+/// Noise of the channels of stretches of as many samples.
+struct NoiseInCosines {
+  Eigen::MatrixXd cosines;
+  Eigen::MatrixXd sd;  ///< cosine x channel
+  double least = 0;    ///< standard deviation of what is white in it
+};
+
 }  // namespace secular

@@ -28,9 +28,7 @@ class Repeatability {
         std::vector<LineScatter> lines;
         for (const Dwell& dwell : dwells)
           for (Index l = 0; l < scatter(dwell).cols(); ++l)
-            if (kind_of(dwell, l) == kind)
-              lines.push_back({frequency(dwell, l), scatter(dwell)(c, l),
-                               (kind == LineKind::mean ? 1 : 2) * dwell.degrees_of_freedom});
+            if (kind_of(dwell, l) == kind) lines.push_back(scatter_at(dwell, c, l));
         pooled_.try_emplace({c, kind}, std::move(lines));
       }
   }
@@ -45,20 +43,23 @@ class Repeatability {
  private:
   double of_one(const Dwell& dwell, Index channel, Index column) const {
     const LineKind kind = kind_of(dwell, column);
-    const double w = frequency(dwell, column), sd = pooled_.at({channel, kind}).sd(w);
+    const LineScatter own = scatter_at(dwell, channel, column);
+    const double sd = pooled_.at({channel, kind}).sd(own);
     // A line near resonance varies with the structure; it is never quieter than the channel's other lines.
-    return kind == LineKind::resonant ? std::max(sd, pooled_.at({channel, LineKind::other}).sd(w)) : sd;
+    return kind == LineKind::resonant ? std::max(sd, pooled_.at({channel, LineKind::other}).sd({own.frequency}))
+                                      : sd;
   }
 
+  LineScatter scatter_at(const Dwell& dwell, Index channel, Index column) const {
+    return {std::abs(dwell.condition.line_rate(line(dwell, column)).imag()), scatter(dwell)(channel, column),
+            (kind_of(dwell, column) == LineKind::mean ? 1 : 2) * dwell.degrees_of_freedom};
+  }
   const MatrixXd& scatter(const Dwell& dwell) const {
     return excitation_ ? dwell.excitation_scatter : dwell.response_scatter;
   }
   Index line(const Dwell& dwell, Index column) const {
     const Condition& c = dwell.condition;
     return (excitation_ ? c.excitation_lines : c.lines)[static_cast<std::size_t>(column)];
-  }
-  double frequency(const Dwell& dwell, Index column) const {
-    return std::abs(dwell.condition.line_rate(line(dwell, column)).imag());
   }
   LineKind kind_of(const Dwell& dwell, Index column) const {
     const Condition& c = dwell.condition;

@@ -23,7 +23,8 @@ PooledScatter::PooledScatter(std::vector<LineScatter> lines) : lines_(std::move(
                    [](const LineScatter& a, const LineScatter& b) { return a.frequency < b.frequency; });
 }
 
-double PooledScatter::sd(double frequency) const {
+double PooledScatter::sd(const LineScatter& own) const {
+  const double frequency = own.frequency;
   const auto distance = [&](const LineScatter& line) {
     return line.frequency == frequency ? 0 : std::abs(std::log(line.frequency / frequency));
   };
@@ -43,6 +44,7 @@ double PooledScatter::sd(double frequency) const {
   for (auto line = first; line != last; ++line) typical.push_back(line->sd);
   if (typical.empty()) return 0;
   const double most = disturbed * upper_median(std::move(typical));
+  if (own.sd > most) return own.sd;
   double squares = 0;
   freedom = 0;
   for (auto line = first; line != last; ++line) {

@@ -17,10 +17,10 @@ class PooledScatter {
  public:
   explicit PooledScatter(std::vector<LineScatter> lines);
 
-  /// Root mean square over the lines that are nearest in frequency (as a ratio), as many as are needed to know it.
-  /// Some of more than four times the median of these do not count, so that one disturbed dwell does not speak for
-  /// all. Zero where there are none.
-  double sd(double frequency) const;
+  /// Of a line: the root mean square over the lines that are nearest in frequency (as a ratio), as many as are
+  /// needed to know it; zero where there are none. A line of more than four times the median of these is disturbed:
+  /// it does not speak for the others, nor these for it, which has its own.
+  double sd(const LineScatter& line) const;
 
  private:
   std::vector<LineScatter> lines_;  // by frequency

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
-#include "diagnose/evidence/noise_bands.hpp"
 #include "numerics/in_parallel.hpp"
 #include "numerics/median.hpp"
 #include "numerics/third_differences.hpp"
@@ -82,8 +83,9 @@ double white_variance(const VectorXd& error, Index samples) {
 }
 
 // What is white in the errors, whatever the channel's noise floor was taken for, from the variances of segments.
-double white_level(const VectorXd& white) {
-  return std::max(1e-3, std::sqrt(white.mean()));
+double white_level(const std::vector<double>& white) {
+  return std::max(1e-3,
+                  std::sqrt(std::accumulate(white.begin(), white.end(), 0.0) / static_cast<double>(white.size())));
 }
 
 }  // namespace
@@ -201,68 +203,112 @@ void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
   if (!coarse_) measure_noise(unknowns);
 }
 
-SegmentEvidence::Noise SegmentEvidence::noise_of(const VectorXd& white, const MatrixXd& changes,
-                                                 const std::vector<double>& rest, bool repeats) const {
+std::vector<SegmentEvidence::Left> SegmentEvidence::left_by(const VectorXd& unknowns) const {
+  const std::vector<VectorXd> errors = frozen_errors(unknowns);
+  std::vector<Left> all;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const Frozen& f = frozen_[i];
+    Left left;
+    left.white = white_variance(errors[i], segments_[i].response.cols());
+    left.changes = f.change_basis.transpose() * errors[i];
+    left.rest = errors[i] - f.state_basis * (f.state_basis.transpose() * errors[i]) - f.change_basis * left.changes;
+    left.rest_rms = left.rest.norm() /
+                    std::sqrt(static_cast<double>(errors[i].size() - f.state_basis.cols() - f.change_basis.cols()));
+    all.push_back(std::move(left));
+  }
+  return all;
+}
+
+std::shared_ptr<const NoiseInCosines> SegmentEvidence::coloured_noise(const std::vector<Left>& left) const {
+  std::vector<std::size_t> alike;
+  for (std::size_t i = 0; i < segments_.size(); ++i)
+    if (segments_[i].excitation.cols() == 0 &&
+        (alike.empty() || segments_[i].response.cols() == segments_[alike.front()].response.cols()))
+      alike.push_back(i);
+  if (alike.size() < fewest_segments) return nullptr;
+  std::vector<double> rest, white;
+  for (const std::size_t i : alike) {
+    rest.push_back(left[i].rest_rms);
+    white.push_back(left[i].white);
+  }
+  NoiseInCosines noise;
+  noise.least = white_level(white);
+  if (!(lower_quartile(std::move(rest)) > noise.least)) return nullptr;
+  const Index samples = segments_[alike.front()].response.cols(),
+              channels = segments_[alike.front()].response.rows(), count = static_cast<Index>(alike.size());
+  noise.cosines = cosines(samples);
+  noise.sd.resize(samples, channels);
+  for (Index c = 0; c < channels; ++c) {
+    const auto of_channel = Eigen::seqN(c * samples, samples);
+    CosineStretches stretches{MatrixXd(samples, count), MatrixXd::Ones(samples, count)};
+    for (Index i = 0; i < count; ++i) {
+      const std::size_t segment = alike[static_cast<std::size_t>(i)];
+      stretches.values.col(i) = noise.cosines * left[segment].rest(of_channel);
+      for (const MatrixXd* basis : {&frozen_[segment].state_basis, &frozen_[segment].change_basis})
+        stretches.freedom.col(i) -= (noise.cosines * (*basis)(of_channel, Eigen::all)).rowwise().squaredNorm();
+    }
+    noise.sd.col(c) = noise_by_band(stretches, noise.least);
+  }
+  return std::make_shared<const NoiseInCosines>(std::move(noise));
+}
+
+// What the first rows repeat to from segment to segment is no less than noise makes of them.
+SegmentEvidence::Noise SegmentEvidence::noise_of(std::span<const Left> left, std::size_t first,
+                                                 std::shared_ptr<const NoiseInCosines> coloured) const {
+  const Segment& s = segments_[first];
+  std::vector<double> white, rest;
+  for (const Left& l : left) {
+    white.push_back(l.white);
+    rest.push_back(l.rest_rms);
+  }
   const double level = white_level(white);
-  Noise noise{VectorXd::Constant(changes.rows(), level), level};
-  if (!repeats) return noise;
-  noise.rest_sd = std::max(level, lower_quartile(rest));
-  for (Index row = 0; row < changes.rows(); ++row)
-    noise.change_sd(row) = std::max(level, roughness({changes.row(row).begin(), changes.row(row).end()}));
+  const Index changes = left.front().changes.size();
+  Noise noise{VectorXd::Constant(changes, level), level};
+  if (s.excitation.cols() > 0) return noise;
+  const bool repeats = left.size() >= fewest_segments;
+  if (coloured && coloured->cosines.rows() == s.response.cols()) {
+    VectorXd squares = VectorXd::Zero(changes);
+    for (Index c = 0; c < coloured->sd.cols(); ++c)
+      squares += (coloured->sd.col(c).asDiagonal() * coloured->cosines *
+                  frozen_[first].change_basis.middleRows(c * s.response.cols(), s.response.cols()))
+                     .colwise()
+                     .squaredNorm()
+                     .transpose();
+    noise.change_sd = squares.cwiseSqrt();
+    noise.coloured = std::move(coloured);
+  } else if (repeats) {
+    noise.rest_sd = std::max(level, lower_quartile(std::move(rest)));
+  }
+  for (Index row = 0; repeats && row < changes; ++row) {
+    std::vector<double> series;
+    for (const Left& l : left) series.push_back(l.changes(row));
+    noise.change_sd(row) = std::max(noise.change_sd(row), roughness(series));
+  }
   return noise;
 }
 
 void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
-  const std::vector<VectorXd> errors = frozen_errors(unknowns);
+  const std::vector<Left> left = left_by(unknowns);
+  const std::shared_ptr<const NoiseInCosines> coloured = coloured_noise(left);
   std::vector<Noise> found;
   for (std::size_t first = 0, end = 0; first < segments_.size(); first = end) {
     while (end < segments_.size() && segments_[end].record == segments_[first].record) ++end;
-    const auto count = static_cast<Index>(end - first);
-    VectorXd white(count);
-    MatrixXd changes(frozen_[first].change_basis.cols(), count), all_rest(errors[first].size(), count);
-    std::vector<double> rest, logarithm;
-    for (std::size_t i = first; i < end; ++i) {
-      const Frozen& f = frozen_[i];
-      const auto column = static_cast<Index>(i - first);
-      const VectorXd& error = errors[i];
-      white(column) = white_variance(error, segments_[i].response.cols());
-      changes.col(column) = f.change_basis.transpose() * error;
-      all_rest.col(column) =
-          error - f.state_basis * (f.state_basis.transpose() * error) - f.change_basis * changes.col(column);
-      rest.push_back(all_rest.col(column).norm() /
-                     std::sqrt(static_cast<double>(error.size() - f.state_basis.cols() - f.change_basis.cols())));
-      logarithm.push_back(std::log(std::max(rest.back(), std::sqrt(white(column)))));
-    }
     const bool repeats = segments_[first].excitation.cols() == 0 && end - first >= fewest_segments;
-    Noise noise = noise_of(white, changes, rest, repeats);
-    if (const double level = white_level(white); noise.rest_sd > level) {
-      noise.cosines = std::make_shared<const MatrixXd>(cosines(segments_[first].response.cols()));
-      noise.rest_by_cosine = noise_in_cosines(first, all_rest, *noise.cosines, level);
-    }
+    const Noise noise = noise_of(std::span(left).subspan(first, end - first), first, coloured);
     found.insert(found.end(), end - first, noise);
     for (std::size_t i = first; repeats && i < end && !noise_.empty(); ++i)
       found[i].change_sd = found[i].change_sd.cwiseMax(noise_[i].change_sd);
+    std::vector<double> in_noise, logarithm;
+    for (std::size_t i = first; i < end; ++i) {
+      VectorXd rows(left[i].rest.size());
+      whiten(noise, left[i].rest, rows);
+      in_noise.push_back(left[i].rest_rms * rows.norm() / left[i].rest.norm());
+      logarithm.push_back(std::log(std::max(in_noise.back(), std::sqrt(left[i].white) / noise.white_sd())));
+    }
     const bool disturbed = repeats && roughness(logarithm) > irregular;
-    for (std::size_t i = first; i < end; ++i) frozen_[i].disturbance = disturbed ? rest[i - first] : 0;
+    for (std::size_t i = first; i < end; ++i) frozen_[i].disturbance = disturbed ? in_noise[i - first] : 0;
   }
   noise_ = std::move(found);
-}
-
-MatrixXd SegmentEvidence::noise_in_cosines(std::size_t first, const MatrixXd& errors, const MatrixXd& cosines,
-                                           double least) const {
-  const Index samples = cosines.rows(), channels = errors.rows() / samples;
-  MatrixXd sd(samples, channels);
-  for (Index c = 0; c < channels; ++c) {
-    const auto of_channel = Eigen::seqN(c * samples, samples);
-    CosineStretches stretches{cosines * errors(of_channel, Eigen::all), MatrixXd::Ones(samples, errors.cols())};
-    for (Index i = 0; i < errors.cols(); ++i) {
-      const Frozen& f = frozen_[first + static_cast<std::size_t>(i)];
-      for (const MatrixXd* basis : {&f.state_basis, &f.change_basis})
-        stretches.freedom.col(i) -= (cosines * (*basis)(of_channel, Eigen::all)).rowwise().squaredNorm();
-    }
-    sd.col(c) = noise_by_band(stretches, least);
-  }
-  return sd;
 }
 
 void SegmentEvidence::shift_frequencies(const std::map<std::size_t, VectorXd>& shifts) {
@@ -299,14 +345,19 @@ void SegmentEvidence::rows_of(std::size_t segment, VectorXd error, Eigen::Ref<Ve
   }
   const Noise& noise = noise_[segment];
   rows.head(changes.size()) = changes.cwiseQuotient(noise.change_sd);
-  if (!noise.cosines) {
-    rest = error / std::max(noise.rest_sd, f.disturbance);
+  whiten(noise, error, rest);
+  rest /= std::max(1.0, f.disturbance);
+}
+
+void SegmentEvidence::whiten(const Noise& noise, const VectorXd& error, Eigen::Ref<VectorXd> rest) {
+  if (!noise.coloured) {
+    rest = error / noise.rest_sd;
     return;
   }
-  const Index samples = noise.cosines->rows();
-  for (Index c = 0; c < noise.rest_by_cosine.cols(); ++c)
-    rest.segment(c * samples, samples) = (*noise.cosines * error.segment(c * samples, samples))
-                                             .cwiseQuotient(noise.rest_by_cosine.col(c).cwiseMax(f.disturbance));
+  const auto& [cosines, sd, least] = *noise.coloured;
+  const Index samples = cosines.rows();
+  for (Index c = 0; c < sd.cols(); ++c)
+    rest.segment(c * samples, samples) = (cosines * error.segment(c * samples, samples)).cwiseQuotient(sd.col(c));
 }
 
 VectorXd SegmentEvidence::offset_slopes(std::size_t channel, double scale) const {
@@ -396,7 +447,7 @@ std::vector<SegmentEvidence::Disturbed> SegmentEvidence::disturbed() const {
       records.push_back({segments_[i].record, 0, {}});
     Disturbed& record = records.back();
     ++record.segments;
-    if (frozen_[i].disturbance > 2 * noise_[i].rest_sd) record.worst_s.push_back(segments_[i].in_record_s);
+    if (frozen_[i].disturbance > 2) record.worst_s.push_back(segments_[i].in_record_s);
   }
   return records;
 }
