@@ -16,9 +16,12 @@ struct CosineStretches {
   Eigen::MatrixXd freedom;  ///< the same, 0 to 1
 };
 
-/// Standard deviation of the noise by cosine: in bands of half an octave, each that of its quietest quarter of
-/// stretches, as what a model misses is largest where the motion is. Nowhere less than `least`.
-Eigen::VectorXd noise_by_band(const CosineStretches& stretches, double least);
+/// Standard deviation of the noise by cosine: in bands of half an octave that of the middle stretch, all of them
+/// smaller by what the quietest quarter of stretches holds less in all bands together, as what a model misses is
+/// largest where the motion is. What is left about the cosines of the motion, `of_motion`, is no noise: there it is
+/// as in the bands on either side. Nowhere less than `least`.
+Eigen::VectorXd noise_by_band(const CosineStretches& stretches, const std::vector<Eigen::Index>& of_motion,
+                              double least);
 
 /// Noise of the channels of stretches of as many samples.
 struct NoiseInCosines {

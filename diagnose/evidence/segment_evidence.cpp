@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -86,6 +87,18 @@ double white_variance(const VectorXd& error, Index samples) {
 double white_level(const std::vector<double>& white) {
   return std::max(1e-3,
                   std::sqrt(std::accumulate(white.begin(), white.end(), 0.0) / static_cast<double>(white.size())));
+}
+
+// Of orthonormal columns of errors, channel after channel.
+VectorXd sd_of_changes(const NoiseInCosines& noise, const MatrixXd& basis) {
+  const Index samples = noise.cosines.rows();
+  VectorXd squares = VectorXd::Zero(basis.cols());
+  for (Index c = 0; c < noise.sd.cols(); ++c)
+    squares += (noise.sd.col(c).asDiagonal() * noise.cosines * basis.middleRows(c * samples, samples))
+                   .colwise()
+                   .squaredNorm()
+                   .transpose();
+  return squares.cwiseSqrt();
 }
 
 }  // namespace
@@ -219,13 +232,16 @@ std::vector<SegmentEvidence::Left> SegmentEvidence::left_by(const VectorXd& unkn
   return all;
 }
 
-std::shared_ptr<const NoiseInCosines> SegmentEvidence::coloured_noise(const std::vector<Left>& left) const {
+std::shared_ptr<const NoiseInCosines> SegmentEvidence::coloured_noise(const std::vector<Left>& left,
+                                                                      const VectorXd& unknowns) const {
   std::vector<std::size_t> alike;
   for (std::size_t i = 0; i < segments_.size(); ++i)
     if (segments_[i].excitation.cols() == 0 &&
         (alike.empty() || segments_[i].response.cols() == segments_[alike.front()].response.cols()))
       alike.push_back(i);
-  if (alike.size() < fewest_segments) return nullptr;
+  // What one decay alone leaves may be its motion's as well.
+  if (alike.size() < fewest_segments || segments_[alike.front()].record == segments_[alike.back()].record)
+    return nullptr;
   std::vector<double> rest, white;
   for (const std::size_t i : alike) {
     rest.push_back(left[i].rest_rms);
@@ -236,6 +252,10 @@ std::shared_ptr<const NoiseInCosines> SegmentEvidence::coloured_noise(const std:
   if (!(lower_quartile(std::move(rest)) > noise.least)) return nullptr;
   const Index samples = segments_[alike.front()].response.cols(),
               channels = segments_[alike.front()].response.rows(), count = static_cast<Index>(alike.size());
+  std::vector<Index> of_motion;
+  for (std::size_t k = 0; k < model_.modes(); ++k)
+    of_motion.push_back(std::lround(unknowns(static_cast<Index>(k)) * segments_[alike.front()].sample_s *
+                                    static_cast<double>(samples) / std::numbers::pi));
   noise.cosines = cosines(samples);
   noise.sd.resize(samples, channels);
   for (Index c = 0; c < channels; ++c) {
@@ -247,12 +267,13 @@ std::shared_ptr<const NoiseInCosines> SegmentEvidence::coloured_noise(const std:
       for (const MatrixXd* basis : {&frozen_[segment].state_basis, &frozen_[segment].change_basis})
         stretches.freedom.col(i) -= (noise.cosines * (*basis)(of_channel, Eigen::all)).rowwise().squaredNorm();
     }
-    noise.sd.col(c) = noise_by_band(stretches, noise.least);
+    noise.sd.col(c) = noise_by_band(stretches, of_motion, noise.least);
   }
   return std::make_shared<const NoiseInCosines>(std::move(noise));
 }
 
-// What the first rows repeat to from segment to segment is no less than noise makes of them.
+// What the first rows repeat to from segment to segment is what noise makes of them where the segments are too few
+// to tell.
 SegmentEvidence::Noise SegmentEvidence::noise_of(std::span<const Left> left, std::size_t first,
                                                  std::shared_ptr<const NoiseInCosines> coloured) const {
   const Segment& s = segments_[first];
@@ -267,14 +288,7 @@ SegmentEvidence::Noise SegmentEvidence::noise_of(std::span<const Left> left, std
   if (s.excitation.cols() > 0) return noise;
   const bool repeats = left.size() >= fewest_segments;
   if (coloured && coloured->cosines.rows() == s.response.cols()) {
-    VectorXd squares = VectorXd::Zero(changes);
-    for (Index c = 0; c < coloured->sd.cols(); ++c)
-      squares += (coloured->sd.col(c).asDiagonal() * coloured->cosines *
-                  frozen_[first].change_basis.middleRows(c * s.response.cols(), s.response.cols()))
-                     .colwise()
-                     .squaredNorm()
-                     .transpose();
-    noise.change_sd = squares.cwiseSqrt();
+    if (!repeats) noise.change_sd = sd_of_changes(*coloured, frozen_[first].change_basis);
     noise.coloured = std::move(coloured);
   } else if (repeats) {
     noise.rest_sd = std::max(level, lower_quartile(std::move(rest)));
@@ -289,7 +303,7 @@ SegmentEvidence::Noise SegmentEvidence::noise_of(std::span<const Left> left, std
 
 void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
   const std::vector<Left> left = left_by(unknowns);
-  const std::shared_ptr<const NoiseInCosines> coloured = coloured_noise(left);
+  const std::shared_ptr<const NoiseInCosines> coloured = coloured_noise(left, unknowns);
   std::vector<Noise> found;
   for (std::size_t first = 0, end = 0; first < segments_.size(); first = end) {
     while (end < segments_.size() && segments_[end].record == segments_[first].record) ++end;

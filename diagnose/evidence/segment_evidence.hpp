@@ -78,8 +78,9 @@ class SegmentEvidence : public Evidence {
   };
   std::vector<Left> left_by(const Eigen::VectorXd& unknowns) const;
   void measure_noise(const Eigen::VectorXd& unknowns);
-  /// Of all decays together; nothing where it is white, or where they are too few to tell.
-  std::shared_ptr<const NoiseInCosines> coloured_noise(const std::vector<Left>& left) const;
+  /// Of all decays together; nothing where it is white, or where they are too few to tell: fewer than two.
+  std::shared_ptr<const NoiseInCosines> coloured_noise(const std::vector<Left>& left,
+                                                       const Eigen::VectorXd& unknowns) const;
   /// Errors beside the first rows in units of noise.
   static void whiten(const Noise& noise, const Eigen::VectorXd& error, Eigen::Ref<Eigen::VectorXd> rest);
   /// A segment's rows, from errors of its samples.
