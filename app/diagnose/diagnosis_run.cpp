@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "app/diagnose/lateness.hpp"
@@ -21,6 +23,8 @@
 
 namespace secular::app {
 namespace {
+
+constexpr std::string_view wandering = "offset_wander";
 
 // Of others the diagnosis has descriptions of its own: they are not terms that a line of a steady motion sees.
 bool is_seen_by_lines(const EffectTerm& term, const EffectCatalogue& catalogue) {
@@ -62,6 +66,14 @@ std::optional<Eigen::Index> fitted_offset(const Channel& channel, const Diagnosi
   const auto found = std::find(names.begin(), names.end(), "offset(" + channel.name + ")");
   if (channel.role != ChannelRole::response || found == names.end()) return std::nullopt;
   return found - names.begin();
+}
+
+// Whether the fit allows for something that was found in the records.
+bool is_fitted(const Disturbance& d, const DiagnosisRun& run, const DiagnosisOptions& options) {
+  if (!d.channel) return false;
+  const Channel& channel = run.campaign.channels[*d.channel];
+  if (d.kind == wandering) return channel.role == ChannelRole::response && options.wandering.contains(*d.channel);
+  return d.kind == "offset" && fitted_offset(channel, run.diagnosis).has_value();
 }
 
 // Something that the fit tells of a record, within the window.
@@ -132,6 +144,18 @@ std::vector<Disturbance> own_frequencies(const Diagnosis& diagnosis, const Compi
     found.push_back(std::move(d));
   }
   return found;
+}
+
+// Of channels that show it in two records or more; then it does in the others, seen there or not. In one record
+// alone it may be the motion's own mean.
+WanderingZeros wandering_zeros(const std::vector<Disturbance>& found) {
+  std::map<std::size_t, std::set<std::size_t>> records;  // by channel
+  for (const Disturbance& d : found)
+    if (d.kind == wandering && d.channel) records[*d.channel].insert(d.record);
+  WanderingZeros zeros;
+  for (const auto& [channel, with] : records)
+    if (with.size() > 1) zeros.insert(channel);
+  return zeros;
 }
 
 DiagnosisOptions options_of(const DiagnosisRequest& request) {
@@ -309,6 +333,9 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   options.natural_frequency = starts.frequency;
   for (std::size_t k = 0; k < nominal.size(); ++k)
     if (std::isfinite(nominal[k]) && !starts.moved[k]) options.natural_frequency[k] = nominal[k];
+  for (std::size_t r = 0; r < run.campaign.records.size(); ++r)
+    if (request.window.takes(r, run.campaign.records[r].file)) read(r);  // looked at before any is compared
+  options.wandering = wandering_zeros(watch.found());
   const TriedModel tried = with_effects(source, request.catalogue);
   run.model = tried.model;
   options.forces = tried.forces;
@@ -328,8 +355,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
   run.disturbances = watch.found();
   for (Disturbance& d : run.disturbances)
-    if (d.kind == "offset" && d.channel && fitted_offset(run.campaign.channels[*d.channel], run.diagnosis))
-      d.treated = "fitted";
+    if (is_fitted(d, run, options)) d.treated = "fitted";
   for (Disturbance& d : fitted_offsets(run.diagnosis, run.campaign, run.disturbances))
     run.disturbances.push_back(std::move(d));
   for (Disturbance& d : late_records(options, lateness, run.diagnosis)) run.disturbances.push_back(std::move(d));

@@ -209,7 +209,8 @@ class DwellObserver {
       std::optional<DwellLines> lines = lines_of(layout, reader);
       if (!lines) continue;
       std::vector<LineEnsemble> ensembles = reader.read(*lines);
-      if (!context_.window.passes(0)) leave_mean_out(ensembles, *lines);
+      if (!context_.window.passes(0) || any_wanders(context_.wandering, context_.sensors.responses))
+        leave_mean_out(ensembles, *lines);
       align(ensembles, *lines);
       const EnsembleStatistics statistics = statistics_of(ensembles, *lines);
       Dwell dwell = dwell_of(ensembles.size(), *length, statistics);

@@ -8,6 +8,7 @@
 #include "diagnose/evidence/condition.hpp"
 #include "diagnose/evidence/nonstationarity.hpp"
 #include "diagnose/evidence/sensor_model.hpp"
+#include "diagnose/evidence/wandering_zeros.hpp"
 #include "measure/observe/observation_set.hpp"
 
 namespace secular {
@@ -30,6 +31,7 @@ struct DwellContext {
   const SensorModel& sensors;
   const std::vector<double>& natural_frequency;  ///< rad/s, by mode
   const Window& window;
+  const WanderingZeros& wandering;
 };
 
 /// Nothing (and a warning) for a dwell that is too short, has no steady excitation or has not settled. Phases are

@@ -212,6 +212,10 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
       segment.fold = static_cast<int>(r) + 1000 * (1 + number++ % 10);
       segment.time_s = began[r] + segment.in_record_s;
       segment.noise_sd = noise;
+      for (std::size_t c = 0; c < sensors.responses.size(); ++c)
+        if (cut.wandering.contains(sensors.responses[c])) segment.wandering.push_back(static_cast<Index>(c));
+      // What is taken off is seen by no row, and a state is found without it.
+      for (const Index c : segment.wandering) segment.response.row(c).array() -= segment.response.row(c).mean();
       segments.push_back(std::move(segment));
     }
   }

@@ -6,6 +6,7 @@
 
 #include "diagnose/evidence/segment_motion.hpp"
 #include "diagnose/evidence/sensor_model.hpp"
+#include "diagnose/evidence/wandering_zeros.hpp"
 #include "measure/observe/observation_set.hpp"
 
 namespace secular {
@@ -23,6 +24,7 @@ struct Segment {
   Eigen::MatrixXd response;    ///< response channels x samples
   Eigen::VectorXd noise_sd;    ///< response channels
   int substeps = 1;
+  std::vector<Eigen::Index> wandering;  ///< response channels whose zero moves slowly
 };
 
 enum class SegmentLength {
@@ -35,6 +37,7 @@ struct SegmentCut {
   Window window;
   SegmentLength length = SegmentLength::turns;
   Eigen::Index most_samples = 0;  ///< in all; of no effect on whole ones
+  WanderingZeros wandering = {};
 };
 
 /// Free decays, impacts, sweeps and broadband records as segments, evenly spread over the record where it holds

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <numeric>
+#include <utility>
 
 #include "numerics/in_parallel.hpp"
 #include "numerics/median.hpp"
@@ -39,6 +42,23 @@ MatrixXd beyond(const MatrixXd& basis, MatrixXd columns) {
   return columns;
 }
 
+/// Of a zero that wanders, within a segment: where it is and how fast it moves.
+constexpr Index wander_terms = 2;
+
+// What wandering zeros do to a segment's errors, in orthonormal columns.
+MatrixXd wander(const Segment& s) {
+  const Index samples = s.response.cols();
+  MatrixXd columns =
+      MatrixXd::Zero(s.response.rows() * samples, wander_terms * static_cast<Index>(s.wandering.size()));
+  for (std::size_t w = 0; w < s.wandering.size(); ++w) {
+    auto block =
+        columns.block(s.wandering[w] * samples, wander_terms * static_cast<Index>(w), samples, wander_terms);
+    block.col(0).setConstant(1 / std::sqrt(static_cast<double>(samples)));
+    block.col(1) = VectorXd::LinSpaced(samples, -1, 1).normalized();
+  }
+  return columns;
+}
+
 // Standard deviation of what is independent from one value to the next, by the median of |normal|, 0.6745.
 double roughness(const std::vector<double>& values) {
   std::vector<double> third = third_differences(values);
@@ -61,6 +81,24 @@ double white_variance(const VectorXd& error, Index samples) {
       count += 1;
     }
   return count > 0 ? sum / count : 1;
+}
+
+// What is white in the errors, whatever the channel's noise floor was taken for, from the variances of segments.
+double white_level(const std::vector<double>& white) {
+  return std::max(1e-3,
+                  std::sqrt(std::accumulate(white.begin(), white.end(), 0.0) / static_cast<double>(white.size())));
+}
+
+// Of orthonormal columns of errors, channel after channel.
+VectorXd sd_of_changes(const NoiseInCosines& noise, const MatrixXd& basis) {
+  const Index samples = noise.cosines.rows();
+  VectorXd squares = VectorXd::Zero(basis.cols());
+  for (Index c = 0; c < noise.sd.cols(); ++c)
+    squares += (noise.sd.col(c).asDiagonal() * noise.cosines * basis.middleRows(c * samples, samples))
+                   .colwise()
+                   .squaredNorm()
+                   .transpose();
+  return squares.cwiseSqrt();
 }
 
 }  // namespace
@@ -99,7 +137,9 @@ Index SegmentEvidence::freedom() const {
   Index at_jumps = 0;
   for (const Frozen& f : frozen_)
     at_jumps += static_cast<Index>(f.at_jumps.size() * model_.sensors().responses.size());
-  return size() - static_cast<Index>(4 * model_.modes() * segments_.size()) - at_jumps;
+  Index wandering = 0;
+  for (const Segment& s : segments_) wandering += wander_terms * static_cast<Index>(s.wandering.size());
+  return size() - static_cast<Index>(4 * model_.modes() * segments_.size()) - at_jumps - wandering;
 }
 
 std::vector<VectorXd> SegmentEvidence::frozen_errors(std::size_t segment,
@@ -165,7 +205,7 @@ void SegmentEvidence::freeze_bases(std::size_t segment, const VectorXd& unknowns
       columns.col(static_cast<Index>(i)) = (errors[first + i] - errors.front()) * scale;
     return columns;
   };
-  f.state_basis = beyond(MatrixXd(errors.front().size(), 0), differences(1, 1e4));
+  f.state_basis = beyond(wander(segments_[segment]), differences(1, 1e4));
   f.change_basis = beyond(f.state_basis, differences(1 + 2 * modes, 1e6));
 }
 
@@ -176,45 +216,111 @@ void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
   if (!coarse_) measure_noise(unknowns);
 }
 
-SegmentEvidence::Noise SegmentEvidence::noise_of(const VectorXd& white, const MatrixXd& changes,
-                                                 const std::vector<double>& rest, bool repeats) const {
-  // What is white in the errors, whatever the channel's noise floor was taken for.
-  const double level = std::max(1e-3, std::sqrt(white.mean()));
-  Noise noise{VectorXd::Constant(changes.rows(), level), level};
-  if (!repeats) return noise;
-  noise.rest_sd = std::max(level, lower_quartile(rest));
-  for (Index row = 0; row < changes.rows(); ++row)
-    noise.change_sd(row) = std::max(level, roughness({changes.row(row).begin(), changes.row(row).end()}));
+std::vector<SegmentEvidence::Left> SegmentEvidence::left_by(const VectorXd& unknowns) const {
+  const std::vector<VectorXd> errors = frozen_errors(unknowns);
+  std::vector<Left> all;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const Frozen& f = frozen_[i];
+    Left left;
+    left.white = white_variance(errors[i], segments_[i].response.cols());
+    left.changes = f.change_basis.transpose() * errors[i];
+    left.rest = errors[i] - f.state_basis * (f.state_basis.transpose() * errors[i]) - f.change_basis * left.changes;
+    left.rest_rms = left.rest.norm() /
+                    std::sqrt(static_cast<double>(errors[i].size() - f.state_basis.cols() - f.change_basis.cols()));
+    all.push_back(std::move(left));
+  }
+  return all;
+}
+
+std::shared_ptr<const NoiseInCosines> SegmentEvidence::coloured_noise(const std::vector<Left>& left,
+                                                                      const VectorXd& unknowns) const {
+  std::vector<std::size_t> alike;
+  for (std::size_t i = 0; i < segments_.size(); ++i)
+    if (segments_[i].excitation.cols() == 0 &&
+        (alike.empty() || segments_[i].response.cols() == segments_[alike.front()].response.cols()))
+      alike.push_back(i);
+  // What one decay alone leaves may be its motion's as well.
+  if (alike.size() < fewest_segments || segments_[alike.front()].record == segments_[alike.back()].record)
+    return nullptr;
+  std::vector<double> rest, white;
+  for (const std::size_t i : alike) {
+    rest.push_back(left[i].rest_rms);
+    white.push_back(left[i].white);
+  }
+  NoiseInCosines noise;
+  noise.least = white_level(white);
+  if (!(lower_quartile(std::move(rest)) > noise.least)) return nullptr;
+  const Index samples = segments_[alike.front()].response.cols(),
+              channels = segments_[alike.front()].response.rows(), count = static_cast<Index>(alike.size());
+  std::vector<Index> of_motion;
+  for (std::size_t k = 0; k < model_.modes(); ++k)
+    of_motion.push_back(std::lround(unknowns(static_cast<Index>(k)) * segments_[alike.front()].sample_s *
+                                    static_cast<double>(samples) / std::numbers::pi));
+  noise.cosines = cosines(samples);
+  noise.sd.resize(samples, channels);
+  for (Index c = 0; c < channels; ++c) {
+    const auto of_channel = Eigen::seqN(c * samples, samples);
+    CosineStretches stretches{MatrixXd(samples, count), MatrixXd::Ones(samples, count)};
+    for (Index i = 0; i < count; ++i) {
+      const std::size_t segment = alike[static_cast<std::size_t>(i)];
+      stretches.values.col(i) = noise.cosines * left[segment].rest(of_channel);
+      for (const MatrixXd* basis : {&frozen_[segment].state_basis, &frozen_[segment].change_basis})
+        stretches.freedom.col(i) -= (noise.cosines * (*basis)(of_channel, Eigen::all)).rowwise().squaredNorm();
+    }
+    noise.sd.col(c) = noise_by_band(stretches, of_motion, noise.least);
+  }
+  return std::make_shared<const NoiseInCosines>(std::move(noise));
+}
+
+// What the first rows repeat to from segment to segment is what noise makes of them where the segments are too few
+// to tell.
+SegmentEvidence::Noise SegmentEvidence::noise_of(std::span<const Left> left, std::size_t first,
+                                                 std::shared_ptr<const NoiseInCosines> coloured) const {
+  const Segment& s = segments_[first];
+  std::vector<double> white, rest;
+  for (const Left& l : left) {
+    white.push_back(l.white);
+    rest.push_back(l.rest_rms);
+  }
+  const double level = white_level(white);
+  const Index changes = left.front().changes.size();
+  Noise noise{VectorXd::Constant(changes, level), level};
+  if (s.excitation.cols() > 0) return noise;
+  const bool repeats = left.size() >= fewest_segments;
+  if (coloured && coloured->cosines.rows() == s.response.cols()) {
+    if (!repeats) noise.change_sd = sd_of_changes(*coloured, frozen_[first].change_basis);
+    noise.coloured = std::move(coloured);
+  } else if (repeats) {
+    noise.rest_sd = std::max(level, lower_quartile(std::move(rest)));
+  }
+  for (Index row = 0; repeats && row < changes; ++row) {
+    std::vector<double> series;
+    for (const Left& l : left) series.push_back(l.changes(row));
+    noise.change_sd(row) = std::max(noise.change_sd(row), roughness(series));
+  }
   return noise;
 }
 
 void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
-  const std::vector<VectorXd> errors = frozen_errors(unknowns);
+  const std::vector<Left> left = left_by(unknowns);
+  const std::shared_ptr<const NoiseInCosines> coloured = coloured_noise(left, unknowns);
   std::vector<Noise> found;
   for (std::size_t first = 0, end = 0; first < segments_.size(); first = end) {
     while (end < segments_.size() && segments_[end].record == segments_[first].record) ++end;
-    const auto count = static_cast<Index>(end - first);
-    VectorXd white(count);
-    MatrixXd changes(frozen_[first].change_basis.cols(), count);
-    std::vector<double> rest, logarithm;
-    for (std::size_t i = first; i < end; ++i) {
-      const Frozen& f = frozen_[i];
-      const auto column = static_cast<Index>(i - first);
-      const VectorXd& error = errors[i];
-      white(column) = white_variance(error, segments_[i].response.cols());
-      changes.col(column) = f.change_basis.transpose() * error;
-      const double squares = error.squaredNorm() - (f.state_basis.transpose() * error).squaredNorm() -
-                             changes.col(column).squaredNorm();
-      rest.push_back(std::sqrt(std::max(0.0, squares) /
-                               static_cast<double>(error.size() - f.state_basis.cols() - f.change_basis.cols())));
-      logarithm.push_back(std::log(std::max(rest.back(), std::sqrt(white(column)))));
-    }
     const bool repeats = segments_[first].excitation.cols() == 0 && end - first >= fewest_segments;
-    found.insert(found.end(), end - first, noise_of(white, changes, rest, repeats));
+    const Noise noise = noise_of(std::span(left).subspan(first, end - first), first, coloured);
+    found.insert(found.end(), end - first, noise);
     for (std::size_t i = first; repeats && i < end && !noise_.empty(); ++i)
       found[i].change_sd = found[i].change_sd.cwiseMax(noise_[i].change_sd);
+    std::vector<double> in_noise, logarithm;
+    for (std::size_t i = first; i < end; ++i) {
+      VectorXd rows(left[i].rest.size());
+      whiten(noise, left[i].rest, rows);
+      in_noise.push_back(left[i].rest_rms * rows.norm() / left[i].rest.norm());
+      logarithm.push_back(std::log(std::max(in_noise.back(), std::sqrt(left[i].white) / noise.white_sd())));
+    }
     const bool disturbed = repeats && roughness(logarithm) > irregular;
-    for (std::size_t i = first; i < end; ++i) frozen_[i].disturbance = disturbed ? rest[i - first] : 0;
+    for (std::size_t i = first; i < end; ++i) frozen_[i].disturbance = disturbed ? in_noise[i - first] : 0;
   }
   noise_ = std::move(found);
 }
@@ -245,9 +351,27 @@ void SegmentEvidence::rows_of(std::size_t segment, VectorXd error, Eigen::Ref<Ve
   error -= f.state_basis * (f.state_basis.transpose() * error);
   const VectorXd changes = f.change_basis.transpose() * error;
   error -= f.change_basis * changes;
-  const Noise noise = coarse_ ? Noise{VectorXd::Ones(changes.size())} : noise_[segment];
+  auto rest = rows.tail(error.size());
+  if (coarse_) {
+    rows.head(changes.size()) = changes;
+    rest = error;
+    return;
+  }
+  const Noise& noise = noise_[segment];
   rows.head(changes.size()) = changes.cwiseQuotient(noise.change_sd);
-  rows.tail(error.size()) = error / std::max(noise.rest_sd, coarse_ ? 0 : f.disturbance);
+  whiten(noise, error, rest);
+  rest /= std::max(1.0, f.disturbance);
+}
+
+void SegmentEvidence::whiten(const Noise& noise, const VectorXd& error, Eigen::Ref<VectorXd> rest) {
+  if (!noise.coloured) {
+    rest = error / noise.rest_sd;
+    return;
+  }
+  const auto& [cosines, sd, least] = *noise.coloured;
+  const Index samples = cosines.rows();
+  for (Index c = 0; c < sd.cols(); ++c)
+    rest.segment(c * samples, samples) = (cosines * error.segment(c * samples, samples)).cwiseQuotient(sd.col(c));
 }
 
 VectorXd SegmentEvidence::offset_slopes(std::size_t channel, double scale) const {
@@ -337,7 +461,7 @@ std::vector<SegmentEvidence::Disturbed> SegmentEvidence::disturbed() const {
       records.push_back({segments_[i].record, 0, {}});
     Disturbed& record = records.back();
     ++record.segments;
-    if (frozen_[i].disturbance > 2 * noise_[i].rest_sd) record.worst_s.push_back(segments_[i].in_record_s);
+    if (frozen_[i].disturbance > 2) record.worst_s.push_back(segments_[i].in_record_s);
   }
   return records;
 }

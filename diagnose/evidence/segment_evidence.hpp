@@ -1,8 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
+#include <span>
 
 #include "diagnose/evidence/discrepancy.hpp"
+#include "diagnose/evidence/noise_bands.hpp"
 #include "diagnose/evidence/segment_model.hpp"
 
 namespace secular {
@@ -54,25 +57,39 @@ class SegmentEvidence : public Evidence {
     // the unknowns and do not count.
     std::vector<Eigen::Index> at_jumps;
     double widening = 1;     // errors times this
-    double disturbance = 0;  // what the other rows hold in a disturbed record, and count no more than; else 0
+    double disturbance = 0;  // of a disturbed record what the other rows hold, in units of noise; else 0
   };
   // What a segment repeats to, in units of its channels' noise, as the unknowns leave it at which errors are taken:
   // no trial before them has a part in it. Only how the first rows repeat from segment to segment, which a few
   // segments tell roughly, is the largest since errors were coarse: an explanation that fits better does not take
   // it back.
   struct Noise {
-    Eigen::VectorXd change_sd;  // of the first rows
-    double rest_sd = 1;         // of the others
+    Eigen::VectorXd change_sd;                            // of the first rows
+    double rest_sd = 1;                                   // of the others where they are white
+    std::shared_ptr<const NoiseInCosines> coloured = {};  // else
+    double white_sd() const { return coloured ? coloured->least : rest_sd; }
   };
+  // What the unknowns leave of a segment.
+  struct Left {
+    double white = 0;         // variance of what is white
+    Eigen::VectorXd changes;  // in the first rows
+    Eigen::VectorXd rest;     // in the others
+    double rest_rms = 0;
+  };
+  std::vector<Left> left_by(const Eigen::VectorXd& unknowns) const;
   void measure_noise(const Eigen::VectorXd& unknowns);
+  /// Of all decays together; nothing where it is white, or where they are too few to tell: fewer than two.
+  std::shared_ptr<const NoiseInCosines> coloured_noise(const std::vector<Left>& left,
+                                                       const Eigen::VectorXd& unknowns) const;
+  /// Errors beside the first rows in units of noise.
+  static void whiten(const Noise& noise, const Eigen::VectorXd& error, Eigen::Ref<Eigen::VectorXd> rest);
   /// A segment's rows, from errors of its samples.
   void rows_of(std::size_t segment, Eigen::VectorXd error, Eigen::Ref<Eigen::VectorXd> rows) const;
   /// Slopes by the offset of a response channel, per `scale`.
   Eigen::VectorXd offset_slopes(std::size_t channel, double scale) const;
-  /// Of a record's segments; `white`: their variances of what is white, `changes` and `rest`: what they leave in
-  /// the first and in the other rows.
-  Noise noise_of(const Eigen::VectorXd& white, const Eigen::MatrixXd& changes, const std::vector<double>& rest,
-                 bool repeats) const;
+  /// Of a record's segments.
+  Noise noise_of(std::span<const Left> left, std::size_t first,
+                 std::shared_ptr<const NoiseInCosines> coloured) const;
   void freeze_segment(std::size_t segment, const Eigen::VectorXd& unknowns, double coarse);
   /// Directions in which errors move with the state, and with the change of every mode, where the segment is.
   void freeze_bases(std::size_t segment, const Eigen::VectorXd& unknowns);

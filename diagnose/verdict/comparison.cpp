@@ -198,10 +198,12 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
   const std::vector<double> natural = natural_frequencies(model, options, result.start);
   CountingReader counting(read, options.window);
   const RecordReader counted = [&](std::size_t r) { return counting(r); };
-  ObservedConditions observed = observe_conditions(campaign, counted, model, sensors, natural, options.window);
+  ObservedConditions observed =
+      observe_conditions({campaign, model, sensors, natural, options.window, options.wandering}, counted);
   result.warnings = std::move(observed.warnings);
   const auto cut = [&](const Window& window, SegmentLength length) {
-    return cut_segments(campaign, counted, sensors, natural, {window, length, most_samples}, result.warnings);
+    return cut_segments(campaign, counted, sensors, natural, {window, length, most_samples, options.wandering},
+                        result.warnings);
   };
   std::vector<Segment> segments = cut(options.window, SegmentLength::turns);
   if (observed.conditions.empty() && segments.empty()) throw nothing_to_compare(campaign, model, result.warnings);

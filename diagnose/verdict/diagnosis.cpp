@@ -90,8 +90,14 @@ class Diagnoser {
  private:
   const Discrepancy& discrepancy() const { return comparison_.discrepancy; }
 
-  // Natural frequencies scatter about the best explanation. What a model that lacks something leaves of them is
-  // larger: with what is left about its best explanation the search is made again. A smaller scatter allows for
+  bool suffices(const Refit& fit) const {
+    return chi_squared_upper_tail(fit.chi_squared, static_cast<double>(discrepancy().freedom() - fit.rank)) >=
+           false_alarm;
+  }
+
+  // Natural frequencies scatter about the model where it leaves nothing, else about the best explanation. What a
+  // model that lacks something leaves of them is larger: with what is left about its best explanation the search is
+  // made again. A smaller scatter allows for
   // less: where the larger one leaves more than noise already, it is not what is there, or not all.
   void infer_beside_scatter(const InferenceOptions& inference_options) {
     RecordNuisances& of_records = comparison_.of_records;
@@ -99,13 +105,11 @@ class Diagnoser {
       inference_ =
           infer(comparison_.discrepancy, comparison_.candidates, comparison_.start, free_, inference_options);
       if (of_records.frequency_sd.size() == 0) return;
-      const bool explained = !inference_.explanations.empty() &&
+      const bool explained = !inference_.explanations.empty() && !suffices(inference_.null.fit) &&
                              inference_.explanations.front().log_evidence > inference_.null.log_evidence;
       const Refit& best = explained ? inference_.explanations.front().fit : inference_.null.fit;
       result_.frequency_scatter = scatter_about(discrepancy(), best.unknowns, model_.modes());
-      result_.frequency_scatter.suffices =
-          chi_squared_upper_tail(best.chi_squared, static_cast<double>(discrepancy().freedom() - best.rank)) >=
-          false_alarm;
+      result_.frequency_scatter.suffices = suffices(best);
       const VectorXd sd = admitted(result_.frequency_scatter);
       const bool grows = (sd.array() > of_records.frequency_sd.array()).any();
       if ((!result_.frequency_scatter.suffices && !grows) || round == most_rounds ||

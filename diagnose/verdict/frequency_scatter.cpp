@@ -30,24 +30,31 @@ constexpr double fewest_freedom = 6;
 /// What is left of a function beside others, by rounding.
 constexpr double dependent = 1e-6;
 
-// What is known of a record before any model, what laws most often depend on first: whether it is driven,
-// amplitude, level and frequency of a dwell, time. (How large a decay is says nothing of its mean frequency: it
-// dies out.)
-VectorXd settings_of(const RowLabel& label) {
-  VectorXd s(10);
-  const double level = label.level, w = label.frequency, a = level > 0 ? label.amplitude : 0;
-  s << 1, level > 0 ? 1 : 0, a * a, level * level, label.time_s, w, a, level, level * w, w * w;
-  return s;
+// What laws may depend on, most often first, as functions of a record's labels: whether it is driven, amplitude,
+// level and frequency of a dwell, time. (How large a decay is says nothing of its mean frequency: it dies out.)
+// Level and frequency together make the amplitude, by way of the record's own natural frequency: functions of all
+// three would follow whatever that is.
+using Settings = VectorXd (*)(const RowLabel&);
+
+VectorXd amplitude_and_level(const RowLabel& label) {
+  const double level = label.level, a = level > 0 ? label.amplitude : 0;
+  return VectorXd{{1, level > 0 ? 1.0 : 0.0, a * a, level * level, label.time_s, a, level}};
+}
+
+VectorXd level_and_frequency(const RowLabel& label) {
+  const double level = label.level, w = label.frequency;
+  return VectorXd{{1, level > 0 ? 1.0 : 0.0, level * level, label.time_s, w, level, level * w, w * w}};
 }
 
 // Independent ones among the settings of these records, the constant first, each of length 1; the first of them, no
 // more than leave as many degrees of freedom as they take.
-MatrixXd functions_of(const std::vector<OwnFrequency>& own, const std::map<std::size_t, VectorXd>& settings) {
+MatrixXd functions_of(const std::vector<OwnFrequency>& own, const std::map<std::size_t, RowLabel>& labels,
+                      Settings settings) {
   const auto count = static_cast<Index>(own.size());
   MatrixXd independent = MatrixXd::Constant(count, 1, 1 / std::sqrt(static_cast<double>(count)));
-  for (Index s = 1; s < settings.begin()->second.size(); ++s) {
+  for (Index s = 1; s < settings(labels.begin()->second).size(); ++s) {
     VectorXd function(count);
-    for (Index r = 0; r < count; ++r) function(r) = settings.at(own[static_cast<std::size_t>(r)].record)(s);
+    for (Index r = 0; r < count; ++r) function(r) = settings(labels.at(own[static_cast<std::size_t>(r)].record))(s);
     const double before = function.norm();
     for (int pass = 0; pass < 2; ++pass) function -= independent * (independent.transpose() * function);
     if (!(function.norm() > dependent * before) || 2 * (independent.cols() + 1) > count) continue;
@@ -69,13 +76,10 @@ bool follows(const VectorXd& shift, const VectorXd& weight, const MatrixXd& func
 FrequencyScatter scatter_about(const Discrepancy& discrepancy, const VectorXd& unknowns, std::size_t modes) {
   FrequencyScatter result;
   result.sd = VectorXd::Zero(static_cast<Index>(modes));
-  std::map<std::size_t, VectorXd> settings;
-  std::map<std::size_t, double> largest;
+  std::map<std::size_t, RowLabel> labels;  // of its largest row, by record
   for (const RowLabel& label : discrepancy.labels())
-    if (!settings.contains(label.record) || label.amplitude > largest[label.record]) {
-      settings[label.record] = settings_of(label);
-      largest[label.record] = label.amplitude;
-    }
+    if (!labels.contains(label.record) || label.amplitude > labels[label.record].amplitude)
+      labels[label.record] = label;
   const std::vector<OwnFrequency> all = discrepancy.own_frequencies(unknowns);
   for (std::size_t k = 0; k < modes; ++k) {
     std::vector<OwnFrequency> own;
@@ -87,14 +91,21 @@ FrequencyScatter scatter_about(const Discrepancy& discrepancy, const VectorXd& u
       shift(r) = own[static_cast<std::size_t>(r)].shift;
       variance(r) = own[static_cast<std::size_t>(r)].variance;
     }
-    const MatrixXd functions = functions_of(own, settings);
-    const Between between = between_records(shift, variance, functions);
-    if (!(between.p_value < scatter_alarm)) continue;
-    result.sd(static_cast<Index>(k)) = between.sd;
     const double total = (shift.array() - shift.mean()).square().sum() / static_cast<double>(own.size() - 1);
-    result.at_random = std::max(result.at_random, between.sd * between.sd / total);
-    const VectorXd weight = (variance.array() + between.sd * between.sd).rsqrt();
-    result.follows_settings = result.follows_settings || follows(shift, weight, functions);
+    Between least;
+    bool follow = false, differ = true;
+    for (const Settings settings : {amplitude_and_level, level_and_frequency}) {
+      const MatrixXd functions = functions_of(own, labels, settings);
+      const Between between = between_records(shift, variance, functions);
+      if (least.sd == 0 || between.sd < least.sd) least = between;
+      differ = differ && between.p_value < scatter_alarm;
+      const VectorXd weight = (variance.array() + between.sd * between.sd).rsqrt();
+      follow = follow || follows(shift, weight, functions);
+    }
+    if (!differ) continue;
+    result.sd(static_cast<Index>(k)) = least.sd;
+    result.at_random = std::max(result.at_random, least.sd * least.sd / total);
+    result.follows_settings = result.follows_settings || follow;
     result.records.insert(result.records.end(), own.begin(), own.end());
   }
   return result;
