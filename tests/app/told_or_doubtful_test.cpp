@@ -1,0 +1,128 @@
+// What a campaign tells by a square alone, what a short decay hides, and samples that are used although they are
+// wrong: right numbers, or a word of doubt.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/app/program_run.hpp"
+#include "tests/process_folder.hpp"
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SlowToldOrDoubtful : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder / "cache"); }
+  void TearDown() override { fs::remove_all(folder); }
+
+  void write(const std::string& file, const std::string& text) const { std::ofstream(folder / file) << text; }
+
+  testing_support::Outcome run(const std::string& arguments) const {
+    testing_support::Outcome outcome = testing_support::run_with_own_cache(folder, arguments);
+    EXPECT_EQ(outcome.status, 0) << arguments << ": " << outcome.errors;
+    return outcome;
+  }
+
+  nlohmann::json value(const std::string& name) const {
+    std::ifstream stream(folder / "out" / "estimate.json");
+    const nlohmann::json document = nlohmann::json::parse(stream);
+    for (const auto& item : document.at("estimates"))
+      if (item.at("name") == name) return item;
+    return {};
+  }
+
+  fs::path folder = testing_support::process_folder() /
+                    ("told_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+std::string model_of(const std::string& terms, const std::string& order) {
+  return "schema = 1\nname = \"one\"\n[[mode]]\ncoordinate = \"x\"\nfrequency = \"omega0\"\nequation = \"D2(x) + "
+         "omega0^2*x = -2*mu*D(x)" +
+         terms +
+         " + e*F*cos(Omega*t)\"\n[[case]]\nname = \"primary\"\nrelations = [\"Omega = omega0 + eps^2*sigma\"]\n"
+         "order = { mu = 2, e = 2" +
+         order + " }\nexpand_to = 2\n[[case]]\nname = \"free\"\nrelations = []\norder = { mu = 2, e = 2" + order +
+         " }\nexpand_to = 2\nexcitation = false\n";
+}
+
+std::string experiment_of(const std::string& parameters, const std::string& programme) {
+  return "schema = 1\nname = \"test\"\nmodel = \"model.toml\"\nsample_rate_hz = 256.0\n[parameters]\n" +
+         parameters +
+         "[excitation]\nname = \"base\"\nquantity = \"acceleration\"\nunit = \"m/s^2\"\nnoise_sd = 0.01\n"
+         "[[response]]\nname = \"x\"\nquantity = \"acceleration\"\nunit = \"m/s^2\"\nnoise_sd = 0.02\n" +
+         programme;
+}
+
+const std::string dwells =
+    "[[dwell]]\nfrequencies_hz = [19.7, 19.85, 20.0, 20.1, 20.2, 20.35]\namplitudes = [0.1, 0.2, 0.4]\n"
+    "ensembles = 4\nensemble_s = 2.0\nsettle_s = 12.0\n";
+
+// The modulation of a quadratic spring holds a2^2 alone: near zero that has no slope, and nothing told a2.
+TEST_F(SlowToldOrDoubtful, ASpringOfWhichTheModulationHoldsTheSquare) {
+  write("model.toml", model_of(" - a2*x^2", ", a2 = 1"));
+  for (const double a2 : {5e5, -2e6}) {
+    write(
+        "experiment.toml",
+        experiment_of("omega0 = 125.66370614359172\nmu = 1.0\ne = 1.0\na2 = " + std::to_string(a2) + "\n", dwells));
+    run("simulate experiment.toml --seed 4 --force -o campaign");
+    run("identify campaign --model model.toml --case primary --force -o out");
+    const nlohmann::json found = value("a2"), frequency = value("omega0");
+    ASSERT_TRUE(found.at("value").is_number());
+    EXPECT_NEAR(found.at("value").get<double>(), a2, 5 * found.at("sd").get<double>());
+    EXPECT_LT(found.at("sd").get<double>(), 2e-3 * std::abs(a2));
+    EXPECT_NEAR(frequency.at("value").get<double>(), 125.66370614359172, 5 * frequency.at("sd").get<double>());
+  }
+}
+
+// Three decays that friction ends after a few windows: too few to tell their scatter, and a model without friction.
+TEST_F(SlowToldOrDoubtful, ShortDecaysOfAModelThatLacksFriction) {
+  const std::string decays =
+      "[[free_decay]]\ninitial_displacement = [3e-3]\nduration_s = 3.0\n[[free_decay]]\ninitial_displacement = "
+      "[2.5e-3]\n"
+      "duration_s = 3.0\n[[free_decay]]\ninitial_displacement = [2e-3]\nduration_s = 3.0\n";
+  const std::string values = "omega0 = 94.25\nmu = 0.6\ne = 0.0\nk = 2e7\n";
+  write("model.toml", model_of(" - k*x^3 - fc*sgn(D(x))", ", k = 2, fc = 2"));
+  for (const double friction : {0.0, 0.5}) {
+    write("experiment.toml", experiment_of(values + "fc = " + std::to_string(friction) + "\n", decays));
+    run("simulate experiment.toml --seed 2 --force -o campaign");
+    write("without.toml", model_of(" - k*x^3", ", k = 2"));
+    const testing_support::Outcome outcome = run("identify campaign --model without.toml --force -o out");
+    const nlohmann::json damping = value("mu");
+    ASSERT_TRUE(damping.at("value").is_number());
+    const bool lacks = friction > 0;
+    EXPECT_EQ(outcome.errors.find("the model does not fit") != std::string::npos, lacks) << outcome.errors;
+    EXPECT_EQ(damping.value("doubtful", false), lacks) << damping;
+    if (lacks) continue;
+    EXPECT_NEAR(damping.at("value").get<double>(), 0.6, 5 * damping.at("sd").get<double>());
+  }
+}
+
+// A logger that repeats its last value for longer than anything replaces: nothing rests on that.
+TEST_F(SlowToldOrDoubtful, HeldSamplesThatNothingReplaces) {
+  write("model.toml", model_of(" - a3*x^3", ", a3 = 2"));
+  write("experiment.toml", experiment_of("omega0 = 125.66370614359172\nmu = 1.0\ne = 1.0\na3 = 2.5e8\n", dwells));
+  run("simulate experiment.toml --seed 1 -o campaign");
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "campaign" / "records")) {
+    std::ifstream from(entry.path());
+    std::string text, line, held;
+    for (int number = 0; std::getline(from, line); ++number) {
+      if (number > 1 && number % 300 < 20) line = line.substr(0, line.rfind(',')) + held;
+      held = line.substr(line.rfind(','));
+      text += line + '\n';
+    }
+    from.close();
+    std::ofstream(entry.path()) << text;
+  }
+  const testing_support::Outcome outcome = run("identify campaign --model model.toml --case primary -o out");
+  EXPECT_NE(outcome.errors.find("every value is doubtful"), std::string::npos) << outcome.errors;
+  EXPECT_TRUE(value("e").value("doubtful", false));
+}
+
+}  // namespace
+}  // namespace secular
