@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -221,6 +222,38 @@ ReadFile read_file(const std::filesystem::path& path, const ExpectedFile& expect
   return read;
 }
 
+// "t_tip", "time 2", "Time_B (ms)".
+bool may_be_time(const std::string& variable) {
+  std::string name = bracketed_unit(variable).name;
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  return is_called_time(variable) || name.starts_with("t_") || name.starts_with("time");
+}
+
+// A variable that no channel is named after and that rises evenly, but not as the time of the channels does: a
+// second time axis. What was sampled by it stands at wrong instants now.
+std::optional<std::string> other_time(const std::filesystem::path& path, const std::string& variable,
+                                      const RowChoice& time) {
+  try {
+    DataFile data =
+        read_data_file(path, {time.variable, variable}, MissingNumbers::keep_gaps, all_values, time.mark);
+    convert_to_seconds(data.vector(time.variable), data.file, time.unit);
+    convert_to_seconds(data.vector(variable), data.file);
+    const TimeAxis own = even_time_axis(data.vector(time.variable).values, data.file, data.place),
+                   other = even_time_axis(data.vector(variable).values, data.file, data.place);
+    const bool same_rate = std::abs(other.sample_rate_hz / own.sample_rate_hz - 1) < 1e-3;
+    const double later = other.start_s - own.start_s;
+    if (same_rate && std::abs(later) * own.sample_rate_hz < 0.01) return std::nullopt;
+    return fmt::format(
+        "{}: {} is a time, too, from {:.6g} s on at {:.6g} Hz; {} goes from {:.6g} s on at {:.6g} Hz. Channels "
+        "that were "
+        "sampled by {} are at wrong instants now: import them by themselves with --time {}",
+        data.file, variable, other.start_s, other.sample_rate_hz, time.variable, own.start_s, own.sample_rate_hz,
+        variable, variable);
+  } catch (const InputError&) {
+    return std::nullopt;  // no axis
+  }
+}
+
 }  // namespace
 
 ImportedCampaign import_files(const ImportOptions& options) {
@@ -251,7 +284,11 @@ ImportedCampaign import_files(const ImportOptions& options, const RecordSink& si
     const auto channel = std::find_if(channels.begin(), channels.end(),
                                       [&](const DescribedChannel& d) { return d.variable == variable.name; });
     if (channel == channels.end()) {
-      if (variable.name != time.variable) imported.left_out.push_back(variable.name);
+      if (variable.name == time.variable) continue;
+      imported.left_out.push_back(variable.name);
+      if (time.variable.empty() || !may_be_time(variable.name)) continue;
+      if (auto warning = other_time(options.files.front(), variable.name, time))
+        imported.warnings.push_back(std::move(*warning));
     } else if (!variable.unit.empty() && variable.stated_unit != variable.unit) {
       imported.converted.push_back({channel->channel.name, variable.stated_unit, variable.unit});
     } else if (!channel->given_unit.empty()) {

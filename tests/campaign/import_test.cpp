@@ -124,6 +124,24 @@ TEST_F(Import, ChannelDescriptionsAreChecked) {
   EXPECT_TRUE(contains(complaint(), "no channel is a response"));
 }
 
+TEST_F(Import, ASecondTimeIsNotPassedOver) {
+  const auto warnings_of = [&](double later, double step) {
+    std::string text = "t_f,f,t_tip,tip,frame\n";
+    for (int i = 0; i < 40; ++i)
+      text += std::to_string(0.01 * i) + "," + std::to_string(i % 7) + "," + std::to_string(later + step * i) +
+              "," + std::to_string(i % 5) + "," + std::to_string(i) + "\n";
+    options_.files = {write("two.csv", text)};
+    options_.channels = {"f:excitation:force:N", "tip:response:acceleration:m/s^2"};
+    options_.time = "t_f";
+    std::string all;
+    for (const std::string& warning : import_files(options_).warnings) all += warning + "\n";
+    return all;
+  };
+  EXPECT_TRUE(contains(warnings_of(0.005, 0.01), "t_tip is a time, too, from 0.005 s on at 100 Hz"));
+  EXPECT_TRUE(contains(warnings_of(0, 0.02), "t_tip is a time, too, from 0 s on at 50 Hz"));
+  EXPECT_EQ(warnings_of(0, 0.01), "");
+}
+
 TEST_F(Import, StructFieldsOfMatFilesCanBeRenamed) {
   {
     MatWriter writer(folder_ / "a.mat");
