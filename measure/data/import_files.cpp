@@ -236,6 +236,8 @@ std::optional<std::string> other_time(const std::filesystem::path& path, const s
   try {
     DataFile data =
         read_data_file(path, {time.variable, variable}, MissingNumbers::keep_gaps, all_values, time.mark);
+    if (data.format.starts_with("UFF"))
+      return std::nullopt;  // its channels have times of their own, which are read
     convert_to_seconds(data.vector(time.variable), data.file, time.unit);
     convert_to_seconds(data.vector(variable), data.file);
     const TimeAxis own = even_time_axis(data.vector(time.variable).values, data.file, data.place),

@@ -65,6 +65,7 @@ int swings_beyond(const Eigen::Ref<const Eigen::VectorXd>& motion, double level)
 // quarter holds more than all before, or each quarter swings.
 bool goes_on(const Eigen::Ref<const Eigen::VectorXd>& motion, double level) {
   const Index quarter = motion.size() / 4;
+  if (quarter == 0) return false;
   std::array<double, 4> energy{};
   bool steady = true, rises = true;
   for (std::size_t k = 0; k < 4; ++k) {
