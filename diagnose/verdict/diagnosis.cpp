@@ -97,8 +97,8 @@ class Diagnoser {
 
   // Natural frequencies scatter about the model where it leaves nothing, else about the best explanation. What a
   // model that lacks something leaves of them is larger: with what is left about its best explanation the search is
-  // made again. A smaller scatter allows for
-  // less: where the larger one leaves more than noise already, it is not what is there, or not all.
+  // made again. A smaller scatter allows for less: where the larger one leaves more than noise already, it is not
+  // what is there, or not all.
   void infer_beside_scatter(const InferenceOptions& inference_options) {
     RecordNuisances& of_records = comparison_.of_records;
     for (int round = 1;; ++round) {

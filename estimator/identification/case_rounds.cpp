@@ -121,33 +121,20 @@ bool is_hard(const CompiledCase& resonance) {
   });
 }
 
-// By symbol: whether all that is known depends on it by even powers alone, as (b v^2) by b^2 where the modulation
-// has no other quadratic term: that tells little of it near zero, and not its sign.
-std::vector<bool> told_by_even_powers(const CampaignKnowledge& known, const VectorXd& point) {
-  const Eigen::MatrixXd slopes = known_jacobian(known, point);
-  std::vector<bool> even(static_cast<std::size_t>(point.size()), false);
-  for (Index p = 0; p < point.size(); ++p) {
-    if (known.parameters[static_cast<std::size_t>(p)] || slopes.col(p).isZero(0)) continue;
-    VectorXd without = point;
-    without(p) = 0;
-    even[static_cast<std::size_t>(p)] = known_jacobian(known, without).col(p).isZero(0);
-  }
-  return even;
+// Whether what is known depends on a symbol where that is zero, and all others are as at the point.
+bool has_slope_at_zero(const CampaignKnowledge& known, VectorXd point, Index symbol) {
+  point(symbol) = 0;
+  return !known_jacobian(known, point).col(symbol).isZero(0);
 }
 
-// Whether lumps of a block depend on one of these symbols where it is zero.
-bool tells_linearly(const CompiledCase& resonance, const RegressorBlock& block, const std::vector<bool>& symbols,
-                    const VectorXd& point) {
-  for (std::size_t p = 0; p < symbols.size(); ++p) {
-    if (!symbols[p]) continue;
-    VectorXd without = point;
-    without(static_cast<Index>(p)) = 0;
-    std::vector<double> slope(resonance.lumps.size() * symbols.size());
-    resonance.evaluate_lumps_jacobian(without.data(), slope.data());
-    for (const int l : block.lumps)
-      if (slope[static_cast<std::size_t>(l) * symbols.size() + p] != 0) return true;
-  }
-  return false;
+// Symbols on which all that is known depends by even powers alone, as (b v^2) by b^2 where the modulation has no
+// other quadratic term: that tells little of it near zero, and not its sign.
+std::vector<Index> told_by_even_powers(const CampaignKnowledge& known, const VectorXd& point) {
+  const Eigen::MatrixXd slopes = known_jacobian(known, point);
+  std::vector<Index> even;
+  for (Index p = 0; p < point.size(); ++p)
+    if (!slopes.col(p).isZero(0) && !has_slope_at_zero(known, point, p)) even.push_back(p);
+  return even;
 }
 
 // Under hard excitation all harmonics of the leading and the first order: they are as exact as the modulation
@@ -161,7 +148,7 @@ bool add_useful_harmonics(Estimation& e) {
   for (std::size_t k = 0; k < e.model.modes(); ++k) known.parameters[k] = true;
   const VectorXd point = generic_point(static_cast<Index>(e.model.symbols.size()));
   const Index rank = scaled_rank(known_jacobian(known, point));
-  const std::vector<bool> even = told_by_even_powers(known, point);
+  const std::vector<Index> even = told_by_even_powers(known, point);
   bool added = false;
   for (std::size_t s = 0; s < e.sets.size(); ++s) {
     const CompiledCase& resonance = *e.sets[s]->resonance;
@@ -174,9 +161,9 @@ bool add_useful_harmonics(Estimation& e) {
       if (!measured) continue;
       CampaignKnowledge further = known;
       for (const int l : block.lumps) further.cases[s].lumps[static_cast<std::size_t>(l)] = true;
-      if (!hard && scaled_rank(known_jacobian(further, point)) <= rank &&
-          !tells_linearly(resonance, block, even, point))
-        continue;
+      const bool linear =
+          std::any_of(even.begin(), even.end(), [&](Index p) { return has_slope_at_zero(further, point, p); });
+      if (!hard && !linear && scaled_rank(known_jacobian(further, point)) <= rank) continue;
       e.blocks[s].push_back(b);
       added = true;
     }

@@ -17,9 +17,9 @@ struct LackOfFit {
   std::size_t conditions = 0;  ///< with observations of it; of a decay: stretches
   double misfit = 0;  ///< root mean square of the conditions' means over what repeatability gives; 1 is perfect
   double repeatability = 0;  ///< scatter of repeats over what the measured noise explains; 1 is perfect
-  double beyond =
-      0;         ///< sum of squares of the conditions' means, over the measured noise, beyond what f = 1 would be
-  double f = 0;  ///< misfit squared: F of lack of fit against pure error
+  double f = 0;              ///< misfit squared: F of lack of fit against pure error
+  /// Sum of squares of the conditions' means, over the measured noise, beyond what it is at f = 1.
+  double beyond = 0;
   double numerator_df = 0;    ///< conditions less the unknowns that this equation takes up
   double denominator_df = 0;  ///< repeats; infinite where there are too few and the measured noise stands for them
   double p_value = 1;         ///< of one equation

@@ -93,8 +93,7 @@ void take_out_unsupported(Estimate& estimate, std::span<const CaseFit> fits) {
       open.insert(name);
   if (estimate.null_space.cols() > 0)
     take_out(estimate, open,
-             "of too few conditions, which leave coefficients open that the expansion's truncation "
-             "depends on");
+             "of too few conditions, which leave coefficients open that the expansion's truncation depends on");
   if (!estimate.consistency.significant) {
     const std::set<std::string> misfit = cases_that_misfit(estimate);
     std::erase_if(cases, [&](const std::string& resonance) { return !misfit.contains(resonance); });

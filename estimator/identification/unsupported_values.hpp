@@ -21,8 +21,8 @@ void take_out(Estimate& estimate, const std::set<std::string>& cases, const std:
 /// docs/inference.md, "No number". What an equation lacks differs from condition to condition, and error bars by
 /// the scatter between conditions know something of it. Those by the scatter of repeats know nothing: where
 /// equations of such a case do not hold, or lumps contradict one another, there is no number. Nor is there one
-/// where it leaves lumps of its own open that no other case tells: then the truncation is taken out at parameters
-/// of which nothing is known.
+/// where it leaves lumps of its own open and parameters stay open, too: then the truncation is taken out at
+/// parameters of which nothing is known.
 void take_out_unsupported(Estimate& estimate, std::span<const CaseFit> fits);
 
 /// A motion that an excitation keeps up has a coefficient of it. Where none of a case differs from zero, nothing

@@ -45,7 +45,7 @@ void convert_stated_units(std::vector<DataVariable>& variables) {
 
 struct TimeName {
   bool is_time = false;
-  std::string unit;
+  std::string name, unit;  // in lower case, and as it stands
 };
 
 // "run.Time (ms)" -> ms; "t_us" -> us; "t" -> none.
@@ -65,6 +65,7 @@ TimeName time_name(const std::string& path) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   found.is_time = name == "t" || name == "time";
   if (!found.is_time && !seconds_in(found.unit)) found.unit.clear();
+  found.name = std::move(name);
   return found;
 }
 
@@ -161,6 +162,11 @@ void convert_to_seconds(DataVariable& time, const std::string& file, const std::
 
 bool is_called_time(const std::string& name) {
   return time_name(name).is_time;
+}
+
+bool may_be_time(const std::string& name) {
+  const TimeName found = time_name(name);
+  return found.is_time || found.name.starts_with("t_") || found.name.starts_with("time");
 }
 
 std::string DataFile::names() const {

@@ -34,6 +34,9 @@ void convert_to_seconds(DataVariable& time, const std::string& file, const std::
 /// True for a variable that is called time: "t", "Time", "time_ms", "Time [s]", "run.t (us)".
 bool is_called_time(const std::string& name);
 
+/// True for one that may be a time beside others: these, and "t_tip", "time 2", "Time_B (ms)".
+bool may_be_time(const std::string& name);
+
 /// Why a variable is no channel of that quantity: its file says that it measures another one. Else empty.
 std::string quantity_fault(const DataVariable& variable, Quantity quantity);
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -180,8 +179,8 @@ void note_missing(const DataFile& data, const std::vector<DescribedChannel>& cha
     if (missing == 0) continue;
     const std::string& name = channels[c].channel.name;
     std::vector<std::vector<double>> filled = {record.channels[c]};
-    if (fill_missing_cells({record.no_numbers[c]}, filled).front().size() < missing)
-      refuse_long_gap(filled.front(), name, data.file, data.place);
+    fill_missing_cells(filled);
+    require_filled(filled.front(), name, data.file, data.place);
     read.warnings.push_back(fmt::format(
         "{}: {} of {} samples of {} are no finite numbers: written as nan, and replaced by what is around "
         "them where the record is read",
@@ -222,12 +221,9 @@ ReadFile read_file(const std::filesystem::path& path, const ExpectedFile& expect
   return read;
 }
 
-// "t_tip", "time 2", "Time_B (ms)".
-bool may_be_time(const std::string& variable) {
-  std::string name = bracketed_unit(variable).name;
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  return is_called_time(variable) || name.starts_with("t_") || name.starts_with("time");
-}
+/// Rates of two times that are one: as those of the records of a campaign. And their first samples: rounding of
+/// stamps.
+constexpr double same_rate = 1e-3, same_start = 0.01;
 
 // A variable that no channel is named after and that rises evenly, but not as the time of the channels does: a
 // second time axis. What was sampled by it stands at wrong instants now.
@@ -242,13 +238,13 @@ std::optional<std::string> other_time(const std::filesystem::path& path, const s
     convert_to_seconds(data.vector(variable), data.file);
     const TimeAxis own = even_time_axis(data.vector(time.variable).values, data.file, data.place),
                    other = even_time_axis(data.vector(variable).values, data.file, data.place);
-    const bool same_rate = std::abs(other.sample_rate_hz / own.sample_rate_hz - 1) < 1e-3;
-    const double later = other.start_s - own.start_s;
-    if (same_rate && std::abs(later) * own.sample_rate_hz < 0.01) return std::nullopt;
+    const double samples_later = std::abs(other.start_s - own.start_s) * own.sample_rate_hz;
+    if (std::abs(other.sample_rate_hz / own.sample_rate_hz - 1) < same_rate && samples_later < same_start)
+      return std::nullopt;
     return fmt::format(
         "{}: {} is a time, too, from {:.6g} s on at {:.6g} Hz; {} goes from {:.6g} s on at {:.6g} Hz. Channels "
-        "that were "
-        "sampled by {} are at wrong instants now: import them by themselves with --time {}",
+        "that "
+        "were sampled by {} are at wrong instants now: import them by themselves with --time {}",
         data.file, variable, other.start_s, other.sample_rate_hz, time.variable, own.start_s, own.sample_rate_hz,
         variable, variable);
   } catch (const InputError&) {

@@ -10,7 +10,6 @@
 #include "input/input_error.hpp"
 #include "measure/data/data_file.hpp"
 #include "measure/data/jitter.hpp"
-#include "measure/data/lost_rows.hpp"
 #include "measure/data/matrix_lines.hpp"
 #include "measure/data/missing_cells.hpp"
 #include "measure/data/number_range.hpp"
@@ -105,13 +104,9 @@ RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std
   RecordInspection inspection;
   try {
     RecordData data = read_record_data(campaign, campaign.records[index], MissingNumbers::keep_as_nan, limit);
-    const MissingCells missing = missing_cells(data.channels);
-    MissingCells filled = fill_missing_cells(missing, data.channels);
-    std::vector<std::size_t> lost = lost_rows(data.stamps_s);
-    if (!fill_lost_rows(lost, data.stamps_s, data.channels)) lost.clear();
-    move_behind(lost, filled);
+    FilledSamples filled = fill_missing(data.stamps_s, data.channels);
     inspection.judged = data.stamps_s.size();
-    inspection.samples = data.total + lost.size();
+    inspection.samples = data.total + filled.rows.size();
     inspection.axis = judged_axis(data.stamps_s, data.place, campaign.sample_rate_hz, inspection.faults);
     if (inspection.axis && !(std::abs(inspection.axis->sample_rate_hz / campaign.sample_rate_hz - 1) <= 1e-3))
       inspection.faults.push_back({"time", fmt::format("is sampled at {:.6g} Hz; campaign.toml says {}",
@@ -131,11 +126,11 @@ RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std
       inspection.faults.push_back({"time", jitter_text(*inspection.axis, data.channels)});
     for (std::size_t c = 0; c < data.channels.size(); ++c) {
       inspection.channels.push_back(check_channel(data.channels[c]));
-      if (!filled[c].empty()) note_filled(filled[c], inspection.samples, inspection.channels.back());
+      if (!filled.cells[c].empty()) note_filled(filled.cells[c], inspection.samples, inspection.channels.back());
     }
     if (look && inspection.axis)
       look(index, {inspection.axis->start_s, inspection.axis->sample_rate_hz, std::move(data.channels),
-                   inspection.axis->jitter_s, std::move(lost), std::move(filled)});
+                   inspection.axis->jitter_s, std::move(filled.rows), std::move(filled.cells)});
   } catch (const InputError& error) {
     inspection.faults.push_back({"unreadable", without_file(error)});
   }

@@ -4,12 +4,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
+#include "measure/data/lost_rows.hpp"
 #include "numerics/fill_gaps.hpp"
 
 namespace secular {
+namespace {
+
+// Places of cells among all rows, once the lost ones stand among them.
+void move_behind(const std::vector<std::size_t>& lost, MissingCells& cells) {
+  for (std::vector<std::size_t>& places : cells) {
+    std::size_t before = 0;  // lost rows
+    for (std::size_t& place : places) {
+      while (before < lost.size() && lost[before] <= place + before) ++before;
+      place += before;
+    }
+  }
+}
+
+}  // namespace
 
 MissingCells missing_cells(const std::vector<std::vector<double>>& channels) {
   MissingCells missing;
@@ -21,7 +37,8 @@ MissingCells missing_cells(const std::vector<std::vector<double>>& channels) {
   return missing;
 }
 
-MissingCells fill_missing_cells(MissingCells missing, std::vector<std::vector<double>>& channels) {
+MissingCells fill_missing_cells(std::vector<std::vector<double>>& channels) {
+  MissingCells missing = missing_cells(channels);
   for (std::size_t c = 0; c < missing.size(); ++c) {
     if (missing[c].empty()) continue;
     for (const std::size_t i : missing[c]) channels[c][i] = 0;  // whatever it is
@@ -32,10 +49,20 @@ MissingCells fill_missing_cells(MissingCells missing, std::vector<std::vector<do
   return missing;
 }
 
-void refuse_long_gap(const std::vector<double>& samples, const std::string& channel, const std::string& file,
-                     const RowPlace& place) {
+FilledSamples fill_missing(std::vector<double>& stamps_s, std::vector<std::vector<double>>& channels) {
+  FilledSamples filled{{}, fill_missing_cells(channels)};
+  std::vector<std::size_t> lost = lost_rows(stamps_s);
+  if (!fill_lost_rows(lost, stamps_s, channels)) return filled;
+  move_behind(lost, filled.cells);
+  filled.rows = std::move(lost);
+  return filled;
+}
+
+void require_filled(const std::vector<double>& samples, const std::string& channel, const std::string& file,
+                    const RowPlace& place) {
   const auto is_missing = [](double x) { return !std::isfinite(x); };
   const auto first = std::find_if(samples.begin(), samples.end(), is_missing);
+  if (first == samples.end()) return;
   const auto length = std::find_if_not(first, samples.end(), is_missing) - first;
   throw InputError(
       file, fmt::format("{}, column {}", place.of(static_cast<std::size_t>(first - samples.begin())), channel),
@@ -44,16 +71,6 @@ void refuse_long_gap(const std::vector<double>& samples, const std::string& chan
       fmt::format("up to {} in a row are replaced by what enough numbers around them tell; cut the record around "
                   "longer gaps",
                   longest_filled));
-}
-
-void move_behind(const std::vector<std::size_t>& lost, MissingCells& cells) {
-  for (std::vector<std::size_t>& places : cells) {
-    std::size_t before = 0;  // lost rows
-    for (std::size_t& place : places) {
-      while (before < lost.size() && lost[before] <= place + before) ++before;
-      place += before;
-    }
-  }
 }
 
 std::vector<std::size_t> filled_samples(const Record& record, std::size_t channel) {

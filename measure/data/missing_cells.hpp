@@ -13,16 +13,21 @@ using MissingCells = std::vector<std::vector<std::size_t>>;
 
 MissingCells missing_cells(const std::vector<std::vector<double>>& channels);
 
-/// Puts in what fill_gaps finds for these samples; where it finds nothing they stay. Returns those that were
-/// filled.
-MissingCells fill_missing_cells(MissingCells missing, std::vector<std::vector<double>>& channels);
+/// Puts in what fill_gaps finds for them; where it finds nothing they stay. Returns those that were filled.
+MissingCells fill_missing_cells(std::vector<std::vector<double>>& channels);
 
-/// Of a channel of which some could not be filled. Throws InputError with the row where the first gap that is left
-/// begins.
-[[noreturn]] void refuse_long_gap(const std::vector<double>& samples, const std::string& channel,
-                                  const std::string& file, const RowPlace& place);
+/// What a record holds that its file does not: whole rows, and samples of single channels, by their places among
+/// all rows, rising.
+struct FilledSamples {
+  std::vector<std::size_t> rows;
+  MissingCells cells;
+};
 
-/// Their places among all rows, once the `lost` ones (lost_rows) stand among them.
-void move_behind(const std::vector<std::size_t>& lost, MissingCells& cells);
+/// Fills missing cells, then lost rows (fill_lost_rows; none where cells are left).
+FilledSamples fill_missing(std::vector<double>& stamps_s, std::vector<std::vector<double>>& channels);
+
+/// Throws InputError where a channel has samples that could not be filled, with the row where the first gap begins.
+void require_filled(const std::vector<double>& samples, const std::string& channel, const std::string& file,
+                    const RowPlace& place);
 
 }  // namespace secular

@@ -8,7 +8,6 @@
 #include "measure/data/campaign.hpp"
 #include "measure/data/channel_times.hpp"
 #include "measure/data/data_file.hpp"
-#include "measure/data/lost_rows.hpp"
 #include "measure/data/missing_cells.hpp"
 #include "measure/data/number_range.hpp"
 #include "measure/data/record_data.hpp"
@@ -77,20 +76,15 @@ RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, 
 
 Record read_record(const Campaign& campaign, const RecordEntry& entry) {
   RecordData data = read_record_data(campaign, entry, MissingNumbers::keep_gaps);
-  const MissingCells missing = missing_cells(data.channels);
-  MissingCells filled = fill_missing_cells(missing, data.channels);
-  for (std::size_t c = 0; c < missing.size(); ++c)
-    if (filled[c].size() < missing[c].size())
-      refuse_long_gap(data.channels[c], campaign.channels[c].name, data.file, data.place);
-  std::vector<std::size_t> lost = lost_rows(data.stamps_s);
-  if (!fill_lost_rows(lost, data.stamps_s, data.channels)) lost.clear();
-  move_behind(lost, filled);
+  FilledSamples filled = fill_missing(data.stamps_s, data.channels);
+  for (std::size_t c = 0; c < data.channels.size(); ++c)
+    require_filled(data.channels[c], campaign.channels[c].name, data.file, data.place);
   const TimeAxis axis = even_time_axis(data.stamps_s, data.file, data.place, campaign.sample_rate_hz);
   if (!(std::abs(axis.sample_rate_hz / campaign.sample_rate_hz - 1) <= 1e-3))
     throw InputError(data.file, "", fmt::format("is sampled at {} Hz", axis.sample_rate_hz),
                      fmt::format("campaign.toml says sample_rate_hz = {}", campaign.sample_rate_hz));
-  return {axis.start_s,  axis.sample_rate_hz, std::move(data.channels),
-          axis.jitter_s, std::move(lost),     std::move(filled)};
+  return {axis.start_s,  axis.sample_rate_hz,    std::move(data.channels),
+          axis.jitter_s, std::move(filled.rows), std::move(filled.cells)};
 }
 
 }  // namespace secular

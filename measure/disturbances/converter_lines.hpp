@@ -42,9 +42,8 @@ class MeanRounding {
 
 /// Takes what rounding adds in the mean out of `samples`: (28) at the motion that tones at `frequencies_hz` and a
 /// straight line make in each block of `block` samples, again and again until motion and rounding agree. A block in
-/// which they do not stays as it is. The first of the
-/// frequencies count, as many as have four samples for each unknown. `skip`: samples, rising, that no converter has
-/// rounded.
+/// which they do not stays as it is. The first of the frequencies count, as many as have four samples for each
+/// unknown. `skip`: samples, rising, that no converter has rounded.
 void take_out_rounding(std::span<double> samples, double rate_hz, const std::vector<double>& frequencies_hz,
                        const ConverterLattice& lattice, std::size_t block, const std::vector<std::size_t>& skip);
 
