@@ -34,21 +34,25 @@ std::size_t mend(Record& record, const Treatment& treatment) {
   return left;
 }
 
-// What takes the place of samples that the file does not hold lies on no converter's lattice.
-void leave_out(std::span<const double> samples, const std::vector<std::size_t>& filled, ChannelValues& values) {
-  std::vector<double> read;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    if (!std::binary_search(filled.begin(), filled.end(), i)) read.push_back(samples[i]);
-  values.sorted = in_order(read);
-  values.grid = grid_of_sorted(values.sorted);
-}
-
 }  // namespace
 
 ChannelValues values_of(std::span<const double> samples) {
   ChannelValues values{in_order(samples), {}, {}};
   values.grid = grid_of_sorted(values.sorted);
   values.clipping = find_clipping(samples, values.sorted, values.grid);
+  return values;
+}
+
+ChannelValues values_of(const Record& record, std::size_t channel, std::span<const double> stretch) {
+  ChannelValues values = values_of(stretch);
+  const std::vector<std::size_t> filled = filled_samples(record, channel);
+  if (filled.empty()) return values;
+  const auto begin = static_cast<std::size_t>(stretch.data() - record.channels[channel].data());
+  std::vector<double> read;
+  for (std::size_t i = 0; i < stretch.size(); ++i)
+    if (!std::binary_search(filled.begin(), filled.end(), begin + i)) read.push_back(stretch[i]);
+  values.sorted = in_order(read);
+  values.grid = grid_of_sorted(values.sorted);
   return values;
 }
 
@@ -66,9 +70,7 @@ Record WatchedReader::read(std::size_t index) {
   Seen seen;
   std::vector<ChannelValues> values;
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
-    values.push_back(values_of(record.channels[c]));
-    if (const auto filled = filled_samples(record, c); !filled.empty())
-      leave_out(record.channels[c], filled, values.back());
+    values.push_back(values_of(record, c, record.channels[c]));
     seen.clipping.push_back(values.back().clipping);
   }
   seen.jitter_of_step = record.jitter_s * record.sample_rate_hz;

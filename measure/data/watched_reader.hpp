@@ -25,6 +25,10 @@ struct ChannelValues {
 /// All samples must be finite.
 ChannelValues values_of(std::span<const double> samples);
 
+/// Those of a stretch of a channel without the samples that its file does not hold: what takes their place lies on
+/// no converter's lattice.
+ChannelValues values_of(const Record& record, std::size_t channel, std::span<const double> stretch);
+
 /// What mends a record each time that it is read.
 struct Treatment {
   /// Samples, by channel and rising, that are replaced by what those around them tell (fill_gaps).

@@ -41,8 +41,8 @@ std::span<const DisturbanceKind> disturbance_catalogue() {
           "early ensembles differ from late ones; a mode outside of the model seems to be driven", find_ringing},
       DisturbanceKind{"spikes", "single samples that neighbours do not go with",
                       "the largest, in the channel's unit",
-                      "a gap between the largest and the tail of all (spacings of ordered values, F law); putting "
-                      "the one sample right puts its neighbours right",
+                      "a gap between the largest and the tail of all (spacings of ordered values, F law), or the "
+                      "tail that most of them have; putting the one sample right puts its neighbours right",
                       "white noise of the spikes' energy in every line", find_spikes},
       DisturbanceKind{"knock", "a few samples that stand out together: a blow beside the test, a loose contact",
                       "the largest, in the channel's unit", "as spikes, but neighbours stand out too",
@@ -51,10 +51,13 @@ std::span<const DisturbanceKind> disturbance_catalogue() {
                       "number of samples",
                       "equal neighbours against what chance makes at that slope, noise and step (Poisson law)",
                       "noise that follows the slope: amplitudes are lost, phases delayed", find_held_samples},
-      DisturbanceKind{"lost_samples", "rows that are not in the file, or samples that are no numbers",
-                      "number of samples", "none is needed",
-                      "a few rows are replaced; a longer gap, or a sample that is no number, is refused",
-                      find_lost_samples},
+      DisturbanceKind{"lost_samples",
+                      "rows that are not in the file, samples that are no numbers, or that are one and the same "
+                      "number wherever the signal stood",
+                      "number of samples",
+                      "they are counted; a number that stands for lost samples is met more often than others "
+                      "(Poisson law) and is come to from far, or is that of spikes",
+                      "up to 16 in a row are replaced; a longer gap is refused", find_lost_samples},
       DisturbanceKind{"clipping", "samples stuck at the ends of the range", "number of samples",
                       "more peaks end at one value than smooth peaks do (binomial law, one in a million)",
                       "amplitudes are too small, and harmonics appear that the motion has not", find_clipped},
@@ -85,7 +88,8 @@ std::vector<Disturbance> find_disturbances(const Campaign& campaign, std::size_t
 
 std::vector<Disturbance> find_disturbances(const Campaign& campaign, std::size_t index, const Record& record) {
   std::vector<ChannelValues> values;
-  for (const std::span<const double> samples : complete_stretch(record)) values.push_back(values_of(samples));
+  const std::vector<std::span<const double>> stretch = complete_stretch(record);
+  for (std::size_t c = 0; c < stretch.size(); ++c) values.push_back(values_of(record, c, stretch[c]));
   return find_disturbances(campaign, index, record, values);
 }
 

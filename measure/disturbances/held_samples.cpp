@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "measure/disturbances/rows.hpp"
 #include "numerics/distribution.hpp"
@@ -74,13 +75,14 @@ HeldSamples find_held(std::span<const double> x, const ChannelValues& values, do
   HeldSamples held;
   if (x.size() < block || values.clipping.found() || !(values.sorted.back() > values.sorted.front())) return held;
   bool any = false;
-  held.same = equal_within(values.sorted);
-  const auto equals = [&](std::size_t i, std::size_t j) { return std::abs(x[i] - x[j]) <= held.same; };
+  const double same = equal_within(values.sorted);
+  const auto equals = [&](std::size_t i, std::size_t j) { return std::abs(x[i] - x[j]) <= same; };
   for (std::size_t i = 2; i + 1 < x.size() && !any; ++i) any = equals(i, i - 1);
   if (!any) return held;
   const LocalGaps gaps(values.sorted);
   const std::vector<double> scatter = scatters(x);
   std::size_t runs = 0;
+  std::vector<HeldSamples::Run> long_ones;  // that chance does not make in the whole record
   for (std::size_t i = 2; i + 1 < x.size(); ++i) {
     std::size_t end = i + 1;
     const bool equal = equals(i, i - 1);
@@ -91,39 +93,37 @@ HeldSamples find_held(std::span<const double> x, const ChannelValues& values, do
     held.expected += p;
     if (!equal) continue;
     ++runs;
-    if (p < 0.5) {  // more likely held than not, as far as there are as many held as chance makes
-      held.at.push_back(i);
-      held.samples += end - i;
-    }
+    // More likely held than not, as far as there are as many held as chance makes.
+    if (p < 0.5) held.runs.push_back({i, end});
+    if (std::pow(p, static_cast<double>(end - i)) * static_cast<double>(x.size()) < false_alarm)
+      long_ones.push_back({i, end});
     i = end - 1;
   }
   // At least that many by chance: the sum of as many waiting times is below the expected number.
   const double probability = runs == 0 ? 1 : 1 - gamma_upper_tail(held.expected, static_cast<double>(runs), 1);
-  if (probability > false_alarm) {
-    held.at.clear();
-    held.samples = 0;
-  }
+  if (probability > false_alarm) held.runs = std::move(long_ones);
   return held;
-}
-
-bool is_held(const SearchedChannel& channel) {
-  return !channel.held.at.empty() && !recurs_with_motion(channel, channel.held.at);
 }
 
 void find_held_samples(const SearchedRecord& record, std::vector<Disturbance>& found) {
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
-    const HeldSamples& held = record.channels[c].held;
-    if (held.at.empty()) continue;
-    Disturbance entry = record.found("held_samples", c, static_cast<double>(held.samples));
+    const HeldSamples& held = record.channels[c].wrong.held;
+    if (held.runs.empty()) continue;
+    std::size_t samples = 0;
+    for (const HeldSamples::Run& run : held.runs) samples += run.end - run.begin;
+    Disturbance entry = record.found("held_samples", c, static_cast<double>(samples));
     entry.unit = "samples";
-    if (is_held(record.channels[c])) entry.treated = "masked";
+    if (record.channels[c].is_held) entry.treated = "masked";
     entry.share = entry.size / static_cast<double>(record.samples());
-    entry.from_s = record.time_s(held.at.front());
-    entry.to_s = record.time_s(held.at.back() + 1);
+    entry.from_s = record.time_s(held.runs.front().begin);
+    entry.to_s = record.time_s(held.runs.back().end);
     entry.text = fmt::format(
         "{} samples repeat the one before although the signal went on ({} places; by chance "
         "{:.2g} at most), first at {:.6g} s",
-        held.samples, held.at.size(), held.expected, entry.from_s);
+        samples, held.runs.size(), held.expected, entry.from_s);
+    if (const std::size_t foreign = record.channels[c].wrong.foreign.size(); foreign > 0)
+      entry.text += fmt::format("; {} of those before them {} no measured value{} either", foreign,
+                                foreign == 1 ? "is" : "are", foreign == 1 ? "" : "s");
     found.push_back(std::move(entry));
   }
 }

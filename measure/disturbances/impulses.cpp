@@ -6,49 +6,34 @@
 #include <cmath>
 #include <functional>
 
+#include "measure/disturbances/roughness.hpp"
 #include "measure/disturbances/rows.hpp"
-#include "numerics/median.hpp"
 
 namespace secular {
 namespace {
 
-constexpr std::size_t impulse_block = 64;  // of samples that share a scale: their median is known to 15 %
+constexpr std::size_t fewest_samples = 256;
+constexpr int most_rounds = 8;
 
-// How far every sample is off the cubic through two neighbours on either side, in units of the median of that over
-// the block around it, or beside it where that is larger: motion begins and dies away. Rounding to a lattice
-// changes it by 4/3 of a step at most.
-struct Roughness {
-  std::vector<double> off, relative;  // signed, in the channel's unit; modulus over the block's scale
-  double blur = 0;                    // how far rounding may change a relative one, in either direction
-};
+// Of a hundred wrong samples one is not told from a corner of the motion.
+constexpr double not_told = 0.01;
 
-Roughness roughness(std::span<const double> x, double step) {
-  Roughness result{std::vector<double>(x.size(), 0.0), std::vector<double>(x.size(), 0.0), 0};
-  for (std::size_t i = 2; i + 2 < x.size(); ++i)
-    result.off[i] = x[i] - (4 * (x[i - 1] + x[i + 1]) - x[i - 2] - x[i + 2]) / 6;
-  std::vector<double> medians, size;
-  for (std::size_t begin = 2; begin + 2 < x.size(); begin += impulse_block) {
-    size.clear();
-    for (std::size_t i = begin; i < std::min(x.size() - 2, begin + impulse_block); ++i)
-      size.push_back(std::abs(result.off[i]));
-    medians.push_back(upper_median(size));
-  }
-  const double rounding = 4.0 / 3 * step;
-  for (std::size_t b = 0; b < medians.size(); ++b) {
-    const double scale =
-        std::max({medians[b == 0 ? 0 : b - 1], medians[b], medians[std::min(b + 1, medians.size() - 1)], rounding});
-    if (!(scale > 0)) continue;
-    result.blur = std::max(result.blur, rounding / scale);
-    for (std::size_t i = 2 + b * impulse_block; i < std::min(x.size() - 2, 2 + (b + 1) * impulse_block); ++i)
-      result.relative[i] = std::abs(result.off[i]) / scale;
-  }
-  return result;
-}
+// Of a corner of the motion so much is left beside a spike, next to its own size (beside_spike).
+constexpr double left_by_a_corner = 0.27;
 
-bool is_peak(const std::vector<double>& values, std::size_t i) {
-  for (const std::size_t j : {i - 2, i - 1, i + 1, i + 2})
-    if (values[j] > values[i] || (values[j] == values[i] && j < i)) return false;
-  return true;
+// What values follow beyond their upper quarter, if they fall exponentially there as they do from the middle to it:
+// the one that a value exceeds with that probability. Of a normal law this is too large. As long as less than a
+// quarter of all values are of another kind, they move it little. Values that are known to `blur` alone have
+// distances larger by as much on either side.
+double beyond_most(std::vector<double> values, double blur, double probability) {
+  if (values.size() < 2 * 16) return INFINITY;
+  const auto at = [&](double share) {
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+  };
+  const double middle = at(0.5), quarter = at(0.75);
+  return quarter + 2 * blur + (quarter - middle + 2 * blur) / std::log(2.0) * std::log(0.25 / probability);
 }
 
 // What values lie beyond a gap in the tail; infinite if none do. In an exponential tail the m+1 values above the
@@ -73,25 +58,17 @@ double end_of_tail(std::vector<double> values, double blur, double false_alarm) 
 
 // A spike is repaired by putting one sample where its neighbours say: none of them stands out then.
 bool is_spike(const Roughness& rough, std::size_t i, double limit) {
-  const double scale = std::abs(rough.off[i]) / rough.relative[i], h = rough.off[i];
-  const auto stands_out = [&](std::size_t j, double share) {
-    return std::abs(rough.off[j] - share * h) > limit * scale;
-  };
-  return !stands_out(i - 2, 1.0 / 6) && !stands_out(i - 1, -2.0 / 3) && !stands_out(i + 1, -2.0 / 3) &&
-         !stands_out(i + 2, 1.0 / 6);
+  const double scale = rough.scales[i], h = rough.off[i];
+  for (std::size_t j = 0; j < spike_shares.size(); ++j)
+    if (std::abs(rough.off[i + j - 2] - spike_shares[j] * h) > limit * scale) return false;
+  return true;
 }
 
-// A held sample and what follows it.
+// A sample that one of a held run, or the one before it, is among the neighbours of.
 bool is_beside_held(const HeldSamples& held, std::size_t i) {
-  const auto near = std::lower_bound(held.at.begin(), held.at.end(), i - 2);
-  return near != held.at.end() && *near <= i + 2;
-}
-
-bool is_of_motion(const SearchedChannel& channel) {
-  std::vector<std::size_t> at;
-  for (const auto* list : {&channel.impulses.spikes, &channel.impulses.knocks})
-    for (const Impulses::One& one : *list) at.push_back(one.at);
-  return recurs_with_motion(channel, at);
+  const auto near = std::partition_point(held.runs.begin(), held.runs.end(),
+                                         [&](const HeldSamples::Run& run) { return run.end + 2 <= i; });
+  return near != held.runs.end() && near->begin <= i + 3;
 }
 
 void add(const SearchedRecord& record, std::size_t c, std::string_view kind,
@@ -113,47 +90,58 @@ void add(const SearchedRecord& record, std::size_t c, std::string_view kind,
 Impulses find_impulses(std::span<const double> samples, const ValueGrid& grid, const HeldSamples& held,
                        double false_alarm) {
   Impulses impulses;
-  if (samples.size() < 4 * impulse_block) return impulses;
-  const Roughness rough = roughness(samples, grid.step.value_or(0));
-  std::vector<std::size_t> peaks;
-  std::vector<double> sizes;
-  for (std::size_t i = 2; i + 2 < samples.size(); ++i)
-    if (rough.relative[i] > 0 && is_peak(rough.relative, i)) {
-      peaks.push_back(i);
+  if (samples.size() < fewest_samples) return impulses;
+  std::vector<double> x(samples.begin(), samples.end());
+  for (int round = 0; round < most_rounds; ++round) {
+    const Roughness rough = roughness(x, grid.step.value_or(0));
+    const std::vector<std::size_t> all = peaks(rough);
+    std::vector<double> sizes, beside;
+    for (const std::size_t i : all) {
       sizes.push_back(rough.relative[i]);
+      beside.push_back(beside_spike(rough, i));
     }
-  const double limit = end_of_tail(sizes, rough.blur, false_alarm);
-  for (std::size_t p = 0; p < peaks.size(); ++p)
-    if (sizes[p] > limit && !is_beside_held(held, peaks[p]))
-      (is_spike(rough, peaks[p], limit) ? impulses.spikes : impulses.knocks)
-          .push_back({peaks[p], std::abs(rough.off[peaks[p]])});
+    const double limit = end_of_tail(sizes, rough.blur, false_alarm);
+    impulses.many = beyond_most(sizes, rough.blur, false_alarm / static_cast<double>(all.size()));
+    impulses.scales = rough.scales;
+    const double alone = beyond_most(beside, rough.blur, not_told);
+    std::vector<Impulses::One> spikes;
+    impulses.knocks.clear();
+    for (std::size_t p = 0; p < all.size(); ++p) {
+      const Impulses::One one = {all[p], std::abs(rough.off[all[p]])};
+      if (is_beside_held(held, one.at)) continue;
+      const bool stands_alone =
+          sizes[p] > impulses.many && beside[p] <= alone && left_by_a_corner * sizes[p] > alone;
+      if (stands_alone || (sizes[p] > limit && is_spike(rough, one.at, limit)))
+        spikes.push_back(one);
+      else if (sizes[p] > limit)
+        impulses.knocks.push_back(one);
+    }
+    if (spikes.empty()) break;
+    for (const Impulses::One& one : spikes) x[one.at] -= rough.off[one.at];
+    impulses.spikes.insert(impulses.spikes.end(), spikes.begin(), spikes.end());
+  }
+  std::sort(impulses.spikes.begin(), impulses.spikes.end(),
+            [](const auto& a, const auto& b) { return a.at < b.at; });
   return impulses;
-}
-
-bool has_spikes(const SearchedRecord& record, std::size_t c) {
-  return (record.entry().kind != RecordKind::impact || !record.is_excitation(c)) &&
-         !record.channels[c].impulses.spikes.empty() && !is_of_motion(record.channels[c]);
 }
 
 void find_spikes(const SearchedRecord& record, std::vector<Disturbance>& found) {
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
-    if (!has_spikes(record, c)) continue;
-    add(record, c, "spikes", record.channels[c].impulses.spikes, found);
+    if (!record.channels[c].has_spikes) continue;
+    add(record, c, "spikes", record.channels[c].wrong.impulses.spikes, found);
     found.back().treated = "masked";
   }
 }
 
 void find_knocks(const SearchedRecord& record, std::vector<Disturbance>& found) {
-  const RecordKind kind = record.entry().kind;
-  if (kind == RecordKind::impact) return;  // the blow is the record's subject
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
-    if (is_of_motion(record.channels[c])) continue;
-    std::vector<Impulses::One> knocks = record.channels[c].impulses.knocks;
+    if (!record.channels[c].has_knocks) continue;
+    std::vector<Impulses::One> knocks = record.channels[c].wrong.impulses.knocks;
     const std::span<const double> samples = record.channels[c].samples;
     const auto largest = std::max_element(samples.begin(), samples.end(),
                                           [](double a, double b) { return std::abs(a) < std::abs(b); });
     // The release or the blow that begins a decay is none of its disturbances.
-    if (kind == RecordKind::free_decay)
+    if (record.entry().kind == RecordKind::free_decay)
       std::erase_if(knocks, [&](const Impulses::One& knock) {
         return static_cast<std::ptrdiff_t>(knock.at) <= largest - samples.begin();
       });

@@ -17,14 +17,22 @@ struct Impulses {
   };
   std::vector<One> spikes;  ///< of one sample alone
   std::vector<One> knocks;  ///< that neighbours stand out with
+  std::vector<double> scales;
+  double many = 0;  ///< next to its scale no sample is off its neighbours by more, but those of another kind
+
+  /// What a sample is off its neighbours by at most, in the channel's unit.
+  double most_off(std::size_t sample) const { return many * scales[sample]; }
 };
 
 /// Judged is how far a sample is off the cubic through two neighbours on either side, in units of the median of
 /// that over 64 samples there or beside, so that what is smooth on the scale of five samples does not count. The
 /// largest of these are outside of the tail of the others if a gap parts them. In a tail that falls exponentially
 /// or faster the spacings of ordered values have known means (Renyi), which makes the gap over the others, of as
-/// many values as the root of all, an F law with 2 and 2m degrees of freedom. Held samples and what follows them do
-/// not count.
+/// many values as the root of all, an F law with 2 and 2m degrees of freedom. Where many hide one another there is
+/// no gap: then a sample counts that is beyond the tail that most of the others have, from their middle and their
+/// upper quarter, and that leaves beside a spike (beside_spike) no more than others do, but less than a corner of
+/// the motion of that size would. Spikes are put right, and the search begins anew, until none is found. Held
+/// samples and what has them among its neighbours do not count.
 Impulses find_impulses(std::span<const double> samples, const ValueGrid& grid, const HeldSamples& held,
                        double false_alarm);
 

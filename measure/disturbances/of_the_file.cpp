@@ -22,16 +22,20 @@ void find_clipped(const SearchedRecord& record, std::vector<Disturbance>& found)
 
 void find_lost_samples(const SearchedRecord& record, std::vector<Disturbance>& found) {
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
+    const LostMarks& marks = record.channels[c].wrong.marks;
     const std::size_t missing = record.channels[c].missing, rows = record.lost_rows,
                       cells = record.channels[c].filled + missing;
-    if (cells + rows == 0) continue;
-    Disturbance lost = record.found("lost_samples", c, static_cast<double>(cells + rows));
+    if (cells + rows + marks.at.size() == 0) continue;
+    Disturbance lost = record.found("lost_samples", c, static_cast<double>(cells + rows + marks.at.size()));
     lost.unit = "samples";
     lost.share = lost.size / static_cast<double>(record.total);
     if (missing == 0) lost.treated = "masked";
     if (rows > 0) lost.text = fmt::format("{} of {} samples are not in the file", rows, record.total);
     if (cells > 0)
       lost.text += fmt::format("{}{} of {} samples are no numbers", rows > 0 ? ", " : "", cells, record.total);
+    if (marks.value)
+      lost.text += fmt::format("{}{} of {} samples are {:.6g} wherever the signal stood: lost and written as that",
+                               cells + rows > 0 ? ", " : "", marks.at.size(), record.total, *marks.value);
     found.push_back(std::move(lost));
   }
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "measure/disturbances/catalogue.hpp"
+#include "measure/disturbances/motion_events.hpp"
+#include "numerics/fill_gaps.hpp"
 
 namespace secular {
 namespace {
@@ -14,6 +16,38 @@ double rms_about_mean(std::span<const double> samples) {
   for (const double x : samples) mean += x / n;
   for (const double x : samples) square += (x - mean) * (x - mean) / n;
   return std::sqrt(square);
+}
+
+// Channel by what its file holds, then by what is left once wrong samples are replaced.
+void look_at(SearchedChannel& channel, const RecordEntry& entry, bool excitation, double rate, double level) {
+  channel.lines = find_lines(channel.samples, rate, level, &channel.powers);
+  channel.wrong = find_wrong(channel.samples, *channel.values, level);
+  const WrongSamples& wrong = channel.wrong;
+  std::vector<std::size_t> held, impulses;
+  for (const HeldSamples::Run& run : wrong.held.runs) held.push_back(run.begin);
+  for (const auto* list : {&wrong.impulses.spikes, &wrong.impulses.knocks})
+    for (const Impulses::One& one : *list) impulses.push_back(one.at);
+  channel.is_held = !held.empty() && !recurs_with_motion(channel.samples, channel.powers, held);
+  const bool of_motion = recurs_with_motion(channel.samples, channel.powers, impulses);
+  // A blow is the record's subject.
+  channel.has_spikes =
+      !(entry.kind == RecordKind::impact && excitation) && !wrong.impulses.spikes.empty() && !of_motion;
+  channel.has_knocks = entry.kind != RecordKind::impact && !wrong.impulses.knocks.empty() && !of_motion;
+  channel.masked = wrong.marks.at;
+  if (channel.is_held) {
+    channel.masked.insert(channel.masked.end(), wrong.foreign.begin(), wrong.foreign.end());
+    for (const HeldSamples::Run& run : wrong.held.runs)
+      for (std::size_t i = run.begin; i < run.end; ++i) channel.masked.push_back(i);
+  }
+  if (channel.has_spikes)
+    for (const Impulses::One& spike : wrong.impulses.spikes) channel.masked.push_back(spike.at);
+  if (channel.masked.empty()) return;
+  std::sort(channel.masked.begin(), channel.masked.end());
+  channel.masked.erase(std::unique(channel.masked.begin(), channel.masked.end()), channel.masked.end());
+  channel.mended.assign(channel.samples.begin(), channel.samples.end());
+  fill_gaps(channel.mended, channel.masked);
+  channel.samples = channel.mended;
+  channel.lines = find_lines(channel.samples, rate, level, &channel.powers);
 }
 
 }  // namespace
@@ -34,15 +68,6 @@ std::vector<std::span<const double>> complete_stretch(const Record& record) {
   for (const std::vector<double>& samples : record.channels)
     stretch.push_back(std::span(samples).subspan(best_begin, best_size));
   return stretch;
-}
-
-bool recurs_with_motion(const SearchedChannel& channel, const std::vector<std::size_t>& samples) {
-  const std::vector<double>& powers = channel.powers;
-  if (powers.size() < 2 || samples.size() < 3) return false;
-  const auto strongest = std::max_element(powers.begin() + 1, powers.end()) - powers.begin();
-  const double turns_a_sample = 0.5 * static_cast<double>(strongest) / (static_cast<double>(powers.size()) - 1);
-  const auto [first, last] = std::minmax_element(samples.begin(), samples.end());
-  return 2 * static_cast<double>(samples.size() - 1) >= turns_a_sample * static_cast<double>(*last - *first);
 }
 
 Disturbance SearchedRecord::found(std::string_view kind, std::size_t c, double size) const {
@@ -81,12 +106,8 @@ SearchedRecord searched(const Campaign& campaign, std::size_t index, const Recor
     channel.missing = static_cast<std::size_t>(
         std::count_if(samples.begin(), samples.end(), [](double x) { return !std::isfinite(x); }));
     if (c < record.no_numbers.size()) channel.filled = record.no_numbers[c].size();
-    channel.rms = stretch[c].empty() ? 0 : rms_about_mean(stretch[c]);
-    if (!stretch[c].empty()) {
-      channel.lines = find_lines(stretch[c], result.rate, result.level, &channel.powers);
-      channel.held = find_held(stretch[c], values[c], result.level);
-      channel.impulses = find_impulses(stretch[c], values[c].grid, channel.held, result.level);
-    }
+    if (!stretch[c].empty()) look_at(channel, result.entry(), result.is_excitation(c), result.rate, result.level);
+    if (!channel.samples.empty()) channel.rms = rms_about_mean(channel.samples);
     result.start_s =
         record.start_s + static_cast<double>(stretch[c].data() - samples.data()) / record.sample_rate_hz;
     result.channels.push_back(std::move(channel));

@@ -8,23 +8,25 @@
 #include "measure/data/campaign.hpp"
 #include "measure/data/watched_reader.hpp"
 #include "measure/disturbances/disturbance.hpp"
-#include "measure/disturbances/held_samples.hpp"
-#include "measure/disturbances/impulses.hpp"
 #include "measure/disturbances/lines.hpp"
+#include "measure/disturbances/wrong_samples.hpp"
 
 namespace secular {
 
-/// One channel of a record, with what several rows of the catalogue need.
+/// One channel of a record, with what several rows of the catalogue need. It may be moved, not copied.
 struct SearchedChannel {
-  std::span<const double> samples;        ///< of the longest stretch in which no channel lacks a sample
-  const ChannelValues* values = nullptr;  ///< of them
+  /// Of the longest stretch in which no channel lacks a sample, or `mended` in its place.
+  std::span<const double> samples;
+  const ChannelValues* values = nullptr;  ///< of them, as the file holds them
   std::size_t missing = 0;                ///< samples of the record that are no finite numbers
   std::size_t filled = 0;                 ///< that are none in its file, and follow from what is around them
   double rms = 0;                         ///< about the mean
   std::vector<Line> lines;                ///< that stand out of the spectrum around them
   std::vector<double> powers;             ///< of that spectrum
-  HeldSamples held;
-  Impulses impulses;
+  WrongSamples wrong;
+  bool is_held = false, has_spikes = false, has_knocks = false;  ///< and none of these is the motion's own
+  std::vector<std::size_t> masked;                               ///< what is replaced, rising
+  std::vector<double> mended;                                    ///< empty where nothing is
 };
 
 /// A record as the rows of the catalogue look at it. Campaign, samples and values must live as long.
@@ -53,12 +55,6 @@ double false_alarm_of_channel(const Campaign& campaign);
 /// Values are those of each channel's longest stretch in which no channel lacks a sample.
 SearchedRecord searched(const Campaign& campaign, std::size_t index, const Record& record,
                         const std::vector<ChannelValues>& values);
-
-/// What happens in every other turn of the motion or more, between its first time and its last, is the motion's
-/// own: dry friction that turns over or sticks, play that is taken up, a stop that is struck while the amplitude
-/// lasts, the steps of an encoder that is filtered. The strongest bin of the channel's spectrum says how long a
-/// turn is. Two events recur with nothing.
-bool recurs_with_motion(const SearchedChannel& channel, const std::vector<std::size_t>& samples);
 
 /// The longest stretch of a record in which no channel lacks a sample, by channel.
 std::vector<std::span<const double>> complete_stretch(const Record& record);

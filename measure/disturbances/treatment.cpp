@@ -21,20 +21,6 @@ struct RoundedChannel {
   std::vector<std::size_t> masked;
 };
 
-// Held ones and spikes, rising.
-std::vector<std::size_t> wrong_samples(const SearchedRecord& look, std::size_t c, const std::vector<double>& x) {
-  std::vector<std::size_t> wrong;
-  const SearchedChannel& channel = look.channels[c];
-  if (is_held(channel))
-    for (std::size_t i : channel.held.at)
-      for (; i < x.size() && std::abs(x[i] - x[i - 1]) <= channel.held.same; ++i) wrong.push_back(i);
-  if (has_spikes(look, c))
-    for (const Impulses::One& spike : channel.impulses.spikes) wrong.push_back(spike.at);
-  std::sort(wrong.begin(), wrong.end());
-  wrong.erase(std::unique(wrong.begin(), wrong.end()), wrong.end());
-  return wrong;
-}
-
 // Samples that the file does not hold were no values of the converter, nor is what replaces wrong ones.
 std::vector<std::size_t> not_rounded(const Record& record, std::size_t channel,
                                      const std::vector<std::size_t>& masked) {
@@ -47,8 +33,7 @@ std::vector<std::size_t> not_rounded(const Record& record, std::size_t channel,
 // Whether anything may have to be mended, before the record's lines are looked for.
 bool needs_a_look(bool dwell, const ChannelValues& values, const std::vector<double>& samples, double level) {
   if (dwell && is_lattice(values.grid, level)) return true;
-  const HeldSamples held = find_held(samples, values, level);
-  return !held.at.empty() || !find_impulses(samples, values.grid, held, level).spikes.empty();
+  return !find_wrong(samples, values, level).none();
 }
 
 std::vector<RoundedChannel> rounded_channels(const SearchedRecord& look, const Record& record,
@@ -80,8 +65,7 @@ Treatment treatment_of(const Campaign& campaign, std::size_t index, const Record
   Treatment treatment;
   if (nothing) return treatment;
   const SearchedRecord look = searched(campaign, index, record, values);
-  for (std::size_t c = 0; c < record.channels.size(); ++c)
-    treatment.masked.push_back(wrong_samples(look, c, record.channels[c]));
+  for (std::size_t c = 0; c < record.channels.size(); ++c) treatment.masked.push_back(look.channels[c].masked);
   if (!dwell) return treatment;
   std::vector<RoundedChannel> rounded = rounded_channels(look, record, treatment.masked);
   if (rounded.empty()) return treatment;

@@ -118,6 +118,12 @@ std::vector<Case> cases() {
       for (std::size_t i = every / 2; i < x.size(); i += every) x[i] = x[i - 1];
     };
   };
+  const auto lost = [](std::size_t every, std::size_t in_a_row, double mark) {
+    return [every, in_a_row, mark](Samples& x) {
+      for (std::size_t i = every / 2; i + in_a_row < x.size(); i += every)
+        for (std::size_t k = 0; k < in_a_row; ++k) x[i + k] = mark;
+    };
+  };
   const auto clipped = [](double limit) {
     return [limit](Samples& x) {
       for (double& value : x) value = std::clamp(value, -limit, limit);
@@ -144,7 +150,10 @@ std::vector<Case> cases() {
           {"held_samples", dwell, held(1000), 4, 0.3},
           {"held_samples", dwell, held(40), 102, 0.1},
           {"clipping", dwell, clipped(0.9), 1216, 0.01, "offset"},
-          {"lost_samples", dwell, [](Samples& x) { x[7] = std::numeric_limits<double>::quiet_NaN(); }, 1, 0}};
+          {"lost_samples", dwell, [](Samples& x) { x[7] = std::numeric_limits<double>::quiet_NaN(); }, 1, 0},
+          {"lost_samples", dwell, lost(40, 1, 0), 102, 0},
+          {"lost_samples", decay, lost(80, 1, -7), 51, 0},
+          {"lost_samples", dwell, lost(97, 5, 0.3), 210, 0}};
 }
 
 const Disturbance* of_kind(const std::vector<Disturbance>& found, const std::string& kind) {
@@ -237,6 +246,15 @@ TEST(Disturbances, TheMotionItselfIsNone) {
   }
   for (const Disturbance& d : find_disturbances(campaign, 0, record))
     EXPECT_TRUE(d.kind != "spikes" && d.kind != "knock") << d.text;
+  // A velocity that sticks at zero, without noise; a sine whose samples are the same in every turn.
+  for (const bool sticks : {true, false}) {
+    for (std::size_t i = 0; i < drive_count; ++i) {
+      const double v = std::sin(two_pi * (sticks ? 0.5 * drive_hz * at(i) : static_cast<double>(i) / 16));
+      record.channels[1][i] = sticks ? std::copysign(std::max(std::abs(v) - 0.3, 0.0), v) : v + 0.2 * v * v;
+    }
+    for (const Disturbance& d : find_disturbances(campaign, 0, record))
+      EXPECT_TRUE(d.kind != "spikes" && d.kind != "lost_samples") << d.text;
+  }
   campaign = campaign_of(1, RecordKind::free_decay);
   campaign.channels[1].quantity = Quantity::displacement;
   record = clean(RecordKind::free_decay, 12);

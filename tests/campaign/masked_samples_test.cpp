@@ -188,6 +188,57 @@ TEST_F(MaskedSamples, HeldSamplesAndSpikesAreReplaced) {
   EXPECT_LT(worst, 0.01);
 }
 
+// Furthest that a sample of the record read is off the one that was measured.
+double furthest_off(const Record& record, const std::vector<double>& measured) {
+  double worst = 0;
+  for (std::size_t i = 0; i < measured.size(); ++i)
+    worst = std::max(worst, std::abs(record.channels[1][i] - measured[i]));
+  return worst;
+}
+
+// So many that they hide one another, of all sizes; and those of a number that stands for lost samples, of which
+// some hardly differ from what was measured.
+TEST_F(MaskedSamples, ManyWrongSamplesAreReplaced) {
+  const std::vector<double> x = signal(1e-2);
+  std::mt19937 random(3);
+  for (const bool marked : {true, false}) {
+    std::vector<double> faulty = x;
+    for (std::size_t i = 60; i + 60 < masked_count; i += 40 + random() % 60)
+      faulty[i] =
+          marked ? 0.2 : x[i] + (random() % 2 == 0 ? -1 : 1) * (1 + static_cast<double>(random() % 100) / 50);
+    EXPECT_LT(furthest_off(read_masked(written(folder, faulty, {})), x), 0.1) << marked;
+  }
+}
+
+// Noise of a tenth of the signal hides what single samples are off; that so many are one and the same tells it.
+TEST_F(MaskedSamples, LostSamplesThatNoiseHidesAreReplaced) {
+  const std::vector<double> x = signal(0.2);
+  std::vector<double> faulty = x;
+  for (std::size_t i = 60; i + 60 < masked_count; i += 131) faulty[i] = 0;
+  const Record record = read_masked(written(folder, faulty, {}));
+  for (std::size_t i = 60; i + 60 < masked_count; i += 131) EXPECT_NE(record.channels[1][i], 0) << i;
+}
+
+TEST_F(MaskedSamples, TheFirstOfAHeldRunIsReplacedWhereItIsForeign) {
+  const std::vector<double> x = signal(1e-3);
+  std::vector<double> faulty = x;
+  for (const int begin : {500, 1250, 2999}) std::fill_n(faulty.begin() + begin, 8, begin == 1250 ? 0.7 : -1.1);
+  EXPECT_LT(furthest_off(read_masked(written(folder, faulty, {})), x), 0.05);
+  // Here it was measured, and stays.
+  faulty = x;
+  std::fill_n(faulty.begin() + 1250, 8, x[1250]);
+  EXPECT_NEAR(read_masked(written(folder, faulty, {})).channels[1][1250], x[1250], 1e-9);
+}
+
+// A row that is put in lies on no converter's lattice: steps beside it are no spikes.
+TEST_F(MaskedSamples, CoarseStepsBesideALostRowAreNoSpikes) {
+  std::vector<double> stepped = signal(5e-3);
+  for (double& x : stepped) x = 0.4 * std::round(x / 0.4);
+  const Campaign campaign = written(folder, stepped, {1500});
+  for (const Disturbance& d : find_disturbances(campaign, 0, read_record(campaign, campaign.records[0])))
+    EXPECT_TRUE(d.kind == "converter_step" || d.kind == "lost_samples" || d.kind == "clipping") << d.text;
+}
+
 // What a relative change of 1e-9 moves would hang on rounding. An offset makes equal samples differ most.
 TEST_F(MaskedSamples, HeldSamplesAndStepsAreTheSameThroughRounding) {
   std::vector<double> held = signal(1e-3), stepped = signal(5e-3);

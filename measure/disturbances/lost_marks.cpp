@@ -1,0 +1,136 @@
+#include "measure/disturbances/lost_marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "measure/data/resolution.hpp"
+#include "numerics/distribution.hpp"
+
+namespace secular {
+namespace {
+
+constexpr std::size_t either_side = 32;  // values that tell how often one is hit
+constexpr std::size_t fewest_spikes = 3;
+
+// One value and how many samples have it.
+struct Level {
+  double value = 0;
+  std::size_t count = 0;
+};
+
+std::vector<Level> levels_of(const std::vector<double>& sorted, double same) {
+  std::vector<Level> levels;
+  for (const double value : sorted) {
+    if (levels.empty() || value - levels.back().value > same) levels.push_back({value, 0});
+    ++levels.back().count;
+  }
+  return levels;
+}
+
+// Mean number of hits of a value there, at most.
+double hits(const std::vector<Level>& levels, std::size_t level) {
+  const std::size_t begin = level - std::min(level, either_side),
+                    end = std::min(levels.size(), level + either_side + 1);
+  double count = 1;  // one more than is seen: none may be seen twice
+  for (std::size_t k = begin; k < end; ++k)
+    if (k != level) count += static_cast<double>(levels[k].count);
+  const double mean = count / static_cast<double>(end - begin - 1);
+  return std::min(mean, 2 * (mean - 1));
+}
+
+// At least so many hits.
+double chance_of(std::size_t count, double mean) {
+  return count == 0 ? 1 : 1 - gamma_upper_tail(mean, static_cast<double>(count), 1);
+}
+
+struct Run {
+  std::size_t begin = 0, end = 0;
+};
+
+class Visits {
+ public:
+  Visits(std::span<const double> x, double value, double same) : x_(x) {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (std::abs(x[i] - value) > same) continue;
+      if (runs_.empty() || runs_.back().end != i) runs_.push_back({i, i});
+      runs_.back().end = i + 1;
+    }
+    value_ = value;
+    same_ = same;
+  }
+
+  std::size_t runs() const { return runs_.size(); }
+
+  // Whether more than a quarter of what stands beside the runs is not among the nearest half of the other samples.
+  bool come_from_far() const {
+    std::vector<double> distances;
+    for (const double x : x_)
+      if (std::abs(x - value_) > same_) distances.push_back(std::abs(x - value_));
+    if (distances.empty()) return false;
+    const auto half = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::nth_element(distances.begin(), half, distances.end());
+    std::size_t sides = 0, far = 0;
+    const auto look = [&](double x) {
+      ++sides;
+      if (std::abs(x - value_) > *half) ++far;
+    };
+    for (const Run& run : runs_) {
+      if (run.begin > 0) look(x_[run.begin - 1]);
+      if (run.end < x_.size()) look(x_[run.end]);
+    }
+    return 4 * far > sides;
+  }
+
+  LostMarks marks() const {
+    LostMarks result{{}, value_};
+    for (const Run& run : runs_)
+      for (std::size_t i = run.begin; i < run.end; ++i) result.at.push_back(i);
+    return result;
+  }
+
+ private:
+  std::span<const double> x_;
+  double value_ = 0, same_ = 0;
+  std::vector<Run> runs_;
+};
+
+// The value that most spikes share.
+std::optional<double> shared_by_spikes(std::span<const double> x, const Impulses& impulses, double same) {
+  std::vector<double> values;
+  for (const Impulses::One& spike : impulses.spikes) values.push_back(x[spike.at]);
+  std::sort(values.begin(), values.end());
+  const std::vector<Level> levels = levels_of(values, same);
+  const auto most = std::max_element(levels.begin(), levels.end(),
+                                     [](const Level& a, const Level& b) { return a.count < b.count; });
+  if (most == levels.end() || most->count < fewest_spikes) return std::nullopt;
+  return most->value;
+}
+
+}  // namespace
+
+LostMarks find_lost_marks(std::span<const double> x, const std::vector<double>& sorted, const Impulses& impulses,
+                          double false_alarm) {
+  if (x.empty() || !(sorted.back() > sorted.front())) return {};
+  const double same = equal_within(sorted);
+  const std::vector<Level> levels = levels_of(sorted, same);
+  if (levels.size() < 2) return {};
+  if (const std::optional<double> shared = shared_by_spikes(x, impulses, same)) {
+    const auto level = std::find_if(levels.begin(), levels.end(),
+                                    [&](const Level& l) { return std::abs(l.value - *shared) <= same; });
+    if (level != levels.end() && hits(levels, static_cast<std::size_t>(level - levels.begin())) <= 1)
+      return Visits(x, level->value, same).marks();
+  }
+  const double level_alarm = false_alarm / static_cast<double>(levels.size());
+  std::optional<Visits> most;
+  for (std::size_t k = 1; k + 1 < levels.size(); ++k) {
+    if (levels[k].count < fewest_spikes) continue;
+    const double mean = hits(levels, k);
+    if (mean > 1 || chance_of(levels[k].count, mean) > level_alarm) continue;
+    Visits visits(x, levels[k].value, same);
+    if (most && visits.runs() <= most->runs()) continue;
+    if (chance_of(visits.runs(), mean) <= level_alarm && visits.come_from_far()) most.emplace(std::move(visits));
+  }
+  return most ? most->marks() : LostMarks{};
+}
+
+}  // namespace secular

@@ -1,0 +1,60 @@
+#include "measure/disturbances/motion_events.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "numerics/hertz.hpp"
+
+namespace secular {
+namespace {
+
+constexpr std::size_t fewest_phases = 8;
+constexpr int most_clusters = 4;  // in a turn
+constexpr double fixed_phases = 0.5;
+
+// Phase of the motion at a sample from two turns on either side of it, without what the event has touched.
+double phase_at(std::span<const double> x, double turns_a_sample, std::size_t at) {
+  const auto around = static_cast<std::ptrdiff_t>(std::ceil(2 / turns_a_sample));
+  std::complex<double> sum = 0;
+  double mean = 0, weights = 0;
+  for (const bool of_mean : {true, false})
+    for (std::ptrdiff_t j = -around; j <= around; ++j) {
+      const std::ptrdiff_t i = static_cast<std::ptrdiff_t>(at) + j;
+      if (std::abs(j) <= 2 || i < 0 || i >= static_cast<std::ptrdiff_t>(x.size())) continue;
+      const double taper = 1 + std::cos(two_pi / 2 * static_cast<double>(j) / static_cast<double>(around + 1));
+      const double value = x[static_cast<std::size_t>(i)];
+      if (of_mean) {
+        mean += taper * value;
+        weights += taper;
+      } else {
+        sum +=
+            taper * (value - mean / weights) * std::polar(1.0, -two_pi * turns_a_sample * static_cast<double>(j));
+      }
+    }
+  return std::arg(sum);
+}
+
+}  // namespace
+
+bool recurs_with_motion(std::span<const double> samples, const std::vector<double>& powers,
+                        const std::vector<std::size_t>& events) {
+  if (powers.size() < 2 || events.size() < 3) return false;
+  const auto strongest = std::max_element(powers.begin() + 1, powers.end()) - powers.begin();
+  const double turns_a_sample = 0.5 * static_cast<double>(strongest) / (static_cast<double>(powers.size()) - 1);
+  const auto [first, last] = std::minmax_element(events.begin(), events.end());
+  const double turns = turns_a_sample * static_cast<double>(*last - *first);
+  const auto intervals = static_cast<double>(events.size() - 1);
+  if (2 * intervals < turns) return false;
+  if (intervals > 2 * turns || events.size() < fewest_phases) return true;
+  std::vector<double> phases;
+  for (const std::size_t at : events) phases.push_back(phase_at(samples, turns_a_sample, at));
+  for (int k = 1; k <= most_clusters; ++k) {
+    std::complex<double> sum = 0;
+    for (const double phase : phases) sum += std::polar(1.0, k * phase);
+    if (std::norm(sum) > fixed_phases * static_cast<double>(phases.size() * phases.size())) return true;
+  }
+  return false;
+}
+
+}  // namespace secular

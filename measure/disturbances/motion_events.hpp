@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace secular {
+
+/// Events that the motion makes itself, turn for turn: dry friction that turns over or sticks, play that is taken
+/// up, a stop that is struck while the amplitude lasts, the steps of an encoder that is filtered. They come in
+/// every other turn or more, between the first and the last of them, and at the same phases of a turn: of their
+/// phases theta the mean of exp(i k theta) is above the root of 1/2 for a k from 1 to 4 (1 for fixed phases, 0 for
+/// any). More than two a turn are the motion's own at any phase; fewer than eight tell no phases; two recur with
+/// nothing. `powers`: of the spectrum up to Nyquist, whose strongest bin says how long a turn is.
+bool recurs_with_motion(std::span<const double> samples, const std::vector<double>& powers,
+                        const std::vector<std::size_t>& events);
+
+}  // namespace secular

@@ -1,0 +1,46 @@
+#include "measure/disturbances/wrong_samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/fill_gaps.hpp"
+
+namespace secular {
+namespace {
+
+std::vector<std::size_t> foreign_firsts(std::span<const double> samples, const WrongSamples& wrong) {
+  std::vector<std::size_t> missing = wrong.marks.at, foreign;
+  for (const HeldSamples::Run& run : wrong.held.runs)
+    for (std::size_t i = run.begin - 1; i < run.end; ++i) missing.push_back(i);
+  for (const Impulses::One& spike : wrong.impulses.spikes) missing.push_back(spike.at);
+  std::sort(missing.begin(), missing.end());
+  missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+  std::vector<double> filled(samples.begin(), samples.end());
+  const std::vector<std::size_t> left = fill_gaps(filled, missing);
+  for (const HeldSamples::Run& run : wrong.held.runs) {
+    const std::size_t first = run.begin - 1;
+    if (!std::binary_search(left.begin(), left.end(), first) &&
+        std::abs(samples[first] - filled[first]) > wrong.impulses.most_off(first))
+      foreign.push_back(first);
+  }
+  return foreign;
+}
+
+}  // namespace
+
+WrongSamples find_wrong(std::span<const double> samples, const ChannelValues& values, double false_alarm) {
+  WrongSamples wrong;
+  wrong.held = find_held(samples, values, false_alarm);
+  wrong.impulses = find_impulses(samples, values.grid, wrong.held, false_alarm);
+  wrong.marks = find_lost_marks(samples, values.sorted, wrong.impulses, false_alarm);
+  const auto is_mark = [&](std::size_t i) {
+    return std::binary_search(wrong.marks.at.begin(), wrong.marks.at.end(), i);
+  };
+  std::erase_if(wrong.held.runs, [&](const HeldSamples::Run& run) { return is_mark(run.begin); });
+  for (auto* list : {&wrong.impulses.spikes, &wrong.impulses.knocks})
+    std::erase_if(*list, [&](const Impulses::One& one) { return is_mark(one.at); });
+  if (!wrong.held.runs.empty()) wrong.foreign = foreign_firsts(samples, wrong);
+  return wrong;
+}
+
+}  // namespace secular

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "measure/disturbances/held_samples.hpp"
+#include "measure/disturbances/impulses.hpp"
+#include "measure/disturbances/lost_marks.hpp"
+
+namespace secular {
+
+/// Samples of a channel that cannot be what was measured. None is counted twice: what is lost counts as that.
+struct WrongSamples {
+  HeldSamples held;
+  Impulses impulses;
+  LostMarks marks;
+  std::vector<std::size_t> foreign;  ///< of held runs, the first where it is no measured value either; rising
+
+  bool none() const { return held.runs.empty() && impulses.spikes.empty() && marks.at.empty(); }
+};
+
+/// The first sample of a run that is held may be as wrong as the others: a value that is written while the signal
+/// is gone. It is where what stands around the run tells another value (fill_gaps), by more than any sample is off
+/// its neighbours (find_impulses). Samples must be finite; false alarm of each kind on this channel.
+WrongSamples find_wrong(std::span<const double> samples, const ChannelValues& values, double false_alarm);
+
+}  // namespace secular
