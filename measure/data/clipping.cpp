@@ -4,9 +4,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "measure/data/noise_floor.hpp"
 #include "numerics/distribution.hpp"
 #include "numerics/median.hpp"
 
@@ -19,6 +21,8 @@ constexpr double fit_depth_in_quanta = 16;  // how deep the parabola is fitted a
 constexpr double excess_in_quanta = 8;      // beyond the flat value; a turning point has at most about one
 constexpr double fewest_quanta_in_range = 64;
 constexpr double resting_share = 0.6;     // of all samples at one extreme: the signal's rest
+constexpr std::size_t fewest_levels = 8;  // that tell a common divisor
+constexpr double most_leakage = 1e-4;     // of the range: tones in the upper half of the spectrum leave 4e-5
 constexpr double two_level_share = 0.95;  // of all samples at either extreme: a square wave
 
 // How far the signal would have gone beyond the run, judged from one of its ends. depth(n): how far the n-th sample
@@ -62,8 +66,17 @@ Peak parabola(double depth, double before, double after, std::size_t length) {
   return {depth, rise / (2 * n), length % 2 == 1 ? from_middle : 0.5 - from_middle};
 }
 
+// Peaks whose largest sample is no deeper than that count; so many of them lie at the very extreme.
+bool more_than_chance(const std::vector<Peak>& peaks, std::size_t at_extreme, double deepest, double chance) {
+  const auto near =
+      std::count_if(peaks.begin(), peaks.end(), [&](const Peak& peak) { return peak.depth <= deepest; });
+  return chance < 1 && binomial_upper_tail(static_cast<double>(at_extreme - 1), static_cast<double>(near - 1),
+                                           chance) < clipping_false_alarm;
+}
+
 // Whether more of the short peaks end at the very extreme than those of a smooth motion do.
-bool too_many(const std::vector<Peak>& peaks, double same, double quantum) {
+bool too_many(std::span<const double> samples, const std::vector<Peak>& peaks, double range, double same,
+              double quantum) {
   std::vector<double> curvatures;
   double least = 0.5, largest = 0;
   for (const Peak& peak : peaks) {
@@ -76,22 +89,26 @@ bool too_many(const std::vector<Peak>& peaks, double same, double quantum) {
   const double curvature = upper_median(curvatures), ratio = quantum / curvature;
   const double half_width = std::sqrt(std::sqrt(ratio));  // of a flat top within a quantum, in samples
   const double offsets_of_one_top = half_width + 0.5 * ratio;
-  if (largest - least <= offsets_of_one_top) return false;
-  const auto near = std::count_if(peaks.begin(), peaks.end(),
-                                  [&](const Peak& peak) { return peak.depth <= 0.25 * curvature + same; });
-  return binomial_upper_tail(static_cast<double>(curvatures.size() - 1), static_cast<double>(near - 1),
-                             2 * half_width) < clipping_false_alarm;
+  if (largest - least > offsets_of_one_top)
+    return more_than_chance(peaks, curvatures.size(), 0.25 * curvature + same, 2 * half_width);
+  // In step with the motion: peaks repeat one but for the noise, of a normal law.
+  const double noise = noise_floor(samples).value_or(0);
+  if (noise < most_leakage * range) return false;
+  return more_than_chance(peaks, curvatures.size(), std::max(0.25 * curvature, 6 * noise) + same,
+                          quantum / (noise * std::sqrt(2 * std::numbers::pi)));
 }
 
-// The grid that depths of up to a quarter of the range (or to the first level) lie on: the greatest common divisor
-// of their differences. depth(n): of the n-th sample from the extreme.
+// The grid that depths of up to a quarter of the range lie on, and the first few levels at least: the greatest
+// common divisor of their differences. depth(n): of the n-th sample from the extreme.
 double grid_near_extreme(const std::function<double(std::size_t)>& depth_of, std::size_t count, double range,
                          double same) {
   double divisor = 0, level = 0;
+  std::size_t levels = 0;
   for (std::size_t n = 0; n < count; ++n) {
     const double depth = depth_of(n);
     if (depth - level <= same) continue;
-    if (depth > 0.25 * range && level > 0) break;
+    if (depth > 0.25 * range && levels >= fewest_levels) break;
+    ++levels;
     double rest = depth - level;
     while (rest > same) {
       const double smaller = std::abs(divisor - rest * std::round(divisor / rest));
@@ -112,6 +129,7 @@ Side judge_side(std::span<const double> samples, const std::vector<double>& sort
   const double same = equal_within(sorted);
   Side side;
   std::size_t short_runs = 0, samples_in_short_runs = 0;
+  double least_step = std::numeric_limits<double>::infinity(), largest_step = 0;  // to the extreme; elsewhere
   std::vector<Peak> peaks;
   const auto depth = [&](std::size_t i) { return sign * (extreme - samples[i]); };
   for (std::size_t begin = 0, end = 0; begin < samples.size(); begin = end) {
@@ -120,6 +138,10 @@ Side judge_side(std::span<const double> samples, const std::vector<double>& sort
     const bool at_extreme = depth(begin) <= same;
     if (at_extreme) side.at_extreme += length;
     if (begin == 0 || end == samples.size()) continue;
+    if (const double before = depth(begin - 1); at_extreme)
+      least_step = std::min(least_step, before);
+    else if (before > same)
+      largest_step = std::max(largest_step, std::abs(before - depth(begin)));
     if (length < long_run) {
       if (depth(begin - 1) <= depth(begin) || depth(end) <= depth(begin)) continue;
       peaks.push_back(parabola(depth(begin), depth(begin - 1), depth(end), length));
@@ -134,12 +156,15 @@ Side judge_side(std::span<const double> samples, const std::vector<double>& sort
     ++side.runs;
     side.samples_in_runs += length;
   }
+  // What is clipped is on its way to the extreme before; a mark of lost samples lies out of reach.
+  if (least_step > 2 * largest_step) return {side.at_extreme, 0, 0};
   const auto nth_depth = [&](std::size_t n) {
     return sign * (extreme - (sign > 0 ? sorted[sorted.size() - 1 - n] : sorted[n]));
   };
   // Levels that are printed rounded have next to no common divisor; a step that all of them have is one of these,
   // too.
-  if (too_many(peaks, same, std::max(quantum, grid_near_extreme(nth_depth, sorted.size(), range, same)))) {
+  if (too_many(samples, peaks, range, same,
+               std::max(quantum, grid_near_extreme(nth_depth, sorted.size(), range, same)))) {
     side.runs += short_runs;
     side.samples_in_runs += samples_in_short_runs;
   }

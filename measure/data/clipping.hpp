@@ -38,12 +38,14 @@ inline constexpr double clipping_false_alarm = 1e-6;
 /// lie, `n` lie at the very extreme, one of them always: more than that with the binomial probability P(at least n
 /// - 1 of m - 1). Clipped: that is below `clipping_false_alarm`. Where sampling is in step with the motion, peaks
 /// are no independent draws: they repeat one. Their tops then lie at one offset x from the sample, to (q/c)^(1/4)
-/// and the q/(2*c) by which quantised neighbours misplace it; peaks that do not differ by more say nothing. A
-/// harmonic of fewer than four samples a period misleads these parabolas.
+/// and the q/(2*c) by which quantised neighbours misplace it. Peaks that do not differ by more differ by the noise
+/// alone; with its standard deviation s (noise_floor) p = q/(s*(2*pi)^(1/2)), of the peaks within 6*s. A harmonic
+/// of fewer than four samples a period misleads these parabolas.
 ///
-/// Not judged: signals of fewer than 64 quanta, signals of two levels (square waves), a level that the
-/// signal rests at most of the time (between knocks), and runs that touch an end of the record. All samples must be
-/// finite.
+/// Not judged: an extreme that every step to is more than twice the largest of all other steps (a number that
+/// stands for lost samples), signals of fewer than 64 quanta, signals of two levels (square waves), a level that
+/// the signal rests at most of the time (between knocks), and runs that touch an end of the record. All samples
+/// must be finite.
 Clipping find_clipping(std::span<const double> samples);
 
 /// The same where their order and grid are known already.

@@ -44,15 +44,15 @@ ChannelValues values_of(std::span<const double> samples) {
 }
 
 ChannelValues values_of(const Record& record, std::size_t channel, std::span<const double> stretch) {
-  ChannelValues values = values_of(stretch);
   const std::vector<std::size_t> filled = filled_samples(record, channel);
-  if (filled.empty()) return values;
+  if (filled.empty()) return values_of(stretch);
   const auto begin = static_cast<std::size_t>(stretch.data() - record.channels[channel].data());
   std::vector<double> read;
   for (std::size_t i = 0; i < stretch.size(); ++i)
     if (!std::binary_search(filled.begin(), filled.end(), begin + i)) read.push_back(stretch[i]);
-  values.sorted = in_order(read);
+  ChannelValues values{in_order(read), {}, {}};
   values.grid = grid_of_sorted(values.sorted);
+  values.clipping = find_clipping(stretch, values.sorted, values.grid);
   return values;
 }
 

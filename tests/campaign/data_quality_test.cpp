@@ -168,6 +168,17 @@ TEST(Clipping, PeaksThatSamplingRepeatsAreNone) {
   }
 }
 
+TEST(Clipping, FindsPeaksThatSamplingRepeatsByTheirNoise) {
+  for (const double per_period : {5.0, 8.0, 13.0, 16.0})
+    for (const double sd : {1e-3, 1e-2}) {
+      const Samples noisy = sum(sine(4096, per_period), noise(4096, sd));
+      EXPECT_TRUE(find_clipping(limited(noisy, 0.9)).found()) << per_period << " " << sd;
+      EXPECT_TRUE(find_clipping(quantised(limited(noisy, 0.9), 0.1 * sd)).found()) << per_period << " " << sd;
+      EXPECT_FALSE(find_clipping(noisy).found()) << per_period << " " << sd;
+      EXPECT_FALSE(find_clipping(quantised(noisy, 0.1 * sd)).found()) << per_period << " " << sd;
+    }
+}
+
 TEST(Clipping, AShortHoldOfAStaircaseIsNone) {
   Samples steps;
   const Samples levels = noise(1000, 1);
