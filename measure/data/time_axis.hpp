@@ -14,9 +14,6 @@ struct RowPlace {
   std::string of(std::size_t row) const { return noun + " " + std::to_string(first + row); }
 };
 
-/// Steps between stamps that can be neighbours are no longer than this, next to their median.
-inline constexpr double longest_step = 1.75;
-
 struct TimeAxis {
   double start_s = 0;
   double sample_rate_hz = 0;

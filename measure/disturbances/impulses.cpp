@@ -7,12 +7,14 @@
 #include <functional>
 
 #include "measure/disturbances/rows.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/median.hpp"
 
 namespace secular {
 namespace {
 
-constexpr std::size_t impulse_block = 64;  // of samples that share a scale: their median is known to 15 %
+constexpr auto& impulse_block =
+    measure_thresholds().impulse_block;  // of samples that share a scale: their median is known to 15 %
 
 // How far every sample is off the cubic through two neighbours on either side, in units of the median of that over
 // the block around it, or beside it where that is larger: motion begins and dies away. Rounding to a lattice

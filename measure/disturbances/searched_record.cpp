@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "measure/disturbances/catalogue.hpp"
+#include "measure/thresholds.hpp"
 
 namespace secular {
 namespace {
@@ -59,7 +60,8 @@ Disturbance SearchedRecord::found(std::string_view kind, std::size_t c, double s
 }
 
 double false_alarm_of_channel(const Campaign& campaign) {
-  return disturbance_false_alarm / static_cast<double>(campaign.records.size() * campaign.channels.size());
+  return measure_thresholds().disturbance_false_alarm /
+         static_cast<double>(campaign.records.size() * campaign.channels.size());
 }
 
 SearchedRecord searched(const Campaign& campaign, std::size_t index, const Record& record,
