@@ -21,7 +21,6 @@ struct MeasureThresholds {
   double same_rate = 1e-3;
   std::size_t rarest_share = 16;
   double same_sample = 0.01;
-  double longest_step = 1.75;
   double largest_jitter = 0.25;
   std::size_t clipped_run = 4;
   std::size_t clipping_points = 4;
@@ -34,7 +33,6 @@ struct MeasureThresholds {
   double smallest_offset = 0.05;
   std::ptrdiff_t largest_order = 6;
   std::ptrdiff_t softest = 2;
-  std::size_t rounded_block = 4096;
   std::size_t ringing_block = 64;
   std::size_t impulse_block = 64;
   std::size_t held_block = 256;
@@ -64,13 +62,10 @@ struct MeasureThresholds {
   double still_the_mode = 0.5;
   double resonance_width = 0.1;
   double decay_search_range = 0.15;
-  double dwell_search_range = 0.1;
   double trivial_branch_sd = 8;
   double separate_tone_bins = 2;
-  std::ptrdiff_t resonance_samples = 4096;
   double excitation_purity = 0.5;
   double level_tolerance = 0.2;
-  std::size_t lock_ensembles = 6;
   double dwell_drift = 0.01;
 };
 

@@ -30,7 +30,7 @@ std::vector<std::size_t> lost_rows(const std::vector<double>& stamps_s) {
   std::size_t place = 0;  // among all rows
   for (const double here : steps) {
     ++place;
-    if (!(here > measure_thresholds().longest_step * step)) continue;
+    if (!(here > longest_step() * step)) continue;
     const double whole = std::round(here / step);
     if (std::abs(here / step - whole) > off_a_whole_number || whole > longest_filled + 1) return {};
     for (double n = 1; n < whole; ++n) lost.push_back(place++);

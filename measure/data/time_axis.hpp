@@ -20,6 +20,10 @@ struct TimeAxis {
   double jitter_s = 0;  ///< rms scatter of the stamps about it, where that is more than how they are rounded
 };
 
+/// Steps between stamps that can be neighbours are no longer than this, next to their median: where one is missing
+/// a step is two long, less what stamps may jitter against each other.
+double longest_step();
+
 /// Checks that time stamps are finite and increase evenly and gives their start and rate. The rate is the
 /// least-squares line's, or rather the simplest number that follows the stamps as closely as that line:
 /// `expected_rate_hz` if it does, else the rate or step with the fewest digits. Stamps may jitter by a quarter of

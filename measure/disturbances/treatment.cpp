@@ -7,13 +7,13 @@
 #include "measure/disturbances/converter_lines.hpp"
 #include "measure/disturbances/rows.hpp"
 #include "measure/disturbances/searched_record.hpp"
-#include "measure/thresholds.hpp"
 
 namespace secular {
 namespace {
 
-// Without ensembles: samples in which frequencies of the strongest lines are told apart to a few turns.
-constexpr auto& longest_block = measure_thresholds().rounded_block;
+// Without ensembles: samples in which frequencies of the strongest lines are told apart to a few turns (a size:
+// half and twice as many move nothing).
+constexpr std::size_t longest_block = 4096;
 
 struct RoundedChannel {
   std::size_t index = 0;  // of the channel

@@ -35,10 +35,11 @@ constexpr auto& excitation_purity = measure_thresholds().excitation_purity;
 constexpr auto& level_tolerance = measure_thresholds().level_tolerance;
 
 /// Free frequencies are searched this far from where the nominal values put them, relative to the lowest mode.
-constexpr auto& dwell_search_range = measure_thresholds().dwell_search_range;
+constexpr auto& dwell_search_range = measure_thresholds().resonance_width;
 
-/// Fewer ensembles cannot tell phases that stand still from independent ones at the one percent that is asked for.
-constexpr auto& lock_ensembles = measure_thresholds().lock_ensembles;
+/// Fewer ensembles cannot tell phases that stand still from independent ones at the one percent that is asked for
+/// (derived: independent ones pass with probability exp(-K), `bispectral_phase`).
+constexpr std::size_t lock_ensembles = 5;
 
 /// Amplitudes of a motion that has not settled, over one ensemble: they settle within a few ensembles, so that the
 /// rates that a quadratic finds would be wrong by several percent.

@@ -17,8 +17,9 @@ namespace {
 
 using Eigen::Index;
 
-/// Samples of a dwell that are looked at: enough to tell a line from noise.
-constexpr auto& most_samples = measure_thresholds().resonance_samples;
+/// Samples of a dwell that are looked at: enough to tell a line from noise (a size: half and twice as
+/// many move nothing).
+constexpr Index most_samples = 4096;
 
 // Of the modes whose frequency the relations tie to the excitation's alone, one after the other.
 std::vector<Subharmonic> subharmonics_of(const Resonance& resonance) {
