@@ -18,6 +18,7 @@
 #include "input/input_error.hpp"
 #include "measure/disturbances/catalogue.hpp"
 #include "measure/disturbances/disturbance_watch.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/distribution.hpp"
 #include "numerics/median.hpp"
 
@@ -101,7 +102,8 @@ std::vector<Disturbance> fitted_offsets(const Diagnosis& diagnosis, const Campai
     if (known || !place) continue;
     const double value = diagnosis.fitted.values(*place),
                  sd = std::sqrt(diagnosis.fitted.covariance(*place, *place));
-    const double level = disturbance_false_alarm / static_cast<double>(campaign.channels.size());
+    const double level =
+        measure_thresholds().disturbance_false_alarm / static_cast<double>(campaign.channels.size());
     if (!(sd > 0) || 2 * normal_upper_tail(std::abs(value) / sd) > level) continue;
     Disturbance d = fitted_in(diagnosis.spans.empty() ? 0 : diagnosis.spans.begin()->first, "offset", diagnosis);
     d.channel = c;

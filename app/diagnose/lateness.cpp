@@ -11,6 +11,7 @@
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
 #include "measure/disturbances/catalogue.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/explained_variation.hpp"
 
 namespace secular::app {
@@ -50,7 +51,8 @@ Eigen::VectorXd scatter_of_decays(const Identification& id) {
     const ScatterBetweenRecords& scatter = *value.between_records;
     const auto mode = static_cast<Eigen::Index>(scatter.mode);
     if (sd.size() <= mode) sd.conservativeResizeLike(Eigen::VectorXd::Zero(mode + 1));
-    if (scatter.p_value < disturbance_false_alarm) sd(mode) = scatter.sd / std::abs(*value.value);
+    if (scatter.p_value < measure_thresholds().disturbance_false_alarm)
+      sd(mode) = scatter.sd / std::abs(*value.value);
   }
   return sd;
 }

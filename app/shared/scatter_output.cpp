@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "measure/disturbances/catalogue.hpp"
+#include "measure/thresholds.hpp"
 #include "report/number_format.hpp"
 
 namespace secular::app {
@@ -18,7 +19,7 @@ bool is_significant(const EstimatedValue& value, const Estimate& estimate) {
   const auto tests = std::count_if(estimate.parameters.begin(), estimate.parameters.end(),
                                    [](const EstimatedValue& v) { return v.between_records.has_value(); });
   return value.value && value.between_records &&
-         value.between_records->p_value < disturbance_false_alarm / static_cast<double>(tests);
+         value.between_records->p_value < measure_thresholds().disturbance_false_alarm / static_cast<double>(tests);
 }
 
 // Where a record was observed in free vibration.

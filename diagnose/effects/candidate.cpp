@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "diagnose/thresholds.hpp"
+
 namespace secular {
 namespace {
 
@@ -14,7 +16,7 @@ using Eigen::VectorXd;
 
 /// An extra mode has no more than this times the energy of what was measured: beside a larger one the model's own
 /// modes would only have to cancel it, which explains anything.
-constexpr double largest_extra = 4;
+constexpr auto& largest_extra = diagnose_thresholds().largest_extra;
 
 // Largest value of a channel, either sign: a channel that saturates shows its level there.
 double largest_value(const std::vector<Condition>& conditions, const std::vector<Segment>& segments,

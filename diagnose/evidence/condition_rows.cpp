@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "diagnose/evidence/held_lines.hpp"
+#include "diagnose/thresholds.hpp"
 
 namespace secular {
 namespace {
@@ -18,7 +19,7 @@ using Eigen::VectorXd;
 
 /// Nothing measured is trusted beyond this share of the largest line of its kind: truncated lines and leakage of
 /// what was not fitted are of this size.
-constexpr double line_floor = 1e-5;
+constexpr auto& line_floor = diagnose_thresholds().trusted_share;
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "diagnose/thresholds.hpp"
 #include "numerics/in_parallel.hpp"
 
 namespace secular {
@@ -23,7 +24,7 @@ constexpr double near_enough = 0.1;
 constexpr int most_rounds = 4;
 
 /// No record's frequency is put farther from that of all than this many standard deviations: once in 16,000.
-constexpr double most_deviations = 4;
+constexpr auto& most_deviations = diagnose_thresholds().most_deviations;
 
 }  // namespace
 

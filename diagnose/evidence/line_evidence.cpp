@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "diagnose/thresholds.hpp"
 #include "numerics/in_parallel.hpp"
 
 namespace secular {
@@ -20,11 +21,11 @@ using Eigen::VectorXd;
 constexpr double determined = 1e-9;
 
 /// Share of the inertia that a first look at unknown numbers allows.
-constexpr double first_look = 1e-2;
+constexpr auto& first_look = diagnose_thresholds().first_look;
 
 /// Where no motion was found when the errors were taken, rows count this many standard deviations. Where one was
 /// found then and is lost, no fit may go.
-constexpr double no_motion = 1e4;
+constexpr auto& no_motion = diagnose_thresholds().no_motion;
 
 std::string line_name(const Condition& c, Index line, const CompiledModel& model) {
   const LinePhase& n = c.torus->phase(line);

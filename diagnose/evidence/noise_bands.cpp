@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "diagnose/thresholds.hpp"
 #include "numerics/distribution.hpp"
 #include "numerics/median.hpp"
 
@@ -16,7 +17,7 @@ using Eigen::VectorXd;
 
 /// Half an octave, and no fewer cosines than this: what a band's noise is, few values do not tell.
 constexpr double band_ratio = std::numbers::sqrt2;
-constexpr Index fewest_cosines = 4;
+constexpr auto& fewest_cosines = diagnose_thresholds().fewest_cosines;
 
 /// Of a band whose degrees of freedom are taken by something else nothing is told.
 constexpr double fewest_freedom = 1;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/thresholds.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -12,7 +13,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 /// What dies out varies by this share in the second half of a dwell, as squares, of what it was off in the first.
-constexpr double left_in_the_second_half = 0.05;
+constexpr auto& left_in_the_second_half = diagnose_thresholds().left_in_the_second_half;
 
 // Over a whole turn or two of a wave no half is quieter than that.
 bool settles(const Eigen::VectorXcd& amplitude) {
@@ -67,7 +68,7 @@ NonstationarityTest test_nonstationarity(const std::vector<Nonstationarity>& dwe
 }
 
 bool is_unsteady(const Nonstationarity& nonstationarity) {
-  return test_nonstationarity({nonstationarity}).p_value < unsteady_alarm;
+  return test_nonstationarity({nonstationarity}).p_value < diagnose_thresholds().unsteady_alarm;
 }
 
 }  // namespace secular

@@ -15,9 +15,6 @@ struct Nonstationarity {
   bool dies_out = false;  ///< varies beyond noise in its first half, by far less in its second
 };
 
-/// A dwell is unsteady where noise alone would vary as much less often than this.
-inline constexpr double unsteady_alarm = 1e-6;
-
 /// `amplitude`: by ensemble, in order of time. `noise`: amplitudes beside the line, ensembles x frequencies, in the
 /// same unit. Without noise, and of fewer than three ensembles, nothing: no freedom.
 Nonstationarity nonstationarity_of(const Eigen::VectorXcd& amplitude, const Eigen::MatrixXcd& noise);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "diagnose/evidence/dwell_ensembles.hpp"
+#include "diagnose/thresholds.hpp"
 #include "measure/signal/tone_fit.hpp"
 #include "measure/signal/tone_search.hpp"
 #include "numerics/distribution.hpp"
@@ -25,21 +26,23 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
 /// A mode moves at a line where its mean amplitude is this many standard deviations.
-constexpr double present = 6;
+constexpr auto& present = diagnose_thresholds().present;
 
 /// Fewest ensembles that a scatter is taken from; a longer dwell is cut into this many where it says nothing
 /// itself.
-constexpr Index fewest_ensembles = 4, usual_ensembles = 8;
+constexpr auto& fewest_ensembles = diagnose_thresholds().fewest_ensembles;
+constexpr auto& usual_ensembles = diagnose_thresholds().usual_ensembles;
 
 /// An excitation that varies with less than this probability by its noise alone makes its response vary.
-constexpr double unsteady_excitation = 1e-3;
+constexpr auto& unsteady_excitation = diagnose_thresholds().unsteady_excitation;
 
 /// Fewest samples and turns of the slowest line in an ensemble.
-constexpr Index fewest_samples = 64;
+constexpr auto& fewest_samples = diagnose_thresholds().ensemble_samples;
 
 /// A dwell whose amplitude drifts by more than this over its length has not settled; one that drifts less, but more
 /// than a motion that stands still does by chance in so few cases, is taken with its rate of change.
-constexpr double largest_drift = 0.05, drift_alarm = 2e-3;
+constexpr auto& largest_drift = diagnose_thresholds().largest_drift;
+constexpr auto& drift_alarm = diagnose_thresholds().drift_alarm;
 
 /// Points over a turn of a motion that is a multiple of one frequency. An odd number: the corners of a force that
 /// is odd in the motion fall on twice as many places, and alias half as far from the lines that are looked at.
@@ -95,7 +98,7 @@ std::optional<double> lower_frequency(const RecordPart& part, double rate, const
   }
   // The stronger of both lines is found first, then both are fitted together through their combination.
   const SpectralPeak peak = spectral_peak(samples, rate, 4, 7);
-  if (!(peak.probability < 1e-6)) return std::nullopt;
+  if (!(peak.probability < diagnose_thresholds().lower_line_alarm)) return std::nullopt;
   const double high = natural_frequency[layout.resonances[1].mode];
   double low_frequency = std::abs(peak.frequency - natural) < std::abs(peak.frequency - high)
                              ? peak.frequency
@@ -276,7 +279,8 @@ class DwellObserver {
     Index length = entry_.ensemble_s ? static_cast<Index>(std::lround(*entry_.ensemble_s * rate_)) : samples;
     length = std::max<Index>(length, fewest_samples);
     if (samples / length < fewest_ensembles) length = samples / usual_ensembles;
-    if (length < fewest_samples || static_cast<double>(length) / rate_ * omega_ / two_pi < 12)
+    if (length < fewest_samples ||
+        static_cast<double>(length) / rate_ * omega_ / two_pi < diagnose_thresholds().ensemble_turns)
       return left_out("too few turns of the excitation in an ensemble");
     return length;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "diagnose/thresholds.hpp"
 #include "numerics/median.hpp"
 
 namespace secular {
@@ -11,10 +12,10 @@ namespace {
 
 /// A variance of nu degrees of freedom makes the mean square of rows in its unit nu/(nu - 2) (F law): 1 % too
 /// large, which the chance of 20,000 rows would hide.
-constexpr double enough_freedom = 200;
+constexpr auto& enough_freedom = diagnose_thresholds().enough_freedom;
 
 /// Of the median: lines of a dwell that something disturbs.
-constexpr double disturbed = 4;
+constexpr auto& disturbed = diagnose_thresholds().disturbed_line;
 
 }  // namespace
 

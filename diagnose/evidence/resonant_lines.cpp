@@ -3,11 +3,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "diagnose/thresholds.hpp"
+
 namespace secular {
 namespace {
 
 /// A line this close to a natural frequency (relative) is near resonance.
-constexpr double near_resonance = 0.12;
+constexpr auto& near_resonance = diagnose_thresholds().near_resonance;
 
 struct Multiple {
   int numerator = 1, denominator = 1;

@@ -10,6 +10,7 @@
 
 #include "diagnose/evidence/campaign_clock.hpp"
 #include "diagnose/evidence/record_window.hpp"
+#include "diagnose/thresholds.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/noise_floor.hpp"
 #include "measure/signal/free_decay.hpp"
@@ -22,23 +23,27 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 /// Samples in a turn of the highest mode that a comparison needs, and steps of integration in a turn.
-constexpr double wanted_samples = 24, wanted_steps = 60;
+constexpr auto& wanted_samples = diagnose_thresholds().wanted_samples;
+constexpr auto& wanted_steps = diagnose_thresholds().wanted_steps;
 
 /// Turns of the lowest mode in a segment: of decays, and of records that are driven.
-constexpr double decay_turns = 6, driven_turns = 40;
+constexpr auto& decay_turns = diagnose_thresholds().decay_turns;
+constexpr auto& driven_turns = diagnose_thresholds().driven_turns;
 
 /// Of a segment.
-constexpr Index fewest_segment_samples = 48;
+constexpr auto& fewest_segment_samples = diagnose_thresholds().segment_samples;
 
 /// A decay keeps so many segments whatever the others hold: its laws of the amplitude are read from them, and how
 /// they repeat, which takes half as many.
-constexpr Index fewest_of_a_decay = 16;
+Index fewest_of_a_decay() {
+  return static_cast<Index>(2 * diagnose_thresholds().fewest_segments);
+}
 
 /// A decay ends where its amplitude is below this many noise levels.
-constexpr double end_at_noise = 8;
+constexpr auto& end_at_noise = diagnose_thresholds().end_at_noise;
 
 /// Nothing measured is trusted beyond this share of the record's largest value.
-constexpr double floor_share = 1e-5;
+constexpr auto& floor_share = diagnose_thresholds().trusted_share;
 
 // The part of a record that segments are cut from.
 struct Movement {
@@ -120,7 +125,7 @@ class Cutter {
       while (loud < pieces && stands_out(loud)) ++loud;
       pieces = loud;
     }
-    const Index share = std::max<Index>(m.driven ? 1 : fewest_of_a_decay,
+    const Index share = std::max<Index>(m.driven ? 1 : fewest_of_a_decay(),
                                         cut_.most_samples / static_cast<Index>(records) / length),
                 kept = std::min(pieces, share);
     std::vector<Index> starts;

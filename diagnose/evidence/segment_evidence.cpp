@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "diagnose/thresholds.hpp"
 #include "numerics/in_parallel.hpp"
 #include "numerics/median.hpp"
 #include "numerics/third_differences.hpp"
@@ -16,11 +17,11 @@ namespace secular {
 namespace {
 
 /// Fewest segments of one decay that tell a repeatability.
-constexpr std::size_t fewest_segments = 8;
+constexpr auto& fewest_segments = diagnose_thresholds().fewest_segments;
 
 /// What remains of a decay's segments changes by this factor's logarithm from one to the next, beyond any smooth
 /// law, where the record itself is disturbed (slips of its clock, knocks).
-constexpr double irregular = 0.3;
+constexpr auto& irregular = diagnose_thresholds().irregular;
 
 using Eigen::Index;
 using Eigen::MatrixXd;

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <set>
 
+#include "diagnose/thresholds.hpp"
+
 namespace secular {
 
 Unsteadiness judge_steadiness(const std::vector<Nonstationarity>& nonstationarity, const Campaign& campaign) {
   const NonstationarityTest test = test_nonstationarity(nonstationarity);
-  Unsteadiness unsteady{test.p_value < unsteady_alarm, test.p_value, test.ratio, ""};
+  Unsteadiness unsteady{test.p_value < diagnose_thresholds().unsteady_alarm, test.p_value, test.ratio, ""};
   if (unsteady.detected) unsteady.record = campaign.records[test.record].file;
   return unsteady;
 }

@@ -18,8 +18,8 @@ struct Unsteadiness {
   std::string record;  ///< where it is largest
 };
 
-/// One test of all dwells (test_nonstationarity) at `unsteady_alarm`. `campaign`: the one that `record` of each
-/// dwell is an index into. Of no dwell nothing is detected.
+/// One test of all dwells (test_nonstationarity) at `diagnose_thresholds().unsteady_alarm`. `campaign`: the one
+/// that `record` of each dwell is an index into. Of no dwell nothing is detected.
 Unsteadiness judge_steadiness(const std::vector<Nonstationarity>& nonstationarity, const Campaign& campaign);
 
 /// Takes out the conditions whose motion is not steady, and their nonstationarity, as long as most are: a few

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "diagnose/inference/screening.hpp"
+#include "diagnose/thresholds.hpp"
 #include "numerics/in_parallel.hpp"
 
 namespace secular {
@@ -22,11 +23,11 @@ using Eigen::VectorXd;
 
 /// Nonlinear fits: at most so many candidates, and only those whose gain is this share of the best.
 constexpr std::size_t most_fits = 16;
-constexpr double least_gain_share = 0.02;
+constexpr auto& least_gain_share = diagnose_thresholds().least_gain_share;
 
 /// Among the true errors a gain of less than this (two standard deviations) is chance. Among wider ones no gain is
 /// too small.
-constexpr double least_gain = 4;
+constexpr auto& least_gain = diagnose_thresholds().least_gain;
 
 /// Shares of the inertia to which the equations of motion count as known, one after the other.
 constexpr double coarse_levels[] = {1e-2, 1e-3, 1e-4, 0};
@@ -34,21 +35,21 @@ constexpr std::size_t finest = std::size(coarse_levels) - 1;
 
 /// Rows that a model misses by more than this, mean square in variances, are no place to look for what it lacks:
 /// its numbers are bent by then.
-constexpr double most_misfit = 10;
+constexpr auto& most_misfit = diagnose_thresholds().most_misfit;
 
 /// Coarse equations help where they bring what the model leaves down to less than this share.
-constexpr double least_relief = 0.5;
+constexpr auto& least_relief = diagnose_thresholds().least_relief;
 
 /// Errors taken anew at a fit that was made among others change what it leaves beyond noise by no more than this
 /// factor, or that fit has run away with its own errors.
-constexpr double reweighting = 1.3;
+constexpr auto& reweighting = diagnose_thresholds().reweighting;
 
 /// A fit along a curved valley takes so many times the steps of others (tuned: of three steps there, two are
 /// refused and only set the length of the third).
 constexpr int longer_in_valleys = 4;
 
 /// Of fits with numbers that may be far off, relative to the squared length of a column.
-constexpr double first_damping = 1e-2;
+constexpr auto& first_damping = diagnose_thresholds().first_damping;
 
 /// Pairs: partners for so many of the best single explanations, and so many partners each.
 constexpr std::size_t most_firsts = 3, most_partners = 6;
@@ -61,7 +62,7 @@ constexpr std::size_t most_afresh = 8;
 constexpr std::size_t most_first_afresh = 2;
 
 /// A second effect is looked for where the best single one leaves so many standard deviations of chi-squared.
-constexpr double least_structure = 3.5;
+constexpr auto& least_structure = diagnose_thresholds().least_structure;
 
 // The strengths and shapes of one candidate from one vector of unknowns put into another.
 void take_over(VectorXd& into, const VectorXd& from, const Candidate& c) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "diagnose/inference/screening.hpp"
+#include "diagnose/thresholds.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -20,22 +21,22 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Balances with fewer rows say nothing of how they change.
-constexpr std::size_t fewest_rows = 8;
+constexpr auto& fewest_rows = diagnose_thresholds().balance_rows;
 
 /// A function of which the fitted unknowns leave no more than this share is theirs.
 constexpr double rounding_of_functions = 1e-6;
 
 /// Settings that differ by this share were meant to be the same.
-constexpr double same_setting = 1e-3;
+constexpr auto& same_setting = diagnose_thresholds().same_setting;
 
 /// The best explanation leaves structure where noise alone would leave as much less often than this.
-constexpr double structure_alarm = 1e-4;
+constexpr auto& structure_alarm = diagnose_thresholds().structure_alarm;
 
 /// A cause closes more of the gap than it leaves.
-constexpr double least_closing = 0.5;
+constexpr auto& least_closing = diagnose_thresholds().least_closing;
 
 /// One row counts with no more standard deviations than this: outliers are no smooth function.
-constexpr double largest_row = 3;
+constexpr auto& largest_row = diagnose_thresholds().largest_row;
 
 // Ranks from -1 to 1, equal ones alike: one dwell far from all others has no more weight than they.
 VectorXd ranks(const VectorXd& x) {
@@ -105,7 +106,7 @@ ResidualStructure residual_structure_of(const Refit& fit, const std::vector<RowL
 }
 
 bool closes_most(const ClosedShare& closing) {
-  return closing.low >= least_closing && closing.closed >= most_of_the_gap;
+  return closing.low >= least_closing && closing.closed >= diagnose_thresholds().most_of_the_gap;
 }
 
 Reach reach_of(const ResidualStructure& structure, const ClosedShare& closing) {
@@ -116,11 +117,12 @@ Reach reach_of(const ResidualStructure& structure, const ClosedShare& closing) {
 
 std::string what_is_missing(const ResidualStructure& structure, const ClosedShare& closing) {
   if (!(closing.closed >= least_closing)) return "the best explanation closes less of the gap than it leaves";
-  if (closing.closed >= most_of_the_gap)
+  if (closing.closed >= diagnose_thresholds().most_of_the_gap)
     return "structure is left beside the best explanation, and held-out conditions do not show that it closes half "
            "of the gap";
   return fmt::format("the best explanation closes less than {:.0f} % of the gap and leaves structure (p = {:.1g})",
-                     100 * most_of_the_gap, std::min(structure.p_value, structure.smooth_p_value));
+                     100 * diagnose_thresholds().most_of_the_gap,
+                     std::min(structure.p_value, structure.smooth_p_value));
 }
 
 }  // namespace secular

@@ -32,9 +32,6 @@ struct ResidualStructure {
 ResidualStructure residual_structure_of(const Refit& fit, const std::vector<RowLabel>& labels, double freedom,
                                         double explained);
 
-/// An explanation that leaves structure beside it is an approximate one from this share of the gap on.
-inline constexpr double most_of_the_gap = 0.9;
-
 /// How far an explanation goes.
 enum class Reach {
   little,       ///< it closes less of the gap than it leaves, or leaves structure and is not shown to close most

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "diagnose/thresholds.hpp"
 #include "numerics/in_parallel.hpp"
 
 namespace secular {
@@ -15,7 +16,7 @@ namespace {
 
 /// Columns shorter than this after own unknowns are taken out (rows of unit variance, strength of natural scale
 /// one) are not seen by the data.
-constexpr double least_length = 1e-3;
+constexpr auto& least_length = diagnose_thresholds().least_length;
 
 // What strengths with these slopes (per scale) would explain from `unknowns` on.
 Screening screen_slopes(const Refit& base, const MatrixXd& basis, const Candidate& candidate, VectorXd unknowns,

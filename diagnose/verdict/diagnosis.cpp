@@ -5,6 +5,7 @@
 #include <map>
 
 #include "diagnose/inference/held_out.hpp"
+#include "diagnose/thresholds.hpp"
 #include "diagnose/verdict/comparison.hpp"
 #include "diagnose/verdict/naming.hpp"
 #include "numerics/distribution.hpp"
@@ -15,15 +16,15 @@ namespace {
 using Eigen::VectorXd;
 
 /// A gap is there where noise alone would look like it less often than this.
-constexpr double false_alarm = 0.003;
+constexpr auto& false_alarm = diagnose_thresholds().gap_alarm;
 
 /// Repeatability that is overestimated by more than this, as a variance: a gap as large as the noise itself would
 /// not be seen.
-constexpr double most_overestimated = 2;
+constexpr auto& most_overestimated = diagnose_thresholds().most_overestimated;
 
 /// Of the scatter of natural frequencies before it is known, relative (any that is not far below it does); searches
 /// beside it: of half as much each, the third differs by little.
-constexpr double first_scatter = 0.003;
+constexpr auto& first_scatter = diagnose_thresholds().first_scatter;
 constexpr int most_rounds = 3;
 
 /// Predicting what was held out takes longer than all else that is said of a rival.
@@ -311,7 +312,8 @@ class Diagnoser {
       if (!shared.empty() && beside == named.end()) continue;
       if (tried++ == most_neighbours) return;
       const double without = shared.empty() ? result_.gap.before : left_by(held_out_rows(*beside->explanation));
-      if (without - left_by(held_out_rows(*rival.explanation)) >= most_of_the_gap * (without - result_.gap.after))
+      if (without - left_by(held_out_rows(*rival.explanation)) >=
+          diagnose_thresholds().most_of_the_gap * (without - result_.gap.after))
         names.push_back(instead.front());
     }
   }

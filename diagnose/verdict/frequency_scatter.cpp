@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "diagnose/thresholds.hpp"
 #include "numerics/explained_variation.hpp"
 
 namespace secular {
@@ -15,17 +16,18 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// That frequencies of one structure differ by chance; that random departures are taken to follow the settings.
-constexpr double scatter_alarm = 0.01, structure_alarm = 0.05;
+constexpr auto& scatter_alarm = diagnose_thresholds().scatter_alarm;
+constexpr auto& structure_alarm = diagnose_thresholds().setting_alarm;
 
 /// Of a natural frequency: no scatter, and nothing that a record feels.
 constexpr double none = 1e-9;
 
 /// A standard deviation of as few values as there are records is not known better.
-constexpr double same_size = 0.2;
+constexpr auto& same_size = diagnose_thresholds().same_size;
 
 /// With fewer degrees of freedom the F law sees a law only where it is nearly all: 0.8 of the variance with two
 /// functions.
-constexpr double fewest_freedom = 6;
+constexpr auto& fewest_freedom = diagnose_thresholds().fewest_freedom;
 
 /// What is left of a function beside others, by rounding.
 constexpr double dependent = 1e-6;

@@ -6,6 +6,8 @@
 #include <map>
 #include <tuple>
 
+#include "diagnose/thresholds.hpp"
+
 namespace secular {
 namespace {
 
@@ -13,10 +15,10 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// A smaller share is not worth a line.
-constexpr double least_share = 0.02;
+constexpr auto& least_share = diagnose_thresholds().least_share;
 
 /// A group with this share of its energy on one side of the middle amplitude is said to be there.
-constexpr double one_sided = 0.8;
+constexpr auto& one_sided = diagnose_thresholds().one_sided;
 
 struct Energy {
   double low = 0, high = 0;  ///< below and above the place's middle amplitude

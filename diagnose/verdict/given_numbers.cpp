@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "diagnose/inference/contradiction.hpp"
+#include "diagnose/thresholds.hpp"
 #include "input/input_error.hpp"
 #include "numerics/distribution.hpp"
 
@@ -15,7 +16,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// A parameter counts as moved from so many standard deviations on.
-constexpr double moved_by = 3;
+constexpr auto& moved_by = diagnose_thresholds().moved_by;
 
 std::string name_of(const CompiledModel& model, std::size_t symbol) {
   return std::string(model.symbols[symbol].name);

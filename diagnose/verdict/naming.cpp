@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "diagnose/thresholds.hpp"
 #include "diagnose/verdict/next_experiment.hpp"
 #include "numerics/distribution.hpp"
 
@@ -11,10 +12,10 @@ namespace secular {
 namespace {
 
 /// Explanations that are expected to differ by less than this in chi-squared cannot be told apart.
-constexpr double separable = 6;
+constexpr auto& separable = diagnose_thresholds().separable;
 
 /// Others stay in the set down to this share of the best one's probability.
-constexpr double credible_odds = told_apart;
+constexpr auto& credible_odds = diagnose_thresholds().told_apart;
 
 using Names = std::vector<std::string>;
 
@@ -44,7 +45,7 @@ bool is_its_limit(const Rival& rival, const Rival& best, double dispersion) {
   const auto more =
       static_cast<double>(rival.explanation->unknowns) - static_cast<double>(best.explanation->unknowns);
   const double gain = (best.explanation->fit.chi_squared - rival.explanation->fit.chi_squared) / dispersion;
-  return more > 0 && chi_squared_upper_tail(std::max(0.0, gain), more) > told_apart;
+  return more > 0 && chi_squared_upper_tail(std::max(0.0, gain), more) > diagnose_thresholds().told_apart;
 }
 
 }  // namespace

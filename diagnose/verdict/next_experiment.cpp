@@ -10,6 +10,7 @@
 
 #include "diagnose/evidence/line_evidence.hpp"
 #include "diagnose/evidence/virtual_dwell.hpp"
+#include "diagnose/thresholds.hpp"
 #include "numerics/distribution.hpp"
 #include "numerics/in_parallel.hpp"
 
@@ -29,7 +30,7 @@ constexpr double level_factors[] = {0.5, 0.7, 1.0, 1.5, 2.0};
 constexpr double shifts[] = {-0.5, -0.2, 0, 0.2, 0.5};
 
 /// Range of frequencies of a resonance that was measured at one frequency only, relative.
-constexpr double least_range = 0.01;
+constexpr auto& least_range = diagnose_thresholds().least_range;
 
 constexpr double highest_level = 2, lowest_level = 0.5;
 
@@ -39,7 +40,7 @@ double drive(const Condition& c) {
 }
 
 /// A dwell with this chance of leaving one hypothesis need not be longer.
-constexpr double as_good_as_certain = 0.9;
+constexpr auto& as_good_as_certain = diagnose_thresholds().as_good_as_certain;
 
 struct Test {
   std::size_t condition = 0;
@@ -151,7 +152,8 @@ double expected_chance(const std::vector<Hypothesis>& hypotheses, const MatrixXd
     for (std::size_t g = 0; g < hypotheses.size(); ++g) {
       if (g == h) continue;
       const double square = separation(static_cast<Index>(h), static_cast<Index>(g));
-      const double missing = -std::log(told_apart * hypotheses[h].probability / hypotheses[g].probability);
+      const double missing =
+          -std::log(diagnose_thresholds().told_apart * hypotheses[h].probability / hypotheses[g].probability);
       const double surely = 0.5 * square - missing;
       chance = std::min(chance, square > 0   ? normal_upper_tail(-surely / std::sqrt(square))
                                 : surely > 0 ? 1.0

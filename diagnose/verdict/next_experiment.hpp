@@ -45,9 +45,6 @@ struct ProposedDwell {
 ProposedDwell next_experiment(const ConditionModel& model, const std::vector<Condition>& conditions,
                               const std::vector<Hypothesis>& hypotheses, double dispersion, unsigned threads);
 
-/// Odds below which an explanation is out.
-inline constexpr double told_apart = 0.05;
-
 /// Times the number of ensembles of a measured dwell: each halves the errors of the one before.
 inline constexpr double dwell_lengths[] = {1, 4, 16};
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "diagnose/thresholds.hpp"
+
 namespace secular {
 namespace {
 
@@ -11,11 +13,12 @@ using Names = std::vector<std::string>;
 
 /// A dwell is proposed if it has this chance of leaving one explanation, and leaves no more than this share of the
 /// probability that another one is right.
-constexpr double worth_a_test = 0.5, most_doubt = 0.5;
+constexpr auto& worth_a_test = diagnose_thresholds().worth_a_test;
+constexpr auto& most_doubt = diagnose_thresholds().most_doubt;
 
 /// Explanations that a next experiment is planned for, and the least probability that each counts with there.
 constexpr std::size_t most_hypotheses = 4;
-constexpr double least_rival = 0.05;
+constexpr auto& least_rival = diagnose_thresholds().least_rival;
 
 }  // namespace
 

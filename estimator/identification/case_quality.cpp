@@ -12,6 +12,7 @@
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/model/zero_frequency.hpp"
 #include "estimator/regression/signed_rank.hpp"
+#include "estimator/thresholds.hpp"
 #include "measure/signal/bispectral_phase.hpp"
 #include "numerics/confidence.hpp"
 
@@ -24,14 +25,14 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Belsley, Kuh, Welsch: a near dependency has a condition index above 30 and half of two variances or more.
-constexpr double near_dependency = 30;
-constexpr double shared_variance = 0.5;
+constexpr auto& near_dependency = estimator_thresholds().near_dependency;
+constexpr auto& shared_variance = estimator_thresholds().shared_variance;
 
 /// More candidates would make too many selections.
 constexpr std::size_t damping_terms = 5;
 
 /// A damping law is excluded where this is the probability that it predicts no worse.
-constexpr double excluding_probability = 0.005;
+constexpr auto& excluding_probability = estimator_thresholds().excluding_probability;
 
 /// 2^-n is below that from eight conditions on.
 constexpr Index fewest_ranks = 8;

@@ -14,6 +14,7 @@
 #include "estimator/identification/row_noise.hpp"
 #include "estimator/model/zero_frequency.hpp"
 #include "estimator/regression/condensed_rows.hpp"
+#include "estimator/thresholds.hpp"
 #include "numerics/distribution.hpp"
 #include "numerics/in_parallel.hpp"
 #include "numerics/median.hpp"
@@ -34,7 +35,7 @@ constexpr double converged_change = 0.03;
 
 /// Ensembles are compared with others of their condition where it moves by less than this: what coefficients lack
 /// is the same for all of them.
-constexpr double roughly_converged = 1;
+constexpr auto& roughly_converged = estimator_thresholds().roughly_converged;
 
 /// Observations that one thread takes at a time.
 constexpr std::size_t chunk = 16;
@@ -46,10 +47,10 @@ constexpr std::size_t rows_at_once = 1024;
 constexpr int adjustment_rounds = 3;
 
 /// Probability that a campaign without outliers has one down-weighted.
-constexpr double outlier_false_alarm = 0.01;
+constexpr auto& outlier_false_alarm = estimator_thresholds().outlier_false_alarm;
 
 /// Ensembles of a condition that are needed to tell an outlier.
-constexpr std::size_t replicates_needed = 4;
+constexpr auto& replicates_needed = estimator_thresholds().replicates_needed;
 
 // Rows times columns with many zeros: `factor` is lower triangular, and a row of `sparse` has few entries.
 template <class Matrix>

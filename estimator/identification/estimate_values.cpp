@@ -7,6 +7,7 @@
 #include "estimator/identification/case_quality.hpp"
 #include "estimator/identification/estimation.hpp"
 #include "estimator/identification/unit_text.hpp"
+#include "estimator/thresholds.hpp"
 #include "numerics/confidence.hpp"
 
 namespace secular {
@@ -17,10 +18,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Percentiles of the bootstrap's interval.
-constexpr double bootstrap_tail = 0.025;
+constexpr auto& bootstrap_tail = estimator_thresholds().interval_tail;
 
 /// A misfit counts as doubt where it may change a value by more than this share.
-constexpr double material_share = 0.1;
+constexpr auto& material_share = estimator_thresholds().material_share;
 
 bool significant(const EstimatedValue& value) {
   return value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;

@@ -7,6 +7,7 @@
 
 #include "estimator/identification/estimation.hpp"
 #include "estimator/identification/lack_of_fit.hpp"
+#include "estimator/thresholds.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -16,7 +17,7 @@ using Eigen::Index;
 namespace {
 
 /// Probability that lumps of a model that holds contradict one another.
-constexpr double contradiction_alarm = 1e-3;
+constexpr auto& contradiction_alarm = estimator_thresholds().contradiction_alarm;
 
 // What a misfit is judged by, in words.
 const char* measure_of_fit(const CaseFit& fit, const std::vector<LackOfFit>& tests) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "estimator/identification/record_scatter.hpp"
+#include "estimator/thresholds.hpp"
 #include "numerics/distribution.hpp"
 #include "numerics/third_differences.hpp"
 
@@ -20,7 +21,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Probability that a case whose equations hold shows a significant lack of fit.
-constexpr double false_misfit = 0.001;
+constexpr auto& false_misfit = estimator_thresholds().false_misfit;
 
 /// Of a window's length, by which its neighbour may seem to overlap it.
 constexpr double rounding = 1e-3;
@@ -33,7 +34,9 @@ constexpr double dependent = 1e-6;
 /// repeats in a decay is not the noise alone (other modes ring, too): there, so many times that noise does (tuned:
 /// right models leave 1.2 to 3.4 times it in draws of three short decays, one that lacks friction 21 times; alarm
 /// from 2.3 times this on).
-constexpr double fewest_repeats = 10, fewest_repeats_of_decays = 4, repeats_of_short_decays = 3;
+constexpr auto& fewest_repeats = estimator_thresholds().fewest_repeats;
+constexpr auto& fewest_repeats_of_decays = estimator_thresholds().fewest_repeats_of_decays;
+constexpr auto& repeats_of_short_decays = estimator_thresholds().repeats_of_short_decays;
 
 using Equation = std::pair<std::size_t, EquationPart>;
 

@@ -6,16 +6,17 @@
 #include <numbers>
 #include <numeric>
 
+#include "estimator/thresholds.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
 namespace {
 
 /// Probability that the lateness of the right minimum looks impossible.
-constexpr double sign_alarm = 0.005;
+constexpr auto& sign_alarm = estimator_thresholds().sign_alarm;
 
 /// The same for a delay that all records share, of which no order of magnitude is likelier than another.
-constexpr double common_delay_alarm = 0.05;
+constexpr auto& common_delay_alarm = estimator_thresholds().common_delay_alarm;
 
 double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());

@@ -9,6 +9,7 @@
 #include "estimator/identification/case_quality.hpp"
 #include "estimator/identification/estimation.hpp"
 #include "estimator/identification/silent_parameters.hpp"
+#include "estimator/thresholds.hpp"
 
 namespace secular {
 namespace {
@@ -18,14 +19,14 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Standard deviation, relative, of a natural frequency about the observed one where nothing else tells it.
-constexpr double frequency_prior_sd = 0.005;
+constexpr auto& frequency_prior_sd = estimator_thresholds().frequency_prior_sd;
 
 /// Standard deviation, relative, of a lump that is given: far below what measurements tell, and far enough above
 /// rounding.
 constexpr double given_width = 1e-5;
 
 /// Moves of parameters, in units of their own size, that depend on one another to this share say nothing new.
-constexpr double dependent_moves = 1e-3;
+constexpr auto& dependent_moves = estimator_thresholds().dependent_moves;
 
 /// Combinations of columns that are orthogonal to everything lost are as good as these.
 constexpr double lost_tolerance = 1e-8;

@@ -9,6 +9,7 @@
 
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/row_noise.hpp"
+#include "estimator/thresholds.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -27,10 +28,10 @@ constexpr int most_phase_steps = 12, most_steps_of_mate = 60;
 constexpr double step_share = 0.03;
 
 /// Phases of all records nearer than this (radians) are one minimum.
-constexpr double same_phase = 0.02;
+constexpr auto& same_phase = estimator_thresholds().same_phase;
 
 /// Probability that noise makes a minimum higher than it is by what tells it apart.
-constexpr double told_apart = 0.001;
+constexpr auto& told_apart = estimator_thresholds().phase_alarm;
 
 std::complex<double> effect_on_modulation(const PhaseProblem& problem, const EquationData& data, const CaseFit& fit,
                                           std::size_t observation) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "estimator/identification/equation_data.hpp"
+#include "estimator/thresholds.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -30,10 +31,10 @@ constexpr int most_alternations = 100;
 /// Minima of the grid that are followed. A grid leaves its own misfit at each: that much more than the lowest may
 /// be the lowest in the end.
 constexpr std::size_t most_minima = 8;
-constexpr double grid_misfit = 4;
+constexpr auto& grid_misfit = estimator_thresholds().grid_misfit;
 
 /// Phases of all records nearer than this (radians) belong to one minimum.
-constexpr double same_on_grid = 0.3;
+constexpr auto& same_on_grid = estimator_thresholds().same_on_grid;
 
 /// Mean equations of each record at each phase of the grid, over the size of the motion: nothing of the
 /// coefficients is needed to weigh them.

@@ -19,6 +19,7 @@
 #include "estimator/identification/phase_fit.hpp"
 #include "estimator/identification/phase_grid.hpp"
 #include "estimator/identification/unsupported_values.hpp"
+#include "estimator/thresholds.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -29,7 +30,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Probability that records whose phases hold, of a model that holds, are said to be late.
-constexpr double false_lateness = 0.001;
+constexpr auto& false_lateness = estimator_thresholds().false_lateness;
 
 /// Of a rate of growth, next to the largest rate of the motion: rounding, and the frequency that a resonance leaves
 /// free.

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "estimator/thresholds.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -21,7 +22,7 @@ using Eigen::VectorXd;
 constexpr double one_stretch = 1e-6;
 
 /// On either side of a 95 % interval.
-constexpr double tail_share = 0.025;
+constexpr auto& tail_share = estimator_thresholds().interval_tail;
 
 // A record's rows, of the column x of one natural frequency.
 struct RecordPart {

@@ -5,6 +5,8 @@
 #include <map>
 #include <vector>
 
+#include "estimator/thresholds.hpp"
+
 namespace secular {
 namespace {
 
@@ -16,7 +18,7 @@ using Eigen::VectorXd;
 constexpr double no_change_share = 1e-8;
 
 /// Conditions for each direction that are needed to tell the scatter between them.
-constexpr Index conditions_by_direction = 3;
+constexpr auto& conditions_by_direction = estimator_thresholds().conditions_by_direction;
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "estimator/regression/clustered_chi_squared.hpp"
+#include "estimator/thresholds.hpp"
 #include "input/numerical_failure.hpp"
 #include "numerics/nonlinear_fit.hpp"
 #include "numerics/unit_scale.hpp"
@@ -25,7 +26,7 @@ constexpr double lost_direction = 1e-9, part_of_group = 1e-8;
 
 /// Evidence of null-space coordinates counts where its error is more than this many times smaller than that of the
 /// lumps.
-constexpr double far_sharper = 3;
+constexpr auto& far_sharper = estimator_thresholds().far_sharper;
 
 // Whitening of one case's lumps through scaled variables: they differ by many powers of ten.
 struct Whitening {

@@ -10,6 +10,7 @@
 
 #include "estimator/regression/cluster_jackknife.hpp"
 #include "estimator/regression/scaled_decomposition.hpp"
+#include "estimator/thresholds.hpp"
 #include "numerics/in_parallel.hpp"
 
 namespace secular {
@@ -20,10 +21,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Fewer clusters say too little of their scatter.
-constexpr Index fewest_clusters = 5;
+constexpr auto& fewest_clusters = estimator_thresholds().fewest_clusters;
 
 /// Of a direction, at least, next to the errors of the columns.
-constexpr double smallest_signal = 0.5;
+constexpr auto& smallest_signal = estimator_thresholds().smallest_signal;
 
 /// Rows that one thread takes at a time.
 constexpr Index chunk = 1024;
@@ -45,8 +46,9 @@ VectorXd signal_to_errors(const MatrixXd& basis, const MatrixXd& gram) {
 
 Index count_of_noisy(const VectorXd& signal, std::optional<Index> before) {
   const auto at_most = [&](double ratio) { return (signal.array() <= ratio).count(); };
-  if (!before) return at_most(noise_ratio);
-  return std::clamp(*before, at_most(0.5 * noise_ratio), at_most(2 * noise_ratio));
+  if (!before) return at_most(estimator_thresholds().noise_ratio);
+  return std::clamp(*before, at_most(0.5 * estimator_thresholds().noise_ratio),
+                    at_most(2 * estimator_thresholds().noise_ratio));
 }
 
 /// Directions in which the columns differ by their own errors, and the others; rising.

@@ -76,7 +76,4 @@ LinearFit linear_fit(const Eigen::Ref<const Eigen::MatrixXd>& design,
                      const ColumnErrors& errors = ColumnErrors(),
                      const LinearFitOptions& options = LinearFitOptions());
 
-/// See linear_fit: three parts signal to one part noise.
-inline constexpr double noise_ratio = 4;
-
 }  // namespace secular

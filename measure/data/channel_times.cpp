@@ -9,12 +9,13 @@
 #include <numeric>
 
 #include "input/input_error.hpp"
+#include "measure/thresholds.hpp"
 
 namespace secular {
 namespace {
 
-constexpr double same_sample = 0.01;      // of a step
-constexpr double digits_of_start = 1e-5;  // UFF prints six digits
+constexpr auto& same_sample = measure_thresholds().same_sample;  // of a step
+constexpr double digits_of_start = 1e-5;                         // UFF prints six digits
 
 // The time that belongs to one channel; empty if there is none.
 std::string own_time(const DataFile& data, const std::string& channel) {

@@ -9,21 +9,28 @@
 #include <vector>
 
 #include "measure/data/noise_floor.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/distribution.hpp"
 #include "numerics/median.hpp"
 
 namespace secular {
 namespace {
 
-constexpr std::size_t long_run = 4;         // judged by itself; shorter ones are together
-constexpr std::size_t fewest_points = 4;    // of the parabola beside a run
-constexpr double fit_depth_in_quanta = 16;  // how deep the parabola is fitted at least
-constexpr double excess_in_quanta = 8;      // beyond the flat value; a turning point has at most about one
-constexpr double fewest_quanta_in_range = 64;
-constexpr double resting_share = 0.6;     // of all samples at one extreme: the signal's rest
-constexpr std::size_t fewest_levels = 8;  // that tell a common divisor
-constexpr double most_leakage = 1e-4;     // of the range: tones in the upper half of the spectrum leave 4e-5
-constexpr double two_level_share = 0.95;  // of all samples at either extreme: a square wave
+constexpr auto& long_run = measure_thresholds().clipped_run;  // judged by itself; shorter ones are together
+constexpr auto& fewest_points = measure_thresholds().clipping_points;  // of the parabola beside a run
+constexpr auto& fit_depth_in_quanta =
+    measure_thresholds().clipping_depth;  // how deep the parabola is fitted at least
+constexpr auto& excess_in_quanta =
+    measure_thresholds().clipping_excess;  // beyond the flat value; a turning point has at most about one
+constexpr auto& fewest_quanta_in_range = measure_thresholds().clipping_range;
+constexpr auto& resting_share =
+    measure_thresholds().resting_share;  // of all samples at one extreme: the signal's rest
+constexpr auto& two_level_share =
+    measure_thresholds().two_level_share;  // of all samples at either extreme: a square wave
+constexpr auto& fewest_levels = measure_thresholds().clipping_levels;  // that tell a common divisor
+
+// Of the range: what tones leave of a noise floor, most (4e-5) where they lie in the upper half of the spectrum.
+constexpr double most_leakage = 1e-4;
 
 // How far the signal would have gone beyond the run, judged from one of its ends. depth(n): how far the n-th sample
 // outside (n = 1 ... count) lies below the flat value. The run began somewhere between the first sample outside and
@@ -71,7 +78,7 @@ bool more_than_chance(const std::vector<Peak>& peaks, std::size_t at_extreme, do
   const auto near =
       std::count_if(peaks.begin(), peaks.end(), [&](const Peak& peak) { return peak.depth <= deepest; });
   return chance < 1 && binomial_upper_tail(static_cast<double>(at_extreme - 1), static_cast<double>(near - 1),
-                                           chance) < clipping_false_alarm;
+                                           chance) < measure_thresholds().clipping_false_alarm;
 }
 
 // Whether more of the short peaks end at the very extreme than those of a smooth motion do.

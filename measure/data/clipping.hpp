@@ -15,10 +15,6 @@ struct Clipping {
   bool found() const { return runs_high + runs_low > 0; }
 };
 
-/// Probability that runs of one to three samples of a channel that is not clipped are called so, for each end of
-/// its range.
-inline constexpr double clipping_false_alarm = 1e-6;
-
 /// Looks for samples stuck at the largest or smallest value.
 ///
 /// Runs of four and more are judged one by one: their neighbours would have gone on. A
@@ -36,11 +32,11 @@ inline constexpr double clipping_false_alarm = 1e-6;
 /// interval q with a probability of at most p = 2*(q/c)^(1/4), whatever the heights of the peaks are. Of `m` peaks
 /// whose largest sample lies within c/4 of the channel's extreme, as deep as a sample of a peak that reaches it can
 /// lie, `n` lie at the very extreme, one of them always: more than that with the binomial probability P(at least n
-/// - 1 of m - 1). Clipped: that is below `clipping_false_alarm`. Where sampling is in step with the motion, peaks
-/// are no independent draws: they repeat one. Their tops then lie at one offset x from the sample, to (q/c)^(1/4)
-/// and the q/(2*c) by which quantised neighbours misplace it. Peaks that do not differ by more differ by the noise
-/// alone; with its standard deviation s (noise_floor) p = q/(s*(2*pi)^(1/2)), of the peaks within 6*s. A harmonic
-/// of fewer than four samples a period misleads these parabolas.
+/// - 1 of m - 1). Clipped: that is below `measure_thresholds().clipping_false_alarm`. Where sampling is in step
+/// with the motion, peaks are no independent draws: they repeat one. Their tops then lie at one offset x from the
+/// sample, to (q/c)^(1/4) and the q/(2*c) by which quantised neighbours misplace it. Peaks that do not differ by
+/// more differ by the noise alone; with its standard deviation s (noise_floor) p = q/(s*(2*pi)^(1/2)), of the peaks
+/// within 6*s. A harmonic of fewer than four samples a period misleads these parabolas.
 ///
 /// Not judged: an extreme that every step to is more than twice the largest of all other steps (a number that
 /// stands for lost samples), signals of fewer than 64 quanta, signals of two levels (square waves), a level that

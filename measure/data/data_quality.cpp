@@ -9,12 +9,13 @@
 #include "measure/data/noise_floor.hpp"
 #include "measure/data/number_range.hpp"
 #include "measure/data/resolution.hpp"
+#include "measure/thresholds.hpp"
 
 namespace secular {
 namespace {
 
 constexpr std::size_t offset_blocks = 16;
-constexpr std::size_t coarse_levels = 64;
+constexpr auto& coarse_levels = measure_thresholds().coarse_levels;
 
 // The longest stretch without a missing sample: what spectra and runs are looked for in.
 std::span<const double> longest_finite(std::span<const double> samples) {
@@ -50,7 +51,9 @@ double error_of_mean(std::span<const double> samples, double mean) {
 void check_offset(std::span<const double> samples, ChannelQuality& quality) {
   if (samples.size() < 8 * offset_blocks) return;
   const double mean = mean_of(samples);
-  if (std::abs(mean) < 0.05 * quality.rms || std::abs(mean) < 4 * error_of_mean(samples, mean)) return;
+  if (std::abs(mean) < measure_thresholds().smallest_offset * quality.rms ||
+      std::abs(mean) < measure_thresholds().offset_sd * error_of_mean(samples, mean))
+    return;
   quality.faults.push_back(
       {"offset",
        fmt::format("the mean, {:.4g}, is {:.2g} times the rms: an offset of the sensor, or of the structure", mean,

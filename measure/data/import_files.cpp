@@ -19,6 +19,7 @@
 #include "measure/data/number_range.hpp"
 #include "measure/data/time_axis.hpp"
 #include "measure/data/unit.hpp"
+#include "measure/thresholds.hpp"
 
 namespace secular {
 namespace {
@@ -135,7 +136,8 @@ void read_time(DataFile& data, const ExpectedFile& expected, ReadFile& read) {
   convert_to_seconds(stamps, data.file, expected.rows.unit);
   read.time_unit = stamps.stated_unit;
   const TimeAxis axis = even_time_axis(stamps.values, data.file, data.place, expected.sample_rate_hz);
-  if (expected.sample_rate_hz && !(std::abs(axis.sample_rate_hz / *expected.sample_rate_hz - 1) <= 1e-3))
+  if (expected.sample_rate_hz &&
+      !(std::abs(axis.sample_rate_hz / *expected.sample_rate_hz - 1) <= measure_thresholds().same_rate))
     throw InputError(data.file, "variable " + time, fmt::format("is sampled at {} Hz", axis.sample_rate_hz),
                      fmt::format("{} {}", expected.rate_from, *expected.sample_rate_hz));
   record.start_s = axis.start_s;
@@ -223,7 +225,8 @@ ReadFile read_file(const std::filesystem::path& path, const ExpectedFile& expect
 
 /// Rates of two times that are one: as those of the records of a campaign. And their first samples: rounding of
 /// stamps.
-constexpr double same_rate = 1e-3, same_start = 0.01;
+constexpr auto& one_rate = measure_thresholds().same_rate;
+constexpr auto& one_start = measure_thresholds().same_sample;
 
 // A variable that no channel is named after and that rises evenly, but not as the time of the channels does: a
 // second time axis. What was sampled by it stands at wrong instants now.
@@ -239,7 +242,7 @@ std::optional<std::string> other_time(const std::filesystem::path& path, const s
     const TimeAxis own = even_time_axis(data.vector(time.variable).values, data.file, data.place),
                    other = even_time_axis(data.vector(variable).values, data.file, data.place);
     const double samples_later = std::abs(other.start_s - own.start_s) * own.sample_rate_hz;
-    if (std::abs(other.sample_rate_hz / own.sample_rate_hz - 1) < same_rate && samples_later < same_start)
+    if (std::abs(other.sample_rate_hz / own.sample_rate_hz - 1) < one_rate && samples_later < one_start)
       return std::nullopt;
     return fmt::format(
         "{}: {} is a time, too, from {:.6g} s on at {:.6g} Hz; {} goes from {:.6g} s on at {:.6g} Hz. Channels "

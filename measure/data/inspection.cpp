@@ -15,6 +15,7 @@
 #include "measure/data/number_range.hpp"
 #include "measure/data/record_data.hpp"
 #include "measure/data/unit.hpp"
+#include "measure/thresholds.hpp"
 
 namespace secular {
 namespace {
@@ -108,7 +109,8 @@ RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std
     inspection.judged = data.stamps_s.size();
     inspection.samples = data.total + filled.rows.size();
     inspection.axis = judged_axis(data.stamps_s, data.place, campaign.sample_rate_hz, inspection.faults);
-    if (inspection.axis && !(std::abs(inspection.axis->sample_rate_hz / campaign.sample_rate_hz - 1) <= 1e-3))
+    if (inspection.axis && !(std::abs(inspection.axis->sample_rate_hz / campaign.sample_rate_hz - 1) <=
+                             measure_thresholds().same_rate))
       inspection.faults.push_back({"time", fmt::format("is sampled at {:.6g} Hz; campaign.toml says {}",
                                                        inspection.axis->sample_rate_hz, campaign.sample_rate_hz)});
     if (inspection.axis && !span.all()) {

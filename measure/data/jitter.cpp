@@ -7,6 +7,7 @@
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
+#include "measure/thresholds.hpp"
 #include "numerics/distribution.hpp"
 #include "numerics/hertz.hpp"
 #include "numerics/median.hpp"
@@ -15,7 +16,7 @@ namespace secular {
 namespace {
 
 constexpr std::size_t segment = 256;
-constexpr double false_alarm = 1e-6;
+constexpr auto& false_alarm = measure_thresholds().jitter_false_alarm;
 
 // Mean power of every bin over segments that overlap by half, under a Hann window.
 std::vector<double> mean_powers(const std::vector<double>& samples) {

@@ -7,6 +7,7 @@
 
 #include "measure/data/rounded_stamps.hpp"
 #include "measure/data/time_axis.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/fill_gaps.hpp"
 #include "numerics/median.hpp"
 
@@ -14,7 +15,7 @@ namespace secular {
 namespace {
 
 /// How far a step may be off a whole number of steps: stamps that scatter by more are no even ones.
-constexpr double off_a_whole_number = 0.1;
+constexpr auto& off_a_whole_number = measure_thresholds().lost_row_off;
 
 }  // namespace
 
@@ -29,7 +30,7 @@ std::vector<std::size_t> lost_rows(const std::vector<double>& stamps_s) {
   std::size_t place = 0;  // among all rows
   for (const double here : steps) {
     ++place;
-    if (!(here > longest_step * step)) continue;
+    if (!(here > longest_step() * step)) continue;
     const double whole = std::round(here / step);
     if (std::abs(here / step - whole) > off_a_whole_number || whole > longest_filled + 1) return {};
     for (double n = 1; n < whole; ++n) lost.push_back(place++);

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdlib>
 
+#include "measure/thresholds.hpp"
+
 namespace secular {
 namespace {
 
@@ -17,12 +19,13 @@ constexpr int coarsest = 0, finest = 6;
 constexpr double exact = 1e-6;
 
 /// Relative difference of rates that a campaign counts as one rate.
-constexpr double same_rate = 1e-3;
+constexpr auto& same_rate = measure_thresholds().same_rate;
 
 /// Steps of either length that there are at least. A gap where a sample was lost is a longer step, too: so many at
 /// random places are as evenly spread as rounding makes them once in a million (k!/k^k); and one in more than so
 /// many steps could be lost regularly, by a buffer.
-constexpr std::size_t fewest_steps = 16, rarest_share = 16;
+constexpr std::size_t fewest_steps = 16;
+constexpr auto& rarest_share = measure_thresholds().rarest_share;
 
 /// Halvings of an interval of rates, to what doubles hold.
 constexpr int halvings = 60;

@@ -10,12 +10,21 @@
 #include "input/input_error.hpp"
 #include "measure/data/fortran_number.hpp"
 #include "measure/data/rounded_stamps.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/median.hpp"
 
 namespace secular {
 namespace {
 
-constexpr double largest_jitter = 0.25;  // of the step
+constexpr auto& largest_jitter = measure_thresholds().largest_jitter;  // of the step
+
+}  // namespace
+
+double longest_step() {
+  return 2 - largest_jitter;
+}
+
+namespace {
 
 // Complains about the first pair of stamps that cannot be neighbours; the median step survives a few gaps.
 void check_steps(const std::vector<double>& stamps, const std::string& file, const RowPlace& place) {
@@ -23,7 +32,7 @@ void check_steps(const std::vector<double>& stamps, const std::string& file, con
   for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = stamps[i + 1] - stamps[i];
   const double step = upper_median(steps);
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (steps[i] > 0 && (steps[i] <= longest_step * step || step <= 0)) continue;
+    if (steps[i] > 0 && (steps[i] <= longest_step() * step || step <= 0)) continue;
     const std::string at = fmt::format("{} (t = {})", place.of(i + 1), stamps[i + 1]);
     if (steps[i] == 0) throw InputError(file, at, "repeats the time stamp before it", "time must increase evenly");
     if (steps[i] < 0) throw InputError(file, at, "time runs backwards", "time must increase evenly");

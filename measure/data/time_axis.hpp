@@ -14,14 +14,15 @@ struct RowPlace {
   std::string of(std::size_t row) const { return noun + " " + std::to_string(first + row); }
 };
 
-/// Steps between stamps that can be neighbours are no longer than this, next to their median.
-inline constexpr double longest_step = 1.75;
-
 struct TimeAxis {
   double start_s = 0;
   double sample_rate_hz = 0;
   double jitter_s = 0;  ///< rms scatter of the stamps about it, where that is more than how they are rounded
 };
+
+/// Steps between stamps that can be neighbours are no longer than this, next to their median: where one is missing
+/// a step is two long, less what stamps may jitter against each other.
+double longest_step();
 
 /// Checks that time stamps are finite and increase evenly and gives their start and rate. The rate is the
 /// least-squares line's, or rather the simplest number that follows the stamps as closely as that line:

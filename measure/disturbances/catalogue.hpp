@@ -10,10 +10,6 @@
 
 namespace secular {
 
-/// What is said of a record that holds nothing of a kind, per campaign and row. That of a test is this over the
-/// number of its tests: records, channels, bins or samples.
-inline constexpr double disturbance_false_alarm = 1e-3;
-
 /// One kind of thing that a measured record holds beside the motion.
 struct DisturbanceKind {
   std::string_view name;

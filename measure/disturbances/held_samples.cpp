@@ -8,14 +8,15 @@
 #include <utility>
 
 #include "measure/disturbances/rows.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/distribution.hpp"
 #include "numerics/median.hpp"
 
 namespace secular {
 namespace {
 
-constexpr std::size_t block = 256;       // of samples that share the scatter of differences
-constexpr std::size_t neighbours = 64;   // values in order that share the smallest gap
+constexpr auto& block = measure_thresholds().held_block;  // of samples that share the scatter of differences
+constexpr auto& neighbours = measure_thresholds().held_neighbours;  // values in order that share the smallest gap
 constexpr double sd_of_median = 1.4826;  // normal law: sd over the median of absolute values
 
 // The smallest gap between different values near a value: at least the step of whatever lattice is there.

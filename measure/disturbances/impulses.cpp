@@ -8,15 +8,15 @@
 
 #include "measure/disturbances/roughness.hpp"
 #include "measure/disturbances/rows.hpp"
+#include "measure/thresholds.hpp"
 
 namespace secular {
 namespace {
 
-constexpr std::size_t fewest_samples = 256;
 constexpr int most_rounds = 8;
 
 // Of a hundred wrong samples one is not told from a corner of the motion.
-constexpr double not_told = 0.01;
+constexpr auto& not_told = measure_thresholds().spikes_not_told;
 
 // Of a corner of the motion so much is left beside a spike, next to its own size (beside_spike).
 constexpr double left_by_a_corner = 0.27;
@@ -90,7 +90,7 @@ void add(const SearchedRecord& record, std::size_t c, std::string_view kind,
 Impulses find_impulses(std::span<const double> samples, const ValueGrid& grid, const HeldSamples& held,
                        double false_alarm) {
   Impulses impulses;
-  if (samples.size() < fewest_samples) return impulses;
+  if (samples.size() < 4 * measure_thresholds().impulse_block) return impulses;
   std::vector<double> x(samples.begin(), samples.end());
   for (int round = 0; round < most_rounds; ++round) {
     const Roughness rough = roughness(x, grid.step.value_or(0));

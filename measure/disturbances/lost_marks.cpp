@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "measure/data/resolution.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
 namespace {
 
-constexpr std::size_t either_side = 32;  // values that tell how often one is hit
-constexpr std::size_t fewest_spikes = 3;
+constexpr auto& either_side = measure_thresholds().mark_neighbours;  // values that tell how often one is hit
+constexpr auto& fewest_spikes = measure_thresholds().mark_spikes;
 
 // One value and how many samples have it.
 struct Level {

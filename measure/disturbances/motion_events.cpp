@@ -4,14 +4,15 @@
 #include <cmath>
 #include <complex>
 
+#include "measure/thresholds.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
 namespace {
 
-constexpr std::size_t fewest_phases = 8;
-constexpr int most_clusters = 4;  // in a turn
-constexpr double fixed_phases = 0.5;
+constexpr auto& fewest_phases = measure_thresholds().motion_phases;
+constexpr int most_clusters = 4;      // in a turn
+constexpr double fixed_phases = 0.5;  // half way between any phases and fixed ones
 
 // Phase of the motion at a sample from two turns on either side of it, without what the event has touched.
 double phase_at(std::span<const double> x, double turns_a_sample, std::size_t at) {

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/thresholds.hpp"
+
 namespace secular {
 namespace {
 
 // Halves and thirds are the subharmonics of equations with quadratic and cubic terms.
 constexpr int largest_divisor = 3;
 // Of sums of two excitations' multiples: the third power of what a cubic term makes is far below any line here.
-constexpr int largest_order = 6;
+constexpr auto& largest_order = measure_thresholds().largest_order;
 
 const Line* strongest(const SearchedChannel& channel) {
   const auto found = std::max_element(channel.lines.begin(), channel.lines.end(),
@@ -19,11 +21,11 @@ const Line* strongest(const SearchedChannel& channel) {
 
 // A decay has no subharmonics, but a softening spring swings slower while it swings far: a pendulum at 160 degrees
 // with half the frequency of small angles.
-constexpr int softest = 2;
+constexpr auto& softest = measure_thresholds().softest;
 
 // A partner at one given place: by chance beside one foreign tone of a hundred, which is then taken for motion. To
 // miss a tone in one record costs less than to call a mode's motion foreign.
-constexpr double weak_partner = 0.01;
+constexpr auto& weak_partner = measure_thresholds().weak_partner;
 
 bool same(double a, double b, double tolerance) {
   return std::abs(a - b) <= tolerance;
@@ -100,7 +102,7 @@ bool MotionTones::is_harmonic(double frequency_hz) const {
       return true;
     for (std::size_t b = a + 1; b < generators_.size(); ++b)
       for (int i = 0; i <= largest_order; ++i)
-        for (int j = i - largest_order; j <= largest_order - i; ++j)
+        for (int j = i - static_cast<int>(largest_order); j <= largest_order - i; ++j)
           if (same(frequency_hz, folded(i * generators_[a] + j * generators_[b]), tolerance_)) return true;
   }
   return false;
@@ -123,7 +125,7 @@ bool MotionTones::start_at(double frequency_hz, const std::vector<double>& other
 double MotionTones::lowest_hz() const {
   const auto lowest = std::min_element(generators_.begin(), generators_.end());
   if (lowest == generators_.end()) return 0;
-  return *lowest / (forced_ ? largest_divisor : softest);
+  return *lowest / static_cast<double>(forced_ ? largest_divisor : softest);
 }
 
 }  // namespace secular

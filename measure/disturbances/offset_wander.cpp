@@ -9,6 +9,7 @@
 #include "measure/data/noise_floor.hpp"
 #include "measure/disturbances/motion_tones.hpp"
 #include "measure/disturbances/rows.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/confidence.hpp"
 #include "numerics/distribution.hpp"
 
@@ -19,9 +20,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index slow_terms = 4;     // cosines of up to two periods a record: what is slower than all else in it
-constexpr double entangled = 1e-6;  // a coefficient of which others take up more than this has no value
-constexpr Index fewest_blocks = 8;  // beyond the terms fitted: what tells the noise
+constexpr auto& slow_terms =
+    measure_thresholds().slow_terms;  // cosines of up to two periods a record: what is slower than all else in it
+constexpr double entangled = 1e-6;    // a coefficient of which others take up more than this has no value
+constexpr auto& fewest_blocks =
+    measure_thresholds().offset_blocks;  // beyond the terms fitted: what tells the noise
 
 // Means of blocks under the window of the lines, half overlapping (which leaves 4 % of their noise in common), and
 // the mean square about them.

@@ -6,6 +6,7 @@
 #include "measure/disturbances/motion_tones.hpp"
 #include "measure/disturbances/rows.hpp"
 #include "measure/signal/transform_length.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/distribution.hpp"
 #include "numerics/median.hpp"
 
@@ -13,7 +14,7 @@ namespace secular {
 namespace {
 
 constexpr std::size_t most_late_blocks = 32;  // the F law with 64 degrees of freedom is near its limit
-constexpr std::size_t shortest_block = 64;
+constexpr auto& shortest_block = measure_thresholds().ringing_block;
 
 // A line at the record's begin that has gone in its second half.
 struct Ring {

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/thresholds.hpp"
 #include "numerics/median.hpp"
 
 namespace secular {
 namespace {
 
-constexpr std::size_t block = 64;  // of samples that share a scale: their median is known to 15 %
+constexpr auto& block = measure_thresholds().impulse_block;
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 
 #include "measure/disturbances/catalogue.hpp"
 #include "measure/disturbances/motion_events.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/fill_gaps.hpp"
 
 namespace secular {
@@ -84,7 +85,8 @@ Disturbance SearchedRecord::found(std::string_view kind, std::size_t c, double s
 }
 
 double false_alarm_of_channel(const Campaign& campaign) {
-  return disturbance_false_alarm / static_cast<double>(campaign.records.size() * campaign.channels.size());
+  return measure_thresholds().disturbance_false_alarm /
+         static_cast<double>(campaign.records.size() * campaign.channels.size());
 }
 
 SearchedRecord searched(const Campaign& campaign, std::size_t index, const Record& record,

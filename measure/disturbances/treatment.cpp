@@ -11,7 +11,8 @@
 namespace secular {
 namespace {
 
-// Without ensembles: samples in which frequencies of the strongest lines are told apart to a few turns.
+// Without ensembles: samples in which frequencies of the strongest lines are told apart to a few turns (a size:
+// half and twice as many move nothing).
 constexpr std::size_t longest_block = 4096;
 
 struct RoundedChannel {

@@ -9,6 +9,7 @@
 #include "measure/observe/record_window.hpp"
 #include "measure/signal/free_decay.hpp"
 #include "measure/signal/spectral_survey.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/hertz.hpp"
 #include "numerics/median.hpp"
 
@@ -36,7 +37,9 @@ struct Spectrum {
     return std::clamp<Index>(static_cast<Index>(std::lround(frequency / bin)), 0, amplitude.size() - 1);
   }
   bool is_peak(Index i) const {
-    if (i <= lobe || i + lobe >= amplitude.size() || !(amplitude(i) > seen_above_noise * floor)) return false;
+    if (i <= lobe || i + lobe >= amplitude.size() ||
+        !(amplitude(i) > measure_thresholds().seen_above_noise * floor))
+      return false;
     return amplitude.segment(i - lobe, 2 * lobe + 1).maxCoeff() <= amplitude(i);
   }
 };
@@ -114,8 +117,8 @@ DecayLines decay_lines(const Campaign& campaign, const RecordReader& read, const
   std::vector<double> explained;
   for (std::size_t k = 0; k < nominal.size(); ++k) {
     if (!std::isfinite(nominal[k])) continue;
-    const Index low = spectrum->at((1 - decay_search_range) * nominal[k]),
-                high = spectrum->at((1 + decay_search_range) * nominal[k]);
+    const Index low = spectrum->at((1 - measure_thresholds().decay_search_range) * nominal[k]),
+                high = spectrum->at((1 + measure_thresholds().decay_search_range) * nominal[k]);
     Index best = 0;
     amplitude.segment(low, high - low + 1).maxCoeff(&best);
     // The flank of another mode's line is highest at the range's end.
@@ -131,7 +134,7 @@ DecayLines decay_lines(const Campaign& campaign, const RecordReader& read, const
     if (explained.size() >= nominal.size()) break;
     const double line = spectrum->bin * static_cast<double>(i);
     const bool near = std::any_of(explained.begin(), explained.end(), [&](double other) {
-      return std::abs(line - other) < decay_search_range * other;
+      return std::abs(line - other) < measure_thresholds().decay_search_range * other;
     });
     if (near || is_combination(line, explained, 2 * lobe * spectrum->bin)) continue;
     lines.further.push_back(line);

@@ -11,6 +11,7 @@
 #include "measure/observe/record_window.hpp"
 #include "measure/signal/free_decay.hpp"
 #include "measure/signal/slow_tones.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
@@ -22,26 +23,29 @@ using Eigen::VectorXd;
 
 /// A window that leaves more than the quietest one on each side does is not used: more by this, and by as many
 /// standard deviations of a noise level; at the ends of a decay, where one side is missing, by the other factor.
-constexpr double disturbed_noise = 1.2, disturbed_sd = 5, disturbed_end = 3;
-constexpr std::size_t neighbours = 12;  // on either side
+constexpr auto& disturbed_noise = measure_thresholds().disturbed_noise;
+constexpr auto& disturbed_sd = measure_thresholds().disturbed_sd;
+constexpr auto& disturbed_end = measure_thresholds().disturbed_end;
+constexpr auto& neighbours = measure_thresholds().disturbed_neighbours;  // on either side
 
 /// A decay of which more is disturbed is cut into the shortest windows, of which more fit between disturbances.
-constexpr double largest_disturbed_share = 0.25;
+constexpr auto& largest_disturbed_share = measure_thresholds().disturbed_share;
 
 /// Windows in a stretch begin a quarter of their length apart.
-constexpr int windows_in_a_stretch = 5;
+constexpr auto& windows_in_a_stretch = measure_thresholds().windows_in_a_stretch;
 
 /// Windows' length, of the decay's.
-constexpr double windows_in_a_decay = 24;
+constexpr auto& windows_in_a_decay = measure_thresholds().windows_in_a_decay;
 
 /// Shorter windows where an amplitude changes by more than this share within one, or is bent by more than that: the
 /// bias of a rate is 1/40 of the square of the first.
-constexpr double largest_fall = 0.5, largest_bend = 0.1;
+constexpr auto& largest_fall = measure_thresholds().largest_fall;
+constexpr auto& largest_bend = measure_thresholds().largest_bend;
 
 /// Another mode counts as decayed where its part of the samples is below this share of the mode's own.
-constexpr double decayed_share = 0.02;
+constexpr auto& decayed_share = measure_thresholds().decayed_share;
 
-constexpr std::size_t fewest_windows = 6;
+constexpr auto& fewest_windows = measure_thresholds().fewest_windows;
 
 // Root mean square about the mean of every column.
 VectorXd spread(const MatrixXd& samples) {
@@ -177,9 +181,9 @@ class DecayObserver {
       const VectorXd taper = (1 + (VectorXd::LinSpaced(count, -std::numbers::pi, std::numbers::pi)).array().cos());
       const VectorXd y = (modal.col(at).head(count).array() - modal.col(at).head(count).mean()) * taper.array();
       const double bin = two_pi * rate / static_cast<double>(count);
-      const double low = std::isfinite(nominal) ? (1 - decay_search_range) * nominal : 3 * bin;
-      const double high =
-          std::isfinite(nominal) ? (1 + decay_search_range) * nominal : std::numbers::pi * rate - 3 * bin;
+      const double low = std::isfinite(nominal) ? (1 - measure_thresholds().decay_search_range) * nominal : 3 * bin;
+      const double high = std::isfinite(nominal) ? (1 + measure_thresholds().decay_search_range) * nominal
+                                                 : std::numbers::pi * rate - 3 * bin;
       const VectorXd t = VectorXd::LinSpaced(count, 0, static_cast<double>(count - 1) / rate);
       double best = -1;
       for (double w = low; w <= high; w += 0.2 * bin) {
@@ -286,7 +290,7 @@ class DecayObserver {
       for (const std::size_t k : own) mine = std::max(mine, here(static_cast<Index>(k)));
       for (Index k = 0; k < modal.cols(); ++k)
         if (std::find(own.begin(), own.end(), static_cast<std::size_t>(k)) == own.end() &&
-            here(k) > decayed_share * mine && here(k) > 2 * tail(k))
+            here(k) > decayed_share * mine && here(k) > measure_thresholds().decayed_noise * tail(k))
           return true;
       return false;
     });

@@ -9,6 +9,7 @@
 #include "estimator/model/zero_frequency.hpp"
 #include "measure/observe/record_window.hpp"
 #include "measure/signal/slow_tones.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
@@ -28,15 +29,17 @@ constexpr double beyond_second_degree = 1 / (6 * 20 * 2.6457513110645906);
 
 /// Bins between two tones of second degree, for a window to separate them; `shortest_s` asks for some more. From a
 /// constant at zero frequency fewer are enough.
-constexpr double separate_bins = 2.5, comfortable_bins = 3, bins_from_constant = 2;
+constexpr auto& separate_bins = measure_thresholds().separate_bins;
+constexpr auto& comfortable_bins = measure_thresholds().comfortable_bins;
+constexpr auto& bins_from_constant = measure_thresholds().bins_from_constant;
 
 /// A harmonic that is nearer than this to a mode's tone, over the lowest frequency, does not lengthen the windows:
 /// where they do not separate it, it is left out.
-constexpr double near_harmonic = 0.15;
+constexpr auto& near_harmonic = measure_thresholds().near_harmonic;
 
 /// A mode that moves further than this, in bins of the shortest window, from where it was expected is another
 /// motion or noise (what is slow in an acceleration looks like a large displacement): it is not seen.
-constexpr double still_the_mode = 0.5;
+constexpr auto& still_the_mode = measure_thresholds().still_the_mode;
 
 /// Steps to the frequency at the window's centre; each leaves the square of its distance in bins.
 constexpr int frequency_steps = 6;
@@ -188,7 +191,7 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
       o.rate[k] = Complex(0, frequency(at));
       const Integration to({0, w}, d);
       o.amplitude_sd[k] = std::abs(to.value) * seen.sd[0](tone, at);
-      if (2 * std::abs(y0) < seen_above_noise * seen.noise_sd(at)) continue;
+      if (2 * std::abs(y0) < measure_thresholds().seen_above_noise * seen.noise_sd(at)) continue;
       if (std::abs(frequency(at) - expected(at)) > reach) continue;
       o.amplitude[k] = to.value * y0 + to.slope * y1 + to.curvature * y2;
       const Complex slope = to.value * y1 + to.slope * y2, a = o.amplitude[k];

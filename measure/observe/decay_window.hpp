@@ -9,16 +9,13 @@
 
 namespace secular {
 
-/// A mode is seen where its peak is this many noise levels.
-inline constexpr double seen_above_noise = 6;
-
 /// What one window of a free decay shows.
 struct DecayWindow {
   Observation observation;        ///< without condition, record and centre
   Eigen::VectorXd noise_sd;       ///< [mode], of the modal coordinate's samples
   double degrees_of_freedom = 0;  ///< of the noise levels
-  /// [mode], rms of the modal coordinate's samples: what a decay at a steady rate leaves beside an amplitude of second
-  /// degree in time. No noise, though it is counted as such.
+  /// [mode], rms of the modal coordinate's samples: what a decay at a steady rate leaves beside an amplitude of
+  /// second degree in time. No noise, though it is counted as such.
   Eigen::VectorXd beyond_degree;
   /// Over all modes that are seen, in parts of their amplitude: how far it and its phase are from a straight line
   /// at the window's ends, and by how much the amplitude changes from end to end; two standard deviations less.

@@ -16,6 +16,7 @@
 #include "measure/signal/bispectral_phase.hpp"
 #include "measure/signal/free_decay.hpp"
 #include "measure/signal/tone_fit.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/hertz.hpp"
 #include "numerics/in_parallel.hpp"
 
@@ -28,16 +29,17 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Share of an excitation channel's power that its tone must have.
-constexpr double excitation_purity = 0.5;
+constexpr auto& excitation_purity = measure_thresholds().excitation_purity;
 
 /// Relative difference of measured and nominal excitation amplitude that is worth a warning.
-constexpr double level_tolerance = 0.2;
+constexpr auto& level_tolerance = measure_thresholds().level_tolerance;
 
 /// Free frequencies are searched this far from where the nominal values put them, relative to the lowest mode.
-constexpr double dwell_search_range = 0.1;
+constexpr auto& dwell_search_range = measure_thresholds().resonance_width;
 
-/// Fewer ensembles cannot tell phases that stand still from independent ones at the one percent that is asked for.
-constexpr std::size_t lock_ensembles = 6;
+/// Fewer ensembles cannot tell phases that stand still from independent ones at the one percent that is asked for
+/// (derived: independent ones pass with probability exp(-K), `bispectral_phase`).
+constexpr std::size_t lock_ensembles = 5;
 
 /// Amplitudes of a motion that has not settled, over one ensemble: they settle within a few ensembles, so that the
 /// rates that a quadratic finds would be wrong by several percent.
@@ -215,7 +217,8 @@ class DwellObserver {
     ToneOptions tone;
     tone.harmonics = {1};
     const ToneFit fit = fit_harmonic_tone(samples, rate, start, tone);
-    if (fit.status == ToneStatus::ill_conditioned || std::abs(fit.frequency / guess - 1) > 0.2)
+    if (fit.status == ToneStatus::ill_conditioned ||
+        std::abs(fit.frequency / guess - 1) > measure_thresholds().tone_reach)
       throw InputError((campaign_.folder / entry.file).string(), "channel " + campaign_.channels[channel].name,
                        "no steady excitation tone is found in it",
                        "check excitation_frequency_hz and the channel's role");
@@ -232,9 +235,13 @@ class DwellObserver {
     for (std::size_t k = 0; k < model_.modes(); ++k) {
       if (!modes_.oscillates[k]) continue;
       const double w = frequencies(static_cast<Index>(k));
-      if (w < separate_tone_bins * resolution || w > nyquist - separate_tone_bins * resolution) return false;
+      if (w < measure_thresholds().separate_tone_bins * resolution ||
+          w > nyquist - measure_thresholds().separate_tone_bins * resolution)
+        return false;
       for (const double e : excitation)
-        if (std::abs(w - std::max(1.0, std::round(w / e)) * e) < separate_tone_bins * resolution) return false;
+        if (std::abs(w - std::max(1.0, std::round(w / e)) * e) <
+            measure_thresholds().separate_tone_bins * resolution)
+          return false;
     }
     return true;
   }
@@ -394,7 +401,7 @@ class DwellObserver {
       if (!modes_.oscillates[k]) continue;
       double largest = 0;
       for (const Observation& o : found) largest = std::max(largest, std::abs(o.amplitude[k]) / o.amplitude_sd[k]);
-      if (largest < trivial_branch_sd) return true;
+      if (largest < measure_thresholds().trivial_branch_sd) return true;
     }
     return false;
   }
@@ -407,7 +414,8 @@ class DwellObserver {
       if (!modes_.oscillates[k]) continue;
       const double first = std::abs(found.front().amplitude[k]), last = std::abs(found.back().amplitude[k]);
       const double sd = std::hypot(found.front().amplitude_sd[k], found.back().amplitude_sd[k]);
-      if (std::abs(last - first) > 4 * sd && std::abs(last - first) > 0.01 * first)
+      if (std::abs(last - first) > measure_thresholds().dwell_drift_sd * sd &&
+          std::abs(last - first) > measure_thresholds().dwell_drift * first)
         drift = std::max(drift, std::abs(last - first) / first);
     }
     return drift;

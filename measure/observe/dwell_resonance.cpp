@@ -8,6 +8,7 @@
 
 #include "measure/observe/record_window.hpp"
 #include "measure/signal/tone_fit.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/hertz.hpp"
 #include "numerics/in_parallel.hpp"
 
@@ -16,7 +17,8 @@ namespace {
 
 using Eigen::Index;
 
-/// Samples of a dwell that are looked at: enough to tell a line from noise.
+/// Samples of a dwell that are looked at: enough to tell a line from noise (a size: half and twice as
+/// many move nothing).
 constexpr Index most_samples = 4096;
 
 // Of the modes whose frequency the relations tie to the excitation's alone, one after the other.
@@ -76,7 +78,9 @@ std::vector<Subharmonic> seen_subharmonics(const Campaign& campaign, const Recor
   std::vector<Subharmonic> seen;
   for (std::size_t s = 0; s < looked_for.size(); ++s) {
     const auto row = static_cast<Index>(s);
-    if ((fit.amplitude.row(row).array().abs() > trivial_branch_sd * fit.amplitude_sd.row(row).array()).any())
+    if ((fit.amplitude.row(row).array().abs() >
+         measure_thresholds().trivial_branch_sd * fit.amplitude_sd.row(row).array())
+            .any())
       seen.push_back(looked_for[s]);
   }
   return seen;
@@ -137,7 +141,7 @@ DwellCase case_of_dwell(const DwellTones& dwell, const std::vector<Resonance>& c
   for (std::size_t c = 0; c < cases.size(); ++c) {
     if (!cases[c].excited) continue;
     const double off = mismatch(cases[c], natural, dwell.excitation);
-    if (!(off < resonance_width)) continue;
+    if (!(off < measure_thresholds().resonance_width)) continue;
     const std::vector<Subharmonic> own = subharmonics_of(cases[c]);
     const bool has_all =
         std::includes(own.begin(), own.end(), dwell.subharmonics.begin(), dwell.subharmonics.end());

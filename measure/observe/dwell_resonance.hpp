@@ -8,12 +8,6 @@
 
 namespace secular {
 
-/// A dwell belongs to a resonance within this relative distance: the detuning that an expansion counts as small.
-inline constexpr double resonance_width = 0.1;
-
-/// Below this many standard deviations a mode counts as at rest.
-inline constexpr double trivial_branch_sd = 8;
-
 /// A case as far as it tells which records are its own: integer relations over the natural frequencies and then the
 /// excitations' frequencies.
 struct Resonance {

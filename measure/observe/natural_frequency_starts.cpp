@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "measure/observe/decay_lines.hpp"
+#include "measure/thresholds.hpp"
 
 namespace secular {
 namespace {
@@ -44,7 +45,7 @@ class Search {
       more = false;
       for_moves(std::vector<double>(best.frequency), [&](Found tried) {
         for (std::size_t k = 0; k < found.size(); ++k)
-          if (std::abs(tried.frequency[k] - found[k]) > resonance_width * found[k]) return;
+          if (std::abs(tried.frequency[k] - found[k]) > measure_thresholds().resonance_width * found[k]) return;
         if (!keeps(tried, best) || tried.agreeing < best.agreeing) return;
         if (tried.agreeing == best.agreeing && !(tried.off < best.off)) return;
         best = std::move(tried);
@@ -93,8 +94,9 @@ class Search {
       found.off += mismatch(cases_[own.resonance], w, dwell.excitation);
     }
     for (const double line : lines_) {
-      found.which.push_back(std::any_of(
-          w.begin(), w.end(), [&](double own) { return std::abs(line - own) < decay_search_range * own; }));
+      found.which.push_back(std::any_of(w.begin(), w.end(), [&](double own) {
+        return std::abs(line - own) < measure_thresholds().decay_search_range * own;
+      }));
       if (found.which.back()) found.explained += decays_.records;
     }
     for (std::size_t k = 0; k < w.size(); ++k)

@@ -6,9 +6,6 @@
 
 namespace secular {
 
-/// In a decay a mode rings within this relative distance of its start.
-inline constexpr double decay_search_range = 0.15;
-
 /// Natural frequencies that a campaign's records tell, good enough to say which record excites which resonance and
 /// where a mode rings.
 struct NaturalFrequencyStarts {

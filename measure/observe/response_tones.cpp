@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "estimator/model/zero_frequency.hpp"
+#include "measure/thresholds.hpp"
 
 namespace secular {
 namespace {
@@ -106,7 +107,7 @@ void ResponseTones::take_blocks(const CompiledCase& resonance) {
     for (std::size_t b = 0; b < resonance.blocks.size(); ++b) {
       const RegressorBlock& block = resonance.blocks[b];
       if (block.kind == BlockKind::harmonic && !is_zero_frequency(block) && (block.order <= 1) == (order == 1))
-        block_index_[b] = take(tone[b], order == 1 ? 0 : separate_tone_bins);
+        block_index_[b] = take(tone[b], order == 1 ? 0 : measure_thresholds().separate_tone_bins);
     }
 }
 
@@ -114,7 +115,7 @@ void ResponseTones::take_combinations(const ModeFrequencies& modes) {
   std::vector<bool> there = modes.oscillates;
   there.resize(of_mode_.size() + setting_.excitation.size(), true);
   for (const std::vector<int>& multiples : multiples_up_to(combination_order, there))
-    take(sum_of(multiples), separate_tone_bins);
+    take(sum_of(multiples), measure_thresholds().separate_tone_bins);
 }
 
 }  // namespace secular

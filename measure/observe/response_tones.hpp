@@ -25,9 +25,6 @@ struct ToneSetting {
   double resolution = 0, nyquist = 0;
 };
 
-/// Bins between a weak harmonic and every other tone, for it to be fitted.
-inline constexpr double separate_tone_bins = 2;
-
 /// All that is fitted to the responses of one ensemble: the modes' tones, the harmonics that the case regresses,
 /// and what else is likely to be there and must not count as noise: combinations of up to three of the modes' and
 /// excitations' frequencies. A tone that samples or window do not show has index -1.

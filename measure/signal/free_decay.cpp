@@ -6,6 +6,7 @@
 
 #include "measure/signal/circular_hyperbolic.hpp"
 #include "measure/signal/tone_fit.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/hertz.hpp"
 #include "numerics/median.hpp"
 
@@ -57,7 +58,7 @@ double decomposed_frequency(const Eigen::Ref<const VectorXd>& samples, double ra
       circular_hyperbolic_decomposition(reduced, rate / static_cast<double>(block), order);
   double best = expected, largest = 0;
   const auto consider = [&](double frequency, double power) {
-    if (std::abs(frequency / expected - 1) > 0.2 || power <= largest) return;
+    if (std::abs(frequency / expected - 1) > measure_thresholds().tone_reach || power <= largest) return;
     largest = power;
     best = frequency;
   };
@@ -80,7 +81,8 @@ std::optional<DecayStart> decay_after_release(const Eigen::Ref<const VectorXd>& 
   Index last_large = 0;
   for (Index i = 0; i < samples.size(); ++i)
     if (std::abs(samples(i) - level) >= 0.99 * largest) last_large = i;
-  const std::vector<double> zeros = crossings(samples, level, 0.05 * largest, last_large);
+  const std::vector<double> zeros =
+      crossings(samples, level, measure_thresholds().zero_level * largest, last_large);
   if (zeros.size() < 8) return std::nullopt;
   std::vector<double> halves;
   for (std::size_t i = 0; i + 1 < std::min<std::size_t>(zeros.size(), 13); ++i)
@@ -105,7 +107,9 @@ std::optional<DecayStart> decay_after_release(const Eigen::Ref<const VectorXd>& 
     later.push_back(residual(zeros[i]));
   if (!later.empty()) {
     const double usual = std::max(upper_median(later), 1e-6);
-    while (first < 6 && first + 8 < zeros.size() && residual(zeros[first]) > 3 * usual) ++first;
+    while (first < 6 && first + 8 < zeros.size() &&
+           residual(zeros[first]) > measure_thresholds().usual_residual * usual)
+      ++first;
   }
   const auto start = static_cast<Index>(std::ceil(zeros[first]));
   if (start + window > samples.size()) return std::nullopt;

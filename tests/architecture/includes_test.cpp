@@ -141,7 +141,7 @@ TEST(Layout, TheScanSeesWhatItForbids) {
   EXPECT_EQ(violations("perturb", "x.cpp", "#include \"estimator/model/compiled_model.hpp\"\n").size(), 1u);
   EXPECT_EQ(violations("generated", "x.cpp", "#include \"input/input_error.hpp\"\n").size(), 1u);
   EXPECT_EQ(violations("measure/data", "x.cpp", "#include \"measure/signal/pole.hpp\"\n").size(), 1u);
-  EXPECT_EQ(violations("measure/data", "x.cpp", "#include \"measure/pole.hpp\"\n").size(), 1u);
+  EXPECT_EQ(violations("measure/data", "x.cpp", "#include \"motion/pole.hpp\"\n").size(), 1u);
   EXPECT_EQ(violations("app/derive", "x.cpp", "#include \"app/verify/a.hpp\"\n").size(), 1u);
   EXPECT_EQ(violations("app/derive", "x.cpp", "#include <ginac/ginac.h>").size(), 1u);
   EXPECT_EQ(violations("app/derive", "x.cpp", "#include \"perturb/model.hpp\"\n#include <map>\n").size(), 0u);

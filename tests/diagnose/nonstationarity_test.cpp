@@ -7,6 +7,8 @@
 #include <numbers>
 #include <random>
 
+#include "diagnose/thresholds.hpp"
+
 namespace secular {
 namespace {
 
@@ -104,7 +106,7 @@ TEST(Nonstationarity, WhatDiesOutIsNoUnsteadiness) {
       amplitude(n) = Complex(300, -200) + Complex(80, 30) * power + Complex(-20, 50) * std::conj(power);
     }
     const Nonstationarity nonstationarity = nonstationarity_of(amplitude, unit_noise());
-    EXPECT_LT(test_nonstationarity({nonstationarity}).p_value, unsteady_alarm) << z;
+    EXPECT_LT(test_nonstationarity({nonstationarity}).p_value, diagnose_thresholds().unsteady_alarm) << z;
     EXPECT_TRUE(nonstationarity.dies_out) << z;
   }
 }
@@ -117,7 +119,8 @@ TEST(Nonstationarity, WavesDoNotDieOut) {
         amplitude(n) = Complex(300, -200) +
                        Complex(40, 20) * std::sin(2 * std::numbers::pi * static_cast<double>(n) / period + phase);
       const Nonstationarity nonstationarity = nonstationarity_of(amplitude, unit_noise());
-      EXPECT_LT(test_nonstationarity({nonstationarity}).p_value, unsteady_alarm) << period << ' ' << phase;
+      EXPECT_LT(test_nonstationarity({nonstationarity}).p_value, diagnose_thresholds().unsteady_alarm)
+          << period << ' ' << phase;
       EXPECT_FALSE(nonstationarity.dies_out) << period << ' ' << phase;
     }
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../signal/gaussian.hpp"
+#include "estimator/thresholds.hpp"
 #include "numerics/confidence.hpp"
 #include "numerics/nonlinear_fit.hpp"
 
@@ -169,12 +170,12 @@ TEST(LinearFit, DirectionsNearTheBorderStayOnTheirSide) {
     errors.gram(1, 1) = 12 / ratio;
     return linear_fit(design, response, cluster, errors, {.noisy_before = before}).noisy;
   };
-  EXPECT_EQ(noisy(noise_ratio * 1.1, std::nullopt), 0);
-  EXPECT_EQ(noisy(noise_ratio / 1.1, std::nullopt), 1);
-  EXPECT_EQ(noisy(noise_ratio / 1.1, 0), 0);
-  EXPECT_EQ(noisy(noise_ratio * 1.1, 1), 1);
-  EXPECT_EQ(noisy(noise_ratio / 2.2, 0), 1);
-  EXPECT_EQ(noisy(noise_ratio * 2.2, 1), 0);
+  EXPECT_EQ(noisy(estimator_thresholds().noise_ratio * 1.1, std::nullopt), 0);
+  EXPECT_EQ(noisy(estimator_thresholds().noise_ratio / 1.1, std::nullopt), 1);
+  EXPECT_EQ(noisy(estimator_thresholds().noise_ratio / 1.1, 0), 0);
+  EXPECT_EQ(noisy(estimator_thresholds().noise_ratio * 1.1, 1), 1);
+  EXPECT_EQ(noisy(estimator_thresholds().noise_ratio / 2.2, 0), 1);
+  EXPECT_EQ(noisy(estimator_thresholds().noise_ratio * 2.2, 1), 0);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "measure/observe/record_window.hpp"
 #include "measure/signal/decomposition.hpp"
 #include "measure/signal/tone_fit.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/hertz.hpp"
 #include "thesis/procedures/engine_lumps.hpp"
 
@@ -22,9 +23,6 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXd;
-
-/// Below this many standard deviations a mode counts as at rest.
-constexpr double trivial_branch_sd = 8;
 
 /// A mode's frequency is looked for within this share of the nominal one.
 constexpr double frequency_share = 0.05;
@@ -143,7 +141,7 @@ bool both_respond(const std::vector<Observation>& ensembles) {
     double largest = 0;
     for (const Observation& o : ensembles)
       largest = std::max(largest, std::abs(o.amplitude[k]) / o.amplitude_sd[k]);
-    if (largest < trivial_branch_sd) return false;
+    if (largest < measure_thresholds().trivial_branch_sd) return false;
   }
   return !ensembles.empty();
 }

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+
+#include "numerics/threshold.hpp"
+
+namespace secular {
+
+/// Of the regression and the identification. Alarm levels and tuned numbers alone (numerics/threshold.hpp);
+/// `estimator_threshold_list` says of each what it is.
+struct EstimatorThresholds {
+  // Alarm levels.
+  double contradiction_alarm = 1e-3;
+  double sign_alarm = 0.005;
+  double common_delay_alarm = 0.05;
+  double false_lateness = 0.001;
+  double phase_alarm = 0.001;
+  double false_misfit = 0.001;
+  double excluding_probability = 0.005;
+  double outlier_false_alarm = 0.01;
+  double interval_tail = 0.025;
+  // Tuned.
+  double grid_misfit = 4;
+  double same_on_grid = 0.3;
+  double same_phase = 0.02;
+  double fewest_repeats = 10;
+  double fewest_repeats_of_decays = 4;
+  double repeats_of_short_decays = 3;
+  std::ptrdiff_t conditions_by_direction = 3;
+  double near_dependency = 30;
+  double shared_variance = 0.5;
+  double material_share = 0.1;
+  double roughly_converged = 1;
+  std::size_t replicates_needed = 4;
+  double frequency_prior_sd = 0.005;
+  double dependent_moves = 1e-3;
+  double far_sharper = 3;
+  std::ptrdiff_t fewest_clusters = 5;
+  double smallest_signal = 0.5;
+  double noise_ratio = 4;
+};
+
+/// Those in use.
+constexpr const EstimatorThresholds& estimator_thresholds() {
+  return thresholds_in_use<EstimatorThresholds>;
+}
+
+}  // namespace secular

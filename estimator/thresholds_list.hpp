@@ -1,0 +1,105 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "estimator/thresholds.hpp"
+
+namespace secular {
+
+/// What docs/thresholds.md prints, in its order.
+inline constexpr std::array estimator_threshold_list = {
+    Threshold<EstimatorThresholds>{
+        "contradiction_alarm", &EstimatorThresholds::contradiction_alarm, ThresholdKind::alarm, "probability",
+        "lumps of a model that holds contradict one another", "per campaign; docs/inference.md, Contradiction",
+        "identification/fit_judgement.cpp"},
+    Threshold<EstimatorThresholds>{"sign_alarm", &EstimatorThresholds::sign_alarm, ThresholdKind::alarm,
+                                   "probability", "the lateness of the right minimum looks impossible",
+                                   "docs/inference.md (20)", "identification/lateness_sign.cpp"},
+    Threshold<EstimatorThresholds>{"common_delay_alarm", &EstimatorThresholds::common_delay_alarm,
+                                   ThresholdKind::alarm, "probability",
+                                   "the same for a delay that all records share", "docs/inference.md (21)",
+                                   "identification/lateness_sign.cpp"},
+    Threshold<EstimatorThresholds>{"false_lateness", &EstimatorThresholds::false_lateness, ThresholdKind::alarm,
+                                   "probability", "records whose phases hold are said to be late",
+                                   "docs/inference.md (18), (19)", "identification/record_lateness.cpp"},
+    Threshold<EstimatorThresholds>{"phase_alarm", &EstimatorThresholds::phase_alarm, ThresholdKind::alarm,
+                                   "probability", "noise makes a minimum higher than it is by what tells it apart",
+                                   "docs/inference.md (17)", "identification/phase_fit.cpp"},
+    Threshold<EstimatorThresholds>{"false_misfit", &EstimatorThresholds::false_misfit, ThresholdKind::alarm,
+                                   "probability", "equations that hold show a lack of fit",
+                                   "per case; docs/inference.md (14)", "identification/lack_of_fit.cpp"},
+    Threshold<EstimatorThresholds>{"excluding_probability", &EstimatorThresholds::excluding_probability,
+                                   ThresholdKind::alarm, "probability", "the better damping law is excluded",
+                                   "signed ranks (Wilcoxon)", "identification/case_quality.cpp"},
+    Threshold<EstimatorThresholds>{
+        "outlier_false_alarm", &EstimatorThresholds::outlier_false_alarm, ThresholdKind::alarm, "probability",
+        "an ensemble of a clean campaign is down-weighted", "per campaign; docs/inference.md, Outlying ensembles",
+        "identification/case_regression.cpp"},
+    Threshold<EstimatorThresholds>{"interval_tail", &EstimatorThresholds::interval_tail, ThresholdKind::alarm,
+                                   "probability", "the truth is beyond one end of an interval", "95 % intervals",
+                                   "identification/estimate_values.cpp, identification/record_scatter.cpp"},
+    Threshold<EstimatorThresholds>{"grid_misfit", &EstimatorThresholds::grid_misfit, ThresholdKind::tuned,
+                                   "lowest misfit of the grid", "a minimum of the grid that is followed",
+                                   "no record of the draws", "identification/phase_grid.cpp"},
+    Threshold<EstimatorThresholds>{"same_on_grid", &EstimatorThresholds::same_on_grid, ThresholdKind::tuned, "rad",
+                                   "phases of one minimum on the grid", "no record of the draws",
+                                   "identification/phase_grid.cpp"},
+    Threshold<EstimatorThresholds>{"same_phase", &EstimatorThresholds::same_phase, ThresholdKind::tuned, "rad",
+                                   "phases of one minimum at the noise", "no record of the draws",
+                                   "identification/phase_fit.cpp"},
+    Threshold<EstimatorThresholds>{"fewest_repeats", &EstimatorThresholds::fewest_repeats, ThresholdKind::tuned,
+                                   "degrees of freedom", "repeats of dwells that tell a scatter",
+                                   "no record of the draws", "identification/lack_of_fit.cpp"},
+    Threshold<EstimatorThresholds>{"fewest_repeats_of_decays", &EstimatorThresholds::fewest_repeats_of_decays,
+                                   ThresholdKind::tuned, "degrees of freedom",
+                                   "windows of decays that tell a scatter", "docs/inference.md (14)",
+                                   "identification/lack_of_fit.cpp"},
+    Threshold<EstimatorThresholds>{"repeats_of_short_decays", &EstimatorThresholds::repeats_of_short_decays,
+                                   ThresholdKind::tuned, "measured noise", "scatter where windows do not tell it",
+                                   "draws of three short decays: right models 1.2 to 3.4, one without friction 21; "
+                                   "alarm from 2.3 times this on",
+                                   "identification/lack_of_fit.cpp"},
+    Threshold<EstimatorThresholds>{"conditions_by_direction", &EstimatorThresholds::conditions_by_direction,
+                                   ThresholdKind::tuned, "conditions",
+                                   "for each direction, that tell the scatter between them",
+                                   "no record of the draws", "identification/residual_information.cpp"},
+    Threshold<EstimatorThresholds>{"near_dependency", &EstimatorThresholds::near_dependency, ThresholdKind::tuned,
+                                   "condition index", "columns that a warning calls dependent",
+                                   "Belsley, Kuh and Welsch 1980", "identification/case_quality.cpp"},
+    Threshold<EstimatorThresholds>{"shared_variance", &EstimatorThresholds::shared_variance, ThresholdKind::tuned,
+                                   "share of the variance", "the same", "Belsley, Kuh and Welsch 1980",
+                                   "identification/case_quality.cpp"},
+    Threshold<EstimatorThresholds>{"material_share", &EstimatorThresholds::material_share, ThresholdKind::tuned,
+                                   "share of the value", "a misfit that may move a value by more makes it doubtful",
+                                   "no record of the draws", "identification/estimate_values.cpp"},
+    Threshold<EstimatorThresholds>{"roughly_converged", &EstimatorThresholds::roughly_converged,
+                                   ThresholdKind::tuned, "standard deviations",
+                                   "coefficients move by less: outlying ensembles are looked for",
+                                   "no record of the draws", "identification/case_regression.cpp"},
+    Threshold<EstimatorThresholds>{"replicates_needed", &EstimatorThresholds::replicates_needed,
+                                   ThresholdKind::tuned, "ensembles", "of a condition, that tell an outlier",
+                                   "no record of the draws", "identification/case_regression.cpp"},
+    Threshold<EstimatorThresholds>{
+        "frequency_prior_sd", &EstimatorThresholds::frequency_prior_sd, ThresholdKind::tuned, "relative",
+        "a natural frequency about the observed one where nothing else tells it (disclosed)",
+        "no record of the draws", "identification/parameter_stage.cpp"},
+    Threshold<EstimatorThresholds>{"dependent_moves", &EstimatorThresholds::dependent_moves, ThresholdKind::tuned,
+                                   "share of their size", "moves of parameters that say nothing new",
+                                   "no record of the draws", "identification/parameter_stage.cpp"},
+    Threshold<EstimatorThresholds>{"far_sharper", &EstimatorThresholds::far_sharper, ThresholdKind::tuned,
+                                   "ratio of errors", "evidence of null-space coordinates counts",
+                                   "no record of the draws", "identification/shared_parameters.cpp"},
+    Threshold<EstimatorThresholds>{"fewest_clusters", &EstimatorThresholds::fewest_clusters, ThresholdKind::tuned,
+                                   "conditions", "that tell a covariance by their scatter", "docs/inference.md (6)",
+                                   "regression/linear_fit.cpp"},
+    Threshold<EstimatorThresholds>{"smallest_signal", &EstimatorThresholds::smallest_signal, ThresholdKind::tuned,
+                                   "errors of the columns", "of a direction, at least", "no record of the draws",
+                                   "regression/linear_fit.cpp"},
+    Threshold<EstimatorThresholds>{
+        "noise_ratio", &EstimatorThresholds::noise_ratio, ThresholdKind::tuned, "errors of the columns, squared",
+        "a direction with less differs by its own errors", "docs/inference.md (5)", "regression/linear_fit.cpp"},
+};
+static_assert(sizeof(EstimatorThresholds) == 8 * estimator_threshold_list.size(), "each has its row");
+
+}  // namespace secular
