@@ -244,6 +244,9 @@ class Diagnoser {
     if (!named.empty()) {
       result_.causes = reporter.causes(named);
       naming = name_effects(named, inference_);
+      keep_limits(naming, named, options_.catalogue, [&](const Explanation& limit, const Explanation& explanation) {
+        return repeats(held_out_rows(limit), held_out_rows(explanation), result_.labels);
+      });
       result_.set = naming.set;
       result_.together = naming.together;
       result_.second_or = naming.second_or;
