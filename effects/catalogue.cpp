@@ -133,7 +133,8 @@ std::vector<Effect> rows() {
        .component = Component::conservative,
        .forms = {{.parameters = "delta3", .term = "-{0}*({v}^2*D2({v}) + {v}*D({v})^2)", .degree = 3}},
        .mistaken_for = {"cubic_stiffness"}},
-      // A joint that slips at once, little by little, and ever more the further it is loaded.
+      // A joint that slips at once, little by little, and ever more the further it is loaded. Where it gives way far
+      // below the motion, dry friction of as much force.
       {.name = "hysteresis",
        .component = Component::dissipative,
        .forms = {{.parameters = "kh slip", .term = "-{0}*{s}", .order = Order::outside, .law = force_law::slider},
@@ -146,7 +147,8 @@ std::vector<Effect> rows() {
                   .order = Order::outside,
                   .law = force_law::smooth_slider}},
        .sign_known = true,
-       .mistaken_for = {"coulomb_friction", "relaxation"}},
+       .mistaken_for = {"coulomb_friction", "relaxation"},
+       .contains = {"coulomb_friction"}},
       // A spring and a damper in series: at one frequency viscous damping and a stiffness.
       {.name = "relaxation",
        .component = Component::dissipative,

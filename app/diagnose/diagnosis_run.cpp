@@ -261,14 +261,14 @@ class StepByStep {
     FrequencyScatter scatter;
     scatter.sd = lateness_.frequency_sd;
     // Decays tell the mode that they are of.
-    if (!scatter.any() || tried_.model->modes() > 1)
-      scatter = with_decays(find_frequency_scatter(campaign_, read_, *tried_.model, tried_.own, options_));
-    const Eigen::VectorXd frequencies = admitted(scatter);
-    const bool at_random = scatter.any() && (!scatter.follows_settings || scatter.at_random > little);
+    if (!scatter.any() || tried_.model->modes() > 1) scatter = scatter_beside({});
     // What comes at random before what follows the settings, which a law that the model lacks does.
-    if (at_random && tells(diagnosed({}, frequencies))) return take();
+    if (is_at_random(scatter) && tells(diagnosed({}, admitted(scatter)))) return take();
     if (tells(diagnosed({}, {}))) return take();
-    if (!late_s.empty() && tells(diagnosed(late_s, {}))) return take();
+    if (late_s.empty() || tells(diagnosed(late_s, {}))) return take();
+    // Frequencies of late records follow the settings as their phases do, until they are in step.
+    scatter = scatter_beside(late_s);
+    if (is_at_random(scatter)) tells(diagnosed(late_s, admitted(scatter)));
     return take();
   }
 
@@ -279,6 +279,15 @@ class StepByStep {
     options_.late_s = late_s;
     options_.frequency_scatter = scatter;
     return diagnose(campaign_, read_, *tried_.model, tried_.own, tried_.effects, options_);
+  }
+
+  FrequencyScatter scatter_beside(const std::map<std::size_t, double>& late_s) {
+    options_.late_s = late_s;
+    return with_decays(find_frequency_scatter(campaign_, read_, *tried_.model, tried_.own, options_));
+  }
+
+  static bool is_at_random(const FrequencyScatter& scatter) {
+    return scatter.any() && (!scatter.follows_settings || scatter.at_random > little);
   }
 
   // What decays tell of a mode outranks what the model as it is leaves of it.

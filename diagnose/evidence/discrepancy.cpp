@@ -160,6 +160,13 @@ Eigen::MatrixXd Discrepancy::slopes(const Eigen::VectorXd& unknowns, const std::
   return columns;
 }
 
+double Discrepancy::share_of_records(Eigen::VectorXd column) const {
+  const double all = column.squaredNorm();
+  if (modes() == 0 || !(all > 0)) return 0;
+  for (const auto& [record, directions] : directions_) directions.whiten_slopes(column);
+  return 1 - column.squaredNorm() / all;
+}
+
 std::vector<OwnFrequency> Discrepancy::own_frequencies(const Eigen::VectorXd& unknowns) const {
   std::vector<OwnFrequency> told;
   if (modes() == 0) return told;

@@ -91,6 +91,9 @@ class Discrepancy {
   Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale, unsigned threads) const;
   Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const;
+  /// Share of the variance of what this column of rows tells that is the records' own: how their frequencies
+  /// scatter (docs/inference.md (32)).
+  double share_of_records(Eigen::VectorXd column) const;
   /// By mode, relative, as put in; empty: the record has the frequencies of all.
   Eigen::VectorXd frequency_shift(std::size_t record) const {
     const auto own = shifts_.find(record);

@@ -48,6 +48,13 @@ double middle_variance(const CosineStretches& stretches, const NoiseBand& band) 
   return upper_median(std::move(of_stretches)) * freedom / chi_squared_upper_quantile(0.5, freedom);
 }
 
+// Of all stretches together; zero where they tell nothing.
+double mean_variance(const CosineStretches& stretches, const NoiseBand& band) {
+  const Index count = band.end - band.begin;
+  const double freedom = stretches.freedom.middleRows(band.begin, count).sum();
+  return freedom >= fewest_freedom ? stretches.values.middleRows(band.begin, count).squaredNorm() / freedom : 0;
+}
+
 // Between the nearest bands that are told, as a geometric mean; zero where none is.
 double told_or_between(const std::vector<NoiseBand>& bands, std::size_t at) {
   double below = NAN, above = NAN;
@@ -71,20 +78,23 @@ MatrixXd cosines(Index samples) {
   return rows;
 }
 
-VectorXd noise_by_band(const CosineStretches& stretches, const std::vector<Index>& of_motion, double least) {
+VectorXd noise_by_band(const CosineStretches& stretches, const std::vector<Index>& of_motion, double white) {
   const Index size = stretches.values.rows(), count = stretches.values.cols();
   std::vector<NoiseBand> bands;
+  double least = white * white;
   for (Index begin = 0; begin < size; begin = bands.back().end) {
     bands.push_back({begin, end_of_band(begin, size), NAN});
     NoiseBand& band = bands.back();
     const bool moves = std::any_of(of_motion.begin(), of_motion.end(),
                                    [&](Index k) { return k + 1 >= band.begin && k <= band.end; });
-    if (!moves) band.variance = middle_variance(stretches, band);
+    if (moves) continue;
+    band.variance = middle_variance(stretches, band);
+    if (const double mean = mean_variance(stretches, band); mean > 0) least = std::min(least, mean);
   }
   VectorXd variance(size);
   for (std::size_t b = 0; b < bands.size(); ++b)
     variance.segment(bands[b].begin, bands[b].end - bands[b].begin)
-        .setConstant(std::max(least * least, told_or_between(bands, b)));
+        .setConstant(std::max(least, told_or_between(bands, b)));
   // What all bands of a stretch hold together, in units of these.
   std::vector<double> whole;
   for (Index s = 0; s < count; ++s)
@@ -94,7 +104,7 @@ VectorXd noise_by_band(const CosineStretches& stretches, const std::vector<Index
   std::nth_element(whole.begin(), quarter, whole.end());
   const double freedom = stretches.freedom.sum() / static_cast<double>(count),
                below = chi_squared_upper_quantile(0.75, freedom) / freedom;
-  return (variance * std::min(1.0, *quarter / below)).cwiseMax(least * least).cwiseSqrt();
+  return (variance * std::min(1.0, *quarter / below)).cwiseMax(least).cwiseSqrt();
 }
 
 }  // namespace secular

@@ -19,9 +19,10 @@ struct CosineStretches {
 /// Standard deviation of the noise by cosine: in bands of half an octave that of the middle stretch, all of them
 /// smaller by what the quietest quarter of stretches holds less in all bands together, as what a model misses is
 /// largest where the motion is. What is left about the cosines of the motion, `of_motion`, is no noise: there it is
-/// as in the bands on either side. Nowhere less than `least`.
+/// as in the bands on either side. Nowhere less than what all bands of all stretches hold, spikes that nobody
+/// masked as well: the least of their means, or `white` where that is less (a tone counts in third differences).
 Eigen::VectorXd noise_by_band(const CosineStretches& stretches, const std::vector<Eigen::Index>& of_motion,
-                              double least);
+                              double white);
 
 /// Noise of the channels of stretches of as many samples.
 struct NoiseInCosines {

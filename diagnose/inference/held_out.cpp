@@ -5,7 +5,9 @@
 #include <cmath>
 #include <map>
 #include <random>
-#include <set>
+
+#include "numerics/confidence.hpp"
+#include "numerics/distribution.hpp"
 
 namespace secular {
 namespace {
@@ -14,8 +16,21 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int bootstrap_draws = 400;
+constexpr int bootstrap_draws = 4000;
 constexpr int placebo_draws = 16;
+
+/// Steps of a fit without what is held out, and how it is damped where one is refused (columns of unit length).
+constexpr int most_steps = 12;
+constexpr double least_damping = 0.03, more_damping = 10;
+
+/// A step that promises less than this, in variances of the rows about the fit, is not tried.
+constexpr double worth_a_step = 0.1;
+
+/// Singular values of columns of unit length below this share of the largest are seen by no row.
+constexpr double unseen = 1e-6;
+
+/// Of intervals.
+constexpr double confidence = 0.95;
 
 MatrixXd some_rows(const MatrixXd& all, const std::vector<Index>& which) {
   MatrixXd some(static_cast<Index>(which.size()), all.cols());
@@ -23,13 +38,26 @@ MatrixXd some_rows(const MatrixXd& all, const std::vector<Index>& which) {
   return some;
 }
 
-VectorXd solve_steps(const MatrixXd& jacobian, const VectorXd& rows) {
-  const VectorXd length = jacobian.colwise().norm().transpose();
-  const VectorXd unit = length.unaryExpr([](double x) { return x > 0 ? 1 / x : 0.0; });
-  Eigen::BDCSVD<MatrixXd> svd(jacobian * unit.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(1e-6);
-  return -unit.cwiseProduct(svd.solve(rows));
-}
+// Steps that take rows away, by slopes of them.
+class Steps {
+ public:
+  explicit Steps(const MatrixXd& jacobian)
+      : per_length_(jacobian.colwise().norm().transpose().unaryExpr([](double x) { return x > 0 ? 1 / x : 0.0; })),
+        svd_(jacobian * per_length_.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV) {}
+
+  VectorXd step(const VectorXd& rows, double damping) const {
+    VectorXd along = svd_.matrixU().transpose() * rows;
+    for (Index i = 0; i < along.size(); ++i) {
+      const double value = svd_.singularValues()(i);
+      along(i) *= value > unseen * svd_.singularValues()(0) ? value / (value * value + damping) : 0;
+    }
+    return -per_length_.cwiseProduct(svd_.matrixV() * along);
+  }
+
+ private:
+  VectorXd per_length_;
+  Eigen::BDCSVD<MatrixXd> svd_;
+};
 
 // Rows of every group of folds, folds dealt out in turn; none with fewer than three folds.
 std::vector<std::vector<Index>> groups_of_rows(const std::vector<RowLabel>& labels, int groups) {
@@ -56,10 +84,99 @@ VectorXd held_out_to_first_order(const MatrixXd& jacobian, const VectorXd& rows,
   VectorXd predicted = rows;
   for (const std::vector<Index>& held : groups) {
     const std::vector<Index> training = all_but(held, rows.size());
-    const VectorXd step = solve_steps(some_rows(jacobian, training), some_rows(rows, training));
+    const VectorXd step = Steps(some_rows(jacobian, training)).step(some_rows(rows, training), 0);
     for (const Index r : held) predicted(r) += jacobian.row(r).dot(step);
   }
   return predicted;
+}
+
+// Rows where those of `training` are least, from a fit to all of them. Its slopes are corrected by what every step
+// shows of them (Broyden 1965), and steps are damped where they lead astray.
+VectorXd refit_to(const Discrepancy& discrepancy, const Refit& fit, const std::vector<Index>& training) {
+  VectorXd unknowns = fit.unknowns, rows = fit.rows;
+  if (fit.free.empty()) return rows;
+  MatrixXd jacobian = some_rows(fit.jacobian, training);
+  VectorXd trained = some_rows(rows, training);
+  std::optional<Steps> steps(jacobian);
+  double damping = 0;
+  const double worth = worth_a_step * std::max(1.0, trained.squaredNorm() / static_cast<double>(training.size()));
+  for (int tried = 0; tried < most_steps; ++tried) {
+    const VectorXd step = steps->step(trained, damping), expected = jacobian * step;
+    if (trained.squaredNorm() - (trained + expected).squaredNorm() < worth) break;
+    VectorXd moved = unknowns;
+    for (std::size_t f = 0; f < fit.free.size(); ++f)
+      moved(static_cast<Index>(fit.free[f])) += fit.scale(static_cast<Index>(f)) * step(static_cast<Index>(f));
+    const VectorXd next = discrepancy(moved);
+    const VectorXd change = some_rows(next, training) - trained;
+    if (!next.allFinite() || !((trained + change).squaredNorm() < trained.squaredNorm())) {
+      damping = std::max(least_damping, more_damping * damping);
+      continue;
+    }
+    jacobian += (change - expected) * (step / step.squaredNorm()).transpose();
+    steps.emplace(jacobian);
+    unknowns = moved;
+    rows = next;
+    trained += change;
+    damping = damping > least_damping ? damping / more_damping : 0;
+  }
+  return rows;
+}
+
+/// Sums over the rows of a fold.
+struct FoldSums {
+  double before = 0, after = 0, count = 0;
+
+  double gain() const { return before - after; }
+  void add(const FoldSums& other) {
+    before += other.before;
+    after += other.after;
+    count += other.count;
+  }
+};
+
+std::vector<FoldSums> sums_of_folds(const VectorXd& before, const VectorXd& after,
+                                    const std::vector<RowLabel>& labels) {
+  std::map<int, FoldSums> by_fold;
+  for (std::size_t r = 0; r < labels.size(); ++r) {
+    const auto i = static_cast<Index>(r);
+    by_fold[labels[r].fold].add({before(i) * before(i), after(i) * after(i), 1});
+  }
+  std::vector<FoldSums> folds;
+  for (const auto& [fold, sums] : by_fold) folds.push_back(sums);
+  return folds;
+}
+
+double root_mean_square(double squares, double count) {
+  return std::sqrt(squares / std::max(1.0, count));
+}
+
+// Of folds that are drawn. By chance they hold no more than the floor: there all is closed that there is.
+double drawn_share(const FoldSums& sums, double floor) {
+  const double before = root_mean_square(sums.before, sums.count), after = root_mean_square(sums.after, sums.count),
+               left = std::max(0.0, after - floor), closed = before - after;
+  if (closed > 0) return closed / (closed + left);
+  const double room = before - floor;
+  return left == 0 ? 0 : room > 0 ? std::max(-1.0, closed / room) : -1;
+}
+
+// Of draws of the share with as many folds as there are, docs/inference.md (30).
+void take_interval(const std::vector<FoldSums>& folds, double floor, ClosedShare& share) {
+  share.low = -1;
+  share.high = 1;
+  if (folds.size() < 2) return;
+  std::mt19937_64 random(20001);
+  std::vector<double> draws;
+  for (int d = 0; d < bootstrap_draws; ++d) {
+    FoldSums sum;
+    for (std::size_t i = 0; i < folds.size(); ++i) sum.add(folds[random() % folds.size()]);
+    draws.push_back(drawn_share(sum, floor));
+  }
+  std::sort(draws.begin(), draws.end());
+  const auto n = static_cast<double>(folds.size());
+  const double beyond = normal_upper_tail(confidence_interval(0, std::sqrt(n / (n - 1)), n - 1, confidence).high),
+               last = static_cast<double>(draws.size() - 1);
+  share.low = draws[static_cast<std::size_t>(beyond * last)];
+  share.high = draws[static_cast<std::size_t>(std::ceil((1 - beyond) * last))];
 }
 
 }  // namespace
@@ -70,22 +187,7 @@ HeldOut predict_held_out(const Discrepancy& discrepancy, const Refit& fit, const
   result.rows = fit.rows;
   for (const std::vector<Index>& held : groups_of_rows(labels, groups)) {
     result.possible = true;
-    const std::vector<Index> training = all_but(held, fit.rows.size());
-    VectorXd unknowns = fit.unknowns;
-    VectorXd rows = fit.rows;
-    double chi_squared = some_rows(rows, training).squaredNorm();
-    for (int step = 0; step < 2 && !fit.free.empty(); ++step) {
-      const VectorXd change = solve_steps(some_rows(fit.jacobian, training), some_rows(rows, training));
-      VectorXd moved = unknowns;
-      for (std::size_t f = 0; f < fit.free.size(); ++f)
-        moved(static_cast<Index>(fit.free[f])) += fit.scale(static_cast<Index>(f)) * change(static_cast<Index>(f));
-      const VectorXd next_rows = discrepancy(moved);
-      const double next_chi = some_rows(next_rows, training).squaredNorm();
-      if (!(next_chi < chi_squared) || !next_rows.allFinite()) break;
-      unknowns = moved;
-      rows = next_rows;
-      chi_squared = next_chi;
-    }
+    const VectorXd rows = refit_to(discrepancy, fit, all_but(held, fit.rows.size()));
     for (const Index r : held) result.rows(r) = rows(r);
   }
   return result;
@@ -113,53 +215,27 @@ std::optional<double> placebo_closed(const Refit& null, const VectorXd& signatur
   return sum / placebo_draws;
 }
 
+bool repeats(const VectorXd& before, const VectorXd& after, const std::vector<RowLabel>& labels) {
+  const std::vector<FoldSums> folds = sums_of_folds(before, after, labels);
+  const auto n = static_cast<double>(folds.size());
+  if (n < 2) return false;
+  double gain = 0, squares = 0;
+  for (const FoldSums& fold : folds) gain += fold.gain();
+  for (const FoldSums& fold : folds) squares += std::pow(fold.gain() - gain / n, 2);
+  return confidence_interval(gain, std::sqrt(n / (n - 1) * squares), n - 1, confidence).low > 0;
+}
+
 ClosedShare closed_share(const VectorXd& before, const VectorXd& after, const std::vector<RowLabel>& labels,
                          double floor) {
-  struct Sums {
-    double before = 0, after = 0, count = 0;
-  };
-  std::map<int, Sums> by_fold;
-  for (std::size_t r = 0; r < labels.size(); ++r) {
-    Sums& s = by_fold[labels[r].fold];
-    const auto i = static_cast<Index>(r);
-    s.before += before(i) * before(i);
-    s.after += after(i) * after(i);
-    s.count += 1;
-  }
-  std::vector<Sums> folds;
-  for (const auto& [fold, sums] : by_fold) folds.push_back(sums);
-  const auto share = [&](const Sums& s, ClosedShare& out) {
-    out.before = std::sqrt(s.before / std::max(1.0, s.count));
-    out.after = std::sqrt(s.after / std::max(1.0, s.count));
-    const double room = out.before - floor;
-    return room > 0 ? std::clamp((out.before - out.after) / room, -1.0, 1.0) : 0.0;
-  };
+  const std::vector<FoldSums> folds = sums_of_folds(before, after, labels);
+  FoldSums total;
+  for (const FoldSums& fold : folds) total.add(fold);
   ClosedShare result;
-  Sums total;
-  for (const Sums& s : folds) {
-    total.before += s.before;
-    total.after += s.after;
-    total.count += s.count;
-  }
-  result.closed = share(total, result);
-  std::mt19937_64 random(20001);
-  std::vector<double> draws;
-  for (int d = 0; d < bootstrap_draws && !folds.empty(); ++d) {
-    Sums sum;
-    for (std::size_t i = 0; i < folds.size(); ++i) {
-      const Sums& s = folds[random() % folds.size()];
-      sum.before += s.before;
-      sum.after += s.after;
-      sum.count += s.count;
-    }
-    ClosedShare unused;
-    draws.push_back(share(sum, unused));
-  }
-  std::sort(draws.begin(), draws.end());
-  if (!draws.empty()) {
-    result.low = draws[static_cast<std::size_t>(0.025 * static_cast<double>(draws.size()))];
-    result.high = draws[static_cast<std::size_t>(0.975 * static_cast<double>(draws.size() - 1))];
-  }
+  result.before = root_mean_square(total.before, total.count);
+  result.after = root_mean_square(total.after, total.count);
+  const double room = result.before - floor;
+  result.closed = room > 0 ? std::clamp((result.before - result.after) / room, -1.0, 1.0) : 0.0;
+  take_interval(folds, floor, result);
   return result;
 }
 

@@ -14,17 +14,22 @@ struct HeldOut {
   bool possible = false;  ///< false: fewer than three folds; rows are then those of the fit itself
 };
 
-/// Folds are gathered into at most `groups` groups that mix them; each is predicted from the others by two
-/// Gauss-Newton steps from the fit to everything.
+/// Folds are gathered into at most `groups` groups that mix them; each is predicted by a fit to the others, from
+/// the fit to everything on.
 HeldOut predict_held_out(const Discrepancy& discrepancy, const Refit& fit, const std::vector<RowLabel>& labels,
                          int groups = 8);
 
-/// Shares of the gap closed and its spread when conditions are drawn again (bootstrap, seeded).
+/// Share of the gap closed, from -1 to 1, and its 95 % interval when conditions are drawn again (bootstrap, seeded,
+/// docs/inference.md (30)). Of one condition nothing says what it would be in another: from -1 to 1.
 struct ClosedShare {
   double before = 0, after = 0, closed = 0, low = 0, high = 0;
 };
 ClosedShare closed_share(const Eigen::VectorXd& before, const Eigen::VectorXd& after,
                          const std::vector<RowLabel>& labels, double floor);
+
+/// Whether rows are less `after` than `before` by more than the conditions differ in it (docs/inference.md (31)),
+/// so that no few of them alone say so.
+bool repeats(const Eigen::VectorXd& before, const Eigen::VectorXd& after, const std::vector<RowLabel>& labels);
 
 /// Share of the gap of `null` that a column closes which means nothing, as a control on what is said of those that
 /// mean something: `signature`, the change of the rows by an explanation, with a sign drawn for every condition

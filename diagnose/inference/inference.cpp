@@ -264,7 +264,11 @@ class Search {
 
   void take_gains(const std::vector<Screening>& screened) {
     result_.linear_gain.clear();
-    for (const Screening& s : screened) result_.linear_gain.push_back(s.gain);
+    result_.gain_of_records.clear();
+    for (const Screening& s : screened) {
+      result_.linear_gain.push_back(s.gain);
+      result_.gain_of_records.push_back(s.of_records);
+    }
   }
 
   void fit_singles() {

@@ -28,6 +28,7 @@ struct Inference {
   double dispersion = 1;                  ///< variance of the rows about the best explanation
   double degrees_of_freedom = 0;          ///< of the rows about the null
   std::vector<double> linear_gain;        ///< by candidate: fall of chi-squared to first order at the null
+  std::vector<double> gain_of_records;    ///< by candidate: share of that gain's variance that is the records' own
 };
 
 /// How many explanations have been fitted, of about how many; the last call names the same number twice. Calls may

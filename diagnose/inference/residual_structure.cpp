@@ -105,21 +105,24 @@ ResidualStructure residual_structure_of(const Refit& fit, const std::vector<RowL
   return left;
 }
 
+bool closes_more_than_it_leaves(const ClosedShare& closing) {
+  return closing.closed >= least_closing && closing.low >= least_closing;
+}
+
 bool closes_most(const ClosedShare& closing) {
-  return closing.low >= least_closing && closing.closed >= diagnose_thresholds().most_of_the_gap;
+  return closes_more_than_it_leaves(closing) && closing.closed >= diagnose_thresholds().most_of_the_gap;
 }
 
 Reach reach_of(const ResidualStructure& structure, const ClosedShare& closing) {
-  if (!(closing.closed >= least_closing)) return Reach::little;
+  if (!closes_more_than_it_leaves(closing)) return Reach::little;
   if (structure.p_value >= structure_alarm && structure.smooth_p_value >= structure_alarm) return Reach::all;
   return closes_most(closing) ? Reach::approximate : Reach::little;
 }
 
 std::string what_is_missing(const ResidualStructure& structure, const ClosedShare& closing) {
   if (!(closing.closed >= least_closing)) return "the best explanation closes less of the gap than it leaves";
-  if (closing.closed >= diagnose_thresholds().most_of_the_gap)
-    return "structure is left beside the best explanation, and held-out conditions do not show that it closes half "
-           "of the gap";
+  if (!closes_more_than_it_leaves(closing))
+    return "held-out conditions do not show that the best explanation closes half of the gap";
   return fmt::format("the best explanation closes less than {:.0f} % of the gap and leaves structure (p = {:.1g})",
                      100 * diagnose_thresholds().most_of_the_gap,
                      std::min(structure.p_value, structure.smooth_p_value));

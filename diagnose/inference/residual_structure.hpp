@@ -34,17 +34,20 @@ ResidualStructure residual_structure_of(const Refit& fit, const std::vector<RowL
 
 /// How far an explanation goes.
 enum class Reach {
-  little,       ///< it closes less of the gap than it leaves, or leaves structure and is not shown to close most
+  little,       ///< it is not shown to close more of the gap than it leaves, or leaves structure and a tenth of it
   approximate,  ///< it closes most of the gap, and structure is left beside it
   all           ///< what it leaves is what repeatability leaves
 };
 
-/// Of an explanation that closes so much on conditions that were held out and leaves this structure. One that
-/// closes less than it leaves is no cause, however likely it is beside others; nor is one of a gap that is smaller
-/// than repeatability, where there is nothing to close. `closing.low`, its lower end, has to show as much.
+/// Whether held-out conditions show that an explanation closes half of the gap: the lower end of its interval does.
+bool closes_more_than_it_leaves(const ClosedShare& closing);
+
+/// Of an explanation that closes so much on conditions that were held out and leaves this structure. One that is
+/// not shown to close more than it leaves is no cause, however likely it is beside others; nor is one of a gap that
+/// is smaller than repeatability, where there is nothing to close.
 Reach reach_of(const ResidualStructure& structure, const ClosedShare& closing);
 
-/// Whether held-out conditions show that an explanation closes nine tenths of the gap.
+/// Whether it closes nine tenths, and half is shown.
 bool closes_most(const ClosedShare& closing);
 
 /// In words: what keeps an explanation of little reach from being named.

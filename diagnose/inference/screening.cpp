@@ -19,18 +19,19 @@ namespace {
 constexpr auto& least_length = diagnose_thresholds().least_length;
 
 // What strengths with these slopes (per scale) would explain from `unknowns` on.
-Screening screen_slopes(const Refit& base, const MatrixXd& basis, const Candidate& candidate, VectorXd unknowns,
-                        const MatrixXd& slopes, const VectorXd& scale) {
+Screening screen_slopes(const Discrepancy& discrepancy, const Refit& base, const MatrixXd& basis,
+                        const Candidate& candidate, VectorXd unknowns, const MatrixXd& slopes,
+                        const VectorXd& scale) {
   const MatrixXd columns = without_span(basis, slopes);
   const MatrixXd seen = basis_of(columns);
   if (seen.cols() == 0 || columns.norm() < least_length) return {};
-  const double gain = (seen.transpose() * base.rows).squaredNorm();
+  const VectorXd explained = seen * (seen.transpose() * base.rows);
   const VectorXd strength = -columns.completeOrthogonalDecomposition().solve(base.rows);
   for (std::size_t s = 0; s < candidate.strengths.size(); ++s)
     unknowns(static_cast<Index>(candidate.strengths[s])) +=
         scale(static_cast<Index>(s)) * strength(static_cast<Index>(s));
   if (candidate.passive && unknowns(static_cast<Index>(candidate.strengths[0])) < 0) return {};
-  return {gain, std::move(unknowns), scale};
+  return {explained.squaredNorm(), discrepancy.share_of_records(explained), std::move(unknowns), scale};
 }
 
 // Whether it acts in these unknowns.
@@ -54,8 +55,10 @@ Screening screen_from_least(const Discrepancy& discrepancy, const Refit& base, c
     unknowns(static_cast<Index>(candidate.strengths[0])) = candidate.least_strength;
     const VectorXd rows = discrepancy(unknowns);
     if ((rows - base.rows).norm() < least_length) continue;
-    const double gain = base.chi_squared - without_span(basis, rows).squaredNorm();
-    if (gain > best.gain || best.start.size() == 0) best = {std::max(0.0, gain), unknowns, {}};
+    const VectorXd left = without_span(basis, rows);
+    const double gain = base.chi_squared - left.squaredNorm();
+    if (gain > best.gain || best.start.size() == 0)
+      best = {std::max(0.0, gain), discrepancy.share_of_records(left - base.rows), unknowns, {}};
   }
   return best;
 }
@@ -92,8 +95,8 @@ class Rounds {
         VectorXd start = base_.unknowns;
         put_shapes(candidate, candidate.shape_starts[round], start);
         Screening screened =
-            screen_slopes(base_, basis_, candidate, std::move(start), slopes.columns.middleCols(first[i], count),
-                          slopes.scale.segment(first[i], count));
+            screen_slopes(discrepancy_, base_, basis_, candidate, std::move(start),
+                          slopes.columns.middleCols(first[i], count), slopes.scale.segment(first[i], count));
         if (screened.gain > found[asked[i]].gain) found[asked[i]] = std::move(screened);
       }
     }

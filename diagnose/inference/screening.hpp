@@ -12,6 +12,7 @@ namespace secular {
 /// begin.
 struct Screening {
   double gain = 0;        ///< fall of chi-squared
+  double of_records = 0;  ///< share of its variance that is the records' own (Discrepancy::share_of_records)
   Eigen::VectorXd start;  ///< unknowns; empty where the data do not see the candidate
   Eigen::VectorXd scale;  ///< of its strengths
 };

@@ -141,9 +141,7 @@ class Diagnoser {
     double targeted = 1;
     const std::vector<Candidate>& candidates = comparison_.candidates;
     for (std::size_t c = 0; c < candidates.size(); ++c)
-      targeted = std::min(targeted, chi_squared_upper_tail(inference_.linear_gain[c],
-                                                           static_cast<double>(candidates[c].strengths.size() +
-                                                                               candidates[c].shapes.size())));
+      targeted = std::min(targeted, chance_of_gain(candidates[c], c));
     targeted = std::min(1.0, targeted * static_cast<double>(std::max<std::size_t>(1, candidates.size())));
     double moved = 1;
     if (options_.given)
@@ -151,6 +149,14 @@ class Diagnoser {
     gap.p_value = std::min(1.0, (options_.given ? 3 : 2) * std::min({omnibus, targeted, moved}));
     gap.detected = gap.p_value < false_alarm;
     gap.noise_misjudged = chi_squared * most_overestimated < freedom && 1 - omnibus < false_alarm;
+  }
+
+  // That a candidate gains as much without acting (docs/inference.md (32)).
+  double chance_of_gain(const Candidate& candidate, std::size_t c) const {
+    const auto unknowns = static_cast<double>(candidate.strengths.size() + candidate.shapes.size());
+    const double share = inference_.gain_of_records[c];
+    return f_upper_tail(inference_.linear_gain[c] / unknowns, unknowns,
+                        result_.frequency_scatter.freedom / (share * share));
   }
 
   // Of the explanation that the verdict is about.
@@ -245,6 +251,9 @@ class Diagnoser {
     if (!named.empty()) {
       result_.causes = reporter.causes(named);
       naming = name_effects(named, inference_);
+      keep_limits(naming, named, options_.catalogue, [&](const Explanation& limit, const Explanation& explanation) {
+        return repeats(held_out_rows(limit), held_out_rows(explanation), result_.labels);
+      });
       result_.set = naming.set;
       result_.together = naming.together;
       result_.second_or = naming.second_or;

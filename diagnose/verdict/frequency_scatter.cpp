@@ -95,17 +95,22 @@ FrequencyScatter scatter_about(const Discrepancy& discrepancy, const VectorXd& u
     }
     const double total = (shift.array() - shift.mean()).square().sum() / static_cast<double>(own.size() - 1);
     Between least;
+    double freedom = 0;
     bool follow = false, differ = true;
     for (const Settings settings : {amplitude_and_level, level_and_frequency}) {
       const MatrixXd functions = functions_of(own, labels, settings);
       const Between between = between_records(shift, variance, functions);
-      if (least.sd == 0 || between.sd < least.sd) least = between;
+      if (least.sd == 0 || between.sd < least.sd) {
+        least = between;
+        freedom = static_cast<double>(own.size()) - static_cast<double>(functions.cols());
+      }
       differ = differ && between.p_value < scatter_alarm;
       const VectorXd weight = (variance.array() + between.sd * between.sd).rsqrt();
       follow = follow || follows(shift, weight, functions);
     }
     if (!differ) continue;
     result.sd(static_cast<Index>(k)) = least.sd;
+    result.freedom = std::min(result.freedom, freedom);
     result.at_random = std::max(result.at_random, least.sd * least.sd / total);
     result.follows_settings = result.follows_settings || follow;
     result.records.insert(result.records.end(), own.begin(), own.end());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "diagnose/evidence/discrepancy.hpp"
@@ -11,6 +12,7 @@ namespace secular {
 struct FrequencyScatter {
   /// By mode, relative, about what follows the settings; 0: records do not differ beyond their noise.
   Eigen::VectorXd sd;
+  double freedom = INFINITY;          ///< of the least known of them
   std::vector<OwnFrequency> records;  ///< of modes that scatter
   /// Departures are a smooth function of the records' level, frequency, amplitude and time (F law, 5 %), as what a
   /// missing law does to them is; also where there are too few records to tell.

@@ -107,4 +107,17 @@ Naming name_effects(const std::vector<Rival>& rivals, const Inference& inference
   return naming;
 }
 
+void keep_limits(Naming& naming, const std::vector<Rival>& rivals, const EffectCatalogue& catalogue,
+                 const StepIsShown& is_shown) {
+  const Rival& best = rivals.front();
+  for (const Rival& rival : rivals) {
+    const Names limit = only_in(rival.effects, best.effects), of = only_in(best.effects, rival.effects);
+    if (rival.effects.size() != best.effects.size() || limit.size() != 1 || of.size() != 1) continue;
+    const Effect* effect = catalogue.find(of.front());
+    Names& names = of.front() == naming.set.front() ? naming.set : naming.second_or;
+    if (!effect || !holds(effect->contains, limit.front()) || holds(names, limit.front())) continue;
+    if (!is_shown(*rival.explanation, *best.explanation)) names.push_back(limit.front());
+  }
+}
+
 }  // namespace secular

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,14 @@ struct Naming {
 
 /// `rivals`: ranked, none of them an open law; throws std::invalid_argument where there are none.
 Naming name_effects(const std::vector<Rival>& rivals, const Inference& inference);
+
+/// Whether conditions that were held out repeat it that an explanation leaves less than `limit`.
+using StepIsShown = std::function<bool(const Explanation& limit, const Explanation& explanation)>;
+
+/// Adds the limits of the effects that are named, where a rival has them in their place and nothing shows that the
+/// law itself is needed (docs/inference.md (31)): however much likelier it is, it names no more than its limit
+/// then.
+void keep_limits(Naming& naming, const std::vector<Rival>& rivals, const EffectCatalogue& catalogue,
+                 const StepIsShown& is_shown);
 
 }  // namespace secular

@@ -48,11 +48,10 @@ std::vector<JudgedNumber> identified(std::size_t number, std::uint64_t seed, con
   return numbers_given(draw_case(plan, seed), seed, folder);
 }
 
-// Every dwell has natural frequencies of its own, and nothing else disturbs; decays have those of the structure.
-void let_frequencies_scatter(SealedCase& sealed, double sd, std::uint64_t seed) {
+// Every dwell has natural frequencies of its own; decays have those of the structure.
+void scatter_besides(SealedCase& sealed, double sd, std::uint64_t seed) {
   Disturbances& d = sealed.disturbances;
-  d = {};
-  d.kinds = {"record_scatter"};
+  d.kinds.push_back("record_scatter");
   d.frequency_scatter = sd;
   d.records.resize(sealed.motions.size() + sealed.decays.size());
   Random random(seed, 1);
@@ -60,6 +59,12 @@ void let_frequencies_scatter(SealedCase& sealed, double sd, std::uint64_t seed) 
     d.records[r].frequency_factor = 1 + sd * random.gaussian();
     sealed.motions[r] = dwell_motion(sealed, sealed.specimen.dwells[r], r);
   }
+}
+
+// The same, and nothing else disturbs.
+void let_frequencies_scatter(SealedCase& sealed, double sd, std::uint64_t seed) {
+  sealed.disturbances = {};
+  scatter_besides(sealed, sd, seed);
 }
 
 // Noise with a colour beside white noise of 1 % of the rms, and responses whose zero wanders.
@@ -155,6 +160,16 @@ TEST(SlowDisturbedLot, SlowNoiseIsNoCause) {
   const Diagnosed d = diagnosed(91, {}, let_noise_be_slow);
   EXPECT_EQ(d.said.at("verdict"), "no_gap");
   EXPECT_NEAR(d.said.at("gap").at("before").get<double>(), 1, 0.05);
+}
+
+// Neither a phase of every record's own nor a frequency of its own leaves nothing: both do.
+TEST(SlowDisturbedLot, LateRecordsWithFrequenciesThatScatterAreNoCause) {
+  const Diagnosed d =
+      diagnosed(91, {}, [](SealedCase& sealed) { scatter_besides(sealed, 0.002, seed_of_diagnosed); });
+  ASSERT_EQ(d.sealed.disturbances.kinds, (std::vector<std::string>{"late_record", "record_scatter"}));
+  EXPECT_EQ(d.said.at("verdict"), "no_gap");
+  EXPECT_GE(sizes_of(d, "late_record").size(), 15U);
+  EXPECT_GE(sizes_of(d, "record_scatter").size(), 15U);
 }
 
 TEST(SlowDisturbedLot, AnEffectIsNamedBesideFrequenciesThatScatter) {

@@ -89,6 +89,29 @@ TEST(Naming, ALawThatContainsTheBestStaysWhereItsShapeIsSeen) {
   }
 }
 
+// A law whose limit is far less likely, but only where few conditions say so; what is no limit of it is not asked
+// about.
+TEST(Naming, TheLimitOfALawStaysUntilTheLawIsShown) {
+  for (const bool shown : {true, false}) {
+    Competition competition;
+    competition.enter({"hysteresis", "b"}, 1, 0, 2);
+    competition.enter({"b", "coulomb_friction"}, 1e-30, 1);
+    competition.enter({"b", "quadratic_damping"}, 1e-30, 1);
+    competition.enter({"coulomb_friction"}, 1e-30, 1);
+    Naming naming;
+    naming.set = {"hysteresis"};
+    naming.together = {"hysteresis", "b"};
+    int asked = 0;
+    keep_limits(naming, competition.rivals(), effect_catalogue(), [&](const Explanation&, const Explanation&) {
+      ++asked;
+      return shown;
+    });
+    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(naming.set, shown ? Names{"hysteresis"} : (Names{"hysteresis", "coulomb_friction"}));
+    EXPECT_TRUE(naming.second_or.empty());
+  }
+}
+
 TEST(Naming, OfTwoTogetherTheOneThatExplainsMoreLeads) {
   Competition competition;
   competition.enter({"d", "b"}, 1, 0);

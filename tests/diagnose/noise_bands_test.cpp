@@ -59,6 +59,25 @@ TEST(NoiseBands, IsThatOfTheQuietStretches) {
   EXPECT_EQ(noise_by_band({values, MatrixXd::Ones(samples, count)}, {}, 7).minCoeff(), 7);
 }
 
+// A tone that nobody took out: third differences take it for white, 3 here, and bands without it hold less.
+TEST(NoiseBands, OtherBandsDoNotHoldATone) {
+  constexpr Index samples = 64, count = 200;
+  MatrixXd values = coloured_stretches(samples, count, 0);
+  values.row(60) *= 40;
+  const VectorXd sd = noise_by_band({values, MatrixXd::Ones(samples, count)}, {}, 3);
+  EXPECT_NEAR(sd.head(40).maxCoeff(), 1, 0.1);
+  EXPECT_GT(sd(60), 3);
+}
+
+// Spikes in a tenth of the stretches are in all bands, and no band holds less than all stretches do.
+TEST(NoiseBands, HoldWhatStandsInAllBandsOfFewStretches) {
+  constexpr Index samples = 64, count = 200;
+  MatrixXd values = coloured_stretches(samples, count, 0);
+  values.rightCols(count / 10) *= 5;
+  const double mean = std::sqrt(0.9 + 0.1 * 25);
+  EXPECT_NEAR(noise_by_band({values, MatrixXd::Ones(samples, count)}, {}, 3).minCoeff(), mean, 0.15 * mean);
+}
+
 TEST(NoiseBands, WhatTheMotionLeavesIsNoNoise) {
   constexpr Index samples = 64, count = 200;
   MatrixXd values = coloured_stretches(samples, count, 0);

@@ -5,7 +5,10 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <memory>
 #include <random>
+
+#include "diagnose/evidence/discrepancy.hpp"
 
 namespace secular {
 namespace {
@@ -74,6 +77,37 @@ TEST(RecordDirections, TellOneUnknownBesideTheOthers) {
   }
   // Mean of 400 squares of standard normal values, three standard deviations.
   EXPECT_NEAR(squares / 400, 1, 3 * std::sqrt(2.0 / 400));
+}
+
+/// Two records of two rows; the first of each grows with the natural frequency, by 3 and 4 for all of it.
+class TwoRecords : public Evidence {
+ public:
+  TwoRecords() : labels_(4) { labels_[2].record = labels_[3].record = 1; }
+  Index size() const override { return 4; }
+  const std::vector<RowLabel>& labels() const override { return labels_; }
+  void freeze(const VectorXd& /*unknowns*/, double /*coarse*/) override {}
+  void evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const override {
+    rows << 3 * (unknowns(0) - 1), 0, 4 * (unknowns(0) - 1), 0;
+  }
+
+ private:
+  std::vector<RowLabel> labels_;
+};
+
+// A frequency that scatters by s adds (g s)^2 to the variance 1 of a row with the slope g.
+TEST(RecordDirections, AreSoMuchOfWhatAColumnTells) {
+  constexpr double s = 0.5;
+  Discrepancy discrepancy;
+  discrepancy.add(std::make_unique<TwoRecords>());
+  EXPECT_EQ(discrepancy.share_of_records(VectorXd::Unit(4, 0)), 0);
+  RecordNuisances nuisances;
+  nuisances.frequency_sd = VectorXd::Constant(1, s);
+  discrepancy.admit(nuisances);
+  discrepancy.freeze(VectorXd::Ones(1));
+  EXPECT_NEAR(discrepancy.share_of_records(VectorXd::Unit(4, 0)), 1 - 1 / (1 + 9 * s * s), 1e-6);
+  EXPECT_NEAR(discrepancy.share_of_records(VectorXd::Unit(4, 2)), 1 - 1 / (1 + 16 * s * s), 1e-6);
+  EXPECT_NEAR(discrepancy.share_of_records(VectorXd::Unit(4, 1)), 0, 1e-12);
+  EXPECT_EQ(discrepancy.share_of_records(VectorXd::Zero(4)), 0);
 }
 
 TEST(BetweenRecords, VarianceIsThatOfTheDraw) {

@@ -112,7 +112,7 @@ constexpr ResidualStructure nothing{.p_value = 0.01, .smooth_p_value = 0.5},
 
 TEST(Reach, WhereNothingIsLeftItGoesAllTheWay) {
   EXPECT_EQ(reach_of(nothing, closing(0.99, 0.9)), Reach::all);
-  EXPECT_EQ(reach_of(nothing, closing(0.7, -1)), Reach::all);  // few conditions, a small gap
+  EXPECT_EQ(reach_of(nothing, closing(0.7, 0.5)), Reach::all);
 }
 
 TEST(Reach, BesideStructureItIsApproximateFromNineTenthsOn) {
@@ -124,15 +124,19 @@ TEST(Reach, BesideStructureItIsApproximateFromNineTenthsOn) {
 }
 
 TEST(Reach, IsNotShownWhereTheIntervalReachesBelowOneHalf) {
-  EXPECT_EQ(reach_of(rows_left, closing(0.95, -1)), Reach::little);
-  EXPECT_EQ(reach_of(rows_left, closing(0.95, std::nan(""))), Reach::little);
+  for (const ResidualStructure& left : {nothing, rows_left}) {
+    EXPECT_EQ(reach_of(left, closing(0.95, -1)), Reach::little);
+    EXPECT_EQ(reach_of(left, closing(1, 0)), Reach::little);
+    EXPECT_EQ(reach_of(left, closing(0.95, std::nan(""))), Reach::little);
+  }
   EXPECT_EQ(reach_of(rows_left, closing(0.95, 0.6)), Reach::approximate);
 }
 
 // Whatever the evidence: neither where nothing was closed, nor where there was nothing to close.
 TEST(Reach, NoCauseClosesNothing) {
   const auto closes = [](double before, double after) {
-    const std::vector<RowLabel> labels(4);
+    std::vector<RowLabel> labels(4);
+    for (std::size_t i = 0; i < labels.size(); ++i) labels[i].fold = static_cast<int>(i);
     return reach_of(nothing, closed_share(Eigen::VectorXd::Constant(4, before), Eigen::VectorXd::Constant(4, after),
                                           labels, 1)) == Reach::all;
   };
