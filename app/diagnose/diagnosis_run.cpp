@@ -324,6 +324,15 @@ class StepByStep {
   std::map<std::size_t, double> late_s_;  // that it allows for
 };
 
+// A verdict that rests on samples which are no motion is none.
+void doubt(Diagnosis& diagnosis, std::size_t not_replaced) {
+  if (not_replaced == 0) return;
+  diagnosis.verdict = "unknown";
+  diagnosis.unknown_because = fmt::format("{} samples that are held or lost are used as they are", not_replaced);
+  diagnosis.next_experiment = {};
+  diagnosis.next_experiment.reason = "the same records without held or lost samples come first";
+}
+
 }  // namespace
 
 DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
@@ -364,6 +373,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   if (!unused.empty()) run.diagnosis.warnings.push_back(unused);
   if (!lateness.warning.empty()) run.diagnosis.warnings.push_back(lateness.warning);
   for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
+  doubt(run.diagnosis, reader.not_replaced());
   run.disturbances = watch.found();
   for (Disturbance& d : run.disturbances)
     if (is_fitted(d, run, options)) d.treated = "fitted";

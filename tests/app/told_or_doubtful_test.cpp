@@ -141,6 +141,10 @@ TEST_F(SlowToldOrDoubtful, HeldSamplesThatNothingReplaces) {
   const testing_support::Outcome outcome = run("identify campaign --model model.toml --case primary -o out");
   EXPECT_NE(outcome.errors.find("every value is doubtful"), std::string::npos) << outcome.errors;
   EXPECT_TRUE(value("e").value("doubtful", false));
+  run("diagnose campaign --model model.toml -o diagnosis");
+  const nlohmann::json diagnosis = nlohmann::json::parse(std::ifstream(folder / "diagnosis" / "diagnosis.json"));
+  EXPECT_EQ(diagnosis.at("verdict"), "unknown");
+  EXPECT_NE(diagnosis.at("unknown_because").get<std::string>().find("held or lost"), std::string::npos);
 }
 
 }  // namespace
