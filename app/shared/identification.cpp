@@ -103,6 +103,10 @@ Identification identify(const IdentificationRequest& request) {
     result.estimate.warnings.push_back(
         fmt::format("{} samples that are held or lost are used as they are: every value is doubtful", wrong));
   }
+  if (reader.clipped() > 0) {
+    doubt_all(result.estimate);
+    result.estimate.warnings.push_back("amplitudes of clipped channels are too small: every value is doubtful");
+  }
   result.disturbances = watch.found();
   for (Disturbance& scatter : scatter_disturbances(result)) result.disturbances.push_back(std::move(scatter));
   result.looked_at = watch.records();

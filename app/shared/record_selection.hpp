@@ -51,6 +51,8 @@ class SelectedRecords {
 
   Record read(std::size_t record);
   std::vector<std::string> warnings() const { return reader_.warnings(); }
+  /// WatchedReader::clipped
+  std::size_t clipped() const { return reader_.clipped(); }
   /// WatchedReader::not_replaced
   std::size_t not_replaced() const { return reader_.not_replaced(); }
 

@@ -84,6 +84,14 @@ Record WatchedReader::read(std::size_t index) {
   return to_relative(campaign_, std::move(record));
 }
 
+std::size_t WatchedReader::clipped() const {
+  const std::lock_guard lock(mutex_);
+  std::size_t count = 0;
+  for (const auto& [record, seen] : seen_)
+    for (const Clipping& clipping : seen.clipping) count += clipping.samples;
+  return count;
+}
+
 std::size_t WatchedReader::not_replaced() const {
   const std::lock_guard lock(mutex_);
   std::size_t count = 0;
@@ -112,7 +120,8 @@ std::vector<std::string> WatchedReader::warnings() const {
   for (const auto& [record, seen] : seen_)
     if (seen.not_replaced > 0)
       warnings.push_back(fmt::format(
-          "{}: {} samples that its file holds wrongly (held, spikes) lie too close to be replaced: they are used",
+          "{}: {} samples that its file holds wrongly (held, lost, spikes) lie too close or are too many in a row "
+          "to be replaced: they are used",
           campaign_.records[record].file, seen.not_replaced));
   const auto worst = std::max_element(seen_.begin(), seen_.end(), [](const auto& a, const auto& b) {
     return a.second.jitter_of_step < b.second.jitter_of_step;

@@ -57,6 +57,9 @@ class WatchedReader {
   /// that scatter most.
   std::vector<std::string> warnings() const;
 
+  /// Samples of all records read at an end of their channel's range (clipping).
+  std::size_t clipped() const;
+
   /// Samples of all records read that their files hold wrongly, and that could not be replaced.
   std::size_t not_replaced() const;
 

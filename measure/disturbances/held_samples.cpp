@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "measure/data/noise_floor.hpp"
 #include "measure/disturbances/rows.hpp"
 #include "measure/thresholds.hpp"
 #include "numerics/distribution.hpp"
@@ -24,12 +25,15 @@ class LocalGaps {
  public:
   explicit LocalGaps(const std::vector<double>& sorted) {
     const double same = equal_within(sorted);
-    for (std::size_t begin = 0; begin < sorted.size(); begin += neighbours) {
+    std::vector<double> levels;  // different values
+    for (const double value : sorted)
+      if (levels.empty() || value - levels.back() > same) levels.push_back(value);
+    for (std::size_t begin = 0; begin < levels.size(); begin += neighbours) {
       double gap = std::numeric_limits<double>::infinity();
-      const std::size_t end = std::min(sorted.size(), begin + neighbours + 1);
-      for (std::size_t i = begin + 1; i < end; ++i)
-        if (sorted[i] - sorted[i - 1] > same) gap = std::min(gap, sorted[i] - sorted[i - 1]);
-      first_.push_back(sorted[begin]);
+      const std::size_t end = std::min(levels.size(), begin + neighbours + 1);
+      for (std::size_t i = end - std::min(end, neighbours + 1) + 1; i < end; ++i)
+        gap = std::min(gap, levels[i] - levels[i - 1]);
+      first_.push_back(levels[begin]);
       gap_.push_back(std::max(gap, 2 * same));
     }
   }
@@ -82,6 +86,7 @@ HeldSamples find_held(std::span<const double> x, const ChannelValues& values, do
   if (!any) return held;
   const LocalGaps gaps(values.sorted);
   const std::vector<double> scatter = scatters(x);
+  const double noise = noise_floor(x).value_or(std::numeric_limits<double>::infinity());
   std::size_t runs = 0;
   std::vector<HeldSamples::Run> long_ones;  // that chance does not make in the whole record
   for (std::size_t i = 2; i + 1 < x.size(); ++i) {
@@ -90,19 +95,25 @@ HeldSamples find_held(std::span<const double> x, const ChannelValues& values, do
     if (equal)
       while (end < x.size() && equals(end, i)) ++end;
     if (end == x.size()) break;
-    const double p = chance(gaps.at(x[i - 1]), scatter[(i - 2) / block], slope_around(x, i, end));
+    if (i == 2 && equal && equals(1, 0)) {  // at rest, until the record's motion begins
+      i = end - 1;
+      continue;
+    }
+    const double slope = slope_around(x, i, end), around = scatter[(i - 2) / block];
+    // Where sampling is in step with the motion, neighbours at a turning point differ by noise alone.
+    const double p = chance(gaps.at(x[i - 1]), slope > 0 ? around : std::min(around, noise), slope);
     held.expected += p;
     if (!equal) continue;
     ++runs;
     // More likely held than not, as far as there are as many held as chance makes.
-    if (p < 0.5) held.runs.push_back({i, end});
+    if (p < 0.5) held.likely.push_back({i, end});
     if (std::pow(p, static_cast<double>(end - i)) * static_cast<double>(x.size()) < false_alarm)
       long_ones.push_back({i, end});
     i = end - 1;
   }
   // At least that many by chance: the sum of as many waiting times is below the expected number.
   const double probability = runs == 0 ? 1 : 1 - gamma_upper_tail(held.expected, static_cast<double>(runs), 1);
-  if (probability > false_alarm) held.runs = std::move(long_ones);
+  held.runs = probability > false_alarm ? std::move(long_ones) : held.likely;
   return held;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 #include "measure/disturbances/roughness.hpp"
 #include "measure/disturbances/rows.hpp"
@@ -109,9 +110,10 @@ Impulses find_impulses(std::span<const double> samples, const ValueGrid& grid, c
     for (std::size_t p = 0; p < all.size(); ++p) {
       const Impulses::One one = {all[p], std::abs(rough.off[all[p]])};
       if (is_beside_held(held, one.at)) continue;
+      const bool is_mended = sizes[p] > limit && is_spike(rough, one.at, limit);
       const bool stands_alone =
           sizes[p] > impulses.many && beside[p] <= alone && left_by_a_corner * sizes[p] > alone;
-      if (stands_alone || (sizes[p] > limit && is_spike(rough, one.at, limit)))
+      if ((is_mended || stands_alone) && beside[p] < beside_corner(rough, one.at))
         spikes.push_back(one);
       else if (sizes[p] > limit)
         impulses.knocks.push_back(one);
@@ -138,8 +140,10 @@ void find_knocks(const SearchedRecord& record, std::vector<Disturbance>& found) 
     if (!record.channels[c].has_knocks) continue;
     std::vector<Impulses::One> knocks = record.channels[c].wrong.impulses.knocks;
     const std::span<const double> samples = record.channels[c].samples;
-    const auto largest = std::max_element(samples.begin(), samples.end(),
-                                          [](double a, double b) { return std::abs(a) < std::abs(b); });
+    const double mean = std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
+    const auto largest = std::max_element(samples.begin(), samples.end(), [&](double a, double b) {
+      return std::abs(a - mean) < std::abs(b - mean);
+    });
     // The release or the blow that begins a decay is none of its disturbances.
     if (record.entry().kind == RecordKind::free_decay)
       std::erase_if(knocks, [&](const Impulses::One& knock) {

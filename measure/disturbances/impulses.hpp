@@ -26,13 +26,14 @@ struct Impulses {
 
 /// Judged is how far a sample is off the cubic through two neighbours on either side, in units of the median of
 /// that over 64 samples there or beside, so that what is smooth on the scale of five samples does not count. The
-/// largest of these are outside of the tail of the others if a gap parts them. In a tail that falls exponentially
+/// largest of these are outside of the tail of the others if a gap parts them: in a tail that falls exponentially
 /// or faster the spacings of ordered values have known means (Renyi), which makes the gap over the others, of as
-/// many values as the root of all, an F law with 2 and 2m degrees of freedom. Where many hide one another there is
-/// no gap: then a sample counts that is beyond the tail that most of the others have, from their middle and their
-/// upper quarter, and that leaves beside a spike (beside_spike) no more than others do, but less than a corner of
-/// the motion of that size would. Spikes are put right, and the search begins anew, until none is found. Held
-/// samples and what has them among its neighbours do not count.
+/// many values as the root of all, an F law with 2 and 2m degrees of freedom. One is a spike if putting it right
+/// puts its neighbours right; else a knock. Where many hide one another there is no gap: then a spike is beyond the
+/// tail that most of the others have, from their middle and their upper quarter, no more is left beside it than
+/// beside others (beside_spike), and less than a corner of the motion of that size would leave. Either way a spike
+/// explains what is around it better than a corner does (beside_corner). Spikes are put right, and the search
+/// begins anew, until none is found. Held samples and what has them among its neighbours do not count.
 Impulses find_impulses(std::span<const double> samples, const ValueGrid& grid, const HeldSamples& held,
                        double false_alarm);
 

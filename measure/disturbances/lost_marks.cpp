@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "measure/data/resolution.hpp"
 #include "measure/thresholds.hpp"
@@ -82,11 +83,26 @@ class Visits {
     return 4 * far > sides;
   }
 
+  // Whether every step to it is more than twice the largest of all other steps.
+  bool out_of_reach() const {
+    const auto is_it = [&](double x) { return std::abs(x - value_) <= same_; };
+    double least = std::numeric_limits<double>::infinity(), largest = 0;
+    for (std::size_t i = 1; i < x_.size(); ++i) {
+      const double step = std::abs(x_[i] - x_[i - 1]);
+      if (is_it(x_[i]) != is_it(x_[i - 1]))
+        least = std::min(least, step);
+      else
+        largest = std::max(largest, step);
+    }
+    return least > 2 * largest;
+  }
+
+  // Nothing where they are a quarter of the record or more: what is lost is the exception.
   LostMarks marks() const {
     LostMarks result{{}, value_};
     for (const Run& run : runs_)
       for (std::size_t i = run.begin; i < run.end; ++i) result.at.push_back(i);
-    return result;
+    return 4 * result.at.size() < x_.size() ? result : LostMarks{};
   }
 
  private:
@@ -121,6 +137,11 @@ LostMarks find_lost_marks(std::span<const double> x, const std::vector<double>& 
     if (level != levels.end() && hits(levels, static_cast<std::size_t>(level - levels.begin())) <= 1)
       return Visits(x, level->value, same).marks();
   }
+  if (levels.size() > 2 * either_side)
+    for (const double end : {sorted.front(), sorted.back()}) {
+      const Visits visits(x, end, same);
+      if (visits.runs() >= fewest_spikes && visits.out_of_reach()) return visits.marks();
+    }
   const double level_alarm = false_alarm / static_cast<double>(levels.size());
   std::optional<Visits> most;
   for (std::size_t k = 1; k + 1 < levels.size(); ++k) {

@@ -21,8 +21,10 @@ struct LostMarks {
 /// least once are hit c = lambda / (1 - exp(-lambda)) times in the mean, hence lambda <= min(c, 2 (c - 1)); where
 /// lambda is above 1 values recur anyhow, and nothing is told. Beside it: a motion that dwells at a value, or turns
 /// there, comes from values near it and leaves to such, those half of all samples that are nearest to it; lost
-/// samples have half of their neighbours outside of these. More than a quarter must lie outside. The ends of the
-/// range are not judged by frequency: there a channel may be clipped.
+/// samples have half of their neighbours outside of these. More than a quarter must lie outside. An end of the
+/// range, where a channel may be clipped, is such a number where the record comes to it three times or more, each
+/// time by more than twice the largest of all other steps, and has more than 64 values. A quarter of a record is
+/// not lost.
 LostMarks find_lost_marks(std::span<const double> samples, const std::vector<double>& sorted,
                           const Impulses& impulses, double false_alarm);
 

@@ -36,26 +36,43 @@ double phase_at(std::span<const double> x, double turns_a_sample, std::size_t at
   return std::arg(sum);
 }
 
+// Turns between the first and the last of the events.
+double turns_between(const std::vector<std::size_t>& events, double turns_a_sample) {
+  const auto [first, last] = std::minmax_element(events.begin(), events.end());
+  return turns_a_sample * static_cast<double>(*last - *first);
+}
+
+double turns_a_sample_of(const std::vector<double>& powers) {
+  const auto strongest = std::max_element(powers.begin() + 1, powers.end()) - powers.begin();
+  return 0.5 * static_cast<double>(strongest) / (static_cast<double>(powers.size()) - 1);
+}
+
+bool are_often(const std::vector<double>& powers, const std::vector<std::size_t>& events) {
+  return powers.size() >= 2 && events.size() >= 3 &&
+         2 * static_cast<double>(events.size() - 1) >= turns_between(events, turns_a_sample_of(powers));
+}
+
 }  // namespace
 
-bool recurs_with_motion(std::span<const double> samples, const std::vector<double>& powers,
-                        const std::vector<std::size_t>& events) {
-  if (powers.size() < 2 || events.size() < 3) return false;
-  const auto strongest = std::max_element(powers.begin() + 1, powers.end()) - powers.begin();
-  const double turns_a_sample = 0.5 * static_cast<double>(strongest) / (static_cast<double>(powers.size()) - 1);
-  const auto [first, last] = std::minmax_element(events.begin(), events.end());
-  const double turns = turns_a_sample * static_cast<double>(*last - *first);
-  const auto intervals = static_cast<double>(events.size() - 1);
-  if (2 * intervals < turns) return false;
-  if (intervals > 2 * turns || events.size() < fewest_phases) return true;
+bool keeps_to_phases(std::span<const double> samples, const std::vector<double>& powers,
+                     const std::vector<std::size_t>& events) {
+  if (!are_often(powers, events) || events.size() < fewest_phases) return false;
   std::vector<double> phases;
-  for (const std::size_t at : events) phases.push_back(phase_at(samples, turns_a_sample, at));
+  for (const std::size_t at : events) phases.push_back(phase_at(samples, turns_a_sample_of(powers), at));
   for (int k = 1; k <= most_clusters; ++k) {
     std::complex<double> sum = 0;
     for (const double phase : phases) sum += std::polar(1.0, k * phase);
     if (std::norm(sum) > fixed_phases * static_cast<double>(phases.size() * phases.size())) return true;
   }
   return false;
+}
+
+bool recurs_with_motion(std::span<const double> samples, const std::vector<double>& powers,
+                        const std::vector<std::size_t>& events) {
+  if (!are_often(powers, events)) return false;
+  const double turns = turns_between(events, turns_a_sample_of(powers));
+  return events.size() < fewest_phases || static_cast<double>(events.size() - 1) > 2 * turns ||
+         keeps_to_phases(samples, powers, events);
 }
 
 }  // namespace secular

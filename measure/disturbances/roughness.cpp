@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "measure/thresholds.hpp"
 #include "numerics/median.hpp"
@@ -61,6 +62,28 @@ double beside_spike(const Roughness& rough, std::size_t i) {
     square += value * value;
   }
   return std::sqrt(std::max(0.0, square - along * along / shares)) / rough.scales[i];
+}
+
+double beside_corner(const Roughness& rough, std::size_t i) {
+  // What a corner at one sample leaves there and around it, but for its size; one between two samples leaves a sum
+  // of what corners at both leave.
+  constexpr std::array<double, 7> corner = {0, 0, 0.5, -1, 0.5, 0, 0};
+  double best = std::numeric_limits<double>::infinity();
+  for (const std::size_t shifted : {std::size_t{0}, std::size_t{2}}) {
+    double cc = 0, cs = 0, ss = 0, cy = 0, sy = 0, yy = 0;
+    for (std::size_t j = 0; j < 5; ++j) {
+      const double value = rough.off[i + j - 2], c = corner[j + 1], s = corner[j + shifted];
+      cc += c * c;
+      cs += c * s;
+      ss += s * s;
+      cy += c * value;
+      sy += s * value;
+      yy += value * value;
+    }
+    const double explained = (ss * cy * cy - 2 * cs * cy * sy + cc * sy * sy) / (cc * ss - cs * cs);
+    best = std::min(best, std::sqrt(std::max(0.0, yy - explained)));
+  }
+  return best / rough.scales[i];
 }
 
 }  // namespace secular

@@ -31,4 +31,7 @@ std::vector<std::size_t> peaks(const Roughness& rough);
 /// units of the sample's scale. Of a corner of the motion 0.27 of its own relative value is left, of a jump more.
 double beside_spike(const Roughness& rough, std::size_t sample);
 
+/// The same behind a corner of the motion, at the sample or between it and one of its neighbours.
+double beside_corner(const Roughness& rough, std::size_t sample);
+
 }  // namespace secular

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 #include "measure/disturbances/catalogue.hpp"
 #include "measure/disturbances/motion_events.hpp"
@@ -19,36 +21,59 @@ double rms_about_mean(std::span<const double> samples) {
   return std::sqrt(square);
 }
 
-// Channel by what its file holds, then by what is left once wrong samples are replaced.
-void look_at(SearchedChannel& channel, const RecordEntry& entry, bool excitation, double rate, double level) {
-  channel.lines = find_lines(channel.samples, rate, level, &channel.powers);
-  channel.wrong = find_wrong(channel.samples, *channel.values, level);
-  const WrongSamples& wrong = channel.wrong;
-  std::vector<std::size_t> held, impulses;
-  for (const HeldSamples::Run& run : wrong.held.runs) held.push_back(run.begin);
-  for (const auto* list : {&wrong.impulses.spikes, &wrong.impulses.knocks})
-    for (const Impulses::One& one : *list) impulses.push_back(one.at);
-  channel.is_held = !held.empty() && !recurs_with_motion(channel.samples, channel.powers, held);
-  const bool of_motion = recurs_with_motion(channel.samples, channel.powers, impulses);
-  // A blow is the record's subject.
-  channel.has_spikes =
-      !(entry.kind == RecordKind::impact && excitation) && !wrong.impulses.spikes.empty() && !of_motion;
-  channel.has_knocks = entry.kind != RecordKind::impact && !wrong.impulses.knocks.empty() && !of_motion;
-  channel.masked = wrong.marks.at;
-  if (channel.is_held) {
-    channel.masked.insert(channel.masked.end(), wrong.foreign.begin(), wrong.foreign.end());
-    for (const HeldSamples::Run& run : wrong.held.runs)
-      for (std::size_t i = run.begin; i < run.end; ++i) channel.masked.push_back(i);
+std::vector<std::size_t> held_of(const WrongSamples& wrong) {
+  std::vector<std::size_t> held = wrong.foreign;
+  for (const HeldSamples::Run& run : wrong.held.runs)
+    for (std::size_t i = run.begin; i < run.end; ++i) held.push_back(i);
+  return held;
+}
+
+std::vector<std::size_t> places_of(const std::vector<Impulses::One>& impulses) {
+  std::vector<std::size_t> places;
+  for (const Impulses::One& one : impulses) places.push_back(one.at);
+  return places;
+}
+
+std::vector<std::size_t> in_one(std::initializer_list<std::vector<std::size_t>> lists) {
+  std::vector<std::size_t> all;
+  for (const std::vector<std::size_t>& list : lists) all.insert(all.end(), list.begin(), list.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+// Puts the samples right that are to be replaced, and looks for lines in what is left.
+void put_right(SearchedChannel& channel, std::span<const double> samples, std::vector<std::size_t> masked,
+               double rate, double level) {
+  channel.masked = std::move(masked);
+  channel.samples = samples;
+  if (!channel.masked.empty()) {
+    channel.mended.assign(samples.begin(), samples.end());
+    fill_gaps(channel.mended, channel.masked);
+    channel.samples = channel.mended;
   }
-  if (channel.has_spikes)
-    for (const Impulses::One& spike : wrong.impulses.spikes) channel.masked.push_back(spike.at);
-  if (channel.masked.empty()) return;
-  std::sort(channel.masked.begin(), channel.masked.end());
-  channel.masked.erase(std::unique(channel.masked.begin(), channel.masked.end()), channel.masked.end());
-  channel.mended.assign(channel.samples.begin(), channel.samples.end());
-  fill_gaps(channel.mended, channel.masked);
-  channel.samples = channel.mended;
   channel.lines = find_lines(channel.samples, rate, level, &channel.powers);
+}
+
+// What the motion makes itself is not wrong. How long its turns are is told without all that may be.
+void look_at(SearchedChannel& channel, const RecordEntry& entry, bool excitation, double rate, double level) {
+  const std::span<const double> samples = channel.samples;
+  channel.wrong = find_wrong(samples, *channel.values, level);
+  const WrongSamples& wrong = channel.wrong;
+  const std::vector<std::size_t> held = held_of(wrong), spikes = places_of(wrong.impulses.spikes),
+                                 impulses = in_one({spikes, places_of(wrong.impulses.knocks)});
+  put_right(channel, samples, in_one({wrong.marks.at, held, spikes}), rate, level);
+  std::vector<std::size_t> begins;
+  for (const HeldSamples::Run& run : wrong.held.runs) begins.push_back(run.begin);
+  const std::vector<double> powers = channel.powers;
+  const bool impact = entry.kind == RecordKind::impact;  // a blow is the record's subject
+  channel.is_held = !held.empty() && !recurs_with_motion(samples, powers, begins);
+  channel.has_spikes = !spikes.empty() && !(impact && excitation) && !keeps_to_phases(samples, powers, spikes);
+  channel.has_knocks = !impact && !wrong.impulses.knocks.empty() && !recurs_with_motion(samples, powers, impulses);
+  if (keeps_to_phases(samples, powers, wrong.marks.at)) channel.wrong.marks = {};
+  std::vector<std::size_t> masked = in_one({wrong.marks.at, channel.is_held ? held : std::vector<std::size_t>(),
+                                            channel.has_spikes ? spikes : std::vector<std::size_t>()});
+  if (masked != channel.masked) put_right(channel, samples, std::move(masked), rate, level);
 }
 
 }  // namespace

@@ -26,12 +26,27 @@ std::vector<std::size_t> foreign_firsts(std::span<const double> samples, const W
   return foreign;
 }
 
+// A spike that is held stands out as a knock does, in samples that are equal: these count as held.
+void hold_spikes(WrongSamples& wrong) {
+  HeldSamples& held = wrong.held;
+  for (const HeldSamples::Run& run : held.likely) {
+    const auto is_of_run = [&](const Impulses::One& knock) {
+      return knock.at + 1 >= run.begin && knock.at < run.end;
+    };
+    if (std::erase_if(wrong.impulses.knocks, is_of_run) == 0) continue;
+    const auto place = std::partition_point(held.runs.begin(), held.runs.end(),
+                                            [&](const HeldSamples::Run& r) { return r.begin < run.begin; });
+    if (place == held.runs.end() || place->begin != run.begin) held.runs.insert(place, run);
+  }
+}
+
 }  // namespace
 
 WrongSamples find_wrong(std::span<const double> samples, const ChannelValues& values, double false_alarm) {
   WrongSamples wrong;
   wrong.held = find_held(samples, values, false_alarm);
   wrong.impulses = find_impulses(samples, values.grid, wrong.held, false_alarm);
+  hold_spikes(wrong);
   wrong.marks = find_lost_marks(samples, values.sorted, wrong.impulses, false_alarm);
   const auto is_mark = [&](std::size_t i) {
     return std::binary_search(wrong.marks.at.begin(), wrong.marks.at.end(), i);

@@ -255,6 +255,23 @@ TEST(Disturbances, TheMotionItselfIsNone) {
     for (const Disturbance& d : find_disturbances(campaign, 0, record))
       EXPECT_TRUE(d.kind != "spikes" && d.kind != "lost_samples") << d.text;
   }
+  // Blows at any time: corners of a displacement, few enough to stand out.
+  for (unsigned seed = 1; seed < 20; ++seed) {
+    Normal random(seed);
+    double x = 0, v = 0;
+    for (std::size_t i = 0; i < drive_count; ++i) {
+      if (random.uniform() < 0.004) v += random();
+      v += -0.2 * x - 0.02 * v;
+      x += 0.2 * v;
+      record.channels[1][i] = x + 0.002 * random();
+    }
+    for (const Disturbance& d : find_disturbances(campaign, 0, record)) EXPECT_NE(d.kind, "spikes") << d.text;
+  }
+  // In step with the motion the same two samples come at every turning point, on a converter with noise.
+  for (std::size_t i = 0; i < drive_count; ++i)
+    record.channels[1][i] =
+        1e-3 * std::round((std::cos(two_pi * (static_cast<double>(i) + 0.5) / 8) + 0.003 * normal()) / 1e-3);
+  for (const Disturbance& d : find_disturbances(campaign, 0, record)) EXPECT_NE(d.kind, "held_samples") << d.text;
   campaign = campaign_of(1, RecordKind::free_decay);
   campaign.channels[1].quantity = Quantity::displacement;
   record = clean(RecordKind::free_decay, 12);

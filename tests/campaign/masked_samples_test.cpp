@@ -230,6 +230,37 @@ TEST_F(MaskedSamples, TheFirstOfAHeldRunIsReplacedWhereItIsForeign) {
   EXPECT_NEAR(read_masked(written(folder, faulty, {})).channels[1][1250], x[1250], 1e-9);
 }
 
+TEST_F(MaskedSamples, SpikesThatAreHeldAreReplaced) {
+  const std::vector<double> x = signal(1e-3);
+  std::vector<double> faulty = x;
+  for (const int at : {777, 2222}) std::fill_n(faulty.begin() + at, 3, at == 777 ? 9.0 : -4.5);
+  EXPECT_LT(furthest_off(read_masked(written(folder, faulty, {})), x), 0.05);
+}
+
+// At an end of the range, above and below, and in runs as long as what tells the local step.
+TEST_F(MaskedSamples, NumbersOutOfReachAreLostSamples) {
+  const std::vector<double> x = signal(1e-3);
+  for (const double mark : {-999.0, 20.0}) {
+    std::vector<double> faulty = x;
+    for (int begin = 60; begin + 60 < static_cast<int>(masked_count); begin += 160)
+      std::fill_n(faulty.begin() + begin, 4, mark);
+    EXPECT_LT(furthest_off(read_masked(written(folder, faulty, {})), x), 0.05) << mark;
+  }
+}
+
+// Many samples and few turns: spikes that are many a turn are not the motion's own.
+TEST_F(MaskedSamples, SpikesOfAFewTurnsAreReplaced) {
+  std::vector<double> x = signal(1e-3);
+  for (std::size_t i = 0; i < masked_count; ++i)
+    x[i] += 2 * std::sin(2 * std::numbers::pi * 0.6 * static_cast<double>(i) / masked_rate) -
+            2 * std::cos(2 * std::numbers::pi * 11.3 * static_cast<double>(i) / masked_rate);
+  for (const std::size_t every : {131U, 800U}) {
+    std::vector<double> faulty = x;
+    for (std::size_t i = 60; i + 60 < masked_count; i += every) faulty[i] += i % 2 == 0 ? 1.7 : -1.1;
+    EXPECT_LT(furthest_off(read_masked(written(folder, faulty, {})), x), 0.02) << every;
+  }
+}
+
 // A row that is put in lies on no converter's lattice: steps beside it are no spikes.
 TEST_F(MaskedSamples, CoarseStepsBesideALostRowAreNoSpikes) {
   std::vector<double> stepped = signal(5e-3);
