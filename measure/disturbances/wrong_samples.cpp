@@ -26,6 +26,19 @@ std::vector<std::size_t> foreign_firsts(std::span<const double> samples, const W
   return foreign;
 }
 
+// What the samples around a spike tell by their whole motion (fill_gaps) is no spike: a tone of few samples a turn
+// is not smooth on the scale of five.
+void drop_motion(std::span<const double> samples, std::vector<Impulses::One>& spikes) {
+  std::vector<std::size_t> places;
+  for (const Impulses::One& spike : spikes) places.push_back(spike.at);
+  std::vector<double> filled(samples.begin(), samples.end());
+  const std::vector<std::size_t> left = fill_gaps(filled, places);
+  std::erase_if(spikes, [&](const Impulses::One& spike) {
+    return !std::binary_search(left.begin(), left.end(), spike.at) &&
+           2 * std::abs(samples[spike.at] - filled[spike.at]) < spike.size;
+  });
+}
+
 // A spike that is held stands out as a knock does, in samples that are equal: these count as held.
 void hold_spikes(WrongSamples& wrong) {
   HeldSamples& held = wrong.held;
@@ -46,6 +59,7 @@ WrongSamples find_wrong(std::span<const double> samples, const ChannelValues& va
   WrongSamples wrong;
   wrong.held = find_held(samples, values, false_alarm);
   wrong.impulses = find_impulses(samples, values.grid, wrong.held, false_alarm);
+  if (!wrong.impulses.spikes.empty()) drop_motion(samples, wrong.impulses.spikes);
   hold_spikes(wrong);
   wrong.marks = find_lost_marks(samples, values.sorted, wrong.impulses, false_alarm);
   const auto is_mark = [&](std::size_t i) {

@@ -22,7 +22,8 @@ struct WrongSamples {
 
 /// The first sample of a run that is held may be as wrong as the others: a value that is written while the signal
 /// is gone. It is where what stands around the run tells another value (fill_gaps), by more than any sample is off
-/// its neighbours (find_impulses). Samples must be finite; false alarm of each kind on this channel.
+/// its neighbours (find_impulses). A spike of which what stands around it tells more than half is
+/// the motion's own. Samples must be finite; false alarm of each kind on this channel.
 WrongSamples find_wrong(std::span<const double> samples, const ChannelValues& values, double false_alarm);
 
 }  // namespace secular

@@ -267,6 +267,12 @@ TEST(Disturbances, TheMotionItselfIsNone) {
     }
     for (const Disturbance& d : find_disturbances(campaign, 0, record)) EXPECT_NE(d.kind, "spikes") << d.text;
   }
+  // Tones of few samples a turn, without noise.
+  for (std::size_t i = 0; i < drive_count; ++i) {
+    const double p = two_pi * static_cast<double>(i) / 7.3;
+    record.channels[1][i] = std::sin(p + 1) + 0.1 * std::sin(3 * p + 2.1);
+  }
+  for (const Disturbance& d : find_disturbances(campaign, 0, record)) EXPECT_NE(d.kind, "spikes") << d.text;
   // In step with the motion the same two samples come at every turning point, on a converter with noise.
   for (std::size_t i = 0; i < drive_count; ++i)
     record.channels[1][i] =
