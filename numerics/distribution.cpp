@@ -36,6 +36,11 @@ double gamma_upper_tail(double value, double shape, double scale) {
   return boost::math::cdf(complement(boost::math::gamma_distribution<>(shape, scale), std::max(0.0, value)));
 }
 
+double poisson_upper_tail(std::size_t events, double mean) {
+  // The waiting time of that event is below the mean.
+  return events == 0 ? 1 : 1 - gamma_upper_tail(mean, static_cast<double>(events), 1);
+}
+
 double binomial_upper_tail(double successes, double trials, double probability) {
   if (successes <= 0 || probability >= 1) return 1;
   if (successes > trials) return 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 namespace secular {
 
 // Tails of the distributions that the project's tests refer to. Kept apart because Boost's headers for them are
@@ -21,6 +23,9 @@ double normal_upper_tail(double value);
 
 /// Gamma distribution of the given shape and scale.
 double gamma_upper_tail(double value, double shape, double scale);
+
+/// At least so many events of a Poisson law with that mean.
+double poisson_upper_tail(std::size_t events, double mean);
 
 /// At least so many successes of `trials`.
 double binomial_upper_tail(double successes, double trials, double probability);

@@ -6,6 +6,7 @@
 #include <map>
 #include <random>
 
+#include "diagnose/inference/directions.hpp"
 #include "numerics/confidence.hpp"
 #include "numerics/distribution.hpp"
 
@@ -26,9 +27,6 @@ constexpr double least_damping = 0.03, more_damping = 10;
 /// A step that promises less than this, in variances of the rows about the fit, is not tried.
 constexpr double worth_a_step = 0.1;
 
-/// Singular values of columns of unit length below this share of the largest are seen by no row.
-constexpr double unseen = 1e-6;
-
 /// Of intervals.
 constexpr double confidence = 0.95;
 
@@ -37,27 +35,6 @@ MatrixXd some_rows(const MatrixXd& all, const std::vector<Index>& which) {
   for (std::size_t i = 0; i < which.size(); ++i) some.row(static_cast<Index>(i)) = all.row(which[i]);
   return some;
 }
-
-// Steps that take rows away, by slopes of them.
-class Steps {
- public:
-  explicit Steps(const MatrixXd& jacobian)
-      : per_length_(jacobian.colwise().norm().transpose().unaryExpr([](double x) { return x > 0 ? 1 / x : 0.0; })),
-        svd_(jacobian * per_length_.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV) {}
-
-  VectorXd step(const VectorXd& rows, double damping) const {
-    VectorXd along = svd_.matrixU().transpose() * rows;
-    for (Index i = 0; i < along.size(); ++i) {
-      const double value = svd_.singularValues()(i);
-      along(i) *= value > unseen * svd_.singularValues()(0) ? value / (value * value + damping) : 0;
-    }
-    return -per_length_.cwiseProduct(svd_.matrixV() * along);
-  }
-
- private:
-  VectorXd per_length_;
-  Eigen::BDCSVD<MatrixXd> svd_;
-};
 
 // Rows of every group of folds, folds dealt out in turn; none with fewer than three folds.
 std::vector<std::vector<Index>> groups_of_rows(const std::vector<RowLabel>& labels, int groups) {
@@ -84,7 +61,7 @@ VectorXd held_out_to_first_order(const MatrixXd& jacobian, const VectorXd& rows,
   VectorXd predicted = rows;
   for (const std::vector<Index>& held : groups) {
     const std::vector<Index> training = all_but(held, rows.size());
-    const VectorXd step = Steps(some_rows(jacobian, training)).step(some_rows(rows, training), 0);
+    const VectorXd step = Directions(some_rows(jacobian, training)).step(some_rows(rows, training), 0);
     for (const Index r : held) predicted(r) += jacobian.row(r).dot(step);
   }
   return predicted;
@@ -97,23 +74,21 @@ VectorXd refit_to(const Discrepancy& discrepancy, const Refit& fit, const std::v
   if (fit.free.empty()) return rows;
   MatrixXd jacobian = some_rows(fit.jacobian, training);
   VectorXd trained = some_rows(rows, training);
-  std::optional<Steps> steps(jacobian);
+  std::optional<Directions> directions(jacobian);
   double damping = 0;
   const double worth = worth_a_step * std::max(1.0, trained.squaredNorm() / static_cast<double>(training.size()));
   for (int tried = 0; tried < most_steps; ++tried) {
-    const VectorXd step = steps->step(trained, damping), expected = jacobian * step;
+    const VectorXd step = directions->step(trained, damping), expected = jacobian * step;
     if (trained.squaredNorm() - (trained + expected).squaredNorm() < worth) break;
-    VectorXd moved = unknowns;
-    for (std::size_t f = 0; f < fit.free.size(); ++f)
-      moved(static_cast<Index>(fit.free[f])) += fit.scale(static_cast<Index>(f)) * step(static_cast<Index>(f));
+    const VectorXd moved = unknowns_after(fit, unknowns, step);
     const VectorXd next = discrepancy(moved);
     const VectorXd change = some_rows(next, training) - trained;
     if (!next.allFinite() || !((trained + change).squaredNorm() < trained.squaredNorm())) {
       damping = std::max(least_damping, more_damping * damping);
       continue;
     }
-    jacobian += (change - expected) * (step / step.squaredNorm()).transpose();
-    steps.emplace(jacobian);
+    correct_slopes(jacobian, step, change);
+    directions.emplace(jacobian);
     unknowns = moved;
     rows = next;
     trained += change;

@@ -6,15 +6,14 @@
 #include <limits>
 #include <utility>
 
+#include "diagnose/inference/directions.hpp"
+
 namespace secular {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// Singular values of the scaled columns below this share of the largest count as zero: differences are not better.
-constexpr double rank_tolerance = 1e-6;
 
 /// Chi-squared to first order, in variances of the rows about the fit, that a free step from the end of a converged
 /// one may still promise at most: explanations are compared in these variances, and none by so little.
@@ -27,61 +26,13 @@ constexpr double least_kept = 0.25;
 /// Differences are taken over changes of the rows by this to one over this standard deviations.
 constexpr double least_change = 0.03;
 
-// Singular directions of a Jacobian in columns of unit length (zero where nothing moves the rows). There are many
-// more rows than unknowns: they are turned into the columns' span first, J = QR, and R = USV' is small.
-class Directions {
- public:
-  explicit Directions(const MatrixXd& jacobian)
-      : per_length_(jacobian.colwise().norm().transpose().unaryExpr([](double x) { return x > 0 ? 1 / x : 0.0; })),
-        turned_(jacobian * per_length_.asDiagonal()) {
-    const Index size = std::min(jacobian.rows(), jacobian.cols());
-    const MatrixXd small = turned_.matrixQR().topRows(size).triangularView<Eigen::Upper>();
-    svd_.compute(small, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    while (rank_ < size && value(rank_) > rank_tolerance * value(0)) ++rank_;
-  }
-
-  Index rank() const { return rank_; }
-  double value(Index i) const { return svd_.singularValues()(i); }
-  /// Of the unknowns, in columns of unit length: the first rank() ones are seen.
-  const MatrixXd& of_unknowns() const { return svd_.matrixV(); }
-  /// One over the columns' lengths.
-  const VectorXd& per_length() const { return per_length_; }
-
-  /// Rows along every direction.
-  VectorXd along(const VectorXd& rows) const {
-    const VectorXd turned = turned_.householderQ().adjoint() * rows;
-    return svd_.matrixU().transpose() * turned.head(svd_.matrixU().rows());
-  }
-  /// The step that takes rows away: of minimum norm in columns of unit length.
-  VectorXd step(const VectorXd& rows, double damping) const {
-    VectorXd weighted = along(rows);
-    for (Index i = 0; i < weighted.size(); ++i)
-      weighted(i) *= i < rank_ ? value(i) / (value(i) * value(i) + damping) : 0;
-    return -per_length_.cwiseProduct(svd_.matrixV() * weighted);
-  }
-
- private:
-  VectorXd per_length_;
-  Eigen::HouseholderQR<MatrixXd> turned_;
-  Eigen::JacobiSVD<MatrixXd> svd_;
-  Index rank_ = 0;
-};
-
-// Unknowns after a step of those that are free, in units of their scales.
-VectorXd moved_by(const Refit& fit, const VectorXd& step) {
-  VectorXd moved = fit.unknowns;
-  for (std::size_t f = 0; f < fit.free.size(); ++f)
-    moved(static_cast<Index>(fit.free[f])) += fit.scale(static_cast<Index>(f)) * step(static_cast<Index>(f));
-  return moved;
-}
-
 // Along a curved valley straight steps must be short. The second derivative of the rows in the direction of a step
 // bends it (geodesic acceleration, Transtrum and Sethna 2012, with their numbers for the difference and for the
 // longest bend by the step).
 VectorXd bent(const Discrepancy& discrepancy, const Refit& fit, const Directions& directions, const VectorXd& step,
               double damping) {
   constexpr double part = 0.1, longest = 0.75;
-  const VectorXd ahead = discrepancy(moved_by(fit, part * step));
+  const VectorXd ahead = discrepancy(unknowns_after(fit, fit.unknowns, part * step));
   const VectorXd curvature = 2 / part * ((ahead - fit.rows) / part - fit.jacobian * step);
   if (!curvature.allFinite()) return step;
   const VectorXd bend = 0.5 * directions.step(curvature, damping);
@@ -102,12 +53,12 @@ class Descent {
       fit.rank = directions.rank();
       const VectorXd step = directions.step(fit.rows, damping_);
       const VectorXd taken = options_.bends ? bent(discrepancy_, fit, directions, step, damping_) : step;
-      const VectorXd next = moved_by(fit, taken), rows = discrepancy_(next);
+      const VectorXd next = unknowns_after(fit, fit.unknowns, taken), rows = discrepancy_(next);
       const double chi_squared = rows.squaredNorm(), gain = fit.chi_squared - chi_squared,
                    promised = fit.chi_squared - (fit.rows + fit.jacobian * step).squaredNorm();
       if (std::isfinite(chi_squared) && gain >= 0) {
         const bool as_promised = !options_.bends && gain > least_kept * promised;
-        if (as_promised) correct(fit, taken, rows - fit.rows);
+        if (as_promised) correct_slopes(fit.jacobian, taken, rows - fit.rows);
         fit.unknowns = next;
         fit.rows = rows;
         fit.chi_squared = chi_squared;
@@ -139,11 +90,6 @@ class Descent {
   bool is_stuck() const { return stuck_; }
 
  private:
-  void correct(Refit& fit, const VectorXd& step, const VectorXd& change) {
-    const double squares = step.squaredNorm();
-    if (squares > 0) fit.jacobian += (change - fit.jacobian * step) * (step / squares).transpose();
-  }
-
   const Discrepancy& discrepancy_;
   const RefitOptions& options_;
   double damping_;
@@ -175,6 +121,12 @@ FitEnding judge_end(const Discrepancy& discrepancy, Refit& fit) {
 }
 
 }  // namespace
+
+VectorXd unknowns_after(const Refit& fit, VectorXd unknowns, const VectorXd& step) {
+  for (std::size_t f = 0; f < fit.free.size(); ++f)
+    unknowns(static_cast<Index>(fit.free[f])) += fit.scale(static_cast<Index>(f)) * step(static_cast<Index>(f));
+  return unknowns;
+}
 
 double dispersion_of(double chi_squared, double freedom) {
   return freedom > 0 ? std::max(1.0, chi_squared / freedom) : 1;

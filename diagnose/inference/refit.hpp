@@ -27,6 +27,9 @@ struct Refit {
   FitEnding ending = FitEnding::stalled;
 };
 
+/// Unknowns after a step of those that are free, in units of their scales.
+Eigen::VectorXd unknowns_after(const Refit& fit, Eigen::VectorXd unknowns, const Eigen::VectorXd& step);
+
 /// Variance of rows about a fit, with this many degrees of freedom: what it leaves, or that of repeatability where
 /// it leaves less.
 double dispersion_of(double chi_squared, double freedom);

@@ -17,18 +17,23 @@ double equal_within(const std::vector<double>& sorted) {
                   1e-6 * (sorted.back() - sorted.front()));
 }
 
+std::vector<ValueLevel> levels_of_sorted(const std::vector<double>& sorted, double same) {
+  std::vector<ValueLevel> levels;
+  for (const double value : sorted) {
+    if (levels.empty() || value - levels.back().value > same) levels.push_back({value, 0});
+    ++levels.back().count;
+  }
+  return levels;
+}
+
 ValueGrid grid_of_sorted(const std::vector<double>& sorted) {
   ValueGrid grid;
   if (sorted.empty()) return grid;
   const double same = equal_within(sorted);
+  const std::vector<ValueLevel> levels = levels_of_sorted(sorted, same);
   std::vector<double> gaps;
-  double level = sorted.front();
-  for (const double value : sorted) {
-    if (!(value - level > same)) continue;
-    gaps.push_back(value - level);
-    level = value;
-  }
-  grid.levels = gaps.size() + 1;
+  for (std::size_t k = 1; k < levels.size(); ++k) gaps.push_back(levels[k].value - levels[k - 1].value);
+  grid.levels = levels.size();
   if (gaps.empty()) return grid;
   const double smallest = *std::min_element(gaps.begin(), gaps.end());
   // Gaps that are hardly larger than what counts as equal are no lattice's: all of them would be one such gap long.
@@ -43,7 +48,7 @@ ValueGrid grid_of_sorted(const std::vector<double>& sorted) {
   // The smallest gap is low by the rounding of two printed numbers, more than a step over many steps.
   double steps = 0;
   for (const double gap : gaps) steps += std::round(gap / smallest);
-  grid.mean_step = (level - sorted.front()) / steps;
+  grid.mean_step = (levels.back().value - sorted.front()) / steps;
   const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
   std::nth_element(gaps.begin(), middle, gaps.end());
   grid.visited = *middle < 8.5 * smallest;

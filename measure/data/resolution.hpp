@@ -24,4 +24,13 @@ double equal_within(const std::vector<double>& sorted);
 std::vector<double> in_order(std::span<const double> samples);
 ValueGrid grid_of_sorted(const std::vector<double>& sorted);
 
+/// One value and how many samples have it.
+struct ValueLevel {
+  double value = 0;
+  std::size_t count = 0;
+};
+
+/// The different values of such a copy: those that are more than `same` above the one before.
+std::vector<ValueLevel> levels_of_sorted(const std::vector<double>& sorted, double same);
+
 }  // namespace secular

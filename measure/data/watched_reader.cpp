@@ -50,6 +50,7 @@ ChannelValues values_of(const Record& record, std::size_t channel, std::span<con
   std::vector<double> read;
   for (std::size_t i = 0; i < stretch.size(); ++i)
     if (!std::binary_search(filled.begin(), filled.end(), begin + i)) read.push_back(stretch[i]);
+  if (read.empty()) return values_of(stretch);
   ChannelValues values{in_order(read), {}, {}};
   values.grid = grid_of_sorted(values.sorted);
   values.clipping = find_clipping(stretch, values.sorted, values.grid);

@@ -25,15 +25,13 @@ class LocalGaps {
  public:
   explicit LocalGaps(const std::vector<double>& sorted) {
     const double same = equal_within(sorted);
-    std::vector<double> levels;  // different values
-    for (const double value : sorted)
-      if (levels.empty() || value - levels.back() > same) levels.push_back(value);
+    const std::vector<ValueLevel> levels = levels_of_sorted(sorted, same);
     for (std::size_t begin = 0; begin < levels.size(); begin += neighbours) {
       double gap = std::numeric_limits<double>::infinity();
       const std::size_t end = std::min(levels.size(), begin + neighbours + 1);
       for (std::size_t i = end - std::min(end, neighbours + 1) + 1; i < end; ++i)
-        gap = std::min(gap, levels[i] - levels[i - 1]);
-      first_.push_back(levels[begin]);
+        gap = std::min(gap, levels[i].value - levels[i - 1].value);
+      first_.push_back(levels[begin].value);
       gap_.push_back(std::max(gap, 2 * same));
     }
   }
@@ -112,7 +110,7 @@ HeldSamples find_held(std::span<const double> x, const ChannelValues& values, do
     i = end - 1;
   }
   // At least that many by chance: the sum of as many waiting times is below the expected number.
-  const double probability = runs == 0 ? 1 : 1 - gamma_upper_tail(held.expected, static_cast<double>(runs), 1);
+  const double probability = poisson_upper_tail(runs, held.expected);
   held.runs = probability > false_alarm ? std::move(long_ones) : held.likely;
   return held;
 }

@@ -14,23 +14,8 @@ namespace {
 constexpr auto& either_side = measure_thresholds().mark_neighbours;  // values that tell how often one is hit
 constexpr auto& fewest_spikes = measure_thresholds().mark_spikes;
 
-// One value and how many samples have it.
-struct Level {
-  double value = 0;
-  std::size_t count = 0;
-};
-
-std::vector<Level> levels_of(const std::vector<double>& sorted, double same) {
-  std::vector<Level> levels;
-  for (const double value : sorted) {
-    if (levels.empty() || value - levels.back().value > same) levels.push_back({value, 0});
-    ++levels.back().count;
-  }
-  return levels;
-}
-
 // Mean number of hits of a value there, at most.
-double hits(const std::vector<Level>& levels, std::size_t level) {
+double hits(const std::vector<ValueLevel>& levels, std::size_t level) {
   const std::size_t begin = level - std::min(level, either_side),
                     end = std::min(levels.size(), level + either_side + 1);
   double count = 1;  // one more than is seen: none may be seen twice
@@ -38,11 +23,6 @@ double hits(const std::vector<Level>& levels, std::size_t level) {
     if (k != level) count += static_cast<double>(levels[k].count);
   const double mean = count / static_cast<double>(end - begin - 1);
   return std::min(mean, 2 * (mean - 1));
-}
-
-// At least so many hits.
-double chance_of(std::size_t count, double mean) {
-  return count == 0 ? 1 : 1 - gamma_upper_tail(mean, static_cast<double>(count), 1);
 }
 
 struct Run {
@@ -116,9 +96,9 @@ std::optional<double> shared_by_spikes(std::span<const double> x, const Impulses
   std::vector<double> values;
   for (const Impulses::One& spike : impulses.spikes) values.push_back(x[spike.at]);
   std::sort(values.begin(), values.end());
-  const std::vector<Level> levels = levels_of(values, same);
+  const std::vector<ValueLevel> levels = levels_of_sorted(values, same);
   const auto most = std::max_element(levels.begin(), levels.end(),
-                                     [](const Level& a, const Level& b) { return a.count < b.count; });
+                                     [](const ValueLevel& a, const ValueLevel& b) { return a.count < b.count; });
   if (most == levels.end() || most->count < fewest_spikes) return std::nullopt;
   return most->value;
 }
@@ -129,11 +109,11 @@ LostMarks find_lost_marks(std::span<const double> x, const std::vector<double>& 
                           double false_alarm) {
   if (x.empty() || !(sorted.back() > sorted.front())) return {};
   const double same = equal_within(sorted);
-  const std::vector<Level> levels = levels_of(sorted, same);
+  const std::vector<ValueLevel> levels = levels_of_sorted(sorted, same);
   if (levels.size() < 2) return {};
   if (const std::optional<double> shared = shared_by_spikes(x, impulses, same)) {
     const auto level = std::find_if(levels.begin(), levels.end(),
-                                    [&](const Level& l) { return std::abs(l.value - *shared) <= same; });
+                                    [&](const ValueLevel& l) { return std::abs(l.value - *shared) <= same; });
     if (level != levels.end() && hits(levels, static_cast<std::size_t>(level - levels.begin())) <= 1)
       return Visits(x, level->value, same).marks();
   }
@@ -147,10 +127,11 @@ LostMarks find_lost_marks(std::span<const double> x, const std::vector<double>& 
   for (std::size_t k = 1; k + 1 < levels.size(); ++k) {
     if (levels[k].count < fewest_spikes) continue;
     const double mean = hits(levels, k);
-    if (mean > 1 || chance_of(levels[k].count, mean) > level_alarm) continue;
+    if (mean > 1 || poisson_upper_tail(levels[k].count, mean) > level_alarm) continue;
     Visits visits(x, levels[k].value, same);
     if (most && visits.runs() <= most->runs()) continue;
-    if (chance_of(visits.runs(), mean) <= level_alarm && visits.come_from_far()) most.emplace(std::move(visits));
+    if (poisson_upper_tail(visits.runs(), mean) <= level_alarm && visits.come_from_far())
+      most.emplace(std::move(visits));
   }
   return most ? most->marks() : LostMarks{};
 }

@@ -17,23 +17,20 @@ constexpr double fixed_phases = 0.5;  // half way between any phases and fixed o
 // Phase of the motion at a sample from two turns on either side of it, without what the event has touched.
 double phase_at(std::span<const double> x, double turns_a_sample, std::size_t at) {
   const auto around = static_cast<std::ptrdiff_t>(std::ceil(2 / turns_a_sample));
-  std::complex<double> sum = 0;
-  double mean = 0, weights = 0;
-  for (const bool of_mean : {true, false})
-    for (std::ptrdiff_t j = -around; j <= around; ++j) {
-      const std::ptrdiff_t i = static_cast<std::ptrdiff_t>(at) + j;
-      if (std::abs(j) <= 2 || i < 0 || i >= static_cast<std::ptrdiff_t>(x.size())) continue;
-      const double taper = 1 + std::cos(two_pi / 2 * static_cast<double>(j) / static_cast<double>(around + 1));
-      const double value = x[static_cast<std::size_t>(i)];
-      if (of_mean) {
-        mean += taper * value;
-        weights += taper;
-      } else {
-        sum +=
-            taper * (value - mean / weights) * std::polar(1.0, -two_pi * turns_a_sample * static_cast<double>(j));
-      }
-    }
-  return std::arg(sum);
+  std::complex<double> turned_values = 0, turned = 0;
+  double values = 0, weights = 0;
+  for (std::ptrdiff_t j = -around; j <= around; ++j) {
+    const std::ptrdiff_t i = static_cast<std::ptrdiff_t>(at) + j;
+    if (std::abs(j) <= 2 || i < 0 || i >= static_cast<std::ptrdiff_t>(x.size())) continue;
+    const double weight = 1 + std::cos(two_pi / 2 * static_cast<double>(j) / static_cast<double>(around + 1)),
+                 value = weight * x[static_cast<std::size_t>(i)];
+    const std::complex<double> turn = std::polar(1.0, -two_pi * turns_a_sample * static_cast<double>(j));
+    values += value;
+    weights += weight;
+    turned_values += value * turn;
+    turned += weight * turn;
+  }
+  return std::arg(turned_values - values / weights * turned);
 }
 
 // Turns between the first and the last of the events.

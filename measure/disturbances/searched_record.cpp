@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <utility>
 
 #include "measure/disturbances/catalogue.hpp"
@@ -19,27 +18,6 @@ double rms_about_mean(std::span<const double> samples) {
   for (const double x : samples) mean += x / n;
   for (const double x : samples) square += (x - mean) * (x - mean) / n;
   return std::sqrt(square);
-}
-
-std::vector<std::size_t> held_of(const WrongSamples& wrong) {
-  std::vector<std::size_t> held = wrong.foreign;
-  for (const HeldSamples::Run& run : wrong.held.runs)
-    for (std::size_t i = run.begin; i < run.end; ++i) held.push_back(i);
-  return held;
-}
-
-std::vector<std::size_t> places_of(const std::vector<Impulses::One>& impulses) {
-  std::vector<std::size_t> places;
-  for (const Impulses::One& one : impulses) places.push_back(one.at);
-  return places;
-}
-
-std::vector<std::size_t> in_one(std::initializer_list<std::vector<std::size_t>> lists) {
-  std::vector<std::size_t> all;
-  for (const std::vector<std::size_t>& list : lists) all.insert(all.end(), list.begin(), list.end());
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
 }
 
 // Puts the samples right that are to be replaced, and looks for lines in what is left.
@@ -60,7 +38,7 @@ void look_at(SearchedChannel& channel, const RecordEntry& entry, bool excitation
   const std::span<const double> samples = channel.samples;
   channel.wrong = find_wrong(samples, *channel.values, level);
   const WrongSamples& wrong = channel.wrong;
-  const std::vector<std::size_t> held = held_of(wrong), spikes = places_of(wrong.impulses.spikes),
+  const std::vector<std::size_t> held = held_places(wrong), spikes = places_of(wrong.impulses.spikes),
                                  impulses = in_one({spikes, places_of(wrong.impulses.knocks)});
   put_right(channel, samples, in_one({wrong.marks.at, held, spikes}), rate, level);
   std::vector<std::size_t> begins;

@@ -2,40 +2,47 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "numerics/fill_gaps.hpp"
 
 namespace secular {
 namespace {
 
-std::vector<std::size_t> foreign_firsts(std::span<const double> samples, const WrongSamples& wrong) {
-  std::vector<std::size_t> missing = wrong.marks.at, foreign;
-  for (const HeldSamples::Run& run : wrong.held.runs)
-    for (std::size_t i = run.begin - 1; i < run.end; ++i) missing.push_back(i);
-  for (const Impulses::One& spike : wrong.impulses.spikes) missing.push_back(spike.at);
-  std::sort(missing.begin(), missing.end());
-  missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
-  std::vector<double> filled(samples.begin(), samples.end());
-  const std::vector<std::size_t> left = fill_gaps(filled, missing);
-  for (const HeldSamples::Run& run : wrong.held.runs) {
-    const std::size_t first = run.begin - 1;
-    if (!std::binary_search(left.begin(), left.end(), first) &&
-        std::abs(samples[first] - filled[first]) > wrong.impulses.most_off(first))
-      foreign.push_back(first);
+// How far samples are off what those around all of `places` tell of them (fill_gaps).
+class Told {
+ public:
+  Told(std::span<const double> samples, const std::vector<std::size_t>& places)
+      : samples_(samples), filled_(samples.begin(), samples.end()), left_(fill_gaps(filled_, places)) {}
+
+  // Nothing where nothing tells it.
+  std::optional<double> off(std::size_t place) const {
+    if (std::binary_search(left_.begin(), left_.end(), place)) return std::nullopt;
+    return std::abs(samples_[place] - filled_[place]);
   }
+
+ private:
+  std::span<const double> samples_;
+  std::vector<double> filled_;
+  std::vector<std::size_t> left_;
+};
+
+std::vector<std::size_t> foreign_firsts(std::span<const double> samples, const WrongSamples& wrong) {
+  std::vector<std::size_t> firsts, foreign;
+  for (const HeldSamples::Run& run : wrong.held.runs) firsts.push_back(run.begin - 1);
+  const Told told(samples, in_one({wrong.marks.at, firsts, held_places(wrong), places_of(wrong.impulses.spikes)}));
+  for (const std::size_t first : firsts)
+    if (told.off(first) > wrong.impulses.most_off(first)) foreign.push_back(first);
   return foreign;
 }
 
-// What the samples around a spike tell by their whole motion (fill_gaps) is no spike: a tone of few samples a turn
-// is not smooth on the scale of five.
+// What the samples around a spike tell by their whole motion is no spike: a tone of few samples a turn is not
+// smooth on the scale of five.
 void drop_motion(std::span<const double> samples, std::vector<Impulses::One>& spikes) {
-  std::vector<std::size_t> places;
-  for (const Impulses::One& spike : spikes) places.push_back(spike.at);
-  std::vector<double> filled(samples.begin(), samples.end());
-  const std::vector<std::size_t> left = fill_gaps(filled, places);
+  const Told told(samples, places_of(spikes));
   std::erase_if(spikes, [&](const Impulses::One& spike) {
-    return !std::binary_search(left.begin(), left.end(), spike.at) &&
-           2 * std::abs(samples[spike.at] - filled[spike.at]) < spike.size;
+    const std::optional<double> off = told.off(spike.at);
+    return off && 2 * *off < spike.size;
   });
 }
 
@@ -54,6 +61,27 @@ void hold_spikes(WrongSamples& wrong) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> held_places(const WrongSamples& wrong) {
+  std::vector<std::size_t> held = wrong.foreign;
+  for (const HeldSamples::Run& run : wrong.held.runs)
+    for (std::size_t i = run.begin; i < run.end; ++i) held.push_back(i);
+  return held;
+}
+
+std::vector<std::size_t> places_of(const std::vector<Impulses::One>& impulses) {
+  std::vector<std::size_t> places;
+  for (const Impulses::One& one : impulses) places.push_back(one.at);
+  return places;
+}
+
+std::vector<std::size_t> in_one(std::initializer_list<std::vector<std::size_t>> lists) {
+  std::vector<std::size_t> all;
+  for (const std::vector<std::size_t>& list : lists) all.insert(all.end(), list.begin(), list.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
 
 WrongSamples find_wrong(std::span<const double> samples, const ChannelValues& values, double false_alarm) {
   WrongSamples wrong;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -25,5 +26,12 @@ struct WrongSamples {
 /// its neighbours (find_impulses). A spike of which what stands around it tells more than half is
 /// the motion's own. Samples must be finite; false alarm of each kind on this channel.
 WrongSamples find_wrong(std::span<const double> samples, const ChannelValues& values, double false_alarm);
+
+/// Places of all held samples, and of foreign ones before them.
+std::vector<std::size_t> held_places(const WrongSamples& wrong);
+std::vector<std::size_t> places_of(const std::vector<Impulses::One>& impulses);
+
+/// Places of several lists, rising, each once.
+std::vector<std::size_t> in_one(std::initializer_list<std::vector<std::size_t>> lists);
 
 }  // namespace secular

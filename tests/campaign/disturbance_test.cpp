@@ -14,6 +14,7 @@
 #include "measure/data/campaign.hpp"
 #include "measure/disturbances/catalogue.hpp"
 #include "measure/disturbances/disturbance_watch.hpp"
+#include "measure/disturbances/roughness.hpp"
 #include "numerics/hertz.hpp"
 #include "tests/places.hpp"
 
@@ -283,6 +284,29 @@ TEST(Disturbances, TheMotionItselfIsNone) {
   record = clean(RecordKind::free_decay, 12);
   for (std::size_t i = 0; i < drive_count; ++i) record.channels[1][i] += 0.05 * std::exp(-0.8 * at(i));
   for (const Disturbance& d : find_disturbances(campaign, 0, record)) ADD_FAILURE() << d.kind << ": " << d.text;
+}
+
+// What the search for spikes takes for granted, wherever between two samples the corner lies.
+TEST(Roughness, ACornerLeavesAQuarterBesideASpikeAndASpikeNothing) {
+  for (int part = 0; part < 20; ++part) {
+    Normal normal(5);
+    Samples corner(512), spike(512);
+    for (std::size_t i = 0; i < corner.size(); ++i) {
+      const double noise = 1e-6 * normal(), t = static_cast<double>(i);
+      corner[i] = std::max(t - 256 - 0.05 * part, 0.0) + noise;
+      spike[i] = 0.1 * t + noise + (i == 256 ? 1 : 0);
+    }
+    const auto beside = [](const Samples& x, double (*left)(const Roughness&, std::size_t)) {
+      const Roughness rough = roughness(x, 0);
+      const auto at = static_cast<std::size_t>(std::max_element(rough.relative.begin(), rough.relative.end()) -
+                                               rough.relative.begin());
+      return left(rough, at) / rough.relative[at];
+    };
+    EXPECT_GT(beside(corner, beside_spike), 0.267) << part;
+    EXPECT_LT(beside(corner, beside_corner), 1e-4) << part;
+    EXPECT_LT(beside(spike, beside_spike), 1e-4);
+    EXPECT_NEAR(beside(spike, beside_corner), 0.26352, 1e-4);  // by the normal equations of 1/6 -2/3 1 -2/3 1/6
+  }
 }
 
 TEST(Disturbances, LinesForPeopleFoldRecordsWhateverTheirOrder) {

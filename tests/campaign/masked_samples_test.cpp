@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -159,6 +160,13 @@ TEST_F(MaskedSamples, ALongGapIsRefusedAtItsPlace) {
     EXPECT_NE(std::string(error.what()).find("line 1002"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("a gap of"), std::string::npos) << error.what();
   }
+}
+
+// A window may hold filled samples alone.
+TEST(FilledSamples, AStretchOfThemAloneHasValues) {
+  const Record record{0, masked_rate, {{1, 2, 4, 3, 5}}, 0, {1, 2}};
+  EXPECT_EQ(values_of(record, 0, std::span(record.channels[0]).subspan(1, 2)).sorted, (std::vector<double>{2, 4}));
+  EXPECT_EQ(values_of(record, 0, record.channels[0]).sorted, (std::vector<double>{1, 3, 5}));
 }
 
 // Stamps in whole milliseconds of samples 1.5 ms apart step by one and by two of them: nothing is lost.
