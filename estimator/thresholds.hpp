@@ -29,7 +29,6 @@ struct EstimatorThresholds {
   std::ptrdiff_t conditions_by_direction = 3;
   double near_dependency = 30;
   double shared_variance = 0.5;
-  double material_share = 0.1;
   double roughly_converged = 1;
   std::size_t replicates_needed = 4;
   double frequency_prior_sd = 0.005;

@@ -21,6 +21,7 @@ struct MeasureThresholds {
   double lost_row_off = 0.1;
   double same_rate = 1e-3;
   std::size_t rarest_share = 16;
+  std::size_t beside_unrecorded = 32;
   double same_sample = 0.01;
   double largest_jitter = 0.25;
   std::size_t clipped_run = 4;

@@ -123,16 +123,19 @@ std::string to_string(const FactorProduct& product, const Model& model) {
 
 namespace {
 
-// By symbol with an entry in the case's order table: the lowest order of the terms that it is part of.
+// By symbol with an entry in the case's order table, by every coefficient symbol where terms are ordered by degree:
+// the lowest order of the terms that it is part of.
 class LowestOrders {
  public:
-  LowestOrders(const Model& model, const ResonanceCase& resonance) : model_(model), resonance_(resonance) {}
+  LowestOrders(const Model& model, const ResonanceCase& resonance) : model_(model), resonance_(resonance) {
+    for (std::size_t i = 0; i < model.frequency_count(); ++i) frequencies_.insert(model.frequency_name(i));
+  }
 
   void add(const GiNaC::ex& monomial, int order, const std::string& term) {
     for (GiNaC::const_preorder_iterator it = monomial.preorder_begin(); it != monomial.preorder_end(); ++it) {
       if (!GiNaC::is_a<GiNaC::symbol>(*it)) continue;
       const std::string name = GiNaC::ex_to<GiNaC::symbol>(*it).get_name();
-      if (resonance_.order.count(name) == 0 || resonance_.may_act_nowhere.count(name) == 1) continue;
+      if (!has_order(name) || resonance_.may_act_nowhere.count(name) == 1) continue;
       const auto [entry, first] = lowest_.try_emplace(name, order, term);
       if (!first && order < entry->second.first) entry->second = {order, term};
     }
@@ -148,14 +151,19 @@ class LowestOrders {
                        "coefficient '" + name + "' acts nowhere: its lowest term, " + term + ", is of order eps^" +
                            std::to_string(order) + ", and the case expands to eps^" +
                            std::to_string(resonance_.expand_to),
-                       "lower the order of " + name + ", set expand_to = " + std::to_string(order) +
-                           ", or take the term out of the equation");
+                       (resonance_.order.count(name) == 1 ? "lower the order of " + name + ", " : std::string()) +
+                           "set expand_to = " + std::to_string(order) + ", or take the term out of the equation");
     }
   }
 
  private:
+  bool has_order(const std::string& name) const {
+    return resonance_.order.count(name) == 1 || (resonance_.degree_ordering && frequencies_.count(name) == 0);
+  }
+
   const Model& model_;
   const ResonanceCase& resonance_;
+  std::set<std::string> frequencies_;
   std::map<std::string, std::pair<int, std::string>> lowest_;
 };
 

@@ -75,8 +75,8 @@ void add_import_command(CLI::App& root, Action& chosen) {
   auto options = std::make_shared<Options>();
   ImportOptions& import = options->import;
   CLI::App* command =
-      root.add_subcommand("import", "CSV, MAT, HDF5, UFF 58 and WAV files to a campaign folder, one record a file");
-  command->add_option("FILE", options->files, "CSV, MAT, HDF5, UFF 58 or WAV files, each a record")->required();
+      root.add_subcommand("import", "CSV, MAT, HDF5, UFF 58, LVM and WAV files to a campaign folder, one record a file");
+  command->add_option("FILE", options->files, "CSV, MAT, HDF5, UFF 58, LVM or WAV files, each a record")->required();
   options->output.add_to(*command);
   command->add_option("--kind", import.kind, "dwell, sweep, free_decay, impact or broadband");
   command

@@ -350,7 +350,7 @@ void add_inspect_command(CLI::App& root, Action& chosen) {
   auto options = std::make_shared<Options>();
   CLI::App* command = root.add_subcommand(
       "inspect", "What a campaign or file holds: channels, units, records, levels, noise, faults found");
-  command->add_option("CAMPAIGN_OR_FILE", options->path, "campaign folder, or CSV, MAT, HDF5, UFF 58 or WAV file")
+  command->add_option("CAMPAIGN_OR_FILE", options->path, "campaign folder, or CSV, MAT, HDF5, UFF 58, LVM or WAV file")
       ->required();
   options->selection.add_to(*command, {.band = false});
   command->add_flag("--whole", options->whole, "read everything, also where data are larger than 64 MB");

@@ -232,29 +232,30 @@ std::string prediction_csv(const Prediction& prediction) {
                           modes.amplitude[k] == 0.0 ? 0.0 : std::arg(modes.amplitude[k]), modes.frequency_shift[k]);
   };
   if (!prediction.backbones.empty()) {
-    text = "mode,amplitude,frequency_rad_s,growth_1_s\n";
+    text = "mode,amplitude,frequency_rad_s,growth_1_s,outside_expansion\n";
     for (const auto& [mode, points] : prediction.backbones)
       for (const BackbonePoint& at : points)
-        text += fmt::format("{},{:.12g},{:.12g},{:.12g}\n", mode, 2 * at.amplitude, at.frequency, at.growth);
+        text += fmt::format("{},{:.12g},{:.12g},{:.12g},{}\n", mode, 2 * at.amplitude, at.frequency, at.growth,
+                            at.outside ? 1 : 0);
   } else if (prediction.against) {
     text = fmt::format("curve,kind,{},{}", prediction.vary->name, prediction.against->name);
     modes_heading();
-    text += '\n';
+    text += ",outside_expansion\n";
     for (std::size_t c = 0; c < prediction.curves.size(); ++c)
       for (const ResponseCurvePoint& at : prediction.curves[c].points) {
         const ResponseCurve& curve = prediction.curves[c];
         text += fmt::format("{},{},{:.12g},{:.12g}", c + 1, name_of(curve.kind), at.first, at.second);
         put_modes(at.modes);
-        text += '\n';
+        text += at.outside ? ",1\n" : ",0\n";
       }
   } else {
     text = fmt::format("branch,kind,{},stable", prediction.vary->name);
     modes_heading();
-    text += '\n';
+    text += ",outside_expansion\n";
     const auto put = [&](std::size_t b, const std::string& kind, const ResponsePoint& at) {
       text += fmt::format("{},{},{:.12g},{}", b + 1, kind, at.parameter, at.unstable == 0 ? 1 : 0);
       put_modes(at.modes);
-      text += '\n';
+      text += at.outside ? ",1\n" : ",0\n";
     };
     for (std::size_t b = 0; b < prediction.diagram.branches.size(); ++b) {
       const ResponseBranch& branch = prediction.diagram.branches[b];

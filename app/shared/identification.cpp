@@ -78,7 +78,7 @@ std::size_t count_of_conditions(const std::vector<ObservationSet>& sets) {
 // Lumps of few conditions may lead to no finite parameters at all.
 Estimate first_estimate(const Identification& id, const MeasuredUnits& units, const EstimateOptions& options) {
   try {
-    return estimate(id.measured, units, options);
+    return estimate(id.measured, units, options, pass_between());
   } catch (const NumericalFailure& failure) {
     const std::size_t conditions = count_of_conditions(id.measured);
     throw NumericalFailure(
@@ -177,7 +177,7 @@ std::vector<ObservationSet> estimate_corrected(const IdentificationRequest& requ
   StageClock clock(id.seconds);
   const MeasuredUnits units{id.coordinate_unit, id.excitation_units};
   const EstimateOptions options = options_of(request);
-  Estimate raw = first_estimate(id, units, on_the_way(options));
+  Estimate raw = first_estimate(id, units, options);
   clock.done("regression");
   const auto replay = [&](const ObservationSet& set, const Eigen::VectorXd& parameters) {
     return observe_replay(id.campaign, set, parameters, request.threads);
@@ -194,10 +194,7 @@ std::vector<ObservationSet> estimate_corrected(const IdentificationRequest& requ
   } catch (const NumericalFailure& failure) {
     id.replayed = id.measured;
     for (ObservationSet& set : id.replayed) set.observations.clear();
-    EstimateOptions uncorrected = options;
-    uncorrected.judge_fit = false;
-    uncorrected.start = raw.state;
-    id.estimate = estimate(id.measured, units, uncorrected);
+    id.estimate = estimate(id.measured, units, options, {.judge_fit = false, .start = raw.state});
     id.estimate = with_failed_correction(std::move(id.estimate), failure.what());
     return {};
   }

@@ -10,6 +10,7 @@
 #include "estimator/identification/short_list.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/file_pattern.hpp"
+#include "measure/data/recorded_span.hpp"
 #include "measure/disturbances/treatment.hpp"
 #include "measure/observe/passed_record.hpp"
 #include "measure/observe/record_window.hpp"
@@ -67,12 +68,6 @@ void require_samples(const Campaign& campaign, const Window& window) {
                    longest + reach);
 }
 
-// Of places in a record those within its cut, counted from where that begins.
-void keep_within(std::size_t first, std::size_t count, std::vector<std::size_t>& places) {
-  std::erase_if(places, [&](std::size_t place) { return place < first || place >= first + count; });
-  for (std::size_t& place : places) place -= first;
-}
-
 // Looks at what the window leaves of a record.
 WatchedReader::Look at_what_counts(const Campaign& campaign, const Window& window, WatchedReader::Look look) {
   if (!look || !window.cuts()) return look;
@@ -84,11 +79,7 @@ WatchedReader::Look at_what_counts(const Campaign& campaign, const Window& windo
     std::vector<ChannelValues> values;
     for (std::size_t c = 0; c < record.channels.size(); ++c)
       values.push_back(values_of(record, c, std::span(record.channels[c]).subspan(first, count)));
-    for (std::vector<double>& samples : record.channels)
-      samples = {samples.begin() + range.first, samples.begin() + range.first + range.count};
-    keep_within(first, count, record.lost);
-    for (std::vector<std::size_t>& places : record.no_numbers) keep_within(first, count, places);
-    record.start_s += static_cast<double>(range.first) / record.sample_rate_hz;
+    cut_record(record, first, count);
     look(index, record, values);
   };
 }

@@ -360,7 +360,7 @@ void add_spectrum_command(CLI::App& root, Action& chosen) {
   SpectralOptions& spectral = options->spectral;
   CLI::App* command = root.add_subcommand(
       "spectrum", "Tones, decays and their number in one record: decomposition, principal components, figures");
-  command->add_option("CAMPAIGN_OR_FILE", options->source, "campaign folder, or CSV, MAT, HDF5, UFF 58 or WAV file")
+  command->add_option("CAMPAIGN_OR_FILE", options->source, "campaign folder, or CSV, MAT, HDF5, UFF 58, LVM or WAV file")
       ->required();
   options->output.add_to(*command, "folder for spectrum.json and report.html");
   options->selection.add_to(*command);

@@ -174,8 +174,8 @@ bool add_useful_harmonics(Estimation& e) {
 }  // namespace
 
 Estimation::Estimation(std::span<const ObservationSet> measured, const MeasuredUnits& measured_units,
-                       const EstimateOptions& asked)
-    : model(*measured.front().model), units(measured_units), options(asked) {
+                       const EstimateOptions& asked, const EstimatePass& asked_pass)
+    : model(*measured.front().model), units(measured_units), options(asked), pass(asked_pass) {
   for (const ObservationSet& set : measured) {
     result.warnings.insert(result.warnings.end(), set.warnings.begin(), set.warnings.end());
     if (!set.observations.empty()) sets.push_back(&set);
@@ -206,7 +206,7 @@ bool is_given_itself(const Estimation& e, const CompiledCase& resonance, std::si
 Precision fit_rounds(Estimation& e) {
   // One case alone finds its own natural frequencies.
   const int rounds = e.sets.size() > 1 ? case_rounds : 1;
-  const EstimationState* start = e.options.start.get();
+  const EstimationState* start = e.pass.start.get();
   if (start && start->blocks.size() == e.sets.size()) {
     e.blocks = start->blocks;
     e.states = start->regressions;
@@ -214,7 +214,7 @@ Precision fit_rounds(Estimation& e) {
     for (const auto& [lump, value] : e.frequency_shifts) e.knowledge.fixed[lump] = value;
     for (std::size_t k = 0; k < e.model.modes(); ++k)
       if (!e.given[k]) e.knowledge.natural_frequency[k] = start->natural_frequency[k];
-    for (int round = 0; round < (e.options.keep_weights ? 1 : rounds); ++round) fit_cases(e, Precision::full);
+    for (int round = 0; round < (e.pass.keep_weights ? 1 : rounds); ++round) fit_cases(e, Precision::full);
     return Precision::full;
   }
   e.blocks = modulation_blocks(e);
@@ -230,7 +230,7 @@ void fit_cases(Estimation& e, Precision precision) {
   for (std::size_t s = 0; s < e.sets.size(); ++s) {
     const bool start = !e.states[s].weight.empty();
     e.fits.push_back(fit_case(*e.sets[s], e.blocks[s], e.knowledge,
-                              {start ? &e.states[s] : nullptr, start && e.options.keep_weights,
+                              {start ? &e.states[s] : nullptr, start && e.pass.keep_weights,
                                precision == Precision::rough, e.options.threads}));
     e.states[s] = e.fits.back().state;
   }

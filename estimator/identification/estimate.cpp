@@ -8,20 +8,13 @@
 
 namespace secular {
 
-EstimateOptions on_the_way(EstimateOptions options) {
-  options.bootstrap = 0;
-  options.damping_laws = options.judge_fit = false;
-  options.rough_errors = true;
-  return options;
-}
-
 std::string label_of(const EstimatedValue& value, const Estimate& estimate) {
   const bool lump = !value.resonance.empty() && value.definition != value.name;
   return lump && estimate.cases.size() > 1 ? value.resonance + ":" + value.name : value.name;
 }
 
-Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& units,
-                  const EstimateOptions& options) {
+Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& units, const EstimateOptions& options,
+                  const EstimatePass& pass) {
   const bool any =
       std::any_of(sets.begin(), sets.end(), [](const ObservationSet& s) { return !s.observations.empty(); });
   if (!any) {
@@ -32,7 +25,7 @@ Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& uni
     }
     throw InputError("case " + names, "", "no observations are left to identify it from", why);
   }
-  Estimation e(sets, units, options);
+  Estimation e(sets, units, options, pass);
   const Precision so_far = fit_rounds(e);
   share_parameters(e);
   if (!e.frequency_shifts.empty()) {
@@ -41,17 +34,17 @@ Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& uni
     fit_cases(e, Precision::full);
     share_parameters(e);
   }
-  if (options.bootstrap > 0) draw_bootstrap(e);
+  if (options.bootstrap > 0 && !pass.between) draw_bootstrap(e);
   place_along_null_space(e);
   e.hidden.resize(e.fits.size());
-  if (options.judge_fit) {
+  if (pass.judge_fit) {
     test_fit(e);
     test_consistency(e);
   }
   report_parameters(e);
   report_lumps(e);
   report_quality(e);
-  if (options.judge_fit) {
+  if (pass.judge_fit) {
     take_out_unsupported(e.result, e.fits);
     doubt_without_force(e.result, e.fits);
   }
@@ -61,8 +54,9 @@ Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& uni
 }
 
 Estimate estimate(const ObservationSet& set, const std::string& coordinate_unit,
-                  const std::vector<std::string>& excitation_units, const EstimateOptions& options) {
-  return estimate(std::span(&set, 1), {coordinate_unit, excitation_units}, options);
+                  const std::vector<std::string>& excitation_units, const EstimateOptions& options,
+                  const EstimatePass& pass) {
+  return estimate(std::span(&set, 1), {coordinate_unit, excitation_units}, options, pass);
 }
 
 }  // namespace secular

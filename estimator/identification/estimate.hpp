@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "estimator/identification/estimate_pass.hpp"
 #include "estimator/identification/estimate_quality.hpp"
 #include "estimator/identification/lack_of_fit.hpp"
 #include "estimator/identification/scatter_between_records.hpp"
@@ -98,28 +99,8 @@ struct EstimateOptions {
   std::uint64_t seed = 1;               ///< of the bootstrap
   bool damping_laws = true;             ///< compare them
   bool refine = false;                  ///< maximum likelihood with errors in everything measured
-  /// Whether equations that do not hold as well as repeats agree widen the error bars: not before the expansion's
-  /// truncation is taken out, which would be the larger part of what is seen.
-  bool judge_fit = true;
-  /// Of the same observations: which equations are regressed, and coefficients and weights near the final ones.
-  std::shared_ptr<const EstimationState> start = nullptr;
-  /// Symbols x moves: where parameters were moved to see how the truncation's correction depends on them, see
-  /// ObservationSet::truncation_of_moves: lumps are fitted as they would be corrected at the parameters that fit
-  /// them. Empty: not known.
-  Eigen::MatrixXd moves = {};
-  /// With moves: the parameters that ObservationSet::truncation belongs to.
-  Eigen::VectorXd corrected_at = {};
-  NullSpacePlace null_space_place = {};  ///< along the directions of ObservationSet::truncation_change
-  /// Parameters' error bars by way of the lumps', which are wider, instead of from the rows: for passes between.
-  bool rough_errors = false;
-  /// With a start: weights are those that its coefficients make, and are not found anew. For passes between, where
-  /// only the truncation's correction has changed a little.
-  bool keep_weights = false;
-  unsigned threads = 1;  ///< the result does not depend on it
+  unsigned threads = 1;                 ///< the result does not depend on it
 };
-
-/// For estimates on the way to another one: of the same numbers, which nobody reads.
-EstimateOptions on_the_way(EstimateOptions options);
 
 /// What a value is called in a list of several. CASE:NAME where the name alone does not say which one: a lump that
 /// is no symbol, of one of several cases.
@@ -139,11 +120,13 @@ struct MeasuredUnits {
 /// their full covariance, as far as the lumps determine them; error bars come from the scatter between conditions
 /// (jackknife) carried through that map. Throws InputError where no observations are left, a fixed name is unknown
 /// or a natural frequency is neither observed nor known.
-Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& units, const EstimateOptions& options);
+Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& units, const EstimateOptions& options,
+                  const EstimatePass& pass = {});
 
 /// The same for one case.
 Estimate estimate(const ObservationSet& set, const std::string& coordinate_unit,
-                  const std::vector<std::string>& excitation_units, const EstimateOptions& options);
+                  const std::vector<std::string>& excitation_units, const EstimateOptions& options,
+                  const EstimatePass& pass = {});
 
 /// The sets with what the truncated equations leave at the `replayed` motions of the full equations at `parameters`
 /// (ObservationSet::truncation): regressing them gives estimates without that bias. Observations that were not

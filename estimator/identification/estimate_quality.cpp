@@ -38,7 +38,7 @@ void report_quality(Estimation& e) {
     append(e.result.blocks, block_quality(fit));
     append(e.result.conditions, condition_quality(fit));
     append(e.result.outliers, outlying_ensembles(fit));
-    if (e.options.damping_laws) append(e.result.damping, compare_damping(fit));
+    if (e.options.damping_laws && !e.pass.between) append(e.result.damping, compare_damping(fit));
     const std::size_t conditions = fit.fit.cluster_labels.size();
     if (fit.fit.covariance_kind != CovarianceKind::clustered)
       e.result.warnings.push_back(

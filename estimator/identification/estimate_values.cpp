@@ -20,9 +20,6 @@ using Eigen::VectorXd;
 /// Percentiles of the bootstrap's interval.
 constexpr auto& bootstrap_tail = estimator_thresholds().interval_tail;
 
-/// A misfit counts as doubt where it may change a value by more than this share.
-constexpr auto& material_share = estimator_thresholds().material_share;
-
 bool significant(const EstimatedValue& value) {
   return value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
 }
@@ -33,11 +30,11 @@ void set_errors(EstimatedValue& value, double variance, double open_variance) {
   value.noise_sd = std::sqrt(std::max(0.0, variance - open_variance));
 }
 
-// The misfit joins the error bar.
+// The misfit joins the error bar; where it dominates that, the value is doubtful (docs/inference.md (15)).
 void add_misfit(EstimatedValue& value, double misfit) {
   if (!(misfit > 0) || !value.value) return;
   value.misfit = misfit;
-  value.doubtful = misfit > 2 * value.sd && misfit > material_share * std::abs(*value.value);
+  value.doubtful = misfit > 2 * value.sd;
   value.sd = std::hypot(value.sd, 0.5 * misfit);
 }
 

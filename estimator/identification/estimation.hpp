@@ -26,11 +26,12 @@ struct EstimationState {
 struct Estimation {
   /// Throws InputError for a fixed name that is no symbol and a natural frequency that nothing tells.
   Estimation(std::span<const ObservationSet> measured, const MeasuredUnits& measured_units,
-             const EstimateOptions& asked);
+             const EstimateOptions& asked, const EstimatePass& asked_pass = {});
 
   const CompiledModel& model;
   MeasuredUnits units;
   const EstimateOptions& options;
+  const EstimatePass pass;
   std::vector<const ObservationSet*> sets, all;  ///< those with observations, and all
   std::vector<bool> given;                       ///< by symbol
   // Of the cases, see fit_rounds.
@@ -47,7 +48,7 @@ struct Estimation {
   SharedParameters shared;
   std::vector<Eigen::VectorXd>
       open_variance;  ///< by fit: of the coefficients, SharedParameters::open_variance's kin
-  /// How far along EstimateOptions::moves, then along the directions of ObservationSet::truncation_change,
+  /// How far along EstimatePass::moves, then along the directions of ObservationSet::truncation_change,
   /// parameters may be: (moves, directions) x independent unknowns. Empty: not known.
   Eigen::MatrixXd truncation_unknown;
   Eigen::MatrixXd bootstrap;

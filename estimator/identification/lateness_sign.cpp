@@ -18,6 +18,9 @@ constexpr auto& sign_alarm = estimator_thresholds().sign_alarm;
 /// The same for a delay that all records share, of which no order of magnitude is likelier than another.
 constexpr auto& common_delay_alarm = estimator_thresholds().common_delay_alarm;
 
+/// Of a delay that is looked for: beyond, recorders are not late but apart.
+constexpr int most_periods = 8;
+
 double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
@@ -30,6 +33,12 @@ double variance_of_mean(const std::vector<double>& values) {
   return sum / (count - 1) / count;
 }
 
+// Whether records of that variance scatter less than those of another one, by more than chance.
+bool scatter_less(double variance, double than, std::size_t records) {
+  const double degrees = static_cast<double>(records) - 1;
+  return than > 0 && (variance == 0 || f_upper_tail(than / variance, degrees, degrees) < sign_alarm);
+}
+
 // That delays drawn between none and the largest one leave as much room at none.
 double probability_of_gap(const std::vector<double>& late) {
   const auto [least, most] = std::minmax_element(late.begin(), late.end());
@@ -37,6 +46,19 @@ double probability_of_gap(const std::vector<double>& late) {
   const double near = std::min(std::abs(*least), std::abs(*most)),
                far = std::max(std::abs(*least), std::abs(*most));
   return std::pow(1 - near / far, static_cast<double>(late.size()) - 1);
+}
+
+// The one whose records scatter so much less about one delay than those of all others that they share it (variance
+// ratio). Half a period, which the minima differ by, is not the same in records of different frequencies.
+std::optional<std::size_t> least_scattered(const std::vector<LatenessOfRecords>& minima) {
+  std::vector<double> variance;
+  for (const LatenessOfRecords& minimum : minima) variance.push_back(variance_of_mean(minimum.late_s));
+  const std::size_t least =
+      static_cast<std::size_t>(std::min_element(variance.begin(), variance.end()) - variance.begin());
+  for (std::size_t m = 0; m < variance.size(); ++m)
+    if (m != least && !scatter_less(variance[least], variance[m], minima.front().late_s.size()))
+      return std::nullopt;
+  return least;
 }
 
 // Welch's test that two samples have one mean.
@@ -70,10 +92,21 @@ LatenessOfRecords lateness_of_records(const std::vector<double>& ahead, const st
   for (std::size_t r = 0; r < ahead.size(); ++r)
     result.late_s.push_back((centre + std::remainder(-ahead[r] - centre, 2 * std::numbers::pi)) / frequency[r]);
   result.period_s = 2 * std::numbers::pi / mean(frequency);
+  if (ahead.size() < 2) return result;
+  const double as_it_is = variance_of_mean(result.late_s);
+  std::vector<double> best = result.late_s;
+  for (int periods = -most_periods; periods <= most_periods; ++periods) {
+    std::vector<double> late = result.late_s;
+    for (std::size_t r = 0; r < late.size(); ++r) late[r] += periods * 2 * std::numbers::pi / frequency[r];
+    if (variance_of_mean(late) < variance_of_mean(best)) best = std::move(late);
+  }
+  if (scatter_less(variance_of_mean(best), as_it_is, ahead.size())) result.late_s = std::move(best);
   return result;
 }
 
 std::optional<std::size_t> told_by_own_lateness(const std::vector<LatenessOfRecords>& minima) {
+  if (minima.empty() || minima.front().late_s.size() < 2) return std::nullopt;
+  if (const std::optional<std::size_t> shared = least_scattered(minima)) return shared;
   std::vector<double> probability;
   for (const LatenessOfRecords& minimum : minima) probability.push_back(probability_of_gap(minimum.late_s));
   if (std::any_of(probability.begin(), probability.end(), [](double p) { return p >= sign_alarm; }))

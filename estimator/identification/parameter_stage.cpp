@@ -95,12 +95,12 @@ RowsByCondition rows_of(const CaseFit& fit, const std::vector<Index>& used) {
   return rows;
 }
 
-// Moves x symbols: how far along each of EstimateOptions::moves parameters are.
+// Moves x symbols: how far along each of EstimatePass::moves parameters are.
 MatrixXd along_moves(const Estimation& e) {
   const Index symbols = static_cast<Index>(e.model.symbols.size());
-  VectorXd size = e.options.moves.rowwise().norm();
+  VectorXd size = e.pass.moves.rowwise().norm();
   for (Index p = 0; p < symbols; ++p) size(p) = size(p) > 0 ? 1 / size(p) : 0;
-  MatrixXd moves = size.asDiagonal() * e.options.moves;
+  MatrixXd moves = size.asDiagonal() * e.pass.moves;
   const VectorXd length = moves.colwise().norm().transpose().cwiseMax(std::numeric_limits<double>::min());
   moves = moves * length.cwiseInverse().asDiagonal();
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
@@ -110,9 +110,9 @@ MatrixXd along_moves(const Estimation& e) {
 }
 
 // Columns x symbols: how a case's coefficients change with the parameters that the truncation was taken out with,
-// along EstimateOptions::moves.
+// along EstimatePass::moves.
 MatrixXd truncation_slope(const Estimation& e, const CaseFit& fit) {
-  const Index count = e.options.moves.cols();
+  const Index count = e.pass.moves.cols();
   if (count == 0 || fit.moves_effect.cols() != count) return MatrixXd::Zero(fit.fit.coefficients.size(), 0);
   return fit.moves_effect * along_moves(e);
 }
@@ -234,10 +234,10 @@ void set_uncertainty(Estimation& e) {
     e.result.open = open.topRows(symbols) + e.shared.null_space * open.bottomRows(directions);
   }
   e.truncation_unknown.resize(0, 0);
-  if (e.options.moves.cols() == 0) return;
+  if (e.pass.moves.cols() == 0) return;
   MatrixXd both(symbols + directions, noise.cols() + directions);
   both << noise, open;
-  e.truncation_unknown.resize(e.options.moves.cols() + directions, both.cols());
+  e.truncation_unknown.resize(e.pass.moves.cols() + directions, both.cols());
   e.truncation_unknown << along_moves(e) * both.topRows(symbols), both.bottomRows(directions);
 }
 
@@ -279,8 +279,8 @@ void share_parameters(Estimation& e) {
       part.residual_information = fit.residual_information;
       e.truncation_slope.back() = truncation_slope(e, fit);
       part.truncation_slope = e.truncation_slope.back()(used, Eigen::all);
-      part.truncation_at = e.options.corrected_at;
-      if (!e.options.rough_errors) part.rows = rows_of(fit, used);
+      part.truncation_at = e.pass.corrected_at;
+      if (!e.pass.between) part.rows = rows_of(fit, used);
     }
     part.clustered = fit.fit.covariance_kind == CovarianceKind::clustered;
     part.degrees_of_freedom = fit.fit.degrees_of_freedom;
@@ -302,8 +302,7 @@ void share_parameters(Estimation& e) {
     if (e.given[static_cast<std::size_t>(p)]) start(p) = e.options.fixed.at(name);
   }
   add_given_lumps(e, start);
-  e.shared =
-      shared_parameters(e.lump_estimates, start, e.given, e.options.null_space_place, e.options.rough_errors);
+  e.shared = shared_parameters(e.lump_estimates, start, e.given, e.pass.null_space_place, e.pass.between);
   add_silent_directions(e);
   e.result.parameter_values = e.shared.values;
   e.result.parameter_sd = e.shared.covariance.diagonal().cwiseMax(0).cwiseSqrt();
@@ -334,9 +333,9 @@ void place_along_null_space(Estimation& e) {
       if (follows_coordinates) change += effect * of_coordinates;
       return change;
     };
-    if (follows_values) move(e, s, by_values * (e.shared.values - e.options.corrected_at));
+    if (follows_values) move(e, s, by_values * (e.shared.values - e.pass.corrected_at));
     if (follows_coordinates) {
-      const VectorXd& from = e.options.null_space_place.corrected_at;
+      const VectorXd& from = e.pass.null_space_place.corrected_at;
       move(e, s, effect * (from.size() > 0 ? VectorXd(e.shared.null_coordinate - from) : e.shared.null_coordinate));
     }
     MatrixXd map = MatrixXd::Identity(columns, columns);  // of the coefficients' own noise

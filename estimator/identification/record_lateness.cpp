@@ -82,12 +82,17 @@ void keep_stable(std::vector<PhaseFit>& minima, const std::function<std::size_t(
   minima = std::move(kept);
 }
 
-std::vector<LatenessOfRecords> lateness_by_minimum(const LateCase& late) {
+// An excitation that has to be put ahead by an angle is early: its responses are ahead of time.
+LatenessOfRecords lateness_by(const PhaseProblem& problem, const PhaseFit& phases) {
   std::vector<double> frequency;
-  for (const RecordMembers& record : late.problem.records)
-    frequency.push_back(late.problem.set.observations[record.observations.front()].excitation_frequency.front());
+  for (const RecordMembers& record : problem.records)
+    frequency.push_back(problem.set.observations[record.observations.front()].excitation_frequency.front());
+  return lateness_of_records(phases.ahead, frequency);
+}
+
+std::vector<LatenessOfRecords> lateness_by_minimum(const LateCase& late) {
   std::vector<LatenessOfRecords> result;
-  for (const PhaseFit& minimum : late.minima) result.push_back(lateness_of_records(minimum.ahead, frequency));
+  for (const PhaseFit& minimum : late.minima) result.push_back(lateness_by(late.problem, minimum));
   return result;
 }
 
@@ -127,9 +132,24 @@ bool is_judged(const Estimate& estimate, std::string_view resonance) {
                      [&](const CaseLackOfFit& tests) { return tests.resonance == resonance; });
 }
 
+// Squares of what phases differ by from those of one delay of all records.
+double misfit_of_one_delay(const PhaseProblem& problem, const PhaseFit& phases) {
+  const LatenessOfRecords late = lateness_by(problem, phases);
+  const auto records = static_cast<Index>(late.late_s.size());
+  VectorXd frequency(records), angle(records);
+  for (Index r = 0; r < records; ++r) {
+    const auto at = static_cast<std::size_t>(r);
+    const Observation& o = problem.set.observations[problem.records[at].observations.front()];
+    frequency(r) = o.excitation_frequency.front();
+    angle(r) = frequency(r) * late.late_s[at];
+  }
+  return least_squares({MatrixXd(frequency), angle}).misfit;
+}
+
 // A law that the model lacks turns phases, too: with D_r what a phase does to the modulation equation, a law
-// z(b) = sum_k z_k b^k of the amplitude b makes psi_r = -Re(conj(D_r) z(b_r) b_r)/|D_r|^2. A delay is the same in
-// all records or comes at random. Whether the first leaves less than the second, in variances (F; 0.1 %).
+// z(b) = sum_k z_k b^k of the amplitude b makes psi_r = -Re(conj(D_r) z(b_r) b_r)/|D_r|^2. A delay, or the angle
+// that it makes, is the same in all records or comes at random. Whether the first leaves less than the second, in
+// variances (F; 0.1 %).
 bool follow_the_amplitude(const PhaseProblem& problem, const PhaseFit& phases) {
   const auto records = static_cast<Index>(phases.ahead.size());
   const ModeFrequencies modes = mode_frequencies(*problem.set.model, *problem.set.resonance);
@@ -157,7 +177,8 @@ bool follow_the_amplitude(const PhaseProblem& problem, const PhaseFit& phases) {
   const Solution by_law = least_squares({law, phase}), same = least_squares({MatrixXd::Ones(records, 1), phase});
   const auto left = static_cast<double>(records - by_law.rank), of_same = static_cast<double>(records - 1);
   if (left < 1 || !(by_law.misfit > 0)) return false;
-  return f_upper_tail(same.misfit / of_same / (by_law.misfit / left), of_same, left) < false_lateness;
+  const double without_law = std::min(same.misfit, misfit_of_one_delay(problem, phases));
+  return f_upper_tail(without_law / of_same / (by_law.misfit / left), of_same, left) < false_lateness;
 }
 
 CaseLateness lateness_of(const PhaseProblem& problem, const PhaseFit& phases, std::string assumed_positive) {
@@ -167,12 +188,11 @@ CaseLateness lateness_of(const PhaseProblem& problem, const PhaseFit& phases, st
                       phases.f,
                       phases.p_value,
                       std::move(assumed_positive)};
+  const LatenessOfRecords late = lateness_by(problem, phases);
   for (std::size_t r = 0; r < problem.records.size(); ++r) {
     const Observation& o = problem.set.observations[problem.records[r].observations.front()];
-    const double frequency = o.excitation_frequency.front(), period = 2 * std::numbers::pi / frequency;
-    // An excitation that has to be put ahead by an angle is early: its responses are ahead of time.
-    const double late = std::remainder(-phases.ahead[r] / frequency, period);
-    result.records.push_back({problem.records[r].record, late, period});
+    result.records.push_back(
+        {problem.records[r].record, late.late_s[r], 2 * std::numbers::pi / o.excitation_frequency.front()});
   }
   return result;
 }
@@ -267,7 +287,7 @@ UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const Me
     keep_stable(late.minima, [&](const PhaseFit& phases) {
       result.sets[late.place] = freed(phases);
       return stable_motions(result.sets[late.place],
-                            secular::estimate(result.sets, units, on_the_way(options)).parameter_values);
+                            secular::estimate(result.sets, units, options, pass_between()).parameter_values);
     });
     result.sets[late.place] = freed(late.minima.front());
     cases.push_back(std::move(late));
@@ -314,8 +334,7 @@ bool refine_phases(UnknownPhases& unknown, std::span<const ObservationSet> corre
     for (std::size_t r = 0; r < phases->ahead.size(); ++r)
       for (RecordLateness& record : found->records)
         if (record.record == problem.records[r].record)
-          record.late_s = std::remainder(
-              record.late_s - phases->ahead[r] / (2 * std::numbers::pi) * record.period_s, record.period_s);
+          record.late_s -= phases->ahead[r] / (2 * std::numbers::pi) * record.period_s;
   }
   return moved;
 }

@@ -12,7 +12,7 @@ namespace secular {
 /// How much later than its excitation a record's responses are, as far as the model's equations tell.
 struct RecordLateness {
   std::size_t record = 0;  ///< index into Campaign::records
-  double late_s = 0;       ///< within half a period of the (first) excitation
+  double late_s = 0;       ///< by whole periods of the (first) excitation near that of the other records
   double period_s = 0;
 };
 

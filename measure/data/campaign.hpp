@@ -59,6 +59,15 @@ struct Campaign {
   std::vector<RecordEntry> records;
 };
 
+/// What a channel's file holds before its recording begins or after it has ended.
+struct Unrecorded {
+  std::size_t channel = 0;
+  bool at_end = false;
+  std::size_t samples = 0;
+  double value = 0;       ///< that is repeated there; no number: there is none
+  bool replaced = false;  ///< so few that they follow from what is around them (no_numbers); else they are cut off
+};
+
 /// Samples of one record, evenly spaced: channels[c][i] at start_s + i / sample_rate_hz, in channel units.
 struct Record {
   double start_s = 0;
@@ -69,6 +78,9 @@ struct Record {
   std::vector<std::size_t> lost{};
   /// By channel, samples that are no numbers in the file: they follow from what is around them. Empty: none.
   std::vector<std::vector<std::size_t>> no_numbers{};
+  /// At the ends of the file. The record begins where all channels have begun, and ends with the first of them.
+  std::vector<Unrecorded> unrecorded{};
+  std::size_t cut_off = 0;  ///< samples at both ends, for that reason
   std::size_t samples() const { return channels.empty() ? 0 : channels.front().size(); }
 };
 
@@ -83,7 +95,8 @@ Campaign read_campaign(const std::filesystem::path& folder);
 
 /// Reads one record's samples from any file that read_data_file reads. The record's rate is campaign.toml's
 /// wherever the time stamps follow it. A few lost rows, and a few samples in a row that are no numbers (empty, NaN,
-/// infinity), follow from what is around them. Throws InputError for a missing column, text where a number should
+/// infinity), follow from what is around them; ends where nothing was recorded are cut off (cut_unrecorded). Throws
+/// InputError for a missing column, text where a number should
 /// be, more samples that are no numbers, time that does not increase evenly (names the place), a sample rate that
 /// contradicts campaign.toml by more than 0.1 %.
 Record read_record(const Campaign& campaign, const RecordEntry& entry);

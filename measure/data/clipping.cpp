@@ -133,7 +133,7 @@ struct Side {
 
 Side judge_side(std::span<const double> samples, const std::vector<double>& sorted, double sign, double quantum) {
   const double range = sorted.back() - sorted.front(), extreme = sign > 0 ? sorted.back() : sorted.front();
-  const double same = equal_within(sorted);
+  const double same = SameValue(sorted).within(extreme);
   Side side;
   std::size_t short_runs = 0, samples_in_short_runs = 0;
   double least_step = std::numeric_limits<double>::infinity(), largest_step = 0;  // to the extreme; elsewhere

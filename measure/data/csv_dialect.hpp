@@ -13,6 +13,10 @@ struct CsvDialect {
 
 /// A file is of the first one whose separator stands in its header line outside of quotes; of the comma if none
 /// does. No channel's name holds one of them.
-inline constexpr CsvDialect csv_dialects[] = {{';', "semicolon", true}, {',', "comma"}, {'\t', "tabulator", true}};
+inline constexpr CsvDialect csv_dialects[] = {
+    {';', "semicolon", true}, {',', "comma"}, {'\t', "tabulator", true}, {'|', "vertical bar", true}};
+
+/// Columns of a text without any of these separators, which one blank or more part.
+inline constexpr CsvDialect blank_dialect = {' ', "blank", true};
 
 }  // namespace secular

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "input/input_error.hpp"
+#include "measure/data/fortran_number.hpp"
 #include "measure/data/number_table.hpp"
 #include "measure/data/unit.hpp"
 
@@ -35,6 +36,10 @@ std::vector<std::string_view> split_quoted(std::string_view line, char separator
   for (std::size_t i = 0; i <= line.size(); ++i) {
     if (i < line.size() && line[i] == '"') inside = !inside;
     if (i < line.size() && (inside || line[i] != separator)) continue;
+    if (separator == blank_dialect.separator && i == begin) {  // one blank more
+      begin = i + 1;
+      continue;
+    }
     fields.push_back(unquoted(trimmed(line.substr(begin, i - begin))));
     begin = i + 1;
   }
@@ -90,10 +95,18 @@ struct Beginning {
 
   CsvDialect dialect_for(const Line& line) const { return dialect ? *dialect : dialect_of(line.text); }
 
+  // The same, where blanks part columns in no other way.
+  CsvDialect dialect_of_names(std::size_t i) const {
+    const CsvDialect its = dialect_for(lines[i]);
+    const bool parted = lines[i].text.find(its.separator) != std::string_view::npos;
+    return !dialect && !parted && !names_rows(i, its) && names_rows(i, blank_dialect) ? blank_dialect : its;
+  }
+
   // Whether line i holds the names of the columns of a row of numbers below it, or below one further line (of
   // units).
-  bool names_rows(std::size_t i) const {
-    const CsvDialect its = dialect_for(lines[i]);
+  bool names_rows(std::size_t i) const { return names_rows(i, dialect_of_names(i)); }
+
+  bool names_rows(std::size_t i, const CsvDialect& its) const {
     const std::vector<std::string_view> names = names_in(lines[i].text, its.separator);
     if (!are_names(names)) return false;
     for (const std::size_t row : {i + 1, i + 2}) {
@@ -106,11 +119,19 @@ struct Beginning {
     return false;
   }
 
+  // NumPy parts the names in a comment as it parts the rows.
+  CsvDialect dialect_of_comment(const Line& comment) const {
+    const CsvDialect its = dialect_for(comment);
+    const bool parted = comment.text.find(its.separator) != std::string_view::npos ||
+                        lines.front().text.find(its.separator) != std::string_view::npos;
+    return dialect || parted ? its : blank_dialect;
+  }
+
   // A comment that names the columns of the rows that begin with the first line, as NumPy writes them.
   std::optional<Line> names_in_comment() const {
     if (lines.empty() || comments.empty()) return std::nullopt;
     const Line& last = comments.back();
-    const CsvDialect its = dialect_for(last);
+    const CsvDialect its = dialect_of_comment(last);
     const std::vector<std::string_view> names = names_in(last.text, its.separator);
     const std::vector<std::string_view> fields = split_quoted(lines.front().text, its.separator);
     const bool fits = fields.size() == names.size() && are_names(names) && are_numbers(fields, its.decimal_comma);
@@ -125,7 +146,7 @@ std::optional<CsvDialect> stated_dialect(std::string_view line, const std::strin
   for (const CsvDialect& dialect : csv_dialects)
     if (dialect.separator == line.back()) return dialect;
   throw InputError(file, fmt::format("line {}", number), "states a separator that is not read",
-                   "a semicolon, a comma or a tabulator");
+                   "a semicolon, a comma, a tabulator or a vertical bar");
 }
 
 Beginning beginning_of(std::string_view text, char line_break, const std::string& file) {
@@ -220,6 +241,11 @@ FieldFault parse_number(std::string_view field, bool decimal_comma, double& valu
     field = std::string_view(with_point, field.size());
   }
   const auto result = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (result.ptr != field.data() + field.size() && (*result.ptr == 'D' || *result.ptr == 'd'))
+    if (const std::optional<double> number = fortran_number(field)) {  // 1.0D+00
+      value = *number;
+      return FieldFault::none;
+    }
   if (result.ec == std::errc::invalid_argument || result.ptr != field.data() + field.size())
     return FieldFault::text;
   if (result.ec != std::errc() || !std::isfinite(value)) return FieldFault::not_finite;
@@ -269,13 +295,14 @@ CsvHeader read_header(std::string_view text, const std::string& file) {
   Line names;
   if (const std::optional<Line> comment = beginning.names_in_comment()) {
     names = *comment;
+    header.dialect = beginning.dialect_of_comment(names);
   } else {
     for (row = 0; row < beginning.lines.size() && !beginning.names_rows(row);) ++row;
     if (row == beginning.lines.size()) row = 0;
+    header.dialect = beginning.dialect_of_names(row);
     names = beginning.lines[row++];
   }
   header.line = names.number;
-  header.dialect = beginning.dialect_for(names);
   for (const std::string_view name : names_in(names.text, header.dialect.separator))
     header.names.emplace_back(name);
   check_names(header, file);

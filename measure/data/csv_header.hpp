@@ -21,7 +21,8 @@ struct CsvHeader {
 
 /// Lines that begin with # and empty ones are passed over, and so is what has another number of fields than the
 /// names above the first row of numbers; sep= states the separator; a comment directly above the rows may hold the
-/// names. A control-Z at the end belongs to no row. Throws InputError.
+/// names. Where no line has a separator of csv_dialects, blanks part columns. A control-Z at the end belongs to no
+/// row. Throws InputError.
 CsvHeader read_header(std::string_view text, const std::string& file);
 
 /// Takes the next line off `rest`, without its line break.

@@ -12,6 +12,7 @@
 
 #include "input/input_error.hpp"
 #include "measure/data/hdf5_file.hpp"
+#include "measure/data/lvm_file.hpp"
 #include "measure/data/mat_file.hpp"
 #include "measure/data/matrix_lines.hpp"
 #include "measure/data/uff_file.hpp"
@@ -48,7 +49,18 @@ struct TimeName {
   std::string name, unit;  // in lower case, and as it stands
 };
 
-// "run.Time (ms)" -> ms; "t_us" -> us; "t" -> none.
+// A unit of time at the end of a name, behind a mark or as TimeMs has it; where the name is nothing else, the name.
+std::size_t time_unit_in(const std::string& name) {
+  const std::size_t mark = name.find_last_of("_ :,-");
+  if (mark != std::string::npos && seconds_in(name.substr(mark + 1))) return mark + 1;
+  const auto is_capital = [&](std::size_t i) { return name[i] >= 'A' && name[i] <= 'Z'; };
+  for (std::size_t i = name.size(); i-- > 1;)
+    if (is_capital(i) && !is_capital(i - 1) && name.size() > i + 1)
+      return seconds_in(name.substr(i)) ? i : std::string::npos;
+  return name.size() > 1 && seconds_in(name) ? 0 : std::string::npos;
+}
+
+// "run.Time (ms)", "Zeit/ms" -> ms; "t_us", "tUs" -> us; "t" -> none.
 TimeName time_name(const std::string& path) {
   std::string name = path.substr(path.rfind('.') + 1);
   TimeName found;
@@ -56,14 +68,15 @@ TimeName time_name(const std::string& path) {
   if (const CsvName bracketed = bracketed_unit(name); !bracketed.unit.empty()) {
     found.unit = bracketed.unit;
     name = bracketed.name;
-  } else if (const std::size_t gap = name.find_last_of("_ ");
-             gap != std::string::npos && seconds_in(name.substr(gap + 1))) {
-    found.unit = name.substr(gap + 1);
-    name.resize(gap);
+  } else if (const std::size_t begin = time_unit_in(name); begin != std::string::npos) {
+    found.unit = name.substr(begin);
+    name.resize(name.find_last_not_of("_ :,-", begin > 0 ? begin - 1 : 0) + 1);
+    if (begin == 0) name.clear();
   }
   for (char& c : name)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  found.is_time = name == "t" || name == "time";
+  constexpr std::string_view names_of_time[] = {"t", "time", "zeit", "temps", "tempo", "tiempo"};
+  found.is_time = std::find(std::begin(names_of_time), std::end(names_of_time), name) != std::end(names_of_time);
   if (!found.is_time && !seconds_in(found.unit)) found.unit.clear();
   found.name = std::move(name);
   return found;
@@ -109,6 +122,10 @@ DataFile read_mat_file(const fs::path& path, const std::vector<std::string>& wan
   return with_variables(path, "MAT v5", read_mat(path, wanted, limit), limit);
 }
 
+DataFile read_lvm_file(const fs::path& path, const std::vector<std::string>& wanted, std::size_t limit) {
+  return with_variables(path, "LVM", read_lvm(path, wanted, limit), limit);
+}
+
 struct Format {
   bool (*looks_like)(const fs::path&);
   std::array<std::string_view, 4> extensions;
@@ -119,6 +136,7 @@ struct Format {
 constexpr Format formats[] = {{looks_like_hdf5, {".h5", ".hdf5", ".hdf"}, read_hdf5_file},
                               {looks_like_mat, {".mat"}, read_mat_file},
                               {looks_like_uff, {".uff", ".unv", ".uf", ".bunv"}, read_uff_variables},
+                              {looks_like_lvm, {".lvm"}, read_lvm_file},
                               {looks_like_wav, {".wav"}, read_wav}};
 
 // nullptr: a CSV.
@@ -134,6 +152,29 @@ const Format* format_of(const fs::path& path) {
     for (const std::string_view usual : format.extensions)
       if (!usual.empty() && extension == usual) return &format;
   return nullptr;
+}
+
+// Numbers without a unit count as seconds, unless they cannot be: their name says that they count samples, as
+// seconds they lie thousands of years off (a computer's clock, which counts milliseconds), or they are days as
+// MATLAB counts them, of which double precision leaves ten microseconds.
+void require_seconds(const DataVariable& time, const std::string& file) {
+  constexpr std::string_view counters[] = {"sample", "samples", "index", "idx", "count", "counter", "row",
+                                           "point",  "points",  "nr",    "no",  "#",     "scan",    "step"};
+  constexpr double latest = 1e11, days_of_1900 = 693961, days_of_2100 = 767011, finest_s = 1e-5;
+  const auto wrong = [&](const std::string& what, const std::string& right) {
+    return InputError(file, "variable " + time.name, what, right);
+  };
+  const std::string say = "give --time NAME:UNIT with s, ms, us, ns, min, h or d, or --sample-rate HZ in its place";
+  const std::string name = time_name(time.name).name;
+  if (std::find(std::begin(counters), std::end(counters), name) != std::end(counters))
+    throw wrong("counts samples, by its name, and states no unit of time", say);
+  if (time.values.size() < 2) return;
+  const double first = time.values.front(), step = std::abs(time.values[1] - first);
+  if (std::abs(first) > latest)
+    throw wrong(fmt::format("begins at {:.6g}, which cannot be seconds, and states no unit", first), say);
+  if (first > days_of_1900 && first < days_of_2100 && step < finest_s)
+    throw wrong(fmt::format("begins at {:.9g} in steps of {:.3g}, as days do, and states no unit", first, step),
+                say);
 }
 
 }  // namespace
@@ -154,7 +195,8 @@ void convert_to_seconds(DataVariable& time, const std::string& file, const std::
   if (!seconds)
     throw InputError(file, "variable " + time.name,
                      fmt::format("has the unit '{}', which is no known unit of time", unit),
-                     "give --time NAME:UNIT with s, ms, us, ns, min or h, or --sample-rate HZ in its place");
+                     "give --time NAME:UNIT with s, ms, us, ns, min, h or d, or --sample-rate HZ in its place");
+  if (unit.empty()) require_seconds(time, file);
   scale_to_seconds(time.values, *seconds);
   time.stated_unit = unit;
   time.unit = unit.empty() ? "" : "s";

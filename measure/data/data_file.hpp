@@ -73,7 +73,7 @@ DataFile read_data_file(const std::filesystem::path& path, const std::vector<std
 void convert_csv_units(DataFile& data);
 
 /// The formats, as messages name them.
-inline constexpr const char* data_formats = "CSV, MAT, HDF5, UFF 58 or WAV";
+inline constexpr const char* data_formats = "CSV, MAT, HDF5, UFF 58, LVM or WAV";
 
 /// The variables that `read_data_file` would find, without their values.
 std::vector<DataVariable> describe_data_file(const std::filesystem::path& path);

@@ -98,6 +98,14 @@ void give_unit(DescribedChannel& described, const std::string& unit, std::option
                      meaning ? "" : std::string("or, where a number stands for so much of it, ") + factor_form);
   channel.unit = si_unit(channel.quantity);
   described.si_factor = meaning->si_factor * factor.value_or(1);
+  if (factor && variable.quantity == Quantity::voltage && channel.quantity != Quantity::voltage) {
+    // What an amplifier gives for the quantity; the factor is that of a number of the file, in its own unit.
+    const std::optional<UnitMeaning> stated = unit_meaning(usual_spelling(variable.stated_unit));
+    described.si_factor /= stated ? stated->si_factor : 1;
+    described.of_voltage = true;
+    described.given_unit = fmt::format("{} {} for {}", *factor, unit, variable.stated_unit);
+    return;
+  }
   if (!variable.unit.empty()) {
     if (factor || (meaning->si_factor != 1 && usual_spelling(variable.stated_unit) != usual_spelling(unit)))
       throw InputError(option, factor ? "factor" : "unit",

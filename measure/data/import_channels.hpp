@@ -15,6 +15,7 @@ struct DescribedChannel {
   std::string variable;          ///< of the files
   double si_factor = 1;          ///< SI value = si_factor * number of the file, where its unit is not stated there
   std::string given_unit{};      ///< what `si_factor` stands for: "g", "0.02 g"
+  bool of_voltage = false;       ///< files state volts, of which `si_factor` makes the quantity
   bool stated_by_files = false;  ///< quantity and unit
 };
 

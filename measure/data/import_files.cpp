@@ -163,7 +163,8 @@ std::vector<std::optional<std::ptrdiff_t>> read_delays(DataFile& data, const Exp
 }
 
 void check_quantity(const DataVariable& variable, const DescribedChannel& described, const std::string& file) {
-  if (const std::string fault = quantity_fault(variable, described.channel.quantity); !fault.empty())
+  const Quantity expected = described.of_voltage ? Quantity::voltage : described.channel.quantity;
+  if (const std::string fault = quantity_fault(variable, expected); !fault.empty())
     throw InputError(
         file, "variable " + variable.name, fault,
         fmt::format("--channel {} says {}", described.channel.name, to_string(described.channel.quantity)));
@@ -182,10 +183,11 @@ void note_missing(const DataFile& data, const std::vector<DescribedChannel>& cha
     const std::string& name = channels[c].channel.name;
     std::vector<std::vector<double>> filled = {record.channels[c]};
     fill_missing_cells(filled);
-    require_filled(filled.front(), name, data.file, data.place);
+    const std::size_t first = drop_ends_without_numbers(filled.front());
+    require_filled(filled.front(), name, data.file, data.place, first);
     read.warnings.push_back(fmt::format(
         "{}: {} of {} samples of {} are no finite numbers: written as nan, and replaced by what is around "
-        "them where the record is read",
+        "them, or cut off at the ends, where the record is read",
         data.file, missing, record.samples(), name));
   }
 }
@@ -207,18 +209,23 @@ ReadFile read_file(const std::filesystem::path& path, const ExpectedFile& expect
       return later.variable == described->variable;
     });
     record.channels.push_back(last ? std::move(variable.values) : variable.values);
-    if (variable.unit.empty() && described->si_factor != 1)
+    if ((variable.unit.empty() || described->of_voltage) && described->si_factor != 1)
       for (double& value : record.channels.back()) value *= described->si_factor;
+    drop_fill_values(record.channels.back());
     require_number_range(record.channels.back(), data.file, "variable " + described->variable);
     if (record.channels.back().size() != count && !delays[record.channels.size() - 1])
       throw InputError(data.file, "variable " + described->variable,
                        fmt::format("has {} samples, {} has {}", record.channels.back().size(), first, count),
                        "all channels of a record have one length");
   }
-  if (std::any_of(delays.begin(), delays.end(), [](const auto& delay) { return delay.value_or(0) != 0; }))
+  const bool cut = std::any_of(record.channels.begin(), record.channels.end(),
+                               [&](const std::vector<double>& samples) { return samples.size() != count; });
+  if (cut || std::any_of(delays.begin(), delays.end(), [](const auto& delay) { return delay.value_or(0) != 0; }))
     record.start_s += static_cast<double>(align_channels(record.channels, delays)) / record.sample_rate_hz;
   if (record.samples() < 2)
-    throw InputError(data.file, "", "has fewer than two samples", "a record needs many samples");
+    throw InputError(data.file, "",
+                     cut ? "has channels that share fewer than two sampling times" : "has fewer than two samples",
+                     "a record needs many samples");
   note_missing(data, channels, read);
   return read;
 }

@@ -14,6 +14,7 @@
 #include "measure/data/missing_cells.hpp"
 #include "measure/data/number_range.hpp"
 #include "measure/data/record_data.hpp"
+#include "measure/data/recorded_span.hpp"
 #include "measure/data/unit.hpp"
 #include "measure/thresholds.hpp"
 
@@ -100,11 +101,23 @@ void note_filled(const std::vector<std::size_t>& filled, std::size_t samples, Ch
                               filled.size(), samples, filled.front() + 1)});
 }
 
+// Without those that a number stood for which was none (Unrecorded).
+MissingCells without_ends(MissingCells cells, const std::vector<Unrecorded>& ends) {
+  for (const Unrecorded& part : ends) {
+    std::vector<std::size_t>& places = cells[part.channel];
+    if (!part.replaced || !std::isfinite(part.value) || places.size() < part.samples) continue;
+    const auto begin = part.at_end ? places.end() - static_cast<std::ptrdiff_t>(part.samples) : places.begin();
+    places.erase(begin, begin + static_cast<std::ptrdiff_t>(part.samples));
+  }
+  return cells;
+}
+
 RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std::size_t limit,
                                 const TimeSpan& span, const RecordLook& look) {
   RecordInspection inspection;
   try {
     RecordData data = read_record_data(campaign, campaign.records[index], MissingNumbers::keep_as_nan, limit);
+    CutEnds cut = data.partial ? CutEnds{} : cut_unrecorded(campaign, data.stamps_s, data.channels);
     FilledSamples filled = fill_missing(data.stamps_s, data.channels);
     inspection.judged = data.stamps_s.size();
     inspection.samples = data.total + filled.rows.size();
@@ -113,10 +126,15 @@ RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std
                              measure_thresholds().same_rate))
       inspection.faults.push_back({"time", fmt::format("is sampled at {:.6g} Hz; campaign.toml says {}",
                                                        inspection.axis->sample_rate_hz, campaign.sample_rate_hz)});
+    const TimeAxis axis = inspection.axis.value_or(TimeAxis{0, campaign.sample_rate_hz, 0});
+    const MissingCells no_numbers = without_ends(filled.cells, cut.unrecorded);
+    Record record{axis.start_s,           axis.sample_rate_hz,     std::move(data.channels),  axis.jitter_s,
+                  std::move(filled.rows), std::move(filled.cells), std::move(cut.unrecorded), cut.rows};
     if (inspection.axis && !span.all()) {
-      std::vector<std::vector<double>*> channels;
-      for (std::vector<double>& samples : data.channels) channels.push_back(&samples);
-      inspection.samples = inspection.judged = cut(span, *inspection.axis, data.stamps_s.size(), channels);
+      const SpanOfSamples kept = samples_within(span, record.start_s, axis.sample_rate_hz, record.samples());
+      cut_record(record, kept.first, kept.count);
+      inspection.axis->start_s = record.start_s;
+      inspection.samples = inspection.judged = kept.count;
     }
     if (data.partial && data.csv) {
       const std::optional<std::size_t> counted =
@@ -125,14 +143,12 @@ RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std
       inspection.estimated = !counted;
     }
     if (inspection.axis && inspection.axis->jitter_s > 0)
-      inspection.faults.push_back({"time", jitter_text(*inspection.axis, data.channels)});
-    for (std::size_t c = 0; c < data.channels.size(); ++c) {
-      inspection.channels.push_back(check_channel(data.channels[c]));
-      if (!filled.cells[c].empty()) note_filled(filled.cells[c], inspection.samples, inspection.channels.back());
+      inspection.faults.push_back({"time", jitter_text(*inspection.axis, record.channels)});
+    for (std::size_t c = 0; c < record.channels.size(); ++c) {
+      inspection.channels.push_back(check_channel(record.channels[c]));
+      if (!no_numbers[c].empty()) note_filled(no_numbers[c], inspection.samples, inspection.channels.back());
     }
-    if (look && inspection.axis)
-      look(index, {inspection.axis->start_s, inspection.axis->sample_rate_hz, std::move(data.channels),
-                   inspection.axis->jitter_s, std::move(filled.rows), std::move(filled.cells)});
+    if (look && inspection.axis) look(index, record);
   } catch (const InputError& error) {
     inspection.faults.push_back({"unreadable", without_file(error)});
   }
@@ -175,12 +191,22 @@ void look_at_file(const FileLook& look, const DataFile& data, const FileInspecti
                                  variable.quantity.value_or(Quantity::displacement),
                                  variable.unit.empty() ? variable.stated_unit : variable.unit});
     record.channels.push_back(variable.values);
+    drop_fill_values(record.channels.back());
   }
   RecordEntry entry;
   entry.file = std::filesystem::path(data.file).filename().string();
   entry.kind = RecordKind::free_decay;
   campaign.records.push_back(std::move(entry));
-  if (!record.channels.empty()) look(campaign, record);
+  if (record.channels.empty()) return;
+  if (!data.partial) {
+    std::vector<double> stamps(record.samples());
+    CutEnds cut = cut_unrecorded(campaign, stamps, record.channels);
+    record.no_numbers = fill_missing_cells(record.channels);
+    record.start_s += static_cast<double>(cut.first) / record.sample_rate_hz;
+    record.unrecorded = std::move(cut.unrecorded);
+    record.cut_off = cut.rows;
+  }
+  look(campaign, record);
 }
 
 // The time and what goes with it, cut to a span.

@@ -37,6 +37,25 @@ MissingCells missing_cells(const std::vector<std::vector<double>>& channels) {
   return missing;
 }
 
+std::size_t drop_fill_values(std::vector<double>& samples) {
+  constexpr double out_of_all_reach = 1e8;  // derived: one over what SameValue calls equal
+  double most = 0, other = 0;
+  for (const double x : samples)
+    if (std::isfinite(x) && std::abs(x) > std::abs(most)) most = x;
+  const auto stands_for_none = [&](double x) { return std::abs(x - most) <= std::abs(most) / out_of_all_reach; };
+  std::size_t count = 0;
+  for (const double x : samples) {
+    if (!std::isfinite(x)) continue;
+    if (stands_for_none(x))
+      ++count;
+    else
+      other = std::max(other, std::abs(x));
+  }
+  if (!(other > 0) || std::abs(most) < out_of_all_reach * other) return 0;
+  std::replace_if(samples.begin(), samples.end(), stands_for_none, std::nan(""));
+  return count;
+}
+
 MissingCells fill_missing_cells(std::vector<std::vector<double>>& channels) {
   MissingCells missing = missing_cells(channels);
   for (std::size_t c = 0; c < missing.size(); ++c) {
@@ -58,14 +77,26 @@ FilledSamples fill_missing(std::vector<double>& stamps_s, std::vector<std::vecto
   return filled;
 }
 
+std::size_t drop_ends_without_numbers(std::vector<double>& samples) {
+  const auto is_number = [](double x) { return std::isfinite(x); };
+  if (std::none_of(samples.begin(), samples.end(), is_number)) return 0;
+  samples.erase(std::find_if(samples.rbegin(), samples.rend(), is_number).base(), samples.end());
+  const auto first = std::find_if(samples.begin(), samples.end(), is_number);
+  const auto count = static_cast<std::size_t>(first - samples.begin());
+  samples.erase(samples.begin(), first);
+  return count;
+}
+
 void require_filled(const std::vector<double>& samples, const std::string& channel, const std::string& file,
-                    const RowPlace& place) {
+                    const RowPlace& place, std::size_t first_row) {
   const auto is_missing = [](double x) { return !std::isfinite(x); };
   const auto first = std::find_if(samples.begin(), samples.end(), is_missing);
   if (first == samples.end()) return;
   const auto length = std::find_if_not(first, samples.end(), is_missing) - first;
   throw InputError(
-      file, fmt::format("{}, column {}", place.of(static_cast<std::size_t>(first - samples.begin())), channel),
+      file,
+      fmt::format("{}, column {}", place.of(first_row + static_cast<std::size_t>(first - samples.begin())),
+                  channel),
       length == 1 ? std::string("is no finite number, and what is around it does not tell it")
                   : fmt::format("{} in a row are no finite numbers", length),
       fmt::format("up to {} in a row are replaced by what enough numbers around them tell; cut the record around "

@@ -13,6 +13,7 @@
 #include "input/input_error.hpp"
 #include "measure/data/csv_header.hpp"
 #include "measure/data/mapped_file.hpp"
+#include "measure/data/unit.hpp"
 
 namespace secular {
 namespace {
@@ -68,6 +69,8 @@ struct RowReader {
       more = end != std::string_view::npos;
       const std::string_view field = trimmed(line.substr(0, end));
       if (more) line.remove_prefix(end + 1);
+      if (header.dialect.separator == blank_dialect.separator)
+        line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
       if (fields >= target.size() && field.empty()) continue;  // separators at the end of the line
       ++fields;
       if (fields > target.size() || target[fields - 1] == skipped) continue;
@@ -132,6 +135,7 @@ void read_rows(const RowReader& reader, MappedFile& mapped, std::size_t limit, N
   while (!rest.empty() && table.rows() < limit) {
     const std::string_view line = next_line(rest, reader.header.line_break);
     ++line_number;
+    if (trimmed(line).starts_with('#')) continue;  // a remark
     if (trimmed(line).empty()) {
       if (empty_line == 0) empty_line = line_number;
       continue;
@@ -167,12 +171,28 @@ std::size_t count_lines(const CsvHeader& header, MappedFile& mapped, std::size_t
   return std::min(lines, limit);
 }
 
+// "Kraft/N", "a/(m/s^2)" (DIN 1313): a name without blanks that is no unit itself, and a known unit.
+CsvName unit_behind_slash(const std::string& name) {
+  const std::size_t slash = name.find('/');
+  if (slash == 0 || slash == std::string::npos) return {name, ""};
+  const std::string before = name.substr(0, slash), unit = usual_spelling(name.substr(slash + 1));
+  const auto is_unit = [](const std::string& text) {
+    return seconds_in(text) || unit_meaning(usual_spelling(text)) || !other_measure(text).empty();
+  };
+  if (before.find(' ') != std::string::npos || is_unit(before) || is_bare_ratio(unit) || !is_unit(unit))
+    return {name, ""};
+  return {before, unit};
+}
+
 }  // namespace
 
 CsvName bracketed_unit(const std::string& name) {
-  if (name.size() < 3 || (name.back() != ')' && name.back() != ']')) return {name, ""};
-  const std::size_t open = name.rfind(name.back() == ')' ? '(' : '[');
+  constexpr std::string_view opening = "([{<", closing = ")]}>";
+  const std::size_t kind = name.empty() ? std::string_view::npos : closing.find(name.back());
+  if (name.size() < 3 || kind == std::string_view::npos) return unit_behind_slash(name);
+  const std::size_t open = name.rfind(opening[kind]);
   if (open == std::string::npos || open == 0 || open + 2 >= name.size()) return {name, ""};
+  if (name[open - 1] == '/') return unit_behind_slash(name);
   return {std::string(trimmed(std::string_view(name).substr(0, open))),
           name.substr(open + 1, name.size() - open - 2)};
 }

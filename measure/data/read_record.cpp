@@ -11,6 +11,7 @@
 #include "measure/data/missing_cells.hpp"
 #include "measure/data/number_range.hpp"
 #include "measure/data/record_data.hpp"
+#include "measure/data/recorded_span.hpp"
 #include "measure/data/time_axis.hpp"
 #include "measure/data/unit.hpp"
 #include "measure/thresholds.hpp"
@@ -70,6 +71,7 @@ RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, 
           data.file, "channel " + campaign.channels[c].name,
           fmt::format("has {} samples for {} time stamps", record.channels.back().size(), record.stamps_s.size()),
           "all variables of a record have one length");
+    drop_fill_values(record.channels.back());
     require_number_range(record.channels.back(), data.file, "channel " + campaign.channels[c].name);
   }
   return record;
@@ -77,15 +79,16 @@ RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, 
 
 Record read_record(const Campaign& campaign, const RecordEntry& entry) {
   RecordData data = read_record_data(campaign, entry, MissingNumbers::keep_gaps);
+  CutEnds cut = cut_unrecorded(campaign, data.stamps_s, data.channels);
   FilledSamples filled = fill_missing(data.stamps_s, data.channels);
   for (std::size_t c = 0; c < data.channels.size(); ++c)
-    require_filled(data.channels[c], campaign.channels[c].name, data.file, data.place);
+    require_filled(data.channels[c], campaign.channels[c].name, data.file, data.place, cut.first);
   const TimeAxis axis = even_time_axis(data.stamps_s, data.file, data.place, campaign.sample_rate_hz);
   if (!(std::abs(axis.sample_rate_hz / campaign.sample_rate_hz - 1) <= measure_thresholds().same_rate))
     throw InputError(data.file, "", fmt::format("is sampled at {} Hz", axis.sample_rate_hz),
                      fmt::format("campaign.toml says sample_rate_hz = {}", campaign.sample_rate_hz));
-  return {axis.start_s,  axis.sample_rate_hz,    std::move(data.channels),
-          axis.jitter_s, std::move(filled.rows), std::move(filled.cells)};
+  return {axis.start_s,           axis.sample_rate_hz,     std::move(data.channels),  axis.jitter_s,
+          std::move(filled.rows), std::move(filled.cells), std::move(cut.unrecorded), cut.rows};
 }
 
 }  // namespace secular

@@ -12,15 +12,31 @@ std::vector<double> in_order(std::span<const double> samples) {
   return sorted;
 }
 
-double equal_within(const std::vector<double>& sorted) {
-  return std::min(1e-8 * std::max(std::abs(sorted.front()), std::abs(sorted.back())),
-                  1e-6 * (sorted.back() - sorted.front()));
+namespace {
+
+constexpr double equal_share = 1e-8;  // rounding: of values that are equal
+
+}  // namespace
+
+SameValue::SameValue(const std::vector<double>& sorted) {
+  const std::size_t eighth = sorted.size() / 8;
+  const double usual = std::max(std::abs(sorted[eighth]), std::abs(sorted[sorted.size() - 1 - eighth]));
+  floor_ = equal_share * usual;
+  cap_ = 1e-6 * (sorted.back() - sorted.front());
 }
 
-std::vector<ValueLevel> levels_of_sorted(const std::vector<double>& sorted, double same) {
+double SameValue::within(double value) const {
+  return std::min(cap_, std::max(floor_, equal_share * std::abs(value)));
+}
+
+bool SameValue::operator()(double a, double b) const {
+  return std::abs(a - b) <= within(std::max(std::abs(a), std::abs(b)));
+}
+
+std::vector<ValueLevel> levels_of_sorted(const std::vector<double>& sorted, const SameValue& same) {
   std::vector<ValueLevel> levels;
   for (const double value : sorted) {
-    if (levels.empty() || value - levels.back().value > same) levels.push_back({value, 0});
+    if (levels.empty() || !same(value, levels.back().value)) levels.push_back({value, 0});
     ++levels.back().count;
   }
   return levels;
@@ -29,7 +45,7 @@ std::vector<ValueLevel> levels_of_sorted(const std::vector<double>& sorted, doub
 ValueGrid grid_of_sorted(const std::vector<double>& sorted) {
   ValueGrid grid;
   if (sorted.empty()) return grid;
-  const double same = equal_within(sorted);
+  const SameValue same(sorted);
   const std::vector<ValueLevel> levels = levels_of_sorted(sorted, same);
   std::vector<double> gaps;
   for (std::size_t k = 1; k < levels.size(); ++k) gaps.push_back(levels[k].value - levels[k - 1].value);
@@ -37,7 +53,7 @@ ValueGrid grid_of_sorted(const std::vector<double>& sorted) {
   if (gaps.empty()) return grid;
   const double smallest = *std::min_element(gaps.begin(), gaps.end());
   // Gaps that are hardly larger than what counts as equal are no lattice's: all of them would be one such gap long.
-  if (smallest < 20 * same) return grid;
+  if (smallest < 20 * same.within(0)) return grid;
   const auto on_grid = std::count_if(gaps.begin(), gaps.end(), [&](double gap) {
     const double multiple = gap / smallest;
     return std::abs(multiple - std::round(multiple)) < 0.05;

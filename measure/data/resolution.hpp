@@ -15,10 +15,21 @@ struct ValueGrid {
   bool visited = false;  ///< most neighbouring levels are few steps apart: the step is the channel's resolution
 };
 
-/// Values that differ by no more are equal: arithmetic on quantised ones (a factor, an offset) leaves such
-/// differences. A hundred-millionth of the largest magnitude is five times what a relative change of 1e-9 makes of
-/// equal values; behind an offset that large, no more than a millionth of the range.
-double equal_within(const std::vector<double>& sorted);
+/// Which values of a channel are equal. Arithmetic on quantised ones (a factor, an offset) leaves differences of a
+/// hundred-millionth, five times what a relative change of 1e-9 makes of equal values: next to the larger of two,
+/// or to what an eighth of all samples lie beyond, whatever a few of them are. Behind an offset that large, no more
+/// than a millionth of the range.
+class SameValue {
+ public:
+  /// Of samples in ascending order.
+  explicit SameValue(const std::vector<double>& sorted);
+  /// Values that differ by no more from this one are equal to it.
+  double within(double value) const;
+  bool operator()(double a, double b) const;
+
+ private:
+  double floor_ = 0, cap_ = 0;
+};
 
 /// A copy of the samples in ascending order, O(n log n), and the grid of such a copy. All samples must be finite.
 std::vector<double> in_order(std::span<const double> samples);
@@ -30,7 +41,7 @@ struct ValueLevel {
   std::size_t count = 0;
 };
 
-/// The different values of such a copy: those that are more than `same` above the one before.
-std::vector<ValueLevel> levels_of_sorted(const std::vector<double>& sorted, double same);
+/// The different values of samples in ascending order.
+std::vector<ValueLevel> levels_of_sorted(const std::vector<double>& sorted, const SameValue& same);
 
 }  // namespace secular

@@ -25,6 +25,8 @@ constexpr KnownUnit known_units[] = {
     {"Gal", Quantity::acceleration, "0.01"},
     {"mm/s^2", Quantity::acceleration, "0.001"},
     {"cm/s^2", Quantity::acceleration, "0.01"},
+    {"um/s^2", Quantity::acceleration, "1e-6"},
+    {"km/s^2", Quantity::acceleration, "1000"},
     {"ft/s^2", Quantity::acceleration, "0.3048"},
     {"in/s^2", Quantity::acceleration, "0.0254"},
     {"m/s2", Quantity::acceleration, "1"},
@@ -74,17 +76,71 @@ struct Spelling {
 };
 
 /// How measuring programs spell units that this one spells in one way.
-constexpr Spelling spellings[] = {
-    {"G", "g"},           {"g's", "g"},           {"M/S^2", "m/s^2"}, {"M/S2", "m/s^2"},    {"m/s**2", "m/s^2"},
-    {"m/sec^2", "m/s^2"}, {"m/sec2", "m/s^2"},    {"M/S", "m/s"},     {"m/sec", "m/s"},     {"mm/sec", "mm/s"},
-    {"M", "m"},           {"Volt", "V"},          {"Volts", "V"},     {"volt", "V"},        {"volts", "V"},
-    {"Newton", "N"},      {"newton", "N"},        {"NEWTON", "N"},    {"Deg", "deg"},       {"DEG", "deg"},
-    {"RAD", "rad"},       {"Rad", "rad"},         {"MM", "mm"},       {"uE", "ustrain"},    {"uStrain", "ustrain"},
-    {"µE", "ustrain"},    {"µstrain", "ustrain"}, {"lb", "lbf"},      {"mm/s2", "mm/s^2"},  {"mm/s²", "mm/s^2"},
-    {"in/s2", "in/s^2"},  {"μm", "µm"},           {"m s-2", "m/s^2"}, {"m s**-2", "m/s^2"}, {"m.s-2", "m/s^2"},
-    {"m s-1", "m/s"},     {"m s**-1", "m/s"},     {"m.s-1", "m/s"},   {"meter", "m"},       {"meters", "m"},
-    {"metre", "m"},       {"metres", "m"},        {"inch", "in"},     {"inches", "in"},     {"newtons", "N"},
-    {"Newtons", "N"},     {"radian", "rad"},      {"radians", "rad"}, {"Degrees", "deg"}};
+constexpr Spelling spellings[] = {{"G", "g"},
+                                  {"g's", "g"},
+                                  {"M/S^2", "m/s^2"},
+                                  {"M/S2", "m/s^2"},
+                                  {"m/s**2", "m/s^2"},
+                                  {"m/sec^2", "m/s^2"},
+                                  {"m/sec2", "m/s^2"},
+                                  {"M/S", "m/s"},
+                                  {"m/sec", "m/s"},
+                                  {"mm/sec", "mm/s"},
+                                  {"M", "m"},
+                                  {"Volt", "V"},
+                                  {"Volts", "V"},
+                                  {"volt", "V"},
+                                  {"volts", "V"},
+                                  {"Newton", "N"},
+                                  {"newton", "N"},
+                                  {"NEWTON", "N"},
+                                  {"Deg", "deg"},
+                                  {"DEG", "deg"},
+                                  {"RAD", "rad"},
+                                  {"Rad", "rad"},
+                                  {"MM", "mm"},
+                                  {"uE", "ustrain"},
+                                  {"uStrain", "ustrain"},
+                                  {"µE", "ustrain"},
+                                  {"µstrain", "ustrain"},
+                                  {"lb", "lbf"},
+                                  {"mm/s2", "mm/s^2"},
+                                  {"mm/s²", "mm/s^2"},
+                                  {"in/s2", "in/s^2"},
+                                  {"μm", "µm"},
+                                  {"m s-2", "m/s^2"},
+                                  {"m s**-2", "m/s^2"},
+                                  {"m.s-2", "m/s^2"},
+                                  {"ms^-2", "m/s^2"},
+                                  {"m*s^-2", "m/s^2"},
+                                  {"m·s^-2", "m/s^2"},
+                                  {"m·s⁻²", "m/s^2"},
+                                  {"m s⁻²", "m/s^2"},
+                                  {"ms^-1", "m/s"},
+                                  {"m·s⁻¹", "m/s"},
+                                  {"m s⁻¹", "m/s"},
+                                  {"g_n", "g"},
+                                  {"gal", "Gal"},
+                                  {"um/s²", "um/s^2"},
+                                  {"µm/s²", "um/s^2"},
+                                  {"µm/s^2", "um/s^2"},
+                                  {"cm/s²", "cm/s^2"},
+                                  {"cm/s2", "cm/s^2"},
+                                  {"km/s²", "km/s^2"},
+                                  {"m s-1", "m/s"},
+                                  {"m s**-1", "m/s"},
+                                  {"m.s-1", "m/s"},
+                                  {"meter", "m"},
+                                  {"meters", "m"},
+                                  {"metre", "m"},
+                                  {"metres", "m"},
+                                  {"inch", "in"},
+                                  {"inches", "in"},
+                                  {"newtons", "N"},
+                                  {"Newtons", "N"},
+                                  {"radian", "rad"},
+                                  {"radians", "rad"},
+                                  {"Degrees", "deg"}};
 
 struct OtherUnit {
   std::string_view name, measures;
@@ -119,11 +175,8 @@ struct TimeUnit {
 constexpr TimeUnit time_units[] = {{"s", 1},
                                    {"S", 1},
                                    {"sec", 1},
-                                   {"Sec", 1},
-                                   {"SEC", 1},
                                    {"second", 1},
                                    {"seconds", 1},
-                                   {"Seconds", 1},
                                    {"ms", 1e-3},
                                    {"msec", 1e-3},
                                    {"millisecond", 1e-3},
@@ -141,7 +194,13 @@ constexpr TimeUnit time_units[] = {{"s", 1},
                                    {"minutes", 60},
                                    {"h", 3600},
                                    {"hour", 3600},
-                                   {"hours", 3600}};
+                                   {"hours", 3600},
+                                   {"millis", 1e-3},
+                                   {"micros", 1e-6},
+                                   {"mins", 60},
+                                   {"d", 86400},
+                                   {"day", 86400},
+                                   {"days", 86400}};
 
 constexpr Quantity all_quantities[] = {Quantity::acceleration, Quantity::velocity, Quantity::displacement,
                                        Quantity::force,        Quantity::voltage,  Quantity::strain,
@@ -197,6 +256,11 @@ std::optional<double> seconds_in(const std::string& unit) {
   const std::string bare = without_brackets(unit.substr(0, unit.find(" since ")));  // "seconds since 2020-01-01"
   for (const TimeUnit& known : time_units)
     if (known.name == bare) return known.seconds;
+  // Time alone is measured here: MS and Min are no mega and no other unit.
+  std::string lower = bare;
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (lower.size() > 1 && lower != bare) return seconds_in(lower);
   return std::nullopt;
 }
 

@@ -53,11 +53,12 @@ std::span<const DisturbanceKind> disturbance_catalogue() {
                       "noise that follows the slope: amplitudes are lost, phases delayed", find_held_samples},
       DisturbanceKind{"lost_samples",
                       "rows that are not in the file, samples that are no numbers, or that are one and the same "
-                      "number wherever the signal stood",
+                      "number wherever the signal stood, or where nothing was recorded at either end",
                       "number of samples",
                       "they are counted; a number that stands for lost samples is met more often than others "
                       "(Poisson law) and is come to from far, or is that of spikes",
-                      "up to 16 in a row are replaced; a longer gap is refused", find_lost_samples},
+                      "up to 16 in a row are replaced; ends of a record are cut off; a longer gap is refused",
+                      find_lost_samples},
       DisturbanceKind{"clipping", "samples stuck at the ends of the range", "number of samples",
                       "more peaks end at one value than smooth peaks do (binomial law, one in a million)",
                       "amplitudes are too small, and harmonics appear that the motion has not", find_clipped},

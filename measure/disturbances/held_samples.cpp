@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "measure/data/chance_of_repeat.hpp"
 #include "measure/data/noise_floor.hpp"
 #include "measure/disturbances/rows.hpp"
 #include "measure/thresholds.hpp"
@@ -24,7 +25,7 @@ constexpr double sd_of_median = 1.4826;  // normal law: sd over the median of ab
 class LocalGaps {
  public:
   explicit LocalGaps(const std::vector<double>& sorted) {
-    const double same = equal_within(sorted);
+    const SameValue same(sorted);
     const std::vector<ValueLevel> levels = levels_of_sorted(sorted, same);
     for (std::size_t begin = 0; begin < levels.size(); begin += neighbours) {
       double gap = std::numeric_limits<double>::infinity();
@@ -32,7 +33,7 @@ class LocalGaps {
       for (std::size_t i = end - std::min(end, neighbours + 1) + 1; i < end; ++i)
         gap = std::min(gap, levels[i].value - levels[i - 1].value);
       first_.push_back(levels[begin].value);
-      gap_.push_back(std::max(gap, 2 * same));
+      gap_.push_back(std::max(gap, 2 * same.within(levels[begin].value)));
     }
   }
   double at(double value) const {
@@ -50,14 +51,6 @@ double slope_around(std::span<const double> x, std::size_t i, std::size_t end) {
   const double before = x[i - 1] - x[i - 2];
   const double across = (x[end] - x[i - 1]) / static_cast<double>(end - i + 1);
   return before * across > 0 ? std::min(std::abs(before), std::abs(across)) : 0;
-}
-
-double chance(double gap, double scatter, double slope) {
-  if (!std::isfinite(gap)) return 1;
-  const double s = std::hypot(scatter, gap), y = slope - gap;
-  double density = 1 / s;
-  if (y > 0) density = std::min(density, 16.0 / 9 * s * s / (y * y * y));
-  return std::min(1.0, gap * density);
 }
 
 // Sd of differences about the slope of their neighbours, by block.
@@ -78,8 +71,8 @@ HeldSamples find_held(std::span<const double> x, const ChannelValues& values, do
   HeldSamples held;
   if (x.size() < block || values.clipping.found() || !(values.sorted.back() > values.sorted.front())) return held;
   bool any = false;
-  const double same = equal_within(values.sorted);
-  const auto equals = [&](std::size_t i, std::size_t j) { return std::abs(x[i] - x[j]) <= same; };
+  const SameValue same(values.sorted);
+  const auto equals = [&](std::size_t i, std::size_t j) { return same(x[i], x[j]); };
   for (std::size_t i = 2; i + 1 < x.size() && !any; ++i) any = equals(i, i - 1);
   if (!any) return held;
   const LocalGaps gaps(values.sorted);
@@ -99,7 +92,7 @@ HeldSamples find_held(std::span<const double> x, const ChannelValues& values, do
     }
     const double slope = slope_around(x, i, end), around = scatter[(i - 2) / block];
     // Where sampling is in step with the motion, neighbours at a turning point differ by noise alone.
-    const double p = chance(gaps.at(x[i - 1]), slope > 0 ? around : std::min(around, noise), slope);
+    const double p = chance_of_repeat(gaps.at(x[i - 1]), slope > 0 ? around : std::min(around, noise), slope);
     held.expected += p;
     if (!equal) continue;
     ++runs;

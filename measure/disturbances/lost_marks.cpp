@@ -31,14 +31,12 @@ struct Run {
 
 class Visits {
  public:
-  Visits(std::span<const double> x, double value, double same) : x_(x) {
+  Visits(std::span<const double> x, double value, const SameValue& same) : x_(x), value_(value), same_(same) {
     for (std::size_t i = 0; i < x.size(); ++i) {
-      if (std::abs(x[i] - value) > same) continue;
+      if (!same(x[i], value)) continue;
       if (runs_.empty() || runs_.back().end != i) runs_.push_back({i, i});
       runs_.back().end = i + 1;
     }
-    value_ = value;
-    same_ = same;
   }
 
   std::size_t runs() const { return runs_.size(); }
@@ -47,7 +45,7 @@ class Visits {
   bool come_from_far() const {
     std::vector<double> distances;
     for (const double x : x_)
-      if (std::abs(x - value_) > same_) distances.push_back(std::abs(x - value_));
+      if (!same_(x, value_)) distances.push_back(std::abs(x - value_));
     if (distances.empty()) return false;
     const auto half = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
     std::nth_element(distances.begin(), half, distances.end());
@@ -65,7 +63,7 @@ class Visits {
 
   // Whether every step to it is more than twice the largest of all other steps.
   bool out_of_reach() const {
-    const auto is_it = [&](double x) { return std::abs(x - value_) <= same_; };
+    const auto is_it = [&](double x) { return same_(x, value_); };
     double least = std::numeric_limits<double>::infinity(), largest = 0;
     for (std::size_t i = 1; i < x_.size(); ++i) {
       const double step = std::abs(x_[i] - x_[i - 1]);
@@ -87,12 +85,13 @@ class Visits {
 
  private:
   std::span<const double> x_;
-  double value_ = 0, same_ = 0;
+  double value_ = 0;
+  SameValue same_;
   std::vector<Run> runs_;
 };
 
 // The value that most spikes share.
-std::optional<double> shared_by_spikes(std::span<const double> x, const Impulses& impulses, double same) {
+std::optional<double> shared_by_spikes(std::span<const double> x, const Impulses& impulses, const SameValue& same) {
   std::vector<double> values;
   for (const Impulses::One& spike : impulses.spikes) values.push_back(x[spike.at]);
   std::sort(values.begin(), values.end());
@@ -108,12 +107,12 @@ std::optional<double> shared_by_spikes(std::span<const double> x, const Impulses
 LostMarks find_lost_marks(std::span<const double> x, const std::vector<double>& sorted, const Impulses& impulses,
                           double false_alarm) {
   if (x.empty() || !(sorted.back() > sorted.front())) return {};
-  const double same = equal_within(sorted);
+  const SameValue same(sorted);
   const std::vector<ValueLevel> levels = levels_of_sorted(sorted, same);
   if (levels.size() < 2) return {};
   if (const std::optional<double> shared = shared_by_spikes(x, impulses, same)) {
-    const auto level = std::find_if(levels.begin(), levels.end(),
-                                    [&](const ValueLevel& l) { return std::abs(l.value - *shared) <= same; });
+    const auto level =
+        std::find_if(levels.begin(), levels.end(), [&](const ValueLevel& l) { return same(l.value, *shared); });
     if (level != levels.end() && hits(levels, static_cast<std::size_t>(level - levels.begin())) <= 1)
       return Visits(x, level->value, same).marks();
   }

@@ -1,4 +1,9 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include "measure/disturbances/rows.hpp"
 
@@ -20,22 +25,46 @@ void find_clipped(const SearchedRecord& record, std::vector<Disturbance>& found)
   }
 }
 
+namespace {
+
+// What the file holds of a channel outside of its recording.
+std::string text_of(const Unrecorded& part, std::size_t total) {
+  const std::string where =
+      fmt::format("the {} {} of {} samples", part.at_end ? "last" : "first", part.samples, total);
+  return (std::isfinite(part.value) ? fmt::format("{} hold {:.6g}, where nothing was recorded: ", where, part.value)
+                                    : where + " hold no numbers: ") +
+         (part.replaced ? "replaced" : "cut off");
+}
+
+}  // namespace
+
 void find_lost_samples(const SearchedRecord& record, std::vector<Disturbance>& found) {
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
     const LostMarks& marks = record.channels[c].wrong.marks;
-    const std::size_t missing = record.channels[c].missing, rows = record.lost_rows,
-                      cells = record.channels[c].filled + missing;
-    if (cells + rows + marks.at.size() == 0) continue;
-    Disturbance lost = record.found("lost_samples", c, static_cast<double>(cells + rows + marks.at.size()));
+    const std::size_t missing = record.channels[c].missing, rows = record.lost_rows;
+    std::size_t cells = record.channels[c].filled + missing, samples = cells + rows + marks.at.size();
+    std::vector<std::string> ends;
+    for (const Unrecorded& part : record.unrecorded)
+      if (part.channel == c) {
+        if (part.replaced)
+          cells -= part.samples;  // they are among the filled ones
+        else
+          samples += part.samples;
+        ends.push_back(text_of(part, record.total));
+      }
+    std::vector<std::string> texts;
+    if (rows > 0) texts.push_back(fmt::format("{} of {} samples are not in the file", rows, record.total));
+    if (cells > 0) texts.push_back(fmt::format("{} of {} samples are no numbers", cells, record.total));
+    if (marks.value)
+      texts.push_back(fmt::format("{} of {} samples are {:.6g} wherever the signal stood: lost and written as that",
+                                  marks.at.size(), record.total, *marks.value));
+    texts.insert(texts.end(), ends.begin(), ends.end());
+    if (texts.empty()) continue;
+    Disturbance lost = record.found("lost_samples", c, static_cast<double>(samples));
     lost.unit = "samples";
     lost.share = lost.size / static_cast<double>(record.total);
     if (missing == 0) lost.treated = "masked";
-    if (rows > 0) lost.text = fmt::format("{} of {} samples are not in the file", rows, record.total);
-    if (cells > 0)
-      lost.text += fmt::format("{}{} of {} samples are no numbers", rows > 0 ? ", " : "", cells, record.total);
-    if (marks.value)
-      lost.text += fmt::format("{}{} of {} samples are {:.6g} wherever the signal stood: lost and written as that",
-                               cells + rows > 0 ? ", " : "", marks.at.size(), record.total, *marks.value);
+    lost.text = fmt::format("{}", fmt::join(texts, ", "));
     found.push_back(std::move(lost));
   }
 }

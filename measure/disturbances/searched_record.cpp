@@ -97,8 +97,9 @@ SearchedRecord searched(const Campaign& campaign, std::size_t index, const Recor
   SearchedRecord result;
   result.campaign = &campaign;
   result.index = index;
-  result.total = record.samples();
+  result.total = record.samples() + record.cut_off;
   result.lost_rows = record.lost.size();
+  result.unrecorded = record.unrecorded;
   result.rate = record.sample_rate_hz;
   result.jitter_s = record.jitter_s;
   result.level = false_alarm_of_channel(campaign);

@@ -33,8 +33,9 @@ struct SearchedChannel {
 struct SearchedRecord {
   const Campaign* campaign = nullptr;
   std::size_t index = 0;
-  std::size_t total = 0;                       ///< samples of the record
+  std::size_t total = 0;                       ///< samples of the record, with those cut off
   std::size_t lost_rows = 0;                   ///< of them, rows that its file does not hold
+  std::vector<Unrecorded> unrecorded;          ///< of them, where nothing was recorded
   double start_s = 0, rate = 0, jitter_s = 0;  ///< of the stretch; Hz
   double level = 0;  ///< false alarm of one row on one channel: that per campaign over records x channels
   std::vector<SearchedChannel> channels;

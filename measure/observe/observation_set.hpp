@@ -51,7 +51,7 @@ struct ObservationSet {
   /// By direction in which parameters may move without any lump noticing (SharedParameters::null_space): how much
   /// larger `truncation` is where they have moved along it. Empty: not known.
   std::vector<Eigen::MatrixXcd> truncation_change;
-  /// The same by column of EstimateOptions::moves.
+  /// The same by column of EstimatePass::moves.
   std::vector<Eigen::MatrixXcd> truncation_of_moves;
   std::vector<std::string> warnings;
 };

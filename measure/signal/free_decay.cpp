@@ -39,9 +39,13 @@ std::vector<double> crossings(const Eigen::Ref<const VectorXd>& y, double level,
   return times;
 }
 
-/// Samples in two turns: what a tone with three harmonics, a growing amplitude and a sweeping frequency needs, and
-/// one in three to spare.
+/// Samples, in two turns or more: what a tone with three harmonics, a growing amplitude and a sweeping frequency
+/// needs, and one in three to spare.
 constexpr Index shortest_window = 16;
+
+/// Samples in half a turn: three harmonics lie below half the sample rate. Noise crosses its level every other
+/// sample.
+constexpr double shortest_half = 3;
 
 }  // namespace
 
@@ -89,8 +93,8 @@ std::optional<DecayStart> decay_after_release(const Eigen::Ref<const VectorXd>& 
     halves.push_back(zeros[i + 1] - zeros[i]);
   const double half_period = upper_median(halves);
   const double frequency = std::numbers::pi * rate / half_period;
-  const auto window = static_cast<Index>(4 * half_period);
-  if (window < shortest_window) return std::nullopt;  // noise crosses the level every other sample
+  if (half_period <= shortest_half) return std::nullopt;
+  const Index window = std::max(static_cast<Index>(4 * half_period), shortest_window);
   const auto residual = [&](double start) {
     const auto from = static_cast<Index>(start);
     if (from + window > samples.size()) return 0.0;

@@ -156,8 +156,8 @@ auto of_what_is_left(const Work& work) {
 }
 
 Estimate estimate_left(std::span<const ObservationSet> sets, const MeasuredUnits& units,
-                       const EstimateOptions& options) {
-  return of_what_is_left([&] { return estimate(sets, units, options); });
+                       const EstimateOptions& options, const EstimatePass& pass) {
+  return of_what_is_left([&] { return estimate(sets, units, options, pass); });
 }
 
 /// With what observations are corrected; see correct_truncation.
@@ -176,14 +176,13 @@ class Correction {
       : measured_(measured),
         raw_(raw),
         units_(means.units),
-        quick_(on_the_way(means.options)),
-        full_(means.options),
+        options_(means.options),
         motions_(measured, means.replay, means.options.threads),
         done_(means.done),
         estimate_(begin),
         place_(begin.parameter_values),
         next_(place_) {
-    quick_.keep_weights = !full_.refine;
+    quick_.keep_weights = !options_.refine;
   }
 
   TruncationCorrection run() {
@@ -202,7 +201,7 @@ class Correction {
     follow_slopes();
     full_.start = estimate_.state;
     const Eigen::VectorXd further = values(found(estimate_));  // not next_: a step may have been cut
-    estimate_ = estimate_left(at_.corrected, units_, full_);
+    estimate_ = estimate_left(at_.corrected, units_, options_, full_);
     estimate_ = with_correction_shown(std::move(estimate_), raw_);
     estimate_ = with_unsettled_correction(std::move(estimate_), values(place_), further);
     if (unknown_in_null_space_ + unknown_axes_ > 0)
@@ -261,7 +260,7 @@ class Correction {
   }
 
   Pass corrected_by(const std::vector<ObservationSet>& motions, const Eigen::VectorXd& at) const {
-    Pass pass{at, with_truncation(measured_, motions, at, quick_.threads)};
+    Pass pass{at, with_truncation(measured_, motions, at, options_.threads)};
     if (!at_.corrected.empty()) keep_truncation_change(pass.corrected, at_.corrected);
     return pass;
   }
@@ -308,7 +307,7 @@ class Correction {
       }
       done_(full_equations);
       quick_.start = estimate_.state;
-      estimate_ = estimate_left(at_.corrected, units_, quick_);
+      estimate_ = estimate_left(at_.corrected, units_, options_, quick_);
       next_ << acceleration.next(values(place_), estimate_.parameter_values, inverse_sd(estimate_)),
           null_coordinate(place_);
       done_(regression);
@@ -316,9 +315,9 @@ class Correction {
     }
   }
 
-  void take_place(const Eigen::VectorXd& place, EstimateOptions& options) const {
-    options.corrected_at = values(place);
-    options.null_space_place = {null_coordinate(place), -null_space_coordinate_ * values(place)};
+  void take_place(const Eigen::VectorXd& place, EstimatePass& pass) const {
+    pass.corrected_at = values(place);
+    pass.null_space_place = {null_coordinate(place), -null_space_coordinate_ * values(place)};
   }
 
   // The null space of the parameters, and how much of it is plausible: as much as they are seen to do, which
@@ -343,7 +342,7 @@ class Correction {
       place(values(place_).size() + direction) += share;
       return parameters(place);
     };
-    const Slopes slopes = slopes_along(null_space_.cols(), displaced, at_.corrected, motions_, quick_.threads);
+    const Slopes slopes = slopes_along(null_space_.cols(), displaced, at_.corrected, motions_, options_.threads);
     unknown_in_null_space_ = slopes.unknown;
     for (std::size_t s = 0; s < at_.corrected.size(); ++s) {
       at_.corrected[s].truncation_change.clear();
@@ -359,7 +358,7 @@ class Correction {
     const Displaced displaced = [&](Eigen::Index axis, double share) {
       return Eigen::VectorXd(parameters(place_) + share * axes_.col(axis));
     };
-    const Slopes slopes = slopes_along(axes_.cols(), displaced, at_.corrected, motions_, quick_.threads);
+    const Slopes slopes = slopes_along(axes_.cols(), displaced, at_.corrected, motions_, options_.threads);
     unknown_axes_ = slopes.unknown;
     for (std::size_t s = 0; s < at_.corrected.size(); ++s) {
       ObservationSet& set = at_.corrected[s];
@@ -455,7 +454,7 @@ class Correction {
 
   Estimate estimate_corrected(const std::vector<ObservationSet>& corrected, const Eigen::VectorXd& at) {
     take_place(at, quick_);
-    Estimate result = estimate_left(corrected, units_, quick_);
+    Estimate result = estimate_left(corrected, units_, options_, quick_);
     done_(regression);
     if (!(growth(result, sd_) < most_growth))
       throw NumericalFailure(
@@ -468,7 +467,8 @@ class Correction {
   std::span<const ObservationSet> measured_;
   const Estimate& raw_;
   const MeasuredUnits& units_;
-  EstimateOptions quick_, full_;
+  const EstimateOptions& options_;
+  EstimatePass quick_ = pass_between(), full_;
   FullMotions motions_;
   const StageDone& done_;
   Pass at_;
@@ -517,14 +517,13 @@ TruncationCorrection correct_truncation(std::span<const ObservationSet> measured
   } catch (const NumericalFailure& beyond_bounds) {
     const std::string reason = beyond_bounds.what();
     const std::size_t all = count_of_observations(measured);
-    const EstimateOptions quick = on_the_way(options);
     for (const double share : small_shares) {
       const std::vector<ObservationSet> small = small_motions(measured, share);
       const std::size_t left_out = all - count_of_observations(small);
       if (2 * left_out > all) break;  // it is the model that does not hold
       std::optional<TruncationCorrection> of_small;
       try {
-        const Estimate first = estimate_left(small, units, quick);
+        const Estimate first = estimate_left(small, units, options, pass_between());
         of_small = Correction(small, first, first, means).run();
         return Correction(measured, raw, of_small->estimate, means).run();
       } catch (const NumericalFailure&) {

@@ -61,7 +61,7 @@ TEST_P(Corpus, DamagedFilesAreRefusedAndSurviveMutation) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, Corpus, testing::Values("csv", "mat", "hdf5", "uff", "wav", "campaign"),
+INSTANTIATE_TEST_SUITE_P(Formats, Corpus, testing::Values("csv", "mat", "hdf5", "uff", "lvm", "wav", "campaign"),
                          [](const auto& format) { return std::string(format.param); });
 
 }  // namespace

@@ -59,6 +59,38 @@ TEST_F(Csv, IsReadInEveryDialect) {
   }
 }
 
+// Columns that blanks part, as MATLAB and NumPy write them; numbers of Fortran; remarks among the rows.
+TEST_F(Csv, IsReadAsOtherProgramsWriteNumbers) {
+  const Columns expected = {{0, 0.5}, {-1.5, 2e-3}};
+  for (const char* const text :
+       {"t a\n0 -1.5\n0.5 2e-3\n", "   t      a\n  0.0  -1.5\n 0.5   2e-3  \n", "# t a\n0.0 -1.5\n0.5 2e-3\n",
+        "t a\ns m\n0 -1,5\n0,5 2e-3\n", "t,a\n0.0D+00,-1.5D0\n5.0d-01,2.0D-03\n",
+        "t,a\n# begin\n0,-1.5\n# a remark\n0.5,2e-3\n# end of file\n", "t|a\n0|-1.5\n0.5|2e-3\n"}) {
+    const NumberTable read = table(text);
+    EXPECT_EQ(read.names, (std::vector<std::string>{"t", "a"})) << text;
+    EXPECT_EQ(read.columns, expected) << text;
+  }
+  EXPECT_EQ(table("tip 1\n0.5\n1\n").names, std::vector<std::string>{"tip 1"});
+  EXPECT_TRUE(contains(complaint("t a\n0 1\n1 2 3\n"), "line 3: has 3 fields, the header names 2"));
+  EXPECT_TRUE(contains(complaint("t,a\n0,1D\n"), "line 2, column a: '1D' is not a number"));
+}
+
+TEST_F(Csv, NamesMayStateUnits) {
+  for (const auto& [name, bare, unit] : {std::tuple{"Kraft/N", "Kraft", "N"},
+                                         {"a/(m/s^2)", "a", "m/s^2"},
+                                         {"Weg/mm", "Weg", "mm"},
+                                         {"Time {ms}", "Time", "ms"},
+                                         {"Time <ms>", "Time", "ms"},
+                                         {"Zeit/ms", "Zeit", "ms"},
+                                         {"m/s^2", "m/s^2", ""},
+                                         {"in/out", "in/out", ""},
+                                         {"F/A", "F", "A"},
+                                         {"tip m/s", "tip m/s", ""}}) {
+    EXPECT_EQ(bracketed_unit(name).name, bare);
+    EXPECT_EQ(bracketed_unit(name).unit, unit) << name;
+  }
+}
+
 TEST_F(Csv, ReadsOnlyWantedColumns) {
   const fs::path path = write("a.csv", "t,note,a\n0,first,1\n1,,2\n");
   const NumberTable read = read_csv(path, {"a", "t"});

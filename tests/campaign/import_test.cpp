@@ -215,11 +215,26 @@ TEST_F(Import, TimeIsReadInTheUnitThatTheFileStates) {
   const struct {
     const char *name, *row, *time, *unit;
     double seconds;
-  } cases[] = {{"Time (ms)", "", "Time (ms)", "ms", 1e-3}, {"Time [us]", "", "Time [us]", "us", 1e-6},
-               {"t_ms", "", "t_ms", "ms", 1e-3},           {"time_min", "", "time_min", "min", 60},
-               {"Time", "ms,V,V\n", "Time", "ms", 1e-3},   {"Time", "[s],[V],\n", "Time", "s", 1},
-               {"stamp", "", "stamp:h", "h", 3600},        {"t", "", "t:us", "us", 1e-6},
-               {"Time (ms)", "", "Time (ms):s", "s", 1},   {"t_ref", "", "t_ref", "", 1}};
+  } cases[] = {{"Time (ms)", "", "Time (ms)", "ms", 1e-3},
+               {"Time [us]", "", "Time [us]", "us", 1e-6},
+               {"t_ms", "", "t_ms", "ms", 1e-3},
+               {"time_min", "", "time_min", "min", 60},
+               {"Time", "ms,V,V\n", "Time", "ms", 1e-3},
+               {"Time", "[s],[V],\n", "Time", "s", 1},
+               {"stamp", "", "stamp:h", "h", 3600},
+               {"t", "", "t:us", "us", 1e-6},
+               {"Time (ms)", "", "Time (ms):s", "s", 1},
+               {"t_ref", "", "t_ref", "", 1},
+               {"Zeit/ms", "", "Zeit/ms", "ms", 1e-3},
+               {"TimeMs", "", "TimeMs", "Ms", 1e-3},
+               {"time:us", "", "time:us", "us", 1e-6},
+               {"Minutes", "", "Minutes", "Minutes", 60},
+               {"time.ms", "", "time.ms", "ms", 1e-3},
+               {"Time {ms}", "", "Time {ms}", "ms", 1e-3},
+               {"Millis", "", "Millis", "Millis", 1e-3},
+               {"TIME (MIN)", "", "TIME (MIN)", "MIN", 60},
+               {"t", "", "t:d", "d", 86400},
+               {"Trigger", "", "Trigger", "", 1}};
   for (const auto& test : cases) {
     options_.files = {
         write("run.csv", std::string(test.name) + ",base,tip\n" + test.row + "0,1,2\n2.5,3,4\n5,5,6\n")};
@@ -237,6 +252,26 @@ TEST_F(Import, TimeIsReadInTheUnitThatTheFileStates) {
   EXPECT_TRUE(contains(complaint(), "--time NAME:UNIT"));
 }
 
+// Numbers without a unit that cannot be seconds.
+TEST_F(Import, ATimeThatIsNoneIsAskedFor) {
+  const auto take = [&](const std::string& name, const std::vector<std::string>& stamps) {
+    std::string text = name + ",base,tip\n";
+    for (const std::string& stamp : stamps) text += stamp + ",1,2\n";
+    options_.files = {write("run.csv", text)};
+    options_.time = name;
+  };
+  for (const char* const name : {"sample", "Index", "Sample"}) {
+    take(name, {"0", "1", "2", "3"});
+    EXPECT_TRUE(contains(complaint(), "counts samples, by its name")) << name;
+  }
+  take("t", {"1700000000000", "1700000000001", "1700000000002"});
+  EXPECT_TRUE(contains(complaint(), "cannot be seconds"));
+  take("t", {"739000.5", "739000.50000001", "739000.50000002"});
+  EXPECT_TRUE(contains(complaint(), "as days do"));
+  take("t", {"1700000000.0", "1700000000.1", "1700000000.2"});
+  EXPECT_NEAR(import_files(options_).campaign.sample_rate_hz, 10, 1e-4);
+}
+
 TEST_F(Import, KnownUnitsConvertInEveryFormat) {
   const struct {
     const char *header, *channel;
@@ -250,6 +285,9 @@ TEST_F(Import, KnownUnitsConvertInEveryFormat) {
                {"t,base,tip (g)", "tip=tip (g):response", Quantity::acceleration, 9.80665},
                {"t,base,tip [mm]", "tip=tip [mm]:response:displacement:mm", Quantity::displacement, 0.001},
                {"t,base,tip (counts)", "tip=tip (counts):response:voltage:mV:0.25", Quantity::voltage, 0.00025},
+               {"t,base,Weg/mm", "tip=Weg/mm:response", Quantity::displacement, 0.001},
+               {"t,base,tip (V)", "tip=tip (V):response:acceleration:g:2", Quantity::acceleration, 2 * 9.80665},
+               {"t,base,tip (mV)", "tip=tip (mV):response:force:N:0.5", Quantity::force, 0.5},
                {"t,base,tip\ns,m/s2,deg", "tip:response", Quantity::angle, std::numbers::pi / 180}};
   options_.channels = {"tip:response"};
   for (const auto& test : cases) {
@@ -264,6 +302,9 @@ TEST_F(Import, KnownUnitsConvertInEveryFormat) {
   options_.files = {write("run.csv", "t,base,tip (counts)\n0,1,2\n2.5,3,4\n5,5,6\n")};
   options_.channels = {"tip=tip (counts):response:voltage:mV"};
   EXPECT_TRUE(contains(complaint(), "QUANTITY:UNIT:FACTOR"));
+  options_.files = {write("run.csv", "t,base,tip (V)\n0,1,2\n2.5,3,4\n5,5,6\n")};
+  options_.channels = {"tip=tip (V):response:acceleration:g"};
+  EXPECT_TRUE(contains(complaint(), "states the unit 'V' itself"));
   const fs::path mat = folder_ / "a.mat";
   {
     MatWriter writer(mat);
@@ -309,10 +350,34 @@ TEST_F(Import, StructsWithTimesOfTheirOwnAreAligned) {
   options_.channels = {"x=a.x:response:voltage:V", "y=b.x:response:voltage:V"};
   options_.files = {made({1000, 2000, 3000, 4000})};
   EXPECT_EQ(import_files(options_).samples[0].channels, (std::vector<std::vector<double>>{{6, 7, 8}, {5, 6, 7}}));
+  options_.files = {made({0, 1000, 2000, 3000})};
+  EXPECT_EQ(import_files(options_).samples[0].channels,
+            (std::vector<std::vector<double>>{{5, 6, 7, 8}, {5, 6, 7, 8}}));
   options_.files = {made({500, 1500, 2500, 3500})};
   EXPECT_TRUE(contains(complaint(), "0.5 steps from the begin"));
   options_.files = {made({0, 2000, 4000, 6000})};
   EXPECT_TRUE(contains(complaint(), "is sampled at 0.5 Hz by its own time b.time_ms"));
+}
+
+// What is recorded longer is cut, whichever channel that is.
+TEST_F(Import, ChannelsOfDifferentLengthsEndTogether) {
+  for (const bool first_longer : {true, false}) {
+    const std::vector<double> more = {0, 1, 2, 3, 4}, fewer = {0, 1, 2};
+    const fs::path mat = folder_ / "a.mat";
+    {
+      MatWriter writer(mat);
+      const auto add = [&](const char* name, const std::vector<double>& values) {
+        writer.add(
+            MatWriter::structure(name, 1, {"t", "x"}, {MatWriter::row("", values), MatWriter::row("", values)}));
+      };
+      add("a", first_longer ? more : fewer);
+      add("b", first_longer ? fewer : more);
+    }
+    options_.files = {mat};
+    options_.time = "a.t";
+    options_.channels = {"x=a.x:response:voltage:V", "y=b.x:response:voltage:V"};
+    EXPECT_EQ(import_files(options_).samples[0].channels, (std::vector<std::vector<double>>{{0, 1, 2}, {0, 1, 2}}));
+  }
 }
 
 TEST_F(Import, AChannelThatBeginsBetweenSamplesIsRefused) {

@@ -299,6 +299,53 @@ TEST_F(MaskedSamples, HeldSamplesAndStepsAreTheSameThroughRounding) {
   }
 }
 
+// One channel stops before the other, which goes on as cells without numbers: the record ends with the first.
+TEST_F(MaskedSamples, EndsWhereNothingWasRecordedAreCutOff) {
+  std::vector<double> x = signal(1e-3);
+  std::fill(x.begin(), x.begin() + 40, -999);
+  std::fill(x.begin() + 3500, x.end(), -999);
+  const Campaign campaign = written(folder, x, {700});
+  std::map<std::size_t, std::string> cells = {{2000, "nan"}};
+  for (std::size_t line = 3900; line <= masked_count; ++line) cells[line] = "";
+  put(folder / "records/0001.csv", cells);
+  const Record record = read_masked(campaign);
+  ASSERT_EQ(record.samples(), 3460u);
+  EXPECT_EQ(record.cut_off, 540u);
+  EXPECT_DOUBLE_EQ(record.start_s, 40 / masked_rate);
+  EXPECT_EQ(record.lost, std::vector<std::size_t>{660});
+  EXPECT_EQ(record.no_numbers.at(1), std::vector<std::size_t>{1959});
+  for (std::size_t i = 0; i < record.samples(); ++i) EXPECT_NEAR(record.channels[1][i], x[40 + i], 0.01) << i;
+  const std::vector<Disturbance> found = find_disturbances(campaign, 0, record);
+  const auto listed = std::find_if(found.begin(), found.end(),
+                                   [](const Disturbance& d) { return d.kind == "lost_samples" && d.channel == 1; });
+  ASSERT_NE(listed, found.end());
+  EXPECT_EQ(listed->size, 2 + 40 + 500);
+  EXPECT_NE(listed->text.find("the first 40 of 4000 samples hold -999, where nothing was recorded: cut off"),
+            std::string::npos)
+      << listed->text;
+  const RecordInspection inspected = inspect_records(campaign).front();
+  EXPECT_TRUE(inspected.faults.empty());
+  EXPECT_EQ(inspected.samples, masked_count);
+}
+
+TEST_F(MaskedSamples, AFewAtAnEndAreReplaced) {
+  const std::vector<double> x = signal(1e-3);
+  std::vector<double> faulty = x;
+  std::fill(faulty.end() - 5, faulty.end(), -999);
+  std::fill(faulty.begin(), faulty.begin() + 3, 1e5);
+  const Campaign campaign = written(folder, faulty, {});
+  const Record record = read_masked(campaign);
+  EXPECT_LT(furthest_off(record, x), 0.02);
+  EXPECT_EQ(record.cut_off, 0u);
+  const std::vector<Disturbance> found = find_disturbances(campaign, 0, record);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found.front().kind, "lost_samples");
+  EXPECT_EQ(found.front().size, 8);
+  EXPECT_NE(found.front().text.find("the last 5 of 4000 samples hold -999, where nothing was recorded: replaced"),
+            std::string::npos)
+      << found.front().text;
+}
+
 TEST_F(MaskedSamples, ACleanRecordIsReadAsItIs) {
   const std::vector<double> x = signal(1e-3);
   const Campaign campaign = written(folder, x, {});

@@ -89,11 +89,7 @@ TEST(BadCampaign, WrongLevelIsSaid) {
 }
 
 // Of equations whose truncation is not known: what they leave says nothing of the model.
-EstimateOptions unjudged() {
-  EstimateOptions options;
-  options.judge_fit = false;
-  return options;
-}
+const EstimatePass unjudged{.judge_fit = false};
 
 class Campaign : public ::testing::Test {
  protected:
@@ -109,7 +105,7 @@ class SlowCampaign : public Campaign {};
 
 TEST_F(SlowCampaign, AnOutlyingEnsembleIsListedAndDoesNoHarm) {
   const ObservationSet clean = parametric(*tested_);
-  const Estimate before = estimate(clean, "kg^(1/2) m", {"m/s^2"}, unjudged());
+  const Estimate before = estimate(clean, "kg^(1/2) m", {"m/s^2"}, {}, unjudged);
   // The first ensemble of a dwell may still settle; of the others none stands out far.
   for (const OutlyingEnsemble& o : before.outliers)
     if (o.centre_s > 4) {
@@ -117,7 +113,7 @@ TEST_F(SlowCampaign, AnOutlyingEnsembleIsListedAndDoesNoHarm) {
     }
   ObservationSet spoilt = clean;
   spoilt.observations[33].amplitude[0] *= 1.06;
-  const Estimate after = estimate(spoilt, "kg^(1/2) m", {"m/s^2"}, unjudged());
+  const Estimate after = estimate(spoilt, "kg^(1/2) m", {"m/s^2"}, {}, unjudged);
   ASSERT_FALSE(after.outliers.empty());
   const auto worst = std::min_element(after.outliers.begin(), after.outliers.end(),
                                       [](const auto& a, const auto& b) { return a.weight < b.weight; });
@@ -134,7 +130,7 @@ TEST_F(SlowCampaign, AnOutlyingEnsembleIsListedAndDoesNoHarm) {
 }
 
 TEST_F(SlowCampaign, DampingLawsAreDecidedByPrediction) {
-  const Estimate cubic = estimate(parametric(*tested_), "kg^(1/2) m", {"m/s^2"}, unjudged());
+  const Estimate cubic = estimate(parametric(*tested_), "kg^(1/2) m", {"m/s^2"}, {}, unjudged);
   ASSERT_EQ(cubic.damping.size(), 1U);
   const auto terms = [](const DampingLaw& law) {
     std::string text;
@@ -151,10 +147,10 @@ TEST_F(SlowCampaign, DampingLawsAreDecidedByPrediction) {
 }
 
 TEST_F(SlowCampaign, BootstrapAgreesWithTheJackknife) {
-  EstimateOptions options = unjudged();
+  EstimateOptions options;
   options.bootstrap = 300;
   const ObservationSet set = parametric(*tested_);
-  const Estimate result = estimate(set, "kg^(1/2) m", {"m/s^2"}, options);
+  const Estimate result = estimate(set, "kg^(1/2) m", {"m/s^2"}, options, unjudged);
   for (const char* name : {"mu1", "mu3", "alpha_e", "eta_e"}) {
     const EstimatedValue& v = value_of(result, name);
     ASSERT_TRUE(v.bootstrap) << name;
@@ -165,7 +161,7 @@ TEST_F(SlowCampaign, BootstrapAgreesWithTheJackknife) {
     EXPECT_LT(v.bootstrap->low, *v.value);
     EXPECT_GT(v.bootstrap->high, *v.value);
   }
-  const Estimate again = estimate(set, "kg^(1/2) m", {"m/s^2"}, options);
+  const Estimate again = estimate(set, "kg^(1/2) m", {"m/s^2"}, options, unjudged);
   EXPECT_EQ(value_of(result, "mu1").bootstrap->low, value_of(again, "mu1").bootstrap->low);
 }
 
@@ -189,8 +185,8 @@ TEST_F(SlowCampaign, DwellsAndDecayTogetherAreSharper) {
       without_truncation(swing, observed(swing.simulated, *swing.model, case_named(*swing.model, "free")))};
   ASSERT_FALSE(sets[1].observations.empty()) << (sets[1].warnings.empty() ? "" : sets[1].warnings.front());
   const MeasuredUnits units{"kg^(1/2) m", {"m/s^2"}};
-  const Estimate dwells = estimate(std::span(&sets[0], 1), units, unjudged());
-  const Estimate both = estimate(sets, units, unjudged());
+  const Estimate dwells = estimate(std::span(&sets[0], 1), units, {}, unjudged);
+  const Estimate both = estimate(sets, units, {}, unjudged);
   ASSERT_EQ(both.cases.size(), 2U);
   for (const char* name : {"mu1", "mu3"}) {
     const EstimatedValue& v = value_of(both, name);

@@ -136,9 +136,8 @@ TEST(SlowCombination, LumpsOfTheThesisAreRecovered) {
   const SimulatedCampaign simulated = run_virtual_test(experiment, model, 3, 2);
   const ObservationSet set = observed(simulated, model, resonance);
   ASSERT_GE(set.observations.size(), 32U) << (set.warnings.empty() ? "" : set.warnings.front());
-  EstimateOptions options;
-  options.judge_fit = false;  // the truncation is still in the equations
-  const Estimate result = estimate(set, "kg^(1/2) m", {"m/s^2"}, options);
+  // The truncation is still in the equations.
+  const Estimate result = estimate(set, "kg^(1/2) m", {"m/s^2"}, {}, {.judge_fit = false});
   for (const char* name : {"omega2", "mu11", "mu22", "mu13", "mu23", "p", "q1", "q2", "alpha1", "alpha2"}) {
     const EstimatedValue& v = value_of(result, name);
     ASSERT_TRUE(v.value) << name;

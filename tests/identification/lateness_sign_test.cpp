@@ -74,6 +74,24 @@ TEST(LatenessSign, OfACommonDelayIsToldIfItIsSmall) {
     EXPECT_FALSE(told_by_own_lateness(both(delays.between(delay, delay + 1e-4, 12)))) << delay;
 }
 
+// Frequencies about a resonance: half their periods differ, one delay does not. Phases are known to a hundredth.
+TEST(LatenessSign, OfACommonDelayIsToldByDifferentPeriods) {
+  std::mt19937_64 random(4);
+  for (const double delay : {0.012, 0.0245, 0.026, 0.033, -0.024})
+    for (const double width : {0.02, 0.1}) {
+      std::vector<double> right, other, frequencies;
+      for (int r = 0; r < 16; ++r) {
+        frequencies.push_back(frequency * (1 + width * (r - 7.5) / 16));
+        const double noise = 0.002 * (static_cast<double>(random() >> 11) * 0x1p-53 - 0.5);
+        right.push_back(-frequencies.back() * delay + noise);
+        other.push_back(right.back() + std::numbers::pi);
+      }
+      const std::vector<LatenessOfRecords> minima = {lateness_of_records(other, frequencies),
+                                                     lateness_of_records(right, frequencies)};
+      EXPECT_EQ(told_by_own_lateness(minima), 1U) << delay << ' ' << width;
+    }
+}
+
 // Records of a slower case have told how late the recorder is.
 TEST(LatenessSign, IsToldByOtherCasesOfTheCampaign) {
   double wrong = 0, right = 0;

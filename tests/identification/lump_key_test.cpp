@@ -86,14 +86,11 @@ TEST_F(HardExcitation, EachCaseTakesItsOwnLumpOfTheSameName) {
                sub = truth_of(model_, *sets[1].resonance, truth_, "conservative_x_A_x_F2");
   ASSERT_NEAR(super, 81 * sub, 1e-12);
   for (const std::vector<ObservationSet>& measured : {sets, std::vector<ObservationSet>{sets[1], sets[0]}}) {
-    EstimateOptions options = known_force();
+    const EstimateOptions options = known_force();
     Estimate both = estimate(measured, {"m", {"N"}}, options);
     // The lumps depend on the natural frequency, which depends on them: each estimate goes on from the last one, as
     // the passes of the truncation's correction do.
-    for (int pass = 0; pass < 3; ++pass) {
-      options.start = both.state;
-      both = estimate(measured, {"m", {"N"}}, options);
-    }
+    for (int pass = 0; pass < 3; ++pass) both = estimate(measured, {"m", {"N"}}, options, {.start = both.state});
     for (const EstimatedValue& lump : both.lumps)
       if (lump.name == "conservative_x_A_x_F2") {
         EXPECT_EQ(lump.from, "follows from its symbols") << lump.resonance;
@@ -113,12 +110,8 @@ TEST_F(HardExcitation, AGivenLumpIsThatOfItsCase) {
   EstimateOptions options = known_force();
   options.fixed["superharmonic_3:conservative_x_A_x_F2"] = super;
   const auto with_given = [&] {
-    options.start = nullptr;
     Estimate both = estimate(sets, {"m", {"N"}}, options);
-    for (int pass = 0; pass < 3; ++pass) {
-      options.start = both.state;
-      both = estimate(sets, {"m", {"N"}}, options);
-    }
+    for (int pass = 0; pass < 3; ++pass) both = estimate(sets, {"m", {"N"}}, options, {.start = both.state});
     return both;
   };
   const Estimate both = with_given();

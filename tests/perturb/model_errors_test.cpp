@@ -110,6 +110,12 @@ TEST(ModelErrors, ACoefficientThatActsNowhereIsNamed) {
   expect_complaint("D2(x) + w^2*x = -g*x^3 - h*x^5",
                    "ordering = \"degree\"\norder = { h = 1 }\nexpand_to = 2\nexcitation = false",
                    "coefficient 'h' acts nowhere: its lowest term, x^5, is of order eps^5");
+  // By degree alone; the lowest of several terms counts, and what is not excited is no term.
+  const std::string by_degree = "ordering = \"degree\"\nexcitation = false\nexpand_to = ";
+  expect_complaint("D2(x) + w^2*x = -g*x^3 - h*x^4", by_degree + "2",
+                   "coefficient 'h' acts nowhere: its lowest term, x^4, is of order eps^3");
+  EXPECT_EQ(complaint(textbook::one_mode("D2(x) + w^2*x = -g*x^3 - h*x^4", by_degree + "3")), "no complaint");
+  EXPECT_EQ(complaint(textbook::one_mode("D2(x) + w^2*x = -g*x^3 - w*g*x^5", by_degree + "2")), "no complaint");
   // Beyond the expansion in one term and within it in another: the expansion only cuts it off.
   EXPECT_EQ(complaint(textbook::one_mode("D2(x) + w^2*x = -g*x^3 - g^2*x^5",
                                          "order = { g = 2 }\nexpand_to = 2\nexcitation = false")),
