@@ -246,14 +246,15 @@ std::string text_of(const CaseLateness& lateness) {
                 "; the sign of the excitation's effect is not told: {} is taken as positive, and numbers that this "
                 "turns are doubtful",
                 lateness.assumed_positive);
+  const std::string from = fmt::format("{:.3g}", 1e3 * least), to = fmt::format("{:.3g}", 1e3 * most);
   return fmt::format(
-      "case {}: excitation and responses are not in step. In {} records the responses are shifted in time by "
-      "{:.3g} "
-      "to {:.3g} ms against the excitation (positive: late; a period is {:.3g} ms). The phase of each record is "
-      "therefore estimated with the parameters, which rest on amplitudes and frequencies alone{}. Check that both "
-      "are recorded by one clock, with one trigger and filters alike",
-      lateness.resonance, lateness.records.size(), 1e3 * least, 1e3 * most, 1e3 * lateness.records.front().period_s,
-      sign);
+      "case {}: excitation and responses are not in step. In {} records the responses are shifted in time by {} ms "
+      "against the excitation (positive: late; a period is {:.3g} ms). The phase of each record is therefore "
+      "estimated with the parameters, which rest on amplitudes and frequencies alone{}. Check that both are "
+      "recorded "
+      "by one clock, with one trigger and filters alike",
+      lateness.resonance, lateness.records.size(), from == to ? from : from + " to " + to,
+      1e3 * lateness.records.front().period_s, sign);
 }
 
 UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const MeasuredUnits& units,

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "input/input_error.hpp"
+#include "measure/data/clock_stamp.hpp"
 #include "measure/data/fortran_number.hpp"
 #include "measure/data/number_table.hpp"
 #include "measure/data/unit.hpp"
@@ -156,7 +157,10 @@ Beginning beginning_of(std::string_view text, char line_break, const std::string
     if (content.empty()) continue;
     if (content.find('\0') != std::string_view::npos) {
       if (!beginning.lines.empty()) break;
-      throw InputError(file, fmt::format("line {}", number), "is not text", "a CSV or a MAT v5 file was expected");
+      const bool classic = text.starts_with("CDF");
+      throw InputError(file, fmt::format("line {}", number),
+                       classic ? "is a netCDF file of the classic format, which is not read" : "is not text",
+                       classic ? "netCDF-4, by nccopy -k netCDF-4" : "a CSV or a MAT v5 file was expected");
     }
     if (beginning.lines.empty() && !beginning.dialect)
       if ((beginning.dialect = stated_dialect(line, file, number))) continue;
@@ -234,6 +238,10 @@ std::string_view next_line(std::string_view& rest, char line_break) {
 FieldFault parse_number(std::string_view field, bool decimal_comma, double& value) {
   field = unquoted(field);
   if (field.empty()) return FieldFault::empty;
+  if (const std::optional<double> seconds = clock_stamp(field)) {
+    value = *seconds;
+    return FieldFault::none;
+  }
   if (field.front() == '+' && field.size() > 1 && field[1] != '-') field.remove_prefix(1);
   char with_point[64];
   if (decimal_comma && field.size() <= sizeof with_point) {

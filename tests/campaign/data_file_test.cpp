@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "measure/data/clock_stamp.hpp"
 #include "measure/data/csv_dialect.hpp"
 #include "measure/data/names.hpp"
 #include "measure/data/number_table.hpp"
@@ -73,6 +74,26 @@ TEST_F(Csv, IsReadAsOtherProgramsWriteNumbers) {
   EXPECT_EQ(table("tip 1\n0.5\n1\n").names, std::vector<std::string>{"tip 1"});
   EXPECT_TRUE(contains(complaint("t a\n0 1\n1 2 3\n"), "line 3: has 3 fields, the header names 2"));
   EXPECT_TRUE(contains(complaint("t,a\n0,1D\n"), "line 2, column a: '1D' is not a number"));
+}
+
+TEST_F(Csv, TimesOfDayAreSeconds) {
+  for (const auto& [stamp, seconds] : {std::pair{"00:01:02", 62.0},
+                                       {"12:00:00.250", 43200.25},
+                                       {"12:00:00,250", 43200.25},
+                                       {"1970-01-02T00:00:00.5", 86400.5},
+                                       {"2024-05-01 12:00:00", 1714564800.0},
+                                       {"2024/05/01 14:00:00.001+02:00", 1714564800.001},
+                                       {"01.05.2024 12:00:00Z", 1714564800.0},
+                                       {"2024-05-01T12:00:00.25Z", 1714564800.25}}) {
+    ASSERT_TRUE(clock_stamp(stamp)) << stamp;
+    EXPECT_DOUBLE_EQ(*clock_stamp(stamp), seconds) << stamp;
+  }
+  for (const char* const text :
+       {"", "12", "12:00", "1:2:3", "12:60:00", "05/01/2024 12:00:00", "2024-13-01T00:00:00", "12:00:00 noon",
+        "12:00:00+2", "a:b:c", "2024-05-01", ":", "::", "12:00:00.5x"})
+    EXPECT_FALSE(clock_stamp(text)) << text;
+  const NumberTable read = table("stamp,a\n2024-05-01T12:00:00.000,1\n2024-05-01T12:00:00.500,2\n");
+  EXPECT_DOUBLE_EQ(read.columns[0][1] - read.columns[0][0], 0.5);
 }
 
 TEST_F(Csv, NamesMayStateUnits) {
