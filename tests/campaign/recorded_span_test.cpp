@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "measure/data/missing_cells.hpp"
+#include "measure/thresholds.hpp"
+#include "tests/changed_thresholds.hpp"
 
 namespace secular {
 namespace {
@@ -40,20 +42,26 @@ std::vector<double> ending(std::vector<double> x, std::size_t at, double value) 
   return x;
 }
 
+// Half and twice as many samples beside the end tell the same.
 TEST(RecordedSpan, EndsWhereOneValueIsRepeatedThatTheMotionCannotRestAt) {
-  for (const Quantity quantity : {Quantity::displacement, Quantity::velocity, Quantity::acceleration})
-    for (const double noise : {1e-3, 0.05})
-      for (const double step : {0.0, 1e-4, 2e-4})
-        for (const std::size_t left : {recorded - 2, recorded - 30, recorded - 1500})
-          for (const double value : {-999.0, 0.0, 32767.0}) {
-            const std::vector<double> x = ending(motion(noise, step), left, value);
-            if (value == 0 && left == recorded - 2) continue;  // two equal samples: chance, in noise
-            // The sample beside it may be at zero, too.
-            const RecordedSpan span = recorded_span(x, channel_of(quantity), chance);
-            EXPECT_EQ(span.begin, 0u);
-            EXPECT_EQ(span.end, left) << "noise " << noise << ", step " << step << ", value " << value
-                                      << ", quantity " << to_string(quantity) << ", beside it " << x[left - 1];
-          }
+  const auto check = [](Quantity quantity, double noise, double step) {
+    for (const std::size_t left : {recorded - 2, recorded - 30, recorded - 1500})
+      for (const double value : {-999.0, 0.0, 32767.0}) {
+        if (value == 0 && left == recorded - 2) continue;  // two equal samples: chance, in noise
+        const std::vector<double> x = ending(motion(noise, step), left, value);
+        const RecordedSpan span = recorded_span(x, channel_of(quantity), chance);
+        EXPECT_EQ(span.begin, 0u);
+        EXPECT_EQ(span.end, left) << "noise " << noise << ", step " << step << ", value " << value << ", quantity "
+                                  << to_string(quantity) << ", beside it " << x[left - 1];
+      }
+  };
+  for (const std::size_t beside : {16u, 32u, 64u}) {
+    testing_support::ChangedThresholds<MeasureThresholds> thresholds;
+    thresholds->beside_unrecorded = beside;
+    for (const Quantity quantity : {Quantity::displacement, Quantity::velocity, Quantity::acceleration})
+      for (const double noise : {1e-3, 0.05})
+        for (const double step : {0.0, 1e-4, 2e-4}) check(quantity, noise, step);
+  }
 }
 
 TEST(RecordedSpan, BeginsWhereAMarkEnds) {

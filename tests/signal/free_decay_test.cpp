@@ -39,6 +39,23 @@ TEST(DecayStart, OfAGrowingMotionIsTheRecordsStart) {
   }
 }
 
+// Up to three harmonics below half the sample rate, with noise of a twentieth as well.
+TEST(DecayStart, IsFoundWithFewSamplesATurn) {
+  for (const double per_turn : {6.5, 7.7, 9.3, 14.0})
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+      std::mt19937_64 random(seed);
+      std::normal_distribution<double> normal;
+      Eigen::VectorXd x(2048);
+      for (Eigen::Index i = 0; i < x.size(); ++i) {
+        const double turns = static_cast<double>(i) / per_turn;
+        x(i) = std::exp(-0.02 * turns) * std::cos(2 * std::numbers::pi * turns) + 0.05 * normal(random);
+      }
+      const auto start = find_decay_start(x, 1);
+      ASSERT_TRUE(start) << per_turn << ' ' << seed;
+      EXPECT_NEAR(start->frequency * per_turn / (2 * std::numbers::pi), 1, 0.02) << per_turn << ' ' << seed;
+    }
+}
+
 // Noise crosses any level at every other sample: no start, and no failure, whatever the draw.
 TEST(DecayStart, OfNoiseIsNoneOrAnywhere) {
   for (unsigned seed = 1; seed <= 40; ++seed)
