@@ -90,15 +90,18 @@ class SegmentEvidence : public Evidence {
   /// Of a record's segments.
   Noise noise_of(std::span<const Left> left, std::size_t first,
                  std::shared_ptr<const NoiseInCosines> coloured) const;
-  void freeze_segment(std::size_t segment, const Eigen::VectorXd& unknowns, double coarse);
-  /// Directions in which errors move with the state, and with the change of every mode, where the segment is.
-  void freeze_bases(std::size_t segment, const Eigen::VectorXd& unknowns);
+  /// Where segments begin, and what does not count of them.
+  void freeze_states(const Eigen::VectorXd& unknowns);
+  /// Directions in which errors move with the state, and with the change of every mode, where segments are.
+  void freeze_bases(const Eigen::VectorXd& unknowns);
   /// A frozen segment as it is.
   SegmentTrial frozen_trial(std::size_t segment, const Eigen::VectorXd& unknowns) const {
     return {segments_[segment], segments_[segment].response.cols(), unknowns, frozen_[segment].state};
   }
-  /// Errors of trials of one frozen segment.
-  std::vector<Eigen::VectorXd> frozen_errors(std::size_t segment, const std::vector<SegmentTrial>& trials) const;
+  std::vector<std::size_t> all_segments() const;
+  /// Errors of trials of frozen segments.
+  std::vector<Eigen::VectorXd> frozen_errors(const std::vector<std::size_t>& segments,
+                                             const std::vector<SegmentTrial>& trials) const;
   /// Errors of all frozen segments.
   std::vector<Eigen::VectorXd> frozen_errors(const Eigen::VectorXd& unknowns) const;
   /// Rows of a segment.
@@ -108,9 +111,6 @@ class SegmentEvidence : public Evidence {
   /// Central differences of half a scale.
   Eigen::MatrixXd differences(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                               const Eigen::VectorXd& scale, unsigned threads) const;
-  /// The same in the rows of one segment, between the `ends` of each column: up, down, up, down, ...
-  void segment_differences(std::size_t segment, const std::vector<Eigen::VectorXd>& ends,
-                           Eigen::Ref<Eigen::MatrixXd> rows) const;
 
   SegmentModel model_;
   std::vector<Segment> segments_;
