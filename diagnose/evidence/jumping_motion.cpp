@@ -36,9 +36,9 @@ bool JumpingMotion<Number>::has_jumps() const {
 template <class Number>
 void JumpingMotion<Number>::beside_rest(std::size_t k, const State& state, State velocity, const State& origin) {
   velocity[k] = Number(vanishing);
-  flow_.accelerate(state, velocity, origin, above_.data());
+  flow_.accelerate(state, velocity.data(), origin, above_.data());
   velocity[k] = Number(-vanishing);
-  flow_.accelerate(state, velocity, origin, below_.data());
+  flow_.accelerate(state, velocity.data(), origin, below_.data());
 }
 
 template <class Number>
@@ -123,7 +123,7 @@ void JumpingMotion<Number>::derivative(const Number& at, const State& state, con
     held_[k] = {};
     hold(k, state, origin);
   }
-  flow_.accelerate(state, velocity_, origin, rate.data() + modes_);
+  flow_.accelerate(state, velocity_.data(), origin, rate.data() + modes_);
   flow_.complete(state, rate);
   for (std::size_t k = 0; k < modes_; ++k)
     for (std::size_t m = 0; m < count && jumps_[k].holds; ++m)

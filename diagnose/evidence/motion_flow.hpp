@@ -104,11 +104,11 @@ class MotionFlow {
 
   /// Accelerations with these velocities in place of the state's. Sliders as they are at `origin`, moved on to
   /// here.
-  void accelerate(const State& state, const State& velocity, const State& origin, Number* acceleration) {
+  void accelerate(const State& state, const Number* velocity, const State& origin, Number* acceleration) {
     for (const ActiveForce& active : active_)
       excitation_[active.force->excitation] = {signal_of(active, state, velocity, origin), Number(0.0),
                                                Number(0.0)};
-    Motions<Number>::acceleration(model_)(parameters_.data(), excitation_.data(), state.data(), velocity.data(),
+    Motions<Number>::acceleration(model_)(parameters_.data(), excitation_.data(), state.data(), velocity,
                                           acceleration);
   }
 
@@ -200,7 +200,7 @@ class MotionFlow {
     return (turns * turns * start.state(k) + tau * start.state(modes + k)) / (1 + turns * turns);
   }
 
-  Number signal_of(const ActiveForce& active, const State& state, const State& velocity,
+  Number signal_of(const ActiveForce& active, const State& state, const Number* velocity,
                    const State& origin) const {
     const StateForce& force = *active.force;
     Number signal(0.0);

@@ -112,9 +112,10 @@ VectorXd sd_of_changes(const NoiseInCosines& noise, const MatrixXd& basis) {
 }  // namespace
 
 SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateForce> forces, SensorModel sensors,
-                                 FaultTable table, std::vector<Segment> segments)
+                                 FaultTable table, std::vector<Segment> segments, unsigned threads)
     : model_(model, std::move(forces), std::move(sensors), std::move(table)),
       segments_(std::move(segments)),
+      threads_(threads),
       frozen_(segments_.size()) {
   for (const Segment& s : segments_) {
     RowLabel label;
@@ -170,64 +171,70 @@ std::vector<std::size_t> SegmentEvidence::all_segments() const {
   return all;
 }
 
-void SegmentEvidence::freeze_states(const VectorXd& unknowns) {
-  std::vector<VectorXd> states;
-  for (const Frozen& f : frozen_) states.push_back(f.state);
-  find_states(model_, segments_, unknowns, states);
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    frozen_[i].state = std::move(states[i]);
+void SegmentEvidence::freeze_states(std::size_t first, std::size_t end, const VectorXd& unknowns) {
+  std::vector<VectorXd> states = states_at(first, end, unknowns);
+  for (std::size_t i = first; i < end; ++i) {
+    frozen_[i].state = std::move(states[i - first]);
     frozen_[i].at_jumps.clear();
   }
   if (model_.sensors().derivatives != 2) return;
   std::vector<SegmentTrial> trials;
-  for (std::size_t i = 0; i < segments_.size(); ++i) trials.push_back(frozen_trial(i, unknowns));
+  for (std::size_t i = first; i < end; ++i) trials.push_back(frozen_trial(i, unknowns));
   std::vector<std::vector<Index>> jumps;
   model_.errors(trials, &jumps);
   std::vector<StateSearch> searches;
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
+  for (std::size_t i = first; i < end; ++i) {
     std::vector<Index>& at = frozen_[i].at_jumps;
-    for (const Index before : jumps[i])
+    for (const Index before : jumps[i - first])
       for (const Index sample : {before, before + 1})
         if (at.empty() || at.back() < sample) at.push_back(sample);
     if (!at.empty()) searches.push_back({segments_[i], frozen_[i].state, segments_[i].response.cols(), at});
   }
   improve_states(model_, unknowns, searches);
   auto found = searches.begin();
-  for (Frozen& f : frozen_)
-    if (!f.at_jumps.empty()) f.state = (found++)->state;
+  for (std::size_t i = first; i < end; ++i)
+    if (!frozen_[i].at_jumps.empty()) frozen_[i].state = (found++)->state;
 }
 
-void SegmentEvidence::freeze_bases(const VectorXd& unknowns) {
+std::vector<VectorXd> SegmentEvidence::states_at(std::size_t first, std::size_t end,
+                                                 const VectorXd& unknowns) const {
+  std::vector<VectorXd> states;
+  for (std::size_t i = first; i < end; ++i) states.push_back(frozen_[i].state);
+  find_states(model_, std::span(segments_).subspan(first, end - first), unknowns, states);
+  return states;
+}
+
+void SegmentEvidence::freeze_bases(std::size_t first, std::size_t end, const VectorXd& unknowns) {
   const auto modes = model_.modes();
   const std::size_t of_one = 1 + 4 * modes;
   // As it is, then with each part of the state and each mode's stiffness and damping changed.
   std::vector<std::size_t> segments;
   std::vector<SegmentTrial> trials;
-  for (std::size_t s = 0; s < segments_.size(); ++s) {
+  for (std::size_t s = first; s < end; ++s) {
     const VectorXd& state = frozen_[s].state;
     const VectorXd size = state.cwiseAbs().cwiseMax(1e-3 * state.cwiseAbs().maxCoeff() + 1e-30);
     segments.insert(segments.end(), of_one, s);
-    const std::size_t first = trials.size();
+    const std::size_t still = trials.size();
     for (std::size_t i = 0; i < of_one; ++i) trials.push_back(frozen_trial(s, unknowns));
     for (std::size_t i = 0; i < 2 * modes; ++i) {
       const auto row = static_cast<Index>(i);
-      trials[first + 1 + i].state(row) += 1e-4 * size(row);
+      trials[still + 1 + i].state(row) += 1e-4 * size(row);
     }
     for (std::size_t k = 0; k < modes; ++k) {
       const double w = unknowns(static_cast<Index>(k));
-      const std::size_t changed = first + 1 + 2 * modes + 2 * k;
+      const std::size_t changed = still + 1 + 2 * modes + 2 * k;
       for (const std::size_t i : {changed, changed + 1}) trials[i].change.resize(modes);
       trials[changed].change[k].stiffness = 1e-6 * w * w;
       trials[changed + 1].change[k].damping = 1e-6 * w;
     }
   }
   const std::vector<VectorXd> errors = frozen_errors(segments, trials);
-  for (std::size_t s = 0; s < segments_.size(); ++s) {
-    const VectorXd& here = errors[s * of_one];
-    const auto differences = [&](std::size_t first, double scale) {
-      MatrixXd columns(here.size(), static_cast<Index>(2 * modes));
+  for (std::size_t s = first; s < end; ++s) {
+    const std::size_t still = (s - first) * of_one;
+    const auto differences = [&](std::size_t changed, double scale) {
+      MatrixXd columns(errors[still].size(), static_cast<Index>(2 * modes));
       for (std::size_t i = 0; i < 2 * modes; ++i)
-        columns.col(static_cast<Index>(i)) = (errors[s * of_one + first + i] - here) * scale;
+        columns.col(static_cast<Index>(i)) = (errors[still + changed + i] - errors[still]) * scale;
       return columns;
     };
     Frozen& f = frozen_[s];
@@ -237,10 +244,14 @@ void SegmentEvidence::freeze_bases(const VectorXd& unknowns) {
 }
 
 void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
-  freeze_states(unknowns);
   for (std::size_t i = 0; i < segments_.size(); ++i)
     frozen_[i].widening = coarse > 0 ? std::hypot(1.0, std::sqrt(coarse) * loudness(segments_[i])) : 1;
-  freeze_bases(unknowns);
+  const std::size_t parts = std::min<std::size_t>(std::max(1U, threads_), segments_.size());
+  in_parallel(parts, threads_, [&](std::size_t part) {
+    const std::size_t first = part * segments_.size() / parts, end = (part + 1) * segments_.size() / parts;
+    freeze_states(first, end, unknowns);
+    freeze_bases(first, end, unknowns);
+  });
   coarse_ = coarse > 0;
   if (coarse_) noise_.clear();
   if (!coarse_) measure_noise(unknowns);
@@ -498,9 +509,7 @@ VectorXd SegmentEvidence::mean_square_error(const VectorXd& unknowns) const {
   const auto channels = static_cast<Index>(model_.sensors().response_names.size());
   VectorXd sum = VectorXd::Zero(channels);
   double count = 0;
-  std::vector<VectorXd> states;
-  for (const Frozen& f : frozen_) states.push_back(f.state);
-  find_states(model_, segments_, unknowns, states);
+  std::vector<VectorXd> states = states_at(0, segments_.size(), unknowns);
   std::vector<SegmentTrial> trials;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     trials.push_back(frozen_trial(i, unknowns));

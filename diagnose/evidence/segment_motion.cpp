@@ -34,8 +34,7 @@ class SmoothMotions {
  public:
   using State = std::vector<Lanes>;
 
-  SmoothMotions(MotionFlow<Lanes>& flow, const State& start)
-      : flow_(flow), velocity_(flow.modes()), step_(start.size()) {}
+  SmoothMotions(MotionFlow<Lanes>& flow, const State& start) : flow_(flow), step_(start.size()) {}
 
   void begin(double at, const State& state) { derivative(at, state, state, step_.rate()); }
   const State& rate() const { return step_.rate(); }
@@ -54,13 +53,11 @@ class SmoothMotions {
  private:
   void derivative(double at, const State& state, const State& origin, State& rate) {
     flow_.drive(at);
-    std::copy_n(state.begin() + static_cast<std::ptrdiff_t>(velocity_.size()), velocity_.size(), velocity_.begin());
-    flow_.accelerate(state, velocity_, origin, rate.data() + velocity_.size());
+    flow_.accelerate(state, state.data() + flow_.modes(), origin, rate.data() + flow_.modes());
     flow_.complete(state, rate);
   }
 
   MotionFlow<Lanes>& flow_;
-  State velocity_;
   RungeKutta<Lanes> step_;
 };
 
