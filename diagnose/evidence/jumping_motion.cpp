@@ -14,149 +14,230 @@ constexpr int most_secants = 20;
 
 }  // namespace
 
-JumpingMotion::JumpingMotion(MotionFlow<double>& flow, const State& start)
+template <class Number>
+JumpingMotion<Number>::JumpingMotion(MotionFlow<Number>& flow, const State& start, std::size_t motions)
     : flow_(flow),
       modes_(flow.modes()),
       jumps_(modes_),
-      velocity_(modes_),
-      above_(modes_),
-      below_(modes_),
+      held_(modes_),
+      velocity_(modes_, Number(0.0)),
+      above_(modes_, Number(0.0)),
+      below_(modes_, Number(0.0)),
       step_(start.size()) {
-  find_jumps(0, start);
+  find_jumps(start, motions);
 }
 
-bool JumpingMotion::has_jumps() const {
-  return std::any_of(jumps_.begin(), jumps_.end(), [](const Jump& jump) { return jump.there; });
+template <class Number>
+bool JumpingMotion<Number>::has_jumps() const {
+  return std::any_of(jumps_.begin(), jumps_.end(), [](const Jump& jump) { return jump.anywhere; });
 }
 
 // Accelerations of a coordinate that stands still, for a vanishing velocity from above and from below.
-std::pair<double, double> JumpingMotion::beside_rest(std::size_t k, const State& state, State velocity,
-                                                     const State& origin) {
-  velocity[k] = vanishing;
-  flow_.accelerate(state, velocity, origin, above_.data());
-  velocity[k] = -vanishing;
-  flow_.accelerate(state, velocity, origin, below_.data());
-  return {above_[k], below_[k]};
+template <class Number>
+void JumpingMotion<Number>::beside_rest(std::size_t k, const State& state, State velocity, const State& origin) {
+  velocity[k] = Number(vanishing);
+  flow_.accelerate(state, velocity.data(), origin, above_.data());
+  velocity[k] = Number(-vanishing);
+  flow_.accelerate(state, velocity.data(), origin, below_.data());
 }
 
-void JumpingMotion::find_jumps(double at, State state) {
-  flow_.drive(at);
+template <class Number>
+void JumpingMotion<Number>::find_jumps(State state, std::size_t motions) {
+  flow_.drive(0.0);
   for (std::size_t k = 0; k < modes_; ++k)
-    state[k] = std::abs(state[k]) + std::abs(state[modes_ + k] / flow_.parameter(k));
+    for (std::size_t m = 0; m < count; ++m)
+      set(state[k], m, std::abs(of(state[k], m)) + std::abs(of(state[modes_ + k], m) / flow_.parameter(k, m)));
   const State velocity(state.begin() + static_cast<std::ptrdiff_t>(modes_),
                        state.begin() + static_cast<std::ptrdiff_t>(2 * modes_));
   for (std::size_t k = 0; k < modes_; ++k) {
-    const auto [above, below] = beside_rest(k, state, velocity, state);
-    jumps_[k].there = std::abs(above - below) > rounding * (std::abs(above) + std::abs(below));
+    beside_rest(k, state, velocity, state);
+    for (std::size_t m = 0; m < motions; ++m) {
+      const double above = of(above_[k], m), below = of(below_[k], m);
+      jumps_[k].there[m] = std::abs(above - below) > rounding * (std::abs(above) + std::abs(below));
+      jumps_[k].anywhere = jumps_[k].anywhere || jumps_[k].there[m];
+    }
   }
 }
 
-void JumpingMotion::take_sides(double at, const State& state) {
+template <class Number>
+void JumpingMotion<Number>::take_sides(const Number& at, const State& state) {
   for (std::size_t k = 0; k < modes_; ++k) {
     Jump& jump = jumps_[k];
-    if (!jump.there) continue;
-    const double v = state[modes_ + k];
-    jump.held = false;
-    jump.side = v > 0 ? 1 : v < 0 ? -1 : 0;
-    if (v != 0) continue;
+    if (!jump.anywhere) continue;
+    jump.held = {};
+    jump.holds = false;
+    bool rests = false;
+    for (std::size_t m = 0; m < count; ++m) {
+      const double v = of(state[modes_ + k], m);
+      if (jump.there[m]) jump.side[m] = v > 0 ? 1 : v < 0 ? -1 : 0;
+      rests = rests || (jump.there[m] && v == 0);
+    }
+    if (!rests) continue;
     flow_.drive(at);
     std::copy_n(state.begin() + static_cast<std::ptrdiff_t>(modes_), modes_, velocity_.begin());
-    const auto [above, below] = beside_rest(k, state, velocity_, state);
-    jump.held = above <= 0 && below >= 0;
-    jump.side = jump.held ? 0 : above > 0 ? 1 : -1;
+    beside_rest(k, state, velocity_, state);
+    for (std::size_t m = 0; m < count; ++m) {
+      if (!jump.there[m] || of(state[modes_ + k], m) != 0) continue;
+      const double above = of(above_[k], m);
+      jump.held[m] = above <= 0 && of(below_[k], m) >= 0;
+      jump.side[m] = jump.held[m] ? 0 : above > 0 ? 1 : -1;
+      jump.holds = jump.holds || jump.held[m];
+    }
   }
 }
 
-void JumpingMotion::derive(double at, const State& state) {
+template <class Number>
+void JumpingMotion<Number>::derive(const Number& at, const State& state) {
   take_sides(at, state);
   derivative(at, state, state, step_.rate());
 }
 
+template <class Number>
+void JumpingMotion<Number>::stay_on_sides(std::size_t k) {
+  for (std::size_t m = 0; m < count; ++m) {
+    const int side = jumps_[k].side[m];
+    if (side != 0 && side * of(velocity_[k], m) <= 0) set(velocity_[k], m, side * vanishing);
+  }
+}
+
+// What is pushed off goes; what is pushed back either way stays.
+template <class Number>
+void JumpingMotion<Number>::hold(std::size_t k, const State& state, const State& origin) {
+  beside_rest(k, state, velocity_, origin);
+  for (std::size_t m = 0; m < count; ++m) {
+    if (!jumps_[k].held[m]) continue;
+    const double above = of(above_[k], m), v = of(velocity_[k], m);
+    held_[k][m] = !(above > 0 || of(below_[k], m) < 0);
+    if (!held_[k][m]) set(velocity_[k], m, above > 0 ? std::max(v, vanishing) : std::min(v, -vanishing));
+  }
+}
+
 // On one side of every jump.
-void JumpingMotion::derivative(double at, const State& state, const State& origin, State& rate) {
+template <class Number>
+void JumpingMotion<Number>::derivative(const Number& at, const State& state, const State& origin, State& rate) {
   flow_.drive(at);
   std::copy_n(state.begin() + static_cast<std::ptrdiff_t>(modes_), modes_, velocity_.begin());
-  held_.clear();
   for (std::size_t k = 0; k < modes_; ++k) {
-    const Jump& jump = jumps_[k];
-    if (jump.side * velocity_[k] < 0 || (jump.side != 0 && velocity_[k] == 0)) velocity_[k] = jump.side * vanishing;
-    if (!jump.held) continue;
-    const auto [above, below] = beside_rest(k, state, velocity_, origin);
-    if (above > 0 || below < 0)
-      velocity_[k] = above > 0 ? std::max(velocity_[k], vanishing) : std::min(velocity_[k], -vanishing);
-    else
-      held_.push_back(k);
+    if (jumps_[k].anywhere) stay_on_sides(k);
+    if (!jumps_[k].holds) continue;
+    held_[k] = {};
+    hold(k, state, origin);
   }
-  flow_.accelerate(state, velocity_, origin, rate.data() + modes_);
+  flow_.accelerate(state, velocity_.data(), origin, rate.data() + modes_);
   flow_.complete(state, rate);
-  for (const std::size_t k : held_) rate[modes_ + k] = 0;
+  for (std::size_t k = 0; k < modes_; ++k)
+    for (std::size_t m = 0; m < count && jumps_[k].holds; ++m)
+      if (held_[k][m]) set(rate[modes_ + k], m, 0);
 }
 
 // From `state` to step_.end(); the derivative there is known.
-void JumpingMotion::runge_kutta(double at, double half_steps, double step, const State& state) {
-  step_.take(at, half_steps, step, state, [&](double time, const State& stage, const State& origin, State& rate) {
-    derivative(time, stage, origin, rate);
-  });
+template <class Number>
+void JumpingMotion<Number>::runge_kutta(const Way& way, const State& state) {
+  step_.take(way.from, way.half_steps, way.step, state,
+             [&](const Number& time, const State& stage, const State& origin, State& rate) {
+               derivative(time, stage, origin, rate);
+             });
 }
 
 // A coordinate whose velocity has left its side of a jump by the end of a step; none: as many as there are.
-std::size_t JumpingMotion::crossing() const {
+template <class Number>
+std::size_t JumpingMotion<Number>::crossing(std::size_t motion) const {
   std::size_t k = 0;
-  while (k < modes_ && !(jumps_[k].side * step_.end()[modes_ + k] < 0)) ++k;
+  while (k < modes_ && !(jumps_[k].side[motion] * of(step_.end()[modes_ + k], motion) < 0)) ++k;
   return k;
 }
 
-// Share of a step, taken to its end already, after which this velocity is zero: regula falsi (Illinois), whose
-// last step is left in step_.end().
-double JumpingMotion::share_to_rest(std::size_t k, double at, double half_steps, double step, const State& state) {
-  double& reached = step_.end()[modes_ + k];
-  const double start = state[modes_ + k];
-  double low = 0, v_low = start, high = 1, v_high = reached, share = 1;
-  const double small = rounding * (std::abs(v_low) + std::abs(v_high));
-  int side = 0;
-  for (int i = 0; i < most_secants; ++i) {
-    share = (low * v_high - high * v_low) / (v_high - v_low);
-    runge_kutta(at, share * half_steps, share * step, state);
-    const double v = reached;
-    if (std::abs(v) <= small) break;
-    const bool before = v * start > 0;
-    if (before) {
-      low = share;
-      v_low = v;
-      if (side == -1) v_high /= 2;
-    } else {
-      high = share;
-      v_high = v;
-      if (side == 1) v_low /= 2;
-    }
-    side = before ? -1 : 1;
+// Regula falsi (Illinois).
+template <class Number>
+void JumpingMotion<Number>::Secant::take(double v) {
+  const bool before = v * start > 0;
+  if (before) {
+    low = share;
+    v_low = v;
+    if (side == -1) v_high /= 2;
+  } else {
+    high = share;
+    v_high = v;
+    if (side == 1) v_low /= 2;
   }
-  reached = 0;
-  return share;
+  side = before ? -1 : 1;
 }
 
-bool JumpingMotion::advance(double at, double half_steps, double step, State& state, bool begun) {
-  bool jumped = false;
-  for (double left = 1; left > 0;) {
-    const double from = at + (1 - left) * half_steps;
-    if (!begun) derive(from, state);
-    begun = false;
-    runge_kutta(from, left * half_steps, left * step, state);
-    double share = 1;
-    for (std::size_t k = crossing(); k < modes_ && share > 0; k = crossing()) {
-      jumped = true;
-      // From rest and back within a step: it has not moved.
-      if (state[modes_ + k] == 0) {
-        step_.end()[modes_ + k] = 0;
-        continue;
-      }
-      share *= share_to_rest(k, from, share * left * half_steps, share * left * step, state);
+// To the end of every search; what is not searched stays as it is in step_.end().
+template <class Number>
+void JumpingMotion<Number>::run(OfMotions<Secant>& secants, const Way& way, const State& state) {
+  State found = step_.end();
+  Mask open{};
+  for (std::size_t m = 0; m < count; ++m) open[m] = secants[m].coordinate < modes_;
+  for (int i = 0; i < most_secants && std::find(open.begin(), open.end(), true) != open.end(); ++i) {
+    for (std::size_t m = 0; m < count; ++m) {
+      if (open[m]) secants[m].next();
+      set(part_, m, secants[m].share);
     }
-    flow_.slide(state, step_.end());
+    runge_kutta({way.from, part_ * way.half_steps, part_ * way.step}, state);
+    for (std::size_t m = 0; m < count; ++m) {
+      if (!open[m]) continue;
+      const double v = of(step_.end()[modes_ + secants[m].coordinate], m);
+      for (std::size_t j = 0; j < found.size(); ++j) set(found[j], m, of(step_.end()[j], m));
+      open[m] = !(std::abs(v) <= secants[m].small);
+      if (open[m]) secants[m].take(v);
+    }
+  }
+  step_.end().swap(found);
+  for (std::size_t m = 0; m < count; ++m)
+    if (secants[m].coordinate < modes_) set(step_.end()[modes_ + secants[m].coordinate], m, 0);
+}
+
+template <class Number>
+Number JumpingMotion<Number>::shares(const Number& left, const Way& whole, const State& state, Mask& jumped) {
+  Number shares(1.0);
+  for (bool searched = true; searched;) {
+    OfMotions<Secant> secants;
+    searched = false;
+    for (std::size_t m = 0; m < count; ++m) {
+      std::size_t k = of(shares, m) > 0 ? crossing(m) : modes_;
+      // From rest and back within a step: it has not moved.
+      for (; k < modes_ && of(state[modes_ + k], m) == 0; k = crossing(m)) {
+        jumped[m] = true;
+        set(step_.end()[modes_ + k], m, 0);
+      }
+      secants[m].coordinate = k;
+      if (k == modes_) continue;
+      jumped[m] = searched = true;
+      Secant& secant = secants[m];
+      secant.start = secant.v_low = of(state[modes_ + k], m);
+      secant.v_high = of(step_.end()[modes_ + k], m);
+      secant.small = rounding * (std::abs(secant.v_low) + std::abs(secant.v_high));
+    }
+    if (!searched) break;
+    run(secants, {whole.from, shares * left * whole.half_steps, shares * left * whole.step}, state);
+    for (std::size_t m = 0; m < count; ++m)
+      if (secants[m].coordinate < modes_) set(shares, m, of(shares, m) * secants[m].share);
+  }
+  return shares;
+}
+
+template <class Number>
+auto JumpingMotion<Number>::advance(double at, double half_steps, double step, State& state, bool begun) -> Mask {
+  Mask jumped{};
+  Number left(1.0);
+  for (bool going = true; going; begun = false) {
+    const Way whole{Number(at) + (Number(1.0) - left) * Number(half_steps), Number(half_steps), Number(step)};
+    if (!begun) derive(whole.from, state);
+    runge_kutta({whole.from, left * whole.half_steps, left * whole.step}, state);
+    const Number share = shares(left, whole, state, jumped);
+    flow_.slide(state, step_.end(), left);
     state.swap(step_.end());
-    left = share < 1 ? left * (1 - share) : 0;
+    going = false;
+    for (std::size_t m = 0; m < count; ++m) {
+      set(left, m, of(share, m) < 1 ? of(left, m) * (1 - of(share, m)) : 0);
+      going = going || of(left, m) > 0;
+    }
   }
   return jumped;
 }
+
+template class JumpingMotion<double>;
+template class JumpingMotion<Lanes>;
 
 }  // namespace secular

@@ -55,8 +55,9 @@ std::string line_name(const Condition& c, Index line, const CompiledModel& model
 
 }  // namespace
 
-LineEvidence::LineEvidence(ConditionModel model, std::vector<Condition> conditions, const VectorXd& unknowns)
-    : model_(std::move(model)), conditions_(std::move(conditions)) {
+LineEvidence::LineEvidence(ConditionModel model, std::vector<Condition> conditions, const VectorXd& unknowns,
+                           unsigned threads)
+    : model_(std::move(model)), conditions_(std::move(conditions)), threads_(threads) {
   const CompiledModel& compiled = model_.balance().model();
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
     const Condition& c = conditions_[i];
@@ -146,7 +147,7 @@ void LineEvidence::whiten(std::size_t condition, const VectorXd& unknowns, doubl
 }
 
 void LineEvidence::freeze(const VectorXd& unknowns, double coarse) {
-  for (std::size_t i = 0; i < conditions_.size(); ++i) whiten(i, unknowns, coarse, whitening_[i]);
+  in_parallel(conditions_.size(), threads_, [&](std::size_t i) { whiten(i, unknowns, coarse, whitening_[i]); });
 }
 
 void LineEvidence::approach(const VectorXd& unknowns) {

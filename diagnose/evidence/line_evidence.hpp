@@ -9,7 +9,9 @@ namespace secular {
 /// rows before it determine (the line from which an amplitude was taken) drops out.
 class LineEvidence : public Evidence {
  public:
-  LineEvidence(ConditionModel model, std::vector<Condition> conditions, const Eigen::VectorXd& unknowns);
+  /// `threads`: of freeze().
+  LineEvidence(ConditionModel model, std::vector<Condition> conditions, const Eigen::VectorXd& unknowns,
+               unsigned threads = 1);
 
   Eigen::Index size() const override { return static_cast<Eigen::Index>(labels_.size()); }
   const std::vector<RowLabel>& labels() const override { return labels_; }
@@ -31,6 +33,7 @@ class LineEvidence : public Evidence {
 
   ConditionModel model_;
   std::vector<Condition> conditions_;
+  unsigned threads_;
   std::vector<Whitening> whitening_;
   std::vector<RowLabel> labels_;
 };

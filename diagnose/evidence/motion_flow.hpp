@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -83,14 +84,17 @@ class MotionFlow {
     return state;
   }
 
-  /// Sets what drives; time in half steps of the samples.
-  void drive(double at) {
+  /// Sets what drives; time in half steps of the samples, that of all motions or of each.
+  template <class Time>
+  void drive(const Time& at) {
+    const auto of = [&](std::size_t motion) { return Motions<Time>::of(at, motion); };
     for (std::size_t j = 0; j < driven_; ++j) {
-      const ExcitationSample now = interpolated(*signals_[0], static_cast<Eigen::Index>(j), at);
-      excitation_[j] = {Number(now.value), Number(now.first_derivative), Number(now.second_derivative)};
-      if (one_signal_) continue;
+      ExcitationSample own = interpolated(*signals_[0], static_cast<Eigen::Index>(j), of(0));
+      excitation_[j] = {Number(own.value), Number(own.first_derivative), Number(own.second_derivative)};
+      if (one_signal_ && std::is_same_v<Time, double>) continue;
       for (std::size_t m = 1; m < Motions<Number>::count; ++m) {
-        const ExcitationSample own = interpolated(*signals_[m], static_cast<Eigen::Index>(j), at);
+        if (signals_[m] != signals_[m - 1] || of(m) != of(m - 1))
+          own = interpolated(*signals_[m], static_cast<Eigen::Index>(j), of(m));
         Motions<Number>::set(excitation_[j].value, m, own.value);
         Motions<Number>::set(excitation_[j].first_derivative, m, own.first_derivative);
         Motions<Number>::set(excitation_[j].second_derivative, m, own.second_derivative);
@@ -100,11 +104,11 @@ class MotionFlow {
 
   /// Accelerations with these velocities in place of the state's. Sliders as they are at `origin`, moved on to
   /// here.
-  void accelerate(const State& state, const State& velocity, const State& origin, Number* acceleration) {
+  void accelerate(const State& state, const Number* velocity, const State& origin, Number* acceleration) {
     for (const ActiveForce& active : active_)
       excitation_[active.force->excitation] = {signal_of(active, state, velocity, origin), Number(0.0),
                                                Number(0.0)};
-    Motions<Number>::acceleration(model_)(parameters_.data(), excitation_.data(), state.data(), velocity.data(),
+    Motions<Number>::acceleration(model_)(parameters_.data(), excitation_.data(), state.data(), velocity,
                                           acceleration);
   }
 
@@ -123,17 +127,21 @@ class MotionFlow {
         force - Number(2.0) * side_damping_ * side_frequency_ * v - side_frequency_ * side_frequency_ * x;
   }
 
-  /// Sliders go from one state to another.
-  void slide(const State& from, const State& to) {
+  /// Sliders go from one state to another, in motions of which there is something `left` to go.
+  void slide(const State& from, const State& to, const Number& left) {
     for (ActiveForce& active : active_) {
       const std::size_t mode = active.force->mode;
       for (std::size_t m = 0; m < Motions<Number>::count; ++m)
         for (auto& [slider, stretch] : active.sliders[m])
-          stretch = slider.advanced(stretch, Motions<Number>::of(to[mode], m) - Motions<Number>::of(from[mode], m));
+          if (Motions<Number>::of(left, m) > 0)
+            stretch =
+                slider.advanced(stretch, Motions<Number>::of(to[mode], m) - Motions<Number>::of(from[mode], m));
     }
   }
 
-  double parameter(std::size_t symbol) const { return Motions<Number>::of(parameters_[symbol], 0); }
+  double parameter(std::size_t symbol, std::size_t motion) const {
+    return Motions<Number>::of(parameters_[symbol], motion);
+  }
 
  private:
   struct StretchedSlider {
@@ -192,7 +200,7 @@ class MotionFlow {
     return (turns * turns * start.state(k) + tau * start.state(modes + k)) / (1 + turns * turns);
   }
 
-  Number signal_of(const ActiveForce& active, const State& state, const State& velocity,
+  Number signal_of(const ActiveForce& active, const State& state, const Number* velocity,
                    const State& origin) const {
     const StateForce& force = *active.force;
     Number signal(0.0);
@@ -207,8 +215,9 @@ class MotionFlow {
       else if (active.relaxes)
         value = Motions<Number>::of(state[active.place], m);
       const double way = here - Motions<Number>::of(origin[force.mode], m);
-      for (const auto& [slider, stretch] : active.sliders[m])
-        value += slider.advanced(stretch, way) / static_cast<double>(active.sliders[m].size());
+      double stretches = 0;
+      for (const auto& [slider, stretch] : active.sliders[m]) stretches += slider.advanced(stretch, way);
+      if (!active.sliders[m].empty()) value = stretches / static_cast<double>(active.sliders[m].size());
       Motions<Number>::set(signal, m, value);
     }
     return signal;

@@ -23,22 +23,24 @@ class RungeKutta {
   const State& end() const { return end_; }
 
   /// derivative(time in half steps of the samples, state, where the step begins, derivative)
-  template <class Derivative>
-  void take(double at, double half_steps, double step, const State& state, const Derivative& derivative) {
-    go(state, 0.5 * step, k1_);
-    derivative(at + 0.5 * half_steps, stage_, state, k2_);
-    go(state, 0.5 * step, k2_);
-    derivative(at + 0.5 * half_steps, stage_, state, k3_);
+  template <class Time, class Derivative>
+  void take(const Time& at, const Time& half_steps, const Number& step, const State& state,
+            const Derivative& derivative) {
+    const Number half_step = Number(0.5) * step;
+    const Time middle = at + Time(0.5) * half_steps;
+    go(state, half_step, k1_);
+    derivative(middle, stage_, state, k2_);
+    go(state, half_step, k2_);
+    derivative(middle, stage_, state, k3_);
     go(state, step, k3_);
     derivative(at + half_steps, stage_, state, k4_);
-    const Number sixth(step / 6), two(2.0);
+    const Number sixth = step / Number(6.0), two(2.0);
     for (std::size_t i = 0; i < end_.size(); ++i)
       end_[i] = state[i] + sixth * (k1_[i] + two * k2_[i] + two * k3_[i] + k4_[i]);
   }
 
  private:
-  void go(const State& state, double step, const State& rate) {
-    const Number way(step);
+  void go(const State& state, const Number& way, const State& rate) {
     for (std::size_t i = 0; i < stage_.size(); ++i) stage_[i] = state[i] + way * rate[i];
   }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "diagnose/evidence/state_search.hpp"
 #include "diagnose/thresholds.hpp"
 #include "numerics/in_parallel.hpp"
 #include "numerics/median.hpp"
@@ -90,6 +91,12 @@ double white_level(const std::vector<double>& white) {
                   std::sqrt(std::accumulate(white.begin(), white.end(), 0.0) / static_cast<double>(white.size())));
 }
 
+// Root mean square of the loudest channel, in units of its noise.
+double loudness(const Segment& s) {
+  return (s.response.rowwise().norm().array() / s.noise_sd.array()).maxCoeff() /
+         std::sqrt(static_cast<double>(s.response.cols()));
+}
+
 // Of orthonormal columns of errors, channel after channel.
 VectorXd sd_of_changes(const NoiseInCosines& noise, const MatrixXd& basis) {
   const Index samples = noise.cosines.rows();
@@ -105,9 +112,10 @@ VectorXd sd_of_changes(const NoiseInCosines& noise, const MatrixXd& basis) {
 }  // namespace
 
 SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateForce> forces, SensorModel sensors,
-                                 FaultTable table, std::vector<Segment> segments)
+                                 FaultTable table, std::vector<Segment> segments, unsigned threads)
     : model_(model, std::move(forces), std::move(sensors), std::move(table)),
       segments_(std::move(segments)),
+      threads_(threads),
       frozen_(segments_.size()) {
   for (const Segment& s : segments_) {
     RowLabel label;
@@ -143,75 +151,107 @@ Index SegmentEvidence::freedom() const {
   return size() - static_cast<Index>(4 * model_.modes() * segments_.size()) - at_jumps - wandering;
 }
 
-std::vector<VectorXd> SegmentEvidence::frozen_errors(std::size_t segment,
+std::vector<VectorXd> SegmentEvidence::frozen_errors(const std::vector<std::size_t>& segments,
                                                      const std::vector<SegmentTrial>& trials) const {
   std::vector<VectorXd> all = model_.errors(trials);
-  for (VectorXd& error : all)
-    error = silenced(std::move(error), segments_[segment].response.cols(), frozen_[segment].at_jumps);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = silenced(std::move(all[i]), trials[i].samples, frozen_[segments[i]].at_jumps);
   return all;
 }
 
 std::vector<VectorXd> SegmentEvidence::frozen_errors(const VectorXd& unknowns) const {
   std::vector<SegmentTrial> trials;
   for (std::size_t i = 0; i < segments_.size(); ++i) trials.push_back(frozen_trial(i, unknowns));
-  std::vector<VectorXd> all = model_.errors(trials);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    all[i] = silenced(std::move(all[i]), trials[i].samples, frozen_[i].at_jumps);
+  return frozen_errors(all_segments(), trials);
+}
+
+std::vector<std::size_t> SegmentEvidence::all_segments() const {
+  std::vector<std::size_t> all(segments_.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
   return all;
 }
 
-void SegmentEvidence::freeze_segment(std::size_t segment, const VectorXd& unknowns, double coarse) {
-  const Segment& s = segments_[segment];
-  Frozen& f = frozen_[segment];
-  const Index samples = s.response.cols();
-  model_.find_state(s, unknowns, f.state);
-  f.at_jumps.clear();
-  if (model_.sensors().derivatives == 2) {
-    std::vector<Index> jumps;
-    model_.errors({frozen_trial(segment, unknowns)}, &jumps);
-    for (const Index before : jumps)
+void SegmentEvidence::freeze_states(std::size_t first, std::size_t end, const VectorXd& unknowns) {
+  std::vector<VectorXd> states = states_at(first, end, unknowns);
+  for (std::size_t i = first; i < end; ++i) {
+    frozen_[i].state = std::move(states[i - first]);
+    frozen_[i].at_jumps.clear();
+  }
+  if (model_.sensors().derivatives != 2) return;
+  std::vector<SegmentTrial> trials;
+  for (std::size_t i = first; i < end; ++i) trials.push_back(frozen_trial(i, unknowns));
+  std::vector<std::vector<Index>> jumps;
+  model_.errors(trials, &jumps);
+  std::vector<StateSearch> searches;
+  for (std::size_t i = first; i < end; ++i) {
+    std::vector<Index>& at = frozen_[i].at_jumps;
+    for (const Index before : jumps[i - first])
       for (const Index sample : {before, before + 1})
-        if (f.at_jumps.empty() || f.at_jumps.back() < sample) f.at_jumps.push_back(sample);
-    if (!jumps.empty()) model_.improve_state(s, unknowns, f.state, samples, f.at_jumps);
+        if (at.empty() || at.back() < sample) at.push_back(sample);
+    if (!at.empty()) searches.push_back({segments_[i], frozen_[i].state, segments_[i].response.cols(), at});
   }
-  f.widening = 1;
-  if (coarse > 0) {
-    const double size = (s.response.rowwise().norm().array() / s.noise_sd.array()).maxCoeff() /
-                        std::sqrt(static_cast<double>(samples));
-    f.widening = std::hypot(1.0, std::sqrt(coarse) * size);
-  }
-  freeze_bases(segment, unknowns);
+  improve_states(model_, unknowns, searches);
+  auto found = searches.begin();
+  for (std::size_t i = first; i < end; ++i)
+    if (!frozen_[i].at_jumps.empty()) frozen_[i].state = (found++)->state;
 }
 
-void SegmentEvidence::freeze_bases(std::size_t segment, const VectorXd& unknowns) {
-  Frozen& f = frozen_[segment];
+std::vector<VectorXd> SegmentEvidence::states_at(std::size_t first, std::size_t end,
+                                                 const VectorXd& unknowns) const {
+  std::vector<VectorXd> states;
+  for (std::size_t i = first; i < end; ++i) states.push_back(frozen_[i].state);
+  find_states(model_, std::span(segments_).subspan(first, end - first), unknowns, states);
+  return states;
+}
+
+void SegmentEvidence::freeze_bases(std::size_t first, std::size_t end, const VectorXd& unknowns) {
   const auto modes = model_.modes();
-  const VectorXd size = f.state.cwiseAbs().cwiseMax(1e-3 * f.state.cwiseAbs().maxCoeff() + 1e-30);
+  const std::size_t of_one = 1 + 4 * modes;
   // As it is, then with each part of the state and each mode's stiffness and damping changed.
-  std::vector<SegmentTrial> trials(1 + 4 * modes, frozen_trial(segment, unknowns));
-  for (std::size_t i = 0; i < 2 * modes; ++i) {
-    const auto row = static_cast<Index>(i);
-    trials[1 + i].state(row) += 1e-4 * size(row);
+  std::vector<std::size_t> segments;
+  std::vector<SegmentTrial> trials;
+  for (std::size_t s = first; s < end; ++s) {
+    const VectorXd& state = frozen_[s].state;
+    const VectorXd size = state.cwiseAbs().cwiseMax(1e-3 * state.cwiseAbs().maxCoeff() + 1e-30);
+    segments.insert(segments.end(), of_one, s);
+    const std::size_t still = trials.size();
+    for (std::size_t i = 0; i < of_one; ++i) trials.push_back(frozen_trial(s, unknowns));
+    for (std::size_t i = 0; i < 2 * modes; ++i) {
+      const auto row = static_cast<Index>(i);
+      trials[still + 1 + i].state(row) += 1e-4 * size(row);
+    }
+    for (std::size_t k = 0; k < modes; ++k) {
+      const double w = unknowns(static_cast<Index>(k));
+      const std::size_t changed = still + 1 + 2 * modes + 2 * k;
+      for (const std::size_t i : {changed, changed + 1}) trials[i].change.resize(modes);
+      trials[changed].change[k].stiffness = 1e-6 * w * w;
+      trials[changed + 1].change[k].damping = 1e-6 * w;
+    }
   }
-  for (std::size_t k = 0; k < modes; ++k) {
-    const double w = unknowns(static_cast<Index>(k));
-    for (const std::size_t i : {2 * k, 2 * k + 1}) trials[1 + 2 * modes + i].change.resize(modes);
-    trials[1 + 2 * modes + 2 * k].change[k].stiffness = 1e-6 * w * w;
-    trials[2 + 2 * modes + 2 * k].change[k].damping = 1e-6 * w;
+  const std::vector<VectorXd> errors = frozen_errors(segments, trials);
+  for (std::size_t s = first; s < end; ++s) {
+    const std::size_t still = (s - first) * of_one;
+    const auto differences = [&](std::size_t changed, double scale) {
+      MatrixXd columns(errors[still].size(), static_cast<Index>(2 * modes));
+      for (std::size_t i = 0; i < 2 * modes; ++i)
+        columns.col(static_cast<Index>(i)) = (errors[still + changed + i] - errors[still]) * scale;
+      return columns;
+    };
+    Frozen& f = frozen_[s];
+    f.state_basis = beyond(wander(segments_[s]), differences(1, 1e4));
+    f.change_basis = beyond(f.state_basis, differences(1 + 2 * modes, 1e6));
   }
-  const std::vector<VectorXd> errors = frozen_errors(segment, trials);
-  const auto differences = [&](std::size_t first, double scale) {
-    MatrixXd columns(errors.front().size(), static_cast<Index>(2 * modes));
-    for (std::size_t i = 0; i < 2 * modes; ++i)
-      columns.col(static_cast<Index>(i)) = (errors[first + i] - errors.front()) * scale;
-    return columns;
-  };
-  f.state_basis = beyond(wander(segments_[segment]), differences(1, 1e4));
-  f.change_basis = beyond(f.state_basis, differences(1 + 2 * modes, 1e6));
 }
 
 void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
-  for (std::size_t i = 0; i < segments_.size(); ++i) freeze_segment(i, unknowns, coarse);
+  for (std::size_t i = 0; i < segments_.size(); ++i)
+    frozen_[i].widening = coarse > 0 ? std::hypot(1.0, std::sqrt(coarse) * loudness(segments_[i])) : 1;
+  const std::size_t parts = std::min<std::size_t>(std::max(1U, threads_), segments_.size());
+  in_parallel(parts, threads_, [&](std::size_t part) {
+    const std::size_t first = part * segments_.size() / parts, end = (part + 1) * segments_.size() / parts;
+    freeze_states(first, end, unknowns);
+    freeze_bases(first, end, unknowns);
+  });
   coarse_ = coarse > 0;
   if (coarse_) noise_.clear();
   if (!coarse_) measure_noise(unknowns);
@@ -409,41 +449,39 @@ MatrixXd SegmentEvidence::slopes(const VectorXd& unknowns, const std::vector<std
   return columns;
 }
 
-void SegmentEvidence::segment_differences(std::size_t segment, const std::vector<VectorXd>& ends,
-                                          Eigen::Ref<MatrixXd> rows) const {
-  std::vector<SegmentTrial> trials;
-  for (const VectorXd& end : ends) trials.push_back(frozen_trial(segment, end));
-  std::vector<VectorXd> errors = frozen_errors(segment, trials);
-  VectorXd up(rows.rows()), down(rows.rows());
-  for (Index i = 0; i < rows.cols(); ++i) {
-    const auto end = static_cast<std::size_t>(2 * i);
-    rows_of(segment, std::move(errors[end]), up);
-    rows_of(segment, std::move(errors[end + 1]), down);
-    rows.col(i) = up - down;
-  }
-}
-
 MatrixXd SegmentEvidence::differences(const VectorXd& unknowns, const std::vector<std::size_t>& which,
                                       const VectorXd& scale, unsigned threads) const {
   constexpr std::size_t together = Lanes::count / 2;  // either side of each
   MatrixXd columns(size(), static_cast<Index>(which.size()));
   std::vector<Index> first{0};
   for (std::size_t i = 0; i < segments_.size(); ++i) first.push_back(first.back() + rows_in(i));
-  const std::size_t groups = (which.size() + together - 1) / together;
   const auto moved = [&](std::size_t w, double side) {
     VectorXd end = unknowns;
     end(static_cast<Index>(which[w])) += side * scale(static_cast<Index>(w));
     return end;
   };
-  in_parallel(segments_.size() * groups, threads, [&](std::size_t task) {
-    const std::size_t segment = task / groups, begin = task % groups * together,
-                      end = std::min(begin + together, which.size());
-    std::vector<VectorXd> ends;
-    for (std::size_t w = begin; w < end; ++w)
-      for (const double side : {0.5, -0.5}) ends.push_back(moved(w, side));
-    segment_differences(segment, ends,
-                        columns.block(first[segment], static_cast<Index>(begin), rows_in(segment),
-                                      static_cast<Index>(end - begin)));
+  std::vector<VectorXd> ends;
+  for (std::size_t w = 0; w < which.size(); ++w)
+    for (const double side : {0.5, -0.5}) ends.push_back(moved(w, side));
+  // Columns of all segments one after the other.
+  const std::size_t count = segments_.size() * which.size();
+  in_parallel((count + together - 1) / together, threads, [&](std::size_t task) {
+    const std::size_t begin = task * together, end = std::min(begin + together, count);
+    std::vector<std::size_t> segments;
+    std::vector<SegmentTrial> trials;
+    for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t side = 0; side < 2; ++side) {
+        segments.push_back(i / which.size());
+        trials.push_back(frozen_trial(segments.back(), ends[2 * (i % which.size()) + side]));
+      }
+    std::vector<VectorXd> errors = frozen_errors(segments, trials);
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t segment = i / which.size(), up = 2 * (i - begin);
+      VectorXd above(rows_in(segment)), below(rows_in(segment));
+      rows_of(segment, std::move(errors[up]), above);
+      rows_of(segment, std::move(errors[up + 1]), below);
+      columns.col(static_cast<Index>(i % which.size())).segment(first[segment], above.size()) = above - below;
+    }
   });
   for (std::size_t w = 0; w < which.size(); ++w) {
     auto column = columns.col(static_cast<Index>(w));
@@ -471,12 +509,17 @@ VectorXd SegmentEvidence::mean_square_error(const VectorXd& unknowns) const {
   const auto channels = static_cast<Index>(model_.sensors().response_names.size());
   VectorXd sum = VectorXd::Zero(channels);
   double count = 0;
+  std::vector<VectorXd> states = states_at(0, segments_.size(), unknowns);
+  std::vector<SegmentTrial> trials;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    trials.push_back(frozen_trial(i, unknowns));
+    trials.back().state = std::move(states[i]);
+  }
+  const std::vector<VectorXd> errors = model_.errors(trials);
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const Segment& s = segments_[i];
-    VectorXd state = frozen_[i].state;
-    model_.find_state(s, unknowns, state);
     const Index samples = s.response.cols();
-    const VectorXd error = model_.errors({{s, samples, unknowns, state}}).front();
+    const VectorXd& error = errors[i];
     for (Index c = 0; c < channels; ++c)
       sum(c) += error.segment(c * samples, samples).squaredNorm() * s.noise_sd(c) * s.noise_sd(c);
     count += static_cast<double>(samples);

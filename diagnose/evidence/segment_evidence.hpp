@@ -21,8 +21,9 @@ namespace secular {
 /// disturbed, and no segment's other rows count for more than they hold.
 class SegmentEvidence : public Evidence {
  public:
+  /// `threads`: of freeze().
   SegmentEvidence(const CompiledModel& model, std::vector<StateForce> forces, SensorModel sensors, FaultTable table,
-                  std::vector<Segment> segments);
+                  std::vector<Segment> segments, unsigned threads = 1);
 
   Eigen::Index size() const override { return static_cast<Eigen::Index>(labels_.size()); }
   Eigen::Index freedom() const override;
@@ -90,15 +91,19 @@ class SegmentEvidence : public Evidence {
   /// Of a record's segments.
   Noise noise_of(std::span<const Left> left, std::size_t first,
                  std::shared_ptr<const NoiseInCosines> coloured) const;
-  void freeze_segment(std::size_t segment, const Eigen::VectorXd& unknowns, double coarse);
-  /// Directions in which errors move with the state, and with the change of every mode, where the segment is.
-  void freeze_bases(std::size_t segment, const Eigen::VectorXd& unknowns);
+  /// Where segments begin, from the first one to before the end, and what does not count of them.
+  void freeze_states(std::size_t first, std::size_t end, const Eigen::VectorXd& unknowns);
+  std::vector<Eigen::VectorXd> states_at(std::size_t first, std::size_t end, const Eigen::VectorXd& unknowns) const;
+  /// Directions in which their errors move with the state, and with the change of every mode, where they are.
+  void freeze_bases(std::size_t first, std::size_t end, const Eigen::VectorXd& unknowns);
   /// A frozen segment as it is.
   SegmentTrial frozen_trial(std::size_t segment, const Eigen::VectorXd& unknowns) const {
     return {segments_[segment], segments_[segment].response.cols(), unknowns, frozen_[segment].state};
   }
-  /// Errors of trials of one frozen segment.
-  std::vector<Eigen::VectorXd> frozen_errors(std::size_t segment, const std::vector<SegmentTrial>& trials) const;
+  std::vector<std::size_t> all_segments() const;
+  /// Errors of trials of frozen segments.
+  std::vector<Eigen::VectorXd> frozen_errors(const std::vector<std::size_t>& segments,
+                                             const std::vector<SegmentTrial>& trials) const;
   /// Errors of all frozen segments.
   std::vector<Eigen::VectorXd> frozen_errors(const Eigen::VectorXd& unknowns) const;
   /// Rows of a segment.
@@ -108,12 +113,10 @@ class SegmentEvidence : public Evidence {
   /// Central differences of half a scale.
   Eigen::MatrixXd differences(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                               const Eigen::VectorXd& scale, unsigned threads) const;
-  /// The same in the rows of one segment, between the `ends` of each column: up, down, up, down, ...
-  void segment_differences(std::size_t segment, const std::vector<Eigen::VectorXd>& ends,
-                           Eigen::Ref<Eigen::MatrixXd> rows) const;
 
   SegmentModel model_;
   std::vector<Segment> segments_;
+  unsigned threads_;
   std::vector<Frozen> frozen_;
   std::vector<Noise> noise_;
   bool coarse_ = true;  // frozen at widened errors, beside which nothing repeats worse

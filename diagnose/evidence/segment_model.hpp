@@ -29,19 +29,13 @@ class SegmentModel {
   std::size_t offset(std::size_t channel) const { return model_->symbols.size() + table_.offset(channel); }
 
   /// Measured minus computed, in units of the noise, by trial: channel after channel, `samples` each. A motion that
-  /// passes a million times its beginning counts as zero from there on. `jumps`: of the first trial's motion, see
+  /// passes a million times its beginning counts as zero from there on. `jumps`: of every trial's motion, see
   /// StretchOfMotion.
   std::vector<Eigen::VectorXd> errors(const std::vector<SegmentTrial>& trials,
-                                      std::vector<Eigen::Index>* jumps = nullptr) const;
-  /// The state a segment begins at that fits it best; `state`: a guess, or empty.
-  void find_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state) const;
-  /// Gauss-Newton over the first `samples` from `state` on, which moves; returns the sum of squared errors.
-  double improve_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state,
-                       Eigen::Index samples, const std::vector<Eigen::Index>& at_jumps = {}) const;
+                                      std::vector<std::vector<Eigen::Index>>* jumps = nullptr) const;
 
  private:
   MotionStart start_of(const SegmentTrial& trial, const Faults& faults) const;
-  Eigen::VectorXd guessed_state(const Segment& segment, const Eigen::VectorXd& unknowns) const;
 
   const CompiledModel* model_;
   std::vector<StateForce> forces_;

@@ -1,6 +1,7 @@
 #include "diagnose/evidence/segment_motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -33,32 +34,30 @@ class SmoothMotions {
  public:
   using State = std::vector<Lanes>;
 
-  SmoothMotions(MotionFlow<Lanes>& flow, const State& start)
-      : flow_(flow), velocity_(flow.modes()), step_(start.size()) {}
+  SmoothMotions(MotionFlow<Lanes>& flow, const State& start) : flow_(flow), step_(start.size()) {}
 
   void begin(double at, const State& state) { derivative(at, state, state, step_.rate()); }
   const State& rate() const { return step_.rate(); }
 
-  bool advance(double at, double half_steps, double step, State& state, bool begun) {
+  std::array<bool, Lanes::count> advance(double at, double half_steps, double step, State& state, bool begun) {
     if (!begun) begin(at, state);
-    step_.take(at, half_steps, step, state, [&](double time, const State& stage, const State& origin, State& rate) {
-      derivative(time, stage, origin, rate);
-    });
-    flow_.slide(state, step_.end());
+    step_.take(at, half_steps, Lanes(step), state,
+               [&](double time, const State& stage, const State& origin, State& rate) {
+                 derivative(time, stage, origin, rate);
+               });
+    flow_.slide(state, step_.end(), Lanes(1.0));
     state.swap(step_.end());
-    return false;
+    return {};
   }
 
  private:
   void derivative(double at, const State& state, const State& origin, State& rate) {
     flow_.drive(at);
-    std::copy_n(state.begin() + static_cast<std::ptrdiff_t>(velocity_.size()), velocity_.size(), velocity_.begin());
-    flow_.accelerate(state, velocity_, origin, rate.data() + velocity_.size());
+    flow_.accelerate(state, state.data() + flow_.modes(), origin, rate.data() + flow_.modes());
     flow_.complete(state, rate);
   }
 
   MotionFlow<Lanes>& flow_;
-  State velocity_;
   RungeKutta<Lanes> step_;
 };
 
@@ -108,7 +107,13 @@ class Records {
     return any;
   }
 
-  void add_jump(Index sample) { motions_.front().jumps.push_back(sample); }
+  /// `jumped`: whether a motion jumped between this sample and the next.
+  void add_jumps(Index sample, const std::array<bool, Motions<Number>::count>& jumped) {
+    for (std::size_t m = 0; m < motions_.size(); ++m)
+      if (std::vector<Index>& jumps = motions_[m].jumps;
+          jumped[m] && bound_[m] > 0 && (jumps.empty() || jumps.back() < sample))
+        jumps.push_back(sample);
+  }
   std::vector<StretchOfMotion> get() { return std::move(motions_); }
 
  private:
@@ -127,10 +132,8 @@ std::vector<StretchOfMotion> follow(Stepper& stepper, std::vector<Number> state,
     stepper.begin(begin, state);
     records.take(i, state, stepper.rate());
     if (i + 1 == pace.samples) break;
-    bool jumped = false;
     for (int s = 0; s < pace.substeps; ++s)
-      jumped = stepper.advance(begin + half_steps * s, half_steps, step, state, s == 0) || jumped;
-    if (jumped) records.add_jump(i);
+      records.add_jumps(i, stepper.advance(begin + half_steps * s, half_steps, step, state, s == 0));
     if (!records.within(state)) break;
   }
   return records.get();
@@ -148,37 +151,29 @@ StretchOfMotion MotionIntegrator::motion(const MotionStart& start) const {
   const std::span<const MotionStart> one(&start, 1);
   MotionFlow<double> flow(model_, forces_, one);
   const std::vector<double> state = flow.state_of(one);
-  JumpingMotion stepper(flow, state);
+  JumpingMotion<double> stepper(flow, state, 1);
   return follow(stepper, state, Records<double>(one, model_.modes())).front();
-}
-
-bool MotionIntegrator::jumps(const MotionStart& start) const {
-  const std::span<const MotionStart> one(&start, 1);
-  MotionFlow<double> flow(model_, forces_, one);
-  return JumpingMotion(flow, flow.state_of(one)).has_jumps();
 }
 
 std::vector<StretchOfMotion> MotionIntegrator::side_by_side(const std::vector<MotionStart>& starts) const {
   if (starts.size() == 1) return {motion(starts.front())};
   MotionFlow<Lanes> flow(model_, forces_, starts);
   const std::vector<Lanes> state = flow.state_of(starts);
-  SmoothMotions stepper(flow, state);
-  return follow(stepper, state, Records<Lanes>(starts, model_.modes()));
+  Records<Lanes> records(starts, model_.modes());
+  JumpingMotion<Lanes> jumping(flow, state, starts.size());
+  if (jumping.has_jumps()) return follow(jumping, state, std::move(records));
+  SmoothMotions smooth(flow, state);
+  return follow(smooth, state, std::move(records));
 }
 
 std::vector<StretchOfMotion> MotionIntegrator::motions(const std::vector<MotionStart>& starts) const {
   std::vector<StretchOfMotion> all(starts.size());
   std::vector<bool> done(starts.size(), false);
-  const bool alone = starts.size() == 1 || !model_.acceleration_of_lanes;
-  for (std::size_t i = 0; i < starts.size(); ++i)
-    if (alone || jumps(starts[i])) {
-      all[i] = motion(starts[i]);
-      done[i] = true;
-    }
   for (std::size_t first = 0; first < starts.size(); ++first) {
     std::vector<std::size_t> places;
     std::vector<MotionStart> together;
-    for (std::size_t i = first; i < starts.size() && together.size() < Lanes::count; ++i)
+    const std::size_t most = model_.acceleration_of_lanes ? Lanes::count : 1;
+    for (std::size_t i = first; i < starts.size() && together.size() < most; ++i)
       if (!done[i] && go_in_step(starts[first], starts[i])) {
         places.push_back(i);
         together.push_back(starts[i]);

@@ -58,14 +58,12 @@ class MotionIntegrator {
       : model_(model), forces_(std::move(forces)) {}
 
   StretchOfMotion motion(const MotionStart& start) const;
-  /// The same motions, to the last bit, in far less time: those without jumps whose samples are as many, as far
-  /// apart and as finely divided are integrated side by side.
+  /// The same motions, to the last bit, in far less time: those whose samples are as many, as far apart and as
+  /// finely divided are integrated side by side.
   std::vector<StretchOfMotion> motions(const std::vector<MotionStart>& starts) const;
 
  private:
   std::vector<StretchOfMotion> side_by_side(const std::vector<MotionStart>& starts) const;
-  /// Whether accelerations jump with the sign of a velocity.
-  bool jumps(const MotionStart& start) const;
 
   const CompiledModel& model_;
   std::vector<StateForce> forces_;

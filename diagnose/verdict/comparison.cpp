@@ -227,10 +227,11 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
   check_left_out(options.left_out, options.catalogue);
   std::erase_if(result.candidates, [&](const Candidate& c) { return options.left_out.contains(c.effect); });
   if (!result.conditions.empty())
-    result.discrepancy.add(
-        std::make_unique<LineEvidence>(result.condition_model(model), result.conditions, result.start));
+    result.discrepancy.add(std::make_unique<LineEvidence>(result.condition_model(model), result.conditions,
+                                                          result.start, options.threads));
   if (!segments.empty()) {
-    auto evidence = std::make_unique<SegmentEvidence>(model, result.forces, sensors, faults, std::move(segments));
+    auto evidence = std::make_unique<SegmentEvidence>(model, result.forces, sensors, faults, std::move(segments),
+                                                      options.threads);
     result.segment_evidence = evidence.get();
     result.discrepancy.add(std::move(evidence));
   }
@@ -244,7 +245,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
       throw InputError("--check-from, --check-to", "",
                        "hold no part of a free decay, sweep or broadband record of " + campaign.folder.string(),
                        "a window in seconds of the records' own time is expected");
-    result.apart.emplace(model, result.forces, sensors, faults, std::move(apart));
+    result.apart.emplace(model, result.forces, sensors, faults, std::move(apart), options.threads);
   }
   return result;
 }

@@ -332,18 +332,16 @@ MatrixXd BalanceSweep::felt_at_points(const Path& path, std::span<const double> 
   MatrixXd felt(static_cast<Index>(entries.size()) * modes, points);
   for (std::size_t e = 0; e < entries.size(); ++e) {
     const Entry& entry = entries[e];
-    MatrixXcd alone = MatrixXcd::Zero(1, torus_.lines());
-    alone(0, entry.line) = entry.unit;
-    const Path moved = this->path(std::move(alone));
+    const RowVectorXd moved = torus_.samples_of_line(entry.line, entry.unit),
+                      faster = torus_.samples_of_line(entry.line, entry.unit * rates_(entry.line));
     const auto k = static_cast<std::size_t>(entry.mode);
     auto rows = felt.middleRows(static_cast<Index>(e) * modes, modes);
-    rows =
-        by_position[k] * moved.position.row(0).asDiagonal() + by_velocity[k] * moved.velocity.row(0).asDiagonal();
+    rows = by_position[k] * moved.asDiagonal() + by_velocity[k] * faster.asDiagonal();
     for (const Memory& memory : memories) {
       const StateForce& force = *memory.signal.force;
       if (force.mode != k) continue;
       MatrixXd position = path.position;
-      position.row(entry.mode) += length * moved.position.row(0);
+      position.row(entry.mode) += length * moved;
       const RowVectorXd change =
           (values_of(force, position, path.velocity, force.shape(parameters)) - memory.signal.values) / length;
       rows += memory.felt * change.asDiagonal();

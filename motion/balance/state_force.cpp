@@ -64,8 +64,7 @@ class SlidingRun {
 
 }  // namespace
 
-double Slider::advanced(double stretch, double way) const {
-  if (!smooth) return std::clamp(stretch + way, -slip, slip);
+double Slider::smoothly_advanced(double stretch, double way) const {
   if (slip == 0) return 0;
   const double signed_slip = std::copysign(slip, way);
   return signed_slip * stretch_at(phase_of(stretch / signed_slip) + way / signed_slip);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -34,7 +35,12 @@ struct Slider {
       false;  ///< gives way with (z/slip)^2 while it is loaded (Bouc and Wen) instead of at once (Jenkins)
 
   /// Stretch after the displacement has grown by `way` without turning.
-  double advanced(double stretch, double way) const;
+  double advanced(double stretch, double way) const {
+    return smooth ? smoothly_advanced(stretch, way) : std::clamp(stretch + way, -slip, slip);
+  }
+
+ private:
+  double smoothly_advanced(double stretch, double way) const;
 };
 
 /// The sliders of a force: one, spread_sliders, or none where the law has no memory.

@@ -68,6 +68,12 @@ Eigen::MatrixXd Torus::samples(const Eigen::MatrixXcd& coefficients) const {
   return samples;
 }
 
+Eigen::RowVectorXd Torus::samples_of_line(Index line, std::complex<double> coefficient) const {
+  if (line == 0) return Eigen::RowVectorXd::Constant(points(), coefficient.real());
+  const std::complex<double> c = 2.0 * coefficient;
+  return (c.real() * basis_.col(2 * line) + c.imag() * basis_.col(2 * line + 1)).transpose();
+}
+
 Eigen::MatrixXcd Torus::coefficients(const Eigen::MatrixXd& samples) const {
   Eigen::MatrixXcd coefficients(samples.rows(), lines());
   if (samples.rows() > few_rows) {

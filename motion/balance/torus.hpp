@@ -28,6 +28,8 @@ class Torus {
 
   /// coefficients: rows x lines -> rows x points.
   Eigen::MatrixXd samples(const Eigen::MatrixXcd& coefficients) const;
+  /// Of one line alone.
+  Eigen::RowVectorXd samples_of_line(Eigen::Index line, std::complex<double> coefficient) const;
   /// samples: rows x points -> rows x lines.
   Eigen::MatrixXcd coefficients(const Eigen::MatrixXd& samples) const;
 

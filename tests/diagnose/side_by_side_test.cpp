@@ -124,18 +124,32 @@ TEST_F(SideBySide, ForcesOfEveryLaw) {
   }
 }
 
-// Whose accelerations jump is integrated alone, to its own steps.
+const ForceLaw dry{ForceLaw::Kind::state,
+                   [](double, double v, double, double) { return v > 0   ? 1.0
+                                                                 : v < 0 ? -1.0
+                                                                         : 0.0; }, true};
+
+// Steps end where a velocity comes to zero, in each motion at a time of its own.
 TEST_F(SideBySide, FrictionJumps) {
-  const ForceLaw sign{ForceLaw::Kind::state,
-                      [](double, double v, double, double) { return v > 0   ? 1.0
-                                                                    : v < 0 ? -1.0
-                                                                            : 0.0; }, true};
-  const StateForce friction{sign, 0, 0, symbol("eta1")};
+  const StateForce friction{dry, 0, 0, symbol("eta1")};
   std::vector<MotionStart> all = starts();
   for (const std::size_t i : {0UL, 5UL, 6UL})
     all[i].parameters[symbol("eta1")] = -0.1 * start * swung_omega * swung_omega;
   expect_the_same({friction}, all);
   EXPECT_FALSE(MotionIntegrator(model, {friction}).motion(all[5]).jumps.empty());
+}
+
+// Some come to rest after half a turn, some never do.
+TEST_F(SideBySide, FrictionHolds) {
+  const StateForce friction{dry, 0, 0, symbol("eta1")};
+  std::vector<MotionStart> all = starts();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i].parameters[symbol("eta1")] =
+        -(0.05 + 0.2 * static_cast<double>(i % 5)) * start * swung_omega * swung_omega;
+  expect_the_same({friction}, all);
+  const StretchOfMotion held = MotionIntegrator(model, {friction}).motion(all[4]);
+  EXPECT_EQ(held.velocity(0, samples - 1), 0);
+  EXPECT_NE(held.displacement(0, samples - 1), 0);
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "diagnose/evidence/segment_model.hpp"
+
+namespace secular {
+
+/// A search for the state that a segment begins at.
+struct StateSearch {
+  const Segment& segment;
+  Eigen::VectorXd state;              ///< from which on, then which was found
+  Eigen::Index samples;               ///< that count: the first ones
+  std::vector<Eigen::Index> without;  ///< of which these do not
+  double squared_error = 0;           ///< that was found
+};
+
+/// Gauss-Newton of every search. Motions of all are integrated side by side; each goes as it would alone.
+void improve_states(const SegmentModel& model, const Eigen::VectorXd& unknowns, std::vector<StateSearch>& searches);
+
+/// The states that segments begin at which fit them best; `states`: a guess for each, or empty.
+void find_states(const SegmentModel& model, std::span<const Segment> segments, const Eigen::VectorXd& unknowns,
+                 std::vector<Eigen::VectorXd>& states);
+
+}  // namespace secular
