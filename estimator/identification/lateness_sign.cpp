@@ -18,9 +18,6 @@ constexpr auto& sign_alarm = estimator_thresholds().sign_alarm;
 /// The same for a delay that all records share, of which no order of magnitude is likelier than another.
 constexpr auto& common_delay_alarm = estimator_thresholds().common_delay_alarm;
 
-/// Of a delay that is looked for: beyond, recorders are not late but apart.
-constexpr int most_periods = 8;
-
 double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
@@ -33,10 +30,17 @@ double variance_of_mean(const std::vector<double>& values) {
   return sum / (count - 1) / count;
 }
 
-// Whether records of that variance scatter less than those of another one, by more than chance.
+/// Of a delay that is looked for: beyond, recorders are not late but apart.
+constexpr int most_periods = 8;
+
+// Whether records of that variance scatter less than those of another one, by more than chance. The variance is the
+// least of those for so many whole periods: one degree of freedom less, and an alarm for each (Bonferroni).
 bool scatter_less(double variance, double than, std::size_t records) {
+  constexpr std::size_t fewest = 4;
+  if (records < fewest || !(than > 0)) return false;
   const double degrees = static_cast<double>(records) - 1;
-  return than > 0 && (variance == 0 || f_upper_tail(than / variance, degrees, degrees) < sign_alarm);
+  return f_upper_tail(than / std::max(variance, 1e-12 * than), degrees, degrees - 1) <
+         sign_alarm / (2 * most_periods + 1);
 }
 
 // That delays drawn between none and the largest one leave as much room at none.

@@ -12,7 +12,7 @@ struct CsvDialect {
 };
 
 /// A file is of the first one whose separator stands in its header line outside of quotes; of the comma if none
-/// does. No channel's name holds one of them.
+/// does. No channel's name holds one of them but the last.
 inline constexpr CsvDialect csv_dialects[] = {
     {';', "semicolon", true}, {',', "comma"}, {'\t', "tabulator", true}, {'|', "vertical bar", true}};
 

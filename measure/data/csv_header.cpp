@@ -72,6 +72,16 @@ struct Line {
 
 // Names: fields of which only the last may be empty and none is a number.
 std::vector<std::string_view> names_in(std::string_view line, char separator) {
+  // "Time (s)   Force (N)": where some names are two blanks apart, one blank belongs to a name.
+  if (const std::string_view all = trimmed(line);
+      separator == blank_dialect.separator && all.find("  ") != std::string_view::npos) {
+    std::vector<std::string_view> names;
+    for (std::size_t begin = 0, end = 0; begin < all.size(); begin = all.find_first_not_of(' ', end)) {
+      end = std::min(all.find("  ", begin), all.size());
+      names.push_back(unquoted(all.substr(begin, end - begin)));
+    }
+    return names;
+  }
   std::vector<std::string_view> names = split_quoted(line, separator);
   while (names.size() > 1 && names.back().empty()) names.pop_back();
   return names;

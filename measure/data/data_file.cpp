@@ -52,7 +52,11 @@ struct TimeName {
 // A unit of time at the end of a name, behind a mark or as TimeMs has it; where the name is nothing else, the name.
 std::size_t time_unit_in(const std::string& name) {
   const std::size_t mark = name.find_last_of("_ :,-");
-  if (mark != std::string::npos && seconds_in(name.substr(mark + 1))) return mark + 1;
+  if (mark != std::string::npos && seconds_in(name.substr(mark + 1))) {
+    // T_d is a period: d and h alone say less than s.
+    const bool other = name.size() == mark + 2 && name.back() != 's' && mark < 2;
+    return other ? std::string::npos : mark + 1;
+  }
   const auto is_capital = [&](std::size_t i) { return name[i] >= 'A' && name[i] <= 'Z'; };
   for (std::size_t i = name.size(); i-- > 1;)
     if (is_capital(i) && !is_capital(i - 1) && name.size() > i + 1)
@@ -160,7 +164,8 @@ const Format* format_of(const fs::path& path) {
 void require_seconds(const DataVariable& time, const std::string& file) {
   constexpr std::string_view counters[] = {"sample", "samples", "index", "idx", "count", "counter", "row",
                                            "point",  "points",  "nr",    "no",  "#",     "scan",    "step"};
-  constexpr double latest = 1e11, days_of_1900 = 693961, days_of_2100 = 767011, finest_s = 1e-5;
+  constexpr double latest = 1e11, finest = 1e-5;
+  constexpr std::pair<double, double> days_of_two_centuries[] = {{693961, 767011}, {1, 73050}};
   const auto wrong = [&](const std::string& what, const std::string& right) {
     return InputError(file, "variable " + time.name, what, right);
   };
@@ -172,9 +177,11 @@ void require_seconds(const DataVariable& time, const std::string& file) {
   const double first = time.values.front(), step = std::abs(time.values[1] - first);
   if (std::abs(first) > latest)
     throw wrong(fmt::format("begins at {:.6g}, which cannot be seconds, and states no unit", first), say);
-  if (first > days_of_1900 && first < days_of_2100 && step < finest_s)
-    throw wrong(fmt::format("begins at {:.9g} in steps of {:.3g}, as days do, and states no unit", first, step),
-                say);
+  // Of a spreadsheet half a minute apart at most, of MATLAB's ten microseconds.
+  for (const auto& [begin, end] : days_of_two_centuries)
+    if (first > begin && first < end && first > 20000 && step < (begin > 1 ? finest : finest / 10))
+      throw wrong(fmt::format("begins at {:.9g} in steps of {:.3g}, as days do, and states no unit", first, step),
+                  say);
 }
 
 }  // namespace
@@ -191,6 +198,7 @@ void convert_csv_units(DataFile& data) {
 void convert_to_seconds(DataVariable& time, const std::string& file, const std::string& given) {
   std::string unit = given.empty() ? time.stated_unit : given;
   if (unit.empty()) unit = time_name(time.name).unit;
+  if (unit.find(':') != std::string::npos) unit = "s";  // hh:mm:ss, of times of day (clock_stamp)
   const std::optional<double> seconds = unit.empty() ? 1 : seconds_in(unit);
   if (!seconds)
     throw InputError(file, "variable " + time.name,

@@ -118,9 +118,10 @@ RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std
   try {
     RecordData data = read_record_data(campaign, campaign.records[index], MissingNumbers::keep_as_nan, limit);
     CutEnds cut = data.partial ? CutEnds{} : cut_unrecorded(campaign, data.stamps_s, data.channels);
+    data.place.first += cut.first;
     FilledSamples filled = fill_missing(data.stamps_s, data.channels);
     inspection.judged = data.stamps_s.size();
-    inspection.samples = data.total + filled.rows.size();
+    inspection.samples = data.total - cut.rows + filled.rows.size();
     inspection.axis = judged_axis(data.stamps_s, data.place, campaign.sample_rate_hz, inspection.faults);
     if (inspection.axis && !(std::abs(inspection.axis->sample_rate_hz / campaign.sample_rate_hz - 1) <=
                              measure_thresholds().same_rate))
@@ -185,13 +186,15 @@ void look_at_file(const FileLook& look, const DataFile& data, const FileInspecti
   const std::size_t samples = data.vector(inspection.time).values.size();
   for (const DataVariable& variable : data.variables) {
     if (is_called_time(variable.name) || variable.name == inspection.time || !variable.fault.empty() ||
-        variable.values.size() != samples || !number_range_fault(variable.values).empty())
+        variable.values.size() != samples)
       continue;
+    std::vector<double> values = variable.values;
+    drop_fill_values(values);
+    if (!number_range_fault(values).empty()) continue;
     campaign.channels.push_back({variable.name, ChannelRole::response,
                                  variable.quantity.value_or(Quantity::displacement),
                                  variable.unit.empty() ? variable.stated_unit : variable.unit});
-    record.channels.push_back(variable.values);
-    drop_fill_values(record.channels.back());
+    record.channels.push_back(std::move(values));
   }
   RecordEntry entry;
   entry.file = std::filesystem::path(data.file).filename().string();

@@ -137,7 +137,27 @@ class LvmReader {
       ++rows_;
     }
     if (rows_ == 0) refuse("holds no rows", "rows of numbers below the names");
+    require_one_time();
     for (MatVariable& variable : variables_) variable.shape = {std::max(rows_, variable.values.size())};
+  }
+
+  // Channels stand in one table: what begins or steps otherwise would be put at wrong times.
+  void require_one_time() {
+    const auto refuse_other = [&](const std::string& what) {
+      throw InputError(file_, "", "has channels with times of their own (" + what + ")",
+                       "channels of one time in a file: save the others to files of their own");
+    };
+    for (const char* const key : {"X0", "Delta_X"})
+      if (const auto stated = headers_.fields.find(key); stated != headers_.fields.end())
+        for (const std::string& other : stated->second)
+          if (!other.empty() && other != stated->second.front()) refuse_other(key);
+    const std::vector<double>& first = variables_.front().values;
+    std::erase_if(variables_, [&](const MatVariable& variable) {
+      if (&variable == &variables_.front() || !variable.path.starts_with(lvm_times)) return false;
+      for (std::size_t i = 0; i < first.size(); ++i)
+        if (std::isfinite(variable.values[i]) && variable.values[i] != first[i]) refuse_other(variable.path);
+      return true;
+    });
   }
 
   // Without columns of times: from the first one and the step.
@@ -153,11 +173,6 @@ class LvmReader {
       return value;
     };
     const double begin = stated("X0"), step = stated("Delta_X");
-    const std::vector<std::string>& steps = headers_.fields.at("Delta_X");
-    for (const std::string& other : steps)
-      if (!other.empty() && other != steps.front())
-        throw InputError(file_, "header", "states channels of different Delta_X in one table",
-                         "channels of one sampling rate in a file");
     for (std::size_t i = 0; i < first.size(); ++i) first[i] = begin + step * static_cast<double>(i);
   }
 

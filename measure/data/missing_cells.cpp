@@ -39,21 +39,19 @@ MissingCells missing_cells(const std::vector<std::vector<double>>& channels) {
 
 std::size_t drop_fill_values(std::vector<double>& samples) {
   constexpr double out_of_all_reach = 1e8;  // derived: one over what SameValue calls equal
-  double most = 0, other = 0;
-  for (const double x : samples)
-    if (std::isfinite(x) && std::abs(x) > std::abs(most)) most = x;
-  const auto stands_for_none = [&](double x) { return std::abs(x - most) <= std::abs(most) / out_of_all_reach; };
-  std::size_t count = 0;
-  for (const double x : samples) {
-    if (!std::isfinite(x)) continue;
-    if (stands_for_none(x))
-      ++count;
-    else
-      other = std::max(other, std::abs(x));
+  constexpr double least = 1e9;             // no measured value in any unit: the least of those in use is 2^31 - 1
+  std::size_t all = 0;
+  for (;;) {  // both signs, one after the other
+    double most = 0, other = 0;
+    for (const double x : samples)
+      if (std::isfinite(x)) most = std::max(most, std::abs(x));
+    const auto stands_for_none = [&](double x) { return std::abs(std::abs(x) - most) <= most / out_of_all_reach; };
+    for (const double x : samples)
+      if (std::isfinite(x) && !stands_for_none(x)) other = std::max(other, std::abs(x));
+    if (!(other > 0) || most < least || most < out_of_all_reach * other) return all;
+    all += static_cast<std::size_t>(std::count_if(samples.begin(), samples.end(), stands_for_none));
+    std::replace_if(samples.begin(), samples.end(), stands_for_none, std::nan(""));
   }
-  if (!(other > 0) || std::abs(most) < out_of_all_reach * other) return 0;
-  std::replace_if(samples.begin(), samples.end(), stands_for_none, std::nan(""));
-  return count;
 }
 
 MissingCells fill_missing_cells(std::vector<std::vector<double>>& channels) {
@@ -79,8 +77,11 @@ FilledSamples fill_missing(std::vector<double>& stamps_s, std::vector<std::vecto
 
 std::size_t drop_ends_without_numbers(std::vector<double>& samples) {
   const auto is_number = [](double x) { return std::isfinite(x); };
-  if (std::none_of(samples.begin(), samples.end(), is_number)) return 0;
-  samples.erase(std::find_if(samples.rbegin(), samples.rend(), is_number).base(), samples.end());
+  constexpr std::size_t fewest_kept = 256;  // as cut_unrecorded leaves
+  const auto last = std::find_if(samples.rbegin(), samples.rend(), is_number).base();
+  if (last - std::find_if(samples.begin(), samples.end(), is_number) < static_cast<std::ptrdiff_t>(fewest_kept))
+    return 0;
+  samples.erase(last, samples.end());
   const auto first = std::find_if(samples.begin(), samples.end(), is_number);
   const auto count = static_cast<std::size_t>(first - samples.begin());
   samples.erase(samples.begin(), first);

@@ -13,9 +13,9 @@ using MissingCells = std::vector<std::vector<std::size_t>>;
 
 MissingCells missing_cells(const std::vector<std::vector<double>>& channels);
 
-/// A number that stands for none (-9.96921e36, 1e30, 2147483647): one value, at one sample or more, that is 1e8
-/// times as large as all others. Next to it these are equal (SameValue): no motion has both. Sets such samples to
-/// NaN; a channel that is zero otherwise stays as it is. Returns how many there are.
+/// A number that stands for none (-9.96921e36, 1e30, 2147483647): one modulus of 1e9 or more, at one sample or
+/// more, that is 1e8 times as large as all others. Next to it these are equal (SameValue): no motion has both. Sets
+/// such samples to NaN; a channel that is zero otherwise stays as it is. Returns how many there are.
 std::size_t drop_fill_values(std::vector<double>& samples);
 
 /// Puts in what fill_gaps finds for them; where it finds nothing they stay. Returns those that were filled.
@@ -31,11 +31,12 @@ struct FilledSamples {
 /// Fills missing cells, then lost rows (fill_lost_rows; none where cells are left).
 FilledSamples fill_missing(std::vector<double>& stamps_s, std::vector<std::vector<double>>& channels);
 
-/// Takes off what are no numbers at both ends, if there are numbers. Returns how many there were at the beginning.
+/// Takes off what are no numbers at both ends, where 256 samples or more are left. Returns how many there were at
+/// the beginning.
 std::size_t drop_ends_without_numbers(std::vector<double>& samples);
 
 /// Throws InputError where a channel has samples that could not be filled, with the row where the first gap begins.
-/// `first`: row of the first sample.
+/// `first`: how many rows came before.
 void require_filled(const std::vector<double>& samples, const std::string& channel, const std::string& file,
                     const RowPlace& place, std::size_t first = 0);
 

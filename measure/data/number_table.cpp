@@ -135,13 +135,12 @@ void read_rows(const RowReader& reader, MappedFile& mapped, std::size_t limit, N
   while (!rest.empty() && table.rows() < limit) {
     const std::string_view line = next_line(rest, reader.header.line_break);
     ++line_number;
-    if (trimmed(line).starts_with('#')) continue;  // a remark
-    if (trimmed(line).empty()) {
+    if (trimmed(line).empty() || trimmed(line).starts_with('#')) {
       if (empty_line == 0) empty_line = line_number;
       continue;
     }
     if (empty_line != 0 && table.rows() != 0)
-      throw InputError(reader.file, fmt::format("line {}", empty_line), "an empty line between rows",
+      throw InputError(reader.file, fmt::format("line {}", empty_line), "an empty line or a remark between rows",
                        "remove it, or split the file into records");
     empty_line = 0;
     if (table.rows() == 0) table.first_line = line_number;
@@ -179,6 +178,8 @@ CsvName unit_behind_slash(const std::string& name) {
   const auto is_unit = [](const std::string& text) {
     return seconds_in(text) || unit_meaning(usual_spelling(text)) || !other_measure(text).empty();
   };
+  constexpr std::string_view words[] = {"in", "ft", "mil", "g", "A", "h", "d", "min", "day", "days", "rev"};
+  if (std::find(std::begin(words), std::end(words), unit) != std::end(words)) return {name, ""};  // pump/in
   if (before.find(' ') != std::string::npos || is_unit(before) || is_bare_ratio(unit) || !is_unit(unit))
     return {name, ""};
   return {before, unit};

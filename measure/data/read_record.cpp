@@ -80,9 +80,10 @@ RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, 
 Record read_record(const Campaign& campaign, const RecordEntry& entry) {
   RecordData data = read_record_data(campaign, entry, MissingNumbers::keep_gaps);
   CutEnds cut = cut_unrecorded(campaign, data.stamps_s, data.channels);
+  data.place.first += cut.first;
   FilledSamples filled = fill_missing(data.stamps_s, data.channels);
   for (std::size_t c = 0; c < data.channels.size(); ++c)
-    require_filled(data.channels[c], campaign.channels[c].name, data.file, data.place, cut.first);
+    require_filled(data.channels[c], campaign.channels[c].name, data.file, data.place);
   const TimeAxis axis = even_time_axis(data.stamps_s, data.file, data.place, campaign.sample_rate_hz);
   if (!(std::abs(axis.sample_rate_hz / campaign.sample_rate_hz - 1) <= measure_thresholds().same_rate))
     throw InputError(data.file, "", fmt::format("is sampled at {} Hz", axis.sample_rate_hz),

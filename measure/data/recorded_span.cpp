@@ -54,7 +54,15 @@ class Tail {
 
   double step() const { return std::abs(value() - at(begin_ - 1)); }
 
-  // Out of the range of all other samples, by more than twice the widest step between them.
+  // Whether other samples repeat the value, too: a range's end, a converter's step.
+  bool recurs() const {
+    for (std::size_t i = 1; i < begin_; ++i)
+      if (equals(at(i)) && equals(at(i - 1))) return true;
+    return false;
+  }
+
+  // Out of the range of all other samples, of which there are many, by more than twice the widest step between
+  // them.
   bool is_out_of_reach() const {
     double low = std::numeric_limits<double>::infinity(), high = -low, widest = 0;
     for (std::size_t i = 0; i < begin_; ++i) {
@@ -62,17 +70,13 @@ class Tail {
       low = std::min(low, at(i)), high = std::max(high, at(i));
       if (i > 0 && !equals(at(i - 1))) widest = std::max(widest, std::abs(at(i) - at(i - 1)));
     }
-    return (value() < low || value() > high) && step() > 2 * widest;
+    return (value() < low || value() > high) && step() > 2.2 * widest && others().levels > neighbours_of_end;
   }
 
   // The smallest difference between values: a converter's step, or what counts as equal.
   double gap() const {
-    std::vector<double> finite;
-    for (std::size_t i = 0; i < begin_; ++i)
-      if (std::isfinite(at(i)) && !equals(at(i))) finite.push_back(at(i));
-    if (finite.size() < neighbours_of_end) return std::numeric_limits<double>::infinity();
-    std::sort(finite.begin(), finite.end());
-    return grid_of_sorted(finite).step.value_or(2 * SameValue(finite).within(value()));
+    const Others all = others();
+    return all.levels > neighbours_of_end ? all.gap : std::numeric_limits<double>::infinity();
   }
 
   // Whether chance repeats the value so often, the signal going on by `slope` a sample and scattering about that.
@@ -81,6 +85,21 @@ class Tail {
   }
 
  private:
+  struct Others {
+    std::size_t levels = 0;  // different values
+    double gap = 0;
+  };
+
+  Others others() const {
+    std::vector<double> finite;
+    for (std::size_t i = 0; i < begin_; ++i)
+      if (std::isfinite(at(i)) && !equals(at(i))) finite.push_back(at(i));
+    if (finite.empty()) return {};
+    std::sort(finite.begin(), finite.end());
+    const ValueGrid grid = grid_of_sorted(finite);
+    return {grid.levels, grid.step.value_or(2 * SameValue(finite).within(value()))};
+  }
+
   double at(std::size_t i) const { return reversed_ ? x_[x_.size() - 1 - i] : x_[i]; }
 
   std::span<const double> x_;
@@ -121,15 +140,19 @@ bool goes_to_zero_continuously(const Channel& channel) {
          (channel.quantity == Quantity::displacement || channel.quantity == Quantity::angle);
 }
 
+// Steps are compared half a step of the converter off whole ones: what they are by rounding decides nothing.
 bool is_recorded(const Tail& tail, const Channel& channel, End end, bool at_both_ends, double false_alarm) {
-  if (!tail.repeats() || tail.is_out_of_reach()) return !tail.repeats();
-  if (channel.role == ChannelRole::excitation && (tail.value() == 0 || at_both_ends)) return true;
+  if (!tail.repeats()) return true;
+  const bool excitation = channel.role == ChannelRole::excitation;
+  if (excitation && (tail.value() == 0 || at_both_ends)) return true;
+  if (tail.is_out_of_reach()) return false;
+  if (excitation || end == End::first || tail.recurs()) return true;
   const double gap = tail.gap(), step = tail.step(), noise = noise_beside(tail);
   const std::vector<double> second = tail.differences(2);
-  if (second.size() + 2 < neighbours_of_end || !(step > 2 * gap)) return true;
+  if (second.size() + 2 < neighbours_of_end || !(step > 2.5 * gap)) return true;
   if (noise >= 2 * gap) return tail.is_chance(gap, std::sqrt(2.0) * noise, 0, false_alarm);
-  if (end == End::first || !goes_to_zero_continuously(channel)) return true;
-  return step <= largest_modulus(second) + 2 * gap ||
+  if (!goes_to_zero_continuously(channel)) return true;
+  return step <= largest_modulus(second) + 2.5 * gap ||
          tail.is_chance(gap, std::sqrt(2.0) * noise, step, false_alarm);
 }
 
@@ -149,6 +172,7 @@ RecordedSpan recorded_span(std::span<const double> x, const Channel& channel, do
 }
 
 void cut_record(Record& record, std::size_t first, std::size_t count) {
+  const std::size_t whole = record.samples();
   const auto keep_within = [&](std::vector<std::size_t>& places) {
     std::erase_if(places, [&](std::size_t place) { return place < first || place >= first + count; });
     for (std::size_t& place : places) place -= first;
@@ -157,6 +181,9 @@ void cut_record(Record& record, std::size_t first, std::size_t count) {
     samples.resize(first + count);
     samples.erase(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(first));
   }
+  std::erase_if(record.unrecorded, [&](const Unrecorded& part) {
+    return part.replaced && (part.at_end ? first + count < whole : first > 0);
+  });
   keep_within(record.lost);
   for (std::vector<std::size_t>& places : record.no_numbers) keep_within(places);
   record.start_s += static_cast<double>(first) / record.sample_rate_hz;
@@ -180,7 +207,7 @@ CutEnds cut_unrecorded(const Campaign& campaign, std::vector<double>& stamps,
     std::vector<double>& x = channels[c];
     const auto note = [&](bool at_end, std::size_t from, std::size_t to) {
       if (from == to) return;
-      const bool few = to - from <= longest_filled;
+      const bool few = to - from <= longest_filled && from >= begin && to <= end;
       cut.unrecorded.push_back({c, at_end, to - from, at_end ? x.back() : x.front(), few});
       if (few)
         std::fill(x.begin() + static_cast<std::ptrdiff_t>(from), x.begin() + static_cast<std::ptrdiff_t>(to), NAN);

@@ -14,18 +14,20 @@ struct RecordedSpan {
 };
 
 /// Cells without a number at either end of a record, and one value that is repeated to there, stand where nothing
-/// was recorded. A motion at rest repeats a value too. It is none:
-/// - where the value lies out of the range of all others, and further from the sample beside it than twice the
-///   largest of all other steps (-999);
-/// - of a channel with noise: where 32 samples beside it have white noise of two steps of the converter or more,
-/// and
-///   the nearest is more than two steps away. Rest has the noise of the motion, or its last swings are of one step;
-/// - behind a displacement or an angle: where the step into it is larger than all changes of step of 32 samples
-///   before it, and two steps of the converter. A velocity that goes to zero continuously leaves half a change of
-///   step at most, acceleration times sampling time squared.
-/// Either way chance must not explain it (chance_of_repeat, false alarm of one end). An excitation may be switched
-/// off: it is none only where its value is neither zero nor that of the other end. A whole channel of one
-/// value is left as it is.
+/// was recorded. A motion at rest repeats a value too. Nothing was recorded
+/// - where the value lies out of the range of all others, which are many, and further from the sample beside it
+/// than
+///   twice the largest of all other steps (-999);
+/// - at the end of a response with noise: where 32 samples before it have white noise of two steps of the converter
+///   or more, and the last is more than two steps away. Rest has noise, or the last swings are of one step. A tone
+///   of fewer than four samples a turn looks like noise; what is cut where it stops at once is its rest;
+/// - at the end of a displacement or an angle: where the step into it is larger than all changes of step of 32
+///   samples before it, and two steps of the converter. A velocity that goes to zero continuously leaves half a
+///   change of step at most, acceleration times sampling time squared.
+/// The last two only where chance does not explain it (chance_of_repeat, false alarm of one end) and other samples
+/// do not repeat the value (a range's end). Rest before the motion stays. An excitation may be switched off, and
+/// hold any value it has: of it the first counts alone, and neither for zero nor for a value of both ends. A whole
+/// channel of one value is left as it is.
 RecordedSpan recorded_span(std::span<const double> samples, const Channel& channel, double false_alarm);
 
 struct CutEnds {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -47,7 +48,7 @@ void find_lost_samples(const SearchedRecord& record, std::vector<Disturbance>& f
     for (const Unrecorded& part : record.unrecorded)
       if (part.channel == c) {
         if (part.replaced)
-          cells -= part.samples;  // they are among the filled ones
+          cells -= std::min(cells, part.samples);  // they are among the filled ones
         else
           samples += part.samples;
         ends.push_back(text_of(part, record.total));

@@ -56,7 +56,9 @@ TEST_F(Csv, IsReadInEveryDialect) {
     EXPECT_EQ(read.columns, (Columns{{0}, {0.5}})) << dialect.name;
     const std::string number = dialect.decimal_comma ? "0,5" : "0.5";
     EXPECT_EQ(table("t" + gap + "a\n0" + gap + number + "\n").columns, read.columns) << dialect.name;
-    EXPECT_TRUE(contains(channel_name_fault("a" + gap + "b"), std::string(dialect.name)));
+    if (dialect.separator != '|') {
+      EXPECT_TRUE(contains(channel_name_fault("a" + gap + "b"), std::string(dialect.name)));
+    }
   }
 }
 
@@ -66,11 +68,13 @@ TEST_F(Csv, IsReadAsOtherProgramsWriteNumbers) {
   for (const char* const text :
        {"t a\n0 -1.5\n0.5 2e-3\n", "   t      a\n  0.0  -1.5\n 0.5   2e-3  \n", "# t a\n0.0 -1.5\n0.5 2e-3\n",
         "t a\ns m\n0 -1,5\n0,5 2e-3\n", "t,a\n0.0D+00,-1.5D0\n5.0d-01,2.0D-03\n",
-        "t,a\n# begin\n0,-1.5\n# a remark\n0.5,2e-3\n# end of file\n", "t|a\n0|-1.5\n0.5|2e-3\n"}) {
+        "t,a\n# begin\n0,-1.5\n0.5,2e-3\n# end of file\n", "t|a\n0|-1.5\n0.5|2e-3\n"}) {
     const NumberTable read = table(text);
     EXPECT_EQ(read.names, (std::vector<std::string>{"t", "a"})) << text;
     EXPECT_EQ(read.columns, expected) << text;
   }
+  EXPECT_EQ(table("Time (s)   Tip (m)\n 0.5   1\n 1     2\n").names,
+            (std::vector<std::string>{"Time (s)", "Tip (m)"}));
   EXPECT_EQ(table("tip 1\n0.5\n1\n").names, std::vector<std::string>{"tip 1"});
   EXPECT_TRUE(contains(complaint("t a\n0 1\n1 2 3\n"), "line 3: has 3 fields, the header names 2"));
   EXPECT_TRUE(contains(complaint("t,a\n0,1D\n"), "line 2, column a: '1D' is not a number"));
@@ -105,7 +109,8 @@ TEST_F(Csv, NamesMayStateUnits) {
                                          {"Zeit/ms", "Zeit", "ms"},
                                          {"m/s^2", "m/s^2", ""},
                                          {"in/out", "in/out", ""},
-                                         {"F/A", "F", "A"},
+                                         {"pump/in", "pump/in", ""},
+                                         {"U/V", "U", "V"},
                                          {"tip m/s", "tip m/s", ""}}) {
     EXPECT_EQ(bracketed_unit(name).name, bare);
     EXPECT_EQ(bracketed_unit(name).unit, unit) << name;
@@ -129,7 +134,8 @@ TEST_F(Csv, KeepsMissingNumbersOnRequest) {
 }
 
 TEST_F(Csv, ComplaintsNameTheLine) {
-  EXPECT_TRUE(contains(complaint("t,a\n0,1\n\n2,3\n"), "line 3: an empty line between rows"));
+  EXPECT_TRUE(contains(complaint("t,a\n0,1\n\n2,3\n"), "line 3: an empty line or a remark between rows"));
+  EXPECT_TRUE(contains(complaint("t,a\n0,1\n# b\n2,3\n"), "line 3: an empty line or a remark between rows"));
   EXPECT_TRUE(contains(complaint("0,1\n2,3\n"), "line 1: numbers where the column names should be"));
   EXPECT_TRUE(contains(complaint("t,a,a\n0,1,2\n"), "line 1: names two columns 'a'"));
   EXPECT_TRUE(contains(complaint("t,,a\n0,1,2\n"), "line 1, column 2: has no name"));

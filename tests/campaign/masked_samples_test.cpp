@@ -16,6 +16,7 @@
 #include "measure/data/campaign.hpp"
 #include "measure/data/inspection.hpp"
 #include "measure/data/lost_rows.hpp"
+#include "measure/data/recorded_span.hpp"
 #include "measure/data/watched_reader.hpp"
 #include "measure/disturbances/catalogue.hpp"
 #include "measure/disturbances/treatment.hpp"
@@ -325,7 +326,23 @@ TEST_F(MaskedSamples, EndsWhereNothingWasRecordedAreCutOff) {
       << listed->text;
   const RecordInspection inspected = inspect_records(campaign).front();
   EXPECT_TRUE(inspected.faults.empty());
-  EXPECT_EQ(inspected.samples, masked_count);
+  EXPECT_EQ(inspected.samples, 3460u);
+  EXPECT_EQ(inspected.judged, 3460u);
+}
+
+// Those of a channel that ends with the cut are not counted twice.
+TEST_F(MaskedSamples, AFewBesideACutAreCutOff) {
+  std::vector<double> x = signal(1e-3);
+  std::fill(x.end() - 5, x.end(), -999);
+  const Campaign campaign = written(folder, x, {});
+  std::vector<double> stamps(masked_count), base = signal(1e-3);
+  std::fill(base.end() - 50, base.end(), -999);
+  std::vector<std::vector<double>> channels = {base, x};
+  const CutEnds cut = cut_unrecorded(campaign, stamps, channels);
+  EXPECT_EQ(cut.rows, 50u);
+  ASSERT_EQ(cut.unrecorded.size(), 2u);
+  for (const Unrecorded& part : cut.unrecorded) EXPECT_FALSE(part.replaced);
+  EXPECT_TRUE(std::isfinite(channels[1].back()));
 }
 
 TEST_F(MaskedSamples, AFewAtAnEndAreReplaced) {

@@ -71,9 +71,10 @@ TEST(RecordedSpan, BeginsWhereAMarkEnds) {
     EXPECT_EQ(recorded_span(x, channel_of(Quantity::acceleration), chance).begin, 100u);
     EXPECT_EQ(recorded_span(x, channel_of(Quantity::force, ChannelRole::excitation), chance).begin, 100u);
   }
-  std::vector<double> x = motion(1e-3, 1e-4);  // zeros before the trigger
+  // Rest before the motion, below a converter's step, stays.
+  std::vector<double> x = motion(1e-3, 1e-4);
   std::fill(x.begin(), x.begin() + 100, 0.0);
-  EXPECT_EQ(recorded_span(x, channel_of(Quantity::acceleration), chance).begin, 100u);
+  EXPECT_EQ(recorded_span(x, channel_of(Quantity::acceleration), chance).begin, 0u);
 }
 
 TEST(RecordedSpan, OfAFrozenDisplacementEndsWithItsLastValue) {
@@ -137,12 +138,39 @@ TEST(RecordedSpan, HoldsRestOfTheMotion) {
 
 TEST(RecordedSpan, HoldsAnExcitationThatIsSwitchedOff) {
   const Channel force = channel_of(Quantity::force, ChannelRole::excitation);
+  const auto is_whole = [&](const std::vector<double>& x) {
+    const RecordedSpan span = recorded_span(x, force, chance);
+    return span.begin == 0 && span.end == x.size();
+  };
   const std::vector<double> x = ending(motion(0, 0), 2000, 0);
-  EXPECT_EQ(recorded_span(x, force, chance).end, recorded);
+  EXPECT_TRUE(is_whole(x));
+  EXPECT_TRUE(is_whole(ending(motion(0.3, 1e-3), 2000, 0.3)));  // a burst that holds its last value
   std::vector<double> burst = ending(motion(1e-3, 1e-4), 2000, 0.02);
   std::fill(burst.begin(), burst.begin() + 100, 0.02);
-  EXPECT_EQ(recorded_span(burst, force, chance).begin, 0u);
-  EXPECT_EQ(recorded_span(burst, force, chance).end, recorded);
+  EXPECT_TRUE(is_whole(burst));
+  std::vector<double> steps(4000, 0.0);  // of a set point; and pulses
+  std::fill(steps.begin() + 1000, steps.begin() + 2000, 1.0);
+  EXPECT_TRUE(is_whole(steps));
+  std::fill(steps.begin() + 2000, steps.end(), 4.0);
+  EXPECT_TRUE(is_whole(steps));
+  EXPECT_FALSE(is_whole(ending(motion(1e-3, 0), 2000, -999)));
+}
+
+TEST(RecordedSpan, HoldsAClippedEndAndAFewLevels) {
+  std::mt19937 random(9);
+  std::normal_distribution<double> normal;
+  std::vector<double> clipped(4000), flicker(4000, -4.0);
+  for (std::size_t i = 0; i < clipped.size(); ++i) {
+    const double x = std::cos(2 * std::numbers::pi * static_cast<double>(i) / 399) + 3e-3 * normal(random);
+    clipped[i] = 1e-3 * std::round(1e3 * std::clamp(x, -0.8, 0.8));
+    if (i < 2000) flicker[i] = static_cast<double>(random() % 2);
+  }
+  clipped.resize(3992);  // ends on the rail
+  for (const std::vector<double>& x : {clipped, flicker}) {
+    const RecordedSpan span = recorded_span(x, channel_of(Quantity::displacement), chance);
+    EXPECT_EQ(span.begin, 0u);
+    EXPECT_EQ(span.end, x.size());
+  }
 }
 
 TEST(RecordedSpan, EndsBeforeCellsWithoutNumbers) {
@@ -181,8 +209,14 @@ TEST(FillValues, AreOneValueThatIsOutOfAllReach) {
   std::vector<double> x = motion(1e-3, 0), blow(100, 0.0);
   x[10] = 2e9, x[20] = 3e9;  // two values: spikes
   EXPECT_EQ(drop_fill_values(x), 0u);
-  blow[3] = 5e8;
+  blow[3] = 5e9;
   EXPECT_EQ(drop_fill_values(blow), 0u);
+  blow[4] = 1e-17;
+  blow[3] = 1;
+  EXPECT_EQ(drop_fill_values(blow), 0u);  // a blow above what rounding left
+  x = motion(1e-3, 0);
+  x[10] = 2147483647, x[20] = -2147483648, x[30] = 1e30;
+  EXPECT_EQ(drop_fill_values(x), 3u);
 }
 
 }  // namespace
