@@ -24,6 +24,13 @@ ResponseSequence single_reference(const Eigen::Ref<const MatrixXd>& samples) {
   return sequence;
 }
 
+// Whether a pole may be the expected mode's: a resonance within the search, or within the half bandwidth of a mode
+// whose resonance is wider.
+bool within_reach(Complex pole, Complex expected, double search) {
+  const double reach = std::max(search * expected.imag(), std::abs(expected.real()));
+  return has_peak(pole) && std::abs(pole.imag() - expected.imag()) <= reach;
+}
+
 // The modes' poles in this window: the realization's nearest ones, or where it has none the expected one.
 VectorXcd starting_poles(const Eigen::Ref<const MatrixXd>& samples, double rate, const VectorXcd& expected,
                          double search) {
@@ -37,9 +44,7 @@ VectorXcd starting_poles(const Eigen::Ref<const MatrixXd>& samples, double rate,
     Index best = -1;
     for (Index i = 0; i < realization.poles.size(); ++i) {
       const Complex pole = realization.poles(i);
-      if (taken[static_cast<std::size_t>(i)] || !(pole.imag() > 0) ||
-          std::abs(pole.imag() / expected(r).imag() - 1) > search || std::abs(damping_ratio(pole)) > 0.2)
-        continue;
+      if (taken[static_cast<std::size_t>(i)] || !within_reach(pole, expected(r), search)) continue;
       if (best < 0 || std::abs(pole - expected(r)) < std::abs(realization.poles(best) - expected(r))) best = i;
     }
     if (best < 0) continue;
@@ -101,8 +106,8 @@ std::vector<ModeWindow> mode_windows(const Eigen::Ref<const MatrixXd>& samples, 
       const Index mode = followed[static_cast<std::size_t>(i)];
       const Complex pole = fit.poles(i);
       // A pole that has run away has no mode left to follow.
-      if (!audible(fit, i, options.end_at_noise) || std::abs(pole.imag() / near(i).imag() - 1) > options.search ||
-          std::abs(damping_ratio(pole)) > 0.2 || !std::isfinite(fit.omega_sd(i))) {
+      if (!audible(fit, i, options.end_at_noise) || !within_reach(pole, near(i), options.search) ||
+          !std::isfinite(fit.omega_sd(i))) {
         if (awaited(mode)) still.push_back(mode);
         continue;
       }

@@ -23,7 +23,8 @@ struct ModeWindowOptions {
   double length_s = 0;      ///< of a window
   double overlap = 0.33;    ///< share of a window that the next one sees again, in [0, 1)
   double end_at_noise = 3;  ///< a mode is followed while some channel shows it this many times above its noise
-  double search = 0.03;     ///< relative frequency within which a mode is looked for from window to window
+  double search = 0.03;     ///< relative frequency within which a mode is looked for from window to window, or half
+                            ///< its bandwidth where that is more
 };
 
 /// Sliding-window analysis of a free decay (section 2.2), samples N x p: in every window an eigensystem realization

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <stdexcept>
 
 namespace secular {
@@ -30,7 +31,13 @@ struct Separable {
   MatrixXd fixed;  // rows x terms that no pole changes
   std::function<PoleColumns(Complex)> columns;
   double duration = 0;  // s, of samples in time
+  double highest = 0;   // rad/s, of imaginary parts of poles
 };
+
+// Whether columns of the pole are finite, and those of no other pole.
+bool within(const Separable& problem, Complex pole) {
+  return pole.imag() > 0 && pole.imag() <= problem.highest && representable(pole, problem.duration);
+}
 
 MatrixXd design_of(const Separable& problem, const VectorXcd& poles) {
   MatrixXd design(problem.data.rows(), 2 * poles.size() + problem.fixed.cols());
@@ -47,6 +54,9 @@ void check(const Separable& problem, const VectorXcd& poles) {
   if (!problem.data.allFinite() || !poles.allFinite()) throw std::invalid_argument("pole fit: not finite");
   for (const Complex pole : poles)
     if (!(pole.imag() > 0)) throw std::invalid_argument("pole fit: a pole is not in the upper half plane");
+  for (const Complex pole : poles)
+    if (!(pole.imag() <= problem.highest))
+      throw std::invalid_argument("pole fit: a pole is above half the sample rate");
   for (const Complex pole : poles)
     if (!representable(pole, problem.duration))
       throw std::invalid_argument("pole fit: a pole grows out of all numbers");
@@ -88,7 +98,7 @@ FitReport refine_once(const Separable& problem, const VectorXd& weight, const Ve
     design.rightCols(problem.fixed.cols()) = problem.fixed;
     for (Index r = 0; r < n; ++r) {
       const Complex pole = start(r) + unit(r) * Complex(x(2 * r), x(2 * r + 1));
-      if (!(pole.imag() > 0) || std::abs(pole.real()) > pole.imag() || !representable(pole, problem.duration)) {
+      if (!within(problem, pole)) {
         residual.setConstant(std::nan(""));  // a step too far, turned back
         jacobian.setZero();
         return;
@@ -185,7 +195,7 @@ Separable in_time(const Eigen::Ref<const MatrixXd>& samples, double rate) {
             }
             return c;
           },
-          static_cast<double>(samples.rows()) / rate};
+          static_cast<double>(samples.rows()) / rate, std::numbers::pi * rate};
 }
 
 MatrixXd stacked(const MatrixXcd& values) {
@@ -202,8 +212,9 @@ MatrixXcd outside_terms(const Eigen::Ref<const VectorXd>& omega, ResponseForm fo
   return terms;
 }
 
+// Poles stay below the highest line, or the highest of those given: above it the lines show no peak.
 Separable in_frequency(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref<const MatrixXcd>& responses,
-                       ResponseForm form) {
+                       ResponseForm form, double highest) {
   if (omega.size() != responses.rows()) throw std::invalid_argument("pole fit: lines and responses differ");
   if (omega.size() > 0 && !(omega.minCoeff() > 0))
     throw std::invalid_argument("pole fit: the frequencies are not positive");
@@ -217,7 +228,7 @@ Separable in_frequency(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref
             d << du + dd, imaginary * (du - dd);
             return PoleColumns{stacked(c), stacked(d)};
           },
-          0};
+          0, std::max(highest, omega.size() > 0 ? omega.maxCoeff() : 0)};
 }
 
 }  // namespace
@@ -238,12 +249,14 @@ PoleFit refine_poles(const Eigen::Ref<const MatrixXd>& samples, double sample_ra
 
 PoleFit fit_residues(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref<const MatrixXcd>& responses,
                      ResponseForm form, const Eigen::Ref<const VectorXcd>& poles) {
-  return residues_of(in_frequency(omega, responses, form), poles);
+  const double highest = poles.size() > 0 ? poles.imag().maxCoeff() : 0;
+  return residues_of(in_frequency(omega, responses, form, highest), poles);
 }
 
 PoleFit refine_poles(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref<const MatrixXcd>& responses,
                      ResponseForm form, const Eigen::Ref<const VectorXcd>& start) {
-  return refined(in_frequency(omega, responses, form), start);
+  const double highest = start.size() > 0 ? start.imag().maxCoeff() : 0;
+  return refined(in_frequency(omega, responses, form, highest), start);
 }
 
 }  // namespace secular

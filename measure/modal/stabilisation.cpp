@@ -28,9 +28,7 @@ void add_order(StabilisationDiagram& diagram, const Realization& realization, in
   for (Index i = 0; i < realization.z.size(); ++i) {
     const std::complex<double> pole = realization.poles(i);
     const double damping = damping_ratio(pole);
-    if (!(pole.imag() > 0) || !(std::abs(realization.z(i).imag()) > 1e-12) ||
-        !(std::abs(damping) <= diagram.options.largest_damping))
-      continue;
+    if (!has_peak(pole) || !(std::abs(realization.z(i).imag()) > 1e-12)) continue;
     StabilisationPole found;
     found.order = order;
     found.pole = pole;

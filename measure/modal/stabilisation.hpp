@@ -25,7 +25,6 @@ struct StabilisationOptions {
   double frequency_tolerance = 0.005;    ///< relative
   double damping_tolerance = 0.1;        ///< relative, of the damping ratio
   double shape_tolerance = 0.95;         ///< smallest MAC
-  double largest_damping = 0.1;          ///< poles with more, or that grow as fast, are not shown
   double lowest_hz = 0, highest_hz = 0;  ///< modes outside are not selected; 0: no limit
   double persistence = 0.5;              ///< a mode is stable over this share of the orders above its first
 };
