@@ -89,6 +89,8 @@ class MotionsBeside {
     heads_.push_back({&head, grows});
   }
 
+  std::size_t count() const { return heads_.size(); }
+
   // The first rows, or the last ones of motions that grow.
   FreeMotions motions(Index most_rows = std::numeric_limits<Index>::max()) const {
     FreeMotions result = motions_;
@@ -429,6 +431,44 @@ class DecaySpectrum {
   Eigen::FFT<double> transform_;
 };
 
+ResponseSequence as_references(const FreeMotions& motions) {
+  ResponseSequence responses(static_cast<std::size_t>(motions.samples.rows()));
+  for (Index k = 0; k < motions.samples.rows(); ++k)
+    responses[static_cast<std::size_t>(k)] =
+        motions.samples.row(k).reshaped(motions.channels, motions.samples.cols() / motions.channels);
+  return responses;
+}
+
+// Noise fills all rows of a Hankel matrix, a motion only those before it is over: what lasts a quarter of the rows
+// and less stands out better without the others. Of heads a quarter as long each time, down to those of which a
+// matrix of the largest order is square, the poles that are over in them (a time constant below a quarter) and that
+// longer ones do not show.
+void add_short_lived(ModalSurvey& survey, const MotionsBeside& beside, Index rows) {
+  StabilisationDiagram& all = survey.diagram;
+  const auto references = static_cast<Index>(beside.count());
+  const Index least = 4 * (survey.options.largest_order + references - 1) / references;
+  for (rows /= 4; rows >= std::max<Index>(least, 4); rows /= 4) {
+    const FreeMotions head = beside.motions(rows);
+    const double quarter_s = static_cast<double>(head.samples.rows()) / head.sample_rate_hz / 4;
+    StabilisationDiagram found = diagram_of(survey, as_references(head), head.sample_rate_hz, false);
+    const auto take = [&](std::vector<StableMode>& from, std::vector<StableMode>& to) {
+      for (StableMode& mode : from) {
+        const auto same = [&](const StableMode& known) { return same_pole(known, mode, all.options); };
+        const bool over = std::abs(mode.pole.real()) * quarter_s > 1;
+        if (over && std::none_of(all.modes.begin(), all.modes.end(), same) &&
+            std::none_of(all.others.begin(), all.others.end(), same))
+          to.push_back(std::move(mode));
+      }
+    };
+    take(found.modes, all.modes);
+    take(found.others, all.others);
+  }
+  for (std::vector<StableMode>* list : {&all.modes, &all.others})
+    std::sort(list->begin(), list->end(), [](const StableMode& a, const StableMode& b) {
+      return natural_frequency(a.pole) < natural_frequency(b.pole);
+    });
+}
+
 void diagram_of_decays(ModalSurvey& survey, const SurveyRecords& records) {
   // Decays of one structure resemble each other: many of them would fill the Hankel matrix with repetitions in the
   // place of delays. A few, spread over the campaign, show every mode.
@@ -443,10 +483,8 @@ void diagram_of_decays(ModalSurvey& survey, const SurveyRecords& records) {
   // As many rows as the Hankel matrix can take, from where every mode still moves.
   const auto p = static_cast<Index>(survey.channels.size());
   const FreeMotions motions = beside.motions(4000 / p + 2 * survey.options.largest_order);
-  ResponseSequence responses(static_cast<std::size_t>(motions.samples.rows()));
-  for (Index k = 0; k < motions.samples.rows(); ++k)
-    responses[static_cast<std::size_t>(k)] = motions.samples.row(k).reshaped(p, motions.samples.cols() / p);
-  survey.diagram = diagram_of(survey, responses, motions.sample_rate_hz, false);
+  survey.diagram = diagram_of(survey, as_references(motions), motions.sample_rate_hz, false);
+  add_short_lived(survey, beside, motions.samples.rows());
   keep_supported(survey, beside.motions());
   keep_strongest(survey.diagram, survey.options.modes);
   for (const StableMode& stable : survey.diagram.modes) survey.modes.push_back(begin_mode(stable));
@@ -527,7 +565,7 @@ void survey_decays(ModalSurvey& survey, SurveyRecords& records) {
   for (std::size_t r = 0; r < survey.modes.size(); ++r) {
     SurveyMode& mode = survey.modes[r];
     const AmplitudeDependence dependence =
-        amplitude_dependence(survey.windows, static_cast<Index>(r), options.overlap, survey.options.fit_below);
+        amplitude_dependence(survey.windows, static_cast<Index>(r), survey.options.fit_below);
     if (dependence.windows < 3) {
       survey.warnings.push_back(
           fmt::format("mode {} ({:.4g} Hz) is seen in {} windows of {:.3g} s only: its values are those of one fit "

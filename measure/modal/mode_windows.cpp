@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "measure/modal/eigensystem_realization.hpp"
@@ -60,6 +62,41 @@ bool audible(const PoleFit& fit, Index mode, double level) {
   return false;
 }
 
+// Covariances of each mode's poles between windows that overlap.
+class Overlaps {
+ public:
+  // `count` windows may overlap with the one before them.
+  Overlaps(Index modes, std::size_t count) : earlier_(static_cast<std::size_t>(modes)), count_(count) {}
+
+  std::vector<SharedSamples> add(Index mode, std::size_t place, Index first, PoleInfluence influence) {
+    std::deque<Earlier>& earlier = earlier_[static_cast<std::size_t>(mode)];
+    const Index length = influence.growth.rows();
+    std::vector<SharedSamples> shared;
+    for (const Earlier& other : earlier) {
+      const Index both = length - (first - other.first);
+      if (both <= 0) break;
+      const auto product = [&](const MatrixXd& now, const MatrixXd& then) {
+        return now.topRows(both).cwiseProduct(then.bottomRows(both)).sum();
+      };
+      shared.push_back({other.place, static_cast<double>(both) / static_cast<double>(length),
+                        product(influence.growth, other.influence.growth),
+                        product(influence.omega, other.influence.omega)});
+    }
+    earlier.push_front({place, first, std::move(influence)});
+    if (earlier.size() > count_) earlier.pop_back();
+    return shared;
+  }
+
+ private:
+  struct Earlier {
+    std::size_t place;
+    Index first;
+    PoleInfluence influence;
+  };
+  std::vector<std::deque<Earlier>> earlier_;  // by mode, the latest first
+  std::size_t count_;
+};
+
 }  // namespace
 
 std::vector<ModeWindow> mode_windows(const Eigen::Ref<const MatrixXd>& samples, double sample_rate_hz,
@@ -79,7 +116,9 @@ std::vector<ModeWindow> mode_windows(const Eigen::Ref<const MatrixXd>& samples, 
   };
   std::vector<Complex> expected = poles;
   std::vector<ModeWindow> windows;
+  Overlaps overlaps(modes, static_cast<std::size_t>((length - 1) / step));
   for (Index first = 0; first + length <= samples.rows() && !followed.empty(); first += step) {
+    const auto place = static_cast<std::size_t>(first / step);
     VectorXcd near(static_cast<Index>(followed.size()));
     for (Index i = 0; i < near.size(); ++i)
       near(i) = expected[static_cast<std::size_t>(followed[static_cast<std::size_t>(i)])];
@@ -102,6 +141,7 @@ std::vector<ModeWindow> mode_windows(const Eigen::Ref<const MatrixXd>& samples, 
     start = start(heard).eval();
     near = near(heard).eval();
     const PoleFit fit = refine_poles(window, sample_rate_hz, start);
+    std::vector<PoleInfluence> influences = pole_influences(window, sample_rate_hz, fit);
     for (Index i = 0; i < near.size(); ++i) {
       const Index mode = followed[static_cast<std::size_t>(i)];
       const Complex pole = fit.poles(i);
@@ -116,9 +156,10 @@ std::vector<ModeWindow> mode_windows(const Eigen::Ref<const MatrixXd>& samples, 
       const ScaledShape scaled = scale_shape(fit.residues.row(i).transpose());
       const double gained = pole.real() * static_cast<double>(length) / sample_rate_hz;
       const double mean = std::abs(gained) > 1e-12 ? std::expm1(gained) / gained : 1;
-      windows.push_back(
-          {0, mode, (static_cast<double>(first) + 0.5 * static_cast<double>(length - 1)) / sample_rate_hz, pole,
-           fit.growth_sd(i), fit.omega_sd(i), 2 * std::abs(scaled.factor) * mean, scaled.shape});
+      windows.push_back({0, place, mode,
+                         (static_cast<double>(first) + 0.5 * static_cast<double>(length - 1)) / sample_rate_hz,
+                         pole, fit.growth_sd(i), fit.omega_sd(i), 2 * std::abs(scaled.factor) * mean, scaled.shape,
+                         overlaps.add(mode, place, first, std::move(influences[static_cast<std::size_t>(i)]))});
       expected[static_cast<std::size_t>(mode)] = pole;
     }
     followed = std::move(still);

@@ -95,6 +95,12 @@ bool better(const StableMode& a, const StableMode& b, const StabilisationOptions
 
 }  // namespace
 
+bool same_pole(const StableMode& a, const StableMode& b, const StabilisationOptions& options) {
+  return std::abs(natural_frequency(a.pole) / natural_frequency(b.pole) - 1) <= options.frequency_tolerance &&
+         std::abs(damping_ratio(a.pole) / damping_ratio(b.pole) - 1) <= options.damping_tolerance &&
+         modal_assurance(a.shape, b.shape) >= options.shape_tolerance;
+}
+
 StabilisationDiagram stabilisation_diagram(const EigensystemRealization& realization,
                                            const StabilisationOptions& options) {
   StabilisationDiagram diagram;

@@ -52,4 +52,7 @@ struct StabilisationDiagram {
 StabilisationDiagram stabilisation_diagram(const EigensystemRealization& realization,
                                            const StabilisationOptions& options);
 
+/// Whether two modes are one by the tolerances of the diagram: frequency, damping and shape.
+bool same_pole(const StableMode& a, const StableMode& b, const StabilisationOptions& options);
+
 }  // namespace secular
