@@ -127,6 +127,7 @@ SurveyMode begin_mode(const StableMode& stable) {
     const double along = mode.pole.imag() / omega, across = mode.pole.real() / omega;
     mode.natural_frequency_sd_hz = std::hypot(along * support.omega_sd, across * support.growth_sd) * to_hz;
     mode.damping_ratio_sd = along * std::hypot(along * support.growth_sd, across * support.omega_sd) / omega;
+    mode.degrees_of_freedom = infinite;  // of a noise that all samples tell
     mode.from = "maximum likelihood over the free motions, in their own noise";
   } else {
     mode.natural_frequency_sd_hz = stable.frequency_spread * to_hz;
@@ -316,6 +317,7 @@ SurveyMode impact_mode(const StableMode& stable, const ImpactModes& found, std::
   mode.pole = found.poles(row);
   mode.natural_frequency_hz = natural_frequency(mode.pole) * to_hz;
   mode.damping_ratio = damping_ratio(mode.pole);
+  mode.degrees_of_freedom = static_cast<double>(without.size() - 1);
   mode.from = "frequency responses; leaving out one impact at a time";
   const auto sd = [&](const auto& value, double whole) { return jackknife_sd(without, value, whole); };
   mode.natural_frequency_sd_hz =
@@ -592,7 +594,14 @@ void survey_decays(ModalSurvey& survey, SurveyRecords& records) {
     mode.damping_ratio = dependence.damping_ratio;
     mode.damping_ratio_sd = dependence.damping_ratio_sd;
     mode.pole = {dependence.damping_factor_hz.intercept / to_hz, dependence.frequency_hz.intercept / to_hz};
+    mode.degrees_of_freedom = dependence.degrees_of_freedom;
     mode.from = "regression over windows to zero amplitude";
+    if (!mode.frequency_interval_hz())
+      survey.warnings.push_back(
+          fmt::format("mode {} ({:.4g} Hz): {} windows scatter by more than their noise, and too few tell by how "
+                      "much: its values "
+                      "have no interval; a shorter --window or more records would give one",
+                      r + 1, mode.natural_frequency_hz, dependence.windows));
     if (dependence.frequency_hz.curvature_p < 0.05 || dependence.damping_factor_hz.curvature_p < 0.05)
       survey.warnings.push_back(fmt::format(
           "mode {} ({:.4g} Hz): {} against amplitude is no straight line (p = {:.1g}); use --fit-below to "
@@ -673,6 +682,24 @@ MotionTrend SurveyMode::trend() const {
   const Interval growth = confidence_interval(support.pole.real(), support.growth_sd, infinite);
   if (growth.high < 0) return MotionTrend::decays;
   return growth.low > 0 ? MotionTrend::grows : MotionTrend::undetermined;
+}
+
+namespace {
+
+// With one degree of freedom Student's law (Cauchy's) has no mean: one number says nothing of a scatter.
+std::optional<Interval> interval_of(double value, double sd, double degrees_of_freedom) {
+  if (!(degrees_of_freedom > 1)) return std::nullopt;
+  return confidence_interval(value, sd, degrees_of_freedom);
+}
+
+}  // namespace
+
+std::optional<Interval> SurveyMode::frequency_interval_hz() const {
+  return interval_of(natural_frequency_hz, natural_frequency_sd_hz, degrees_of_freedom);
+}
+
+std::optional<Interval> SurveyMode::damping_interval() const {
+  return interval_of(damping_ratio, damping_ratio_sd, degrees_of_freedom);
 }
 
 std::optional<MatrixXd> ModalSurvey::mass_normalised() const {
