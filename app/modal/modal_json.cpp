@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "app/shared/json_numbers.hpp"
 #include "measure/modal/modal_mass.hpp"
 #include "measure/modal/pole.hpp"
+#include "numerics/confidence.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular::app {
@@ -21,11 +24,22 @@ Json rows(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
   return array;
 }
 
+// Infinite: normal law.
+void add_freedom(Json& entry, double degrees_of_freedom) {
+  entry["degrees_of_freedom"] = std::isinf(degrees_of_freedom) ? Json("infinite") : Json(degrees_of_freedom);
+}
+
+Json interval_json(const std::optional<Interval>& interval) {
+  return interval ? Json{interval->low, interval->high} : Json();
+}
+
 Json line_json(const StraightLine& line) {
-  Json entry = {{"intercept", line.intercept}, {"intercept_sd", line.intercept_sd},
-                {"slope", line.slope},         {"slope_sd", line.slope_sd},
-                {"scatter", line.scatter},     {"degrees_of_freedom", line.degrees_of_freedom}};
-  entry["covariance"] = line.clustered ? "clustered by record" : "from residuals";
+  Json entry = {{"intercept", line.intercept}, {"intercept_sd", line.intercept_sd}, {"slope", line.slope},
+                {"slope_sd", line.slope_sd},   {"scatter", line.scatter},           {"excess_sd", line.excess_sd}};
+  add_freedom(entry, line.degrees_of_freedom);
+  entry["covariance"] = line.clustered       ? "clustered by record"
+                        : line.excess_sd > 0 ? "noise of the windows and excess scatter"
+                                             : "noise of the windows";
   entry["curvature_p_value"] = line.curvature_p;
   return entry;
 }
@@ -36,10 +50,13 @@ Json mode_json(const ModalSurvey& survey, std::size_t r) {
                 {"natural_frequency_hz", mode.natural_frequency_hz},
                 {"natural_frequency_sd_hz", mode.natural_frequency_sd_hz},
                 {"damping_ratio", mode.damping_ratio},
-                {"damping_ratio_sd", mode.damping_ratio_sd},
-                {"motion", to_string(mode.trend())},
-                {"from", mode.from},
-                {"pole_rad_per_s", {mode.pole.real(), mode.pole.imag()}}};
+                {"damping_ratio_sd", mode.damping_ratio_sd}};
+  add_freedom(entry, mode.degrees_of_freedom);
+  entry["natural_frequency_interval_hz"] = interval_json(mode.frequency_interval_hz());
+  entry["damping_ratio_interval"] = interval_json(mode.damping_interval());
+  entry["motion"] = to_string(mode.trend());
+  entry["from"] = mode.from;
+  entry["pole_rad_per_s"] = {mode.pole.real(), mode.pole.imag()};
   const Eigen::VectorXd real = mode.shape.mean.real(), imaginary = mode.shape.mean.imag();
   entry["mode_shape"] = {{"scaling", "sum of squares one"},
                          {"real", list_json(real)},

@@ -2,60 +2,60 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <stdexcept>
+#include <utility>
 
-#include "estimator/regression/linear_fit.hpp"
 #include "measure/modal/mode_scaling.hpp"
 #include "measure/modal/pole.hpp"
-#include "numerics/confidence.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-// Powers of x up to `degree`, x in units of its largest value.
-MatrixXd powers(const VectorXd& x, double unit, Index degree) {
-  MatrixXd design = MatrixXd::Ones(x.size(), degree + 1);
-  for (Index k = 1; k <= degree; ++k) design.col(k) = design.col(k - 1).cwiseProduct(x) / unit;
-  return design;
+using Used = std::vector<const ModeWindow*>;
+
+// Covariances of windows in a row, `alone` of each with itself and `with` of two that overlap, times `factor`.
+Banded covariances(const Used& used, double (*alone)(const ModeWindow&), double SharedSamples::*with,
+                   double factor) {
+  Banded result;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    std::vector<double> row = {factor * alone(*used[i])};
+    for (std::size_t back = 1; back <= i && used[i - back]->record == used[i]->record; ++back) {
+      const auto found = std::find_if(used[i]->shared.begin(), used[i]->shared.end(),
+                                      [&](const SharedSamples& s) { return s.place == used[i - back]->place; });
+      if (found == used[i]->shared.end()) break;
+      row.push_back(factor * (*found).*with);
+    }
+    result.push_back(std::move(row));
+  }
+  return result;
+}
+
+// Of what double precision makes of a pole, the square.
+double rounding(const ModeWindow& window) {
+  return 1e-28 * std::norm(window.pole);
+}
+
+double growth_variance(const ModeWindow& window) {
+  return window.growth_sd * window.growth_sd + rounding(window);
+}
+
+double omega_variance(const ModeWindow& window) {
+  return window.omega_sd * window.omega_sd + rounding(window);
+}
+
+double unit_variance(const ModeWindow&) {
+  return 1;
 }
 
 }  // namespace
 
-StraightLine straight_line(const Eigen::Ref<const VectorXd>& x, const Eigen::Ref<const VectorXd>& y,
-                           std::span<const int> cluster, double independent) {
-  if (x.size() != y.size() || x.size() < 3) throw std::invalid_argument("straight_line: fewer than three points");
-  const double unit = std::max(x.cwiseAbs().maxCoeff(), 1e-300);
-  const LinearFit fit = linear_fit(powers(x, unit, 1), y, cluster);
-  StraightLine line;
-  line.clustered = fit.covariance_kind == CovarianceKind::clustered;
-  const double inflation = line.clustered ? 1 : 1 / std::sqrt(independent);
-  line.intercept = fit.coefficients(0);
-  line.slope = fit.coefficients(1) / unit;
-  line.intercept_sd = std::sqrt(fit.covariance(0, 0)) * inflation;
-  line.slope_sd = std::sqrt(fit.covariance(1, 1)) / unit * inflation;
-  line.scatter = std::sqrt(fit.residual.squaredNorm() / static_cast<double>(x.size() - 2));
-  line.degrees_of_freedom = fit.degrees_of_freedom * (line.clustered ? 1 : independent);
-  if (x.size() >= 6) {
-    const LinearFit curved = linear_fit(powers(x, unit, 2), y, cluster);
-    const bool by_cluster = curved.covariance_kind == CovarianceKind::clustered;
-    const double sd = std::sqrt(curved.covariance(2, 2)) * (by_cluster ? 1 : 1 / std::sqrt(independent));
-    if (sd > 0)
-      line.curvature_p = two_sided_p_value(
-          curved.coefficients(2) / sd, std::max(1.0, curved.degrees_of_freedom * (by_cluster ? 1 : independent)));
-  }
-  return line;
-}
-
-AmplitudeDependence amplitude_dependence(const std::vector<ModeWindow>& windows, Index mode, double overlap,
+AmplitudeDependence amplitude_dependence(const std::vector<ModeWindow>& windows, Index mode,
                                          double largest_amplitude) {
-  std::vector<const ModeWindow*> used;
+  Used used;
   for (const ModeWindow& w : windows)
     if (w.mode == mode && (largest_amplitude <= 0 || w.amplitude <= largest_amplitude)) used.push_back(&w);
   AmplitudeDependence result;
@@ -73,8 +73,13 @@ AmplitudeDependence amplitude_dependence(const std::vector<ModeWindow>& windows,
   }
   result.smallest_amplitude = amplitude.minCoeff();
   result.largest_amplitude = amplitude.maxCoeff();
-  result.frequency_hz = straight_line(amplitude, frequency, cluster, 1 - overlap);
-  result.damping_factor_hz = straight_line(amplitude, damping, cluster, 1 - overlap);
+  const Banded excess = covariances(used, unit_variance, &SharedSamples::share, 1);
+  result.frequency_hz =
+      straight_line(amplitude, frequency, covariances(used, omega_variance, &SharedSamples::omega, to_hz * to_hz),
+                    excess, cluster);
+  result.damping_factor_hz =
+      straight_line(amplitude, damping, covariances(used, growth_variance, &SharedSamples::growth, to_hz * to_hz),
+                    excess, cluster);
   const std::complex<double> pole(result.damping_factor_hz.intercept, result.frequency_hz.intercept);
   const double modulus = std::abs(pole), real_sd = result.damping_factor_hz.intercept_sd,
                imaginary_sd = result.frequency_hz.intercept_sd;
@@ -83,6 +88,8 @@ AmplitudeDependence amplitude_dependence(const std::vector<ModeWindow>& windows,
   result.natural_frequency_sd_hz = std::hypot(pole.real() * real_sd, pole.imag() * imaginary_sd) / modulus;
   result.damping_ratio_sd = std::abs(pole.imag()) / (modulus * modulus * modulus) *
                             std::hypot(pole.imag() * real_sd, pole.real() * imaginary_sd);
+  result.degrees_of_freedom =
+      std::min(result.frequency_hz.degrees_of_freedom, result.damping_factor_hz.degrees_of_freedom);
   return result;
 }
 

@@ -1,29 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
 #include <vector>
 
 #include "measure/modal/mode_windows.hpp"
+#include "measure/modal/straight_line.hpp"
 
 namespace secular {
-
-/// A straight line through points and how well it is known.
-struct StraightLine {
-  double intercept = 0, slope = 0;
-  double intercept_sd = 0, slope_sd = 0;
-  double scatter = 0;             ///< standard deviation about the line
-  double degrees_of_freedom = 0;  ///< of the standard deviations, for Student's t
-  bool clustered = false;         ///< standard deviations from the scatter between records
-  double curvature_p = 1;         ///< probability of so large a quadratic term were the line true; 1: not tested
-};
-
-/// Least squares. `cluster` labels the points of one record. With four clusters or more the standard deviations are
-/// jackknifed over them; otherwise they come from the scatter, whose variance is divided by `independent`, the
-/// share of a window that is no other window's too (1 - overlap). Throws std::invalid_argument for fewer than three
-/// points.
-StraightLine straight_line(const Eigen::Ref<const Eigen::VectorXd>& x, const Eigen::Ref<const Eigen::VectorXd>& y,
-                           std::span<const int> cluster, double independent = 1);
 
 /// Table 2.4 for one mode, with error bars: damped natural frequency and damping factor (both in Hz: parts of the
 /// pole over 2 pi) against mean modal amplitude, and what they are at zero amplitude.
@@ -33,11 +16,14 @@ struct AmplitudeDependence {
   StraightLine frequency_hz, damping_factor_hz;
   double natural_frequency_hz = 0, natural_frequency_sd_hz = 0;  ///< at zero amplitude, Eq. (2.8)
   double damping_ratio = 0, damping_ratio_sd = 0;                ///< at zero amplitude, Eq. (2.8)
+  double degrees_of_freedom = 0;                                 ///< of these two, for Student's t
 };
 
-/// Regression over the windows of `mode`, those above `largest_amplitude` left out (zero: none). Fewer than three
-/// windows give an empty result (windows below three).
-AmplitudeDependence amplitude_dependence(const std::vector<ModeWindow>& windows, Eigen::Index mode, double overlap,
+/// Regression over the windows of `mode`, each as far as its noise lets it speak, and windows that overlap only
+/// once for what they share. What scatters beyond noise counts as the motion's own, which windows share as they
+/// share time. Windows above `largest_amplitude` are left out (zero: none). Fewer than three windows give an empty
+/// result (windows below three).
+AmplitudeDependence amplitude_dependence(const std::vector<ModeWindow>& windows, Eigen::Index mode,
                                          double largest_amplitude = 0);
 
 /// Table 2.5 for one mode: mean and standard deviation of the shapes of its windows, real and imaginary parts

@@ -89,6 +89,8 @@ class MotionsBeside {
     heads_.push_back({&head, grows});
   }
 
+  std::size_t count() const { return heads_.size(); }
+
   // The first rows, or the last ones of motions that grow.
   FreeMotions motions(Index most_rows = std::numeric_limits<Index>::max()) const {
     FreeMotions result = motions_;
@@ -125,6 +127,7 @@ SurveyMode begin_mode(const StableMode& stable) {
     const double along = mode.pole.imag() / omega, across = mode.pole.real() / omega;
     mode.natural_frequency_sd_hz = std::hypot(along * support.omega_sd, across * support.growth_sd) * to_hz;
     mode.damping_ratio_sd = along * std::hypot(along * support.growth_sd, across * support.omega_sd) / omega;
+    mode.degrees_of_freedom = infinite;  // of a noise that all samples tell
     mode.from = "maximum likelihood over the free motions, in their own noise";
   } else {
     mode.natural_frequency_sd_hz = stable.frequency_spread * to_hz;
@@ -314,6 +317,7 @@ SurveyMode impact_mode(const StableMode& stable, const ImpactModes& found, std::
   mode.pole = found.poles(row);
   mode.natural_frequency_hz = natural_frequency(mode.pole) * to_hz;
   mode.damping_ratio = damping_ratio(mode.pole);
+  mode.degrees_of_freedom = static_cast<double>(without.size() - 1);
   mode.from = "frequency responses; leaving out one impact at a time";
   const auto sd = [&](const auto& value, double whole) { return jackknife_sd(without, value, whole); };
   mode.natural_frequency_sd_hz =
@@ -429,6 +433,44 @@ class DecaySpectrum {
   Eigen::FFT<double> transform_;
 };
 
+ResponseSequence as_references(const FreeMotions& motions) {
+  ResponseSequence responses(static_cast<std::size_t>(motions.samples.rows()));
+  for (Index k = 0; k < motions.samples.rows(); ++k)
+    responses[static_cast<std::size_t>(k)] =
+        motions.samples.row(k).reshaped(motions.channels, motions.samples.cols() / motions.channels);
+  return responses;
+}
+
+// Noise fills all rows of a Hankel matrix, a motion only those before it is over: what lasts a quarter of the rows
+// and less stands out better without the others. Of heads a quarter as long each time, down to those of which a
+// matrix of the largest order is square, the poles that are over in them (a time constant below a quarter) and that
+// longer ones do not show.
+void add_short_lived(ModalSurvey& survey, const MotionsBeside& beside, Index rows) {
+  StabilisationDiagram& all = survey.diagram;
+  const auto references = static_cast<Index>(beside.count());
+  const Index least = 4 * (survey.options.largest_order + references - 1) / references;
+  for (rows /= 4; rows >= std::max<Index>(least, 4); rows /= 4) {
+    const FreeMotions head = beside.motions(rows);
+    const double quarter_s = static_cast<double>(head.samples.rows()) / head.sample_rate_hz / 4;
+    StabilisationDiagram found = diagram_of(survey, as_references(head), head.sample_rate_hz, false);
+    const auto take = [&](std::vector<StableMode>& from, std::vector<StableMode>& to) {
+      for (StableMode& mode : from) {
+        const auto same = [&](const StableMode& known) { return same_pole(known, mode, all.options); };
+        const bool over = std::abs(mode.pole.real()) * quarter_s > 1;
+        if (over && std::none_of(all.modes.begin(), all.modes.end(), same) &&
+            std::none_of(all.others.begin(), all.others.end(), same))
+          to.push_back(std::move(mode));
+      }
+    };
+    take(found.modes, all.modes);
+    take(found.others, all.others);
+  }
+  for (std::vector<StableMode>* list : {&all.modes, &all.others})
+    std::sort(list->begin(), list->end(), [](const StableMode& a, const StableMode& b) {
+      return natural_frequency(a.pole) < natural_frequency(b.pole);
+    });
+}
+
 void diagram_of_decays(ModalSurvey& survey, const SurveyRecords& records) {
   // Decays of one structure resemble each other: many of them would fill the Hankel matrix with repetitions in the
   // place of delays. A few, spread over the campaign, show every mode.
@@ -443,10 +485,8 @@ void diagram_of_decays(ModalSurvey& survey, const SurveyRecords& records) {
   // As many rows as the Hankel matrix can take, from where every mode still moves.
   const auto p = static_cast<Index>(survey.channels.size());
   const FreeMotions motions = beside.motions(4000 / p + 2 * survey.options.largest_order);
-  ResponseSequence responses(static_cast<std::size_t>(motions.samples.rows()));
-  for (Index k = 0; k < motions.samples.rows(); ++k)
-    responses[static_cast<std::size_t>(k)] = motions.samples.row(k).reshaped(p, motions.samples.cols() / p);
-  survey.diagram = diagram_of(survey, responses, motions.sample_rate_hz, false);
+  survey.diagram = diagram_of(survey, as_references(motions), motions.sample_rate_hz, false);
+  add_short_lived(survey, beside, motions.samples.rows());
   keep_supported(survey, beside.motions());
   keep_strongest(survey.diagram, survey.options.modes);
   for (const StableMode& stable : survey.diagram.modes) survey.modes.push_back(begin_mode(stable));
@@ -527,7 +567,7 @@ void survey_decays(ModalSurvey& survey, SurveyRecords& records) {
   for (std::size_t r = 0; r < survey.modes.size(); ++r) {
     SurveyMode& mode = survey.modes[r];
     const AmplitudeDependence dependence =
-        amplitude_dependence(survey.windows, static_cast<Index>(r), options.overlap, survey.options.fit_below);
+        amplitude_dependence(survey.windows, static_cast<Index>(r), survey.options.fit_below);
     if (dependence.windows < 3) {
       survey.warnings.push_back(
           fmt::format("mode {} ({:.4g} Hz) is seen in {} windows of {:.3g} s only: its values are those of one fit "
@@ -554,7 +594,14 @@ void survey_decays(ModalSurvey& survey, SurveyRecords& records) {
     mode.damping_ratio = dependence.damping_ratio;
     mode.damping_ratio_sd = dependence.damping_ratio_sd;
     mode.pole = {dependence.damping_factor_hz.intercept / to_hz, dependence.frequency_hz.intercept / to_hz};
+    mode.degrees_of_freedom = dependence.degrees_of_freedom;
     mode.from = "regression over windows to zero amplitude";
+    if (!mode.frequency_interval_hz())
+      survey.warnings.push_back(
+          fmt::format("mode {} ({:.4g} Hz): {} windows scatter by more than their noise, and too few tell by how "
+                      "much: its values "
+                      "have no interval; a shorter --window or more records would give one",
+                      r + 1, mode.natural_frequency_hz, dependence.windows));
     if (dependence.frequency_hz.curvature_p < 0.05 || dependence.damping_factor_hz.curvature_p < 0.05)
       survey.warnings.push_back(fmt::format(
           "mode {} ({:.4g} Hz): {} against amplitude is no straight line (p = {:.1g}); use --fit-below to "
@@ -635,6 +682,24 @@ MotionTrend SurveyMode::trend() const {
   const Interval growth = confidence_interval(support.pole.real(), support.growth_sd, infinite);
   if (growth.high < 0) return MotionTrend::decays;
   return growth.low > 0 ? MotionTrend::grows : MotionTrend::undetermined;
+}
+
+namespace {
+
+// With one degree of freedom Student's law (Cauchy's) has no mean: one number says nothing of a scatter.
+std::optional<Interval> interval_of(double value, double sd, double degrees_of_freedom) {
+  if (!(degrees_of_freedom > 1)) return std::nullopt;
+  return confidence_interval(value, sd, degrees_of_freedom);
+}
+
+}  // namespace
+
+std::optional<Interval> SurveyMode::frequency_interval_hz() const {
+  return interval_of(natural_frequency_hz, natural_frequency_sd_hz, degrees_of_freedom);
+}
+
+std::optional<Interval> SurveyMode::damping_interval() const {
+  return interval_of(damping_ratio, damping_ratio_sd, degrees_of_freedom);
 }
 
 std::optional<MatrixXd> ModalSurvey::mass_normalised() const {

@@ -14,6 +14,7 @@
 #include "measure/modal/pole_support.hpp"
 #include "measure/modal/residue_conversion.hpp"
 #include "measure/modal/stabilisation.hpp"
+#include "numerics/confidence.hpp"
 
 namespace secular {
 
@@ -59,10 +60,11 @@ std::string to_string(MotionTrend trend);
 struct SurveyMode {
   double natural_frequency_hz = 0, natural_frequency_sd_hz = 0;
   double damping_ratio = 0, damping_ratio_sd = 0;
-  std::string from;           ///< where these four come from
-  std::complex<double> pole;  ///< rad/s
-  StableMode diagram;         ///< what stood in the stabilisation diagram
-  MeanShape shape;            ///< scaled by Eq. (2.2)
+  double degrees_of_freedom = 0;  ///< of the two standard deviations, for Student's t; zero: nothing tells
+  std::string from;               ///< where these come from
+  std::complex<double> pole;      ///< rad/s
+  StableMode diagram;             ///< what stood in the stabilisation diagram
+  MeanShape shape;                ///< scaled by Eq. (2.2)
   double phase_collinearity = 0;
   std::optional<AmplitudeDependence> amplitude;
   std::vector<MassEstimate> masses;
@@ -70,6 +72,9 @@ struct SurveyMode {
   double mass_sd = 0;          ///< kg; zero where it was given or cannot be told
 
   MotionTrend trend() const;
+  /// 95 % by Student's law; nothing where the standard deviations have one degree of freedom or none.
+  std::optional<Interval> frequency_interval_hz() const;
+  std::optional<Interval> damping_interval() const;
 };
 
 /// A pole that stood in the stabilisation diagram and is no mode.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "measure/modal/eigensystem_realization.hpp"
@@ -24,6 +26,13 @@ ResponseSequence single_reference(const Eigen::Ref<const MatrixXd>& samples) {
   return sequence;
 }
 
+// Whether a pole may be the expected mode's: a resonance within the search, or within the half bandwidth of a mode
+// whose resonance is wider.
+bool within_reach(Complex pole, Complex expected, double search) {
+  const double reach = std::max(search * expected.imag(), std::abs(expected.real()));
+  return has_peak(pole) && std::abs(pole.imag() - expected.imag()) <= reach;
+}
+
 // The modes' poles in this window: the realization's nearest ones, or where it has none the expected one.
 VectorXcd starting_poles(const Eigen::Ref<const MatrixXd>& samples, double rate, const VectorXcd& expected,
                          double search) {
@@ -37,9 +46,7 @@ VectorXcd starting_poles(const Eigen::Ref<const MatrixXd>& samples, double rate,
     Index best = -1;
     for (Index i = 0; i < realization.poles.size(); ++i) {
       const Complex pole = realization.poles(i);
-      if (taken[static_cast<std::size_t>(i)] || !(pole.imag() > 0) ||
-          std::abs(pole.imag() / expected(r).imag() - 1) > search || std::abs(damping_ratio(pole)) > 0.2)
-        continue;
+      if (taken[static_cast<std::size_t>(i)] || !within_reach(pole, expected(r), search)) continue;
       if (best < 0 || std::abs(pole - expected(r)) < std::abs(realization.poles(best) - expected(r))) best = i;
     }
     if (best < 0) continue;
@@ -54,6 +61,41 @@ bool audible(const PoleFit& fit, Index mode, double level) {
     if (2 * std::abs(fit.residues(mode, c)) >= level * fit.noise_sd(c)) return true;
   return false;
 }
+
+// Covariances of each mode's poles between windows that overlap.
+class Overlaps {
+ public:
+  // `count` windows may overlap with the one before them.
+  Overlaps(Index modes, std::size_t count) : earlier_(static_cast<std::size_t>(modes)), count_(count) {}
+
+  std::vector<SharedSamples> add(Index mode, std::size_t place, Index first, PoleInfluence influence) {
+    std::deque<Earlier>& earlier = earlier_[static_cast<std::size_t>(mode)];
+    const Index length = influence.growth.rows();
+    std::vector<SharedSamples> shared;
+    for (const Earlier& other : earlier) {
+      const Index both = length - (first - other.first);
+      if (both <= 0) break;
+      const auto product = [&](const MatrixXd& now, const MatrixXd& then) {
+        return now.topRows(both).cwiseProduct(then.bottomRows(both)).sum();
+      };
+      shared.push_back({other.place, static_cast<double>(both) / static_cast<double>(length),
+                        product(influence.growth, other.influence.growth),
+                        product(influence.omega, other.influence.omega)});
+    }
+    earlier.push_front({place, first, std::move(influence)});
+    if (earlier.size() > count_) earlier.pop_back();
+    return shared;
+  }
+
+ private:
+  struct Earlier {
+    std::size_t place;
+    Index first;
+    PoleInfluence influence;
+  };
+  std::vector<std::deque<Earlier>> earlier_;  // by mode, the latest first
+  std::size_t count_;
+};
 
 }  // namespace
 
@@ -74,7 +116,9 @@ std::vector<ModeWindow> mode_windows(const Eigen::Ref<const MatrixXd>& samples, 
   };
   std::vector<Complex> expected = poles;
   std::vector<ModeWindow> windows;
+  Overlaps overlaps(modes, static_cast<std::size_t>((length - 1) / step));
   for (Index first = 0; first + length <= samples.rows() && !followed.empty(); first += step) {
+    const auto place = static_cast<std::size_t>(first / step);
     VectorXcd near(static_cast<Index>(followed.size()));
     for (Index i = 0; i < near.size(); ++i)
       near(i) = expected[static_cast<std::size_t>(followed[static_cast<std::size_t>(i)])];
@@ -97,12 +141,13 @@ std::vector<ModeWindow> mode_windows(const Eigen::Ref<const MatrixXd>& samples, 
     start = start(heard).eval();
     near = near(heard).eval();
     const PoleFit fit = refine_poles(window, sample_rate_hz, start);
+    std::vector<PoleInfluence> influences = pole_influences(window, sample_rate_hz, fit);
     for (Index i = 0; i < near.size(); ++i) {
       const Index mode = followed[static_cast<std::size_t>(i)];
       const Complex pole = fit.poles(i);
       // A pole that has run away has no mode left to follow.
-      if (!audible(fit, i, options.end_at_noise) || std::abs(pole.imag() / near(i).imag() - 1) > options.search ||
-          std::abs(damping_ratio(pole)) > 0.2 || !std::isfinite(fit.omega_sd(i))) {
+      if (!audible(fit, i, options.end_at_noise) || !within_reach(pole, near(i), options.search) ||
+          !std::isfinite(fit.omega_sd(i))) {
         if (awaited(mode)) still.push_back(mode);
         continue;
       }
@@ -111,9 +156,10 @@ std::vector<ModeWindow> mode_windows(const Eigen::Ref<const MatrixXd>& samples, 
       const ScaledShape scaled = scale_shape(fit.residues.row(i).transpose());
       const double gained = pole.real() * static_cast<double>(length) / sample_rate_hz;
       const double mean = std::abs(gained) > 1e-12 ? std::expm1(gained) / gained : 1;
-      windows.push_back(
-          {0, mode, (static_cast<double>(first) + 0.5 * static_cast<double>(length - 1)) / sample_rate_hz, pole,
-           fit.growth_sd(i), fit.omega_sd(i), 2 * std::abs(scaled.factor) * mean, scaled.shape});
+      windows.push_back({0, place, mode,
+                         (static_cast<double>(first) + 0.5 * static_cast<double>(length - 1)) / sample_rate_hz,
+                         pole, fit.growth_sd(i), fit.omega_sd(i), 2 * std::abs(scaled.factor) * mean, scaled.shape,
+                         overlaps.add(mode, place, first, std::move(influences[static_cast<std::size_t>(i)]))});
       expected[static_cast<std::size_t>(mode)] = pole;
     }
     followed = std::move(still);

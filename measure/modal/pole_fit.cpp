@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <stdexcept>
 
 namespace secular {
@@ -30,7 +31,13 @@ struct Separable {
   MatrixXd fixed;  // rows x terms that no pole changes
   std::function<PoleColumns(Complex)> columns;
   double duration = 0;  // s, of samples in time
+  double highest = 0;   // rad/s, of imaginary parts of poles
 };
+
+// Whether columns of the pole are finite, and those of no other pole.
+bool within(const Separable& problem, Complex pole) {
+  return pole.imag() > 0 && pole.imag() <= problem.highest && representable(pole, problem.duration);
+}
 
 MatrixXd design_of(const Separable& problem, const VectorXcd& poles) {
   MatrixXd design(problem.data.rows(), 2 * poles.size() + problem.fixed.cols());
@@ -47,6 +54,9 @@ void check(const Separable& problem, const VectorXcd& poles) {
   if (!problem.data.allFinite() || !poles.allFinite()) throw std::invalid_argument("pole fit: not finite");
   for (const Complex pole : poles)
     if (!(pole.imag() > 0)) throw std::invalid_argument("pole fit: a pole is not in the upper half plane");
+  for (const Complex pole : poles)
+    if (!(pole.imag() <= problem.highest))
+      throw std::invalid_argument("pole fit: a pole is above half the sample rate");
   for (const Complex pole : poles)
     if (!representable(pole, problem.duration))
       throw std::invalid_argument("pole fit: a pole grows out of all numbers");
@@ -74,6 +84,19 @@ PoleFit residues_of(const Separable& problem, const VectorXcd& poles) {
   return fit;
 }
 
+// Derivatives of the weighted residuals of signal s by the poles are the projected derivatives times this: unknowns
+// (real and imaginary part of each pole in its `unit`) to amplitudes of the derivatives. `coefficients` are those
+// of the weighted data, (Re R, Im R) of each pole.
+MatrixXd turn_of(const Eigen::Ref<const VectorXd>& coefficients, const VectorXd& unit) {
+  const Index n = unit.size();
+  MatrixXd turn = MatrixXd::Zero(2 * n, 2 * n);
+  for (Index r = 0; r < n; ++r) {
+    const double p = -unit(r) * coefficients(2 * r), q = -unit(r) * coefficients(2 * r + 1);
+    turn.block<2, 2>(2 * r, 2 * r) << p, -q, q, p;
+  }
+  return turn;
+}
+
 // Variable projection with Kaufman's Jacobian J. Its rows (samples x signals) are never formed: all of them are
 // combinations of the projected derivatives, whose moments give J^T J = H and J^T r = g. The fit sees the shorter
 // problem of the same H, g and |r|: with H = V S^2 V^T the rows S V^T, the residual S^-1 V^T g, and one entry more
@@ -88,7 +111,7 @@ FitReport refine_once(const Separable& problem, const VectorXd& weight, const Ve
     design.rightCols(problem.fixed.cols()) = problem.fixed;
     for (Index r = 0; r < n; ++r) {
       const Complex pole = start(r) + unit(r) * Complex(x(2 * r), x(2 * r + 1));
-      if (!(pole.imag() > 0) || std::abs(pole.real()) > pole.imag() || !representable(pole, problem.duration)) {
+      if (!within(problem, pole)) {
         residual.setConstant(std::nan(""));  // a step too far, turned back
         jacobian.setZero();
         return;
@@ -110,11 +133,7 @@ FitReport refine_once(const Separable& problem, const VectorXd& weight, const Ve
     MatrixXd hessian = MatrixXd::Zero(2 * n, 2 * n);
     VectorXd gradient = VectorXd::Zero(2 * n);
     for (Index s = 0; s < signals; ++s) {
-      MatrixXd turn = MatrixXd::Zero(2 * n, 2 * n);  // unknowns to amplitudes of the derivatives
-      for (Index r = 0; r < n; ++r) {
-        const double p = -unit(r) * coefficients(2 * r, s), q = -unit(r) * coefficients(2 * r + 1, s);
-        turn.block<2, 2>(2 * r, 2 * r) << p, -q, q, p;
-      }
+      const MatrixXd turn = turn_of(coefficients.col(s), unit);
       hessian += turn.transpose() * (moments * turn);
       gradient += turn.transpose() * slopes.col(s);
     }
@@ -139,9 +158,14 @@ FitReport refine_once(const Separable& problem, const VectorXd& weight, const Ve
   return report;
 }
 
+// Noise below is rounding.
+double noise_floor(const Separable& problem) {
+  return 1e-14 * problem.data.cwiseAbs().maxCoeff() + 1e-300;
+}
+
 PoleFit refined(const Separable& problem, const VectorXcd& start) {
   PoleFit fit = residues_of(problem, start);
-  const double floor = 1e-14 * problem.data.cwiseAbs().maxCoeff() + 1e-300;
+  const double floor = noise_floor(problem);
   for (int pass = 0; pass < 2; ++pass) {
     const VectorXd weight = fit.noise_sd.cwiseMax(floor).cwiseInverse();
     const FitReport report = refine_once(problem, weight, fit.poles);
@@ -185,7 +209,7 @@ Separable in_time(const Eigen::Ref<const MatrixXd>& samples, double rate) {
             }
             return c;
           },
-          static_cast<double>(samples.rows()) / rate};
+          static_cast<double>(samples.rows()) / rate, std::numbers::pi * rate};
 }
 
 MatrixXd stacked(const MatrixXcd& values) {
@@ -202,8 +226,9 @@ MatrixXcd outside_terms(const Eigen::Ref<const VectorXd>& omega, ResponseForm fo
   return terms;
 }
 
+// Poles stay below the highest line, or the highest of those given: above it the lines show no peak.
 Separable in_frequency(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref<const MatrixXcd>& responses,
-                       ResponseForm form) {
+                       ResponseForm form, double highest) {
   if (omega.size() != responses.rows()) throw std::invalid_argument("pole fit: lines and responses differ");
   if (omega.size() > 0 && !(omega.minCoeff() > 0))
     throw std::invalid_argument("pole fit: the frequencies are not positive");
@@ -217,7 +242,7 @@ Separable in_frequency(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref
             d << du + dd, imaginary * (du - dd);
             return PoleColumns{stacked(c), stacked(d)};
           },
-          0};
+          0, std::max(highest, omega.size() > 0 ? omega.maxCoeff() : 0)};
 }
 
 }  // namespace
@@ -236,14 +261,60 @@ PoleFit refine_poles(const Eigen::Ref<const MatrixXd>& samples, double sample_ra
   return refined(in_time(samples, sample_rate_hz), start);
 }
 
+// By variable projection: the poles move by -H^-1 J^T e for errors e of the samples, J and H as in refine_once.
+std::vector<PoleInfluence> pole_influences(const Eigen::Ref<const MatrixXd>& samples, double sample_rate_hz,
+                                           const PoleFit& fit) {
+  const Separable problem = in_time(samples, sample_rate_hz);
+  check(problem, fit.poles);
+  const Index n = fit.poles.size(), rows = samples.rows(), signals = samples.cols();
+  const MatrixXd design = design_of(problem, fit.poles);
+  MatrixXd derivatives(rows, 2 * n);
+  for (Index r = 0; r < n; ++r) derivatives.middleCols(2 * r, 2) = problem.columns(fit.poles(r)).derivatives;
+  const Eigen::HouseholderQR<MatrixXd> qr(design);
+  const MatrixXd orthogonal = qr.householderQ() * MatrixXd::Identity(rows, design.cols());
+  derivatives -= orthogonal * (orthogonal.transpose() * derivatives);
+  const MatrixXd moments = derivatives.transpose() * derivatives;
+  const double floor = noise_floor(problem);
+  MatrixXd hessian = MatrixXd::Zero(2 * n, 2 * n);
+  std::vector<MatrixXd> turns;
+  for (Index s = 0; s < signals; ++s) {
+    VectorXd coefficients(2 * n);
+    for (Index r = 0; r < n; ++r)
+      coefficients.segment(2 * r, 2) << fit.residues(r, s).real(), fit.residues(r, s).imag();
+    turns.push_back(turn_of(coefficients / std::max(fit.noise_sd(s), floor), VectorXd::Ones(n)));
+    hessian += turns.back().transpose() * (moments * turns.back());
+  }
+  const VectorXd shorten = hessian.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::LDLT<MatrixXd> scaled(MatrixXd(shorten.asDiagonal() * hessian * shorten.asDiagonal()));
+  const MatrixXd inverse = shorten.asDiagonal() * scaled.solve(MatrixXd(shorten.asDiagonal()));
+  std::vector<PoleInfluence> result(static_cast<std::size_t>(n),
+                                    {MatrixXd(rows, signals), MatrixXd(rows, signals)});
+  for (Index s = 0; s < signals; ++s) {
+    const MatrixXd moved = derivatives * (turns[static_cast<std::size_t>(s)] * inverse);
+    for (Index r = 0; r < n; ++r) {
+      result[static_cast<std::size_t>(r)].growth.col(s) = moved.col(2 * r);
+      result[static_cast<std::size_t>(r)].omega.col(s) = moved.col(2 * r + 1);
+    }
+  }
+  // As the fit says its noise, which it counts over all unknowns.
+  for (Index r = 0; r < n; ++r) {
+    PoleInfluence& influence = result[static_cast<std::size_t>(r)];
+    influence.growth *= fit.growth_sd(r) / std::max(influence.growth.norm(), 1e-300);
+    influence.omega *= fit.omega_sd(r) / std::max(influence.omega.norm(), 1e-300);
+  }
+  return result;
+}
+
 PoleFit fit_residues(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref<const MatrixXcd>& responses,
                      ResponseForm form, const Eigen::Ref<const VectorXcd>& poles) {
-  return residues_of(in_frequency(omega, responses, form), poles);
+  const double highest = poles.size() > 0 ? poles.imag().maxCoeff() : 0;
+  return residues_of(in_frequency(omega, responses, form, highest), poles);
 }
 
 PoleFit refine_poles(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref<const MatrixXcd>& responses,
                      ResponseForm form, const Eigen::Ref<const VectorXcd>& start) {
-  return refined(in_frequency(omega, responses, form), start);
+  const double highest = start.size() > 0 ? start.imag().maxCoeff() : 0;
+  return refined(in_frequency(omega, responses, form, highest), start);
 }
 
 }  // namespace secular

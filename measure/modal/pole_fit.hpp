@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <vector>
 
 #include "measure/modal/residue_conversion.hpp"
 #include "numerics/nonlinear_fit.hpp"
@@ -35,7 +36,16 @@ PoleFit fit_residues(const Eigen::Ref<const Eigen::MatrixXd>& samples, double sa
 PoleFit refine_poles(const Eigen::Ref<const Eigen::MatrixXd>& samples, double sample_rate_hz,
                      const Eigen::Ref<const Eigen::VectorXcd>& start);
 
-/// The same two for frequency responses H(w, s) (lines x signals) of one form at angular frequencies w (rad/s):
+/// What noise of one standard deviation (`noise_sd`) at each sample does to a refined pole.
+struct PoleInfluence {
+  Eigen::MatrixXd growth, omega;  ///< samples x signals: 1/s, rad/s; sums of squares are those of the pole's sds
+};
+
+/// By pole of `fit`, which refine_poles made of these samples.
+std::vector<PoleInfluence> pole_influences(const Eigen::Ref<const Eigen::MatrixXd>& samples, double sample_rate_hz,
+                                           const PoleFit& fit);
+
+/// The first two for frequency responses H(w, s) (lines x signals) of one form at angular frequencies w (rad/s):
 /// sum_r R(r, s)/(i w - pole_r) + conj(R(r, s))/(i w - conj(pole_r)) and three real terms for the modes outside the
 /// band and the direct pulse: (1, i w, -w^2) (i w)^(form - 2). Residues are those of that form. All lines count the
 /// same; the residual includes whatever the model lacks.

@@ -4,12 +4,15 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "measure/modal/noise_whitening.hpp"
 #include "measure/modal/pole_fit.hpp"
+#include "numerics/confidence.hpp"
 #include "numerics/distribution.hpp"
+#include "numerics/hertz.hpp"
 
 namespace secular {
 namespace {
@@ -20,11 +23,16 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
 const std::string of_noise = "explains no more of the records than noise does";
 const std::string once = "one record shows it, others of the same kind do not";
 const std::string strays = "the records show no resonance where it is, but make up by it for another mode";
 const std::string too_many = "the records are too short to tell so many poles";
 const std::string too_wide = "its error bar is as wide as its resonance";
+const std::string no_peak = "its damping is not told from one without a resonance";
+const std::string no_turn = "swings less than once in the records";
+const std::string at_the_top = "is not told from one above half the sample rate";
 
 VectorXcd as_vector(const std::vector<Complex>& poles) {
   return Eigen::Map<const VectorXcd>(poles.data(), static_cast<Index>(poles.size()));
@@ -64,7 +72,8 @@ class Selection {
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
       PoleSupport& s = support_[chosen_[i]];
       const auto row = static_cast<Index>(i);
-      s = {true, "", fit_.poles(row), fit_.growth_sd(row), fit_.omega_sd(row)};
+      s.reason = no_resonance(row);
+      if (s.reason.empty()) s = {true, "", fit_.poles(row), fit_.growth_sd(row), fit_.omega_sd(row)};
     }
     return support_;
   }
@@ -216,6 +225,20 @@ class Selection {
   void drop_wide() {
     for (Index r = fit_.poles.size(); r-- > 0;)
       if (!(std::max(fit_.growth_sd(r), fit_.omega_sd(r)) < width(fit_.poles(r)))) drop(r, too_wide);
+  }
+
+  // Why what the records hold there is no resonance; empty where it is one. The fit keeps it beside the others: it
+  // is motion, and would be taken for theirs. What ended at a limit of the fit has no error bar that counts, and is
+  // nearer to the limit than one.
+  std::string no_resonance(Index row) const {
+    const Complex pole = fit_.poles(row);
+    const double duration = static_cast<double>(samples_.rows()) / motions_.sample_rate_hz;
+    const Interval peak = confidence_interval(pole.imag() - std::abs(pole.real()),
+                                              std::hypot(fit_.growth_sd(row), fit_.omega_sd(row)), unlimited);
+    const Interval omega = confidence_interval(pole.imag(), fit_.omega_sd(row), unlimited);
+    if (!(peak.low > 0)) return no_peak;
+    if (!(pole.imag() * duration > two_pi)) return no_turn;
+    return omega.high < std::numbers::pi * motions_.sample_rate_hz ? "" : at_the_top;
   }
 
   // Half-power bandwidth (rad/s), or what the record's length makes of it.

@@ -28,9 +28,7 @@ void add_order(StabilisationDiagram& diagram, const Realization& realization, in
   for (Index i = 0; i < realization.z.size(); ++i) {
     const std::complex<double> pole = realization.poles(i);
     const double damping = damping_ratio(pole);
-    if (!(pole.imag() > 0) || !(std::abs(realization.z(i).imag()) > 1e-12) ||
-        !(std::abs(damping) <= diagram.options.largest_damping))
-      continue;
+    if (!has_peak(pole) || !(std::abs(realization.z(i).imag()) > 1e-12)) continue;
     StabilisationPole found;
     found.order = order;
     found.pole = pole;
@@ -96,6 +94,12 @@ bool better(const StableMode& a, const StableMode& b, const StabilisationOptions
 }
 
 }  // namespace
+
+bool same_pole(const StableMode& a, const StableMode& b, const StabilisationOptions& options) {
+  return std::abs(natural_frequency(a.pole) / natural_frequency(b.pole) - 1) <= options.frequency_tolerance &&
+         std::abs(damping_ratio(a.pole) / damping_ratio(b.pole) - 1) <= options.damping_tolerance &&
+         modal_assurance(a.shape, b.shape) >= options.shape_tolerance;
+}
 
 StabilisationDiagram stabilisation_diagram(const EigensystemRealization& realization,
                                            const StabilisationOptions& options) {

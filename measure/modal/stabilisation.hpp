@@ -25,7 +25,6 @@ struct StabilisationOptions {
   double frequency_tolerance = 0.005;    ///< relative
   double damping_tolerance = 0.1;        ///< relative, of the damping ratio
   double shape_tolerance = 0.95;         ///< smallest MAC
-  double largest_damping = 0.1;          ///< poles with more, or that grow as fast, are not shown
   double lowest_hz = 0, highest_hz = 0;  ///< modes outside are not selected; 0: no limit
   double persistence = 0.5;              ///< a mode is stable over this share of the orders above its first
 };
@@ -52,5 +51,8 @@ struct StabilisationDiagram {
 /// order.
 StabilisationDiagram stabilisation_diagram(const EigensystemRealization& realization,
                                            const StabilisationOptions& options);
+
+/// Whether two modes are one by the tolerances of the diagram: frequency, damping and shape.
+bool same_pole(const StableMode& a, const StableMode& b, const StabilisationOptions& options);
 
 }  // namespace secular

@@ -73,6 +73,13 @@ TEST_F(ModalCommand, DecaysToAmplitudeDependence) {
   ASSERT_EQ(json["modes"].size(), 3u);
   EXPECT_NEAR(json["modes"][0]["natural_frequency_hz"].get<double>(), 12.419, 0.02);
   EXPECT_GT(json["windows"].size(), 20u);
+  for (const nlohmann::json& mode : json["modes"]) {
+    EXPECT_TRUE(mode.contains("degrees_of_freedom"));
+    for (const char* value : {"natural_frequency_interval_hz", "damping_ratio_interval"}) {
+      ASSERT_EQ(mode[value].size(), 2u) << value;
+      EXPECT_LT(mode[value][0].get<double>(), mode[value][1].get<double>()) << value;
+    }
+  }
   EXPECT_NE(text_of(folder / "out/report.html").find("Frequency and damping against amplitude"), std::string::npos);
 }
 

@@ -152,6 +152,24 @@ TEST(PoleSupport, WhatOneRecordShowsAloneIsNoMode) {
   EXPECT_TRUE(support[1].stands) << support[1].reason;
 }
 
+// A relaxation, of no turn or less than one, is motion but no resonance; the mode beside it keeps its values.
+TEST(PoleSupport, WhatDoesNotSwingIsNoMode) {
+  testing_support::Gaussian gaussian(5);
+  const std::complex<double> mode = pole_of(20 * hertz, 0.01), bent = pole_of(8 * hertz, 0.6);
+  const std::complex<double> slow = pole_of(0.2 * hertz, 0.5);
+  FreeMotions motions{0.01 * gaussian.vector(1500), 1, 512, {""}};
+  for (Eigen::Index i = 0; i < motions.samples.rows(); ++i) {
+    const double t = static_cast<double>(i) / 512;
+    motions.samples(i, 0) += std::exp(mode * t).real() + 2 * std::exp(-60 * t) + 0.5 * std::exp(-2 * t);
+  }
+  const std::vector<PoleSupport> support = pole_support(motions, {mode, bent, slow});
+  ASSERT_TRUE(support[0].stands) << support[0].reason;
+  EXPECT_LT(std::abs(support[0].pole.real() - mode.real()), 4 * support[0].growth_sd);
+  EXPECT_LT(std::abs(support[0].pole.imag() - mode.imag()), 4 * support[0].omega_sd);
+  EXPECT_FALSE(support[1].stands);
+  EXPECT_FALSE(support[2].stands);
+}
+
 TEST(NoiseWhitening, TakesColourAndLikenessOut) {
   testing_support::Gaussian gaussian(8);
   Eigen::MatrixXd noise(4000, 4);

@@ -169,6 +169,25 @@ TEST(PoleFit, RefinesToTheExactPolesInTime) {
   }
 }
 
+// Samples tell a pole but for multiples of the sample rate: of the poles that explain a heavily damped motion
+// alike, the one below half the sample rate is meant, wherever the fit starts.
+TEST(PoleFit, StaysBelowHalfTheSampleRate) {
+  System truth;
+  truth.rate = 512;
+  truth.poles.resize(1);
+  truth.poles << pole_of(45 * hz, 0.1);
+  truth.shapes = truth.factors = MatrixXcd::Ones(1, 1);
+  truth.direct = MatrixXd::Zero(1, 1);
+  const MatrixXd decay = decay_of(truth, 400);
+  for (const double start : {60.0, 128.0, 200.0, 227.6, 240.0, 255.0}) {
+    const PoleFit fit = refine_poles(decay, truth.rate, VectorXcd::Constant(1, pole_of(start * hz, 0.003)));
+    EXPECT_LE(fit.poles(0).imag(), std::numbers::pi * truth.rate) << start;
+  }
+  const VectorXcd above = VectorXcd::Constant(1, pole_of(467 * hz, 0.01));
+  EXPECT_THROW(fit_residues(decay, truth.rate, above), std::invalid_argument);
+  EXPECT_THROW(refine_poles(decay, truth.rate, above), std::invalid_argument);
+}
+
 // Accelerance of normal and complex modes with a mode above and one below the band: three terms stand for the pulse
 // and, to the accuracy of a power series, for what lies outside.
 TEST(PoleFit, RefinesToTheExactPolesInFrequency) {

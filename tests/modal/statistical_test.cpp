@@ -4,10 +4,12 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <vector>
 
 #include "measure/modal/amplitude_dependence.hpp"
 #include "measure/modal/frequency_response.hpp"
 #include "measure/modal/pole_fit.hpp"
+#include "numerics/confidence.hpp"
 #include "tests/modal/pole_of.hpp"
 #include "tests/signal/gaussian.hpp"
 
@@ -53,23 +55,59 @@ TEST(StatisticalModal, RefinedPolesScatterAsTheirErrorBarsSay) {
   }
 }
 
+// Lines through points that share errors with those before them, of which the points know all, a half or nothing;
+// records enough to jackknife over them or not; as few as three points.
 TEST(StatisticalModal, LinesScatterAsTheirErrorBarsSay) {
-  constexpr int runs = 500;
+  struct Case {
+    Index points;
+    int records;
+    double known;  // share of the variance
+  };
   testing_support::Gaussian gaussian(23);
-  const VectorXd x = VectorXd::LinSpaced(28, 2, 11);
-  std::vector<int> cluster;
-  for (int i = 0; i < 28; ++i) cluster.push_back(i % 7);
-  double square = 0, stated = 0, outside = 0;
-  for (int run = 0; run < runs; ++run) {
-    const VectorXd y = (12.419 - 0.0199 * x.array()).matrix() + 0.02 * gaussian.vector(28);
-    const StraightLine line = straight_line(x, y, cluster);
-    EXPECT_TRUE(line.clustered);
-    square += std::pow(line.intercept - 12.419, 2);
-    stated += line.intercept_sd * line.intercept_sd;
-    outside += line.curvature_p < 0.05;
+  for (const Case& c :
+       {Case{28, 7, 1}, {28, 7, 0}, {28, 1, 1}, {28, 1, 0.5}, {28, 1, 0}, {6, 1, 1}, {3, 1, 1}, {3, 1, 0}}) {
+    constexpr int runs = 500;
+    const Index each = c.points / c.records;
+    const VectorXd x = VectorXd::LinSpaced(c.points, 11, 2);
+    VectorXd size = VectorXd::Constant(c.points, 0.02);
+    if (c.known == 1) size = 0.1 / x.array();  // weak motion is known badly
+    const double alike = 0.3;                  // error shared with the point before
+    std::vector<int> record;
+    Banded own, excess;
+    for (Index i = 0; i < c.points; ++i) {
+      record.push_back(static_cast<int>(i / each));
+      own.push_back({c.known * size(i) * size(i)});
+      excess.push_back({1});
+      if (i % each == 0) continue;
+      own.back().push_back(c.known * alike * size(i) * size(i - 1));
+      excess.back().push_back(alike);
+    }
+    // Errors sqrt(keep) now + sqrt(1 - keep) before: neighbours share sqrt(keep (1 - keep)).
+    const double keep = (1 + std::sqrt(1 - 4 * alike * alike)) / 2;
+    int covered = 0, curved = 0;
+    for (int run = 0; run < runs; ++run) {
+      VectorXd error(c.points);
+      double before = 0;
+      for (Index i = 0; i < c.points; ++i) {
+        if (i % each == 0) before = gaussian();
+        const double now = gaussian();
+        error(i) = size(i) * (std::sqrt(keep) * now + std::sqrt(1 - keep) * before);
+        before = now;
+      }
+      const VectorXd y = (12.419 - 0.0199 * x.array()).matrix() + error;
+      const StraightLine line = straight_line(x, y, own, excess, record);
+      EXPECT_EQ(line.clustered, c.records == 7);
+      const Interval interval = confidence_interval(line.intercept, line.intercept_sd, line.degrees_of_freedom);
+      covered += interval.low < 12.419 && 12.419 < interval.high;
+      curved += line.curvature_p < 0.05;
+    }
+    // 95 % but for three standard deviations of 500 draws; never less.
+    EXPECT_GT(covered, 0.92 * runs) << c.points << " " << c.records << " " << c.known;
+    if (c.records == 1 && c.points > 6) {
+      EXPECT_LT(covered, 0.98 * runs) << c.points << " " << c.known;
+    }
+    EXPECT_LT(curved, 0.09 * runs) << c.points << " " << c.known;  // no more often than stated
   }
-  EXPECT_NEAR(square / stated, 1, 0.3);
-  EXPECT_LT(outside / runs, 0.09);  // a straight line is called curved no more often than stated
 }
 
 // Noise on the response leaves H1 alone and raises H2; noise on the force lowers H1 and leaves H2 alone.
