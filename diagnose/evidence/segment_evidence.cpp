@@ -146,8 +146,7 @@ Index SegmentEvidence::freedom() const {
 std::vector<VectorXd> SegmentEvidence::frozen_errors(std::size_t segment,
                                                      const std::vector<SegmentTrial>& trials) const {
   std::vector<VectorXd> all = model_.errors(trials);
-  for (VectorXd& error : all)
-    error = silenced(std::move(error), segments_[segment].response.cols(), frozen_[segment].at_jumps);
+  for (VectorXd& error : all) error = seen(segment, std::move(error));
   return all;
 }
 
@@ -155,8 +154,7 @@ std::vector<VectorXd> SegmentEvidence::frozen_errors(const VectorXd& unknowns) c
   std::vector<SegmentTrial> trials;
   for (std::size_t i = 0; i < segments_.size(); ++i) trials.push_back(frozen_trial(i, unknowns));
   std::vector<VectorXd> all = model_.errors(trials);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    all[i] = silenced(std::move(all[i]), trials[i].samples, frozen_[i].at_jumps);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = seen(i, std::move(all[i]));
   return all;
 }
 
@@ -180,6 +178,7 @@ void SegmentEvidence::freeze_segment(std::size_t segment, const VectorXd& unknow
                         std::sqrt(static_cast<double>(samples));
     f.widening = std::hypot(1.0, std::sqrt(coarse) * size);
   }
+  f.driven_noise = coarse > 0 ? DrivenNoise() : DrivenNoise(model_, frozen_trial(segment, unknowns), f.at_jumps);
   freeze_bases(segment, unknowns);
 }
 
@@ -383,7 +382,7 @@ VectorXd SegmentEvidence::offset_slopes(std::size_t channel, double scale) const
     const Index samples = s.response.cols(), c = static_cast<Index>(channel);
     VectorXd error = VectorXd::Zero(s.response.rows() * samples);
     error.segment(c * samples, samples).setConstant(-scale / s.noise_sd(c));
-    rows_of(i, silenced(std::move(error), samples, frozen_[i].at_jumps), column.segment(first, rows_in(i)));
+    rows_of(i, seen(i, std::move(error)), column.segment(first, rows_in(i)));
     first += rows_in(i);
   }
   return column;

@@ -30,9 +30,10 @@ class SegmentModel {
 
   /// Measured minus computed, in units of the noise, by trial: channel after channel, `samples` each. A motion that
   /// passes a million times its beginning counts as zero from there on. `jumps`: of the first trial's motion, see
-  /// StretchOfMotion.
+  /// StretchOfMotion. `computed`: the motions, by trial.
   std::vector<Eigen::VectorXd> errors(const std::vector<SegmentTrial>& trials,
-                                      std::vector<Eigen::Index>* jumps = nullptr) const;
+                                      std::vector<Eigen::Index>* jumps = nullptr,
+                                      std::vector<StretchOfMotion>* computed = nullptr) const;
   /// The state a segment begins at that fits it best; `state`: a guess, or empty.
   void find_state(const Segment& segment, const Eigen::VectorXd& unknowns, Eigen::VectorXd& state) const;
   /// Gauss-Newton over the first `samples` from `state` on, which moves; returns the sum of squared errors.
