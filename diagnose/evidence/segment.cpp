@@ -110,6 +110,18 @@ class Cutter {
     return noise;
   }
 
+  // By excitation channel. What a sweep or a blow leaves of the spectrum's upper half is noise; broadband
+  // excitation may fill all of it.
+  Eigen::VectorXd excitation_noise(const RecordEntry& entry, const Movement& m) const {
+    Eigen::VectorXd noise = Eigen::VectorXd::Zero(m.part.samples.cols() - responses_);
+    if (entry.kind != RecordKind::sweep && entry.kind != RecordKind::impact) return noise;
+    for (Index j = 0; j < noise.size(); ++j) {
+      const Eigen::VectorXd channel = m.part.samples.col(responses_ + j);
+      noise(j) = noise_floor({channel.data(), static_cast<std::size_t>(channel.size())}).value_or(0);
+    }
+    return noise;
+  }
+
   // Thinned samples at which segments begin, one after the other or, where the record holds more than its share,
   // evenly spread over it: over a decay as far as it stands out from the noise.
   std::vector<Index> starts(const Movement& m, Index length, const Eigen::VectorXd& noise,
@@ -209,7 +221,8 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
     const std::optional<Movement> movement = cutter.movement(entry, record);
     const Index length = movement ? cutter.length(entry, *movement) : 0;
     if (length == 0) continue;
-    const Eigen::VectorXd noise = cutter.noise(*movement);
+    const Eigen::VectorXd noise = cutter.noise(*movement),
+                          excitation_noise = cutter.excitation_noise(entry, *movement);
     int number = 0;
     for (const Index begin : cutter.starts(*movement, length, noise, records.size())) {
       Segment segment = cutter.segment(*movement, record, begin, length);
@@ -217,6 +230,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
       segment.fold = static_cast<int>(r) + 1000 * (1 + number++ % 10);
       segment.time_s = began[r] + segment.in_record_s;
       segment.noise_sd = noise;
+      segment.excitation_noise_sd = excitation_noise;
       for (std::size_t c = 0; c < sensors.responses.size(); ++c)
         if (cut.wandering.contains(sensors.responses[c])) segment.wandering.push_back(static_cast<Index>(c));
       // What is taken off is seen by no row, and a state is found without it.

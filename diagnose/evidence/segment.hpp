@@ -20,9 +20,10 @@ struct Segment {
   /// By mode, relative: the record's natural frequencies next to those of all. Empty: none differs.
   Eigen::VectorXd frequency_shift;
   double sample_s = 0;
-  Eigen::MatrixXd excitation;  ///< excitation channels x (2*samples - 1), every half sample; empty: none
-  Eigen::MatrixXd response;    ///< response channels x samples
-  Eigen::VectorXd noise_sd;    ///< response channels
+  Eigen::MatrixXd excitation;           ///< excitation channels x (2*samples - 1), every half sample; empty: none
+  Eigen::MatrixXd response;             ///< response channels x samples
+  Eigen::VectorXd noise_sd;             ///< response channels
+  Eigen::VectorXd excitation_noise_sd;  ///< excitation channels; zero where the record does not tell it
   int substeps = 1;
   std::vector<Eigen::Index> wandering;  ///< response channels whose zero moves slowly
 };

@@ -154,8 +154,7 @@ Index SegmentEvidence::freedom() const {
 std::vector<VectorXd> SegmentEvidence::frozen_errors(const std::vector<std::size_t>& segments,
                                                      const std::vector<SegmentTrial>& trials) const {
   std::vector<VectorXd> all = model_.errors(trials);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    all[i] = silenced(std::move(all[i]), trials[i].samples, frozen_[segments[i]].at_jumps);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = seen(segments[i], std::move(all[i]));
   return all;
 }
 
@@ -250,6 +249,9 @@ void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
   in_parallel(parts, threads_, [&](std::size_t part) {
     const std::size_t first = part * segments_.size() / parts, end = (part + 1) * segments_.size() / parts;
     freeze_states(first, end, unknowns);
+    for (std::size_t i = first; i < end; ++i)
+      frozen_[i].driven_noise =
+          coarse > 0 ? DrivenNoise() : DrivenNoise(model_, frozen_trial(i, unknowns), frozen_[i].at_jumps);
     freeze_bases(first, end, unknowns);
   });
   coarse_ = coarse > 0;
@@ -423,7 +425,7 @@ VectorXd SegmentEvidence::offset_slopes(std::size_t channel, double scale) const
     const Index samples = s.response.cols(), c = static_cast<Index>(channel);
     VectorXd error = VectorXd::Zero(s.response.rows() * samples);
     error.segment(c * samples, samples).setConstant(-scale / s.noise_sd(c));
-    rows_of(i, silenced(std::move(error), samples, frozen_[i].at_jumps), column.segment(first, rows_in(i)));
+    rows_of(i, seen(i, std::move(error)), column.segment(first, rows_in(i)));
     first += rows_in(i);
   }
   return column;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <memory>
 #include <span>
+#include <utility>
 
 #include "diagnose/evidence/discrepancy.hpp"
+#include "diagnose/evidence/driven_noise.hpp"
 #include "diagnose/evidence/noise_bands.hpp"
 #include "diagnose/evidence/segment_model.hpp"
 
@@ -53,6 +55,7 @@ class SegmentEvidence : public Evidence {
  private:
   struct Frozen {
     Eigen::VectorXd state;
+    DrivenNoise driven_noise;  // where errors are not coarse: what whitens them before anything else
     Eigen::MatrixXd state_basis, change_basis;  // samples*channels x 2 modes, orthonormal
     // Samples at which a channel may read either side of a jump of its signal: errors there are not continuous in
     // the unknowns and do not count.
@@ -101,7 +104,12 @@ class SegmentEvidence : public Evidence {
     return {segments_[segment], segments_[segment].response.cols(), unknowns, frozen_[segment].state};
   }
   std::vector<std::size_t> all_segments() const;
-  /// Errors of trials of frozen segments.
+  /// Errors of a frozen segment as its rows see them.
+  Eigen::VectorXd seen(std::size_t segment, Eigen::VectorXd error) const {
+    const Frozen& f = frozen_[segment];
+    return f.driven_noise.whitened(silenced(std::move(error), segments_[segment].response.cols(), f.at_jumps));
+  }
+  /// Errors of trials of frozen segments as their rows see them.
   std::vector<Eigen::VectorXd> frozen_errors(const std::vector<std::size_t>& segments,
                                              const std::vector<SegmentTrial>& trials) const;
   /// Errors of all frozen segments.

@@ -43,7 +43,8 @@ MotionStart SegmentModel::start_of(const SegmentTrial& trial, const Faults& faul
 }
 
 std::vector<VectorXd> SegmentModel::errors(const std::vector<SegmentTrial>& trials,
-                                           std::vector<std::vector<Index>>* jumps) const {
+                                           std::vector<std::vector<Index>>* jumps,
+                                           std::vector<StretchOfMotion>* computed) const {
   std::vector<Faults> faults;
   std::vector<MotionStart> starts;
   for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -56,12 +57,13 @@ std::vector<VectorXd> SegmentModel::errors(const std::vector<SegmentTrial>& tria
     starts.back().signal =
         again ? starts[i - 1].signal : std::make_shared<const DrivingSignal>(true_signal(s, faults[i].excitation));
   }
-  const std::vector<StretchOfMotion> motions = MotionIntegrator(*model_, forces_).motions(starts);
+  std::vector<StretchOfMotion> motions = MotionIntegrator(*model_, forces_).motions(starts);
   std::vector<VectorXd> all;
   for (std::size_t i = 0; i < trials.size(); ++i)
     all.push_back(reading_errors(trials[i].segment, sensors_, faults[i], *starts[i].signal, motions[i]));
   if (jumps)
     for (const StretchOfMotion& motion : motions) jumps->push_back(motion.jumps);
+  if (computed) *computed = std::move(motions);
   return all;
 }
 

@@ -30,9 +30,10 @@ class SegmentModel {
 
   /// Measured minus computed, in units of the noise, by trial: channel after channel, `samples` each. A motion that
   /// passes a million times its beginning counts as zero from there on. `jumps`: of every trial's motion, see
-  /// StretchOfMotion.
+  /// StretchOfMotion. `computed`: the motions, by trial.
   std::vector<Eigen::VectorXd> errors(const std::vector<SegmentTrial>& trials,
-                                      std::vector<std::vector<Eigen::Index>>* jumps = nullptr) const;
+                                      std::vector<std::vector<Eigen::Index>>* jumps = nullptr,
+                                      std::vector<StretchOfMotion>* computed = nullptr) const;
 
  private:
   MotionStart start_of(const SegmentTrial& trial, const Faults& faults) const;

@@ -1,0 +1,128 @@
+#include "diagnose/evidence/driven_noise.hpp"
+
+#include <Eigen/Dense>
+#include <utility>
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Motions that begin a little apart or are driven a little differently, by what was changed: each part of the
+// state, each excitation.
+struct Neighbours {
+  StretchOfMotion still;
+  std::vector<StretchOfMotion> moved;
+  VectorXd still_error;
+  std::vector<VectorXd> moved_error;
+};
+
+// What sample i has of the changes: states, accelerations, errors, each a column for every change.
+struct Changes {
+  MatrixXd states, accelerations, errors;
+};
+
+Neighbours neighbours_of(const SegmentModel& model, const SegmentTrial& trial, const std::vector<Index>& at_jumps) {
+  const Index parts = trial.state.size(), inputs = trial.segment.excitation.rows();
+  const VectorXd size = trial.state.cwiseAbs().cwiseMax(1e-3 * trial.state.cwiseAbs().maxCoeff() + 1e-30);
+  std::vector<Segment> driven(static_cast<std::size_t>(inputs), trial.segment);
+  std::vector<SegmentTrial> trials(1, trial);
+  for (Index k = 0; k < parts; ++k) {
+    trials.push_back(trial);
+    trials.back().state(k) += 1e-4 * size(k);
+  }
+  for (Index j = 0; j < inputs; ++j) {
+    Segment& segment = driven[static_cast<std::size_t>(j)];
+    segment.excitation.row(j).array() += segment.excitation_noise_sd(j);
+    trials.push_back({segment, trial.samples, trial.unknowns, trial.state, trial.change});
+  }
+  std::vector<StretchOfMotion> motions;
+  std::vector<VectorXd> errors = model.errors(trials, nullptr, &motions);
+  for (VectorXd& error : errors) error = silenced(std::move(error), trial.samples, at_jumps);
+  return {
+      motions.front(), {motions.begin() + 1, motions.end()}, errors.front(), {errors.begin() + 1, errors.end()}};
+}
+
+Changes changes_at(const Neighbours& n, Index sample) {
+  const Index modes = n.still.displacement.rows(), samples = n.still.displacement.cols(),
+              channels = n.still_error.size() / samples, count = static_cast<Index>(n.moved.size());
+  Changes c{MatrixXd(2 * modes, count), MatrixXd(modes, count), MatrixXd(channels, count)};
+  for (Index m = 0; m < count; ++m) {
+    const StretchOfMotion& moved = n.moved[static_cast<std::size_t>(m)];
+    c.states.col(m) << moved.displacement.col(sample) - n.still.displacement.col(sample),
+        moved.velocity.col(sample) - n.still.velocity.col(sample);
+    c.accelerations.col(m) = moved.acceleration.col(sample) - n.still.acceleration.col(sample);
+    const VectorXd& error = n.moved_error[static_cast<std::size_t>(m)];
+    for (Index r = 0; r < channels; ++r)
+      c.errors(r, m) = error(r * samples + sample) - n.still_error(r * samples + sample);
+  }
+  return c;
+}
+
+}  // namespace
+
+DrivenNoise::DrivenNoise(const SegmentModel& model, const SegmentTrial& trial, const std::vector<Index>& at_jumps) {
+  const Segment& s = trial.segment;
+  const bool known = s.excitation.cols() > 0 && s.excitation_noise_sd.size() == s.excitation.rows();
+  if (!known || !(s.excitation_noise_sd.maxCoeff() > 0)) return;
+  const Neighbours near = neighbours_of(model, trial, at_jumps);
+  const Index parts = trial.state.size(), inputs = s.excitation.rows(), modes = parts / 2;
+  MatrixXd covariance = MatrixXd::Zero(parts, parts);
+  std::vector<Step> steps;
+  for (Index i = 0; i < trial.samples; ++i) {
+    const Changes now = changes_at(near, i);
+    const Eigen::FullPivLU<MatrixXd> from(now.states.leftCols(parts).transpose());
+    if (!from.isInvertible()) return;
+    // Changes by state, then what a change of the excitation does beside its change of the state.
+    const auto by_state = [&](const MatrixXd& changes) -> MatrixXd {
+      return from.solve(changes.leftCols(parts).transpose()).transpose();
+    };
+    const MatrixXd beside = now.states.rightCols(inputs), reading = by_state(now.errors);
+    MatrixXd push = MatrixXd::Zero(parts, inputs);
+    push.bottomRows(modes) =
+        s.sample_s * (now.accelerations.rightCols(inputs) - by_state(now.accelerations) * beside);
+    // The state before this sample's noise, then the noise.
+    MatrixXd both = MatrixXd::Identity(parts + inputs, parts + inputs);
+    both.topLeftCorner(parts, parts) = covariance;
+    Step step;
+    step.reading.resize(reading.rows(), parts + inputs);
+    step.reading << reading, now.errors.rightCols(inputs) - reading * beside + 0.5 * reading * push;
+    MatrixXd innovation = step.reading * both * step.reading.transpose();
+    innovation.diagonal().array() += 1;
+    step.lower = innovation.llt().matrixL();
+    step.gain = step.lower.triangularView<Eigen::Lower>().solve(step.reading * both).transpose();
+    both -= step.gain * step.gain.transpose();
+    step.transition = MatrixXd::Zero(parts, parts + inputs);
+    if (i + 1 < trial.samples) {
+      const MatrixXd on = by_state(changes_at(near, i + 1).states);
+      step.transition << on, on * push;
+    }
+    covariance = step.transition * both * step.transition.transpose();
+    if (!covariance.allFinite() || !step.lower.allFinite()) return;
+    steps.push_back(std::move(step));
+  }
+  steps_ = std::move(steps);
+}
+
+VectorXd DrivenNoise::whitened(VectorXd error) const {
+  if (steps_.empty()) return error;
+  const auto samples = static_cast<Index>(steps_.size()), channels = error.size() / samples;
+  const Index parts = steps_.front().transition.rows();
+  VectorXd both = VectorXd::Zero(steps_.front().transition.cols()), innovation(channels);
+  for (Index i = 0; i < samples; ++i) {
+    const Step& step = steps_[static_cast<std::size_t>(i)];
+    auto here = error(Eigen::seqN(i, channels, samples));
+    innovation = here - step.reading * both;
+    step.lower.triangularView<Eigen::Lower>().solveInPlace(innovation);
+    here = innovation;
+    both += step.gain * innovation;
+    const VectorXd next = step.transition * both;
+    both.setZero();
+    both.head(parts) = next;
+  }
+  return error;
+}
+
+}  // namespace secular
