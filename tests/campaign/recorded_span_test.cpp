@@ -24,13 +24,13 @@ Channel channel_of(Quantity quantity, ChannelRole role = ChannelRole::response) 
   return {"tip", role, quantity, "m"};
 }
 
-// A motion of 31 samples a turn, with noise, rounded to a step (0: not).
+// A motion of 31.37 samples a turn, with noise, rounded to a step (0: not).
 std::vector<double> motion(double noise, double step, double phase = 0.4) {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
   std::vector<double> x(recorded);
   for (std::size_t i = 0; i < recorded; ++i) {
-    x[i] = std::cos(2 * std::numbers::pi * static_cast<double>(i) / 31 + phase) + noise * normal(random);
+    x[i] = std::cos(2 * std::numbers::pi * static_cast<double>(i) / 31.37 + phase) + noise * normal(random);
     if (step > 0) x[i] = step * std::round(x[i] / step);
   }
   return x;

@@ -52,7 +52,8 @@ TEST(DecayStart, IsFoundWithFewSamplesATurn) {
       }
       const auto start = find_decay_start(x, 1);
       ASSERT_TRUE(start) << per_turn << ' ' << seed;
-      EXPECT_NEAR(start->frequency * per_turn / (2 * std::numbers::pi), 1, 0.02) << per_turn << ' ' << seed;
+      // Of 16 samples, with growth and sweep unknown: 1.5 % sd (0.4 % is the Cramer-Rao bound without them).
+      EXPECT_NEAR(start->frequency * per_turn / (2 * std::numbers::pi), 1, 0.06) << per_turn << ' ' << seed;
     }
 }
 
