@@ -26,12 +26,12 @@ struct Changes {
 
 Neighbours neighbours_of(const SegmentModel& model, const SegmentTrial& trial, const std::vector<Index>& at_jumps) {
   const Index parts = trial.state.size(), inputs = trial.segment.excitation.rows();
-  const VectorXd size = trial.state.cwiseAbs().cwiseMax(1e-3 * trial.state.cwiseAbs().maxCoeff() + 1e-30);
+  const VectorXd steps = state_steps(trial.state);
   std::vector<Segment> driven(static_cast<std::size_t>(inputs), trial.segment);
   std::vector<SegmentTrial> trials(1, trial);
   for (Index k = 0; k < parts; ++k) {
     trials.push_back(trial);
-    trials.back().state(k) += 1e-4 * size(k);
+    trials.back().state(k) += steps(k);
   }
   for (Index j = 0; j < inputs; ++j) {
     Segment& segment = driven[static_cast<std::size_t>(j)];

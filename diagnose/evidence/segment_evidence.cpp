@@ -211,13 +211,13 @@ void SegmentEvidence::freeze_bases(std::size_t first, std::size_t end, const Vec
   std::vector<SegmentTrial> trials;
   for (std::size_t s = first; s < end; ++s) {
     const VectorXd& state = frozen_[s].state;
-    const VectorXd size = state.cwiseAbs().cwiseMax(1e-3 * state.cwiseAbs().maxCoeff() + 1e-30);
+    const VectorXd steps = state_steps(state);
     segments.insert(segments.end(), of_one, s);
     const std::size_t still = trials.size();
     for (std::size_t i = 0; i < of_one; ++i) trials.push_back(frozen_trial(s, unknowns));
     for (std::size_t i = 0; i < 2 * modes; ++i) {
       const auto row = static_cast<Index>(i);
-      trials[still + 1 + i].state(row) += 1e-4 * size(row);
+      trials[still + 1 + i].state(row) += steps(row);
     }
     for (std::size_t k = 0; k < modes; ++k) {
       const double w = unknowns(static_cast<Index>(k));

@@ -13,6 +13,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+VectorXd state_steps(const VectorXd& state) {
+  return 1e-4 * state.cwiseAbs().cwiseMax(1e-3 * state.cwiseAbs().maxCoeff() + 1e-30);
+}
+
 VectorXd silenced(VectorXd error, Index samples, const std::vector<Index>& at) {
   for (Index first = 0; first + samples <= error.size(); first += samples)
     for (const Index sample : at)

@@ -18,6 +18,9 @@ struct SegmentTrial {
 /// Errors, channel after channel of `samples` each, with zeros at the samples `at`.
 Eigen::VectorXd silenced(Eigen::VectorXd error, Eigen::Index samples, const std::vector<Eigen::Index>& at);
 
+/// By each part of a state, the step of differences: a ten thousandth of it, or of a thousandth of the largest.
+Eigen::VectorXd state_steps(const Eigen::VectorXd& state);
+
 /// What the full equations of motion and the sensors make of segments.
 class SegmentModel {
  public:

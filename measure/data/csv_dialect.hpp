@@ -9,12 +9,13 @@ struct CsvDialect {
   char separator = ',';
   std::string_view name;
   bool decimal_comma = false;
+  bool in_names = false;  ///< names may hold it: a campaign's files have commas, which are looked for before
 };
 
 /// A file is of the first one whose separator stands in its header line outside of quotes; of the comma if none
-/// does. No channel's name holds one of them but the last.
+/// does. No channel's name holds one of them without `in_names`.
 inline constexpr CsvDialect csv_dialects[] = {
-    {';', "semicolon", true}, {',', "comma"}, {'\t', "tabulator", true}, {'|', "vertical bar", true}};
+    {';', "semicolon", true}, {',', "comma"}, {'\t', "tabulator", true}, {'|', "vertical bar", true, true}};
 
 /// Columns of a text without any of these separators, which one blank or more part.
 inline constexpr CsvDialect blank_dialect = {' ', "blank", true};

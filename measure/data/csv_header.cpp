@@ -248,10 +248,7 @@ std::string_view next_line(std::string_view& rest, char line_break) {
 FieldFault parse_number(std::string_view field, bool decimal_comma, double& value) {
   field = unquoted(field);
   if (field.empty()) return FieldFault::empty;
-  if (const std::optional<double> seconds = clock_stamp(field)) {
-    value = *seconds;
-    return FieldFault::none;
-  }
+  const std::string_view as_it_is = field;
   if (field.front() == '+' && field.size() > 1 && field[1] != '-') field.remove_prefix(1);
   char with_point[64];
   if (decimal_comma && field.size() <= sizeof with_point) {
@@ -259,13 +256,13 @@ FieldFault parse_number(std::string_view field, bool decimal_comma, double& valu
     field = std::string_view(with_point, field.size());
   }
   const auto result = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (result.ptr != field.data() + field.size() && (*result.ptr == 'D' || *result.ptr == 'd'))
-    if (const std::optional<double> number = fortran_number(field)) {  // 1.0D+00
-      value = *number;
-      return FieldFault::none;
-    }
-  if (result.ec == std::errc::invalid_argument || result.ptr != field.data() + field.size())
-    return FieldFault::text;
+  if (result.ec == std::errc::invalid_argument || result.ptr != field.data() + field.size()) {
+    std::optional<double> other = clock_stamp(as_it_is);
+    if (!other && (*result.ptr == 'D' || *result.ptr == 'd')) other = fortran_number(field);  // 1.0D+00
+    if (!other) return FieldFault::text;
+    value = *other;
+    return FieldFault::none;
+  }
   if (result.ec != std::errc() || !std::isfinite(value)) return FieldFault::not_finite;
   return FieldFault::none;
 }

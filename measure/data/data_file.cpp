@@ -160,12 +160,15 @@ const Format* format_of(const fs::path& path) {
 
 // Numbers without a unit count as seconds, unless they cannot be: their name says that they count samples, as
 // seconds they lie thousands of years off (a computer's clock, which counts milliseconds), or they are days as
-// MATLAB counts them, of which double precision leaves ten microseconds.
+// MATLAB and spreadsheets count them.
 void require_seconds(const DataVariable& time, const std::string& file) {
   constexpr std::string_view counters[] = {"sample", "samples", "index", "idx", "count", "counter", "row",
                                            "point",  "points",  "nr",    "no",  "#",     "scan",    "step"};
-  constexpr double latest = 1e11, finest = 1e-5;
-  constexpr std::pair<double, double> days_of_two_centuries[] = {{693961, 767011}, {1, 73050}};
+  constexpr double latest = 1e11;  // derived: the year 5138
+  struct Days {
+    double begin, end, finest;  // of two centuries; steps that are finer are no seconds
+  };
+  constexpr Days days[] = {{693961, 767011, 1e-5}, {20000, 73050, 1e-6}};  // MATLAB's, of a spreadsheet
   const auto wrong = [&](const std::string& what, const std::string& right) {
     return InputError(file, "variable " + time.name, what, right);
   };
@@ -177,9 +180,8 @@ void require_seconds(const DataVariable& time, const std::string& file) {
   const double first = time.values.front(), step = std::abs(time.values[1] - first);
   if (std::abs(first) > latest)
     throw wrong(fmt::format("begins at {:.6g}, which cannot be seconds, and states no unit", first), say);
-  // Of a spreadsheet half a minute apart at most, of MATLAB's ten microseconds.
-  for (const auto& [begin, end] : days_of_two_centuries)
-    if (first > begin && first < end && first > 20000 && step < (begin > 1 ? finest : finest / 10))
+  for (const Days& d : days)
+    if (first > d.begin && first < d.end && step < d.finest)
       throw wrong(fmt::format("begins at {:.9g} in steps of {:.3g}, as days do, and states no unit", first, step),
                   say);
 }

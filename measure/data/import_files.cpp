@@ -183,8 +183,9 @@ void note_missing(const DataFile& data, const std::vector<DescribedChannel>& cha
     const std::string& name = channels[c].channel.name;
     std::vector<std::vector<double>> filled = {record.channels[c]};
     fill_missing_cells(filled);
-    const std::size_t first = drop_ends_without_numbers(filled.front());
-    require_filled(filled.front(), name, data.file, data.place, first);
+    RowPlace place = data.place;
+    place.first += drop_ends_without_numbers(filled.front());
+    require_filled(filled.front(), name, data.file, place);
     read.warnings.push_back(fmt::format(
         "{}: {} of {} samples of {} are no finite numbers: written as nan, and replaced by what is around "
         "them, or cut off at the ends, where the record is read",

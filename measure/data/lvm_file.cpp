@@ -68,14 +68,9 @@ class LvmReader {
 
   // Up to the line of names: a header of the file and one of the segment.
   void read_headers() {
-    int ends = 0;
     while (!rest_.empty()) {
       const std::string_view line = trimmed(next());
-      if (line.starts_with(lvm_end_of_header)) {
-        ++ends;
-        continue;
-      }
-      if (line.empty()) continue;
+      if (line.empty() || line.starts_with(lvm_end_of_header)) continue;
       // Commas may part the fields of a file that says so in its second line or later.
       const char separator = line.starts_with("Separator") && line.ends_with("Comma") ? ',' : headers_.separator;
       std::vector<std::string_view> fields = lvm_fields(line, separator);
@@ -87,7 +82,7 @@ class LvmReader {
       values.assign(fields.begin() + 1, fields.end());
     }
     refuse(fmt::format("the text ends without a line of names that begins with {}", lvm_times),
-           fmt::format("names of the channels below {} of {} headers", lvm_end_of_header, std::max(ends, 2)));
+           fmt::format("names of the channels below {} of two headers", lvm_end_of_header));
   }
 
   void take_names(std::vector<std::string_view> fields) {

@@ -9,6 +9,7 @@
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/lost_rows.hpp"
+#include "measure/data/recorded_span.hpp"
 #include "numerics/fill_gaps.hpp"
 
 namespace secular {
@@ -77,9 +78,8 @@ FilledSamples fill_missing(std::vector<double>& stamps_s, std::vector<std::vecto
 
 std::size_t drop_ends_without_numbers(std::vector<double>& samples) {
   const auto is_number = [](double x) { return std::isfinite(x); };
-  constexpr std::size_t fewest_kept = 256;  // as cut_unrecorded leaves
   const auto last = std::find_if(samples.rbegin(), samples.rend(), is_number).base();
-  if (last - std::find_if(samples.begin(), samples.end(), is_number) < static_cast<std::ptrdiff_t>(fewest_kept))
+  if (last - std::find_if(samples.begin(), samples.end(), is_number) < static_cast<std::ptrdiff_t>(fewest_recorded))
     return 0;
   samples.erase(last, samples.end());
   const auto first = std::find_if(samples.begin(), samples.end(), is_number);
@@ -89,15 +89,13 @@ std::size_t drop_ends_without_numbers(std::vector<double>& samples) {
 }
 
 void require_filled(const std::vector<double>& samples, const std::string& channel, const std::string& file,
-                    const RowPlace& place, std::size_t first_row) {
+                    const RowPlace& place) {
   const auto is_missing = [](double x) { return !std::isfinite(x); };
   const auto first = std::find_if(samples.begin(), samples.end(), is_missing);
   if (first == samples.end()) return;
   const auto length = std::find_if_not(first, samples.end(), is_missing) - first;
   throw InputError(
-      file,
-      fmt::format("{}, column {}", place.of(first_row + static_cast<std::size_t>(first - samples.begin())),
-                  channel),
+      file, fmt::format("{}, column {}", place.of(static_cast<std::size_t>(first - samples.begin())), channel),
       length == 1 ? std::string("is no finite number, and what is around it does not tell it")
                   : fmt::format("{} in a row are no finite numbers", length),
       fmt::format("up to {} in a row are replaced by what enough numbers around them tell; cut the record around "

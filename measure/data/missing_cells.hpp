@@ -31,13 +31,12 @@ struct FilledSamples {
 /// Fills missing cells, then lost rows (fill_lost_rows; none where cells are left).
 FilledSamples fill_missing(std::vector<double>& stamps_s, std::vector<std::vector<double>>& channels);
 
-/// Takes off what are no numbers at both ends, where 256 samples or more are left. Returns how many there were at
-/// the beginning.
+/// Takes off what are no numbers at both ends, where fewest_recorded samples or more are left. Returns how many
+/// there were at the beginning.
 std::size_t drop_ends_without_numbers(std::vector<double>& samples);
 
 /// Throws InputError where a channel has samples that could not be filled, with the row where the first gap begins.
-/// `first`: how many rows came before.
 void require_filled(const std::vector<double>& samples, const std::string& channel, const std::string& file,
-                    const RowPlace& place, std::size_t first = 0);
+                    const RowPlace& place);
 
 }  // namespace secular

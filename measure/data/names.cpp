@@ -30,7 +30,7 @@ std::string channel_name_fault(std::string_view name) {
   if (name.empty()) return "is empty; every channel has a name";
   if (name == "t") return "is 't', which names time; every channel has a name of its own";
   for (const CsvDialect& dialect : csv_dialects)
-    if (dialect.separator != '|' && name.find(dialect.separator) != std::string_view::npos)
+    if (!dialect.in_names && name.find(dialect.separator) != std::string_view::npos)
       return fmt::format("'{}' has a {}, which a CSV header cannot hold", name, dialect.name);
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
   if (name.find('"') != std::string_view::npos || std::any_of(name.begin(), name.end(), is_control))

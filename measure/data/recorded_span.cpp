@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "measure/data/chance_of_repeat.hpp"
+#include "measure/data/false_alarm.hpp"
 #include "measure/data/resolution.hpp"
 #include "measure/thresholds.hpp"
 #include "numerics/fill_gaps.hpp"
@@ -17,7 +18,6 @@ namespace {
 
 constexpr auto& neighbours_of_end =
     measure_thresholds().beside_unrecorded;  // samples that tell how the motion goes there
-constexpr std::size_t fewest_left = 256;     // samples of a record, of which a few more are told (fill_gaps)
 
 enum class End { first, last };
 
@@ -156,6 +156,11 @@ bool is_recorded(const Tail& tail, const Channel& channel, End end, bool at_both
          tail.is_chance(gap, std::sqrt(2.0) * noise, step, false_alarm);
 }
 
+void keep(std::vector<double>& values, std::size_t begin, std::size_t end) {
+  values.resize(end);
+  values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(begin));
+}
+
 }  // namespace
 
 RecordedSpan recorded_span(std::span<const double> x, const Channel& channel, double false_alarm) {
@@ -177,10 +182,7 @@ void cut_record(Record& record, std::size_t first, std::size_t count) {
     std::erase_if(places, [&](std::size_t place) { return place < first || place >= first + count; });
     for (std::size_t& place : places) place -= first;
   };
-  for (std::vector<double>& samples : record.channels) {
-    samples.resize(first + count);
-    samples.erase(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(first));
-  }
+  for (std::vector<double>& samples : record.channels) keep(samples, first, first + count);
   std::erase_if(record.unrecorded, [&](const Unrecorded& part) {
     return part.replaced && (part.at_end ? first + count < whole : first > 0);
   });
@@ -192,8 +194,7 @@ void cut_record(Record& record, std::size_t first, std::size_t count) {
 CutEnds cut_unrecorded(const Campaign& campaign, std::vector<double>& stamps,
                        std::vector<std::vector<double>>& channels) {
   const std::size_t rows = stamps.size();
-  const double false_alarm = measure_thresholds().disturbance_false_alarm /
-                             static_cast<double>(2 * campaign.records.size() * campaign.channels.size());
+  const double false_alarm = false_alarm_of_channel(campaign) / 2;  // of one end
   std::size_t begin = 0, end = rows;
   std::vector<RecordedSpan> spans;
   for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -201,7 +202,7 @@ CutEnds cut_unrecorded(const Campaign& campaign, std::vector<double>& stamps,
     if (spans[c].begin > longest_filled) begin = std::max(begin, spans[c].begin);
     if (rows - spans[c].end > longest_filled) end = std::min(end, spans[c].end);
   }
-  if (end < begin + fewest_left) return {};
+  if (end < begin + fewest_recorded) return {};
   CutEnds cut{begin, rows - (end - begin), {}};
   for (std::size_t c = 0; c < channels.size(); ++c) {
     std::vector<double>& x = channels[c];
@@ -214,11 +215,9 @@ CutEnds cut_unrecorded(const Campaign& campaign, std::vector<double>& stamps,
     };
     note(false, 0, spans[c].begin);
     note(true, spans[c].end, rows);
-    x.resize(end);
-    x.erase(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(begin));
+    keep(x, begin, end);
   }
-  stamps.resize(end);
-  stamps.erase(stamps.begin(), stamps.begin() + static_cast<std::ptrdiff_t>(begin));
+  keep(stamps, begin, end);
   return cut;
 }
 

@@ -30,6 +30,9 @@ struct RecordedSpan {
 /// channel of one value is left as it is.
 RecordedSpan recorded_span(std::span<const double> samples, const Channel& channel, double false_alarm);
 
+/// Samples of a record that are left at least where ends are cut off: they tell a few more (fill_gaps).
+inline constexpr std::size_t fewest_recorded = 256;
+
 struct CutEnds {
   std::size_t first = 0, rows = 0;  ///< how many came first, and how many are gone
   std::vector<Unrecorded> unrecorded;
@@ -37,7 +40,7 @@ struct CutEnds {
 
 /// Ends a record where the first channel ends, begins it where the last one begins: takes rows off both ends of the
 /// stamps and of all channels, before missing samples are filled. At most longest_filled samples of a channel
-/// become missing ones (NaN) instead. Nothing where fewer than 256 rows would be left.
+/// become missing ones (NaN) instead. Nothing where fewer than fewest_recorded rows would be left.
 CutEnds cut_unrecorded(const Campaign& campaign, std::vector<double>& stamps,
                        std::vector<std::vector<double>>& channels);
 

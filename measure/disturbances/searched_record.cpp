@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "measure/data/false_alarm.hpp"
 #include "measure/disturbances/catalogue.hpp"
 #include "measure/disturbances/motion_events.hpp"
-#include "measure/thresholds.hpp"
 #include "numerics/fill_gaps.hpp"
 
 namespace secular {
@@ -85,11 +85,6 @@ Disturbance SearchedRecord::found(std::string_view kind, std::size_t c, double s
   disturbance.unit = channel(c).unit;
   disturbance.share = channels[c].rms > 0 ? size / channels[c].rms : 0;
   return disturbance;
-}
-
-double false_alarm_of_channel(const Campaign& campaign) {
-  return measure_thresholds().disturbance_false_alarm /
-         static_cast<double>(campaign.records.size() * campaign.channels.size());
 }
 
 SearchedRecord searched(const Campaign& campaign, std::size_t index, const Record& record,

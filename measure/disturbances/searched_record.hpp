@@ -50,9 +50,6 @@ struct SearchedRecord {
   Disturbance found(std::string_view kind, std::size_t channel, double size) const;
 };
 
-/// False alarm of one row of the catalogue on one channel of a record.
-double false_alarm_of_channel(const Campaign& campaign);
-
 /// Values are those of each channel's longest stretch in which no channel lacks a sample.
 SearchedRecord searched(const Campaign& campaign, std::size_t index, const Record& record,
                         const std::vector<ChannelValues>& values);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "measure/data/false_alarm.hpp"
 #include "measure/disturbances/converter_lines.hpp"
 #include "measure/disturbances/rows.hpp"
 #include "measure/disturbances/searched_record.hpp"

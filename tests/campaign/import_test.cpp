@@ -268,6 +268,8 @@ TEST_F(Import, ATimeThatIsNoneIsAskedFor) {
   EXPECT_TRUE(contains(complaint(), "cannot be seconds"));
   take("t", {"739000.5", "739000.50000001", "739000.50000002"});
   EXPECT_TRUE(contains(complaint(), "as days do"));
+  take("t", {"45413.5", "45413.50000001", "45413.50000002"});
+  EXPECT_TRUE(contains(complaint(), "as days do"));
   take("t", {"1700000000.0", "1700000000.1", "1700000000.2"});
   EXPECT_NEAR(import_files(options_).campaign.sample_rate_hz, 10, 1e-4);
 }
