@@ -7,8 +7,10 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
+#include "app/predict/expansion_range.hpp"
 #include "app/predict/measured_points.hpp"
 #include "app/shared/model_loading.hpp"
 #include "app/shared/number_file.hpp"
@@ -66,7 +68,8 @@ class Predictor {
     read_parameters();
     const ResponseField field(*result_.model, *result_.resonance);
     try {
-      outside_ = source.outside_expansion(std::string(result_.resonance->name));
+      range_.emplace(*result_.model, *result_.resonance,
+                     source.expansion_sizes(std::string(result_.resonance->name)));
     } catch (const InputError& error) {  // a compiled model without its file
       result_.warnings.push_back(std::string("where the expansion ends is not known: ") + error.what());
     }
@@ -200,73 +203,76 @@ class Predictor {
                          "a natural frequency in rad/s was expected");
   }
 
-  bool is_outside(const VectorXd& parameters, const std::vector<std::complex<double>>& amplitude) const {
-    const double* const frequency = parameters.data() + result_.model->symbols.size();
-    const std::size_t excitations = result_.model->excitations.size();
-    std::vector<std::complex<double>> forcing(std::max<std::size_t>(1, excitations));
-    for (std::size_t j = 0; j < excitations && result_.resonance->excited; ++j)
-      forcing[j] = frequency[excitations + j];
-    return outside_ && outside_(parameters.data(), frequency, amplitude.data(), forcing.data());
-  }
+  struct Place {
+    VectorXd parameters;
+    const std::vector<std::complex<double>>* amplitude;
+    bool* outside;
+    bool counts;  ///< special points lie among others
+  };
 
-  void warn_of_outside(std::size_t outside, std::size_t all) {
+  // A motion at rest is one of the full equations.
+  void mark(std::vector<Place> places) {
+    if (!range_) return;
+    std::erase_if(places, [](const Place& place) {
+      return std::all_of(place.amplitude->begin(), place.amplitude->end(),
+                         [](const std::complex<double>& a) { return a == 0.0; });
+    });
+    in_parallel(places.size(), request_.threads, [&](std::size_t i) {
+      *places[i].outside = range_->excludes(places[i].parameters, *places[i].amplitude);
+    });
+    const auto outside = std::count_if(places.begin(), places.end(),
+                                       [](const Place& place) { return place.counts && *place.outside; });
     if (outside == 0) return;
     result_.warnings.push_back(fmt::format(
-        "{} of {} points lie outside of the expansion's range: there its last order exceeds every order before, "
-        "and the full equations need not have such a motion. They are marked (outside_expansion)",
-        outside, all));
+        "{} of {} points lie outside of the expansion's range: there its last order, or what the full equations "
+        "add "
+        "to it, exceeds every order before. The full equations need not have such a motion. These points are "
+        "marked "
+        "(outside_expansion)",
+        outside, std::count_if(places.begin(), places.end(), [](const Place& place) { return place.counts; })));
   }
 
   void mark_diagram(const ResponseRequest& response) {
-    std::size_t outside = 0, all = 0;
-    const auto mark = [&](ResponsePoint& point) {
+    std::vector<Place> places;
+    const auto add = [&](ResponsePoint& point, bool counts) {
       VectorXd parameters = response.parameters;
       parameters(response.parameter) = point.parameter;
-      point.outside = !point.at_rest && is_outside(parameters, point.modes.amplitude);
+      places.push_back({std::move(parameters), &point.modes.amplitude, &point.outside, counts});
     };
     for (ResponseBranch& branch : result_.diagram.branches) {
-      for (ResponsePoint& point : branch.points) {
-        mark(point);
-        outside += point.outside;
-      }
-      all += branch.points.size();
-      for (ResponseSpecial& special : branch.special) mark(special.at);
+      for (ResponsePoint& point : branch.points) add(point, true);
+      for (ResponseSpecial& special : branch.special) add(special.at, false);
     }
-    warn_of_outside(outside, all);
+    mark(std::move(places));
   }
 
   void mark_curves(const CurveRequest& request) {
-    std::size_t outside = 0, all = 0;
-    const auto mark = [&](ResponseCurvePoint& point) {
+    std::vector<Place> places;
+    const auto add = [&](ResponseCurvePoint& point, bool counts) {
       VectorXd parameters = request.response.parameters;
       parameters(request.response.parameter) = point.first;
       parameters(request.second) = point.second;
-      const bool at_rest = std::all_of(point.modes.amplitude.begin(), point.modes.amplitude.end(),
-                                       [](const std::complex<double>& b) { return b == 0.0; });
-      point.outside = !at_rest && is_outside(parameters, point.modes.amplitude);
+      places.push_back({std::move(parameters), &point.modes.amplitude, &point.outside, counts});
     };
     for (ResponseCurve& curve : result_.curves) {
-      for (ResponseCurvePoint& point : curve.points) {
-        mark(point);
-        outside += point.outside;
-      }
-      all += curve.points.size();
-      for (auto& [kind, at] : curve.special) mark(at);
+      for (ResponseCurvePoint& point : curve.points) add(point, true);
+      for (auto& [kind, at] : curve.special) add(at, false);
     }
-    warn_of_outside(outside, all);
+    mark(std::move(places));
   }
 
   void mark_backbones(const ResponseField& field) {
-    std::size_t outside = 0, all = 0;
+    std::vector<std::vector<std::complex<double>>> amplitudes;
     for (std::size_t k = 0; k < result_.backbones.size(); ++k)
-      for (BackbonePoint& point : result_.backbones[k].second) {
-        std::vector<std::complex<double>> amplitude(result_.model->modes());
-        amplitude[field.active()[k]] = point.amplitude;
-        point.outside = is_outside(result_.parameters, amplitude);
-        outside += point.outside;
-        ++all;
+      for (const BackbonePoint& point : result_.backbones[k].second) {
+        amplitudes.emplace_back(result_.model->modes());
+        amplitudes.back()[field.active()[k]] = point.amplitude;
       }
-    warn_of_outside(outside, all);
+    std::vector<Place> places;
+    for (auto& [name, points] : result_.backbones)
+      for (BackbonePoint& point : points)
+        places.push_back({result_.parameters, &amplitudes[places.size()], &point.outside, true});
+    mark(std::move(places));
   }
 
   void add_backbones(const ResponseField& field) {
@@ -367,7 +373,7 @@ class Predictor {
 
   const PredictionRequest& request_;
   const SweepProgress& progress_;
-  ModelSource::OutsideExpansion outside_;
+  std::optional<ExpansionRange> range_;
   Prediction result_;
 };
 

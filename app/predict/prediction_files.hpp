@@ -8,8 +8,7 @@ namespace secular::app {
 
 /// prediction.json: every branch with its points, stability, special points and how it ends; curves, backbones and
 /// simulated sweeps. Amplitudes are peak values, in the coordinates' units; frequencies in rad/s, with "hz" beside.
-/// "outside_expansion" at a point: the expansion's last order exceeds every order before, and the full equations
-/// need not have such a motion.
+/// "outside_expansion" at a point: outside of ExpansionRange, the full equations need not have such a motion.
 std::string prediction_json(const Prediction& prediction);
 
 /// The same points as a table, one line each.

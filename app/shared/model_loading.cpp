@@ -90,13 +90,9 @@ std::shared_ptr<const CompiledModel> ModelSource::load(const std::vector<std::st
   return load_file(file_, cases, {});
 }
 
-ModelSource::OutsideExpansion ModelSource::outside_expansion(const std::string& resonance) const {
+ExpansionSizes ModelSource::expansion_sizes(const std::string& resonance) const {
   const CanonicalModel model = canonical_model(read_model(model_file()), resonance);
-  const auto sizes = std::make_shared<const ExpansionSizes>(model, model.cases.at(0));
-  return [sizes](const double* parameters, const double* excitation_frequency,
-                 const std::complex<double>* amplitude, const std::complex<double>* forcing) {
-    return sizes->outside({parameters, excitation_frequency, amplitude, forcing});
-  };
+  return {model, model.cases.at(0)};
 }
 
 AugmentedCompiledModel ModelSource::load_with_effects(std::span<const EffectTerm> effects,

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "codegen/runtime/expansion_sizes.hpp"
 #include "estimator/model/compiled_model.hpp"
 #include "perturb/effect_catalogue.hpp"
 
@@ -48,12 +49,8 @@ class ModelSource {
   /// The model with the named cases (at least); notes go to standard error.
   std::shared_ptr<const CompiledModel> load(const std::vector<std::string>& cases) const;
 
-  /// Whether a state is outside of the range in which a case's expansion says something (ExpansionSizes::outside);
-  /// arrays as for CompiledCase::modulation. Derives the case from the model's file.
-  using OutsideExpansion =
-      std::function<bool(const double* parameters, const double* excitation_frequency,
-                         const std::complex<double>* amplitude, const std::complex<double>* forcing)>;
-  OutsideExpansion outside_expansion(const std::string& resonance) const;
+  /// Of one case, which is derived from the model's file.
+  ExpansionSizes expansion_sizes(const std::string& resonance) const;
 
   /// The model with effects of the catalogue (see with_effects) and the named cases; none: equations of motion
   /// alone, which compile fast. Always derived at run time from the model's file.

@@ -22,17 +22,26 @@ ExpansionSizes::ExpansionSizes(const CanonicalModel& model, const CanonicalCase&
       excitations_(model.excitations.size()),
       symbols_(model.order.size()),
       last_(static_cast<std::size_t>(resonance.expand_to)),
+      tells_rates_(resonance.quadratures.empty()),
       formulas_(model.order.size()) {
   for (const std::string& name : model.parameters)
     symbol_of_parameter_.push_back(
         static_cast<std::size_t>(std::find(model.order.begin(), model.order.end(), name) - model.order.begin()));
-  for (std::size_t k = 0; k < modes_; ++k)
-    for (const CanonicalTerm& term : resonance.harmonics[k])
-      terms_.push_back({k, static_cast<std::size_t>(term.order), formulas_.add(term.real),
-                        formulas_.add(term.imaginary), degree(term.powers) > 1, Monomial(term.powers)});
+  const auto add = [&](std::vector<Term>& to, std::size_t mode, const std::vector<CanonicalTerm>& terms) {
+    for (const CanonicalTerm& term : terms)
+      to.push_back({mode, static_cast<std::size_t>(term.order), formulas_.add(term.real),
+                    formulas_.add(term.imaginary), degree(term.powers), Monomial(term.powers)});
+  };
+  for (std::size_t k = 0; k < modes_; ++k) {
+    add(displacement_, k, resonance.harmonics[k]);
+    add(rate_, k, resonance.slow_derivative[k]);
+  }
+  linear_when_small_ = std::none_of(rate_.begin(), rate_.end(), [](const Term& term) { return term.degree < 1; });
 }
 
-bool ExpansionSizes::outside(const State& state) const {
+template <class Counts>
+std::vector<std::vector<double>> ExpansionSizes::sizes(const std::vector<Term>& terms, const State& state,
+                                                       const Counts& counts) const {
   std::vector<double> symbols(symbols_, 0.0);
   symbols.back() = std::numbers::pi;
   for (std::size_t p = 0; p < symbol_of_parameter_.size(); ++p)
@@ -40,15 +49,33 @@ bool ExpansionSizes::outside(const State& state) const {
   if (state.excitation_frequency)
     std::copy_n(state.excitation_frequency, excitations_, symbols.begin() + static_cast<std::ptrdiff_t>(modes_));
   const FormulaSet::Values value(formulas_, symbols.data());
-  std::vector<std::vector<double>> sizes(modes_, std::vector<double>(last_ + 1, 0.0));
-  for (std::size_t k = 0; k < modes_; ++k) sizes[k][0] = std::abs(state.amplitude[k]);
-  for (const Term& term : terms_)
-    if (term.order < last_ || (term.order == last_ && term.nonlinear))
-      sizes[term.mode][term.order] += std::hypot(value[term.real], value[term.imaginary]) *
-                                      std::abs(term.monomial(state.amplitude, state.forcing));
-  return std::any_of(sizes.begin(), sizes.end(), [](const std::vector<double>& of_mode) {
+  std::vector<std::vector<double>> result(modes_, std::vector<double>(last_ + 1, 0.0));
+  for (const Term& term : terms)
+    if (term.order <= last_ && counts(term))
+      result[term.mode][term.order] += std::hypot(value[term.real], value[term.imaginary]) *
+                                       std::abs(term.monomial(state.amplitude, state.forcing));
+  return result;
+}
+
+bool ExpansionSizes::outside(const State& state) const {
+  std::vector<std::vector<double>> all =
+      sizes(displacement_, state, [&](const Term& term) { return term.order < last_ || term.degree > 1; });
+  for (std::size_t k = 0; k < modes_; ++k) all[k][0] += std::abs(state.amplitude[k]);
+  return std::any_of(all.begin(), all.end(), [](const std::vector<double>& of_mode) {
     return of_mode.back() > *std::max_element(of_mode.begin(), of_mode.end() - 1);
   });
+}
+
+std::vector<double> ExpansionSizes::largest_rates(const State& state) const {
+  const std::vector<std::vector<double>> nonlinear =
+                                             sizes(rate_, state, [](const Term&term) { return term.degree != 1; }),
+                                         all = sizes(rate_, state, [](const Term&) { return true; });
+  std::vector<double> result;
+  for (std::size_t k = 0; k < modes_; ++k) {
+    const double largest = *std::max_element(nonlinear[k].begin(), nonlinear[k].end());
+    result.push_back(largest > 0 ? largest : *std::max_element(all[k].begin(), all[k].end()));
+  }
+  return result;
 }
 
 }  // namespace secular

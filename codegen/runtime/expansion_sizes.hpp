@@ -9,11 +9,9 @@
 
 namespace secular {
 
-/// How much each order of a case's expansion of the displacements contributes at a state, and whether the expansion
-/// still says something there. An order's size is the sum of the moduli of its terms, phases left out, so that
-/// terms of one order that happen to cancel do not hide it. (Orders of dA/dt are no such measure: what the model
-/// counts as small of first order, a damping perhaps, may be smaller than what it counts as second.) Needs
-/// CanonicalContent::all; `model` and `resonance` need not outlive it.
+/// How much each order of a case's expansion contributes at a state, and whether the expansion still says something
+/// there. An order's size is the sum of the moduli of its terms, phases left out, so that terms of one order that
+/// happen to cancel do not hide it. Needs CanonicalContent::all; `model` and `resonance` need not outlive it.
 class ExpansionSizes {
  public:
   ExpansionSizes(const CanonicalModel& model, const CanonicalCase& resonance);
@@ -26,23 +24,39 @@ class ExpansionSizes {
     const std::complex<double>* forcing;
   };
   /// An asymptotic series ends with its smallest term: whether in some mode the nonlinear terms of the last order
-  /// exceed every order before, A itself included. (Every one, since orders may vanish by symmetry or for want of a
-  /// coefficient.) Linear terms of the last order are as large as the orders that the model gives its parameters,
-  /// whatever the amplitude: they are no sign.
+  /// of the displacement exceed every order before, A itself included. (Every one, since orders may vanish by
+  /// symmetry or for want of a coefficient. Orders of dA/dt are no such measure: what the model counts as small of
+  /// first order, a damping perhaps, may be smaller than what it counts as second.) Linear terms of the last order
+  /// are as large as the orders that the model gives its parameters, whatever the amplitude: they are no sign.
   bool outside(const State& state) const;
+
+  /// [mode]: size of the largest order of dA/dt, of its terms that are not linear in amplitudes and excitation; of
+  /// a mode without any of these, of all its terms. What an expansion leaves out is to be smaller than that. (Than
+  /// its largest order, since the last one may be small by symmetry or for want of a coefficient.)
+  std::vector<double> largest_rates(const State& state) const;
+  /// Whether dA/dt is a sum of terms, as largest_rates needs it; not where it takes quadrature.
+  bool tells_rates() const { return tells_rates_; }
+  /// Whether terms that are not linear in amplitudes and excitation vanish beside those that are as all of these
+  /// shrink; not with dry friction.
+  bool linear_when_small() const { return linear_when_small_; }
 
  private:
   struct Term {
     std::size_t mode = 0, order = 0;
     std::size_t real = 0, imaginary = 0;  ///< in formulas_
-    bool nonlinear = false;
+    int degree = 1;                       ///< in amplitudes and excitation together
     Monomial monomial;
   };
+  /// [mode][order]: sums of moduli of the terms that `counts` says to count.
+  template <class Counts>
+  std::vector<std::vector<double>> sizes(const std::vector<Term>& terms, const State& state,
+                                         const Counts& counts) const;
 
   std::size_t modes_, excitations_, symbols_, last_;  // last_: order
+  bool tells_rates_, linear_when_small_;
   std::vector<std::size_t> symbol_of_parameter_;
   FormulaSet formulas_;
-  std::vector<Term> terms_;
+  std::vector<Term> displacement_, rate_;
 };
 
 }  // namespace secular

@@ -41,6 +41,14 @@ std::optional<BalancedMotions::SignedLine> BalancedMotions::find(const LinePhase
 
 std::optional<BalancedMotions::Balanced> BalancedMotions::at(const Eigen::VectorXd& parameters,
                                                              const Observation& o, const Motion* start) const {
+  std::optional<Balanced> result = in_balance(parameters, o, start);
+  if (result && !is_near_what_was_measured(*result, o)) result.reset();
+  return result;
+}
+
+std::optional<BalancedMotions::Balanced> BalancedMotions::in_balance(const Eigen::VectorXd& parameters,
+                                                                     const Observation& o,
+                                                                     const Motion* start) const {
   if (!base_) return std::nullopt;
   Balanced result;
   MotionSetting& setting = result.setting;
@@ -64,7 +72,7 @@ std::optional<BalancedMotions::Balanced> BalancedMotions::at(const Eigen::Vector
           .solve(setting,
                  Eigen::Map<const Eigen::VectorXcd>(amplitudes.data(), static_cast<Index>(amplitudes.size())),
                  std::span(parameters.data(), static_cast<std::size_t>(parameters.size())), start);
-  if (!result.motion.converged || !is_near_what_was_measured(result, o)) return std::nullopt;
+  if (!result.motion.converged) return std::nullopt;
   return result;
 }
 

@@ -25,8 +25,13 @@ class BalancedMotions {
     Motion motion;
   };
 
-  /// Nothing where the case has more than two independent frequencies, the motion is too strong for its lines to be
-  /// found, or what they make is quite another motion. `start`: as MotionBalance::solve takes it.
+  /// Whether there is anything to balance: not in a case of more than two independent frequencies.
+  bool known() const { return base_.has_value(); }
+  /// Nothing where it is not known(), or the motion is too strong for its lines to be found. Of the observation its
+  /// excitation, amplitudes and rates are read. `start`: as MotionBalance::solve takes it.
+  std::optional<Balanced> in_balance(const Eigen::VectorXd& parameters, const Observation& observation,
+                                     const Motion* start = nullptr) const;
+  /// Nothing also where what the lines make is quite another motion than the observed one.
   std::optional<Balanced> at(const Eigen::VectorXd& parameters, const Observation& observation,
                              const Motion* start = nullptr) const;
 

@@ -65,6 +65,11 @@ name = "super2"
 relations = ["2*Omega = w + eps*sigma"]
 order = { d = 1, b1 = 1, b2 = 1, k = 0 }
 expand_to = 2
+[[case]]
+name = "primary"
+relations = ["Omega = w + eps^2*sigma"]
+order = { d = 2, b1 = 1, b2 = 2, k = 2 }
+expand_to = 2
 )toml");
   }
 
@@ -81,11 +86,12 @@ expand_to = 2
                    " " + arguments);
   }
 
-  // Whether the full equations, started on the predicted motion (with its forced part), stay near its amplitude.
+  // Whether the full equations, started on the predicted motion (with its forced part, which a primary resonance
+  // has in it), stay near its amplitude.
   static bool exists(const Oscillator& o, const nlohmann::json& point, double multiple) {
     const double omega = point["Omega"].get<double>(), a = point["modes"][0]["amplitude"].get<double>();
     const double phase = point["modes"][0]["phase"].get<double>();
-    const double forced = o.k * o.F / (o.w * o.w - omega * omega);
+    const double forced = multiple == 1 ? 0 : o.k * o.F / (o.w * o.w - omega * omega);
     const double x = a * std::cos(phase) + forced, v = -multiple * omega * a * std::sin(phase);
     return std::abs(settled_amplitude(o, omega, multiple, x, v) / a - 1) < 0.15;
   }
@@ -126,6 +132,48 @@ TEST_F(PredictRange, StableMotionsThatAreMarkedDoNotExist) {
       EXPECT_FALSE(exists(o, point, 2)) << point.dump();
     }
   EXPECT_GT(marked, 0);
+}
+
+// A spring that softens, up to an amplitude where it pushes no longer back: the expansion's orders fall there
+// still.
+TEST_F(PredictRange, ABranchBeyondTheHilltopIsMarked) {
+  for (const Oscillator& o : {Oscillator{1, 0.02, 0.3, -0.05, 1, 0.1}, Oscillator{1, 0.02, 0.36, 0, 1, 0.09}}) {
+    int marked = 0, unmarked = 0;
+    const nlohmann::json found = predict(o, "--case primary --vary Omega 0.7 1.1");
+    for (const auto& branch : found["branches"])
+      for (const auto& point : branch["points"]) {
+        const bool outside = point["outside_expansion"].get<bool>();
+        const double amplitude = point["modes"][0]["amplitude"].get<double>();
+        if (!point["stable"].get<bool>() || amplitude < 0.8 || std::abs(amplitude / 1.7 - 1) < 0.1) continue;
+        if ((outside ? marked : unmarked)++ % 4 != 0) continue;
+        EXPECT_NE(outside, exists(o, point, 1)) << point.dump();
+      }
+    EXPECT_GT(marked, 8);
+    EXPECT_GT(unmarked, 8);
+  }
+}
+
+// With friction the linear part of what the expansion leaves has no limit at small motions.
+TEST_F(PredictRange, FrictionAndLinearModelsAreInside) {
+  write("friction.toml", R"toml(schema = 1
+name = "friction_and_drag"
+[[mode]]
+coordinate = "x"
+frequency = "w"
+equation = "D2(x) + d*D(x) + c*sgn(D(x)) + q*D(x)*abs(D(x)) + w^2*x = k*F*cos(Omega*t)"
+[[case]]
+name = "primary"
+relations = ["Omega = w + eps*sigma"]
+order = { d = 1, c = 1, q = 1, k = 1 }
+expand_to = 1
+)toml");
+  for (const std::string numbers :
+       {R"({"w":1,"d":0.02,"c":0.01,"q":0.05,"k":1})", R"({"w":1,"d":0.05,"c":0,"q":0,"k":1})"}) {
+    write("numbers.json", numbers);
+    const nlohmann::json found = predict((folder_ / "friction.toml").string() + " --parameters " +
+                                         (folder_ / "numbers.json").string() + " --at F=0.1 --vary Omega 0.9 1.1");
+    EXPECT_EQ(found.dump().find("\"outside_expansion\":true"), std::string::npos) << numbers;
+  }
 }
 
 TEST_F(PredictRange, SpuriousBranchesOfTheFault) {
