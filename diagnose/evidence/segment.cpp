@@ -111,13 +111,14 @@ class Cutter {
   }
 
   // By excitation channel. What a sweep or a blow leaves of the spectrum's upper half is noise; broadband
-  // excitation may fill all of it.
+  // excitation may fill it.
   Eigen::VectorXd excitation_noise(const RecordEntry& entry, const Movement& m) const {
     Eigen::VectorXd noise = Eigen::VectorXd::Zero(m.part.samples.cols() - responses_);
-    if (entry.kind != RecordKind::sweep && entry.kind != RecordKind::impact) return noise;
-    for (Index j = 0; j < noise.size(); ++j) {
+    for (Index j = 0; m.driven && j < noise.size(); ++j) {
       const Eigen::VectorXd channel = m.part.samples.col(responses_ + j);
-      noise(j) = noise_floor({channel.data(), static_cast<std::size_t>(channel.size())}).value_or(0);
+      const std::span<const double> samples(channel.data(), static_cast<std::size_t>(channel.size()));
+      const auto floor = entry.kind == RecordKind::broadband ? flat_noise_floor(samples) : noise_floor(samples);
+      noise(j) = floor.value_or(0);
     }
     return noise;
   }
