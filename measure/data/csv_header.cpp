@@ -150,6 +150,73 @@ struct Beginning {
   }
 };
 
+// Rows of numbers without names above them.
+struct NamelessRows {
+  CsvDialect dialect;
+  std::size_t columns = 0;
+};
+
+bool is_whole_number(std::string_view field) {
+  return field.find_first_not_of("+-0123456789") == std::string_view::npos;
+}
+
+// A row of numbers as the dialect parts it: empty where it is none.
+std::vector<std::string_view> number_row(std::string_view line, const CsvDialect& dialect) {
+  std::vector<std::string_view> fields = split_quoted(trimmed(line), dialect.separator);
+  while (fields.size() > 1 && fields.back().empty()) fields.pop_back();
+  const bool numbers = std::all_of(fields.begin(), fields.end(),
+                                   [&](std::string_view field) { return is_number(field, dialect.decimal_comma); });
+  return numbers ? fields : std::vector<std::string_view>();
+}
+
+// 0,1,2 or 1,2,3 in the first line: columns that have been counted (pandas does), or a row.
+bool counts_columns(const std::vector<std::string_view>& fields) {
+  if (fields.size() < 2 || (fields[0] != "0" && fields[0] != "1")) return false;
+  for (std::size_t c = 0; c < fields.size(); ++c)
+    if (fields[c] != std::to_string(c + (fields[0] == "1" ? 1 : 0))) return false;
+  return true;
+}
+
+// Whether commas may be decimal marks as well as separators: whole numbers alone, and two in a line, or one that
+// begins with a nought as digits behind a comma do.
+bool may_be_decimals(const std::vector<std::vector<std::string_view>>& rows) {
+  bool nought = false;
+  for (const std::vector<std::string_view>& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      if (!is_whole_number(row[c])) return false;
+      nought = nought || (c > 0 && row[c].size() > 1 && row[c].front() == '0');
+    }
+  return nought || rows.front().size() == 2;
+}
+
+// Of a text whose first line that may hold names or a row is a row: the first dialect that parts all the lines into
+// equally many numbers.
+std::optional<NamelessRows> nameless_rows(const Beginning& beginning, const std::string& file) {
+  std::vector<CsvDialect> dialects(std::begin(csv_dialects), std::end(csv_dialects));
+  dialects.push_back(blank_dialect);
+  if (beginning.dialect) dialects = {*beginning.dialect};
+  for (const CsvDialect& dialect : dialects) {
+    std::vector<std::vector<std::string_view>> rows;
+    for (const Line& line : beginning.lines) rows.push_back(number_row(line.text, dialect));
+    const std::size_t columns = rows.front().size();
+    const bool parted = beginning.lines.front().text.find(dialect.separator) != std::string_view::npos;
+    if (columns == 0 || (!parted && dialect.separator != blank_dialect.separator)) continue;
+    // The last line may be cut off.
+    if (!std::all_of(rows.begin(), rows.end() - (rows.size() > 1 ? 1 : 0),
+                     [&](const auto& row) { return row.size() == columns; }))
+      continue;
+    if (counts_columns(rows.front()) || (dialect.separator == ',' && may_be_decimals(rows))) {
+      const bool counted = counts_columns(rows.front());
+      throw InputError(file, fmt::format("line {}", beginning.lines.front().number),
+                       counted ? "numbers that may be the columns' names or a row"
+                               : "commas that may part columns or be decimal marks",
+                       "put a line above that names the columns, for example t,base,response");
+    }
+    return NamelessRows{dialect, columns};
+  }
+  return std::nullopt;
+}
+
 // sep=; of a spreadsheet.
 std::optional<CsvDialect> stated_dialect(std::string_view line, const std::string& file, std::size_t number) {
   while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
@@ -203,6 +270,11 @@ void read_units(CsvHeader& header) {
   ++header.last_line;
 }
 
+void take_names(const Line& line, CsvHeader& header) {
+  header.line = line.number;
+  for (const std::string_view name : names_in(line.text, header.dialect.separator)) header.names.emplace_back(name);
+}
+
 void check_names(const CsvHeader& header, const std::string& file) {
   const std::string place = fmt::format("line {}", header.line);
   for (std::size_t c = 0; c < header.names.size(); ++c) {
@@ -220,6 +292,16 @@ void check_names(const CsvHeader& header, const std::string& file) {
 }
 
 }  // namespace
+
+std::string nameless_column(std::size_t column) {
+  return fmt::format("column{}", column + 1);
+}
+
+bool is_nameless_column(std::string_view name) {
+  constexpr std::string_view start = "column";
+  return name.starts_with(start) && name.size() > start.size() &&
+         name.find_first_not_of("0123456789", start.size()) == std::string_view::npos;
+}
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -296,8 +378,6 @@ FieldFault parse_grouped_number(std::string_view field, bool decimal_comma, doub
 }
 
 CsvHeader read_header(std::string_view text, const std::string& file) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    throw InputError(file, "", "is UTF-16 text", "save it as UTF-8 or ASCII");
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   text = without_end_mark(text);
   CsvHeader header;
@@ -307,19 +387,22 @@ CsvHeader read_header(std::string_view text, const std::string& file) {
   if (beginning.lines.empty())
     throw InputError(file, "", "is empty", "a header line and rows of numbers were expected");
   std::size_t row = 0;  // of beginning.lines, the first below the names
-  Line names;
   if (const std::optional<Line> comment = beginning.names_in_comment()) {
-    names = *comment;
-    header.dialect = beginning.dialect_of_comment(names);
+    header.dialect = beginning.dialect_of_comment(*comment);
+    take_names(*comment, header);
   } else {
-    for (row = 0; row < beginning.lines.size() && !beginning.names_rows(row);) ++row;
-    if (row == beginning.lines.size()) row = 0;
-    header.dialect = beginning.dialect_of_names(row);
-    names = beginning.lines[row++];
+    while (row < beginning.lines.size() && !beginning.names_rows(row)) ++row;
+    const bool named = row < beginning.lines.size();
+    if (!named) row = 0;
+    if (const auto nameless = named ? std::nullopt : nameless_rows(beginning, file)) {
+      header.dialect = nameless->dialect;
+      header.line = beginning.lines.front().number;
+      for (std::size_t c = 0; c < nameless->columns; ++c) header.names.push_back(nameless_column(c));
+    } else {
+      header.dialect = beginning.dialect_of_names(row);
+      take_names(beginning.lines[row++], header);
+    }
   }
-  header.line = names.number;
-  for (const std::string_view name : names_in(names.text, header.dialect.separator))
-    header.names.emplace_back(name);
   check_names(header, file);
   header.last_line = header.line;
   header.rows = text.substr(text.size());

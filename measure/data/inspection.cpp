@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "input/input_error.hpp"
+#include "measure/data/csv_header.hpp"
 #include "measure/data/data_file.hpp"
 #include "measure/data/jitter.hpp"
 #include "measure/data/matrix_lines.hpp"
@@ -165,12 +166,13 @@ std::vector<std::vector<double>> channels_beside(const DataFile& data, const std
   return channels;
 }
 
-// The lines of a matrix have no names: one that rises evenly is time, whatever it is called.
+// The lines of a matrix, and columns below no header, have no names: one that rises evenly is time.
 void find_time_column(const DataFile& data, FileInspection& inspection) {
   constexpr std::size_t fewest = 16;  // of a line of so many numbers chance makes no ramp
   for (const DataVariable& variable : data.variables) {
     if (!inspection.time.empty()) return;
-    if (!is_matrix_line(variable.name) || variable.values.size() < fewest) continue;
+    if (!is_matrix_line(variable.name) && !is_nameless_column(variable.name)) continue;
+    if (variable.values.size() < fewest) continue;
     std::vector<DataFault> ignored;
     std::optional<TimeAxis> axis = judged_axis(variable.values, data.place, std::nullopt, ignored);
     if (!axis || axis->jitter_s > 0) continue;

@@ -8,12 +8,14 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 #include "input/input_error.hpp"
 #include "measure/data/csv_header.hpp"
 #include "measure/data/mapped_file.hpp"
 #include "measure/data/unit.hpp"
+#include "measure/data/utf16.hpp"
 
 namespace secular {
 namespace {
@@ -52,6 +54,27 @@ std::size_t behind_quotes(std::string_view line) {
   const std::size_t end = line.find('"', begin + 1);
   return end == std::string_view::npos ? 0 : end + 1;
 }
+
+/// The text of a file: as it is, or all of it made anew where it is UTF-16.
+class TextFile {
+ public:
+  explicit TextFile(const std::filesystem::path& path) : mapped_(path) {
+    if (const std::optional<ByteOrder16> order = utf16_order(mapped_.bytes()))
+      made_ = utf8_of_utf16(mapped_.bytes(), *order);
+  }
+  std::string_view bytes() const { return made_ ? *made_ : mapped_.bytes(); }
+  /// See MappedFile.
+  void release_before(std::size_t offset) {
+    if (!made_) mapped_.release_before(offset);
+  }
+  void forget(std::size_t begin, std::size_t end) {
+    if (!made_) mapped_.forget(begin, end);
+  }
+
+ private:
+  MappedFile mapped_;
+  std::optional<std::string> made_;
+};
 
 /// Puts the fields of rows into the columns of a table.
 struct RowReader {
@@ -127,9 +150,9 @@ void read_last_row(const RowReader& reader, NumberTable& table) {
   for (const std::vector<double>& column : last.columns) table.last_row.push_back(column.front());
 }
 
-void read_rows(const RowReader& reader, MappedFile& mapped, std::size_t limit, NumberTable& table) {
+void read_rows(const RowReader& reader, TextFile& text, std::size_t limit, NumberTable& table) {
   const std::string_view rows = reader.header.rows;
-  const auto header_size = static_cast<std::size_t>(rows.data() - mapped.bytes().data());
+  const auto header_size = static_cast<std::size_t>(rows.data() - text.bytes().data());
   std::string_view rest = rows;
   std::size_t line_number = reader.header.last_line, empty_line = 0;
   while (!rest.empty() && table.rows() < limit) {
@@ -145,7 +168,7 @@ void read_rows(const RowReader& reader, MappedFile& mapped, std::size_t limit, N
     empty_line = 0;
     if (table.rows() == 0) table.first_line = line_number;
     reader.read(row_of(line, reader.header.dialect.separator), line_number, table);
-    mapped.release_before(header_size + rows.size() - rest.size());
+    text.release_before(header_size + rows.size() - rest.size());
   }
   table.total_rows = table.rows();
   if (rest.find_first_not_of(" \t\r\n") == std::string_view::npos) return;
@@ -157,15 +180,15 @@ void read_rows(const RowReader& reader, MappedFile& mapped, std::size_t limit, N
 
 // Rows to make room for: their exact count is worth a look at the file, since columns that grow take twice the
 // room.
-std::size_t count_lines(const CsvHeader& header, MappedFile& mapped, std::size_t limit) {
+std::size_t count_lines(const CsvHeader& header, TextFile& text, std::size_t limit) {
   constexpr std::size_t stretch = std::size_t{1} << 22;
   const std::string_view rows = header.rows;
-  const auto header_size = static_cast<std::size_t>(rows.data() - mapped.bytes().data());
+  const auto header_size = static_cast<std::size_t>(rows.data() - text.bytes().data());
   std::size_t lines = 1;
   for (std::size_t begin = 0; begin < rows.size() && lines <= limit; begin += stretch) {
     const std::string_view part = rows.substr(begin, stretch);
     lines += static_cast<std::size_t>(std::count(part.begin(), part.end(), header.line_break));
-    if (limit == all_values) mapped.forget(header_size + begin, header_size + begin + part.size());
+    if (limit == all_values) text.forget(header_size + begin, header_size + begin + part.size());
   }
   return std::min(lines, limit);
 }
@@ -199,8 +222,8 @@ CsvName bracketed_unit(const std::string& name) {
 }
 
 NumberTable read_csv_header(const std::filesystem::path& path) {
-  const MappedFile mapped(path);
-  CsvHeader header = read_header(mapped.bytes(), path.string());
+  const TextFile text(path);
+  CsvHeader header = read_header(text.bytes(), path.string());
   NumberTable table;
   table.names = std::move(header.names);
   table.units = std::move(header.units);
@@ -210,8 +233,8 @@ NumberTable read_csv_header(const std::filesystem::path& path) {
 NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& wanted,
                      MissingNumbers missing, std::size_t limit, DecimalMark mark) {
   const std::string file = path.string();
-  MappedFile mapped(path);
-  const CsvHeader header = read_header(mapped.bytes(), file);
+  TextFile text(path);
+  const CsvHeader header = read_header(text.bytes(), file);
   NumberTable table;
   table.names = wanted.empty() ? header.names : wanted;
   table.columns.resize(table.names.size());
@@ -224,10 +247,10 @@ NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::s
     target[static_cast<std::size_t>(found - header.names.begin())] = c;
     table.units.push_back(header.units[static_cast<std::size_t>(found - header.names.begin())]);
   }
-  const std::size_t lines = count_lines(header, mapped, limit);
+  const std::size_t lines = count_lines(header, text, limit);
   for (std::vector<double>& column : table.columns) column.reserve(lines);
   DecimalMarks marks;
-  read_rows({header, target, missing, file, marks, mark}, mapped, limit, table);
+  read_rows({header, target, missing, file, marks, mark}, text, limit, table);
   if (table.rows() == 0) throw InputError(file, "", "has a header but no rows", "rows of numbers were expected");
   return table;
 }
