@@ -125,4 +125,23 @@ VectorXd DrivenNoise::whitened(VectorXd error) const {
   return error;
 }
 
+MatrixXd DrivenNoise::expected(const VectorXd& error) const {
+  if (steps_.empty()) return {};
+  const auto samples = static_cast<Index>(steps_.size()), channels = error.size() / samples;
+  const Index parts = steps_.front().transition.rows(), inputs = steps_.front().transition.cols() - parts;
+  const VectorXd white = whitened(error);
+  MatrixXd noise(inputs, samples);
+  VectorXd later = VectorXd::Zero(parts);
+  for (Index i = samples - 1; i >= 0; --i) {
+    const Step& step = steps_[static_cast<std::size_t>(i)];
+    VectorXd both = step.transition.transpose() * later;
+    VectorXd innovation = white(Eigen::seqN(i, channels, samples)) - step.gain.transpose() * both;
+    step.lower.triangularView<Eigen::Lower>().transpose().solveInPlace(innovation);
+    both += step.reading.transpose() * innovation;
+    noise.col(i) = both.tail(inputs);
+    later = both.head(parts);
+  }
+  return noise;
+}
+
 }  // namespace secular

@@ -178,22 +178,13 @@ class Cutter {
     return m;
   }
 
-  // Samples and half samples: cubic interpolation of the measured excitation.
   MatrixXd excitation(const Movement& m, Index offset, Index length) const {
+    // One sample more on either side, for the interpolation.
     const MatrixXd& samples = m.part.samples;
-    MatrixXd excitation(samples.cols() - responses_, 2 * length - 1);
-    const auto at = [&](Index i, Index j) {
-      return samples(std::clamp<Index>(i, 0, samples.rows() - 1), responses_ + j);
-    };
-    for (Index j = 0; j < excitation.rows(); ++j)
-      for (Index i = 0; i < length; ++i) {
-        excitation(j, 2 * i) = at(offset + i, j);
-        if (i + 1 < length)
-          excitation(j, 2 * i + 1) =
-              (9 * (at(offset + i, j) + at(offset + i + 1, j)) - at(offset + i - 1, j) - at(offset + i + 2, j)) /
-              16;
-      }
-    return excitation;
+    MatrixXd around(samples.cols() - responses_, length + 2);
+    for (Index i = 0; i < length + 2; ++i)
+      around.col(i) = samples.row(std::clamp<Index>(offset + i - 1, 0, samples.rows() - 1)).tail(around.rows());
+    return at_half_samples(around).middleCols(2, 2 * length - 1);
   }
 
   const SensorModel& sensors_;
@@ -205,6 +196,17 @@ class Cutter {
 };
 
 }  // namespace
+
+MatrixXd at_half_samples(const MatrixXd& samples) {
+  const Index count = samples.cols();
+  MatrixXd all(samples.rows(), 2 * count - 1);
+  const auto at = [&](Index i) { return samples.col(std::clamp<Index>(i, 0, count - 1)); };
+  for (Index i = 0; i < count; ++i) {
+    all.col(2 * i) = at(i);
+    if (i + 1 < count) all.col(2 * i + 1) = (9 * (at(i) + at(i + 1)) - at(i - 1) - at(i + 2)) / 16;
+  }
+  return all;
+}
 
 std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& read, const SensorModel& sensors,
                                   const std::vector<double>& natural_frequency, const SegmentCut& cut,

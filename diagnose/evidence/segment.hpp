@@ -28,6 +28,9 @@ struct Segment {
   std::vector<Eigen::Index> wandering;  ///< response channels whose zero moves slowly
 };
 
+/// Channels x samples -> channels x (2*samples - 1): values and, by cubic interpolation, those halfway between.
+Eigen::MatrixXd at_half_samples(const Eigen::MatrixXd& samples);
+
 enum class SegmentLength {
   turns,  ///< some turns of the lowest mode
   whole   ///< all that the window holds of a record

@@ -114,7 +114,8 @@ VectorXd sd_of_changes(const NoiseInCosines& noise, const MatrixXd& basis) {
 SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateForce> forces, SensorModel sensors,
                                  FaultTable table, std::vector<Segment> segments, unsigned threads)
     : model_(model, std::move(forces), std::move(sensors), std::move(table)),
-      segments_(std::move(segments)),
+      measured_(std::move(segments)),
+      segments_(measured_),
       threads_(threads),
       frozen_(segments_.size()) {
   for (const Segment& s : segments_) {
@@ -242,16 +243,38 @@ void SegmentEvidence::freeze_bases(std::size_t first, std::size_t end, const Vec
   }
 }
 
+void SegmentEvidence::take_driven_noise_off(std::size_t segment, const VectorXd& unknowns) {
+  if (!frozen_[segment].driven_noise.is_known()) return;
+  Segment& s = segments_[segment];
+  const Index samples = s.response.cols();
+  const std::vector<SegmentTrial> trial{frozen_trial(segment, unknowns)};
+  const VectorXd with = model_.errors(trial).front(), silent = silenced(with, samples, frozen_[segment].at_jumps);
+  // Of errors r times as large in the square as noise makes them, where the model lacks something, one r-th is its.
+  const double ratio =
+      frozen_[segment].driven_noise.whitened(silent).squaredNorm() / static_cast<double>(silent.size());
+  const MatrixXd noise = frozen_[segment].driven_noise.expected(silent) / std::max(1.0, ratio);
+  s.excitation -= s.excitation_noise_sd.asDiagonal() * at_half_samples(noise);
+  const VectorXd without = model_.errors(trial).front();
+  for (Index c = 0; c < s.response.rows(); ++c)
+    s.response.row(c) -= s.noise_sd(c) * (without - with).segment(c * samples, samples).transpose();
+}
+
 void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
   for (std::size_t i = 0; i < segments_.size(); ++i)
     frozen_[i].widening = coarse > 0 ? std::hypot(1.0, std::sqrt(coarse) * loudness(segments_[i])) : 1;
   const std::size_t parts = std::min<std::size_t>(std::max(1U, threads_), segments_.size());
   in_parallel(parts, threads_, [&](std::size_t part) {
     const std::size_t first = part * segments_.size() / parts, end = (part + 1) * segments_.size() / parts;
+    for (std::size_t i = first; i < end; ++i) {
+      segments_[i].excitation = measured_[i].excitation;
+      segments_[i].response = measured_[i].response;
+    }
     freeze_states(first, end, unknowns);
-    for (std::size_t i = first; i < end; ++i)
+    for (std::size_t i = first; i < end; ++i) {
       frozen_[i].driven_noise =
           coarse > 0 ? DrivenNoise() : DrivenNoise(model_, frozen_trial(i, unknowns), frozen_[i].at_jumps);
+      take_driven_noise_off(i, unknowns);
+    }
     freeze_bases(first, end, unknowns);
   });
   coarse_ = coarse > 0;

@@ -99,6 +99,9 @@ class SegmentEvidence : public Evidence {
   std::vector<Eigen::VectorXd> states_at(std::size_t first, std::size_t end, const Eigen::VectorXd& unknowns) const;
   /// Directions in which their errors move with the state, and with the change of every mode, where they are.
   void freeze_bases(std::size_t first, std::size_t end, const Eigen::VectorXd& unknowns);
+  /// What the errors of a frozen segment say of the noise in its excitation comes off the excitation, and what that
+  /// does to its errors off its responses: slopes are those of the likeliest excitation, errors stay as they are.
+  void take_driven_noise_off(std::size_t segment, const Eigen::VectorXd& unknowns);
   /// A frozen segment as it is.
   SegmentTrial frozen_trial(std::size_t segment, const Eigen::VectorXd& unknowns) const {
     return {segments_[segment], segments_[segment].response.cols(), unknowns, frozen_[segment].state};
@@ -123,7 +126,8 @@ class SegmentEvidence : public Evidence {
                               const Eigen::VectorXd& scale, unsigned threads) const;
 
   SegmentModel model_;
-  std::vector<Segment> segments_;
+  std::vector<Segment> measured_;
+  std::vector<Segment> segments_;  // those measured; where a noise of the excitation is known, without it
   unsigned threads_;
   std::vector<Frozen> frozen_;
   std::vector<Noise> noise_;

@@ -232,7 +232,7 @@ TEST(SlowDiagnosis, DwellsOfAParametricResonance) {
 
 // The base is read with noise that the structure does not feel, but the motion that is computed from it: at
 // resonance three times the noise of the response.
-std::string driven(double mu3, const std::string& records) {
+std::string driven(double mu3, double base_noise, const std::string& records) {
   std::string text = parametric_dwells();
   const auto set = [&](const std::string& was, const std::string& is) {
     text.replace(text.find(was), was.size(), is);
@@ -241,28 +241,28 @@ std::string driven(double mu3, const std::string& records) {
   set("mu3 = 36.87", "mu3 = " + std::to_string(mu3));
   set("eta1 = -0.018", "eta1 = 0.8");
   set("eta2 = 7.65", "eta2 = 0.0");
-  set("noise_sd = 0.05", "noise_sd = 0.01");
+  set("noise_sd = 0.05", "noise_sd = " + std::to_string(base_noise));
   text.erase(text.find("[[dwell]]"));
   return text + records;
 }
 
-std::string sweeps(double mu3) {
+std::string sweeps(double mu3, double base_noise) {
   std::string records;
   for (const char* range :
        {"from_hz = 11.5\nto_hz = 13.5\namplitude = 0.1", "from_hz = 13.5\nto_hz = 11.5\namplitude = 0.25"})
     records += std::string("[[sweep]]\nrate_hz_per_s = 0.05\nsettle_s = 20.0\n") + range + "\n";
-  return driven(mu3, records);
+  return driven(mu3, base_noise, records);
 }
 
 // Random-phase lines around the resonance: what lies above them in the spectrum of the base is its noise.
-std::string broadband(double mu3) {
+std::string broadband(double mu3, double base_noise) {
   std::string records;
   for (const char* level : {"rms = 0.2\nseed = 1", "rms = 0.6\nseed = 2"})
     records += std::string(
                    "[[broadband]]\nlow_hz = 5.0\nhigh_hz = 20.0\nlines = 150\nsettle_s = 20.0\n"
                    "duration_s = 24.0\n") +
                level + "\n";
-  return driven(mu3, records);
+  return driven(mu3, base_noise, records);
 }
 
 // Nothing withheld: no gap, with three seeds of the noise. What the model lacks is seen beside it.
@@ -275,17 +275,21 @@ void expect_that_base_noise_is_no_gap(const std::function<std::string(double mu3
   const Diagnosis d = diagnosed(model, simulated(model, experiment(20), 34),
                                 {{"mu2", "quadratic_damping"}, {"mu3", "cubic_damping"}});
   EXPECT_TRUE(d.gap.detected);
-  ASSERT_FALSE(d.causes.empty());
-  EXPECT_EQ(d.causes.front().effect, "cubic_damping");
-  EXPECT_NEAR(d.causes.front().coefficient, 20, 4 * d.causes.front().sd);
+  const auto cubic = std::find_if(d.causes.begin(), d.causes.end(),
+                                  [](const auto& cause) { return cause.effect == "cubic_damping"; });
+  ASSERT_NE(cubic, d.causes.end());
+  EXPECT_GT(cubic->probability, 0.05);  // in the larger noise it is not told from quadratic damping
+  EXPECT_NEAR(cubic->coefficient, 20, 4 * cubic->sd);
 }
 
+// In large noise a column that holds the readings goes with the errors: sensor_cross_axis seemed to act.
 TEST(SlowDiagnosis, NoiseInTheBaseOfSweepsIsNoGap) {
-  expect_that_base_noise_is_no_gap(sweeps);
+  for (const double base_noise : {0.01, 0.05})
+    expect_that_base_noise_is_no_gap([&](double mu3) { return sweeps(mu3, base_noise); });
 }
 
 TEST(SlowDiagnosis, NoiseInTheBaseOfBroadbandIsNoGap) {
-  expect_that_base_noise_is_no_gap(broadband);
+  expect_that_base_noise_is_no_gap([](double mu3) { return broadband(mu3, 0.02); });
 }
 
 // Six ensembles of a motion that still grows scatter about their mean by nothing but that growth.
