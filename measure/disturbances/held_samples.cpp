@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -45,25 +46,87 @@ class LocalGaps {
   std::vector<double> first_, gap_;
 };
 
-// Slope per sample around a run of equal samples that begins at `i` and ends before `end`: the smaller of that
-// before it and that across it.
-double slope_around(std::span<const double> x, std::size_t i, std::size_t end) {
-  const double before = x[i - 1] - x[i - 2];
-  const double across = (x[end] - x[i - 1]) / static_cast<double>(end - i + 1);
-  return before * across > 0 ? std::min(std::abs(before), std::abs(across)) : 0;
+// What the samples around tell of the difference x[i] - x[i-1] without these two: from one on either side, which is
+// right for a straight line and a parabola, or from two, which is right up to the fourth degree.
+double difference_from_one(std::span<const double> x, std::size_t i) {
+  return (x[i + 1] - x[i - 2]) / 3;
+}
+double difference_from_two(std::span<const double> x, std::size_t i) {
+  return 0.5 * (x[i + 1] - x[i - 2]) - 0.1 * (x[i + 2] - x[i - 3]);
 }
 
-// Sd of differences about the slope of their neighbours, by block.
-std::vector<double> scatters(std::span<const double> x) {
-  std::vector<double> result, rest;
-  for (std::size_t begin = 2; begin + 1 < x.size(); begin += block) {
-    rest.clear();
-    for (std::size_t i = begin; i < std::min(begin + block, x.size() - 1); ++i)
-      rest.push_back(std::abs(x[i] - x[i - 1] - (x[i + 1] - x[i - 2]) / 3));
-    result.push_back(sd_of_median * upper_median(rest));
+// How a block's samples differ from what is told by the better of the two.
+struct BlockScatter {
+  double sd = 0;
+  bool from_two = false;
+};
+
+std::vector<BlockScatter> scatters(std::span<const double> x) {
+  std::vector<BlockScatter> result;
+  std::vector<double> one, two;
+  for (std::size_t begin = 3; begin + 2 < x.size(); begin += block) {
+    one.clear();
+    two.clear();
+    for (std::size_t i = begin; i < std::min(begin + block, x.size() - 2); ++i) {
+      one.push_back(std::abs(x[i] - x[i - 1] - difference_from_one(x, i)));
+      two.push_back(std::abs(x[i] - x[i - 1] - difference_from_two(x, i)));
+    }
+    const double by_one = sd_of_median * upper_median(one), by_two = sd_of_median * upper_median(two);
+    result.push_back({std::min(by_one, by_two), by_two < by_one});
   }
   return result;
 }
+
+// Slope per sample around samples that equal the one before, from `i` to before `end`, and the scatter about it.
+struct LocalSlope {
+  double slope = 0, scatter = 0;
+};
+
+LocalSlope slope_around(std::span<const double> x, std::size_t i, std::size_t end, const BlockScatter& usual,
+                        double noise) {
+  LocalSlope local{0, usual.sd};
+  if (end == i + 1 && usual.from_two) {
+    local.slope = std::abs(difference_from_two(x, i));
+    if (local.slope <= usual.sd) local.slope = 0;
+  } else {  // the smaller of that before and that across
+    const double before = x[i - 1] - x[i - 2];
+    const double across = (x[end] - x[i - 1]) / static_cast<double>(end - i + 1);
+    if (before * across > 0) local.slope = std::min(std::abs(before), std::abs(across));
+  }
+  // Where sampling is in step with the motion, neighbours at a turning point differ by noise alone.
+  if (local.slope == 0) local.scatter = std::min(usual.sd, noise);
+  return local;
+}
+
+/// Repeats are counted among samples of which chance repeats no more than this share.
+constexpr std::array rarities = {1.0, 0.1, 0.01, 0.001};
+
+// Samples, those among them that repeat the one before, and what chance makes of these at most, by rarity.
+struct Repeats {
+  std::array<double, rarities.size()> samples{}, expected{};
+  std::array<std::size_t, rarities.size()> runs{};
+
+  void see(double probability, bool repeated) {
+    for (std::size_t r = 0; r < rarities.size(); ++r)
+      if (probability <= rarities[r]) {
+        samples[r] += 1;
+        expected[r] += probability;
+        runs[r] += repeated ? 1 : 0;
+      }
+  }
+  // The share of samples that are held, where chance hardly explains all that repeat; else 0. (At least that many
+  // by chance: the sum of as many waiting times is below the expected number.)
+  double held_share(double false_alarm) const {
+    double least = false_alarm / static_cast<double>(rarities.size()), share = 0;
+    for (std::size_t r = 0; r < rarities.size(); ++r) {
+      const double tail = poisson_upper_tail(runs[r], expected[r]);
+      if (!(tail < least)) continue;
+      least = tail;
+      share = (static_cast<double>(runs[r]) - expected[r]) / samples[r];
+    }
+    return share;
+  }
+};
 
 }  // namespace
 
@@ -73,38 +136,43 @@ HeldSamples find_held(std::span<const double> x, const ChannelValues& values, do
   bool any = false;
   const SameValue same(values.sorted);
   const auto equals = [&](std::size_t i, std::size_t j) { return same(x[i], x[j]); };
-  for (std::size_t i = 2; i + 1 < x.size() && !any; ++i) any = equals(i, i - 1);
+  for (std::size_t i = 3; i + 2 < x.size() && !any; ++i) any = equals(i, i - 1);
   if (!any) return held;
   const LocalGaps gaps(values.sorted);
-  const std::vector<double> scatter = scatters(x);
+  const std::vector<BlockScatter> scatter = scatters(x);
   const double noise = noise_floor(x).value_or(std::numeric_limits<double>::infinity());
-  std::size_t runs = 0;
+  Repeats repeats;
+  std::vector<std::pair<HeldSamples::Run, double>> chances;
   std::vector<HeldSamples::Run> long_ones;  // that chance does not make in the whole record
-  for (std::size_t i = 2; i + 1 < x.size(); ++i) {
+  for (std::size_t i = 3; i + 2 < x.size(); ++i) {
     std::size_t end = i + 1;
     const bool equal = equals(i, i - 1);
     if (equal)
       while (end < x.size() && equals(end, i)) ++end;
     if (end == x.size()) break;
-    if (i == 2 && equal && equals(1, 0)) {  // at rest, until the record's motion begins
+    if (i == 3 && equal && equals(1, 0) && equals(2, 1)) {  // at rest, until the record's motion begins
       i = end - 1;
       continue;
     }
-    const double slope = slope_around(x, i, end), around = scatter[(i - 2) / block];
-    // Where sampling is in step with the motion, neighbours at a turning point differ by noise alone.
-    const double p = chance_of_repeat(gaps.at(x[i - 1]), slope > 0 ? around : std::min(around, noise), slope);
-    held.expected += p;
+    const LocalSlope local = slope_around(x, i, end, scatter[(i - 3) / block], noise);
+    const double p = chance_of_repeat(gaps.at(x[i - 1]), local.scatter, local.slope);
+    repeats.see(p, equal);
     if (!equal) continue;
-    ++runs;
-    // More likely held than not, as far as there are as many held as chance makes.
     if (p < 0.5) held.likely.push_back({i, end});
+    chances.push_back({{i, end}, p});
     if (std::pow(p, static_cast<double>(end - i)) * static_cast<double>(x.size()) < false_alarm)
       long_ones.push_back({i, end});
     i = end - 1;
   }
-  // At least that many by chance: the sum of as many waiting times is below the expected number.
-  const double probability = poisson_upper_tail(runs, held.expected);
-  held.runs = probability > false_alarm ? std::move(long_ones) : held.likely;
+  held.expected = repeats.expected.front();
+  const double share = repeats.held_share(false_alarm);
+  if (share == 0) {
+    held.runs = std::move(long_ones);
+    return held;
+  }
+  // Of a repeat the odds are share to p that it is held: (share/p)^n of n in a row.
+  for (const auto& [run, p] : chances)
+    if (p < share) held.runs.push_back(run);
   return held;
 }
 

@@ -19,6 +19,7 @@
 #include "measure/data/recorded_span.hpp"
 #include "measure/data/watched_reader.hpp"
 #include "measure/disturbances/catalogue.hpp"
+#include "measure/disturbances/held_samples.hpp"
 #include "measure/disturbances/treatment.hpp"
 #include "tests/process_folder.hpp"
 
@@ -195,6 +196,40 @@ TEST_F(MaskedSamples, HeldSamplesAndSpikesAreReplaced) {
   for (std::size_t i = 0; i < masked_count; ++i)
     if (std::abs(faulty[i] - x[i]) > 0.02) worst = std::max(worst, std::abs(record.channels[1][i] - x[i]));
   EXPECT_LT(worst, 0.01);
+}
+
+// A converter repeats values by itself, twelve samples in a turn bend between two of them, and there is noise and
+// hum.
+TEST(HeldSamples, AreFoundOnACoarseConverter) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  const auto at = [](double hz, std::size_t i) {
+    return std::cos(2 * std::numbers::pi * hz * static_cast<double>(i) / 256);
+  };
+  for (const double held_share : {0.0, 0.0075}) {
+    int found = 0;
+    for (int record = 0; record < 20; ++record) {
+      std::vector<double> x(6144);
+      for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] = 0.04 * std::round((19 * at(21.1, i) + 0.1 * at(50, i) + 0.05 * normal(random)) / 0.04);
+      std::vector<std::size_t> held;
+      for (std::size_t i = 1; i < x.size(); ++i)
+        if (std::generate_canonical<double, 53>(random) < held_share && x[i] != x[i - 1]) {
+          x[i] = x[i - 1];
+          held.push_back(i);
+        }
+      const HeldSamples told = find_held(x, values_of(x), 1e-4);
+      found += !told.runs.empty();
+      if (held.empty() || told.runs.empty()) continue;
+      // One that is not among them was hardly a wrong value.
+      const auto hit = std::count_if(held.begin(), held.end(), [&](std::size_t i) {
+        return std::any_of(told.runs.begin(), told.runs.end(),
+                           [i](const HeldSamples::Run& run) { return run.begin <= i && i < run.end; });
+      });
+      EXPECT_GT(static_cast<double>(hit), 0.8 * static_cast<double>(held.size())) << record;
+    }
+    EXPECT_EQ(found, held_share > 0 ? 20 : 0);
+  }
 }
 
 // Furthest that a sample of the record read is off the one that was measured.
