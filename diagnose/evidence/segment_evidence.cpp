@@ -74,14 +74,20 @@ double lower_quartile(std::vector<double> values) {
   return *quarter;
 }
 
-// Variance of what is white in a series, channel after channel: anything sampled this densely is smooth.
-double white_variance(const VectorXd& error, Index samples) {
+// Variance of what is white in a series, channel after channel: anything sampled this densely is smooth. Samples
+// that do not count are zero in all channels, and leave differences that much less.
+double white_variance(const VectorXd& error, Index samples, const std::vector<Index>& silent) {
+  VectorXd live = VectorXd::Ones(samples);
+  for (const Index sample : silent) live(sample) = 0;
   double sum = 0, count = 0;
-  for (Index first = 0; first + samples <= error.size(); first += samples)
-    for (const double third : third_differences({error.data() + first, static_cast<std::size_t>(samples)})) {
-      sum += third * third / third_difference_variance;
-      count += 1;
+  for (Index first = 0; first + samples <= error.size(); first += samples) {
+    const std::vector<double> third = third_differences({error.data() + first, static_cast<std::size_t>(samples)});
+    for (std::size_t d = 0; d < third.size(); ++d) {
+      const auto i = static_cast<Index>(d);
+      sum += third[d] * third[d];
+      count += live(i) + 9 * live(i + 1) + 9 * live(i + 2) + live(i + 3);
     }
+  }
   return count > 0 ? sum / count : 1;
 }
 
@@ -288,11 +294,13 @@ std::vector<SegmentEvidence::Left> SegmentEvidence::left_by(const VectorXd& unkn
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const Frozen& f = frozen_[i];
     Left left;
-    left.white = white_variance(errors[i], segments_[i].response.cols());
+    left.white = white_variance(errors[i], segments_[i].response.cols(), f.at_jumps);
     left.changes = f.change_basis.transpose() * errors[i];
     left.rest = errors[i] - f.state_basis * (f.state_basis.transpose() * errors[i]) - f.change_basis * left.changes;
-    left.rest_rms = left.rest.norm() /
-                    std::sqrt(static_cast<double>(errors[i].size() - f.state_basis.cols() - f.change_basis.cols()));
+    const auto silent = static_cast<Index>(f.at_jumps.size()) * segments_[i].response.rows();
+    left.rest_rms =
+        left.rest.norm() /
+        std::sqrt(static_cast<double>(errors[i].size() - silent - f.state_basis.cols() - f.change_basis.cols()));
     all.push_back(std::move(left));
   }
   return all;
@@ -330,6 +338,8 @@ std::shared_ptr<const NoiseInCosines> SegmentEvidence::coloured_noise(const std:
     for (Index i = 0; i < count; ++i) {
       const std::size_t segment = alike[static_cast<std::size_t>(i)];
       stretches.values.col(i) = noise.cosines * left[segment].rest(of_channel);
+      stretches.freedom.col(i).array() -=
+          static_cast<double>(frozen_[segment].at_jumps.size()) / static_cast<double>(samples);
       for (const MatrixXd* basis : {&frozen_[segment].state_basis, &frozen_[segment].change_basis})
         stretches.freedom.col(i) -= (noise.cosines * (*basis)(of_channel, Eigen::all)).rowwise().squaredNorm();
     }

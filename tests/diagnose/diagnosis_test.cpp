@@ -292,6 +292,39 @@ TEST(SlowDiagnosis, NoiseInTheBaseOfBroadbandIsNoGap) {
   expect_that_base_noise_is_no_gap([](double mu3) { return broadband(mu3, 0.02); });
 }
 
+// An accelerometer reads either side of the jumps that dry friction makes: those samples do not count, neither
+// among the rows nor where the noise of the others is told.
+TEST(SlowDiagnosis, FrictionInTheModelAndSeenByItsJumpsIsNoGap) {
+  const CompiledModel& model = *generated::find_compiled_model("pendulum");
+  const std::string experiment = R"(schema = 1
+name = "swings"
+model = "pendulum"
+sample_rate_hz = 100.0
+[parameters]
+omega0 = 9.0
+mu1 = 0.02
+mu2 = 0.05
+fc = 0.08
+alpha3 = -13.5
+alpha5 = 0.675
+[[response]]
+name = "swing"
+quantity = "acceleration"
+noise_sd = 0.02
+[[free_decay]]
+initial_displacement = [0.9]
+duration_s = 40.0
+[[free_decay]]
+initial_displacement = [0.6]
+duration_s = 40.0
+)";
+  for (const std::uint64_t seed : {1U, 2U}) {
+    const Diagnosis d = diagnosed(model, simulated(model, experiment, seed), {});
+    EXPECT_EQ(d.verdict, "no_gap") << seed << ": " << d.gap.p_value;
+    EXPECT_NEAR(d.gap.before, 1, 0.05);
+  }
+}
+
 // Six ensembles of a motion that still grows scatter about their mean by nothing but that growth.
 TEST(SlowDiagnosis, ADwellThatHasNotSettledIsLeftOut) {
   const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
