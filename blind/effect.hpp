@@ -27,6 +27,7 @@ struct Reality {
   double second = 0, third = 0;  ///< shaker harmonics over the fundamental
 };
 
+/// With nothing switched on: what the model holds as well.
 Reality reality_of(const Specimen& specimen);
 
 /// Coefficients of terms: see ModeTerms. extra_mode: its excitation; shaker_harmonics: second harmonic over the
@@ -39,6 +40,7 @@ void switch_on(const Withheld& withheld, const Specimen& specimen, const std::ve
 /// Names of docs/simulating.md that a family can show, and effects that no catalogue lists.
 std::vector<std::string> effects_of_family(const std::string& family);
 std::vector<std::string> uncatalogued_effects();
+/// Whether it is of sensors or shapes, not of the structure or its excitation.
 bool is_measurement_fault(const std::string& effect);
 
 /// Effects that could be the same thing to the data, by physics; whether they are is decided case by case from

@@ -12,6 +12,7 @@ class Integrator {
   /// `state` at time t (seconds since the record began; negative while it settles).
   Integrator(const Structure& structure, const Drive& drive, double t, const State& state);
 
+  /// By `step` seconds, in parts where nonsmooth terms change their branch.
   void advance(double step);
 
   double time() const { return t_; }

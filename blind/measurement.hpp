@@ -32,6 +32,7 @@ struct Measurement {
 /// Noise-free samples of all channels; `clipped` false leaves saturation for later (it follows the noise).
 std::vector<std::vector<double>> measured(const Measurement& measurement, const Drive& drive, const Motion& motion,
                                           bool clipped);
+/// Cuts every channel at the range of its fault, in channel units; without a range it stays.
 void clip(const Measurement& measurement, std::vector<std::vector<double>>& channels);
 
 /// Samples of a signal that is `late` seconds behind, by Lagrange's polynomial through eight samples.

@@ -34,6 +34,7 @@ double distance(const Structure& structure, const State& a, const State& b, std:
 /// The state at t = 0 of a settled dwell.
 State settled_state(const Structure& structure, const Drive& drive, const State& from, const Settling& settling);
 
+/// The motion that goes on from a state at t = 0, by `substeps` integration steps from sample to sample.
 Motion recorded_motion(const Structure& structure, const Drive& drive, const State& from, std::size_t samples,
                        std::size_t substeps);
 

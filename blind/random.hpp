@@ -13,12 +13,12 @@ class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t stream);
 
-  double uniform(double low, double high);
+  double uniform(double low, double high);      ///< between them, neither included
   double log_uniform(double low, double high);  ///< both positive
   double sign();                                ///< +1 or -1
-  bool chance(double probability);
-  std::size_t below(std::size_t count);  ///< 0 .. count - 1
-  double gaussian();                     ///< Box and Muller
+  bool chance(double probability);              ///< true with this probability
+  std::size_t below(std::size_t count);         ///< 0 .. count - 1
+  double gaussian();                            ///< of mean 0 and variance 1; Box and Muller
 
   template <class T>
   void shuffle(std::vector<T>& items) {

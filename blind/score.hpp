@@ -81,10 +81,11 @@ Said what_was_said(const nlohmann::json& diagnosis);
 /// Compares `labels.at("labels")` with what was said of each case, in their order.
 Score score_of(const nlohmann::json& labels, const std::vector<Said>& said);
 
+/// A list, each with its 95 % interval, trials and target; a table of the same, `trials`: of what.
 nlohmann::ordered_json figures_json(const std::vector<Figure>& figures);
-/// A table; `trials`: of what.
 std::string figures_markdown(const std::vector<Figure>& figures, const std::string& trials);
 
+/// score.json and score.md.
 nlohmann::ordered_json score_json(const Score& score);
 std::string score_markdown(const Score& score, const std::string& set_name);
 /// Stated probability against the share that was right, as an SVG of its own.

@@ -19,6 +19,7 @@ enum class EffectComponent {
   measurement
 };
 
+/// As in diagnosis.json.
 std::string to_string(EffectComponent component);
 
 /// What is wrong with one channel.
@@ -71,10 +72,10 @@ struct EffectForm {
   ForceLaw law = {};
   std::vector<Shape> shapes = {};  ///< of the shape parameters, in their order; empty: displacements
 
-  bool couples() const;  ///< needs another mode
-  bool needs_excitation() const;
-  std::vector<std::string> parameter_names() const;
-  Shape shape(std::size_t parameter) const;  ///< of a shape parameter, counted from 0
+  bool couples() const;                              ///< needs another mode
+  bool needs_excitation() const;                     ///< its term or law holds {F}
+  std::vector<std::string> parameter_names() const;  ///< of `parameters`: the strength first
+  Shape shape(std::size_t parameter) const;          ///< of a shape parameter, counted from 0
 };
 
 /// One effect: a row of the catalogue.

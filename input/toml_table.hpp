@@ -20,6 +20,7 @@ class TomlTable {
   /// Parses text; `name` stands for the file in messages.
   static TomlTable from_text(std::string_view text, std::string name);
 
+  /// As messages name it.
   const std::string& file() const;
   /// Line of this table's header or of the value of `key`, counted from 1.
   std::uint32_t line() const;
@@ -28,9 +29,12 @@ class TomlTable {
   /// it.
   std::uint32_t first_text_line_of(std::string_view key) const;
 
+  /// Whatever its value is.
   bool has(std::string_view key) const;
   std::vector<std::string> keys() const;  ///< in alphabetical order
 
+  // Values of a key, which must be there and of that type; `..._or` and `optional_...` ask no more of a key than
+  // that its value, if there is one, is of that type.
   std::string string(std::string_view key) const;
   double number(std::string_view key) const;  ///< integer or float, finite
   std::int64_t integer(std::string_view key) const;
@@ -41,8 +45,8 @@ class TomlTable {
   std::vector<std::string> strings(std::string_view key) const;              ///< array of strings
   std::vector<double> numbers(std::string_view key) const;                   ///< array of numbers
   std::vector<std::vector<double>> number_rows(std::string_view key) const;  ///< array of arrays of numbers
-  TomlTable table(std::string_view key) const;
-  std::vector<TomlTable> tables(std::string_view key) const;  ///< [[key]]; empty if absent
+  TomlTable table(std::string_view key) const;                               ///< [key], which must be there
+  std::vector<TomlTable> tables(std::string_view key) const;                 ///< [[key]]; empty if absent
 
   /// Throws InputError for the first key of this table that is not in `known`.
   void refuse_unknown_keys(const std::vector<std::string_view>& known) const;

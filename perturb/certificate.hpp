@@ -27,6 +27,7 @@ struct Certificate {
   std::vector<std::string> remainders;   ///< what is left, where it does not hold: equation, order, harmonic
 };
 
+/// What does not hold is recorded, not thrown.
 Certificate certify(const Derivation& derivation);
 
 }  // namespace secular

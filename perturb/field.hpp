@@ -32,6 +32,7 @@ class Field {
  public:
   Field() = default;
 
+  /// Adds one term; `coefficient` expanded. A term whose coefficient becomes zero is taken out.
   void add(const FieldKey& key, const GiNaC::ex& coefficient);
   const std::map<FieldKey, GiNaC::ex>& terms() const { return terms_; }
   bool empty() const { return terms_.empty(); }
@@ -39,6 +40,7 @@ class Field {
   Field& operator+=(const Field& other);
   Field scaled(const GiNaC::ex& scale) const;
   friend Field operator*(const Field& left, const Field& right);
+  /// The complex conjugate: phases turned back, A and conj A exchanged.
   Field conjugated(const FieldLayout& layout) const;
   /// The same with |A|^2 = A conj(A) used one way: pairs A conj(A) beside an odd power of |A| go into |A|.
   Field with_moduli_joined(const FieldLayout& layout) const;

@@ -86,13 +86,14 @@ struct Model {
   SymbolTable symbols;
 
   const ResonanceCase& find_case(const std::string& name) const;  ///< throws InputError listing the cases
-  GiNaC::ex frequency(std::size_t index) const;  ///< natural frequencies, then excitation frequencies
-  const std::string& frequency_name(std::size_t index) const;
+  GiNaC::ex frequency(std::size_t index) const;                ///< natural frequencies, then excitation frequencies
+  const std::string& frequency_name(std::size_t index) const;  ///< in the same order
   std::size_t frequency_count() const { return modes.size() + excitations.size(); }
 };
 
 /// Throws InputError with file, line and the offending piece.
 Model read_model(const std::filesystem::path& path);
+/// `name` stands for the file in messages.
 Model read_model_text(const std::string& text, const std::string& name);
 
 }  // namespace secular

@@ -50,7 +50,7 @@ class TermSum {
   TermSum& operator+=(const TermSum& other);
   friend TermSum operator*(const TermSum& left, const TermSum& right);
   TermSum scaled(const GiNaC::ex& scale) const;
-  TermSum power(int exponent) const;
+  TermSum power(int exponent) const;  ///< 1 for an exponent that is not positive
   /// Total time derivative by the product rule.
   TermSum time_derivative() const;
   /// Partial derivative with respect to one coordinate factor.

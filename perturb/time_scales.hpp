@@ -15,6 +15,7 @@ struct PhaseRates {
   std::vector<GiNaC::ex> fast;               ///< [frequency], as it stands in coefficients
   std::vector<std::vector<GiNaC::ex>> slow;  ///< [n][frequency or slow phase]; 0 at n = 0
 
+  /// sum_j m_j fast_j, and sum_j m_j slow_{n,j}; expanded.
   GiNaC::ex on_fast_scale(const FieldKey& key) const;
   GiNaC::ex on_slow_scale(const FieldKey& key, int n) const;
 };

@@ -29,6 +29,7 @@ class TrueTimeMotion {
   const TrueTimeVariables& variables() const { return variables_; }
   /// The mode's coordinate (degree 1) and its first two time derivatives.
   const Polynomial& of_mode(std::size_t mode, std::size_t derivative) const { return motion_[mode][derivative]; }
+  /// d/dt as above, cut at the expansion's power of eps.
   Polynomial time_derivative(const Polynomial& p) const;
   /// The mode whose displacement or velocity, times a number, is x.
   std::optional<std::size_t> mode_of(const Polynomial& x) const;

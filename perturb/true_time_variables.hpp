@@ -28,6 +28,7 @@ struct TrueTimeVariables {
 /// Powers of the variables of one term.
 using TrueTimePowers = std::vector<int>;
 
+/// Whether |A_k| of any mode has an odd power.
 bool has_odd_modulus(const TrueTimePowers& powers, const TrueTimeVariables& variables);
 
 /// "A_v^2*conj(A_v)*exp(i*(omega+Omega)*t)".

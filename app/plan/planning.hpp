@@ -67,6 +67,7 @@ struct PlanResult {
 /// Throws InputError for whatever in the request makes no sense.
 PlanResult plan_test(const PlanRequest& request);
 
+/// plan.json and report.html; `command`: the command line, printed at the page's foot.
 std::string plan_json(const PlanRequest& request, const PlanResult& plan);
 std::string plan_report(const PlanRequest& request, const PlanResult& plan, const std::string& command);
 /// An experiment file for `secular simulate`.

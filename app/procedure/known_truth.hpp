@@ -24,8 +24,9 @@ class KnownTruth {
 
   bool known() const { return parameters_.size() > 0; }
   const Eigen::VectorXd& parameters() const { return parameters_; }  ///< by symbol of the model; empty: not known
+  /// Nothing where the numbers are not known, or the model has no such symbol.
   std::optional<double> symbol(std::string_view name) const;
-  /// Of a lump of the case, or of a symbol.
+  /// Of a lump of the case, or of a symbol; nothing as above.
   std::optional<double> lump(std::string_view name) const;
 
  private:

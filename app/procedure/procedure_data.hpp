@@ -16,9 +16,11 @@ inline constexpr double same_level = 0.01;
 struct DwellMean {
   std::size_t record = 0;
   std::string group;
-  double frequency = 0, forcing = 0, amplitude = 0, amplitude_sd = 0;  ///< peak amplitude of the first mode
+  double frequency = 0, forcing = 0;       ///< of the first excitation: rad/s, peak in its channel's unit
+  double amplitude = 0, amplitude_sd = 0;  ///< peak of the first mode, and its scatter between ensembles
 };
 
+/// One a record, in their order.
 std::vector<DwellMean> dwell_means(const Campaign& campaign, const ObservationSet& measured);
 
 /// What every procedure works on; each adds its sections and warnings to `run`.
@@ -31,6 +33,7 @@ struct ProcedureData {
   std::string unit;          ///< of a modal displacement
   bool values_only = false;  ///< no tests: nothing but what the methods recover
 
+  /// Whether --method names it, or names none.
   bool wants(const std::string& method) const;
 };
 

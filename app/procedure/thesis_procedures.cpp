@@ -47,17 +47,14 @@ bool is_variance_alone(const ProcedureRequest& request) {
 // The case that was asked for, or the first one that the procedures cover. Generated equations have an analysis of
 // variance in every case of dwells.
 std::string covered_case(const ModelSource& source, const ProcedureRequest& request) {
-  std::vector<std::string> known, excited;
+  if (!request.resonance.empty()) source.case_named(request.resonance);
+  std::vector<std::string> excited;
   for (const CaseOutline& outline : source.cases()) {
-    known.push_back(outline.name);
     if (!request.resonance.empty() && outline.name != request.resonance) continue;
     if (outline.excited) excited.push_back(outline.name);
     if (is_covered(source, outline)) return outline.name;
   }
   const std::string place = request.resonance.empty() ? "--model " + source.name() : "--case " + request.resonance;
-  if (!request.resonance.empty() && std::find(known.begin(), known.end(), request.resonance) == known.end())
-    throw InputError(place, "", "is no case of model " + source.name(),
-                     fmt::format("its cases are {}", fmt::join(known, ", ")));
   if (!is_variance_alone(request))
     throw InputError(
         place, "", "is no case that these procedures cover",

@@ -26,15 +26,6 @@
 namespace secular::app {
 namespace {
 
-void require_case(const ModelSource& model, const std::string& name) {
-  std::string known;
-  for (const CaseOutline& resonance : model.cases()) {
-    if (resonance.name == name) return;
-    known += (known.empty() ? "" : ", ") + resonance.name;
-  }
-  throw InputError("--case " + name, "", "is no case of model " + model.name(), "its cases are " + known);
-}
-
 // Wall time by stage.
 class StageClock {
  public:
@@ -117,7 +108,7 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
   Identification result;
   StageClock clock(result.seconds);
   const ModelSource source(request.model, request.interpret);
-  for (const std::string& name : request.resonances) require_case(source, name);
+  for (const std::string& name : request.resonances) source.case_named(name);
   result.campaign = measured;
   const Campaign& campaign = result.campaign;
   std::vector<double> nominal = source.nominal_frequencies();

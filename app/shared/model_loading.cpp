@@ -12,6 +12,7 @@
 #include "codegen/runtime/expansion_sizes.hpp"
 #include "codegen/runtime/runtime_model.hpp"
 #include "generated/registry.hpp"
+#include "input/input_error.hpp"
 #include "perturb/model.hpp"
 #include "perturb/with_effects.hpp"
 
@@ -83,6 +84,24 @@ void ModelSource::outline_file() {
     }
     cases_.push_back(std::move(outline));
   }
+}
+
+const std::string& ModelSource::case_named(const std::string& wanted) const {
+  if (wanted.empty() && cases_.size() == 1) return cases_.front().name;
+  std::string known;
+  for (const CaseOutline& outline : cases_) {
+    if (outline.name == wanted) return outline.name;
+    known += (known.empty() ? "" : ", ") + outline.name;
+  }
+  throw InputError("--case " + wanted, "", "is no case of model " + name_, "its cases are " + known);
+}
+
+LoadedCase ModelSource::load_case(const std::string& wanted) const {
+  const std::string& name = case_named(wanted);
+  LoadedCase loaded{load({name}), nullptr};
+  for (const CompiledCase& resonance : loaded.model->cases)
+    if (resonance.name == name) loaded.resonance = &resonance;
+  return loaded;
 }
 
 std::shared_ptr<const CompiledModel> ModelSource::load(const std::vector<std::string>& cases) const {

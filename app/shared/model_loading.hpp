@@ -30,6 +30,12 @@ struct AugmentedCompiledModel {
   std::vector<AddedEffect> effects;
 };
 
+/// A model with one of its cases, which it holds.
+struct LoadedCase {
+  std::shared_ptr<const CompiledModel> model;
+  const CompiledCase* resonance = nullptr;
+};
+
 /// A model by name or file, and how to get code for it: a model that is compiled into this program as it is, any
 /// other derived, compiled and loaded at run time (see codegen/runtime/runtime_model.hpp).
 class ModelSource {
@@ -46,8 +52,13 @@ class ModelSource {
   /// Of the natural frequencies, by mode.
   const std::vector<std::string>& frequency_names() const { return frequency_names_; }
 
+  /// The name of a case: `wanted`, without it that of the only one. Throws InputError that lists the cases.
+  const std::string& case_named(const std::string& wanted) const;
+
   /// The model with the named cases (at least); notes go to standard error.
   std::shared_ptr<const CompiledModel> load(const std::vector<std::string>& cases) const;
+  /// The model with case_named(wanted).
+  LoadedCase load_case(const std::string& wanted) const;
 
   /// Of one case, which is derived from the model's file.
   ExpansionSizes expansion_sizes(const std::string& resonance) const;

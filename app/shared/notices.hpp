@@ -10,6 +10,7 @@ namespace secular::app {
 /// error. Errors, what was asked for and standard output stay.
 void add_common_flags(CLI::App& program);
 
+/// Whether --quiet was given.
 bool is_quiet();
 
 /// "warning: ..." on standard error, unless that is to be quiet.

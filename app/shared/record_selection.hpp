@@ -49,6 +49,7 @@ class SelectedRecords {
   /// no record has a sample in the window.
   SelectedRecords(const Campaign& campaign, const Window& window, WatchedReader::Look look = {});
 
+  /// As WatchedReader::read(), filtered to the band.
   Record read(std::size_t record);
   std::vector<std::string> warnings() const { return reader_.warnings(); }
   /// WatchedReader::clipped

@@ -27,13 +27,14 @@ struct RecordSpectrum {
 
   std::vector<std::string> conclusions;  ///< what the numbers say, in words
 
-  bool tables_empty() const;
-  bool has_rates() const;  ///< some term of some table grows or decays  ///< no decomposition of the first channel
+  bool tables_empty() const;  ///< no decomposition of the first channel
+  bool has_rates() const;     ///< some term of some table grows or decays
 };
 
 /// Fills `conclusions`.
 void conclude(RecordSpectrum& record);
 
+/// report.html, with `command` at its foot, and spectrum.json.
 std::string spectrum_report(const RecordSpectrum& record, const std::string& command);
 std::string spectrum_json(const RecordSpectrum& record);
 
@@ -47,6 +48,7 @@ struct ResponseTable {
   std::vector<std::pair<std::string, std::vector<ResponseLevel>>> series;  ///< by name
 };
 
+/// The same two of a table of steady responses.
 std::string response_table_report(const ResponseTable& table, const std::string& command);
 std::string response_table_json(const ResponseTable& table);
 

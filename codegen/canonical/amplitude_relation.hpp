@@ -55,6 +55,7 @@ struct AmplitudeRelation {
   bool detuning_is_explicit = false;
 };
 
+/// Of one case, from its modulation equation.
 AmplitudeRelation amplitude_relation(const CanonicalModel& model, const CanonicalCase& resonance);
 
 }  // namespace secular

@@ -152,6 +152,7 @@ std::vector<CanonicalTerm> canonical_modulation(const Derivation& derivation, st
                                                 const SymbolOrder& order);
 std::vector<CanonicalTerm> canonical_harmonics(const Derivation& derivation, std::size_t mode,
                                                const SymbolOrder& order);
+/// Natural and excitation frequencies, then the other symbols as the model declares them, then pi.
 SymbolOrder symbol_order(const Model& model);
 
 }  // namespace secular

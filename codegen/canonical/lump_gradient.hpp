@@ -19,6 +19,7 @@ struct LumpGradient {
   std::vector<Entry> entries;
 };
 
+/// `definition`: N/D in the symbols of CanonicalModel::order.
 LumpGradient lump_gradient(const CanonicalModel& model, const RationalFunction& definition);
 
 }  // namespace secular

@@ -29,6 +29,7 @@ struct ModulationJacobian {
   bool complete = true;                         ///< no term is left to quadrature
 };
 
+/// Of one case, of all modes; terms that are left to quadrature are not in it.
 ModulationJacobian modulation_jacobian(const CanonicalModel& model, const CanonicalCase& resonance);
 
 }  // namespace secular

@@ -22,9 +22,9 @@ struct RationalFunction {
   bool operator==(const RationalFunction&) const = default;
 
   bool is_zero() const { return numerator.empty(); }
-  bool is_constant() const;  ///< a number
-  bool is_one() const;       ///< 1
-  bool denominator_is_number() const;
+  bool is_constant() const;            ///< a number
+  bool is_one() const;                 ///< 1
+  bool denominator_is_number() const;  ///< a polynomial, but for a factor
 };
 
 /// Derivative by one symbol (its index in the order), by the quotient rule. Common powers of symbols and common

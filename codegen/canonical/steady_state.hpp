@@ -25,6 +25,7 @@ struct SteadyState {
   std::vector<SteadyTerm> still_real, still_imaginary, turning_real, turning_imaginary;
 };
 
+/// Of one case, from its modulation equation.
 SteadyState steady_state(const CanonicalModel& model, const CanonicalCase& resonance);
 
 }  // namespace secular

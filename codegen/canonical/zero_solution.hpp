@@ -54,6 +54,7 @@ struct ZeroSolution {
   Pair pair(const Group& group) const;
 };
 
+/// Of one case, of all modes.
 ZeroSolution zero_solution(const CanonicalModel& model, const CanonicalCase& resonance);
 
 }  // namespace secular

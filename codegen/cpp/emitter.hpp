@@ -35,7 +35,8 @@ void emit_lumps(Emitter& emitter, const CanonicalCase& resonance);
 void emit_block(Emitter& emitter, const CanonicalCase& resonance, std::size_t block);
 /// modulation, modulation_jacobian.
 void emit_modulation(Emitter& emitter, const CanonicalCase& resonance);
-/// The tables of estimator/model/compiled_model.hpp.
+/// The tables of estimator/model/compiled_model.hpp: those of cases and symbols, then the model's, which holds
+/// them.
 void emit_tables(Emitter& emitter);
 void emit_model_table(Emitter& emitter);
 

@@ -22,6 +22,7 @@ struct SymbolName {
   bool operator==(const SymbolName&) const = default;
 };
 
+/// From an identifier of a model: underscores and digits at its end begin subscripts.
 SymbolName symbol_name(std::string_view identifier);
 
 /// The identifier as it stands, in fixed pitch.

@@ -37,6 +37,7 @@ struct Expression {
   bool operator==(const Expression&) const = default;
 };
 
+/// One expression of each kind, see Expression::Kind.
 Expression number(long value);  ///< not negative
 Expression symbol(std::string identifier);
 Expression constant(std::string name);

@@ -27,7 +27,6 @@ class ModelCache {
   std::filesystem::path file(const std::string& key, const std::string& suffix) const;
   /// An empty folder on the cache's file system to work in.
   PrivateFolder work_folder() const { return PrivateFolder(writable_); }
-  bool temporary() const { return temporary_ != nullptr; }
 
  private:
   void remove_old_entries() const;

@@ -205,10 +205,10 @@ class CandidateList {
     add(*mixing, std::move(c));
   }
 
-  void add_drifts() {
+  void add_frequency_drifts() {
     for (const Effect& effect : catalogue_.effects)
       for (std::size_t k = 0; effect.is_of_time() && k < data_.model.modes(); ++k) {
-        Candidate drift = fault(std::string(data_.model.coordinates[k]), data_.faults.drift(k));
+        Candidate drift = fault(std::string(data_.model.coordinates[k]), data_.faults.frequency_drift(k));
         drift.mode = k;
         drift.equation = true;
         add(effect, std::move(drift));
@@ -330,7 +330,7 @@ std::vector<Candidate> candidates_of(const EffectCatalogue& catalogue, const std
   list.add_equation_effects(effects);
   list.add_channel_faults();
   list.add_mode_shape_error();
-  list.add_drifts();
+  list.add_frequency_drifts();
   if (!data.sensors.excitations.empty()) {
     list.add_shaker_harmonics();
     list.add_extra_mode();

@@ -17,15 +17,16 @@ struct Condition {
   int fold = 0;            ///< what is left out together when a prediction is checked
   double time_s = 0;       ///< of its middle, of record_times
   /// By mode, relative: the record's natural frequencies next to those of all. Empty: none differs.
-  Eigen::VectorXd frequency_shift;
+  Eigen::VectorXd record_shift;
   Eigen::Index samples = 0;  ///< of all ensembles
   std::shared_ptr<const Torus> torus;
   std::array<std::complex<double>, 2> rate;
   std::vector<MasterLine> masters;
   std::vector<MasterLine> resting;  ///< MotionSetting::resting
-  /// By master: (dB/dt)/B of a dwell that was still drifting, and the error of its real and imaginary part.
-  std::vector<std::complex<double>> drift_rate;
-  std::vector<double> drift_rate_sd;
+  /// By master: (dB/dt)/B of a dwell whose amplitude was still drifting, and the error of its real and imaginary
+  /// part.
+  std::vector<std::complex<double>> amplitude_drift_rate;
+  std::vector<double> amplitude_drift_rate_sd;
   /// Growth + i*frequency at which a line's phase turns: sum |n_j| growth_j + i sum n_j frequency_j.
   std::complex<double> line_rate(Eigen::Index line) const { return secular::line_rate(*torus, rate, line); }
 

@@ -23,7 +23,7 @@ ConditionEvaluation::ConditionEvaluation(const Condition& condition, const Motio
       sensors_(sensors),
       faults_(faults),
       readings_(condition, sensors, faults),
-      parameters_(drifted(parameters)) {}
+      parameters_(at_condition(parameters)) {}
 
 MotionSetting ConditionEvaluation::setting() const {
   MotionSetting setting{c_.torus, c_.rate,
@@ -36,16 +36,16 @@ MotionSetting ConditionEvaluation::setting() const {
   return setting;
 }
 
-std::vector<double> ConditionEvaluation::drifted(std::span<const double> parameters) const {
+std::vector<double> ConditionEvaluation::at_condition(std::span<const double> parameters) const {
   std::vector<double> values(parameters.begin(), parameters.end());
-  for (std::size_t s = 0; s < values.size(); ++s) values[s] *= drift(s);
+  for (std::size_t s = 0; s < values.size(); ++s) values[s] *= factor_at_condition(s);
   return values;
 }
 
-double ConditionEvaluation::drift(std::size_t symbol) const {
+double ConditionEvaluation::factor_at_condition(std::size_t symbol) const {
   if (symbol >= faults_.frequency_drift.size()) return 1;
   const double of_time = 1 + faults_.frequency_drift[symbol] * c_.time_s;
-  return c_.frequency_shift.size() > 0 ? of_time * (1 + c_.frequency_shift(static_cast<Index>(symbol))) : of_time;
+  return c_.record_shift.size() > 0 ? of_time * (1 + c_.record_shift(static_cast<Index>(symbol))) : of_time;
 }
 
 double ConditionEvaluation::measured_displacement() const {
@@ -106,9 +106,9 @@ VectorXd ConditionEvaluation::differences(const VectorXcd& amplitudes, const Con
   for (Index m = 0; m < amplitudes.size(); ++m) {
     Complex balance = expected.balance(m);
     // An amplitude B(t) exp(i w t) has the inertia -(s^2 B + 2 s dB/dt).
-    if (!c_.drift_rate.empty())
+    if (!c_.amplitude_drift_rate.empty())
       balance -= 2.0 * c_.line_rate(c_.masters[static_cast<std::size_t>(m)].line) *
-                 c_.drift_rate[static_cast<std::size_t>(m)];
+                 c_.amplitude_drift_rate[static_cast<std::size_t>(m)];
     push(balance, false);
   }
   for (Index c = 0; c < c_.response.rows(); ++c)

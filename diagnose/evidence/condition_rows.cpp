@@ -165,8 +165,8 @@ MatrixXd ConditionModel::covariance(const Condition& condition, const VectorXd& 
         stays_alone(RowMeaning::Kind::excitation, static_cast<std::size_t>(j), line, sd);
     }
   }
-  for (std::size_t m = 0; m < condition.drift_rate_sd.size(); ++m)
-    vary(moved.drift_rate[m], condition.drift_rate_sd[m], false);
+  for (std::size_t m = 0; m < condition.amplitude_drift_rate_sd.size(); ++m)
+    vary(moved.amplitude_drift_rate[m], condition.amplitude_drift_rate_sd[m], false);
   return covariance;
 }
 

@@ -42,6 +42,7 @@ class ConditionModel {
   ConditionModel(const MotionBalance& balance, const SensorModel& sensors, const FaultTable& table)
       : balance_(balance), sensors_(sensors), table_(table) {}
 
+  /// `start`: a motion near the one looked for, as MotionBalance::solve takes it; nullptr: none is known.
   ConditionRows rows(const Condition& condition, const Eigen::VectorXd& unknowns, const Motion* start) const;
   /// Change of the rows with some of the unknowns, per `scale` of each, near a motion in balance whose lines are
   /// `displacement`. The slaved lines' balance is linearised there, so that no column needs an iteration:
@@ -49,6 +50,7 @@ class ConditionModel {
   Eigen::MatrixXd slopes(const Condition& condition, const Eigen::VectorXd& unknowns,
                          const Eigen::MatrixXcd& displacement, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale) const;
+  /// Of every row, in their order.
   std::vector<RowMeaning> meanings(const Condition& condition) const;
   /// Of the condition only the excitation and the layout of lines count; `amplitudes` by master.
   ConditionForecast forecast(const Condition& condition, const Eigen::VectorXcd& amplitudes,

@@ -77,7 +77,7 @@ void Discrepancy::approach(const Eigen::VectorXd& unknowns) {
 void Discrepancy::freeze(const Eigen::VectorXd& unknowns, double coarse) {
   for (int round = 1; round <= most_rounds; ++round) {
     for (const auto& part : parts_) {
-      part->shift_frequencies(shifts_);
+      part->shift_records(record_shifts_);
       part->freeze(unknowns, coarse);
     }
     take_directions(unknowns);
@@ -112,7 +112,7 @@ void Discrepancy::take_directions(const Eigen::VectorXd& unknowns) {
     columns.rightCols(modes()) = by_frequency(rows, Eigen::all);
     if (columns.isZero(0)) continue;
     Eigen::VectorXd put_in = Eigen::VectorXd::Zero(columns.cols());
-    if (const auto shift = shifts_.find(record); shift != shifts_.end() && modes() > 0)
+    if (const auto shift = record_shifts_.find(record); shift != record_shifts_.end() && modes() > 0)
       put_in.tail(modes()) = shift->second.cwiseQuotient(nuisances_.frequency_sd);
     directions_.emplace(record, RecordDirections(std::move(rows), std::move(columns), std::move(put_in)));
   }
@@ -125,7 +125,7 @@ bool Discrepancy::put_in_frequencies(const Eigen::VectorXd& unknowns) {
   if (!rows.allFinite()) return false;
   bool moved = false;
   for (const auto& [record, directions] : directions_) {
-    Eigen::VectorXd& shift = shifts_.try_emplace(record, Eigen::VectorXd::Zero(modes())).first->second;
+    Eigen::VectorXd& shift = record_shifts_.try_emplace(record, Eigen::VectorXd::Zero(modes())).first->second;
     const Eigen::VectorXd
         before = shift.cwiseQuotient(nuisances_.frequency_sd),
         next = directions.likeliest(rows).tail(modes()).cwiseMax(-most_deviations).cwiseMin(most_deviations);

@@ -34,6 +34,7 @@ bool has_frequencies(const Eigen::VectorXd& unknowns, std::size_t modes);
 class Evidence {
  public:
   virtual ~Evidence() = default;
+  /// How many rows there are.
   virtual Eigen::Index size() const = 0;
   /// Rows that are independent of each other.
   virtual Eigen::Index freedom() const { return size(); }
@@ -43,6 +44,7 @@ class Evidence {
   virtual void freeze(const Eigen::VectorXd& unknowns, double coarse) = 0;
   /// Motions are looked for from those at these unknowns on; errors stay.
   virtual void approach(const Eigen::VectorXd& /*unknowns*/) {}
+  /// `rows`: size() of them, at the errors that freeze() took.
   virtual void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const = 0;
   /// Columns of d rows / d (unknown / scale) for some of the unknowns, by central differences of half a scale; zero
   /// where the rows are not finite.
@@ -50,7 +52,7 @@ class Evidence {
                                  const Eigen::VectorXd& scale, unsigned threads) const;
   /// Natural frequencies of a record are those of the unknowns times 1 + shift, by record and mode; of a record
   /// that is not named they are those of the unknowns. Until the next call.
-  virtual void shift_frequencies(const std::map<std::size_t, Eigen::VectorXd>& /*shifts*/) {}
+  virtual void shift_records(const std::map<std::size_t, Eigen::VectorXd>& /*shifts*/) {}
   /// Rows before they were made independent of each other, where that mixed them.
   virtual Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const { return rows; }
 };
@@ -77,9 +79,11 @@ struct OwnFrequency {
 /// allowed for.
 class Discrepancy {
  public:
+  /// Its rows stand behind those that are there.
   void add(std::unique_ptr<Evidence> evidence);
   /// From the next freeze() on.
   void admit(RecordNuisances nuisances) { nuisances_ = std::move(nuisances); }
+  // Sums, or one behind the other, of the evidence's own.
   Eigen::Index size() const;
   Eigen::Index freedom() const;
   std::vector<RowLabel> labels() const;
@@ -87,7 +91,9 @@ class Discrepancy {
   /// unknowns, so that what is left of them is small.
   void freeze(const Eigen::VectorXd& unknowns, double coarse = 0);
   void approach(const Eigen::VectorXd& unknowns);
+  /// The rows, of unit variance with what records have of their own (RecordDirections).
   Eigen::VectorXd operator()(const Eigen::VectorXd& unknowns) const;
+  /// Of these rows, as Evidence::slopes(): rows x which.
   Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale, unsigned threads) const;
   Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const;
@@ -95,9 +101,9 @@ class Discrepancy {
   /// scatter (docs/inference.md (32)).
   double share_of_records(Eigen::VectorXd column) const;
   /// By mode, relative, as put in; empty: the record has the frequencies of all.
-  Eigen::VectorXd frequency_shift(std::size_t record) const {
-    const auto own = shifts_.find(record);
-    return own == shifts_.end() ? Eigen::VectorXd() : own->second;
+  Eigen::VectorXd record_shift(std::size_t record) const {
+    const auto own = record_shifts_.find(record);
+    return own == record_shifts_.end() ? Eigen::VectorXd() : own->second;
   }
   /// Of the records that tell them, at these unknowns.
   std::vector<OwnFrequency> own_frequencies(const Eigen::VectorXd& unknowns) const;
@@ -112,8 +118,8 @@ class Discrepancy {
 
   std::vector<std::unique_ptr<Evidence>> parts_;
   RecordNuisances nuisances_;
-  std::map<std::size_t, Eigen::VectorXd> shifts_;       // of natural frequencies, by record and mode, as put in
-  std::map<std::size_t, RecordDirections> directions_;  // by record, as frozen
+  std::map<std::size_t, Eigen::VectorXd> record_shifts_;  // of natural frequencies, by record and mode, as put in
+  std::map<std::size_t, RecordDirections> directions_;    // by record, as frozen
 };
 
 }  // namespace secular

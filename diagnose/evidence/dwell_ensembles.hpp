@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "diagnose/evidence/record_window.hpp"
+#include "diagnose/evidence/record_part.hpp"
 #include "diagnose/evidence/resonant_lines.hpp"
 #include "measure/observe/observation_set.hpp"
 

@@ -40,7 +40,7 @@ HeldLines::Values HeldLines::at(const BalanceSweep::Path& path, const std::vecto
 
 HeldLines::Values HeldLines::at(const BalanceSweep::Path& path, std::span<const double> parameters,
                                 const std::vector<SlavedLine>& slaves) {
-  return values(path, evaluation_.drifted(parameters), slaves);
+  return values(path, evaluation_.at_condition(parameters), slaves);
 }
 
 HeldLines::Slopes HeldLines::symbol_slopes(const BalanceSweep::Path& path, const std::vector<std::size_t>& symbols,
@@ -50,7 +50,7 @@ HeldLines::Slopes HeldLines::symbol_slopes(const BalanceSweep::Path& path, const
                 MatrixXd(gathered(slaves, path.lines).size(), static_cast<Index>(symbols.size()))};
   for (std::size_t i = 0; i < symbols.size(); ++i) {
     const auto column = static_cast<Index>(i);
-    const MatrixXcd slope = slopes[i] * evaluation_.drift(symbols[i]);
+    const MatrixXcd slope = slopes[i] * evaluation_.factor_at_condition(symbols[i]);
     // A row of the equations of motion is the masters' balance over their amplitudes.
     const VectorXcd balance = balance_of_masters(setting_, slope).cwiseQuotient(amplitudes_);
     for (Index m = 0; m < balance.size(); ++m) {

@@ -13,6 +13,7 @@ namespace secular {
 /// `displacement` instead of solved for. What they change of the cut of a channel that saturates is left out.
 class HeldLines {
  public:
+  /// `steps`: by entry of gathered(slaves), what BalanceSweep::steps makes of the residual.
   struct Values {
     Eigen::VectorXd rows, steps;
   };
@@ -26,17 +27,21 @@ class HeldLines {
   HeldLines(const HeldLines&) = delete;
   HeldLines& operator=(const HeldLines&) = delete;
 
+  /// At the parameters that this was made with.
   std::vector<SlavedLine> slaves() const;
   /// The motion with the masters at their measured amplitudes.
   BalanceSweep::Path path(Eigen::MatrixXcd displacement) const;
 
+  /// With the lines of `path` as they are.
   Values at(const BalanceSweep::Path& path, const std::vector<SlavedLine>& slaves);
   /// With other parameters of the model.
   Values at(const BalanceSweep::Path& path, std::span<const double> parameters,
             const std::vector<SlavedLine>& slaves);
 
+  /// Change per unit of some of the model's symbols, by their derivatives; `rows`: how many rows there are.
   Slopes symbol_slopes(const BalanceSweep::Path& path, const std::vector<std::size_t>& symbols, Eigen::Index rows,
                        const std::vector<SlavedLine>& slaves);
+  /// Change with every entry of gathered(slaves), by one-sided differences.
   Slopes line_slopes(const BalanceSweep::Path& path, const std::vector<SlavedLine>& slaves);
 
  private:

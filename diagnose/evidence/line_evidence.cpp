@@ -199,10 +199,10 @@ MatrixXd LineEvidence::slopes(const VectorXd& unknowns, const std::vector<std::s
   return columns;
 }
 
-void LineEvidence::shift_frequencies(const std::map<std::size_t, VectorXd>& shifts) {
+void LineEvidence::shift_records(const std::map<std::size_t, VectorXd>& shifts) {
   for (Condition& condition : conditions_) {
     const auto own = shifts.find(condition.record);
-    condition.frequency_shift = own == shifts.end() ? VectorXd() : own->second;
+    condition.record_shift = own == shifts.end() ? VectorXd() : own->second;
   }
 }
 

@@ -357,8 +357,8 @@ class DwellObserver {
       if (drifts)
         found.drift =
             std::max(found.drift, std::abs(drift.rate) * static_cast<double>(part_.samples.rows()) / rate_);
-      c.drift_rate.push_back(drifts ? drift.rate : Complex());
-      c.drift_rate_sd.push_back(drifts ? drift.sd : 0);
+      c.amplitude_drift_rate.push_back(drifts ? drift.rate : Complex());
+      c.amplitude_drift_rate_sd.push_back(drifts ? drift.sd : 0);
     }
     return found;
   }

@@ -8,8 +8,9 @@ namespace secular {
 double saturated(double value, double level, double noise_sd);
 
 /// Half-amplitude of the fundamental that a saturated channel shows of a sinusoid of half-amplitude `half`
-/// (describing function of the above), and the half-amplitude that makes it show `shown`. The first tends to that
-/// of a square wave, 2/pi level; what shows more than can be undone gives 50 level.
+/// (describing function of the above, all in the channel's unit), and the half-amplitude that makes it show
+/// `shown`. The first tends to that of a square wave, 2/pi level; what shows more than can be undone gives 50
+/// level.
 double saturated_fundamental(double half, double level, double noise_sd);
 double unsaturated_amplitude(double shown, double level, double noise_sd);
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "diagnose/evidence/campaign_clock.hpp"
-#include "diagnose/evidence/record_window.hpp"
+#include "diagnose/evidence/record_part.hpp"
 #include "diagnose/thresholds.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/noise_floor.hpp"

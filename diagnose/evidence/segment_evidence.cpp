@@ -401,10 +401,10 @@ void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
   noise_ = std::move(found);
 }
 
-void SegmentEvidence::shift_frequencies(const std::map<std::size_t, VectorXd>& shifts) {
+void SegmentEvidence::shift_records(const std::map<std::size_t, VectorXd>& shifts) {
   for (Segment& segment : segments_) {
     const auto own = shifts.find(segment.record);
-    segment.frequency_shift = own == shifts.end() ? VectorXd() : own->second;
+    segment.record_shift = own == shifts.end() ? VectorXd() : own->second;
   }
 }
 

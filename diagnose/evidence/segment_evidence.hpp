@@ -31,7 +31,7 @@ class SegmentEvidence : public Evidence {
   Eigen::Index freedom() const override;
   const std::vector<RowLabel>& labels() const override { return labels_; }
   void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
-  void shift_frequencies(const std::map<std::size_t, Eigen::VectorXd>& shifts) override;
+  void shift_records(const std::map<std::size_t, Eigen::VectorXd>& shifts) override;
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
   /// Offsets of response channels, which no motion depends on, in closed form; the others by differences of motions
   /// that are integrated side by side.

@@ -57,6 +57,7 @@ class MotionIntegrator {
   MotionIntegrator(const CompiledModel& model, std::vector<StateForce> forces)
       : model_(model), forces_(std::move(forces)) {}
 
+  /// At samples 0, 1, ... of `start`, the first at its state.
   StretchOfMotion motion(const MotionStart& start) const;
   /// The same motions, to the last bit, in far less time: those whose samples are as many, as far apart and as
   /// finely divided are integrated side by side.

@@ -88,7 +88,7 @@ Faults FaultTable::faults(const double* values) const {
       faults.mixing(static_cast<Index>(i), static_cast<Index>(k)) = values[mixing(i, k)];
   for (std::size_t h = 0; h < 2; ++h)
     faults.shaker_harmonic[h] = {values[shaker_harmonic(2 * h)], values[shaker_harmonic(2 * h + 1)]};
-  for (std::size_t k = 0; k < modes_; ++k) faults.frequency_drift.push_back(values[drift(k)]);
+  for (std::size_t k = 0; k < modes_; ++k) faults.frequency_drift.push_back(values[frequency_drift(k)]);
   faults.extra.frequency = values[extra_frequency()];
   faults.extra.damping = values[extra_damping()];
   for (std::size_t c = 0; c < responses_; ++c) faults.extra.amplitude.push_back(values[extra_amplitude(c)]);

@@ -48,7 +48,8 @@ struct ExtraMode {
 /// base to the power 0, 1 or 2: what a derivative does to a line.
 std::complex<double> derivative_power(std::complex<double> base, int exponent);
 
-/// Everything that can be wrong with excitation and measurement, and drift of the structure; all zero: nothing.
+/// Everything that can be wrong with excitation and measurement, and how natural frequencies drift; all zero:
+/// nothing.
 struct Faults {
   std::vector<ChannelFaults> response, excitation;
   Eigen::MatrixXd mixing;  ///< modes x modes: the true shapes are shapes*(1 + mixing)
@@ -63,6 +64,7 @@ class FaultTable {
  public:
   FaultTable(const CompiledModel& model, const SensorModel& sensors);
 
+  /// By place: "gain(base)", "mixing(v, w)", ...
   const std::vector<std::string>& names() const { return names_; }
   std::size_t size() const { return names_.size(); }
   /// `values`: this table's part of the unknowns.
@@ -75,7 +77,7 @@ class FaultTable {
   std::size_t offset(std::size_t channel) const { return 5 * channel + 3; }
   std::size_t inverse_level(std::size_t channel) const { return 5 * channel + 4; }
   std::size_t mixing(std::size_t row, std::size_t column) const { return after_channels_ + row * modes_ + column; }
-  std::size_t drift(std::size_t mode) const { return after_channels_ + modes_ * modes_ + mode; }
+  std::size_t frequency_drift(std::size_t mode) const { return after_channels_ + modes_ * modes_ + mode; }
   /// Real part of the second, its imaginary part, then those of the third.
   std::size_t shaker_harmonic(std::size_t part) const { return after_channels_ + modes_ * modes_ + modes_ + part; }
   std::size_t extra_frequency() const { return shaker_harmonic(4); }

@@ -32,8 +32,8 @@ struct BranchPoint {
 
 Condition driven(const Condition& measured, double level, double frequency) {
   Condition c = measured;
-  c.drift_rate.clear();
-  c.drift_rate_sd.clear();
+  c.amplitude_drift_rate.clear();
+  c.amplitude_drift_rate_sd.clear();
   for (Complex& rate : c.rate) rate = Complex(0, frequency * rate.imag());
   c.excitation *= level;
   return c;

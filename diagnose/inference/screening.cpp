@@ -18,20 +18,19 @@ namespace {
 /// one) are not seen by the data.
 constexpr auto& least_length = diagnose_thresholds().least_length;
 
-// What strengths with these slopes (per scale) would explain from `unknowns` on.
+// What strengths with these slopes would explain from `unknowns` on.
 Screening screen_slopes(const Discrepancy& discrepancy, const Refit& base, const MatrixXd& basis,
-                        const Candidate& candidate, VectorXd unknowns, const MatrixXd& slopes,
-                        const VectorXd& scale) {
-  const MatrixXd columns = without_span(basis, slopes);
+                        const Candidate& candidate, VectorXd unknowns, const UnitSlopes& slopes) {
+  const MatrixXd columns = without_span(basis, slopes.columns);
   const MatrixXd seen = basis_of(columns);
   if (seen.cols() == 0 || columns.norm() < least_length) return {};
   const VectorXd explained = seen * (seen.transpose() * base.rows);
   const VectorXd strength = -columns.completeOrthogonalDecomposition().solve(base.rows);
   for (std::size_t s = 0; s < candidate.strengths.size(); ++s)
     unknowns(static_cast<Index>(candidate.strengths[s])) +=
-        scale(static_cast<Index>(s)) * strength(static_cast<Index>(s));
+        slopes.scale(static_cast<Index>(s)) * strength(static_cast<Index>(s));
   if (candidate.passive && unknowns(static_cast<Index>(candidate.strengths[0])) < 0) return {};
-  return {explained.squaredNorm(), discrepancy.share_of_records(explained), std::move(unknowns), scale};
+  return {explained.squaredNorm(), discrepancy.share_of_records(explained), std::move(unknowns), slopes.scale};
 }
 
 // Whether it acts in these unknowns.
@@ -96,7 +95,7 @@ class Rounds {
         put_shapes(candidate, candidate.shape_starts[round], start);
         Screening screened =
             screen_slopes(discrepancy_, base_, basis_, candidate, std::move(start),
-                          slopes.columns.middleCols(first[i], count), slopes.scale.segment(first[i], count));
+                          {slopes.scale.segment(first[i], count), slopes.columns.middleCols(first[i], count)});
         if (screened.gain > found[asked[i]].gain) found[asked[i]] = std::move(screened);
       }
     }

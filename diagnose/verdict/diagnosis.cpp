@@ -63,7 +63,7 @@ class Diagnoser {
       return std::move(result_);
     }
     for (Condition& condition : comparison_.conditions)
-      condition.frequency_shift = discrepancy().frequency_shift(condition.record);
+      condition.record_shift = discrepancy().record_shift(condition.record);
     if (options_.given)
       judged_ = judge_given(options_.given, model_, free_, discrepancy(), comparison_.start, options_.threads);
     result_.warnings = comparison_.warnings;

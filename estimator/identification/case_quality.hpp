@@ -12,6 +12,7 @@ namespace secular {
 /// Name of a column: the lump's, the natural frequency's, or "offset of <mode>".
 std::string column_name(const CaseFit& fit, std::size_t column);
 
+/// By block of equations that was regressed, by condition, and of ensembles that weigh less than one.
 std::vector<BlockQuality> block_quality(const CaseFit& fit);
 std::vector<ConditionQuality> condition_quality(const CaseFit& fit);
 std::vector<OutlyingEnsemble> outlying_ensembles(const CaseFit& fit);

@@ -210,8 +210,8 @@ Precision fit_rounds(Estimation& e) {
   if (start && start->blocks.size() == e.sets.size()) {
     e.blocks = start->blocks;
     e.states = start->regressions;
-    e.frequency_shifts = start->frequency_shifts;
-    for (const auto& [lump, value] : e.frequency_shifts) e.knowledge.fixed[lump] = value;
+    e.frequency_lumps = start->frequency_lumps;
+    for (const auto& [lump, value] : e.frequency_lumps) e.knowledge.fixed[lump] = value;
     for (std::size_t k = 0; k < e.model.modes(); ++k)
       if (!e.given[k]) e.knowledge.natural_frequency[k] = start->natural_frequency[k];
     for (int round = 0; round < (e.pass.keep_weights ? 1 : rounds); ++round) fit_cases(e, Precision::full);
@@ -251,7 +251,7 @@ void fit_cases(Estimation& e, Precision precision) {
   }
 }
 
-bool know_frequency_shifts(Estimation& e) {
+bool know_frequency_lumps(Estimation& e) {
   CampaignKnowledge known = campaign_knowledge(e);
   for (std::size_t k = 0; k < e.model.modes(); ++k) known.parameters[k] = true;
   const Identifiability what = identifiability(known);
@@ -275,21 +275,21 @@ bool know_frequency_shifts(Estimation& e) {
         if (slope[l * symbols + p] != 0 && !what.determined[p]) follows = false;
       if (!follows) continue;
       const LumpKey key = key_of(resonance, l);
-      e.frequency_shifts[key] = e.knowledge.fixed[key] = lumps[l];
+      e.frequency_lumps[key] = e.knowledge.fixed[key] = lumps[l];
       found = true;
     }
   }
   return found;
 }
 
-void follow_frequency_shifts(Estimation& e) {
+void follow_frequency_lumps(Estimation& e) {
   for (const CaseFit& fit : e.fits) {
     const CompiledCase& resonance = *fit.set->resonance;
     std::vector<double> lumps(resonance.lumps.size());
     if (!lumps.empty()) resonance.evaluate_lumps(e.shared.values.data(), lumps.data());
     for (std::size_t l = 0; l < lumps.size(); ++l)
-      if (const auto shift = e.frequency_shifts.find(key_of(resonance, l)); shift != e.frequency_shifts.end())
-        shift->second = lumps[l];
+      if (const auto known = e.frequency_lumps.find(key_of(resonance, l)); known != e.frequency_lumps.end())
+        known->second = lumps[l];
   }
 }
 

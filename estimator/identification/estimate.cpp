@@ -28,9 +28,9 @@ Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& uni
   Estimation e(sets, units, options, pass);
   const Precision so_far = fit_rounds(e);
   share_parameters(e);
-  if (!e.frequency_shifts.empty()) {
-    follow_frequency_shifts(e);
-  } else if (know_frequency_shifts(e) || so_far == Precision::rough) {
+  if (!e.frequency_lumps.empty()) {
+    follow_frequency_lumps(e);
+  } else if (know_frequency_lumps(e) || so_far == Precision::rough) {
     fit_cases(e, Precision::full);
     share_parameters(e);
   }
@@ -49,7 +49,7 @@ Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& uni
     doubt_without_force(e.result, e.fits);
   }
   e.result.state = std::make_shared<const EstimationState>(EstimationState{
-      std::move(e.blocks), std::move(e.states), e.knowledge.natural_frequency, std::move(e.frequency_shifts)});
+      std::move(e.blocks), std::move(e.states), e.knowledge.natural_frequency, std::move(e.frequency_lumps)});
   return std::move(e.result);
 }
 

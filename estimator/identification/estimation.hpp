@@ -19,7 +19,7 @@ struct EstimationState {
   std::vector<std::vector<std::size_t>> blocks;  ///< by case with observations
   std::vector<RegressionState> regressions;
   std::vector<double> natural_frequency;
-  LumpValues frequency_shifts;  ///< lumps that were given what their symbols make of them
+  LumpValues frequency_lumps;  ///< lumps that were given what their symbols make of them
 };
 
 /// An estimate on its way: what each stage has found for the next ones.
@@ -36,7 +36,7 @@ struct Estimation {
   std::vector<bool> given;                       ///< by symbol
   // Of the cases, see fit_rounds.
   CaseKnowledge knowledge;
-  LumpValues frequency_shifts;                   ///< see know_frequency_shifts
+  LumpValues frequency_lumps;                    ///< see know_frequency_lumps
   std::vector<std::vector<std::size_t>> blocks;  ///< by fit: equations that are regressed
   std::vector<CaseFit> fits;
   std::vector<RegressionState> states;  ///< by fit; without weights: none yet
@@ -70,9 +70,9 @@ void fit_cases(Estimation& e, Precision precision);
 /// whose column is that of the natural frequency: neither can be told. The lump's symbols are known from elsewhere,
 /// though, and it depends on the natural frequency weakly: it is given its value, and the frequency can be. Whether
 /// there is one.
-bool know_frequency_shifts(Estimation& e);
-/// Shifts as they are at the parameters that were found with them, for the next estimate.
-void follow_frequency_shifts(Estimation& e);
+bool know_frequency_lumps(Estimation& e);
+/// These lumps as they are at the parameters that were found with them, for the next estimate.
+void follow_frequency_lumps(Estimation& e);
 /// CASE:NAME
 std::string text_of(const LumpKey& key);
 /// The value of a lump that is given itself, CASE:NAME, or is a given symbol.
@@ -97,6 +97,8 @@ void test_consistency(Estimation& e);
 /// What a parameter may be off by: through the lumps, and because no parameters give all lumps.
 double misfit_of_parameter(const Estimation& e, Eigen::Index parameter);
 
+/// Fill Estimation::result: values with errors, intervals and units; lumps likewise, by case; what regressions say
+/// of their fit. Last of all.
 void report_parameters(Estimation& e);
 void report_lumps(Estimation& e);
 void report_quality(Estimation& e);

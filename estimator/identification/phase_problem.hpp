@@ -8,6 +8,7 @@
 
 namespace secular {
 
+/// design * values = response, in rows of one variance.
 struct Equations {
   Eigen::MatrixXd design;
   Eigen::VectorXd response;
@@ -25,6 +26,7 @@ struct Solution {
   Eigen::Index rank = 0;
 };
 
+/// Columns of length one that depend on others to 1e-9 count as dependent.
 Solution least_squares(const Equations& equations);
 
 /// Observations of one record that have the same equations.

@@ -24,6 +24,7 @@ enum class PhaseFinding {
   like_a_law     ///< phases that follow the amplitude, as a law that the model lacks makes them
 };
 
+/// As in estimate.json.
 std::string_view name_of(PhaseFinding finding);
 
 /// What records of one case say of it.

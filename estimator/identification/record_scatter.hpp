@@ -37,6 +37,7 @@ struct RecordScatter {
   Eigen::MatrixXd moves;
 };
 
+/// Of a case of free motions that several records tell; nothing of one with excitation.
 RecordScatter record_scatter(const CaseFit& fit);
 
 }  // namespace secular

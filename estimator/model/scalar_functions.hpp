@@ -5,6 +5,7 @@
 /// their derivatives are the classical ones on either side, zero where the argument is zero.
 namespace secular {
 
+/// x itself, or its real part.
 inline double real_part(double x) {
   return x;
 }

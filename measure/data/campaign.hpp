@@ -17,6 +17,7 @@ enum class RecordKind { dwell, sweep, free_decay, impact, broadband };
 /// What the motion of a response is measured against: a base that may itself move, or space.
 enum class Frame { relative, absolute };
 
+/// As in campaign.toml.
 std::string to_string(ChannelRole role);
 std::string to_string(Quantity quantity);
 std::string to_string(RecordKind kind);

@@ -202,9 +202,4 @@ Clipping find_clipping(std::span<const double> samples, const std::vector<double
   return clipping;
 }
 
-Clipping find_clipping(std::span<const double> samples) {
-  const std::vector<double> sorted = in_order(samples);
-  return find_clipping(samples, sorted, grid_of_sorted(sorted));
-}
-
 }  // namespace secular

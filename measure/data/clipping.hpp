@@ -41,10 +41,7 @@ struct Clipping {
 /// Not judged: an extreme that every step to is more than twice the largest of all other steps (a number that
 /// stands for lost samples), signals of fewer than 64 quanta, signals of two levels (square waves), a level that
 /// the signal rests at most of the time (between knocks), and runs that touch an end of the record. All samples
-/// must be finite.
-Clipping find_clipping(std::span<const double> samples);
-
-/// The same where their order and grid are known already.
+/// must be finite. `sorted`: the same in rising order; `grid`: theirs (grid_of_sorted).
 Clipping find_clipping(std::span<const double> samples, const std::vector<double>& sorted, const ValueGrid& grid);
 
 }  // namespace secular

@@ -35,13 +35,17 @@ std::string_view next_line(std::string_view& rest, char line_break);
 
 /// Without blanks, tabulators and carriage returns at its ends.
 std::string_view trimmed(std::string_view text);
+/// Without the double quotes around it, if it stands in them.
 std::string_view unquoted(std::string_view text);
 
 /// A field as messages show it.
 std::string shown(std::string_view field);
 
+/// What a field is that is no number.
 enum class FieldFault { none, empty, text, not_finite };
 
+/// A number as programs write it: also with a sign, in quotes, with D for its exponent, or as a time of day (then
+/// in s). `value` counts only where there is no fault.
 FieldFault parse_number(std::string_view field, bool decimal_comma, double& value);
 
 /// A number whose decimal mark is known: the other mark, a blank or an apostrophe may part its whole part into

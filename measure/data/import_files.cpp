@@ -265,14 +265,6 @@ std::optional<std::string> other_time(const std::filesystem::path& path, const s
 
 }  // namespace
 
-ImportedCampaign import_files(const ImportOptions& options) {
-  std::vector<Record> samples;
-  ImportedCampaign imported = import_files(
-      options, [&](const Campaign&, const RecordEntry&, Record&& record) { samples.push_back(std::move(record)); });
-  imported.samples = std::move(samples);
-  return imported;
-}
-
 ImportedCampaign import_files(const ImportOptions& options, const RecordSink& sink) {
   if (options.files.empty()) throw InputError("FILE", "", "no file is named", "name the files to import");
   if (options.sample_rate_hz && (!std::isfinite(*options.sample_rate_hz) || *options.sample_rate_hz <= 0))

@@ -31,7 +31,6 @@ struct ConvertedChannel {
 
 struct ImportedCampaign {
   Campaign campaign;
-  std::vector<Record> samples;
   std::vector<std::string> left_out;        ///< variables that no --channel or --time names, each once
   std::vector<ConvertedChannel> converted;  ///< channels whose unit the first file spells in another way or scales
   std::vector<std::string> warnings;        ///< what was done to the samples, or is wrong with their time
@@ -39,11 +38,8 @@ struct ImportedCampaign {
 
 /// Reads the files as records of one campaign; samples keep their bits, but for units that a file
 /// states and that are not SI: those are converted. Throws InputError that names the option for
-/// everything the files cannot say, and the file's variables where it helps.
-ImportedCampaign import_files(const ImportOptions& options);
-
-/// The same for files that do not fit into memory together: `sink` takes the records one after another, and
-/// ImportedCampaign::samples stays empty.
+/// everything the files cannot say, and the file's variables where it helps. `sink` takes the records one after
+/// another: together they need not fit into memory.
 ImportedCampaign import_files(const ImportOptions& options, const RecordSink& sink);
 
 }  // namespace secular

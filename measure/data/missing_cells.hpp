@@ -11,6 +11,7 @@ namespace secular {
 /// By channel, the places of samples that are no finite numbers, rising.
 using MissingCells = std::vector<std::vector<std::size_t>>;
 
+/// As they are in the file, before anything is filled.
 MissingCells missing_cells(const std::vector<std::vector<double>>& channels);
 
 /// A number that stands for none (-9.96921e36, 1e30, 2147483647): one modulus of 1e9 or more, at one sample or

@@ -31,6 +31,7 @@ inline constexpr std::string_view record_kind_list = "dwell, sweep, free_decay, 
 /// What keeps a name from being a channel's (and thereby a CSV column's), or empty.
 std::string channel_name_fault(std::string_view name);
 
+/// As campaign.toml writes them; nothing for any other text.
 std::optional<ChannelRole> parse_role(std::string_view text);
 std::optional<Quantity> parse_quantity(std::string_view text);
 std::optional<RecordKind> parse_record_kind(std::string_view text);

@@ -4,7 +4,8 @@
 
 #include "measure/disturbances/searched_record.hpp"
 
-/// What the rows of the catalogue find; each in a file of its own.
+/// What the rows of the catalogue find; each in a file of its own. It adds to `found` what one record shows; row
+/// and file say by which test.
 namespace secular {
 
 void find_foreign_tones(const SearchedRecord& record, std::vector<Disturbance>& found);

@@ -77,13 +77,6 @@ ImpactSpectra impact_spectra(const ImpactBlock& impact, double sample_rate_hz, c
   return sums;
 }
 
-FrequencyResponse frequency_response(const std::vector<ImpactBlock>& impacts, double sample_rate_hz,
-                                     const ImpactWindows& windows) {
-  ImpactSpectra sums;
-  for (const ImpactBlock& impact : impacts) sums.add(impact_spectra(impact, sample_rate_hz, windows));
-  return frequency_response(sums, sample_rate_hz, windows);
-}
-
 FrequencyResponse frequency_response(const ImpactSpectra& sums, double sample_rate_hz,
                                      const ImpactWindows& windows) {
   if (sums.impacts < 1) throw std::invalid_argument("frequency_response: no impacts");

@@ -53,11 +53,6 @@ ImpactSpectra impact_spectra(const ImpactBlock& impact, double sample_rate_hz, c
 FrequencyResponse frequency_response(const ImpactSpectra& sums, double sample_rate_hz,
                                      const ImpactWindows& windows);
 
-/// H1, H2 and coherence of impacts of equal length. Throws std::invalid_argument for none or unequal ones, and for
-/// a block without any force.
-FrequencyResponse frequency_response(const std::vector<ImpactBlock>& impacts, double sample_rate_hz,
-                                     const ImpactWindows& windows);
-
 /// First samples of the impacts in a force record: where its modulus first passes `share` of the record's largest
 /// value after having been below for at least `apart_s`. Two within `apart_s` are one impact with a bounce, counted
 /// in `bounces`. None are found where the force is zero throughout. `force`: any unit; rate in Hz.

@@ -55,6 +55,7 @@ struct MassEstimate {
 
 /// What a motion did in the records: the 95 % interval of its damping over them (PoleSupport).
 enum class MotionTrend { decays, grows, undetermined };
+/// As in modal.json.
 std::string to_string(MotionTrend trend);
 
 struct SurveyMode {
@@ -71,6 +72,7 @@ struct SurveyMode {
   std::optional<double> mass;  ///< kg
   double mass_sd = 0;          ///< kg; zero where it was given or cannot be told
 
+  /// Undetermined also where free motions do not tell the pole.
   MotionTrend trend() const;
   /// 95 % by Student's law; nothing where the standard deviations have one degree of freedom or none.
   std::optional<Interval> frequency_interval_hz() const;
@@ -102,6 +104,7 @@ struct ModalSurvey {
 
   /// Mass-normalised shapes, real parts (p x modes), Eq. (2.13); nothing unless every mode has its mass.
   std::optional<Eigen::MatrixXd> mass_normalised() const;
+  /// Of `channels`.
   std::string channel_name(Eigen::Index channel) const;
 };
 

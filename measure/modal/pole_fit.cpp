@@ -305,12 +305,6 @@ std::vector<PoleInfluence> pole_influences(const Eigen::Ref<const MatrixXd>& sam
   return result;
 }
 
-PoleFit fit_residues(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref<const MatrixXcd>& responses,
-                     ResponseForm form, const Eigen::Ref<const VectorXcd>& poles) {
-  const double highest = poles.size() > 0 ? poles.imag().maxCoeff() : 0;
-  return residues_of(in_frequency(omega, responses, form, highest), poles);
-}
-
 PoleFit refine_poles(const Eigen::Ref<const VectorXd>& omega, const Eigen::Ref<const MatrixXcd>& responses,
                      ResponseForm form, const Eigen::Ref<const VectorXcd>& start) {
   const double highest = start.size() > 0 ? start.imag().maxCoeff() : 0;

@@ -45,13 +45,10 @@ struct PoleInfluence {
 std::vector<PoleInfluence> pole_influences(const Eigen::Ref<const Eigen::MatrixXd>& samples, double sample_rate_hz,
                                            const PoleFit& fit);
 
-/// The first two for frequency responses H(w, s) (lines x signals) of one form at angular frequencies w (rad/s):
+/// The same for frequency responses H(w, s) (lines x signals) of one form at angular frequencies w (rad/s):
 /// sum_r R(r, s)/(i w - pole_r) + conj(R(r, s))/(i w - conj(pole_r)) and three real terms for the modes outside the
 /// band and the direct pulse: (1, i w, -w^2) (i w)^(form - 2). Residues are those of that form. All lines count the
 /// same; the residual includes whatever the model lacks.
-PoleFit fit_residues(const Eigen::Ref<const Eigen::VectorXd>& omega,
-                     const Eigen::Ref<const Eigen::MatrixXcd>& responses, ResponseForm form,
-                     const Eigen::Ref<const Eigen::VectorXcd>& poles);
 PoleFit refine_poles(const Eigen::Ref<const Eigen::VectorXd>& omega,
                      const Eigen::Ref<const Eigen::MatrixXcd>& responses, ResponseForm form,
                      const Eigen::Ref<const Eigen::VectorXcd>& start);

@@ -213,24 +213,7 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
     if (o.growth_sd[k] < 0) frequency(static_cast<Index>(k)) = expected(static_cast<Index>(k));
   window.noise_sd = seen.noise_sd;
   window.degrees_of_freedom = static_cast<double>(seen.degrees_of_freedom);
-  for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
-    const RegressorBlock& block = resonance_.blocks[b];
-    const auto at = static_cast<Index>(block.mode);
-    Complex value = 0;
-    double sd = -1;
-    if (const Index tone = list.of_block[b]; tone >= 0) {
-      const Integration to({0, list.frequency[static_cast<std::size_t>(tone)]}, d);
-      value = to.value * seen.derivative[0](tone, at) + to.slope * seen.derivative[1](tone, at) +
-              to.curvature * seen.derivative[2](tone, at);
-      if (list.reversed[b]) value = std::conj(value);
-      sd = std::abs(to.value) * seen.sd[0](tone, at);
-    } else if (is_zero_frequency(block) && d == 0 && window_.passes(0)) {
-      value = seen.offset(at);
-      sd = seen.offset_sd(at);
-    }
-    o.harmonic.push_back(value);
-    o.harmonic_sd.push_back(sd);
-  }
+  read_harmonics(seen, list, o);
   const std::size_t excitations = model_.excitations.size();
   o.excitation_frequency.assign(excitations, 0.0);
   o.excitation_frequency_sd.assign(excitations, 0.0);
@@ -238,6 +221,27 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
   o.forcing_sd.assign(excitations, 0.0);
   o.length_s = seconds;
   return window;
+}
+
+void DecayWindows::read_harmonics(const SlowToneFit& seen, const Tones& list, Observation& o) const {
+  for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
+    const RegressorBlock& block = resonance_.blocks[b];
+    const auto at = static_cast<Index>(block.mode);
+    Complex value = 0;
+    double sd = -1;
+    if (const Index tone = list.of_block[b]; tone >= 0) {
+      const Integration to({0, list.frequency[static_cast<std::size_t>(tone)]}, projection_.derivatives);
+      value = to.value * seen.derivative[0](tone, at) + to.slope * seen.derivative[1](tone, at) +
+              to.curvature * seen.derivative[2](tone, at);
+      if (list.reversed[b]) value = std::conj(value);
+      sd = std::abs(to.value) * seen.sd[0](tone, at);
+    } else if (is_zero_frequency(block) && projection_.derivatives == 0 && window_.passes(0)) {
+      value = seen.offset(at);
+      sd = seen.offset_sd(at);
+    }
+    o.harmonic.push_back(value);
+    o.harmonic_sd.push_back(sd);
+  }
 }
 
 Observation DecayWindows::fit_again(const Record& record, const Observation& like) const {

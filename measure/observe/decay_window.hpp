@@ -9,6 +9,8 @@
 
 namespace secular {
 
+struct SlowToneFit;
+
 /// What one window of a free decay shows.
 struct DecayWindow {
   Observation observation;        ///< without condition, record and centre
@@ -55,6 +57,8 @@ class DecayWindows {
     std::vector<std::ptrdiff_t> of_mode, of_block;
   };
   Tones tones(const Eigen::VectorXd& frequency, double seconds, double rate) const;
+  /// Appends the harmonics of `o` with their errors; a negative one: not seen.
+  void read_harmonics(const SlowToneFit& seen, const Tones& list, Observation& o) const;
   bool same(const std::vector<int>& a, const std::vector<int>& b) const;
   std::vector<int> own_phase(std::size_t mode) const;
   std::vector<int> block_phase(std::size_t block) const;

@@ -65,6 +65,7 @@ struct Window {
   std::vector<bool> chosen;  ///< by record: those of one case; empty: all
   unsigned threads = 1;      ///< for reading and observing; the result does not depend on it
 
+  /// Whether it uses a record, by its index and its file.
   bool takes(std::size_t record, const std::string& file) const;
   /// Whether it uses a part of each record only.
   bool cuts() const { return band || from_s != Window{}.from_s || to_s != Window{}.to_s; }

@@ -18,6 +18,7 @@ struct FoldedWindow {
 
   Eigen::MatrixXd even(const Eigen::Ref<const Eigen::MatrixXd>& channels) const;  ///< rows x channels
   Eigen::MatrixXd odd(const Eigen::Ref<const Eigen::MatrixXd>& channels) const;   ///< rows x channels
+  /// samples x channels, from both halves.
   Eigen::MatrixXd unfold(const Eigen::MatrixXd& even, const Eigen::MatrixXd& odd) const;
 
   Eigen::Index samples = 0, rows = 0, first = 0;  ///< `first` is the sample at or after the centre

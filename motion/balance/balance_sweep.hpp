@@ -19,7 +19,7 @@ std::vector<SlavedLine> slaved_lines(const MotionSetting& setting, const Compile
                                      std::span<const double> parameters);
 
 /// Real and imaginary parts of the slaved lines' entries of a modes x lines matrix as one vector; the mean has a
-/// real part only.
+/// real part only; and back into the matrix.
 Eigen::VectorXd gathered(const std::vector<SlavedLine>& slaves, const Eigen::MatrixXcd& all);
 void scattered(const std::vector<SlavedLine>& slaves, const Eigen::VectorXd& values, Eigen::MatrixXcd& all);
 
@@ -39,6 +39,7 @@ class BalanceSweep {
 
   BalanceSweep(const CompiledModel& model, std::vector<StateForce> forces, const MotionSetting& setting);
 
+  /// Of lines, modes x lines.
   Path path(Eigen::MatrixXcd displacement) const;
 
   /// Force minus inertia on every line, per unit of modal mass: modes x lines, zero for a motion in balance.

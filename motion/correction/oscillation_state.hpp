@@ -14,6 +14,7 @@ struct OscillationState {
   std::vector<double> displacement, velocity;
 };
 
+/// Zeros, one a mode.
 OscillationState at_rest(const CompiledModel& model);
 
 /// States of motions of a case whose modes have observed amplitudes.

@@ -24,6 +24,7 @@ struct BorderedSolution {
   Eigen::VectorXd right, left;  ///< v, w
 };
 
+/// Not a number where the Jacobian is not finite.
 BorderedSolution solve_bordered(const Eigen::Ref<const Eigen::MatrixXd>& jacobian, const Borders& borders);
 
 /// Minimally augmented systems; y = (x, free parameters), scaled. Their solution sets do not depend on the borders.

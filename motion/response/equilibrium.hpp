@@ -15,6 +15,7 @@ enum class SpecialKind {
   double_zero,    ///< two eigenvalues pass zero together
 };
 
+/// "saddle-node", "branch point", "Hopf", ...
 std::string_view name_of(SpecialKind kind);
 
 /// Whether branches cross there.

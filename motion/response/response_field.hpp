@@ -22,7 +22,7 @@ struct ModeAmplitudes {
 ///
 /// Phases that no resonance relation ties to the excitation are free: B_k -> B_k exp(i n_k theta) turns solutions
 /// into solutions wherever sum_k r_k n_k = 0 for the relations' weights r_k. Such a symmetry turns fixed points
-/// into circles, along which solutions may drift with a frequency of their own (a combination resonance responds at
+/// into circles, along which solutions may turn with a frequency of their own (a combination resonance responds at
 /// w_1 + nu and w_2 - nu). It is divided out: the mode with the largest |n| of a symmetry is `pinned`, its B = r
 /// real in a frame that turns with it, nu = Im(f/r)/n. With one symmetry the other modes that it moves are B_j = r
 /// w_j, so that
@@ -33,6 +33,7 @@ class ResponseField {
   /// Throws std::invalid_argument if every mode is at rest.
   ResponseField(const CompiledModel& model, const CompiledCase& resonance);
 
+  /// Of the field's parameters, in their order.
   static std::vector<std::string> parameter_names(const CompiledModel& model);
 
   const CompiledModel& model() const { return *model_; }

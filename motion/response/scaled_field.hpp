@@ -24,6 +24,7 @@ class ScaledField {
   Eigen::Index free_count() const { return static_cast<Eigen::Index>(free_.size()); }
   Eigen::Index unknowns() const { return dimension() + free_count(); }
 
+  /// y of (x, all parameters), and back; parameters that are not free are those held.
   Eigen::VectorXd unknowns_at(const Eigen::Ref<const Eigen::VectorXd>& state,
                               const Eigen::Ref<const Eigen::VectorXd>& parameters) const;
   Eigen::VectorXd state(const Eigen::Ref<const Eigen::VectorXd>& unknowns) const;
@@ -32,6 +33,7 @@ class ScaledField {
   Eigen::VectorXd direction(const Eigen::Ref<const Eigen::VectorXd>& scaled) const;
   Eigen::VectorXd scaled_direction(const Eigen::Ref<const Eigen::VectorXd>& direction) const;
 
+  /// dx/dt over typical, and its derivative by x over typical: dimension x dimension.
   Eigen::VectorXd rate(const Eigen::Ref<const Eigen::VectorXd>& unknowns) const;
   Eigen::MatrixXd state_jacobian(const Eigen::Ref<const Eigen::VectorXd>& unknowns) const;
   /// Derivative by unknown dimension() + which.

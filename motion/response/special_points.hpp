@@ -17,8 +17,10 @@ struct BranchTests {
   int unstable = 0;
 };
 
+/// At a point of a branch with one free parameter.
 BranchTests branch_tests(const ScaledField& field, const CurvePoint& point);
 
+/// As small as rounding makes it.
 bool has_no_sign(double test);
 
 /// Whether the crossings that sign changes tell of explain the change in the number of unstable eigenvalues.

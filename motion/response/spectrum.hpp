@@ -10,6 +10,7 @@ struct Spectrum {
   int unstable = 0;              ///< with a real part above 1e-9 of the largest modulus
 };
 
+/// Not numbers, and none unstable, where the Jacobian is not finite.
 Spectrum spectrum_of(const Eigen::Ref<const Eigen::MatrixXd>& jacobian);
 
 /// Two eigenvalues seen through their sum and product. Both stay real-analytic functions of the matrix while the

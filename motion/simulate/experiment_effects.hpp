@@ -44,6 +44,7 @@ struct InstalledEffect {
 /// The [[effect]] tables in file order. Throws InputError for names that are not in the catalogue (listing those
 /// that are), for keys that an effect does not have and for one that it lacks.
 std::vector<ExperimentEffect> read_experiment_effects(const TomlTable& root, const EffectCatalogue& catalogue);
+/// Those of a file, before its model is known.
 std::vector<ExperimentEffect> read_experiment_effects(const std::filesystem::path& path,
                                                       const EffectCatalogue& catalogue = effect_catalogue());
 

@@ -39,6 +39,8 @@ std::string listed(std::span<const std::string_view> names);
 
 /// One number for every coordinate of the model; modes that effects add get 0. All 0 without the key.
 std::vector<double> by_mode(const TomlTable& table, std::string_view key, const Target& target);
+/// A number above zero (the key must be there without a fallback), and one not below it (0 without the key). Throw
+/// InputError.
 double positive(const TomlTable& table, std::string_view key, std::optional<double> fallback = {});
 double not_negative(const TomlTable& table, std::string_view key);
 /// In Hz, within what a record can hold.

@@ -10,8 +10,11 @@
 #include <fstream>
 #include <map>
 
+#include "app/plan/dwell_evaluation.hpp"
+#include "app/plan/plan_inputs.hpp"
 #include "estimator/identification/estimate.hpp"
 #include "input/input_error.hpp"
+#include "numerics/hertz.hpp"
 #include "tests/procedures/noisy_campaign.hpp"
 #include "tests/process_folder.hpp"
 
@@ -63,6 +66,23 @@ TEST(SlowPlan, ABudgetIsKeptAndMoreOfItIsNotWorse) {
     EXPECT_LT(plan.plan.sd(plan.wanted[0]), last);
     last = plan.plan.sd(plan.wanted[0]);
   }
+}
+
+TEST(Plan, BeginsWithTheSensorsInUseAndAGridOfTheRanges) {
+  const PlanRequest request = chapter_5();
+  const PlanResult plan = plan_inputs(request);
+  EXPECT_EQ(plan.resonance->name, "principal_parametric");
+  ASSERT_EQ(plan.wanted.size(), request.wanted.size());
+  for (std::size_t w = 0; w < plan.wanted.size(); ++w)
+    EXPECT_EQ(plan.unknowns.names[static_cast<std::size_t>(plan.wanted[w])], request.wanted[w]);
+  EXPECT_EQ(plan.units.size(), plan.unknowns.names.size());
+  ASSERT_TRUE(plan.sensors);
+  EXPECT_EQ(plan.noise.sample_rate_hz, plan.sensors->sample_rate_hz);
+  const CandidateRequest grid = DwellEvaluation(request, plan).grid();
+  ASSERT_EQ(grid.frequencies.size(), 27u);
+  EXPECT_NEAR(grid.frequencies.front(), two_pi * 24.4, 1e-9);
+  EXPECT_NEAR(grid.frequencies.back(), two_pi * 25.05, 1e-9);
+  EXPECT_EQ(grid.forcings, (std::vector<double>{12, 18, 24, 30}));
 }
 
 TEST(Plan, SaysWhatItCannotDo) {

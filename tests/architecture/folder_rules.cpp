@@ -76,7 +76,7 @@ const FolderTable& folder_table() {
       {"app/modal", {"input", "numerics", "report", "measure/modal", "app/shared"}},
       {"app/plan",
        {"input", "numerics", "report", "measure/data", "measure/observe", "estimator/identification",
-        "estimator/planning", "motion/simulate", "app/shared"}},
+        "estimator/planning", "motion/response", "motion/simulate", "app/shared"}},
       {"app/predict",
        {"input", "numerics", "report", "codegen/runtime", "measure/observe", "motion/response", "motion/simulate",
         "motion/correction", "app/shared"}},

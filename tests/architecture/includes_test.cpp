@@ -135,6 +135,26 @@ TEST(Layout, EveryFolderOfSourcesHasARule) {
   }
 }
 
+/// A library is its folder's: in `app` and `codegen` themselves stand programs' main functions alone.
+TEST(Layout, EveryFolderOfSourcesIsOneLibrary) {
+  std::multiset<std::string> libraries;
+  const auto take = [&](const std::string& file, const std::regex& call, const std::string& before) {
+    const std::string text = read(root / file);
+    for (std::sregex_iterator at(text.begin(), text.end(), call); at != std::sregex_iterator(); ++at)
+      libraries.insert(before + (*at)[1].str());
+  };
+  take("CMakeLists.txt", std::regex(R"(\nsecular_library\(([a-z_/]+))"), "");
+  take("app/CMakeLists.txt", std::regex(R"(\nsecular_app_folder\(([a-z_]+))"), "app/");
+  for (const auto& [folder, allowed] : folder_table()) {
+    if (folder == "app" || folder == "codegen") continue;
+    const std::vector<fs::path> files = sources_of(root, folder);
+    const bool compiled =
+        std::any_of(files.begin(), files.end(), [](const fs::path& file) { return file.extension() == ".cpp"; });
+    EXPECT_EQ(libraries.count(folder), compiled ? 1u : 0u) << folder;
+  }
+  for (const std::string& library : libraries) EXPECT_EQ(allowed_folders.count(library), 1u) << library;
+}
+
 TEST(Layout, TheScanSeesWhatItForbids) {
   EXPECT_EQ(violations("estimator/model", "x.cpp", "#include \"perturb/model.hpp\"\n").size(), 1u);
   EXPECT_EQ(violations("report", "x.cpp", "int a;\n  #  include <ginac/ginac.h>\n").size(), 1u);

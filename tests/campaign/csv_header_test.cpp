@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "measure/data/data_file.hpp"
-#include "measure/data/import_files.hpp"
 #include "measure/data/inspection.hpp"
 #include "measure/data/number_table.hpp"
+#include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/places.hpp"
 

@@ -15,6 +15,7 @@
 #include "measure/data/jitter.hpp"
 #include "measure/data/noise_floor.hpp"
 #include "measure/data/resolution.hpp"
+#include "measure/data/watched_reader.hpp"
 #include "tests/places.hpp"
 
 namespace secular {
@@ -57,6 +58,10 @@ Samples sum(Samples a, const Samples& b) {
 bool has(const ChannelQuality& quality, const std::string& kind) {
   return std::any_of(quality.faults.begin(), quality.faults.end(),
                      [&](const DataFault& f) { return f.kind == kind; });
+}
+
+Clipping find_clipping(std::span<const double> samples) {
+  return values_of(samples).clipping;
 }
 
 TEST(Clipping, FindsLimitedSignals) {

@@ -4,10 +4,10 @@
 
 #include "measure/data/data_file.hpp"
 #include "measure/data/hdf5_file.hpp"
-#include "measure/data/import_files.hpp"
 #include "measure/data/inspection.hpp"
 #include "measure/data/stored_numbers.hpp"
 #include "tests/campaign/hdf5_writer.hpp"
+#include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/mutation.hpp"
 #include "tests/campaign/variable_names.hpp"
@@ -98,7 +98,7 @@ TEST_F(Mat73, IsImported) {
   options.kind = "free_decay";
   options.time = "run.time";
   options.channels = {"tip=run.x:response:angle:rad"};
-  const ImportedCampaign imported = import_files(options);
+  const ImportedFiles imported = import_files(options);
   EXPECT_EQ(imported.campaign.sample_rate_hz, 2);
   EXPECT_EQ(imported.samples[0].channels[0], (Numbers{1, 2, 3}));
   EXPECT_EQ(inspect_file(path()).time, "run.time");

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <numbers>
 
-#include "measure/data/import_files.hpp"
 #include "measure/data/inspection.hpp"
 #include "measure/data/unit.hpp"
 #include "measure/data/watched_reader.hpp"
+#include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/campaign/write_campaign.hpp"
@@ -38,7 +38,7 @@ TEST_F(Import, MakesACampaignThatReadsBack) {
   options_.amplitudes = {0.5};
   options_.group = "up";
   options_.ensemble_s = 0.02;
-  const ImportedCampaign imported = import_files(options_);
+  const ImportedFiles imported = import_files(options_);
   write_campaign(imported.campaign, imported.samples, folder_ / "c");
   const Campaign campaign = read_campaign(folder_ / "c");
   EXPECT_EQ(campaign.name, "run");
@@ -62,7 +62,7 @@ TEST_F(Import, FilesWithoutTimeTakeTheSampleRate) {
   EXPECT_TRUE(contains(complaint(), "--sample-rate"));
   EXPECT_TRUE(contains(complaint(), "V1, V2"));
   options_.sample_rate_hz = 610.35;
-  const ImportedCampaign imported = import_files(options_);
+  const ImportedFiles imported = import_files(options_);
   EXPECT_EQ(imported.campaign.sample_rate_hz, 610.35);
   EXPECT_EQ(imported.samples[0].channels, (std::vector<std::vector<double>>{{0.5, 1}, {0.25, 2}}));
 }
@@ -153,7 +153,7 @@ TEST_F(Import, StructFieldsOfMatFilesCanBeRenamed) {
   options_.files = {folder_ / "a.mat"};
   options_.channels = {"tip=run.x:response:angle:rad"};
   options_.time = "run.time";
-  const ImportedCampaign imported = import_files(options_);
+  const ImportedFiles imported = import_files(options_);
   EXPECT_EQ(imported.campaign.channels.front().name, "tip");
   EXPECT_EQ(imported.campaign.sample_rate_hz, 2);
   EXPECT_EQ(imported.samples.front().channels, (std::vector<std::vector<double>>{{1, 2, 3}}));
@@ -168,7 +168,7 @@ TEST_F(Import, ThePendulumKeepsEverySample) {
   options.kind = "free_decay";
   options.channels = {"theta:response:angle:rad"};
   options.time = "t";
-  const ImportedCampaign imported = import_files(options);
+  const ImportedFiles imported = import_files(options);
   write_campaign(imported.campaign, imported.samples, folder_ / "c");
   const Campaign campaign = read_campaign(folder_ / "c");
   EXPECT_EQ(campaign.sample_rate_hz, 1000);
@@ -240,7 +240,7 @@ TEST_F(Import, TimeIsReadInTheUnitThatTheFileStates) {
         write("run.csv", std::string(test.name) + ",base,tip\n" + test.row + "0,1,2\n2.5,3,4\n5,5,6\n")};
     options_.time = test.time;
     options_.channels = {"base:excitation:voltage:V", "tip:response:voltage:V"};
-    const ImportedCampaign imported = import_files(options_);
+    const ImportedFiles imported = import_files(options_);
     EXPECT_DOUBLE_EQ(imported.campaign.sample_rate_hz, 0.4 / test.seconds) << test.name << " " << test.row;
     EXPECT_EQ(imported.samples[0].channels[1], (std::vector<double>{2, 4, 6}));
     if (test.seconds == 1) continue;
@@ -295,7 +295,7 @@ TEST_F(Import, KnownUnitsConvertInEveryFormat) {
   for (const auto& test : cases) {
     options_.files = {write("run.csv", std::string(test.header) + "\n0,1,2\n2.5,3,4\n5,5,6\n")};
     options_.channels = {test.channel};
-    const ImportedCampaign imported = import_files(options_);
+    const ImportedFiles imported = import_files(options_);
     EXPECT_EQ(imported.campaign.channels[0].quantity, test.quantity) << test.channel;
     EXPECT_EQ(imported.campaign.channels[0].unit, si_unit(test.quantity));
     EXPECT_DOUBLE_EQ(imported.samples[0].channels[0][1], 4 * test.factor) << test.channel;
@@ -316,7 +316,7 @@ TEST_F(Import, KnownUnitsConvertInEveryFormat) {
   options_.files = {mat};
   options_.time = "t_ms";
   options_.channels = {"x:response:displacement:um"};
-  const ImportedCampaign imported = import_files(options_);
+  const ImportedFiles imported = import_files(options_);
   EXPECT_EQ(imported.campaign.sample_rate_hz, 500);
   EXPECT_DOUBLE_EQ(imported.samples[0].channels[0][2], 3e-6);
 }
@@ -399,7 +399,7 @@ TEST_F(Import, WhoReadsRecordsHearsOfClipping) {
           fmt::format("{},{},{}\n", i / 100.0, std::cos(0.51 * i), std::clamp(std::sin(0.51 * i), -limit, limit));
     options_.files.insert(options_.files.begin(), write(fmt::format("run{}.csv", limit), text));
   }
-  const ImportedCampaign imported = import_files(options_);
+  const ImportedFiles imported = import_files(options_);
   write_campaign(imported.campaign, imported.samples, folder_ / "c");
   const Campaign campaign = read_campaign(folder_ / "c");
   WatchedReader reader(campaign);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "measure/data/import_files.hpp"
 #include "measure/data/lvm_file.hpp"
+#include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/places.hpp"
 
@@ -48,7 +48,7 @@ TEST_F(Lvm, BecomesARecordByNamesAndRolesAlone) {
   options.files = {corpus / "valid/one.lvm"};
   options.kind = "free_decay";
   options.channels = {"force:excitation", "tip:response"};
-  const ImportedCampaign imported = import_files(options);
+  const ImportedFiles imported = import_files(options);
   EXPECT_DOUBLE_EQ(imported.campaign.sample_rate_hz, 100);
   EXPECT_EQ(imported.campaign.channels[0].quantity, Quantity::force);
   EXPECT_EQ(imported.campaign.channels[1].unit, "m/s^2");

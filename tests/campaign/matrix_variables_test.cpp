@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "measure/data/data_file.hpp"
-#include "measure/data/import_files.hpp"
 #include "measure/data/inspection.hpp"
 #include "tests/campaign/hdf5_writer.hpp"
+#include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/campaign/variable_names.hpp"
@@ -120,7 +120,7 @@ TEST_F(MatrixVariables, AreImportedByTheirColumns) {
   options.kind = "free_decay";
   options.time = "scan(:,1)";
   options.channels = {"tip=scan(:,3):response:angle:rad", "mid=scan(:,2):response:displacement:mm"};
-  const ImportedCampaign imported = import_files(options);
+  const ImportedFiles imported = import_files(options);
   EXPECT_EQ(imported.campaign.sample_rate_hz, 8);  // the times are halved, too
   EXPECT_EQ(imported.samples[0].channels[0][3], 0.5 * number(3, 2));
   EXPECT_EQ(imported.samples[0].channels[1][3], 0.5e-3 * number(3, 1));

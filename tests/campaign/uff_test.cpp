@@ -5,9 +5,9 @@
 #include "measure/data/campaign.hpp"
 #include "measure/data/data_file.hpp"
 #include "measure/data/fortran_number.hpp"
-#include "measure/data/import_files.hpp"
 #include "measure/data/inspection.hpp"
 #include "measure/data/uff_file.hpp"
+#include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/campaign/uff_write.hpp"
 #include "tests/campaign/variable_names.hpp"
@@ -401,7 +401,7 @@ class UffImport : public Uff {
 };
 
 TEST_F(UffImport, TheFilesUnitsAreTaken) {
-  const ImportedCampaign imported = import_files(options("g", {"base:excitation", "far:end=tip:response"}));
+  const ImportedFiles imported = import_files(options("g", {"base:excitation", "far:end=tip:response"}));
   ASSERT_EQ(imported.campaign.channels.size(), 2u);
   EXPECT_EQ(imported.campaign.channels[0].role, ChannelRole::excitation);
   EXPECT_EQ(imported.campaign.channels[1].name, "far:end");
@@ -496,7 +496,7 @@ TEST_F(UffImport, ChannelsThatBeginLaterAreShiftedByWholeSteps) {
     for (const bool rate_alone : {false, true}) {
       ImportOptions options = made(delay);
       if (rate_alone) options.time.clear(), options.sample_rate_hz = 512;
-      const ImportedCampaign imported = import_files(options);
+      const ImportedFiles imported = import_files(options);
       const Record& record = imported.samples[0];
       ASSERT_EQ(record.samples(), static_cast<std::size_t>(20 - std::abs(delay)));
       EXPECT_EQ(record.channels[0][0] - record.channels[1][0], delay);

@@ -1,6 +1,6 @@
-#include "measure/data/import_files.hpp"
 #include "measure/data/wav_file.hpp"
 #include "tests/campaign/append_numbers.hpp"
+#include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/campaign/variable_names.hpp"
 
@@ -83,7 +83,7 @@ TEST_F(Wav, IsImportedWithTheUnitsTheOptionsGive) {
     EXPECT_TRUE(contains(refusal([&] { import_files(options); }), "give --channel NAME:ROLE:QUANTITY:UNIT:FACTOR"));
   }
   options.channels = {"tip=channel 1:response:voltage:mV:4000"};
-  const ImportedCampaign imported = import_files(options);
+  const ImportedFiles imported = import_files(options);
   EXPECT_EQ(imported.campaign.sample_rate_hz, 8000);
   EXPECT_EQ(imported.campaign.channels[0].unit, "V");
   EXPECT_EQ(imported.samples[0].channels[0], (Numbers{2, -4, 1}));

@@ -82,7 +82,7 @@ TEST(SegmentEvidence, SlopesAreCentralDifferencesToTheLastBit) {
   discrepancy.freeze(truth);
   std::vector<std::size_t> which;
   for (std::size_t s = 0; s < lab.compiled.symbols.size(); ++s) which.push_back(s);
-  for (const std::size_t fault : {lab.faults.gain(0), lab.faults.delay(0), lab.faults.drift(0)})
+  for (const std::size_t fault : {lab.faults.gain(0), lab.faults.delay(0), lab.faults.frequency_drift(0)})
     which.push_back(lab.compiled.symbols.size() + fault);
   VectorXd scale(static_cast<Index>(which.size()));
   for (std::size_t w = 0; w < which.size(); ++w) {

@@ -29,8 +29,8 @@ TEST(ConditionSlopes, AreThoseOfTheSolvedRows) {
   std::vector<std::size_t> which(lab.compiled.symbols.size());
   std::iota(which.begin(), which.end(), std::size_t{0});
   const std::size_t first_fault = which.size();
-  for (const std::size_t fault : {lab.faults.gain(0), lab.faults.delay(0), lab.faults.cross(0), lab.faults.drift(0),
-                                  lab.faults.shaker_harmonic(0)})
+  for (const std::size_t fault : {lab.faults.gain(0), lab.faults.delay(0), lab.faults.cross(0),
+                                  lab.faults.frequency_drift(0), lab.faults.shaker_harmonic(0)})
     which.push_back(first_fault + fault);
   VectorXd scale(static_cast<Index>(which.size()));
   for (std::size_t w = 0; w < which.size(); ++w) {

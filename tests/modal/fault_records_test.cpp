@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "measure/data/import_files.hpp"
 #include "measure/modal/modal_survey.hpp"
+#include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/write_campaign.hpp"
 #include "tests/places.hpp"
 #include "tests/process_folder.hpp"
@@ -26,7 +26,7 @@ class ModalFaults : public testing::Test {
     for (const std::string& file : files) import.files.push_back(place / file);
     import.kind = kind;
     import.channels = channels;
-    const ImportedCampaign imported = import_files(import);
+    const ImportedFiles imported = import_files(import);
     fs::remove_all(folder_);
     write_campaign(imported.campaign, imported.samples, folder_);
     return modal_survey(folder_, {});

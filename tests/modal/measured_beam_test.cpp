@@ -10,10 +10,10 @@
 #include <tuple>
 #include <vector>
 
-#include "measure/data/import_files.hpp"
 #include "measure/data/mat_file.hpp"
 #include "measure/modal/modal_survey.hpp"
 #include "measure/modal/pole.hpp"
+#include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/write_campaign.hpp"
 #include "tests/places.hpp"
 #include "tests/process_folder.hpp"
@@ -36,7 +36,7 @@ class MeasuredBeam : public testing::Test {
     import.time = "HIdata.time";
     for (const char* n : {"1", "2", "3"})
       import.channels.push_back(std::string("a") + n + "=HIdata.acc" + n + ":response:acceleration:m/s^2");
-    const ImportedCampaign imported = import_files(import);
+    const ImportedFiles imported = import_files(import);
     write_campaign(imported.campaign, imported.samples, folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }

@@ -116,16 +116,16 @@ TEST(StatisticalModal, FrequencyResponsesAreBiasedByTheOtherNoise) {
   constexpr int impacts = 4000;
   testing_support::Gaussian gaussian(29);
   const auto measured = [&](double force_noise, double response_noise) {
-    std::vector<ImpactBlock> blocks;
+    ImpactSpectra sums;
     for (int i = 0; i < impacts; ++i) {
       ImpactBlock block{VectorXd::Zero(samples), MatrixXd::Zero(samples, 1)};
       block.force(4) = 1;
       block.responses(4, 0) = 2;  // the true response is 2 at every line
       block.force += force_noise * gaussian.vector(samples);
       block.responses.col(0) += response_noise * gaussian.vector(samples);
-      blocks.push_back(std::move(block));
+      sums.add(impact_spectra(block, 64, {}));
     }
-    return frequency_response(blocks, 64, {});
+    return frequency_response(sums, 64, {});
   };
   const FrequencyResponse by_response = measured(0, 0.1), by_force = measured(0.05, 0);
   const auto mean = [](const Eigen::MatrixXcd& h) { return h.col(0).segment(1, samples / 2 - 1).mean(); };

@@ -113,7 +113,8 @@ class RightSideSlopes {
 }  // namespace residual_parts
 
 /// residual[observation] of one block; `parameters` in the order of CompiledModel::symbols (their first modes()
-/// entries are the natural frequencies; data.natural_frequency is not read), observed[observation].
+/// entries are the natural frequencies; data.natural_frequency is not read), observed[observation]. Plain arrays,
+/// as generated code has them, and so many of them.
 inline void block_residual(const CompiledModel& model, const CompiledCase& resonance, const RegressorBlock& block,
                            const double* parameters, const ObservationBatch& data, const Complex* observed,
                            Complex* residual) {
@@ -152,7 +153,7 @@ inline void block_residual_by_parameters(const CompiledModel& model, const Compi
 }
 
 /// Derivative of CompiledCase::modulation by the parameters at one point: with z = (Re B_0, Im B_0, ...),
-/// dz/dt = f(z, parameters), jacobian[i * symbols + p] = d f_i/d parameter_p; 2*modes rows.
+/// dz/dt = f(z, parameters), jacobian[i * symbols + p] = d f_i/d parameter_p; 2*modes rows. Arguments as there.
 inline void modulation_by_parameters(const CompiledModel& model, const CompiledCase& resonance,
                                      const double* parameters, const double* excitation_frequency,
                                      const Complex* amplitude, const Complex* forcing, double* jacobian) {

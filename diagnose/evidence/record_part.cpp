@@ -1,4 +1,4 @@
-#include "diagnose/evidence/record_window.hpp"
+#include "diagnose/evidence/record_part.hpp"
 
 #include "measure/observe/record_window.hpp"
 
