@@ -40,8 +40,8 @@ void expect_within_band(const Figure& f) {
 }
 
 // The first seed whose five cases hold what the figures need, two without a gap and three of one effect of at least
-// 3 standard deviations, and are quick: structures of one mode, effects without a shape of their own.
-constexpr std::uint64_t seed_of_five = 271;
+// 3 standard deviations, and are quick: primary resonances, effects without a shape of their own.
+constexpr std::uint64_t seed_of_five = 130897;
 
 TEST(SlowBlindCheck, AShortSetKeepsItsTargetsWithinChance) {
   const fs::path folder = testing_support::process_folder() / "secular_blind_check";
