@@ -10,4 +10,8 @@ std::string program() {
   return SECULAR_PROGRAM;
 }
 
+std::filesystem::path shared_cache() {
+  return SECULAR_TEST_CACHE;
+}
+
 }  // namespace secular::testing_support

@@ -9,6 +9,7 @@
 namespace secular {
 
 using Eigen::ArrayXd;
+using Eigen::ArrayXXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -22,14 +23,19 @@ SlowToneFit fit_slow_tones(const Eigen::Ref<const MatrixXd>& channels, double ra
   const double half = 0.5 * static_cast<double>(samples - 1) / rate;
   // Times over half the window: all columns are of order one.
   const ArrayXd u = ArrayXd::LinSpaced(samples, -1, 1);
+  ArrayXXd cosine(samples, tones), sine(samples, tones);
+  for (Index j = 0; j < tones; ++j) {
+    const ArrayXd angle = u * (half * frequencies[static_cast<std::size_t>(j)]);
+    cosine.col(j) = angle.cos();
+    sine.col(j) = angle.sin();
+  }
   MatrixXd basis(samples, unknowns);
   for (Index p = 0; p <= std::max<Index>(degree, offset_degree); ++p) {
     const ArrayXd power = p == 0 ? ArrayXd(ArrayXd::Ones(samples)) : ArrayXd(u.pow(static_cast<double>(p)));
     if (p <= offset_degree) basis.col(constant + p) = power;
     for (Index j = 0; j < tones && p < powers; ++j) {
-      const ArrayXd angle = u * (half * frequencies[static_cast<std::size_t>(j)]);
-      basis.col(2 * (p * tones + j)) = 2 * power * angle.cos();
-      basis.col(2 * (p * tones + j) + 1) = -2 * power * angle.sin();
+      basis.col(2 * (p * tones + j)) = 2 * power * cosine.col(j);
+      basis.col(2 * (p * tones + j) + 1) = -2 * power * sine.col(j);
     }
   }
   const Eigen::HouseholderQR<MatrixXd> qr(basis);

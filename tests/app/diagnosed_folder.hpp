@@ -12,15 +12,15 @@
 
 namespace secular::testing_support {
 
-/// A folder for as long as a test runs, and the program run in it with a cache of its own, what it prints kept.
+/// A folder for as long as a test runs, and the program run in it, what it prints kept.
 class DiagnosedFolder : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_ / "cache"); }
+  void SetUp() override { std::filesystem::create_directories(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  int run(const std::string& arguments) const { return run_with_own_cache(folder_, arguments).status; }
+  int run(const std::string& arguments) const { return run_with_shared_cache(folder_, arguments).status; }
 
   /// What the last command printed.
   std::string printed() const { return text_of(folder_ / "stdout.txt") + text_of(folder_ / "stderr.txt"); }

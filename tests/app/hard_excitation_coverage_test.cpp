@@ -112,10 +112,11 @@ struct HardCoverage {
 };
 
 // Every parameter has a number in every draw, and its intervals hold as often as they say (within four standard
-// deviations of the share that independent draws scatter by).
+// deviations of the share that independent draws scatter by: of eight draws three that miss are too many, which
+// every second parameter shows whose intervals are half as long as they should be).
 void expect_hard_intervals_to_hold(const HardExcitation& test) {
   const HardCampaign campaign(test);
-  const int draws = count_from("SECULAR_COVERAGE_DRAWS", 12), first = count_from("SECULAR_COVERAGE_FIRST", 0);
+  const int draws = count_from("SECULAR_COVERAGE_DRAWS", 8), first = count_from("SECULAR_COVERAGE_FIRST", 0);
   std::map<std::string, HardCoverage> table;
   int contradictions = 0;
   for (int draw = first; draw < first + draws; ++draw) {

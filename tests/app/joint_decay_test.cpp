@@ -51,11 +51,11 @@ std::string joint_experiment_text(const fs::path& model, const Values& parameter
 
 class SlowJointDecay : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_ / "cache"); }
+  void SetUp() override { fs::create_directories(folder_); }
   void TearDown() override { fs::remove_all(folder_); }
 
   void run(const std::string& arguments) const {
-    const testing_support::Outcome outcome = testing_support::run_with_own_cache(folder_, arguments);
+    const testing_support::Outcome outcome = testing_support::run_with_shared_cache(folder_, arguments);
     EXPECT_EQ(outcome.status, 0) << arguments << ": " << outcome.errors;
   }
 

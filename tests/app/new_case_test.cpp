@@ -25,7 +25,7 @@ class SlowNewCase : public testing::Test {
   void SetUp() override { fs::create_directories(folder_); }
   void TearDown() override { fs::remove_all(folder_); }
   int run(const std::string& arguments) const {
-    return testing_support::run_with_own_cache(folder_, arguments).status;
+    return testing_support::run_with_shared_cache(folder_, arguments).status;
   }
   std::string output() const { return text_of(folder_ / "stdout.txt"); }
   std::string errors() const { return text_of(folder_ / "stderr.txt"); }

@@ -113,7 +113,6 @@ class NewEffect : public TemporaryFolder {
     request.campaign = (folder_ / "campaign").string();
     request.model = model_;
     request.catalogue = catalogue;
-    request.interpret = true;
     request.without = without;
     return run_diagnosis(request).diagnosis;
   }

@@ -63,13 +63,13 @@ std::string decay_text(const std::string& start) {
 
 class SlowNominalStart : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_ / "cache"); }
+  void SetUp() override { fs::create_directories(folder_); }
   void TearDown() override { fs::remove_all(folder_); }
 
   void write(const std::string& file, const std::string& text) const { std::ofstream(folder_ / file) << text; }
 
   testing_support::Outcome run(const std::string& arguments, int status) const {
-    testing_support::Outcome outcome = testing_support::run_with_own_cache(folder_, arguments);
+    testing_support::Outcome outcome = testing_support::run_with_shared_cache(folder_, arguments);
     EXPECT_EQ(outcome.status, status) << arguments << ": " << outcome.errors;
     return outcome;
   }

@@ -113,7 +113,9 @@ TEST_F(SlowOutputTarget, IsReplacedWithForceAlone) {
       {"predict duffing --parameters p.json --case primary --vary Omega 0.8 1.2 -o predicted",
        "predicted/prediction.json"},
       {"plan duffing --case primary --parameters p.json --for mu --range-frequency 0.14:0.18 --range-amplitude "
-       "0.005:0.01 --sample-rate 4 --ensemble-s 60 --budget-s 100000 --settle-limit 10000 -o planned",
+       "0.005:0.01 --frequencies 7 --levels 1 --sample-rate 4 --ensemble-s 60 --budget-s 100000 --settle-limit "
+       "10000 "
+       "-o planned",
        "planned/plan.json"},
       {"generate duffing -o generated", "generated/duffing.cpp"},
       {"derive duffing -o derived.txt", "derived.txt"}};

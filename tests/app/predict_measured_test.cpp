@@ -67,7 +67,7 @@ settle_s = 12.0
 class SlowMeasuredDwells : public testing::Test {
  protected:
   void SetUp() override {
-    fs::create_directories(folder_ / "cache");
+    fs::create_directories(folder_);
     std::ofstream(folder_ / "model.toml") << measured_model_text;
     std::string text = measured_experiment_text;
     text.replace(text.find("FOLDER"), 6, folder_.string());
@@ -76,7 +76,7 @@ class SlowMeasuredDwells : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
   int run(const std::string& arguments) const {
-    return testing_support::run_with_own_cache(folder_, arguments).status;
+    return testing_support::run_with_shared_cache(folder_, arguments).status;
   }
   std::string errors() const { return testing_support::text_of(folder_ / "stderr.txt"); }
 

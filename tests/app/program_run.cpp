@@ -17,8 +17,9 @@ Outcome run_program(const fs::path& folder, const std::string& arguments, const 
   return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, text_of(folder / "stdout.txt"), text_of(folder / "stderr.txt")};
 }
 
-Outcome run_with_own_cache(const fs::path& folder, const std::string& arguments) {
-  return run_program(folder, arguments, {.environment = "XDG_CACHE_HOME=" + (folder / "cache").string()});
+Outcome run_with_shared_cache(const fs::path& folder, const std::string& arguments) {
+  fs::create_directories(shared_cache());
+  return run_program(folder, arguments, {.environment = "XDG_CACHE_HOME=" + shared_cache().string()});
 }
 
 std::string text_of(const fs::path& file) {

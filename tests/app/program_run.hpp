@@ -24,8 +24,8 @@ struct RunOptions {
 Outcome run_program(const std::filesystem::path& folder, const std::string& arguments,
                     const RunOptions& options = {});
 
-/// The same with a cache of compiled models of its own, folder/cache.
-Outcome run_with_own_cache(const std::filesystem::path& folder, const std::string& arguments);
+/// The same with the cache of compiled models that tests share.
+Outcome run_with_shared_cache(const std::filesystem::path& folder, const std::string& arguments);
 
 /// The whole file; empty where there is none.
 std::string text_of(const std::filesystem::path& file);

@@ -18,13 +18,13 @@ namespace fs = std::filesystem;
 
 class SlowToldOrDoubtful : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder / "cache"); }
+  void SetUp() override { fs::create_directories(folder); }
   void TearDown() override { fs::remove_all(folder); }
 
   void write(const std::string& file, const std::string& text) const { std::ofstream(folder / file) << text; }
 
   testing_support::Outcome run(const std::string& arguments) const {
-    testing_support::Outcome outcome = testing_support::run_with_own_cache(folder, arguments);
+    testing_support::Outcome outcome = testing_support::run_with_shared_cache(folder, arguments);
     EXPECT_EQ(outcome.status, 0) << arguments << ": " << outcome.errors;
     return outcome;
   }

@@ -39,9 +39,9 @@ void expect_within_band(const Figure& f) {
   EXPECT_GT(at_least(misses), 1e-3) << f.name << ": " << misses << " misses of " << f.trials;
 }
 
-// The first seed whose five cases hold what the figures need: two without a gap and three of one effect of at least
-// 3 standard deviations.
-constexpr std::uint64_t seed_of_five = 70;
+// The first seed whose five cases hold what the figures need, two without a gap and three of one effect of at least
+// 3 standard deviations, and are quick: primary resonances, effects without a shape of their own.
+constexpr std::uint64_t seed_of_five = 130897;
 
 TEST(SlowBlindCheck, AShortSetKeepsItsTargetsWithinChance) {
   const fs::path folder = testing_support::process_folder() / "secular_blind_check";

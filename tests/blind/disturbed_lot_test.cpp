@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "blind/random.hpp"
 #include "blind/sealed_case.hpp"
 #include "blind/sealed_set.hpp"
+#include "effects/catalogue.hpp"
 #include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 
@@ -89,7 +91,7 @@ struct Diagnosed {
 constexpr std::uint64_t seed_of_diagnosed = 60606;
 
 Diagnosed diagnosed(std::size_t number, const std::vector<std::string>& effects,
-                    const std::function<void(SealedCase&)>& disturb = {}) {
+                    const std::function<void(SealedCase&)>& disturb = {}, const std::string& options = "") {
   constexpr std::uint64_t seed = seed_of_diagnosed;
   CasePlan plan;
   plan.number = number;
@@ -105,7 +107,7 @@ Diagnosed diagnosed(std::size_t number, const std::vector<std::string>& effects,
   write_case(result.sealed, seed, folder);
   const std::string command = testing_support::program() + " diagnose " + (folder / "campaign").string() +
                               " --model " + (folder / "model.toml").string() + " -o " + (folder / "out").string() +
-                              " >/dev/null 2>&1";
+                              options + " >/dev/null 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   result.said = nlohmann::json::parse(read_text(folder / "out/diagnosis.json"));
   fs::remove_all(folder);
@@ -162,10 +164,25 @@ TEST(SlowDisturbedLot, SlowNoiseIsNoCause) {
   EXPECT_NEAR(d.said.at("gap").at("before").get<double>(), 1, 0.05);
 }
 
-// Neither a phase of every record's own nor a frequency of its own leaves nothing: both do.
+// All effects but one or two of each kind: a spring, losses, inertia, what changes with time, a sensor. (Laws
+// outside of the catalogue are always tried.)
+std::string without_all_but_a_few() {
+  const std::set<std::string> few = {"quintic_stiffness", "coulomb_friction",        "quadratic_damping",
+                                     "quadratic_inertia", "natural_frequency_drift", "channel_skew"};
+  std::string without;
+  for (const secular::Effect& effect : effect_catalogue().effects)
+    if (!few.contains(effect.name) && effect.kind != secular::Effect::Kind::open_law &&
+        effect.kind != secular::Effect::Kind::parameters)
+      without += " --without " + effect.name;
+  return without;
+}
+
+// Neither a phase of every record's own nor a frequency of its own leaves nothing: both do. Explanations are looked
+// for beside either, beside none and beside both, so that a few effects have to do.
 TEST(SlowDisturbedLot, LateRecordsWithFrequenciesThatScatterAreNoCause) {
-  const Diagnosed d =
-      diagnosed(91, {}, [](SealedCase& sealed) { scatter_besides(sealed, 0.002, seed_of_diagnosed); });
+  const Diagnosed d = diagnosed(
+      91, {}, [](SealedCase& sealed) { scatter_besides(sealed, 0.002, seed_of_diagnosed); },
+      without_all_but_a_few());
   ASSERT_EQ(d.sealed.disturbances.kinds, (std::vector<std::string>{"late_record", "record_scatter"}));
   EXPECT_EQ(d.said.at("verdict"), "no_gap");
   EXPECT_GE(sizes_of(d, "late_record").size(), 15U);
@@ -221,7 +238,7 @@ TEST(SlowDisturbedLot, DecaysEndWhereSlowNoiseBegins) {
 }
 
 TEST(SlowDisturbedLot, NoNumberIsFarOffUnmarked) {
-  constexpr std::size_t campaigns = 12;
+  constexpr std::size_t campaigns = 8;  // two of every family
   constexpr std::uint64_t seed = 60606;
   const fs::path folder = testing_support::process_folder() / "disturbed_lot";
   std::vector<std::vector<JudgedNumber>> lot(campaigns);

@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A set of three cases without campaigns (by its seed the third has one effect and the others none), and a program
-// that finds no gap in the first, refuses the second and says nothing of the third.
+// A set of three cases without campaigns (by its seed one of them has one effect, which is quick to compare with
+// others), and a program that finds no gap in the first, refuses the second and says nothing of the third.
 class BlindRun : public testing::Test {
  protected:
   void SetUp() override {
@@ -30,13 +30,13 @@ class BlindRun : public testing::Test {
              (std::string("secular_blind_run_") + testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder);
     nlohmann::json labels = {
-        {"schema", 1}, {"seed", 57}, {"set", "short"}, {"cases", 3}, {"labels", nlohmann::json::array()}};
+        {"schema", 1}, {"seed", 86}, {"set", "short"}, {"cases", 3}, {"labels", nlohmann::json::array()}};
     for (int i = 1; i <= 3; ++i) {
       labels["labels"].push_back(
           {{"case", i}, {"kind", "none"}, {"snr_db", 40}, {"effects", nlohmann::json::array()}});
       fs::create_directories(case_folder(folder, static_cast<std::size_t>(i)));
     }
-    write_text(folder / "set.json", R"({"schema": 1, "seed": 57, "set": "short", "cases": 3})");
+    write_text(folder / "set.json", R"({"schema": 1, "seed": 86, "set": "short", "cases": 3})");
     write_text(folder / "labels.json", labels.dump());
     write_text(folder / "labels.sha256", sha256(labels.dump()));
     // Called as PROGRAM diagnose CASE/campaign --model CASE/model.toml -o CASE/diagnosis
@@ -69,7 +69,7 @@ TEST_F(BlindRun, ListsFailuresAndKeepsDiagnoses) {
   EXPECT_EQ(score.failed, 2u);
   EXPECT_EQ(score.confusion.at("no_gap").at("no_gap"), 1u);
   write_score(score, name_of_set(folder), folder / "page");
-  EXPECT_NE(read_text(folder / "page" / "score.md").find("short set of 3 cases, seed 57"), std::string::npos);
+  EXPECT_NE(read_text(folder / "page" / "score.md").find("short set of 3 cases, seed 86"), std::string::npos);
   EXPECT_EQ(nlohmann::json::parse(read_text(folder / "page" / "score.json"))["failed"], 2);
 }
 
@@ -85,7 +85,7 @@ TEST_F(BlindRun, GivesParametersWhereACaseHasThem) {
 using SlowBlindRun = BlindRun;
 
 TEST_F(SlowBlindRun, LeavesOutTheOneEffectThatACaseHas) {
-  const std::vector<CasePlan> plans = draw_plans({.cases = 3, .seed = 57});
+  const std::vector<CasePlan> plans = draw_plans({.cases = 3, .seed = 86});
   const LeaveOutSummary summary = leave_out_of_set(folder, {.program = program, .threads = 2, .limit_s = 20}, {});
   const std::string calls = read_text(folder / "calls");
   std::size_t singles = 0;

@@ -186,19 +186,24 @@ TEST_F(BlindFolder, CaseHasTheNoiseThatItsLabelSays) {
   EXPECT_GT(sealed.noise_sd[0], 0.02 * dwell.drive.amplitude / std::sqrt(2));
 }
 
-// The first draw of this case has a softening spring under which the motion runs away in the middle of a record.
+// The first draws of these cases run away: one in a dwell, by a coupling that softens, the other in a decay, which
+// begins beyond every dwell's amplitude. Each is then the case that its second stream draws.
 using SlowBlindFolder = BlindFolder;
 TEST_F(SlowBlindFolder, ACaseThatRunsAwayIsDrawnAgain) {
-  const CasePlan plan{.number = 3,
-                      .kind = "outside",
-                      .effects = {"modulated_force"},
-                      .family = "asymmetric",
-                      .snr_db = 10,
-                      .dwells = 40};
-  const SealedCase sealed = draw_case(plan, 7);
-  write_case(sealed, 7, folder / "case");
-  for (const auto& record : std::filesystem::directory_iterator(folder / "case" / "campaign" / "records"))
-    EXPECT_EQ(read_text(record.path()).find("nan"), std::string::npos) << record.path();
+  constexpr std::size_t second_stream = 10'000'000;
+  const struct {
+    const char *effect, *family;
+    std::uint64_t seed;
+  } runaways[] = {{"cubic_coupling", "two_modes", 4}, {"quadratic_stiffness", "principal_parametric", 44}};
+  for (const auto& [effect, family, seed] : runaways) {
+    CasePlan plan{.number = 3, .kind = "outside", .effects = {effect}, .family = family, .snr_db = 10, .dwells = 4};
+    const SealedCase sealed = draw_case(plan, seed);
+    plan.number += second_stream;
+    EXPECT_EQ(numbers_of(sealed.specimen), numbers_of(draw_case(plan, seed).specimen)) << effect;
+    write_case(sealed, seed, folder / effect);
+    for (const auto& record : std::filesystem::directory_iterator(folder / effect / "campaign" / "records"))
+      EXPECT_EQ(read_text(record.path()).find("nan"), std::string::npos) << record.path();
+  }
 }
 
 TEST_F(BlindFolder, SameSeedGivesTheSameBytes) {

@@ -34,9 +34,10 @@ int fewest_that_hold(int intervals) {
 
 TEST(SlowContinuity, PrincipalParametricCampaign) {
   std::map<std::string, int> hold;
+  const DrawnCampaign campaign("principal_parametric");
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     SCOPED_TRACE(seed);
-    MadeCampaign made = make_campaign("principal_parametric", seed);
+    MadeCampaign made = campaign.drawn(seed);
     const Recovered r = recover(made);
     jitter(made, seed);
     expect_continuous(r.estimate, recover(made).estimate);
@@ -57,9 +58,10 @@ TEST(SlowContinuity, PrincipalParametricCampaign) {
 class SlowContinuityOf : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
 
 TEST_P(SlowContinuityOf, Rounding) {
+  const DrawnCampaign campaign(GetParam().first, GetParam().second);
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
     SCOPED_TRACE(seed);
-    MadeCampaign made = make_campaign(GetParam().first, seed, GetParam().second);
+    MadeCampaign made = campaign.drawn(seed);
     const Recovered r = recover(made);
     jitter(made, seed);
     expect_continuous(r.estimate, recover(made).estimate);

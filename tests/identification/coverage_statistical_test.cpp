@@ -25,12 +25,6 @@ int draws_wanted(int fallback) {
   return text ? std::atoi(text) : fallback;
 }
 
-Experiment without_noise(Experiment e) {
-  if (e.excitation) e.excitation->noise_sd = e.excitation->quantisation = 0;
-  for (SimulatedChannel& channel : e.responses) channel.noise_sd = channel.quantisation = 0;
-  return e;
-}
-
 struct Coverage {
   std::string name;
   int inside = 0;  ///< draws whose interval holds the truth

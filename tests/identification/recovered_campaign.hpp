@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "motion/correction/replay.hpp"
 #include "motion/correction/truncation_correction.hpp"
+#include "motion/simulate/noise.hpp"
 #include "virtual_campaign.hpp"
 
 // Shipped experiments, simulated and identified as `secular identify` does it.
@@ -19,9 +23,9 @@ struct MadeCampaign {
   SimulatedCampaign simulated;
 };
 
-inline MadeCampaign make_campaign(const std::string& name, std::uint64_t seed, const std::string& resonance = "") {
+inline MadeCampaign make_campaign(Experiment experiment, std::uint64_t seed, const std::string& resonance = "") {
   MadeCampaign made;
-  made.experiment = shipped_experiment(name);
+  made.experiment = std::move(experiment);
   made.model = generated::find_compiled_model(made.experiment.model);
   made.simulated = run_virtual_test(made.experiment, *made.model, seed, 2);
   const bool dwells = made.simulated.campaign.records.front().kind == RecordKind::dwell;
@@ -30,6 +34,41 @@ inline MadeCampaign make_campaign(const std::string& name, std::uint64_t seed, c
       made.resonance = &candidate;
   return made;
 }
+
+inline MadeCampaign make_campaign(const std::string& name, std::uint64_t seed, const std::string& resonance = "") {
+  return make_campaign(shipped_experiment(name), seed, resonance);
+}
+
+/// A shipped experiment whose motions are integrated once: what its sensors add is drawn for every seed, the same
+/// as in a simulation with that seed.
+class DrawnCampaign {
+ public:
+  explicit DrawnCampaign(const std::string& name, const std::string& resonance = "")
+      : experiment_(shipped_experiment(name)), quiet_(make_campaign(without_noise(experiment_), 1, resonance)) {}
+
+  MadeCampaign drawn(std::uint64_t seed) const {
+    MadeCampaign made = quiet_;
+    made.experiment = experiment_;
+    for (std::size_t r = 0; r < made.simulated.samples.size(); ++r) {
+      std::vector<std::vector<double>>& channels = made.simulated.samples[r].channels;
+      for (std::size_t c = 0; c < channels.size(); ++c) {
+        NoiseStream noise(seed, r, c);
+        const std::size_t excitations = experiment_.excitation ? 1 : 0;
+        const SimulatedChannel& sensor =
+            c < excitations ? *experiment_.excitation : experiment_.responses[c - excitations];
+        for (double& x : channels[c]) {
+          if (sensor.noise_sd > 0) x += sensor.noise_sd * noise.gaussian();
+          if (sensor.quantisation > 0) x = sensor.quantisation * std::round(x / sensor.quantisation);
+        }
+      }
+    }
+    return made;
+  }
+
+ private:
+  Experiment experiment_;
+  MadeCampaign quiet_;
+};
 
 struct Recovered {
   Experiment experiment;

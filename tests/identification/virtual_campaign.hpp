@@ -46,6 +46,12 @@ inline Experiment shipped_experiment(const std::string& name) {
   return read_experiment(path, *generated::find_compiled_model(experiment_model(path)));
 }
 
+inline Experiment without_noise(Experiment e) {
+  if (e.excitation) e.excitation->noise_sd = e.excitation->quantisation = 0;
+  for (SimulatedChannel& channel : e.responses) channel.noise_sd = channel.quantisation = 0;
+  return e;
+}
+
 /// Observations of the records of a simulated campaign that belong to a case: all dwells, or all decays.
 inline ObservationSet observed(const SimulatedCampaign& simulated, const CompiledModel& model,
                                const CompiledCase& resonance) {

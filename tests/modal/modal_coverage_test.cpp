@@ -111,7 +111,9 @@ void expect_covered(int held, int trials, const std::string& what) {
 }
 
 TEST(StatisticalModalCoverage, EarlyMotionsAreFoundAndIntervalsHold) {
-  constexpr int runs = 12;
+  // Of all 90 intervals of frequencies, and of damping, thirteen are too many that miss: intervals that miss in 20
+  // of 100 are found more than nine times in ten by either, such of a single kind of decay where most of them miss.
+  constexpr int runs = 6;
   const std::vector<Decay> decays = {
       {"5 % beside 1 %, seen in three windows", {{20, 0.05, 5}, {45, 0.01, 2}}, 0.1},
       {"20 % alone", {{20, 0.2, 5}}, 0.01},
