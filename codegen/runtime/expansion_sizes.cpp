@@ -67,14 +67,17 @@ bool ExpansionSizes::outside(const State& state) const {
 }
 
 std::vector<double> ExpansionSizes::largest_rates(const State& state) const {
-  const std::vector<std::vector<double>> nonlinear =
-                                             sizes(rate_, state, [](const Term&term) { return term.degree != 1; }),
-                                         all = sizes(rate_, state, [](const Term&) { return true; });
-  std::vector<double> result;
-  for (std::size_t k = 0; k < modes_; ++k) {
-    const double largest = *std::max_element(nonlinear[k].begin(), nonlinear[k].end());
-    result.push_back(largest > 0 ? largest : *std::max_element(all[k].begin(), all[k].end()));
-  }
+  const auto largest_of = [&](const auto& counts) {
+    std::vector<double> largest;
+    for (const std::vector<double>& orders : sizes(rate_, state, counts))
+      largest.push_back(*std::max_element(orders.begin(), orders.end()));
+    return largest;
+  };
+  std::vector<double> result = largest_of([](const Term& term) { return term.degree != 1; });
+  if (std::find(result.begin(), result.end(), 0.0) == result.end()) return result;
+  const std::vector<double> all = largest_of([](const Term&) { return true; });
+  for (std::size_t k = 0; k < modes_; ++k)
+    if (result[k] == 0) result[k] = all[k];
   return result;
 }
 

@@ -125,11 +125,10 @@ VectorXd DrivenNoise::whitened(VectorXd error) const {
   return error;
 }
 
-MatrixXd DrivenNoise::expected(const VectorXd& error) const {
+MatrixXd DrivenNoise::expected(const VectorXd& white) const {
   if (steps_.empty()) return {};
-  const auto samples = static_cast<Index>(steps_.size()), channels = error.size() / samples;
+  const auto samples = static_cast<Index>(steps_.size()), channels = white.size() / samples;
   const Index parts = steps_.front().transition.rows(), inputs = steps_.front().transition.cols() - parts;
-  const VectorXd white = whitened(error);
   MatrixXd noise(inputs, samples);
   VectorXd later = VectorXd::Zero(parts);
   for (Index i = samples - 1; i >= 0; --i) {

@@ -29,12 +29,13 @@ class DrivenNoise {
   /// Errors, channel after channel.
   Eigen::VectorXd whitened(Eigen::VectorXd error) const;
 
-  /// What errors say of the noise: its expectation given all of them, excitations x samples, in its standard
-  /// deviations. Backwards from the last sample, with w_i the innovations over their standard deviations, L_i, K_i
-  /// the gain by these, Z_i and T_i what reads (x_i, n_i) and carries them on,
+  /// What errors say of the noise, from what whitened() makes of them: its expectation given all of them,
+  /// excitations x samples, in its standard deviations. Backwards from the last sample, with w_i the innovations
+  /// over their standard deviations, L_i, K_i the gain by these, Z_i and T_i what reads (x_i, n_i) and carries them
+  /// on,
   ///   q_i = u_i + Z_i^T L_i^-T (w_i - K_i^T u_i),   u_i = T_i^T (first parts of q_(i+1)),   u_last = 0,
   /// of which the last parts belong to n_i (P. de Jong, JASA 84, 1989, 1085-1088). Empty where nothing is whitened.
-  Eigen::MatrixXd expected(const Eigen::VectorXd& error) const;
+  Eigen::MatrixXd expected(const Eigen::VectorXd& white) const;
 
  private:
   struct Step {

@@ -254,11 +254,10 @@ void SegmentEvidence::take_driven_noise_off(std::size_t segment, const VectorXd&
   Segment& s = segments_[segment];
   const Index samples = s.response.cols();
   const std::vector<SegmentTrial> trial{frozen_trial(segment, unknowns)};
-  const VectorXd with = model_.errors(trial).front(), silent = silenced(with, samples, frozen_[segment].at_jumps);
+  const VectorXd with = model_.errors(trial).front(), white = seen(segment, with);
   // Of errors r times as large in the square as noise makes them, where the model lacks something, one r-th is its.
-  const double ratio =
-      frozen_[segment].driven_noise.whitened(silent).squaredNorm() / static_cast<double>(silent.size());
-  const MatrixXd noise = frozen_[segment].driven_noise.expected(silent) / std::max(1.0, ratio);
+  const double ratio = white.squaredNorm() / static_cast<double>(white.size());
+  const MatrixXd noise = frozen_[segment].driven_noise.expected(white) / std::max(1.0, ratio);
   s.excitation -= s.excitation_noise_sd.asDiagonal() * at_half_samples(noise);
   const VectorXd without = model_.errors(trial).front();
   for (Index c = 0; c < s.response.rows(); ++c)

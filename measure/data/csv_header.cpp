@@ -205,13 +205,12 @@ std::optional<NamelessRows> nameless_rows(const Beginning& beginning, const std:
     if (!std::all_of(rows.begin(), rows.end() - (rows.size() > 1 ? 1 : 0),
                      [&](const auto& row) { return row.size() == columns; }))
       continue;
-    if (counts_columns(rows.front()) || (dialect.separator == ',' && may_be_decimals(rows))) {
-      const bool counted = counts_columns(rows.front());
+    const bool counted = counts_columns(rows.front());
+    if (counted || (dialect.separator == ',' && may_be_decimals(rows)))
       throw InputError(file, fmt::format("line {}", beginning.lines.front().number),
                        counted ? "numbers that may be the columns' names or a row"
                                : "commas that may part columns or be decimal marks",
                        "put a line above that names the columns, for example t,base,response");
-    }
     return NamelessRows{dialect, columns};
   }
   return std::nullopt;
