@@ -11,6 +11,7 @@
 #include "estimator/identification/identified_lumps.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
+#include "measure/observe/common_observations.hpp"
 #include "numerics/anderson_acceleration.hpp"
 
 namespace secular {
@@ -160,6 +161,24 @@ Estimate estimate_left(std::span<const ObservationSet> sets, const MeasuredUnits
   return of_what_is_left([&] { return estimate(sets, units, options, pass); });
 }
 
+// Whether replays differ from what was measured by less than that is, over all observations and modes of each set:
+// what is taken out of the equations at another motion is no correction for this one.
+bool stay_with(std::span<const ObservationSet> measured, const std::vector<ObservationSet>& replayed) {
+  for (std::size_t s = 0; s < replayed.size(); ++s) {
+    double size = 0, moved = 0;
+    for_common_observations(measured[s], replayed[s], [&](std::size_t i, std::size_t at) {
+      const Observation &was = measured[s].observations[i], &is = replayed[s].observations[at];
+      for (std::size_t k = 0; k < was.amplitude.size(); ++k) {
+        size += std::norm(was.amplitude[k]);
+        const double more = std::abs(is.amplitude[k]) - std::abs(was.amplitude[k]);  // phases are of other clocks
+        moved += more * more;
+      }
+    });
+    if (!(moved <= size)) return false;
+  }
+  return true;
+}
+
 /// With what observations are corrected; see correct_truncation.
 struct Means {
   const MeasuredUnits& units;
@@ -199,6 +218,9 @@ class Correction {
     axes_ = axes_beside(null_space_, sd_);
     see_slopes();
     follow_slopes();
+    if (!stay_with(measured_, motions_.replays()))
+      throw NumericalFailure(Ending::out_of_range,
+                             "motions that begin as measured go elsewhere within the time of an observation");
     full_.start = estimate_.state;
     const Eigen::VectorXd further = values(found(estimate_));  // not next_: a step may have been cut
     estimate_ = estimate_left(at_.corrected, units_, options_, full_);
