@@ -14,11 +14,18 @@ namespace secular {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// A row whose variance, given the rows before it, is below this share of its own is determined by them.
 constexpr double determined = 1e-9;
+
+/// Of a standard deviation: a row that moves by less is not seen to.
+constexpr double unseen = 0.1;
+
+/// Points of a turn for each line, at least: the fifth power of the highest is not taken for a line then.
+constexpr Index points_of_a_line = 6;
 
 /// Share of the inertia that a first look at unknown numbers allows.
 constexpr auto& first_look = diagnose_thresholds().first_look;
@@ -146,8 +153,28 @@ void LineEvidence::whiten(std::size_t condition, const VectorXd& unknowns, doubl
   w.inverse_root = root.topLeftCorner(n, n).triangularView<Eigen::Lower>().solve(MatrixXd::Identity(n, n));
 }
 
+bool LineEvidence::took_more_lines(std::size_t condition, const VectorXd& unknowns, Whitening& w) {
+  Condition& c = conditions_[condition];
+  const Index highest = c.torus->lines() - 1;
+  if (c.torus->dimensions() != 1 || 2 * highest * points_of_a_line > c.torus->points() || !w.motion.converged)
+    return false;
+  Condition finer = c;
+  finer.torus = std::make_shared<const Torus>(1, static_cast<int>(2 * highest), c.torus->points());
+  Motion start = w.motion;
+  start.displacement.conservativeResizeLike(MatrixXcd::Zero(start.displacement.rows(), finer.torus->lines()));
+  const ConditionRows few = model_.rows(c, unknowns, &w.motion), more = model_.rows(finer, unknowns, &start);
+  const VectorXd moved = w.inverse_root * (more.values - few.values)(w.kept);
+  if (!moved.allFinite() || !(moved.cwiseAbs().maxCoeff() > unseen)) return false;
+  c = std::move(finer);
+  w.motion = more.motion;
+  return true;
+}
+
 void LineEvidence::freeze(const VectorXd& unknowns, double coarse) {
-  in_parallel(conditions_.size(), threads_, [&](std::size_t i) { whiten(i, unknowns, coarse, whitening_[i]); });
+  in_parallel(conditions_.size(), threads_, [&](std::size_t i) {
+    do whiten(i, unknowns, coarse, whitening_[i]);
+    while (coarse == 0 && took_more_lines(i, unknowns, whitening_[i]));
+  });
 }
 
 void LineEvidence::approach(const VectorXd& unknowns) {

@@ -5,8 +5,8 @@
 
 namespace secular {
 
-/// Evidence of dwells and decay windows: their rows, whitened one after the other, balances first. A row that the
-/// rows before it determine (the line from which an amplitude was taken) drops out.
+/// Evidence of dwells: their rows, whitened one after the other, balances first. A row that the rows before it
+/// determine (the line from which an amplitude was taken) drops out. Motions have as many lines as the rows need.
 class LineEvidence : public Evidence {
  public:
   /// `threads`: of freeze().
@@ -29,6 +29,9 @@ class LineEvidence : public Evidence {
     Eigen::MatrixXd inverse_root;  // kept x kept, lower triangle
     Motion motion;
   };
+  /// Whether a motion of twice as many lines moves a row by more than a tenth of its standard deviation; it has
+  /// them from then on (docs/inference.md, Lines of a motion).
+  bool took_more_lines(std::size_t condition, const Eigen::VectorXd& unknowns, Whitening& whitening);
   void whiten(std::size_t condition, const Eigen::VectorXd& unknowns, double coarse, Whitening& whitening) const;
 
   ConditionModel model_;
