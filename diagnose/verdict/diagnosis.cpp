@@ -67,6 +67,11 @@ class Diagnoser {
     if (options_.given)
       judged_ = judge_given(options_.given, model_, free_, discrepancy(), comparison_.start, options_.threads);
     result_.warnings = comparison_.warnings;
+    if (!judged_.without_motion.empty())
+      result_.warnings.push_back(fmt::format(
+          "with the given numbers the model has no steady motion near the measured one in {} of {} records: "
+          "how far off it is there is not a number, and counts as {:.0g} standard deviations",
+          judged_.without_motion.size(), comparison_.spans.size(), diagnose_thresholds().no_motion));
     for (std::string& warning : disturbed_records(comparison_, campaign_))
       result_.warnings.push_back(std::move(warning));
     detect();

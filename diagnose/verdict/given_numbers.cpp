@@ -89,11 +89,23 @@ JudgedNumbers judge_given(const GivenNumbers& given, const CompiledModel& model,
   std::vector<std::size_t> open;
   for (const std::size_t u : fitted)
     if (is_open(given, model, u)) open.push_back(u);
-  if (open.empty()) return {start, discrepancy(start), 0};
   RefitOptions options;
   options.threads = threads;
-  const Refit fit = refit(discrepancy, start, open, options);
-  return {fit.unknowns, fit.rows, fit.rank};
+  JudgedNumbers judged;
+  if (open.empty()) {
+    judged.unknowns = start;
+    judged.rows = discrepancy(start);
+  } else {
+    Refit fit = refit(discrepancy, start, open, options);
+    judged = {std::move(fit.unknowns), std::move(fit.rows), fit.rank, {}};
+  }
+  const std::vector<RowLabel> labels = discrepancy.labels();
+  for (Index r = 0; r < judged.rows.size(); ++r) {
+    if (std::isfinite(judged.rows(r))) continue;
+    judged.rows(r) = diagnose_thresholds().no_motion;
+    judged.without_motion.insert(labels[static_cast<std::size_t>(r)].record);
+  }
+  return judged;
 }
 
 double moved_p_value(const GivenNumbers& given, const JudgedNumbers& judged, const CompiledModel& model,

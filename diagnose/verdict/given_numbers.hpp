@@ -41,9 +41,11 @@ struct JudgedNumbers {
   Eigen::VectorXd unknowns;  ///< of the discrepancy, what was left open fitted
   Eigen::VectorXd rows;
   Eigen::Index rank = 0;  ///< of what was left open
+  std::set<std::size_t> without_motion;  ///< records near whose motion the model has none with these numbers
 };
 
-/// Rows of the numbers in `start`. Of `fitted` (the model's own symbols and nuisances) the campaign chooses those
+/// Rows of the numbers in `start`; those of a record near whose motion the model has none then count as off by
+/// DiagnoseThresholds::no_motion. Of `fitted` (the model's own symbols and nuisances) the campaign chooses those
 /// that are open and all nuisances.
 JudgedNumbers judge_given(const GivenNumbers& given, const CompiledModel& model,
                           const std::vector<std::size_t>& fitted, const Discrepancy& discrepancy,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "motion/balance/balance_sweep.hpp"
 #include "numerics/anderson_acceleration.hpp"
@@ -60,6 +61,7 @@ Motion MotionBalance::solve(const MotionSetting& setting, const VectorXcd& ampli
   BalanceSweep sweep(*model_, forces_, setting);
   AndersonAcceleration acceleration(remembered_steps, dependent_steps);
   double share = 1, last_step = 0;
+  bool lost = false;  // the latest step is longer than the motion: nothing is near
   MatrixXcd residual;
   VectorXd lines = gathered(slaves, motion.displacement);
   for (int i = 0; i < iteration_limit; ++i) {
@@ -69,6 +71,7 @@ Motion MotionBalance::solve(const MotionSetting& setting, const VectorXcd& ampli
     const double size = std::max(scale, motion.displacement.cwiseAbs().maxCoeff());
     motion.converged = step.size() == 0 || step.cwiseAbs().maxCoeff() <= tolerance * size;
     const double length = step.norm();
+    lost = length > size;
     if (i > 0 && length > step_growth * last_step) {
       acceleration = AndersonAcceleration(remembered_steps, dependent_steps);
       share = std::max(least_step_share, 0.5 * share);
@@ -79,6 +82,10 @@ Motion MotionBalance::solve(const MotionSetting& setting, const VectorXcd& ampli
     if (motion.converged) break;
   }
   motion.balance = balance_of_masters(setting, residual);
+  if (!motion.converged && lost) {
+    motion.displacement.setConstant(std::numeric_limits<double>::quiet_NaN());
+    motion.balance.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
   return motion;
 }
 

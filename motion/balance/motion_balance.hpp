@@ -60,7 +60,8 @@ class MotionBalance {
   const std::vector<StateForce>& forces() const { return forces_; }
 
   /// `amplitudes`: of the masters, half of the peak. `parameters` by CompiledModel::symbols. `start`: a
-  /// neighbouring motion to begin with, or nullptr.
+  /// neighbouring motion to begin with, or nullptr. Not finite where the iteration runs away: there is no motion
+  /// near. (One that only has not come to rest, as at kinks, is returned as far as it came.)
   Motion solve(const MotionSetting& setting, const Eigen::VectorXcd& amplitudes, std::span<const double> parameters,
                const Motion* start = nullptr) const;
 

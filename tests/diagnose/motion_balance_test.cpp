@@ -60,6 +60,17 @@ TEST(MotionBalance, FreeDecayRateOfALinearOscillatorBalances) {
   EXPECT_LT(std::abs(motion.balance(0)), 1e-12 * w0 * w0 * 1e-3);
 }
 
+// A spring a thousand times beyond what its lines can carry: nothing is near, and no number stands for that.
+TEST(MotionBalance, AMotionThatRunsAwayIsNoNumber) {
+  const CompiledModel& model = *generated::find_compiled_model("pendulum");
+  const Eigen::VectorXd p = parameters_of(model, {{"omega0", 5}, {"alpha3", 1e5}});
+  const Motion motion =
+      MotionBalance(model, {}).solve(steady(model, 5, 9), Eigen::VectorXcd::Constant(1, Complex(1)),
+                                     {p.data(), static_cast<std::size_t>(p.size())});
+  EXPECT_FALSE(motion.converged);
+  EXPECT_FALSE(motion.displacement.allFinite());
+}
+
 // The free Duffing oscillator x'' + w^2 x + a x^3 = 0 released at X turns with the frequency
 // pi sqrt(w^2 + a X^2) / (2 K(k)), k^2 = a X^2 / (2 (w^2 + a X^2)).
 TEST(MotionBalance, DuffingBackboneIsTheEllipticOneAtAnyAmplitude) {
