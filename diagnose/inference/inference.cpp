@@ -508,13 +508,14 @@ class Search {
     result_.degrees_of_freedom = rows() - static_cast<double>(null.rank);
   }
 
-  // Fits that have not come to an end, though nothing that has is better by what an unknown costs: a law whose
-  // shape trades with its strength and the model's own numbers ends in a curved valley.
+  // Fits that have not come to an end, though nothing of the catalogue that has is better by what an unknown costs:
+  // a law whose shape trades with its strength and the model's own numbers ends in a curved valley. (A power of any
+  // exponent comes near to it before, and would be called a law that the catalogue lacks.)
   void end_stalled() {
     const auto has_ended = [](const Explanation& e) { return e.fit.ending == FitEnding::converged; };
     double least = result_.null.fit.chi_squared;
     for (const Explanation& e : found_)
-      if (has_ended(e)) least = std::min(least, e.fit.chi_squared);
+      if (has_ended(e) && !is_open(e)) least = std::min(least, e.fit.chi_squared);
     const double dispersion = secular::dispersion_of(least, result_.degrees_of_freedom);
     RefitOptions options = refit_options();
     options.bends = true;
