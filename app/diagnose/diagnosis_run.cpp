@@ -116,10 +116,9 @@ std::vector<Disturbance> fitted_offsets(const Diagnosis& diagnosis, const Campai
 }
 
 // By how much the records of a case are late, as far as phases of their own made its equations hold better.
-std::vector<Disturbance> late_records(const DiagnosisOptions& options, const Lateness& lateness,
-                                      const Diagnosis& diagnosis) {
+std::vector<Disturbance> late_records(const Lateness& lateness, const Diagnosis& diagnosis) {
   std::vector<Disturbance> found;
-  for (const auto& [record, late_s] : options.late_s) {
+  for (const auto& [record, late_s] : diagnosis.late_s) {
     Disturbance d = fitted_in(record, "late_record", diagnosis);
     d.size = late_s;
     d.unit = "s";
@@ -379,7 +378,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
     if (is_fitted(d, run, options)) d.treated = "fitted";
   for (Disturbance& d : fitted_offsets(run.diagnosis, run.campaign, run.disturbances))
     run.disturbances.push_back(std::move(d));
-  for (Disturbance& d : late_records(options, lateness, run.diagnosis)) run.disturbances.push_back(std::move(d));
+  for (Disturbance& d : late_records(lateness, run.diagnosis)) run.disturbances.push_back(std::move(d));
   for (Disturbance& d : own_frequencies(run.diagnosis, *run.model)) run.disturbances.push_back(std::move(d));
   run.looked_at = watch.records();
   return run;

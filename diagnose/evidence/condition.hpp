@@ -40,6 +40,13 @@ struct Condition {
   /// By channel: sd of the noise of a sample, as it comes into a channel that may saturate. Empty: none.
   Eigen::VectorXd response_noise, excitation_noise;
 
+  /// By how much the excitation's reading counts as later than it is, s, beyond what it was put in step by.
+  double record_delay = 0;
+  void set_record_delay(double seconds) {
+    delay_excitation(record_delay - seconds);
+    record_delay = seconds;
+  }
+
   /// Puts the excitation `seconds` later: where responses are late by as much, the two are in step again.
   void delay_excitation(double seconds) {
     for (std::size_t l = 0; l < excitation_lines.size(); ++l)

@@ -18,7 +18,11 @@ namespace {
 /// Step of what is a record's own, next to its standard deviation: differences are as good as slopes.
 constexpr double nuisance_step = 1e-4;
 
-/// Frequencies that are put into a record are near enough where a step moves its rows by less than this share of a
+/// No step puts an excitation farther than this, in standard deviations of a time anywhere in a period: an eighth
+/// of a turn, over which what a phase does to the rows is nearly linear.
+constexpr double longest_delay_step = 0.43;
+
+/// What is put into a record is near enough where a step moves its rows by less than this share of a
 /// standard deviation: what is left is linear. Rounds in which they come there.
 constexpr double near_enough = 0.1;
 constexpr int most_rounds = 4;
@@ -78,10 +82,11 @@ void Discrepancy::freeze(const Eigen::VectorXd& unknowns, double coarse) {
   for (int round = 1; round <= most_rounds; ++round) {
     for (const auto& part : parts_) {
       part->shift_records(record_shifts_);
+      part->delay_records(record_delays_);
       part->freeze(unknowns, coarse);
     }
     take_directions(unknowns);
-    if (round == most_rounds || !put_in_frequencies(unknowns)) return;
+    if (round == most_rounds || !put_in_own(unknowns)) return;
   }
 }
 
@@ -118,19 +123,28 @@ void Discrepancy::take_directions(const Eigen::VectorXd& unknowns) {
   }
 }
 
-// Whether a record's frequency moved so far that its directions are others now.
-bool Discrepancy::put_in_frequencies(const Eigen::VectorXd& unknowns) {
-  if (modes() == 0 || directions_.empty()) return false;
+// Whether a record's own frequency or lateness moved so far that its directions are others now. Lateness may be
+// anything within a period: wherever it is put, what is left of it may be anything again.
+bool Discrepancy::put_in_own(const Eigen::VectorXd& unknowns) {
+  if (directions_.empty()) return false;
   const Eigen::VectorXd rows = raw_rows(unknowns);
   if (!rows.allFinite()) return false;
   bool moved = false;
   for (const auto& [record, directions] : directions_) {
-    Eigen::VectorXd& shift = record_shifts_.try_emplace(record, Eigen::VectorXd::Zero(modes())).first->second;
-    const Eigen::VectorXd
-        before = shift.cwiseQuotient(nuisances_.frequency_sd),
-        next = directions.likeliest(rows).tail(modes()).cwiseMax(-most_deviations).cwiseMin(most_deviations);
-    if (!next.allFinite() || directions.length_of_last(next - before) < near_enough) continue;
-    shift = next.cwiseProduct(nuisances_.frequency_sd);
+    const auto late = nuisances_.delay_sd.find(record);
+    const Index delays = directions.size() - modes();
+    Eigen::VectorXd next = directions.likeliest(rows), before = Eigen::VectorXd::Zero(next.size());
+    if (!next.allFinite()) continue;
+    if (delays > 0) next(0) = std::clamp(next(0), -longest_delay_step, longest_delay_step);
+    Eigen::VectorXd* shift = nullptr;
+    if (modes() > 0) {
+      shift = &record_shifts_.try_emplace(record, Eigen::VectorXd::Zero(modes())).first->second;
+      before.tail(modes()) = shift->cwiseQuotient(nuisances_.frequency_sd);
+      next.tail(modes()) = next.tail(modes()).cwiseMax(-most_deviations).cwiseMin(most_deviations);
+    }
+    if (directions.length_of(next - before) < near_enough) continue;
+    if (shift) *shift = next.tail(modes()).cwiseProduct(nuisances_.frequency_sd);
+    if (delays > 0) record_delays_[record] += next(0) * late->second;
     moved = true;
   }
   return moved;

@@ -53,6 +53,8 @@ class Evidence {
   /// Natural frequencies of a record are those of the unknowns times 1 + shift, by record and mode; of a record
   /// that is not named they are those of the unknowns. Until the next call.
   virtual void shift_records(const std::map<std::size_t, Eigen::VectorXd>& /*shifts*/) {}
+  /// Excitations of a record are read as much later (s) than those of one that is not named. Until the next call.
+  virtual void delay_records(const std::map<std::size_t, double>& /*delays*/) {}
   /// Rows before they were made independent of each other, where that mixed them.
   virtual Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const { return rows; }
 };
@@ -87,8 +89,8 @@ class Discrepancy {
   Eigen::Index size() const;
   Eigen::Index freedom() const;
   std::vector<RowLabel> labels() const;
-  /// As Evidence::freeze(). Each record's own natural frequencies are put where they are likeliest at these
-  /// unknowns, so that what is left of them is small.
+  /// As Evidence::freeze(). Each record's own natural frequencies and lateness are put where they are likeliest at
+  /// these unknowns, so that what is left of them is small.
   void freeze(const Eigen::VectorXd& unknowns, double coarse = 0);
   void approach(const Eigen::VectorXd& unknowns);
   /// The rows, of unit variance with what records have of their own (RecordDirections).
@@ -105,6 +107,11 @@ class Discrepancy {
     const auto own = record_shifts_.find(record);
     return own == record_shifts_.end() ? Eigen::VectorXd() : own->second;
   }
+  /// How much later the excitation's reading of a record was put, s.
+  double record_delay(std::size_t record) const {
+    const auto own = record_delays_.find(record);
+    return own == record_delays_.end() ? 0 : own->second;
+  }
   /// Of the records that tell them, at these unknowns.
   std::vector<OwnFrequency> own_frequencies(const Eigen::VectorXd& unknowns) const;
 
@@ -113,12 +120,13 @@ class Discrepancy {
   Eigen::MatrixXd raw_slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                              const Eigen::VectorXd& scale, unsigned threads) const;
   void take_directions(const Eigen::VectorXd& unknowns);
-  bool put_in_frequencies(const Eigen::VectorXd& unknowns);
+  bool put_in_own(const Eigen::VectorXd& unknowns);
   Eigen::Index modes() const { return nuisances_.frequency_sd.size(); }
 
   std::vector<std::unique_ptr<Evidence>> parts_;
   RecordNuisances nuisances_;
   std::map<std::size_t, Eigen::VectorXd> record_shifts_;  // of natural frequencies, by record and mode, as put in
+  std::map<std::size_t, double> record_delays_;           // of the excitation's reading, s, as put in
   std::map<std::size_t, RecordDirections> directions_;    // by record, as frozen
 };
 

@@ -233,6 +233,13 @@ void LineEvidence::shift_records(const std::map<std::size_t, VectorXd>& shifts) 
   }
 }
 
+void LineEvidence::delay_records(const std::map<std::size_t, double>& delays) {
+  for (Condition& condition : conditions_) {
+    const auto own = delays.find(condition.record);
+    condition.set_record_delay(own == delays.end() ? 0 : own->second);
+  }
+}
+
 VectorXd LineEvidence::unmixed(const VectorXd& rows) const {
   VectorXd all(rows.size());
   Index first = 0;

@@ -21,6 +21,7 @@ class LineEvidence : public Evidence {
   Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale, unsigned threads) const override;
   void shift_records(const std::map<std::size_t, Eigen::VectorXd>& shifts) override;
+  void delay_records(const std::map<std::size_t, double>& delays) override;
   Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const override;
 
  private:

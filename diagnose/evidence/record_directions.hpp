@@ -22,10 +22,8 @@ class RecordDirections {
   /// The likeliest c, from rows as evaluated.
   Eigen::VectorXd likeliest(const Eigen::VectorXd& all) const;
   Eigen::Index size() const { return columns_.cols(); }
-  /// Length of what a change of the last of c does to the rows.
-  double length_of_last(const Eigen::VectorXd& change) const {
-    return (columns_.rightCols(change.size()) * change).norm();
-  }
+  /// Length of what a change of c does to the rows.
+  double length_of(const Eigen::VectorXd& change) const { return (columns_ * change).norm(); }
 
   /// One entry of c by the rows alone, as if it could be anything, and its variance; infinite where they do not
   /// tell.

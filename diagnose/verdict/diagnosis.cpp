@@ -62,8 +62,12 @@ class Diagnoser {
       result_.verdict = "unknown";
       return std::move(result_);
     }
-    for (Condition& condition : comparison_.conditions)
+    for (Condition& condition : comparison_.conditions) {
       condition.record_shift = discrepancy().record_shift(condition.record);
+      condition.set_record_delay(discrepancy().record_delay(condition.record));
+    }
+    for (const auto& [record, seconds] : options_.late_s)
+      result_.late_s[record] = seconds - discrepancy().record_delay(record);
     if (options_.given)
       judged_ = judge_given(options_.given, model_, free_, discrepancy(), comparison_.start, options_.threads);
     result_.warnings = comparison_.warnings;
@@ -101,6 +105,15 @@ class Diagnoser {
            false_alarm;
   }
 
+  // Whether it closes as much as a cause has to of what the model as it is leaves beyond noise.
+  bool leaves_little(const Refit& best) const {
+    const auto beyond_noise = [&](const Refit& fit) {
+      return std::sqrt(fit.chi_squared / static_cast<double>(discrepancy().freedom() - fit.rank)) - 1;
+    };
+    const double open = 1 - diagnose_thresholds().most_of_the_gap;
+    return beyond_noise(best) < open * beyond_noise(inference_.null.fit);
+  }
+
   // Natural frequencies scatter about the model where it leaves nothing, else about the best explanation. What a
   // model that lacks something leaves of them is larger: with what is left about its best explanation the search is
   // made again. A smaller scatter allows for less: where the larger one leaves more than noise already, it is not
@@ -115,7 +128,7 @@ class Diagnoser {
                              inference_.explanations.front().log_evidence > inference_.null.log_evidence;
       const Refit& best = explained ? inference_.explanations.front().fit : inference_.null.fit;
       result_.frequency_scatter = scatter_about(discrepancy(), best.unknowns, model_.modes());
-      result_.frequency_scatter.suffices = suffices(best);
+      result_.frequency_scatter.suffices = suffices(best) || (explained && leaves_little(best));
       const VectorXd sd = admitted(result_.frequency_scatter);
       const bool grows = (sd.array() > of_records.frequency_sd.array()).any();
       if ((!result_.frequency_scatter.suffices && !grows) || round == most_rounds ||

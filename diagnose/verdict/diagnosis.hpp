@@ -49,6 +49,7 @@ struct Diagnosis {
   FittedNumbers fitted;  ///< of the best explanation, or of the model as it is where there is no gap
   double data_used = 0;  ///< see Comparison
   ResidualStructure residual_structure;
+  std::map<std::size_t, double> late_s;   ///< by record: DiagnosisOptions::late_s, as the explanation tells it, s
   FrequencyScatter frequency_scatter;     ///< about the explanation, where it was admitted
   std::map<std::size_t, TimeSpan> spans;  ///< of the records that were read, within the window
   NextExperiment next_experiment;

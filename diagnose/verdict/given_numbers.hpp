@@ -40,7 +40,7 @@ void check_given(const GivenNumbers& given, const CompiledModel& model, const st
 struct JudgedNumbers {
   Eigen::VectorXd unknowns;  ///< of the discrepancy, what was left open fitted
   Eigen::VectorXd rows;
-  Eigen::Index rank = 0;  ///< of what was left open
+  Eigen::Index rank = 0;                 ///< of what was left open
   std::set<std::size_t> without_motion;  ///< records near whose motion the model has none with these numbers
 };
 
