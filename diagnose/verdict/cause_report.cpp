@@ -54,8 +54,9 @@ std::vector<CauseReport> CauseReporter::causes(const std::vector<Rival>& rivals)
         cause.coefficient_name = unknown_names[candidate->strengths.front()];
         say_strength(*candidate, fit, dispersion, cause);
         for (const std::size_t shape : candidate->shapes)
-          cause.shapes.push_back(
-              {unknown_names[shape], fit.unknowns(static_cast<Index>(shape)), sd_of(fit, shape, dispersion)});
+          cause.shapes.push_back({unknown_names[shape],
+                                  candidate->sign_of_shapes(fit.unknowns) * fit.unknowns(static_cast<Index>(shape)),
+                                  sd_of(fit, shape, dispersion)});
       }
       if (r.effects.size() == 1 && found.size() < most_closed_shares) cause.closed = closed_share(*r.explanation);
       found.push_back(std::move(cause));
