@@ -111,15 +111,15 @@ TEST(StateForce, SmoothSliderClosesWithItsPath) {
   }
 }
 
-TEST(StateForce, SlidersAreSpringsBelowTheirSlipAndGiveWayToItsMeanAbove) {
+TEST(StateForce, SlidersAreSpringsBelowTheirSlipAndOneForceAbove) {
   StateForce force;
   force.law = force_law::spread_slider;
   const RowVectorXd small = harmonic(0.03, 0, 400), large = harmonic(40, 0, 4000);
   const MatrixXd rest = MatrixXd::Zero(1, 4000);
   // The smallest slip is a sixteenth of the largest.
-  const RowVectorXd elastic = 0.5 * signal_over_turn(force, small, rest.leftCols(400), 0.5);
+  const RowVectorXd elastic = signal_over_turn(force, small, rest.leftCols(400), 0.5) / force.per_stretch(0.5);
   EXPECT_LT(((elastic - small).array() - (elastic - small)(0)).abs().maxCoeff(), 1e-12);
-  EXPECT_NEAR(signal_over_turn(force, large, rest, 0.5).maxCoeff(), 0.5, 1e-12);
+  EXPECT_NEAR(signal_over_turn(force, large, rest, 0.5).maxCoeff(), 1, 1e-12);
   force.law = force_law::slider;
   EXPECT_NEAR(signal_over_turn(force, large, rest, 0.5).maxCoeff(), 1, 1e-12);
   // Of a slip the size counts alone, and the force is in the scale that is usual.
