@@ -24,11 +24,11 @@ struct ForceLaw {
   bool of_velocity = false;
   bool is_power = false;  ///< scale times the power `shape` of displacement/scale or velocity/scale
 
-  /// Whether the force depends on the path and not on displacement and velocity alone.
-  constexpr bool has_memory() const {
-    return kind == Kind::slider || kind == Kind::spread_slider || kind == Kind::smooth_slider ||
-           kind == Kind::relaxation;
+  constexpr bool is_slider() const {
+    return kind == Kind::slider || kind == Kind::spread_slider || kind == Kind::smooth_slider;
   }
+  /// Whether the force depends on the path and not on displacement and velocity alone.
+  constexpr bool has_memory() const { return is_slider() || kind == Kind::relaxation; }
 };
 
 namespace force_law {

@@ -283,9 +283,17 @@ class CandidateList {
 
 Candidate::Strength Candidate::strength_of_term(const VectorXd& unknowns) const {
   const double strength = unknowns(static_cast<Index>(strengths.front()));
+  if (slip_scale != 0) {
+    const double slip = unknowns(static_cast<Index>(shapes.front())), factor = slip_scale / std::abs(slip);
+    return {strength * factor, factor, -strength * factor / slip};
+  }
   if (power_scale == 0) return {strength};
   const double factor = std::pow(power_scale, 1 - unknowns(static_cast<Index>(shapes.front())));
   return {strength * factor, factor, -strength * factor * std::log(power_scale)};
+}
+
+double Candidate::sign_of_shapes(const VectorXd& unknowns) const {
+  return slip_scale != 0 && unknowns(static_cast<Index>(shapes.front())) < 0 ? -1 : 1;
 }
 
 LargestMotions largest_motions(const std::vector<Condition>& conditions, const std::vector<Segment>& segments,

@@ -40,12 +40,16 @@ struct Candidate {
   /// Of a law that is the power of displacement/scale or velocity/scale, times scale, with the first shape as its
   /// exponent; 0: it is none.
   double power_scale = 0;
+  /// Of sliders, the slip being the first shape: StateForce::stiffness_scale(); 0: it is none.
+  double slip_scale = 0;
 
   /// Strength as the catalogue's term has it, and its slopes by strength and first shape.
   struct Strength {
     double value = 0, by_strength = 1, by_shape = 0;
   };
   Strength strength_of_term(const Eigen::VectorXd& unknowns) const;
+  /// Of a slip the size counts alone: -1 where the catalogue's is the unknown's negative, else 1.
+  double sign_of_shapes(const Eigen::VectorXd& unknowns) const;
 };
 
 /// How far the modes move, by mode.

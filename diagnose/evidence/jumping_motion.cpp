@@ -12,6 +12,10 @@ constexpr double vanishing = 1e-300, rounding = 1e-12;
 /// A step's end at a zero of a smooth function is found to rounding in three or four.
 constexpr int most_secants = 20;
 
+/// A step that would have more parts goes on as if sliders neither held nor gave way within it: what swings so
+/// often within one step, on the springs of sliders that are stuck, is far faster than any data.
+constexpr int most_parts = 64;
+
 }  // namespace
 
 template <class Number>
@@ -28,8 +32,8 @@ JumpingMotion<Number>::JumpingMotion(MotionFlow<Number>& flow, const State& star
 }
 
 template <class Number>
-bool JumpingMotion<Number>::has_jumps() const {
-  return std::any_of(jumps_.begin(), jumps_.end(), [](const Jump& jump) { return jump.anywhere; });
+bool JumpingMotion<Number>::has_corners() const {
+  return std::any_of(jumps_.begin(), jumps_.end(), [](const Jump& jump) { return jump.anywhere || jump.sliders; });
 }
 
 // Accelerations of a coordinate that stands still, for a vanishing velocity from above and from below.
@@ -55,6 +59,8 @@ void JumpingMotion<Number>::find_jumps(State state, std::size_t motions) {
       const double above = of(above_[k], m), below = of(below_[k], m);
       jumps_[k].there[m] = std::abs(above - below) > rounding * (std::abs(above) + std::abs(below));
       jumps_[k].anywhere = jumps_[k].anywhere || jumps_[k].there[m];
+      jumps_[k].slides[m] = flow_.slides(k, m);
+      jumps_[k].sliders = jumps_[k].sliders || jumps_[k].slides[m];
     }
   }
 }
@@ -63,25 +69,55 @@ template <class Number>
 void JumpingMotion<Number>::take_sides(const Number& at, const State& state) {
   for (std::size_t k = 0; k < modes_; ++k) {
     Jump& jump = jumps_[k];
-    if (!jump.anywhere) continue;
+    if (!jump.anywhere && !jump.sliders) continue;
     jump.held = {};
     jump.holds = false;
     bool rests = false;
     for (std::size_t m = 0; m < count; ++m) {
       const double v = of(state[modes_ + k], m);
-      if (jump.there[m]) jump.side[m] = v > 0 ? 1 : v < 0 ? -1 : 0;
+      if (jump.there[m] || jump.slides[m]) jump.side[m] = v > 0 ? 1 : v < 0 ? -1 : 0;
       rests = rests || (jump.there[m] && v == 0);
     }
     if (!rests) continue;
     flow_.drive(at);
     std::copy_n(state.begin() + static_cast<std::ptrdiff_t>(modes_), modes_, velocity_.begin());
-    beside_rest(k, state, velocity_, state);
-    for (std::size_t m = 0; m < count; ++m) {
-      if (!jump.there[m] || of(state[modes_ + k], m) != 0) continue;
-      const double above = of(above_[k], m);
-      jump.held[m] = above <= 0 && of(below_[k], m) >= 0;
-      jump.side[m] = jump.held[m] ? 0 : above > 0 ? 1 : -1;
-      jump.holds = jump.holds || jump.held[m];
+    take_rests(k, state);
+  }
+  load_sliders(at, state);
+}
+
+// Of a coordinate that stands where accelerations jump.
+template <class Number>
+void JumpingMotion<Number>::take_rests(std::size_t k, const State& state) {
+  Jump& jump = jumps_[k];
+  beside_rest(k, state, velocity_, state);
+  for (std::size_t m = 0; m < count; ++m) {
+    if (!jump.there[m] || of(state[modes_ + k], m) != 0) continue;
+    const double above = of(above_[k], m);
+    jump.held[m] = above <= 0 && of(below_[k], m) >= 0;
+    jump.side[m] = jump.held[m] ? 0 : above > 0 ? 1 : -1;
+    jump.holds = jump.holds || jump.held[m];
+  }
+}
+
+// Where a coordinate turns, its acceleration says to which side; sliders hold there whichever it is.
+template <class Number>
+void JumpingMotion<Number>::load_sliders(const Number& at, const State& state) {
+  bool known = false;
+  for (std::size_t k = 0; k < modes_; ++k) {
+    Jump& jump = jumps_[k];
+    for (std::size_t m = 0; m < count && jump.sliders; ++m) {
+      if (!jump.slides[m]) continue;
+      if (!jump.there[m] && jump.side[m] == 0) {
+        if (!known) {
+          flow_.drive(at);
+          flow_.accelerate(state, state.data() + modes_, state, above_.data());
+        }
+        known = true;
+        const double a = of(above_[k], m);
+        jump.side[m] = a > 0 ? 1 : a < 0 ? -1 : 0;
+      }
+      jump.turns[m] = flow_.load(k, m, jump.side[m]) && parts_[m] < most_parts;
     }
   }
 }
@@ -95,7 +131,7 @@ void JumpingMotion<Number>::derive(const Number& at, const State& state) {
 template <class Number>
 void JumpingMotion<Number>::stay_on_sides(std::size_t k) {
   for (std::size_t m = 0; m < count; ++m) {
-    const int side = jumps_[k].side[m];
+    const int side = jumps_[k].there[m] ? jumps_[k].side[m] : 0;
     if (side != 0 && side * of(velocity_[k], m) <= 0) set(velocity_[k], m, side * vanishing);
   }
 }
@@ -139,11 +175,16 @@ void JumpingMotion<Number>::runge_kutta(const Way& way, const State& state) {
              });
 }
 
-// A coordinate whose velocity has left its side of a jump by the end of a step; none: as many as there are.
+// A coordinate whose velocity has left its side by the end of a step; none: as many as there are. One that only
+// sliders follow is not looked at again in a step that it begins at rest.
 template <class Number>
-std::size_t JumpingMotion<Number>::crossing(std::size_t motion) const {
+std::size_t JumpingMotion<Number>::crossing(std::size_t motion, const State& state) const {
+  const auto leaves = [&](std::size_t k) {
+    return jumps_[k].side[motion] * of(step_.end()[modes_ + k], motion) < 0 &&
+           (jumps_[k].there[motion] || (jumps_[k].turns[motion] && of(state[modes_ + k], motion) != 0));
+  };
   std::size_t k = 0;
-  while (k < modes_ && !(jumps_[k].side[motion] * of(step_.end()[modes_ + k], motion) < 0)) ++k;
+  while (k < modes_ && !leaves(k)) ++k;
   return k;
 }
 
@@ -163,12 +204,19 @@ void JumpingMotion<Number>::Secant::take(double v) {
   side = before ? -1 : 1;
 }
 
+// Zero where the search ends.
+template <class Number>
+double JumpingMotion<Number>::value_of(const Secant& secant, std::size_t motion, const State& state) const {
+  return secant.coordinate < modes_ ? of(step_.end()[modes_ + secant.coordinate], motion)
+                                    : flow_.left_of(secant.yield, motion, state, step_.end());
+}
+
 // To the end of every search; what is not searched stays as it is in step_.end().
 template <class Number>
 void JumpingMotion<Number>::run(OfMotions<Secant>& secants, const Way& way, const State& state) {
   State found = step_.end();
   Mask open{};
-  for (std::size_t m = 0; m < count; ++m) open[m] = secants[m].coordinate < modes_;
+  for (std::size_t m = 0; m < count; ++m) open[m] = secants[m].wanted;
   for (int i = 0; i < most_secants && std::find(open.begin(), open.end(), true) != open.end(); ++i) {
     for (std::size_t m = 0; m < count; ++m) {
       if (open[m]) secants[m].next();
@@ -177,42 +225,60 @@ void JumpingMotion<Number>::run(OfMotions<Secant>& secants, const Way& way, cons
     runge_kutta({way.from, part_ * way.half_steps, part_ * way.step}, state);
     for (std::size_t m = 0; m < count; ++m) {
       if (!open[m]) continue;
-      const double v = of(step_.end()[modes_ + secants[m].coordinate], m);
+      const double v = value_of(secants[m], m, state);
       for (std::size_t j = 0; j < found.size(); ++j) set(found[j], m, of(step_.end()[j], m));
       open[m] = !(std::abs(v) <= secants[m].small);
       if (open[m]) secants[m].take(v);
     }
   }
   step_.end().swap(found);
-  for (std::size_t m = 0; m < count; ++m)
+  for (std::size_t m = 0; m < count; ++m) {
+    if (!secants[m].wanted) continue;
+    yields_[m] = secants[m].yield;
     if (secants[m].coordinate < modes_) set(step_.end()[modes_ + secants[m].coordinate], m, 0);
+  }
+}
+
+template <class Number>
+auto JumpingMotion<Number>::search_in(std::size_t motion, const State& state, Mask& jumped) -> Secant {
+  Secant secant;
+  std::size_t k = crossing(motion, state);
+  // From rest and back within a step: it has not moved.
+  for (; k < modes_ && of(state[modes_ + k], motion) == 0; k = crossing(motion, state)) {
+    jumped[motion] = true;
+    set(step_.end()[modes_ + k], motion, 0);
+  }
+  secant.coordinate = k;
+  if (k < modes_) {
+    jumped[motion] = jumped[motion] || jumps_[k].there[motion];
+    secant.v_low = of(state[modes_ + k], motion);
+  } else {
+    if (parts_[motion] < most_parts) secant.yield = flow_.yielding(motion, state, step_.end());
+    if (secant.yield.side == 0 || secant.yield == yields_[motion]) return secant;
+    secant.v_low = flow_.left_of(secant.yield, motion, state, state);
+  }
+  secant.wanted = true;
+  secant.start = secant.v_low;
+  secant.v_high = value_of(secant, motion, state);
+  secant.small = rounding * (std::abs(secant.v_low) + std::abs(secant.v_high));
+  return secant;
 }
 
 template <class Number>
 Number JumpingMotion<Number>::shares(const Number& left, const Way& whole, const State& state, Mask& jumped) {
   Number shares(1.0);
+  yields_ = {};
   for (bool searched = true; searched;) {
     OfMotions<Secant> secants;
     searched = false;
     for (std::size_t m = 0; m < count; ++m) {
-      std::size_t k = of(shares, m) > 0 ? crossing(m) : modes_;
-      // From rest and back within a step: it has not moved.
-      for (; k < modes_ && of(state[modes_ + k], m) == 0; k = crossing(m)) {
-        jumped[m] = true;
-        set(step_.end()[modes_ + k], m, 0);
-      }
-      secants[m].coordinate = k;
-      if (k == modes_) continue;
-      jumped[m] = searched = true;
-      Secant& secant = secants[m];
-      secant.start = secant.v_low = of(state[modes_ + k], m);
-      secant.v_high = of(step_.end()[modes_ + k], m);
-      secant.small = rounding * (std::abs(secant.v_low) + std::abs(secant.v_high));
+      if (of(shares, m) > 0 && of(left, m) > 0) secants[m] = search_in(m, state, jumped);
+      searched = searched || secants[m].wanted;
     }
     if (!searched) break;
     run(secants, {whole.from, shares * left * whole.half_steps, shares * left * whole.step}, state);
     for (std::size_t m = 0; m < count; ++m)
-      if (secants[m].coordinate < modes_) set(shares, m, of(shares, m) * secants[m].share);
+      if (secants[m].wanted) set(shares, m, of(shares, m) * secants[m].share);
   }
   return shares;
 }
@@ -221,15 +287,17 @@ template <class Number>
 auto JumpingMotion<Number>::advance(double at, double half_steps, double step, State& state, bool begun) -> Mask {
   Mask jumped{};
   Number left(1.0);
+  parts_ = {};
   for (bool going = true; going; begun = false) {
     const Way whole{Number(at) + (Number(1.0) - left) * Number(half_steps), Number(half_steps), Number(step)};
     if (!begun) derive(whole.from, state);
     runge_kutta({whole.from, left * whole.half_steps, left * whole.step}, state);
     const Number share = shares(left, whole, state, jumped);
-    flow_.slide(state, step_.end(), left);
+    flow_.slide(state, step_.end(), left, yields_);
     state.swap(step_.end());
     going = false;
     for (std::size_t m = 0; m < count; ++m) {
+      ++parts_[m];
       set(left, m, of(share, m) < 1 ? of(left, m) * (1 - of(share, m)) : 0);
       going = going || of(left, m) > 0;
     }

@@ -103,7 +103,7 @@ class MotionFlow {
   }
 
   /// Accelerations with these velocities in place of the state's. Sliders as they are at `origin`, moved on to
-  /// here.
+  /// here; each holds or slides as it did last (load).
   void accelerate(const State& state, const Number* velocity, const State& origin, Number* acceleration) {
     for (const ActiveForce& active : active_)
       excitation_[active.force->excitation] = {signal_of(active, state, velocity, origin), Number(0.0),
@@ -127,15 +127,69 @@ class MotionFlow {
         force - Number(2.0) * side_damping_ * side_frequency_ * v - side_frequency_ * side_frequency_ * x;
   }
 
-  /// Sliders go from one state to another, in motions of which there is something `left` to go.
-  void slide(const State& from, const State& to, const Number& left) {
+  /// Whether sliders follow a coordinate of a motion.
+  bool slides(std::size_t mode, std::size_t motion) const {
+    return std::any_of(active_.begin(), active_.end(), [&](const ActiveForce& active) {
+      return active.force->mode == mode && !active.sliders[motion].empty();
+    });
+  }
+
+  /// A coordinate goes on to one side (1, -1; 0: it rests): sliders that are stretched to that side slide from now
+  /// on, the others hold. Whether it counts where the coordinate turns.
+  bool load(std::size_t mode, std::size_t motion, int side) {
+    bool counts = false;
     for (ActiveForce& active : active_) {
-      const std::size_t mode = active.force->mode;
-      for (std::size_t m = 0; m < Motions<Number>::count; ++m)
-        for (auto& [slider, stretch] : active.sliders[m])
-          if (Motions<Number>::of(left, m) > 0)
-            stretch =
-                slider.advanced(stretch, Motions<Number>::of(to[mode], m) - Motions<Number>::of(from[mode], m));
+      if (active.force->mode != mode) continue;
+      for (LoadedSlider& s : active.sliders[motion]) {
+        s.sliding = side != 0 && !s.slider.smooth && side * s.stretch >= s.slider.slip ? side : 0;
+        counts = counts || s.slider.smooth || s.sliding != 0;
+      }
+    }
+    return counts;
+  }
+
+  /// A slider of one motion and the side to which it gives way; no force: none.
+  struct Yield {
+    std::size_t force = static_cast<std::size_t>(-1), slider = 0;
+    int side = 0;
+
+    bool operator==(const Yield&) const = default;
+  };
+
+  /// One of those that held at `from` and would be stretched beyond their slip at `to`.
+  Yield yielding(std::size_t motion, const State& from, const State& to) const {
+    for (std::size_t f = 0; f < active_.size(); ++f) {
+      const double way = way_of(*active_[f].force, motion, from, to);
+      const int side = way > 0 ? 1 : -1;
+      const std::vector<LoadedSlider>& sliders = active_[f].sliders[motion];
+      for (std::size_t s = 0; s < sliders.size(); ++s)
+        if (!sliders[s].slider.smooth && sliders[s].sliding == 0 && sliders[s].left(side, 0) > 0 &&
+            sliders[s].left(side, way) < 0)
+          return {f, s, side};
+    }
+    return {};
+  }
+
+  /// How far it is from giving way at `to`.
+  double left_of(const Yield& yield, std::size_t motion, const State& from, const State& to) const {
+    const ActiveForce& active = active_[yield.force];
+    return active.sliders[motion][yield.slider].left(yield.side, way_of(*active.force, motion, from, to));
+  }
+
+  /// Sliders go from one state to another, in motions of which there is something `left` to go. `yields`: what
+  /// gives way there, by motion.
+  void slide(const State& from, const State& to, const Number& left,
+             const std::array<Yield, Motions<Number>::count>& yields) {
+    for (std::size_t m = 0; m < Motions<Number>::count; ++m) {
+      if (!(Motions<Number>::of(left, m) > 0)) continue;
+      for (std::size_t f = 0; f < active_.size(); ++f)
+        for (std::size_t s = 0; s < active_[f].sliders[m].size(); ++s) {
+          LoadedSlider& loaded = active_[f].sliders[m][s];
+          const double slip = loaded.slider.slip;
+          const bool gives_way = yields[m].force == f && yields[m].slider == s;
+          loaded.stretch = gives_way ? yields[m].side * slip
+                                     : std::clamp(loaded.at(way_of(*active_[f].force, m, from, to)), -slip, slip);
+        }
     }
   }
 
@@ -144,9 +198,16 @@ class MotionFlow {
   }
 
  private:
-  struct StretchedSlider {
+  struct LoadedSlider {
     Slider slider;
     double stretch = 0;
+    int sliding = 0;  // to which side; 0: it holds, or it is smooth
+
+    double at(double way) const {
+      if (slider.smooth) return slider.advanced(stretch, way);
+      return sliding == 0 ? stretch + way : sliding * slider.slip;
+    }
+    double left(int side, double way) const { return slider.slip - side * (stretch + way); }
   };
   // A force that is not switched off in every motion.
   struct ActiveForce {
@@ -154,7 +215,7 @@ class MotionFlow {
     std::array<bool, Motions<Number>::count> acts{};
     std::array<double, Motions<Number>::count> shape{},
         level{};  // level: squared amplitude of the first excitation
-    std::array<std::vector<StretchedSlider>, Motions<Number>::count> sliders;
+    std::array<std::vector<LoadedSlider>, Motions<Number>::count> sliders;
     bool relaxes = false;
     std::size_t place = 0;  // in the state, of what relaxes
     Number time = Number(1.0);
@@ -200,6 +261,10 @@ class MotionFlow {
     return (turns * turns * start.state(k) + tau * start.state(modes + k)) / (1 + turns * turns);
   }
 
+  static double way_of(const StateForce& force, std::size_t motion, const State& from, const State& to) {
+    return Motions<Number>::of(to[force.mode], motion) - Motions<Number>::of(from[force.mode], motion);
+  }
+
   Number signal_of(const ActiveForce& active, const State& state, const Number* velocity,
                    const State& origin) const {
     const StateForce& force = *active.force;
@@ -214,10 +279,11 @@ class MotionFlow {
         value = active.level[m];
       else if (active.relaxes)
         value = Motions<Number>::of(state[active.place], m);
-      const double way = here - Motions<Number>::of(origin[force.mode], m);
+      const double way = way_of(force, m, origin, state);
       double stretches = 0;
-      for (const auto& [slider, stretch] : active.sliders[m]) stretches += slider.advanced(stretch, way);
-      if (!active.sliders[m].empty()) value = stretches / static_cast<double>(active.sliders[m].size());
+      for (const LoadedSlider& slider : active.sliders[m]) stretches += slider.at(way);
+      if (!active.sliders[m].empty())
+        value = force.per_stretch(active.shape[m]) * stretches / static_cast<double>(active.sliders[m].size());
       Motions<Number>::set(signal, m, value);
     }
     return signal;

@@ -29,7 +29,7 @@ ExcitationSample interpolated(const DrivingSignal& signal, Index row, double at)
 
 namespace {
 
-// Steps of motions side by side, whose accelerations do not jump.
+// Steps of motions side by side, whose accelerations have neither jumps nor corners.
 class SmoothMotions {
  public:
   using State = std::vector<Lanes>;
@@ -45,7 +45,6 @@ class SmoothMotions {
                [&](double time, const State& stage, const State& origin, State& rate) {
                  derivative(time, stage, origin, rate);
                });
-    flow_.slide(state, step_.end(), Lanes(1.0));
     state.swap(step_.end());
     return {};
   }
@@ -161,7 +160,7 @@ std::vector<StretchOfMotion> MotionIntegrator::side_by_side(const std::vector<Mo
   const std::vector<Lanes> state = flow.state_of(starts);
   Records<Lanes> records(starts, model_.modes());
   JumpingMotion<Lanes> jumping(flow, state, starts.size());
-  if (jumping.has_jumps()) return follow(jumping, state, std::move(records));
+  if (jumping.has_corners()) return follow(jumping, state, std::move(records));
   SmoothMotions smooth(flow, state);
   return follow(smooth, state, std::move(records));
 }

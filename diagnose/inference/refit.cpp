@@ -15,10 +15,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Chi-squared to first order, in variances of the rows about the fit, that a free step from the end of a converged
-/// one may still promise at most: explanations are compared in these variances, and none by so little.
-constexpr double promise_kept = 0.1;
-
 /// A step that brings less than this share of what it promised shows that slopes have changed on its way (the usual
 /// bound of trust regions, Nocedal and Wright 2006, chapter 4).
 constexpr double least_kept = 0.25;
@@ -136,12 +132,13 @@ UnitSlopes unit_slopes(const Discrepancy& discrepancy, const VectorXd& unknowns,
                        const std::vector<std::size_t>& which, const VectorXd& guess, unsigned threads) {
   const auto count = static_cast<Index>(which.size());
   UnitSlopes result{VectorXd::Zero(count), MatrixXd::Zero(discrepancy.size(), count)};
-  VectorXd step(count);
+  VectorXd step(count), otherwise(count);  // otherwise: where a guess moves nothing
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < which.size(); ++i) {
-    const auto u = static_cast<Index>(which[i]);
+    const auto u = static_cast<Index>(which[i]), place = static_cast<Index>(i);
     const double value = std::abs(unknowns(u));
-    step(static_cast<Index>(i)) = guess.size() > 0 && guess(u) > 0 ? guess(u) : value > 0 ? 1e-6 * value : 1e-9;
+    otherwise(place) = value > 0 ? 1e-6 * value : 1e-9;
+    step(place) = guess.size() > 0 && guess(u) > 0 ? guess(u) : otherwise(place);
     open.push_back(i);
   }
   // Steps change by factors until the rows move by something near one.
@@ -162,7 +159,11 @@ UnitSlopes unit_slopes(const Discrepancy& discrepancy, const VectorXd& unknowns,
         result.columns.col(i) = columns.col(static_cast<Index>(o)) / change;
         continue;
       }
-      step(i) *= change < 1e-7 ? 1e3 : std::clamp(1 / change, 1e-6, 1e6);
+      // A guess that moves nothing is of a place where the unknown hardly counted.
+      if (change < 1e-7 && guess.size() > 0 && step(i) == guess(static_cast<Index>(which[open[o]])))
+        step(i) = otherwise(i);
+      else
+        step(i) *= change < 1e-7 ? 1e3 : std::clamp(1 / change, 1e-6, 1e6);
       if (step(i) < 1e25) still.push_back(open[o]);
     }
     open = std::move(still);

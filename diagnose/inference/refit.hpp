@@ -7,6 +7,10 @@
 
 namespace secular {
 
+/// Chi-squared to first order, in variances of the rows about the fit, that a free step from the end of a converged
+/// one may still promise at most: explanations are compared in these variances, and none by so little.
+inline constexpr double promise_kept = 0.1;
+
 /// How a fit ended.
 enum class FitEnding {
   converged,  ///< no step that the slopes promise is worth anything

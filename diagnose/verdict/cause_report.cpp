@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <numeric>
+#include <utility>
+
+#include "diagnose/verdict/ties.hpp"
 
 namespace secular {
 namespace {
@@ -54,16 +59,24 @@ std::vector<CauseReport> CauseReporter::causes(const std::vector<Rival>& rivals)
         cause.coefficient_name = unknown_names[candidate->strengths.front()];
         say_strength(*candidate, fit, dispersion, cause);
         for (const std::size_t shape : candidate->shapes)
-          cause.shapes.push_back(
-              {unknown_names[shape], fit.unknowns(static_cast<Index>(shape)), sd_of(fit, shape, dispersion)});
+          cause.shapes.push_back({unknown_names[shape],
+                                  candidate->sign_of_shapes(fit.unknowns) * fit.unknowns(static_cast<Index>(shape)),
+                                  sd_of(fit, shape, dispersion)});
       }
       if (r.effects.size() == 1 && found.size() < most_closed_shares) cause.closed = closed_share(*r.explanation);
       found.push_back(std::move(cause));
     }
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const CauseReport& a, const CauseReport& b) { return a.probability > b.probability; });
-  return found;
+  // Of equal probability in the order of the rivals.
+  std::vector<std::size_t> order(found.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto probability = [&](std::size_t i) { return found[i].probability; };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return probability(a) > probability(b); });
+  order_ties(order, same_probability, probability, std::less<>());
+  std::vector<CauseReport> sorted;
+  for (const std::size_t i : order) sorted.push_back(std::move(found[i]));
+  return sorted;
 }
 
 OpenLaw CauseReporter::open_law(const Rival& rival) const {

@@ -138,8 +138,10 @@ void set_scales(std::vector<StateForce>& forces, const VectorXd& largest, const 
 void note_scales(const std::vector<StateForce>& forces, std::vector<Candidate>& candidates) {
   for (const StateForce& force : forces)
     for (Candidate& c : candidates)
-      if (c.equation && c.strengths.front() == force.strength_symbol && force.law.is_power)
-        c.power_scale = force.scale;
+      if (c.equation && c.strengths.front() == force.strength_symbol) {
+        if (force.law.is_power) c.power_scale = force.scale;
+        if (force.law.is_slider()) c.slip_scale = force.stiffness_scale();
+      }
 }
 
 void check_left_out(const std::set<std::string>& left_out, const EffectCatalogue& catalogue) {

@@ -63,8 +63,11 @@ FittedNumbers fitted_numbers(const Refit& fit, const std::vector<const Candidate
     numbers.values(at) = strength.value;
     slopes(at, at) = strength.by_strength;
     if (strength.by_shape == 0) continue;
-    if (const Index shape = place(member->shapes.front()); shape < numbers.values.size())
+    if (const Index shape = place(member->shapes.front()); shape < numbers.values.size()) {
       slopes(at, shape) = strength.by_shape;
+      slopes(shape, shape) = member->sign_of_shapes(fit.unknowns);
+      numbers.values(shape) *= slopes(shape, shape);
+    }
   }
   numbers.covariance = slopes * numbers.covariance * slopes.transpose();
   return numbers;

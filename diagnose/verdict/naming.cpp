@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "diagnose/thresholds.hpp"
 #include "diagnose/verdict/next_experiment.hpp"
+#include "diagnose/verdict/ties.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -21,6 +23,13 @@ using Names = std::vector<std::string>;
 
 bool holds(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Among explanations: few unknowns, then early in the catalogue.
+std::pair<std::size_t, std::vector<std::size_t>> place_of(const Rival& rival) {
+  std::vector<std::size_t> members = rival.explanation->members;
+  std::sort(members.begin(), members.end());
+  return {rival.explanation->unknowns, std::move(members)};
 }
 
 // Of two effects together the one that alone explains more.
@@ -64,6 +73,9 @@ bool Naming::names(const std::string& effect) const {
 void rank(std::vector<Rival>& rivals) {
   std::stable_sort(rivals.begin(), rivals.end(),
                    [](const Rival& a, const Rival& b) { return a.log_evidence > b.log_evidence; });
+  order_ties(
+      rivals, same_evidence, [](const Rival& r) { return r.log_evidence; },
+      [](const Rival& a, const Rival& b) { return place_of(a) < place_of(b); });
   double sum = 0;
   for (const Rival& r : rivals) sum += std::exp(r.log_evidence - rivals.front().log_evidence);
   for (Rival& r : rivals) r.probability = std::exp(r.log_evidence - rivals.front().log_evidence) / sum;

@@ -21,7 +21,8 @@ struct Rival {
 /// Those of `a` that are not in `b`.
 std::vector<std::string> only_in(const std::vector<std::string>& a, const std::vector<std::string>& b);
 
-/// Gives rivals their probabilities and puts the likeliest first (of equals the earlier one).
+/// Gives rivals their probabilities and puts the likeliest first (of those that are the same but for what fits are
+/// good to, the one that comes first in the catalogue).
 void rank(std::vector<Rival>& rivals);
 
 /// Whether `rival` keeps a share of the best one's probability that nobody should overlook.

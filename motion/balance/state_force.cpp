@@ -71,12 +71,13 @@ double Slider::smoothly_advanced(double stretch, double way) const {
 }
 
 std::vector<Slider> sliders_of(const StateForce& force, double shape) {
-  if (force.law.kind == ForceLaw::Kind::slider) return {{shape, false}};
-  if (force.law.kind == ForceLaw::Kind::smooth_slider) return {{shape, true}};
+  const double slip = std::abs(shape);
+  if (force.law.kind == ForceLaw::Kind::slider) return {{slip, false}};
+  if (force.law.kind == ForceLaw::Kind::smooth_slider) return {{slip, true}};
   std::vector<Slider> sliders;
   if (force.law.kind == ForceLaw::Kind::spread_slider)
     for (std::size_t i = 0; i < spread_sliders; ++i)
-      sliders.push_back({shape * (static_cast<double>(i) + 0.5) / static_cast<double>(spread_sliders), false});
+      sliders.push_back({slip * (static_cast<double>(i) + 0.5) / static_cast<double>(spread_sliders), false});
   return sliders;
 }
 
@@ -116,7 +117,7 @@ RowVectorXd signal_over_turn(const StateForce& force, const MatrixXd& displaceme
   if (const std::vector<Slider> sliders = sliders_of(force, shape); !sliders.empty()) {
     for (const Slider& slider : sliders)
       signal += slider_stretch(displacement.row(mode), slider) / static_cast<double>(sliders.size());
-    return signal;
+    return force.per_stretch(shape) * signal;
   }
   for (Index p = 0; p < signal.size(); ++p)
     signal(p) = force.law.value(displacement(mode, p), velocity(mode, p), shape, force.scale);

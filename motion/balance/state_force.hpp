@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -23,6 +24,13 @@ struct StateForce {
   double shape(std::span<const double> parameters) const {
     return shape_symbol == none ? 0 : parameters[shape_symbol];
   }
+  /// Of sliders: the strength is the force at which all of them slide, over `scale`. It is dry friction's as well,
+  /// which has no slip at all, and goes with the slip in a straight line where the spring alone is known. The
+  /// spring's stiffness is so many times the strength, divided by the slip; of slips that are spread the mean is
+  /// half.
+  double stiffness_scale() const { return law.kind == ForceLaw::Kind::spread_slider ? 2 * scale : scale; }
+  /// Of sliders with this slip: the signal is their mean stretch times this factor.
+  double per_stretch(double slip) const { return slip == 0 ? 0 : stiffness_scale() / std::abs(slip); }
 };
 
 /// Sliders that stand for an even spread of slips.
@@ -43,7 +51,8 @@ struct Slider {
   double smoothly_advanced(double stretch, double way) const;
 };
 
-/// The sliders of a force: one, spread_sliders, or none where the law has no memory.
+/// The sliders of a force: one, spread_sliders, or none where the law has no memory. Of a slip the size counts
+/// alone.
 std::vector<Slider> sliders_of(const StateForce& force, double shape);
 
 /// Stretch of the spring of a slider along a closed path, after so many turns that it is closed, too.

@@ -48,8 +48,7 @@ TEST_F(SlowMeasuredDiagnosis, ThePendulumHasDryFrictionAndDrag) {
                 own_model("pendulum_viscous.toml"), "--to 80 --check-from 0 --check-to 80 --fit-check");
   ASSERT_TRUE(d.is_object()) << printed();
   // A slider on a stiff spring is dry friction to all but the smallest swings.
-  EXPECT_EQ(d["causes"][0]["effect"], "coulomb_friction");
-  EXPECT_EQ(d["set"][0], "coulomb_friction");
+  EXPECT_EQ(std::count(d["set"].begin(), d["set"].end(), "coulomb_friction"), 1) << d["set"];
   for (const nlohmann::json& effect : d["set"]) EXPECT_TRUE(effect == "coulomb_friction" || effect == "hysteresis");
   ASSERT_EQ(d["together"].size(), 2U) << printed();
   EXPECT_TRUE(d["together"][1] == "quadratic_damping" || d["together"][1] == "cubic_damping");

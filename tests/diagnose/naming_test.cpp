@@ -54,6 +54,21 @@ TEST(Naming, ProbabilitiesAreThoseOfTheEvidence) {
   EXPECT_DOUBLE_EQ(competition.rivals()[1].probability, 0.25);
 }
 
+// Whatever rounding makes of their evidence.
+TEST(Naming, OfTwoThatDoTheSameTheFirstOfTheCatalogueIsNamed) {
+  for (const double odds : {0.9999, 1.0001}) {
+    Competition competition;
+    competition.enter({"c", "b"}, 1, 0, 2);
+    competition.enter({"a", "c"}, odds, 0, 2);
+    const Naming naming = competition.named();
+    EXPECT_EQ(naming.together, (Names{"a", "c"})) << odds;
+  }
+  Competition competition;
+  competition.enter({"b"}, 1, 0);
+  competition.enter({"a"}, 0.9, 1);
+  EXPECT_EQ(competition.named().set.front(), "b");
+}
+
 TEST(Naming, WhatIsFarLessLikelyIsNotInTheSet) {
   Competition competition;
   competition.enter({"a"}, 1, 0);

@@ -62,7 +62,8 @@ TEST(StateForce, MicroSlipLosesTheCubeOfTheAmplitude) {
   const double slip = 0.5;
   for (const double amplitude : {0.3, 0.4, 0.5}) {
     const RowVectorXd path = harmonic(amplitude, 0.2, 4000);
-    const RowVectorXd signal = signal_over_turn(force, path, MatrixXd::Zero(1, path.size()), slip);
+    const RowVectorXd signal =
+        signal_over_turn(force, path, MatrixXd::Zero(1, path.size()), slip) / force.per_stretch(slip);
     const double expected = 2 * std::pow(amplitude, 3) / (3 * slip);
     EXPECT_NEAR(work(signal, path), expected, 0.02 * expected) << amplitude;
   }
@@ -110,17 +111,20 @@ TEST(StateForce, SmoothSliderClosesWithItsPath) {
   }
 }
 
-TEST(StateForce, SlidersAreSpringsBelowTheirSlipAndGiveWayToItsMeanAbove) {
+TEST(StateForce, SlidersAreSpringsBelowTheirSlipAndOneForceAbove) {
   StateForce force;
   force.law = force_law::spread_slider;
   const RowVectorXd small = harmonic(0.03, 0, 400), large = harmonic(40, 0, 4000);
   const MatrixXd rest = MatrixXd::Zero(1, 4000);
   // The smallest slip is a sixteenth of the largest.
-  const RowVectorXd elastic = signal_over_turn(force, small, rest.leftCols(400), 0.5);
+  const RowVectorXd elastic = signal_over_turn(force, small, rest.leftCols(400), 0.5) / force.per_stretch(0.5);
   EXPECT_LT(((elastic - small).array() - (elastic - small)(0)).abs().maxCoeff(), 1e-12);
-  EXPECT_NEAR(signal_over_turn(force, large, rest, 0.5).maxCoeff(), 0.25, 1e-12);
+  EXPECT_NEAR(signal_over_turn(force, large, rest, 0.5).maxCoeff(), 1, 1e-12);
   force.law = force_law::slider;
-  EXPECT_NEAR(signal_over_turn(force, large, rest, 0.5).maxCoeff(), 0.5, 1e-12);
+  EXPECT_NEAR(signal_over_turn(force, large, rest, 0.5).maxCoeff(), 1, 1e-12);
+  // Of a slip the size counts alone, and the force is in the scale that is usual.
+  force.scale = 3;
+  EXPECT_NEAR(signal_over_turn(force, large, rest, -0.5).maxCoeff(), 3, 1e-12);
 }
 
 }  // namespace
