@@ -123,9 +123,11 @@ std::vector<Disturbance> late_records(const Lateness& lateness, const Diagnosis&
     d.size = late_s;
     d.unit = "s";
     d.share = std::abs(late_s) / lateness.period_s.at(record);
-    d.text =
-        fmt::format("responses are {:.3g} ms {} their excitation, up to whole periods of {:.3g} ms",
-                    1e3 * std::abs(late_s), late_s < 0 ? "ahead of" : "behind", 1e3 * lateness.period_s.at(record));
+    const bool sign_open = lateness.sign_open.contains(record);
+    d.text = fmt::format("responses are {:.3g} ms {} their excitation, up to {} of {:.3g} ms",
+                         1e3 * std::abs(late_s), late_s < 0 ? "ahead of" : "behind",
+                         sign_open ? "half periods (with the other sign of the force)" : "whole periods",
+                         (sign_open ? 0.5 : 1) * 1e3 * lateness.period_s.at(record));
     found.push_back(std::move(d));
   }
   return found;

@@ -77,7 +77,7 @@ Lateness find_lateness(const DiagnosisRequest& request) {
   wanted.threads = request.threads;
   Identification id;
   const auto not_found_out = [](const std::exception& error) -> Lateness {
-    return {{}, {}, false, {}, fmt::format("whether records are late was not found out: {}", error.what())};
+    return {{}, {}, {}, false, {}, fmt::format("whether records are late was not found out: {}", error.what())};
   };
   try {
     id = identify(wanted);
@@ -96,6 +96,7 @@ Lateness find_lateness(const DiagnosisRequest& request) {
     for (const RecordLateness& record : of_case.records) {
       result.late_s[record.record] = record.late_s;
       result.period_s[record.record] = record.period_s;
+      if (!of_case.assumed_positive.empty()) result.sign_open.insert(record.record);
     }
   }
   // identify keeps a case as shifted where the equations of all hold then.

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
 
 #include "app/diagnose/diagnosis_run.hpp"
@@ -13,6 +14,7 @@ namespace secular::app {
 struct Lateness {
   std::map<std::size_t, double> late_s;    ///< by record; empty: none is
   std::map<std::size_t, double> period_s;  ///< of its excitation
+  std::set<std::size_t> sign_open;         ///< records of half a period more if the force has the other sign
   bool holds = false;                      ///< the model's equations hold when each record has a phase of its own
   /// By mode, relative: by how much decays say that natural frequencies differ from record to record (standard
   /// deviation); 0: they do not, empty: they say nothing.
