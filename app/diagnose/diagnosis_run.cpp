@@ -264,13 +264,13 @@ class StepByStep {
     // Decays tell the mode that they are of.
     if (!scatter.any() || tried_.model->modes() > 1) scatter = scatter_beside({});
     // What comes at random before what follows the settings, which a law that the model lacks does.
-    if (is_at_random(scatter) && tells(diagnosed({}, admitted(scatter)))) return take();
-    if (tells(diagnosed({}, {}))) return take();
-    if (late_s.empty() || tells(diagnosed(late_s, {}))) return take();
+    if (is_at_random(scatter) && tells(diagnosed({}, admitted(scatter)))) return std::move(*best_);
+    if (tells(diagnosed({}, {}))) return std::move(*best_);
+    if (late_s.empty() || tells(diagnosed(late_s, {}))) return std::move(*best_);
     // Frequencies of late records follow the settings as their phases do, until they are in step.
     scatter = scatter_beside(late_s);
     if (is_at_random(scatter)) tells(diagnosed(late_s, admitted(scatter)));
-    return take();
+    return std::move(*best_);
   }
 
   const Lateness& lateness() const { return lateness_; }
@@ -303,16 +303,9 @@ class StepByStep {
   // it.
   bool tells(Diagnosis fresh) {
     const bool plain = options_.late_s.empty() && options_.frequency_scatter.size() == 0;
-    if (!best_ || how_told(fresh) > how_told(*best_) || (plain && how_told(fresh) == how_told(*best_))) {
+    if (!best_ || how_told(fresh) > how_told(*best_) || (plain && how_told(fresh) == how_told(*best_)))
       best_ = std::move(fresh);
-      late_s_ = options_.late_s;
-    }
     return how_told(*best_) == 2;
-  }
-
-  Diagnosis take() {
-    options_.late_s = late_s_;
-    return std::move(*best_);
   }
 
   const DiagnosisRequest& request_;
@@ -322,7 +315,6 @@ class StepByStep {
   DiagnosisOptions& options_;
   Lateness lateness_;
   std::optional<Diagnosis> best_;
-  std::map<std::size_t, double> late_s_;  // that it allows for
 };
 
 // A verdict that rests on samples which are no motion is none.

@@ -18,13 +18,12 @@ namespace {
 /// Step of what is a record's own, next to its standard deviation: differences are as good as slopes.
 constexpr double nuisance_step = 1e-4;
 
-/// No step puts an excitation farther than this, in standard deviations of a time anywhere in a period: an eighth
-/// of a turn, over which what a phase does to the rows is nearly linear.
+/// No step puts an excitation farther than this, in standard deviations (T/sqrt(12)) of a time anywhere in a period
+/// T: T/8, that is sqrt(12)/8, over which what a phase does to the rows is nearly linear.
 constexpr double longest_delay_step = 0.43;
 
-/// What is put into a record is near enough where a step moves its rows by less than this share of a
-/// standard deviation: what is left is linear. Rounds in which they come there.
-constexpr double near_enough = 0.1;
+/// Rounds in which what is put into a record comes to where a step moves its rows by less than is seen: what is
+/// left is linear.
 constexpr int most_rounds = 4;
 
 /// No record's frequency is put farther from that of all than this many standard deviations: once in 16,000.
@@ -142,7 +141,7 @@ bool Discrepancy::put_in_own(const Eigen::VectorXd& unknowns) {
       before.tail(modes()) = shift->cwiseQuotient(nuisances_.frequency_sd);
       next.tail(modes()) = next.tail(modes()).cwiseMax(-most_deviations).cwiseMin(most_deviations);
     }
-    if (directions.length_of(next - before) < near_enough) continue;
+    if (directions.length_of(next - before) < unseen) continue;
     if (shift) *shift = next.tail(modes()).cwiseProduct(nuisances_.frequency_sd);
     if (delays > 0) record_delays_[record] += next(0) * late->second;
     moved = true;

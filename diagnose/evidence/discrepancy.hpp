@@ -77,6 +77,9 @@ struct OwnFrequency {
   double shift = 0, variance = 0;  ///< by the record's rows alone
 };
 
+/// Of a standard deviation: a row that moves by less is not seen to.
+inline constexpr double unseen = 0.1;
+
 /// All evidence of a campaign as one vector of rows of unit variance, with what differs from record to record
 /// allowed for.
 class Discrepancy {

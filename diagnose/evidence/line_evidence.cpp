@@ -21,9 +21,6 @@ using Eigen::VectorXd;
 /// A row whose variance, given the rows before it, is below this share of its own is determined by them.
 constexpr double determined = 1e-9;
 
-/// Of a standard deviation: a row that moves by less is not seen to.
-constexpr double unseen = 0.1;
-
 /// Points of a turn for each line, at least: the fifth power of the highest is not taken for a line then.
 constexpr Index points_of_a_line = 6;
 

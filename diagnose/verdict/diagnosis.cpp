@@ -100,16 +100,16 @@ class Diagnoser {
  private:
   const Discrepancy& discrepancy() const { return comparison_.discrepancy; }
 
+  // Degrees of freedom of the rows about a fit.
+  double freedom_about(const Refit& fit) const { return static_cast<double>(discrepancy().freedom() - fit.rank); }
+
   bool suffices(const Refit& fit) const {
-    return chi_squared_upper_tail(fit.chi_squared, static_cast<double>(discrepancy().freedom() - fit.rank)) >=
-           false_alarm;
+    return chi_squared_upper_tail(fit.chi_squared, freedom_about(fit)) >= false_alarm;
   }
 
   // Whether it closes as much as a cause has to of what the model as it is leaves beyond noise.
   bool leaves_little(const Refit& best) const {
-    const auto beyond_noise = [&](const Refit& fit) {
-      return std::sqrt(fit.chi_squared / static_cast<double>(discrepancy().freedom() - fit.rank)) - 1;
-    };
+    const auto beyond_noise = [&](const Refit& fit) { return std::sqrt(fit.chi_squared / freedom_about(fit)) - 1; };
     const double open = 1 - diagnose_thresholds().most_of_the_gap;
     return beyond_noise(best) < open * beyond_noise(inference_.null.fit);
   }

@@ -89,13 +89,12 @@ JudgedNumbers judge_given(const GivenNumbers& given, const CompiledModel& model,
   std::vector<std::size_t> open;
   for (const std::size_t u : fitted)
     if (is_open(given, model, u)) open.push_back(u);
-  RefitOptions options;
-  options.threads = threads;
   JudgedNumbers judged;
   if (open.empty()) {
-    judged.unknowns = start;
-    judged.rows = discrepancy(start);
+    judged = {start, discrepancy(start), 0, {}};
   } else {
+    RefitOptions options;
+    options.threads = threads;
     Refit fit = refit(discrepancy, start, open, options);
     judged = {std::move(fit.unknowns), std::move(fit.rows), fit.rank, {}};
   }

@@ -27,7 +27,7 @@ struct StateForce {
   /// Of sliders: the strength is the force at which all of them slide, over `scale`. It is dry friction's as well,
   /// which has no slip at all, and goes with the slip in a straight line where the spring alone is known. The
   /// spring's stiffness is so many times the strength, divided by the slip; of slips that are spread the mean is
-  /// half.
+  /// half (docs/inference.md (35)).
   double stiffness_scale() const { return law.kind == ForceLaw::Kind::spread_slider ? 2 * scale : scale; }
   /// Of sliders with this slip: the signal is their mean stretch times this factor.
   double per_stretch(double slip) const { return slip == 0 ? 0 : stiffness_scale() / std::abs(slip); }

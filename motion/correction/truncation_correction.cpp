@@ -218,7 +218,8 @@ class Correction {
     axes_ = axes_beside(null_space_, sd_);
     see_slopes();
     follow_slopes();
-    if (!stay_with(measured_, motions_.replays()))
+    std::vector<ObservationSet> replays = motions_.replays();
+    if (!stay_with(measured_, replays))
       throw NumericalFailure(Ending::out_of_range,
                              "motions that begin as measured go elsewhere within the time of an observation");
     full_.start = estimate_.state;
@@ -232,7 +233,7 @@ class Correction {
           "motions with other values of them grow beyond bounds: error bars do not contain that");
     done_(regression);
     return {
-        std::move(estimate_), {measured_.begin(), measured_.end()}, std::move(at_.corrected), motions_.replays()};
+        std::move(estimate_), {measured_.begin(), measured_.end()}, std::move(at_.corrected), std::move(replays)};
   }
 
  private:

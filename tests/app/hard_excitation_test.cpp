@@ -50,6 +50,28 @@ struct Scaled {
   }
 };
 
+// A quadratic and a cubic spring, excited where a multiple of the excitation is the natural frequency.
+std::string near_multiple(int multiple, const std::string& omega0) {
+  return "schema = 1\nname = \"superharmonic\"\n[[mode]]\ncoordinate = \"v\"\nfrequency = \"omega0\"\nequation = "
+         "\"D2(v) + omega0^2*v = -2*mu*D(v) - a2*v^2 - a3*v^3 + e*F*cos(Omega*t)\"\n[[case]]\nname = \"near\"\n"
+         "relations = [\"" +
+         std::to_string(multiple) +
+         "*Omega = omega0 + eps^2*sigma\"]\norder = { mu = 2, a2 = 1, a3 = 2, e = 0 }\n"
+         "expand_to = 2\n[nominal]\nomega0 = " +
+         omega0 + "\n";
+}
+
+// Its experiment up to what is written of the dwells.
+std::string cantilever(const std::string& rate_hz, const std::string& parameters, const std::string& base_noise,
+                       const std::string& tip_noise) {
+  return "schema = 1\nname = \"superharmonic\"\nmodel = \"model.toml\"\nsample_rate_hz = " + rate_hz +
+         "\n[parameters]\n" + parameters +
+         "\n[excitation]\nname = \"base\"\nquantity = \"acceleration\"\nunit = \"m/s^2\"\nnoise_sd = " +
+         base_noise +
+         "\n[[response]]\nname = \"tip\"\nquantity = \"displacement\"\nunit = \"m\"\nnoise_sd = " + tip_noise +
+         "\n[[dwell]]\n";
+}
+
 class SlowHardExcitation : public testing::Test {
  protected:
   void SetUp() override {
@@ -100,18 +122,11 @@ TEST_F(SlowHardExcitation, TheExactModelIsIdentified) {
 // Near a third of the natural frequency the motion has its own harmonics at six and nine times the excitation: with
 // lines up to the sixth the very model leaves 2.6 times the noise.
 TEST_F(SlowHardExcitation, TheExactModelHasNoGapNearAThird) {
-  write("model.toml",
-        "schema = 1\nname = \"superharmonic\"\n[[mode]]\ncoordinate = \"v\"\nfrequency = \"omega0\"\nequation = "
-        "\"D2(v) + omega0^2*v = -2*mu*D(v) - a2*v^2 - a3*v^3 + e*F*cos(Omega*t)\"\n[[case]]\nname = \"third\"\n"
-        "relations = [\"3*Omega = omega0 + eps^2*sigma\"]\norder = { mu = 2, a2 = 1, a3 = 2, e = 0 }\n"
-        "expand_to = 2\n[nominal]\nomega0 = 56.5\n");
+  write("model.toml", near_multiple(3, "56.5"));
   write("experiment.toml",
-        "schema = 1\nname = \"superharmonic\"\nmodel = \"model.toml\"\nsample_rate_hz = 140\n[parameters]\n"
-        "omega0 = 56.5\nmu = 0.85\na2 = 4.2e4\na3 = 2e7\ne = 0.88\n[excitation]\nname = \"base\"\n"
-        "quantity = \"acceleration\"\nunit = \"m/s^2\"\nnoise_sd = 0.063\n[[response]]\nname = \"tip\"\n"
-        "quantity = \"displacement\"\nunit = \"m\"\nnoise_sd = 2.2e-5\n[[dwell]]\n"
-        "frequencies_hz = [3.0, 3.06, 3.12, 3.21]\namplitudes = [18.4, 14.7, 11.0]\nensembles = 8\n"
-        "ensemble_s = 6.7\nsettle_s = 14\ninitial_displacement = [0.0]\n");
+        cantilever("140", "omega0 = 56.5\nmu = 0.85\na2 = 4.2e4\na3 = 2e7\ne = 0.88", "0.063", "2.2e-5") +
+            "frequencies_hz = [3.0, 3.06, 3.12, 3.21]\namplitudes = [18.4, 14.7, 11.0]\nensembles = 8\n"
+            "ensemble_s = 6.7\nsettle_s = 14\ninitial_displacement = [0.0]\n");
   run("simulate experiment.toml -o campaign --seed 1");
   run("diagnose campaign --model model.toml -o gap");
   std::ifstream stream(folder_ / "gap/diagnosis.json");
@@ -123,19 +138,12 @@ TEST_F(SlowHardExcitation, TheExactModelHasNoGapNearAThird) {
 // spring that the model lacks turns the second harmonic: phases of each record's own satisfy the equations then,
 // with lumps that no parameters give. They are no explanation, and the law that is lacking is found.
 TEST_F(SlowHardExcitation, ALawThatTheModelLacksIsNoLateness) {
-  write("model.toml",
-        "schema = 1\nname = \"superharmonic\"\n[[mode]]\ncoordinate = \"v\"\nfrequency = \"omega0\"\nequation = "
-        "\"D2(v) + omega0^2*v = -2*mu*D(v) - a2*v^2 - a3*v^3 + e*F*cos(Omega*t)\"\n[[case]]\nname = \"half\"\n"
-        "relations = [\"2*Omega = omega0 + eps^2*sigma\"]\norder = { mu = 2, a2 = 1, a3 = 2, e = 0 }\n"
-        "expand_to = 2\n[nominal]\nomega0 = 528.0\n");
+  write("model.toml", near_multiple(2, "528.0"));
   write("experiment.toml",
-        "schema = 1\nname = \"superharmonic\"\nmodel = \"model.toml\"\nsample_rate_hz = 4096\n[parameters]\n"
-        "omega0 = 528\nmu = 10.6\na2 = 1.82e7\na3 = 5.44e10\ne = 1.12\n[excitation]\nname = \"base\"\n"
-        "quantity = \"acceleration\"\nunit = \"m/s^2\"\nnoise_sd = 1.0\n[[response]]\nname = \"tip\"\n"
-        "quantity = \"displacement\"\nunit = \"m\"\nnoise_sd = 8.2e-6\n[[dwell]]\n"
-        "frequencies_hz = [40.74, 42.0, 42.84, 43.68]\namplitudes = [135, 101, 67.5]\nensembles = 8\n"
-        "ensemble_s = 0.714\nsettle_s = 1.13\ninitial_displacement = [0.0]\n[[effect]]\n"
-        "name = \"bilinear_stiffness\"\nstrength = 4.18e4\n");
+        cantilever("4096", "omega0 = 528\nmu = 10.6\na2 = 1.82e7\na3 = 5.44e10\ne = 1.12", "1.0", "8.2e-6") +
+            "frequencies_hz = [40.74, 42.0, 42.84, 43.68]\namplitudes = [135, 101, 67.5]\nensembles = 8\n"
+            "ensemble_s = 0.714\nsettle_s = 1.13\ninitial_displacement = [0.0]\n[[effect]]\n"
+            "name = \"bilinear_stiffness\"\nstrength = 4.18e4\n");
   run("simulate experiment.toml -o campaign --seed 2");
   run("identify campaign --model model.toml -o numbers");
   run("diagnose campaign --model model.toml -o gap");

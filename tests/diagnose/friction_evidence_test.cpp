@@ -8,7 +8,7 @@
 #include "diagnose/evidence/segment_evidence.hpp"
 #include "diagnose/inference/refit.hpp"
 #include "generated/registry.hpp"
-#include "tests/diagnose/symbol_of.hpp"
+#include "tests/diagnose/laboratory.hpp"
 
 namespace secular {
 namespace {
@@ -20,24 +20,10 @@ constexpr double swing = 5.77, friction = 0.4, sample_s = 0.04;
 
 class FrictionEvidence : public testing::TestWithParam<int> {
  protected:
-  FrictionEvidence() {
-    sensors.responses = {0};
-    sensors.response_names = {"theta"};
-    sensors.shapes = sensors.filter = Eigen::MatrixXd::Ones(1, 1);
-    sensors.derivatives = GetParam();
-  }
-
   std::size_t symbol(const std::string& name) const { return testing_support::symbol_of(model, name); }
   VectorXd unknowns(double strength) const {
-    const FaultTable faults(model, sensors);
-    VectorXd values = VectorXd::Zero(static_cast<Index>(model.symbols.size() + faults.size()));
-    values(static_cast<Index>(symbol("omega0"))) = swing;
-    values(static_cast<Index>(symbol("mu1"))) = 0.01;
-    values(static_cast<Index>(symbol("fc"))) = strength;
-    const auto first = static_cast<Index>(model.symbols.size());
-    values(first + static_cast<Index>(faults.extra_frequency())) = swing;
-    values(first + static_cast<Index>(faults.extra_damping())) = 0.01;
-    return values;
+    return testing_support::unknowns_of(model, FaultTable(model, sensors),
+                                        {{"omega0", swing}, {"mu1", 0.01}, {"fc", strength}});
   }
   StretchOfMotion motion(double strength, const VectorXd& state, Index samples, int substeps) const {
     const VectorXd values = unknowns(strength);
@@ -74,7 +60,7 @@ class FrictionEvidence : public testing::TestWithParam<int> {
   }
 
   const CompiledModel& model = *generated::find_compiled_model("pendulum");
-  SensorModel sensors;
+  SensorModel sensors = testing_support::one_sensor("theta", GetParam());
 };
 
 TEST_P(FrictionEvidence, RowsAreContinuousInItsStrength) {

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "diagnose/evidence/condition_rows.hpp"
 #include "generated/registry.hpp"
@@ -11,16 +12,36 @@ namespace secular::testing_support {
 
 inline constexpr double natural = 80, damping = 0.4, direct = -0.02;
 
+/// One sensor on one mode, without an excitation.
+inline SensorModel one_sensor(const std::string& name, int derivatives = 0) {
+  SensorModel sensors;
+  sensors.responses = {0};
+  sensors.response_names = {name};
+  sensors.shapes = sensors.filter = Eigen::MatrixXd::Ones(1, 1);
+  sensors.derivatives = derivatives;
+  return sensors;
+}
+
 /// One accelerometer on one mode, the base's acceleration measured.
 inline SensorModel one_accelerometer() {
-  SensorModel sensors;
+  SensorModel sensors = one_sensor("v", 2);
   sensors.responses = {1};
   sensors.excitations = {0};
-  sensors.response_names = {"v"};
   sensors.excitation_names = {"base"};
-  sensors.shapes = sensors.filter = Eigen::MatrixXd::Ones(1, 1);
-  sensors.derivatives = sensors.excitation_derivatives = 2;
+  sensors.excitation_derivatives = 2;
   return sensors;
+}
+
+/// Unknowns of a model of one mode: these symbols, all others and the faults zero; a mode beyond the model, if
+/// there were one, at the same frequency.
+inline Eigen::VectorXd unknowns_of(const CompiledModel& model, const FaultTable& faults,
+                                   const std::vector<std::pair<const char*, double>>& symbols) {
+  const auto first = static_cast<Eigen::Index>(model.symbols.size());
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(first + static_cast<Eigen::Index>(faults.size()));
+  for (const auto& [name, value] : symbols) values(static_cast<Eigen::Index>(symbol_of(model, name))) = value;
+  values(first + static_cast<Eigen::Index>(faults.extra_frequency())) = values(0);
+  values(first + static_cast<Eigen::Index>(faults.extra_damping())) = 0.01;
+  return values;
 }
 
 /// One mode of the two-mass structure, and dwells on it at primary resonance.
@@ -32,19 +53,9 @@ struct Laboratory {
 
   std::size_t symbol(const std::string& name) const { return testing_support::symbol_of(compiled, name); }
   Eigen::VectorXd unknowns(std::initializer_list<std::pair<const char*, double>> more) const {
-    Eigen::VectorXd values =
-        Eigen::VectorXd::Zero(static_cast<Eigen::Index>(compiled.symbols.size() + faults.size()));
-    const auto set = [&](const std::string& name, double value) {
-      values(static_cast<Eigen::Index>(symbol(name))) = value;
-    };
-    set("omega0", natural);
-    set("mu1", damping);
-    set("eta1", direct);
-    for (const auto& [name, value] : more) set(name, value);
-    const auto first = static_cast<Eigen::Index>(compiled.symbols.size());
-    values(first + static_cast<Eigen::Index>(faults.extra_frequency())) = natural;
-    values(first + static_cast<Eigen::Index>(faults.extra_damping())) = 0.01;
-    return values;
+    std::vector<std::pair<const char*, double>> symbols{{"omega0", natural}, {"mu1", damping}, {"eta1", direct}};
+    symbols.insert(symbols.end(), more.begin(), more.end());
+    return unknowns_of(compiled, faults, symbols);
   }
 
   /// A dwell at primary resonance whose measured lines are those of `amplitude` (half of the peak displacement).

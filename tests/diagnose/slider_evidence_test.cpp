@@ -9,7 +9,7 @@
 #include "diagnose/inference/refit.hpp"
 #include "generated/registry.hpp"
 #include "motion/simulate/motion.hpp"
-#include "tests/diagnose/symbol_of.hpp"
+#include "tests/diagnose/laboratory.hpp"
 
 namespace secular {
 namespace {
@@ -29,26 +29,13 @@ const ForceLaw only_friction{
 // The model's excitation carries the force.
 class SliderEvidence : public testing::TestWithParam<ForceLaw> {
  protected:
-  SliderEvidence() {
-    sensors.responses = {0};
-    sensors.response_names = {"v"};
-    sensors.shapes = sensors.filter = Eigen::MatrixXd::Ones(1, 1);
-  }
-
   std::size_t symbol(const std::string& name) const { return testing_support::symbol_of(model, name); }
   Index at(const std::string& name) const { return static_cast<Index>(symbol(name)); }
 
   VectorXd unknowns(double slips_at) const {
-    const FaultTable faults(model, sensors);
-    VectorXd values = VectorXd::Zero(static_cast<Index>(model.symbols.size() + faults.size()));
-    values(at("omega0")) = slid_omega;
-    values(at("mu1")) = 0.1;
-    values(at("eta1")) = -gives_way / pulled;
-    values(at("mu3")) = slips_at;
-    const auto first = static_cast<Index>(model.symbols.size());
-    values(first + static_cast<Index>(faults.extra_frequency())) = slid_omega;
-    values(first + static_cast<Index>(faults.extra_damping())) = 0.01;
-    return values;
+    return testing_support::unknowns_of(
+        model, FaultTable(model, sensors),
+        {{"omega0", slid_omega}, {"mu1", 0.1}, {"eta1", -gives_way / pulled}, {"mu3", slips_at}});
   }
   StateForce force(const ForceLaw& law) const { return {law, 0, 0, symbol("eta1"), symbol("mu3"), pulled}; }
 
@@ -89,7 +76,7 @@ class SliderEvidence : public testing::TestWithParam<ForceLaw> {
   }
 
   const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
-  SensorModel sensors;
+  SensorModel sensors = testing_support::one_sensor("v");
 };
 
 // Where it turns, it takes a time as the square root of the slip until it slides.
