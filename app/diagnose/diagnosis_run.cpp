@@ -8,13 +8,16 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <tuple>
 
-#include "app/diagnose/lateness.hpp"
+#include "app/diagnose/decay_scatter.hpp"
 #include "app/shared/model_loading.hpp"
 #include "app/shared/number_file.hpp"
 #include "app/shared/parameter_file.hpp"
 #include "app/shared/record_assignment.hpp"
 #include "app/shared/record_selection.hpp"
+#include "diagnose/thresholds.hpp"
+#include "diagnose/verdict/model_alone.hpp"
 #include "input/input_error.hpp"
 #include "measure/disturbances/catalogue.hpp"
 #include "measure/disturbances/disturbance_watch.hpp"
@@ -115,19 +118,19 @@ std::vector<Disturbance> fitted_offsets(const Diagnosis& diagnosis, const Campai
   return offsets;
 }
 
-// By how much the records of a case are late, as far as phases of their own made its equations hold better.
-std::vector<Disturbance> late_records(const Lateness& lateness, const Diagnosis& diagnosis) {
+// By how much records are late, where phases of their own made the equations hold.
+std::vector<Disturbance> late_records(const Diagnosis& diagnosis) {
   std::vector<Disturbance> found;
-  for (const auto& [record, late_s] : diagnosis.late_s) {
-    Disturbance d = fitted_in(record, "late_record", diagnosis);
-    d.size = late_s;
+  for (const OwnLateness& own : diagnosis.late.records) {
+    Disturbance d = fitted_in(own.record, "late_record", diagnosis);
+    d.size = own.late_s;
     d.unit = "s";
-    d.share = std::abs(late_s) / lateness.period_s.at(record);
-    const bool sign_open = lateness.sign_open.contains(record);
-    d.text = fmt::format("responses are {:.3g} ms {} their excitation, up to {} of {:.3g} ms",
-                         1e3 * std::abs(late_s), late_s < 0 ? "ahead of" : "behind",
-                         sign_open ? "half periods (with the other sign of the force)" : "whole periods",
-                         (sign_open ? 0.5 : 1) * 1e3 * lateness.period_s.at(record));
+    d.share = std::abs(own.late_s) / own.period_s;
+    d.text = fmt::format(
+        "responses are {:.3g} ms {} their excitation, up to whole periods of {:.3g} ms (half ones, if the force "
+        "has "
+        "the other sign)",
+        1e3 * std::abs(own.late_s), own.late_s < 0 ? "ahead of" : "behind", 1e3 * own.period_s);
     found.push_back(std::move(d));
   }
   return found;
@@ -225,28 +228,45 @@ TriedModel with_effects(const ModelSource& source, const EffectCatalogue& catalo
   return tried;
 }
 
-// Whether one time by which all responses are late does as well: that is a cause, channel_skew, and no disturbance.
-bool share_a_delay(const TriedModel& tried, const Campaign& campaign, const RecordReader& read,
-                   const DiagnosisOptions& options, const Lateness& lateness) {
-  std::vector<double> late;
-  for (const auto& [record, seconds] : lateness.late_s) late.push_back(seconds);
-  return !misses(campaign, read, *tried.model, tried.own, options, upper_median(std::move(late)));
+// Why what records have of their own beside an explanation is doubtful; empty: it is not. Of too few records to
+// tell, lateness counts where the equations hold beside it.
+std::string doubt_of_own(const Diagnosis& d) {
+  if (d.frequency_scatter.follows_settings)
+    return "natural frequencies of each record's own beside it follow the records' settings, as what a missing law "
+           "does to them";
+  if (d.late.records.empty() || d.late.comes_at_random() || (d.late.too_few && d.verdict == "no_gap")) return "";
+  return d.late.too_few ? "too few records to tell whether they are late beside it"
+                        : "how late records are beside it follows their settings, as what a missing law does to "
+                          "phases";
 }
 
-// How much of the gap a diagnosis accounts for. Frequencies of each record's own that follow the settings account
-// for nothing: they are no scatter but what is missing.
+void make_unknown(Diagnosis& d, const std::string& why) {
+  d.verdict = "unknown";
+  d.cause.clear();
+  d.unknown_because = why;
+}
+
+// How much of the gap a diagnosis accounts for; where it is none any more and that is doubtful, nothing.
 int how_told(const Diagnosis& d) {
-  if (d.frequency_scatter.follows_settings || !d.frequency_scatter.suffices) return -1;
+  if (!d.frequency_scatter.suffices || (d.verdict == "unknown" && !d.gap.detected)) return -1;
   return is_told(d) ? 2 : d.verdict == "approximate" ? 1 : 0;
 }
+
+// What records are allowed to have of their own.
+struct Allowance {
+  bool late = false;
+  Eigen::VectorXd frequency_scatter;  // DiagnosisOptions::frequency_scatter
+  enum Turn { at_random, plain, late_at_last, both } turn = plain;
+  double left = 0;  // beside the model as it is, mean square in variances
+};
 
 /// Share of what frequencies differ by that chance may have, beside what follows the settings, without being looked
 /// at: what follows them is nine tenths then.
 constexpr double little = 0.1;
 
-// What differs from record to record: a phase of each dwell's own is allowed for at once where the model's
-// equations hold then; natural frequencies of each record's own are tried first where they come at random. Either
-// counts where the diagnosis then accounts for more than without.
+// What differs from record to record: natural frequencies and lateness of each record's own, or both, are tried
+// first where they come at random, in the order of what the model as it is leaves beside them: a law that the model
+// lacks follows the settings. They count where the diagnosis then accounts for more than without.
 class StepByStep {
  public:
   StepByStep(const DiagnosisRequest& request, const TriedModel& tried, const Campaign& campaign,
@@ -254,57 +274,96 @@ class StepByStep {
       : request_(request), tried_(tried), campaign_(campaign), read_(read), options_(options) {}
 
   Diagnosis run() {
-    if (!misses(campaign_, read_, *tried_.model, tried_.own, options_)) return diagnosed({}, {});
-    if (can_be_late(campaign_, *tried_.model)) lateness_ = find_lateness(request_);
-    std::map<std::size_t, double> late_s = lateness_.late_s;
-    if (!late_s.empty() && share_a_delay(tried_, campaign_, read_, options_, lateness_)) late_s.clear();
-    if (!late_s.empty() && lateness_.holds) return diagnosed(late_s, {});
-    FrequencyScatter scatter;
-    scatter.sd = lateness_.frequency_sd;
-    // Decays tell the mode that they are of.
-    if (!scatter.any() || tried_.model->modes() > 1) scatter = scatter_beside({});
-    // What comes at random before what follows the settings, which a law that the model lacks does.
-    if (is_at_random(scatter) && tells(diagnosed({}, admitted(scatter)))) return std::move(*best_);
-    if (tells(diagnosed({}, {}))) return std::move(*best_);
-    if (late_s.empty() || tells(diagnosed(late_s, {}))) return std::move(*best_);
-    // Frequencies of late records follow the settings as their phases do, until they are in step.
-    scatter = scatter_beside(late_s);
-    if (is_at_random(scatter)) tells(diagnosed(late_s, admitted(scatter)));
+    const ModelAlone plain = alone({});
+    if (!plain.misses()) return diagnosed({});
+    of_decays_ = find_decay_scatter(request_);
+    std::vector<Allowance> all = allowances(plain);
+    std::stable_sort(all.begin(), all.end(), [](const Allowance& a, const Allowance& b) {
+      return std::tie(a.turn, a.left) < std::tie(b.turn, b.left);
+    });
+    for (const Allowance& allowance : all)
+      if (tells(allowance)) break;
     return std::move(*best_);
   }
 
-  const Lateness& lateness() const { return lateness_; }
+  const std::string& warning() const { return of_decays_.warning; }
 
  private:
-  Diagnosis diagnosed(const std::map<std::size_t, double>& late_s, const Eigen::VectorXd& scatter) {
-    options_.late_s = late_s;
-    options_.frequency_scatter = scatter;
+  void allow(const Allowance& allowance) {
+    options_.late = allowance.late;
+    options_.frequency_scatter = allowance.frequency_scatter;
+  }
+
+  Diagnosis diagnosed(const Allowance& allowance) {
+    allow(allowance);
     return diagnose(campaign_, read_, *tried_.model, tried_.own, tried_.effects, options_);
   }
 
-  FrequencyScatter scatter_beside(const std::map<std::size_t, double>& late_s) {
-    options_.late_s = late_s;
-    return with_decays(find_frequency_scatter(campaign_, read_, *tried_.model, tried_.own, options_));
+  ModelAlone alone(const Allowance& allowance, std::optional<double> common_late_s = {}) {
+    allow(allowance);
+    return fit_alone(campaign_, read_, *tried_.model, tried_.own, options_, common_late_s);
   }
 
-  static bool is_at_random(const FrequencyScatter& scatter) {
-    return scatter.any() && (!scatter.follows_settings || scatter.at_random > little);
+  std::vector<Allowance> allowances(const ModelAlone& plain) {
+    std::vector<Allowance> all{{}};
+    ModelAlone scatter = alone({false, first_frequency_scatter(tried_.model->modes())});
+    take_decays(scatter.scatter);
+    if (at_random(scatter.scatter))
+      all.push_back({false, admitted(scatter.scatter), Allowance::at_random, scatter.dispersion()});
+    if (!may_be_late()) return all;
+    const ModelAlone late = alone({true, {}});
+    if (!are_late(late, plain)) return all;
+    if (late.late.comes_at_random() || late.late.too_few)
+      all.push_back(
+          {true, {}, late.late.is_plain() ? Allowance::at_random : Allowance::late_at_last, late.dispersion()});
+    // Frequencies of late records follow the settings as their phases do, until they are in step.
+    ModelAlone both = alone({true, first_frequency_scatter(tried_.model->modes())});
+    take_decays(both.scatter);
+    if (at_random(both.scatter) && both.late.comes_at_random() && needs_lateness(scatter, both))
+      all.push_back({true, admitted(both.scatter), Allowance::both, both.dispersion()});
+    return all;
   }
 
   // What decays tell of a mode outranks what the model as it is leaves of it.
-  FrequencyScatter with_decays(FrequencyScatter scatter) const {
-    const Eigen::VectorXd& decays = lateness_.frequency_sd;
+  void take_decays(FrequencyScatter& scatter) const {
+    const Eigen::VectorXd& decays = of_decays_.frequency_sd;
     for (Eigen::Index k = 0; k < std::min(decays.size(), scatter.sd.size()); ++k)
       if (decays(k) > 0) scatter.sd(k) = decays(k);
-    return scatter;
   }
 
-  // Keeps what accounts for most of the gap, of two that do as much the plain one; whether it accounts for all of
-  // it.
-  bool tells(Diagnosis fresh) {
-    const bool plain = options_.late_s.empty() && options_.frequency_scatter.size() == 0;
-    if (!best_ || how_told(fresh) > how_told(*best_) || (plain && how_told(fresh) == how_told(*best_)))
-      best_ = std::move(fresh);
+  static bool at_random(const FrequencyScatter& scatter) {
+    return scatter.any() && (!scatter.follows_settings || scatter.at_random > little);
+  }
+
+  bool may_be_late() const {
+    const auto excitations =
+        std::count_if(campaign_.channels.begin(), campaign_.channels.end(),
+                      [](const Channel& channel) { return channel.role == ChannelRole::excitation; });
+    return !tried_.model->excitations.empty() && excitations == 1;
+  }
+
+  // Not where one time of all does as well, which is a cause, channel_skew, and no disturbance.
+  bool are_late(const ModelAlone& late, const ModelAlone& plain) {
+    if (late.late.records.size() < 2 || !needs_lateness(plain, late)) return false;
+    std::vector<double> late_s;
+    for (const OwnLateness& record : late.late.records) late_s.push_back(record.late_s);
+    return needs_lateness(alone({}, upper_median(std::move(late_s))), late);
+  }
+
+  // Whether lateness of each record's own takes more than chance of what is left without.
+  static bool needs_lateness(const ModelAlone& without, const ModelAlone& with) {
+    const double taken = (without.chi_squared - with.chi_squared) / std::max(1.0, with.dispersion());
+    return chi_squared_upper_tail(std::max(0.0, taken), static_cast<double>(with.late.records.size())) <
+           diagnose_thresholds().scatter_alarm;
+  }
+
+  // Keeps what accounts for most of the gap, of two that do as much the one that leaves less; whether it accounts
+  // for all of it.
+  bool tells(const Allowance& allowance) {
+    Diagnosis fresh = diagnosed(allowance);
+    if (const std::string why = doubt_of_own(fresh); !why.empty()) make_unknown(fresh, why);
+    const auto accounts = [](const Diagnosis& d) { return std::pair(how_told(d), -d.gap.after); };
+    if (!best_ || accounts(fresh) > accounts(*best_)) best_ = std::move(fresh);
     return how_told(*best_) == 2;
   }
 
@@ -313,15 +372,14 @@ class StepByStep {
   const Campaign& campaign_;
   const RecordReader& read_;
   DiagnosisOptions& options_;
-  Lateness lateness_;
+  DecayScatter of_decays_;
   std::optional<Diagnosis> best_;
 };
 
 // A verdict that rests on samples which are no motion is none.
 void doubt(Diagnosis& diagnosis, std::size_t not_replaced) {
   if (not_replaced == 0) return;
-  diagnosis.verdict = "unknown";
-  diagnosis.unknown_because = fmt::format("{} samples that are held or lost are used as they are", not_replaced);
+  make_unknown(diagnosis, fmt::format("{} samples that are held or lost are used as they are", not_replaced));
   diagnosis.next_experiment = {};
   diagnosis.next_experiment.reason = "the same records without held or lost samples come first";
 }
@@ -357,14 +415,13 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   if (rough) options.given = {};
   StepByStep steps(request, tried, run.campaign, read, options);
   run.diagnosis = steps.run();
-  const Lateness& lateness = steps.lateness();
   run.diagnosis.warnings.insert(run.diagnosis.warnings.begin(), starts.warnings.begin(), starts.warnings.end());
   if (rough)
     run.diagnosis.warnings.push_back(
         request.parameters +
         ": holds natural frequencies alone, which are taken as a start: all parameters are fitted");
   if (!unused.empty()) run.diagnosis.warnings.push_back(unused);
-  if (!lateness.warning.empty()) run.diagnosis.warnings.push_back(lateness.warning);
+  if (!steps.warning().empty()) run.diagnosis.warnings.push_back(steps.warning());
   for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
   doubt(run.diagnosis, reader.not_replaced());
   run.disturbances = watch.found();
@@ -372,7 +429,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
     if (is_fitted(d, run, options)) d.treated = "fitted";
   for (Disturbance& d : fitted_offsets(run.diagnosis, run.campaign, run.disturbances))
     run.disturbances.push_back(std::move(d));
-  for (Disturbance& d : late_records(lateness, run.diagnosis)) run.disturbances.push_back(std::move(d));
+  for (Disturbance& d : late_records(run.diagnosis)) run.disturbances.push_back(std::move(d));
   for (Disturbance& d : own_frequencies(run.diagnosis, *run.model)) run.disturbances.push_back(std::move(d));
   run.looked_at = watch.records();
   return run;

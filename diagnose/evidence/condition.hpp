@@ -40,17 +40,12 @@ struct Condition {
   /// By channel: sd of the noise of a sample, as it comes into a channel that may saturate. Empty: none.
   Eigen::VectorXd response_noise, excitation_noise;
 
-  /// By how much the excitation's reading counts as later than it is, s, beyond what it was put in step by.
-  double record_delay = 0;
-  void set_record_delay(double seconds) {
-    delay_excitation(record_delay - seconds);
-    record_delay = seconds;
-  }
-
-  /// Puts the excitation `seconds` later: where responses are late by as much, the two are in step again.
-  void delay_excitation(double seconds) {
+  /// How late the responses count as, s: the excitation was put later by as much, so that the two are in step.
+  double late_s = 0;
+  void count_as_late(double seconds) {
     for (std::size_t l = 0; l < excitation_lines.size(); ++l)
-      excitation.col(static_cast<Eigen::Index>(l)) *= std::exp(-seconds * line_rate(excitation_lines[l]));
+      excitation.col(static_cast<Eigen::Index>(l)) *= std::exp((late_s - seconds) * line_rate(excitation_lines[l]));
+    late_s = seconds;
   }
 
   /// Amplitude of the excitation's fundamental in its first channel, half of the peak; 0 without excitation.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -17,10 +19,6 @@ namespace {
 
 /// Step of what is a record's own, next to its standard deviation: differences are as good as slopes.
 constexpr double nuisance_step = 1e-4;
-
-/// No step puts an excitation farther than this, in standard deviations (T/sqrt(12)) of a time anywhere in a period
-/// T: T/8, that is sqrt(12)/8, over which what a phase does to the rows is nearly linear.
-constexpr double longest_delay_step = 0.43;
 
 /// Rounds in which what is put into a record comes to where a step moves its rows by less than is seen: what is
 /// left is linear.
@@ -49,6 +47,13 @@ Eigen::MatrixXd Evidence::slopes(const Eigen::VectorXd& unknowns, const std::vec
     if (up.allFinite()) columns.col(column) = up;
   });
   return columns;
+}
+
+void Discrepancy::admit(RecordNuisances nuisances) {
+  nuisances_ = std::move(nuisances);
+  in_reach_ = false;
+  record_periods_.clear();
+  for (const auto& [record, sd] : nuisances_.delay_sd) record_periods_[record] = std::sqrt(12.0) * sd;
 }
 
 void Discrepancy::add(std::unique_ptr<Evidence> evidence) {
@@ -81,9 +86,11 @@ void Discrepancy::freeze(const Eigen::VectorXd& unknowns, double coarse) {
   for (int round = 1; round <= most_rounds; ++round) {
     for (const auto& part : parts_) {
       part->shift_records(record_shifts_);
-      part->delay_records(record_delays_);
+      if (in_reach_ && !nuisances_.delay_sd.empty())
+        part->put_in_step(unknowns, coarse, record_periods_, record_late_s_);
       part->freeze(unknowns, coarse);
     }
+    in_reach_ = true;
     take_directions(unknowns);
     if (round == most_rounds || !put_in_own(unknowns)) return;
   }
@@ -122,31 +129,48 @@ void Discrepancy::take_directions(const Eigen::VectorXd& unknowns) {
   }
 }
 
-// Whether a record's own frequency or lateness moved so far that its directions are others now. Lateness may be
-// anything within a period: wherever it is put, what is left of it may be anything again.
+// Whether a record's own frequencies moved so far that its directions are others now. What its lateness may differ
+// by from where it was put may be anything again, and is left to its direction.
 bool Discrepancy::put_in_own(const Eigen::VectorXd& unknowns) {
-  if (directions_.empty()) return false;
+  if (directions_.empty() || modes() == 0) return false;
   const Eigen::VectorXd rows = raw_rows(unknowns);
   if (!rows.allFinite()) return false;
   bool moved = false;
   for (const auto& [record, directions] : directions_) {
-    const auto late = nuisances_.delay_sd.find(record);
-    const Index delays = directions.size() - modes();
     Eigen::VectorXd next = directions.likeliest(rows), before = Eigen::VectorXd::Zero(next.size());
     if (!next.allFinite()) continue;
-    if (delays > 0) next(0) = std::clamp(next(0), -longest_delay_step, longest_delay_step);
-    Eigen::VectorXd* shift = nullptr;
-    if (modes() > 0) {
-      shift = &record_shifts_.try_emplace(record, Eigen::VectorXd::Zero(modes())).first->second;
-      before.tail(modes()) = shift->cwiseQuotient(nuisances_.frequency_sd);
-      next.tail(modes()) = next.tail(modes()).cwiseMax(-most_deviations).cwiseMin(most_deviations);
-    }
+    Eigen::VectorXd& shift = record_shifts_.try_emplace(record, Eigen::VectorXd::Zero(modes())).first->second;
+    before.tail(modes()) = shift.cwiseQuotient(nuisances_.frequency_sd);
+    next.tail(modes()) = next.tail(modes()).cwiseMax(-most_deviations).cwiseMin(most_deviations);
+    next.head(next.size() - modes()).setZero();
     if (directions.length_of(next - before) < unseen) continue;
-    if (shift) *shift = next.tail(modes()).cwiseProduct(nuisances_.frequency_sd);
-    if (delays > 0) record_delays_[record] += next(0) * late->second;
+    shift = next.tail(modes()).cwiseProduct(nuisances_.frequency_sd);
     moved = true;
   }
   return moved;
+}
+
+std::vector<OwnLateness> Discrepancy::own_lateness() const {
+  std::map<std::size_t, RowLabel> labels_of;
+  for (const RowLabel& label : labels()) labels_of.emplace(label.record, label);
+  std::vector<OwnLateness> told;
+  const Eigen::VectorXd rows = Eigen::VectorXd::Zero(size());  // variances do not depend on them
+  std::complex<double> mean = 0;
+  double period = 0;
+  for (const auto& [record, late_s] : record_late_s_) {
+    const auto directions = directions_.find(record);
+    if (directions == directions_.end()) continue;
+    const double sd = nuisances_.delay_sd.at(record), variance = directions->second.told(rows, 0).variance;
+    // A record at rest does not feel its excitation.
+    if (!(variance < 1)) continue;
+    const RowLabel& label = labels_of.at(record);
+    told.push_back({record, late_s, sd * sd * variance, record_periods_.at(record), label.level, label.frequency});
+    mean += std::polar(1.0, label.frequency * late_s);
+    period += told.back().period_s;
+  }
+  const double centre = std::arg(mean) / (2 * std::numbers::pi) * period / static_cast<double>(told.size());
+  for (OwnLateness& own : told) own.late_s = centre + std::remainder(own.late_s - centre, own.period_s);
+  return told;
 }
 
 Eigen::VectorXd Discrepancy::raw_rows(const Eigen::VectorXd& unknowns) const {

@@ -53,8 +53,11 @@ class Evidence {
   /// Natural frequencies of a record are those of the unknowns times 1 + shift, by record and mode; of a record
   /// that is not named they are those of the unknowns. Until the next call.
   virtual void shift_records(const std::map<std::size_t, Eigen::VectorXd>& /*shifts*/) {}
-  /// Excitations of a record are read as much later (s) than those of one that is not named. Until the next call.
-  virtual void delay_records(const std::map<std::size_t, double>& /*delays*/) {}
+  /// Counts these records' responses (period of the excitation in s, by record) as late as is likeliest at these
+  /// unknowns, and notes it (s). Until the next call.
+  virtual void put_in_step(const Eigen::VectorXd& /*unknowns*/, double /*coarse*/,
+                           const std::map<std::size_t, double>& /*periods*/,
+                           std::map<std::size_t, double>& /*late_s*/) {}
   /// Rows before they were made independent of each other, where that mixed them.
   virtual Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const { return rows; }
 };
@@ -69,6 +72,14 @@ struct RecordNuisances {
   Eigen::VectorXd frequency_sd;
 
   bool any() const { return !delay_sd.empty() || frequency_sd.size() > 0; }
+};
+
+/// How late the responses of one record are.
+struct OwnLateness {
+  std::size_t record = 0;
+  double late_s = 0, variance = 0;  ///< s, s^2: by the record's rows alone
+  double period_s = 0;              ///< of the excitation, any number of which may come on top
+  double level = 0, frequency = 0;  ///< of the excitation, as RowLabel
 };
 
 /// A natural frequency of one record, relative to that of all.
@@ -87,7 +98,7 @@ class Discrepancy {
   /// Its rows stand behind those that are there.
   void add(std::unique_ptr<Evidence> evidence);
   /// From the next freeze() on.
-  void admit(RecordNuisances nuisances) { nuisances_ = std::move(nuisances); }
+  void admit(RecordNuisances nuisances);
   // Sums, or one behind the other, of the evidence's own.
   Eigen::Index size() const;
   Eigen::Index freedom() const;
@@ -110,11 +121,8 @@ class Discrepancy {
     const auto own = record_shifts_.find(record);
     return own == record_shifts_.end() ? Eigen::VectorXd() : own->second;
   }
-  /// How much later the excitation's reading of a record was put, s.
-  double record_delay(std::size_t record) const {
-    const auto own = record_delays_.find(record);
-    return own == record_delays_.end() ? 0 : own->second;
-  }
+  /// Of the late records that tell it, at the unknowns of the last freeze(), within half a period of their mean.
+  std::vector<OwnLateness> own_lateness() const;
   /// Of the records that tell them, at these unknowns.
   std::vector<OwnFrequency> own_frequencies(const Eigen::VectorXd& unknowns) const;
 
@@ -129,8 +137,12 @@ class Discrepancy {
   std::vector<std::unique_ptr<Evidence>> parts_;
   RecordNuisances nuisances_;
   std::map<std::size_t, Eigen::VectorXd> record_shifts_;  // of natural frequencies, by record and mode, as put in
-  std::map<std::size_t, double> record_delays_;           // of the excitation's reading, s, as put in
-  std::map<std::size_t, RecordDirections> directions_;    // by record, as frozen
+  std::map<std::size_t, double> record_periods_;          // of late records, s
+  std::map<std::size_t, double> record_late_s_;           // as put in, s
+  // Records are late from where they are on when numbers are first fitted: half a period more or less goes with the
+  // other sign of the force.
+  bool in_reach_ = false;
+  std::map<std::size_t, RecordDirections> directions_;  // by record, as frozen
 };
 
 }  // namespace secular

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "diagnose/evidence/likeliest_delay.hpp"
 #include "diagnose/thresholds.hpp"
 #include "numerics/in_parallel.hpp"
 
@@ -66,7 +67,7 @@ LineEvidence::LineEvidence(ConditionModel model, std::vector<Condition> conditio
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
     const Condition& c = conditions_[i];
     Whitening w;
-    whiten(i, unknowns, first_look, w);
+    whiten(c, unknowns, first_look, w);
     const std::vector<RowMeaning> meanings = model_.meanings(c);
     double amplitude = 0;
     for (const MasterLine& m : c.masters)
@@ -97,8 +98,7 @@ LineEvidence::LineEvidence(ConditionModel model, std::vector<Condition> conditio
   }
 }
 
-void LineEvidence::whiten(std::size_t condition, const VectorXd& unknowns, double coarse, Whitening& w) const {
-  const Condition& c = conditions_[condition];
+void LineEvidence::whiten(const Condition& c, const VectorXd& unknowns, double coarse, Whitening& w) const {
   w.motion = model_.rows(c, unknowns, w.motion.converged ? &w.motion : nullptr).motion;
   MatrixXd covariance = model_.covariance(c, unknowns, w.motion.converged ? &w.motion : nullptr);
   for (std::size_t m = 0; m < c.masters.size(); ++m) {
@@ -169,7 +169,7 @@ bool LineEvidence::took_more_lines(std::size_t condition, const VectorXd& unknow
 
 void LineEvidence::freeze(const VectorXd& unknowns, double coarse) {
   in_parallel(conditions_.size(), threads_, [&](std::size_t i) {
-    do whiten(i, unknowns, coarse, whitening_[i]);
+    do whiten(conditions_[i], unknowns, coarse, whitening_[i]);
     while (coarse == 0 && took_more_lines(i, unknowns, whitening_[i]));
   });
 }
@@ -182,6 +182,15 @@ void LineEvidence::approach(const VectorXd& unknowns) {
   }
 }
 
+// Rows of one condition; not finite where there is no motion.
+VectorXd LineEvidence::whitened(const Condition& c, const VectorXd& unknowns, const Whitening& w) const {
+  const ConditionRows raw = model_.rows(c, unknowns, w.motion.converged ? &w.motion : nullptr);
+  VectorXd kept(static_cast<Index>(w.kept.size()));
+  for (Index r = 0; r < kept.size(); ++r) kept(r) = raw.values(w.kept[static_cast<std::size_t>(r)]);
+  if (kept.allFinite()) kept = w.inverse_root * kept;
+  return kept;
+}
+
 void LineEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const {
   if (!has_frequencies(unknowns, model_.balance().model().modes())) {
     rows.setConstant(std::numeric_limits<double>::infinity());
@@ -191,11 +200,9 @@ void LineEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows)
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
     const Whitening& w = whitening_[i];
     const auto count = static_cast<Index>(w.kept.size());
-    const ConditionRows raw = model_.rows(conditions_[i], unknowns, w.motion.converged ? &w.motion : nullptr);
-    VectorXd kept(count);
-    for (Index r = 0; r < count; ++r) kept(r) = raw.values(w.kept[static_cast<std::size_t>(r)]);
-    if (kept.allFinite())
-      rows.segment(first, count) = w.inverse_root * kept;
+    const VectorXd own = whitened(conditions_[i], unknowns, w);
+    if (own.allFinite())
+      rows.segment(first, count) = own;
     else
       rows.segment(first, count)
           .setConstant(w.motion.converged ? std::numeric_limits<double>::infinity() : no_motion);
@@ -230,11 +237,39 @@ void LineEvidence::shift_records(const std::map<std::size_t, VectorXd>& shifts) 
   }
 }
 
-void LineEvidence::delay_records(const std::map<std::size_t, double>& delays) {
-  for (Condition& condition : conditions_) {
-    const auto own = delays.find(condition.record);
-    condition.set_record_delay(own == delays.end() ? 0 : own->second);
+void LineEvidence::put_in_step(const VectorXd& unknowns, double coarse,
+                               const std::map<std::size_t, double>& periods,
+                               std::map<std::size_t, double>& late_s) {
+  std::map<std::size_t, std::vector<std::size_t>> of_record;
+  for (std::size_t i = 0; i < conditions_.size(); ++i)
+    if (periods.contains(conditions_[i].record)) of_record[conditions_[i].record].push_back(i);
+  const std::vector<std::pair<std::size_t, std::vector<std::size_t>>> late(of_record.begin(), of_record.end());
+  std::vector<double> found(late.size());
+  in_parallel(late.size(), threads_, [&](std::size_t i) {
+    const auto& [record, conditions] = late[i];
+    found[i] =
+        likeliest_delay([&](double seconds) { return misfit_if_late(conditions, unknowns, coarse, seconds); },
+                        conditions_[conditions.front()].late_s, periods.at(record));
+  });
+  for (std::size_t i = 0; i < late.size(); ++i) {
+    for (const std::size_t c : late[i].second) conditions_[c].count_as_late(found[i]);
+    late_s[late[i].first] = found[i];
   }
+}
+
+// -2 log likelihood of conditions of one record if its responses are so late, but for a constant. Errors are those
+// of that lateness: their axes turn with it, so that errors of one place see no other.
+double LineEvidence::misfit_if_late(const std::vector<std::size_t>& conditions, const VectorXd& unknowns,
+                                    double coarse, double seconds) const {
+  double misfit = 0;
+  for (const std::size_t i : conditions) {
+    Condition c = conditions_[i];
+    c.count_as_late(seconds);
+    Whitening w = whitening_[i];
+    whiten(c, unknowns, coarse, w);
+    misfit += whitened(c, unknowns, w).squaredNorm() - 2 * w.inverse_root.diagonal().array().log().sum();
+  }
+  return std::isfinite(misfit) ? misfit : std::numeric_limits<double>::infinity();
 }
 
 VectorXd LineEvidence::unmixed(const VectorXd& rows) const {

@@ -21,7 +21,8 @@ class LineEvidence : public Evidence {
   Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale, unsigned threads) const override;
   void shift_records(const std::map<std::size_t, Eigen::VectorXd>& shifts) override;
-  void delay_records(const std::map<std::size_t, double>& delays) override;
+  void put_in_step(const Eigen::VectorXd& unknowns, double coarse, const std::map<std::size_t, double>& periods,
+                   std::map<std::size_t, double>& late_s) override;
   Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const override;
 
  private:
@@ -33,7 +34,12 @@ class LineEvidence : public Evidence {
   /// Whether a motion of twice as many lines moves a row by more than a tenth of its standard deviation; it has
   /// them from then on (docs/inference.md, Lines of a motion).
   bool took_more_lines(std::size_t condition, const Eigen::VectorXd& unknowns, Whitening& whitening);
-  void whiten(std::size_t condition, const Eigen::VectorXd& unknowns, double coarse, Whitening& whitening) const;
+  void whiten(const Condition& condition, const Eigen::VectorXd& unknowns, double coarse,
+              Whitening& whitening) const;
+  Eigen::VectorXd whitened(const Condition& condition, const Eigen::VectorXd& unknowns,
+                           const Whitening& whitening) const;
+  double misfit_if_late(const std::vector<std::size_t>& conditions, const Eigen::VectorXd& unknowns, double coarse,
+                        double seconds) const;
 
   ConditionModel model_;
   std::vector<Condition> conditions_;

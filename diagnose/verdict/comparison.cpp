@@ -113,18 +113,13 @@ InputError nothing_to_compare(const Campaign& campaign, const CompiledModel& mod
                     "expected");
 }
 
-// Puts late dwells in step with their excitation as far as it is known how late they are. By record: standard
-// deviation of what is left, which may be anything within a turn of the excitation, s.
-std::map<std::size_t, double> put_in_step(std::vector<Condition>& conditions,
-                                          const std::map<std::size_t, double>& late_s) {
-  std::map<std::size_t, double> unknown_delay;
-  for (Condition& condition : conditions) {
-    const auto late = late_s.find(condition.record);
-    if (late == late_s.end() || !(condition.excitation_frequency() > 0)) continue;
-    condition.delay_excitation(late->second);
-    unknown_delay[condition.record] = 2 * std::numbers::pi / condition.excitation_frequency() / std::sqrt(12.0);
-  }
-  return unknown_delay;
+// By record that is driven: standard deviation of a time anywhere within a period of the excitation, s.
+std::map<std::size_t, double> unknown_lateness(const std::vector<Condition>& conditions) {
+  std::map<std::size_t, double> unknown;
+  for (const Condition& condition : conditions)
+    if (const double frequency = condition.excitation_frequency(); frequency > 0)
+      unknown[condition.record] = 2 * std::numbers::pi / frequency / std::sqrt(12.0);
+  return unknown;
 }
 
 // Laws with an exponent: a strength then has much the same size whatever the exponent.
@@ -215,7 +210,6 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
       leave_out_unsteady(result.conditions, observed.nonstationarity, campaign);
   if (!left_out.empty())
     result.warnings.push_back(fmt::format("left out because their motion is not steady: {}", short_list(left_out)));
-  std::map<std::size_t, double> unknown_delay = put_in_step(result.conditions, options.late_s);
   result.unsteady = judge_steadiness(observed.nonstationarity, campaign);
   if (result.unsteady.detected) result.warnings.push_back(unsteady_warning(result.unsteady));
   result.data_used =
@@ -238,7 +232,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
     result.discrepancy.add(std::move(evidence));
   }
   result.of_records.delay = model.symbols.size() + faults.delay(sensors.responses.size());
-  result.of_records.delay_sd = std::move(unknown_delay);
+  if (options.late) result.of_records.delay_sd = unknown_lateness(result.conditions);
   result.of_records.frequency_sd = options.frequency_scatter;
   result.discrepancy.admit(result.of_records);
   if (options.check) {

@@ -22,9 +22,7 @@ constexpr auto& false_alarm = diagnose_thresholds().gap_alarm;
 /// not be seen.
 constexpr auto& most_overestimated = diagnose_thresholds().most_overestimated;
 
-/// Of the scatter of natural frequencies before it is known, relative (any that is not far below it does); searches
-/// beside it: of half as much each, the third differs by little.
-constexpr auto& first_scatter = diagnose_thresholds().first_scatter;
+/// Searches beside a scatter of natural frequencies: of half as much each, the third differs by little.
 constexpr int most_rounds = 3;
 
 /// Predicting what was held out takes longer than all else that is said of a rival.
@@ -64,10 +62,11 @@ class Diagnoser {
     }
     for (Condition& condition : comparison_.conditions) {
       condition.record_shift = discrepancy().record_shift(condition.record);
-      condition.set_record_delay(discrepancy().record_delay(condition.record));
     }
-    for (const auto& [record, seconds] : options_.late_s)
-      result_.late_s[record] = seconds - discrepancy().record_delay(record);
+    result_.late = lateness_about(discrepancy());
+    for (const OwnLateness& own : result_.late.records)
+      for (Condition& condition : comparison_.conditions)
+        if (condition.record == own.record) condition.count_as_late(own.late_s);
     if (options_.given)
       judged_ = judge_given(options_.given, model_, free_, discrepancy(), comparison_.start, options_.threads);
     result_.warnings = comparison_.warnings;
@@ -422,35 +421,6 @@ Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const Com
                    const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
                    const DiagnosisOptions& options) {
   return Diagnoser(campaign, model, own, compare(campaign, read, model, own, effects, options), options).run();
-}
-
-bool misses(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-            const std::vector<std::size_t>& own, const DiagnosisOptions& options,
-            std::optional<double> common_delay_s) {
-  Comparison comparison = compare(campaign, read, model, own, {}, options);
-  std::vector<std::size_t> fitted = comparison.fitted_beside(own);
-  if (common_delay_s) {
-    const std::size_t delay = model.symbols.size() + comparison.faults.delay(comparison.sensors.responses.size());
-    comparison.start(static_cast<Eigen::Index>(delay)) = -*common_delay_s;
-    fitted.push_back(delay);
-  }
-  InferenceOptions inference_options;
-  inference_options.threads = options.threads;
-  const Inference null = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
-  return chi_squared_upper_tail(null.null.fit.chi_squared, null.degrees_of_freedom) < false_alarm;
-}
-
-FrequencyScatter find_frequency_scatter(const Campaign& campaign, const RecordReader& read,
-                                        const CompiledModel& model, const std::vector<std::size_t>& own,
-                                        const DiagnosisOptions& options) {
-  DiagnosisOptions wanted = options;
-  wanted.frequency_scatter = VectorXd::Constant(static_cast<Eigen::Index>(model.modes()), first_scatter);
-  Comparison comparison = compare(campaign, read, model, own, {}, wanted);
-  const std::vector<std::size_t> fitted = comparison.fitted_beside(own);
-  InferenceOptions inference_options;
-  inference_options.threads = options.threads;
-  const Inference null = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
-  return scatter_about(comparison.discrepancy, null.null.fit.unknowns, model.modes());
 }
 
 bool is_told(const Diagnosis& d) {

@@ -13,6 +13,7 @@
 #include "diagnose/verdict/fitted_numbers.hpp"
 #include "diagnose/verdict/frequency_scatter.hpp"
 #include "diagnose/verdict/gap_shares.hpp"
+#include "diagnose/verdict/late_records.hpp"
 #include "diagnose/verdict/proposal.hpp"
 #include "diagnose/verdict/simulated_check.hpp"
 #include "measure/data/time_span.hpp"
@@ -49,7 +50,7 @@ struct Diagnosis {
   FittedNumbers fitted;  ///< of the best explanation, or of the model as it is where there is no gap
   double data_used = 0;  ///< see Comparison
   ResidualStructure residual_structure;
-  std::map<std::size_t, double> late_s;   ///< by record: DiagnosisOptions::late_s, as the explanation tells it, s
+  LateRecords late;                       ///< beside the explanation, where dwells may be
   FrequencyScatter frequency_scatter;     ///< about the explanation, where it was admitted
   std::map<std::size_t, TimeSpan> spans;  ///< of the records that were read, within the window
   NextExperiment next_experiment;
@@ -69,17 +70,5 @@ bool is_told(const Diagnosis& diagnosis);
 Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
                    const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
                    const DiagnosisOptions& options);
-
-/// Whether the model as it is misses the campaign, by more than noise does in 3 of 1000 campaigns. Takes a small
-/// part of the time of a diagnosis. `common_delay_s`: with all responses late by one unknown time, from this one
-/// on.
-bool misses(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-            const std::vector<std::size_t>& own, const DiagnosisOptions& options,
-            std::optional<double> common_delay_s = {});
-
-/// What the model as it is leaves of each record's natural frequencies.
-FrequencyScatter find_frequency_scatter(const Campaign& campaign, const RecordReader& read,
-                                        const CompiledModel& model, const std::vector<std::size_t>& own,
-                                        const DiagnosisOptions& options);
 
 }  // namespace secular

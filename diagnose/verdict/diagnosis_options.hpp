@@ -23,9 +23,7 @@ struct DiagnosisOptions {
   std::vector<double> natural_frequency;
   std::vector<StateForce> forces;  ///< scales are set from the data
   std::set<std::string> left_out;  ///< effects that are not to be considered
-  /// By record: how much later than its excitation a dwell's responses are, s, as far as it is known. The phase
-  /// between them is an unknown of every dwell then. Empty: all are in step.
-  std::map<std::size_t, double> late_s;
+  bool late = false;               ///< responses of every dwell may be late by a time of its own
   /// By mode, relative: standard deviation with which natural frequencies differ from record to record, at first.
   /// Each record has its own then. Empty: all have the same.
   Eigen::VectorXd frequency_scatter;

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "diagnose/thresholds.hpp"
-#include "numerics/explained_variation.hpp"
+#include "diagnose/verdict/setting_functions.hpp"
 
 namespace secular {
 namespace {
@@ -15,22 +15,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// That frequencies of one structure differ by chance; that random departures are taken to follow the settings.
+/// That frequencies of one structure differ by chance.
 constexpr auto& scatter_alarm = diagnose_thresholds().scatter_alarm;
-constexpr auto& structure_alarm = diagnose_thresholds().setting_alarm;
 
 /// Of a natural frequency: no scatter, and nothing that a record feels.
 constexpr double none = 1e-9;
 
 /// A standard deviation of as few values as there are records is not known better.
 constexpr auto& same_size = diagnose_thresholds().same_size;
-
-/// With fewer degrees of freedom the F law sees a law only where it is nearly all: 0.8 of the variance with two
-/// functions.
-constexpr auto& fewest_freedom = diagnose_thresholds().fewest_freedom;
-
-/// What is left of a function beside others, by rounding.
-constexpr double dependent = 1e-6;
 
 // What laws may depend on, most often first, as functions of a record's labels: whether it is driven, amplitude,
 // level and frequency of a dwell, time. (How large a decay is says nothing of its mean frequency: it dies out.)
@@ -48,29 +40,11 @@ VectorXd level_and_frequency(const RowLabel& label) {
   return VectorXd{{1, level > 0 ? 1.0 : 0.0, level * level, label.time_s, w, level, level * w, w * w}};
 }
 
-// Independent ones among the settings of these records, the constant first, each of length 1; the first of them, no
-// more than leave as many degrees of freedom as they take.
 MatrixXd functions_of(const std::vector<OwnFrequency>& own, const std::map<std::size_t, RowLabel>& labels,
                       Settings settings) {
-  const auto count = static_cast<Index>(own.size());
-  MatrixXd independent = MatrixXd::Constant(count, 1, 1 / std::sqrt(static_cast<double>(count)));
-  for (Index s = 1; s < settings(labels.begin()->second).size(); ++s) {
-    VectorXd function(count);
-    for (Index r = 0; r < count; ++r) function(r) = settings(labels.at(own[static_cast<std::size_t>(r)].record))(s);
-    const double before = function.norm();
-    for (int pass = 0; pass < 2; ++pass) function -= independent * (independent.transpose() * function);
-    if (!(function.norm() > dependent * before) || 2 * (independent.cols() + 1) > count) continue;
-    independent.conservativeResize(count, independent.cols() + 1);
-    independent.rightCols(1) = function.normalized();
-  }
-  return independent;
-}
-
-bool follows(const VectorXd& shift, const VectorXd& weight, const MatrixXd& functions) {
-  const ExplainedVariation explained =
-      explained_variation(weight.cwiseProduct(shift), weight.asDiagonal() * functions);
-  if (explained.rank < 2 || explained.freedom < fewest_freedom || !(explained.left > 0)) return true;
-  return explained.p_value() < structure_alarm;
+  std::vector<VectorXd> of_records;
+  for (const OwnFrequency& o : own) of_records.push_back(settings(labels.at(o.record)));
+  return independent_functions(of_records);
 }
 
 }  // namespace
@@ -106,7 +80,8 @@ FrequencyScatter scatter_about(const Discrepancy& discrepancy, const VectorXd& u
       }
       differ = differ && between.p_value < scatter_alarm;
       const VectorXd weight = (variance.array() + between.sd * between.sd).rsqrt();
-      follow = follow || follows(shift, weight, functions);
+      follow = follow || follows_settings(weight.cwiseProduct(shift), weight.asDiagonal() * functions) !=
+                             Following::at_random;
     }
     if (!differ) continue;
     result.sd(static_cast<Index>(k)) = least.sd;

@@ -429,18 +429,20 @@ TEST(SlowDiagnosis, LateRecordsArePutInStepBesideEveryExplanation) {
   const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
   SimulatedCampaign data = simulated(model, parametric_dwells(), 25);
   DiagnosisOptions options;
+  options.late = true;
   std::map<std::size_t, double> late_s;
   for (std::size_t r = 0; r < data.samples.size(); ++r) {
     const auto late = static_cast<std::ptrdiff_t>(r * 5 % 3);
     std::vector<double>&base = data.samples[r].channels.front(), &response = data.samples[r].channels.back();
     base.erase(base.begin(), base.begin() + late);
     response.resize(base.size());
-    options.late_s[r] = 0;
     late_s[r] = static_cast<double>(late) / data.samples[r].sample_rate_hz;
   }
   const Diagnosis whole = diagnosed(model, data, {}, options);
   EXPECT_EQ(whole.verdict, "no_gap") << whole.gap.p_value;
-  for (const auto& [record, late] : late_s) EXPECT_NEAR(whole.late_s.at(record), late, 2e-4) << record;
+  for (const OwnLateness& own : whole.late.records)
+    EXPECT_NEAR(own.late_s, late_s.at(own.record), 2e-4) << own.record;
+  EXPECT_EQ(whole.late.records.size(), late_s.size());
   const Diagnosis d = diagnosed(model, data, {{"mu2", "quadratic_damping"}, {"mu3", "cubic_damping"}}, options);
   EXPECT_LT(d.gap.after, 1.2);
   const auto cubic = std::find_if(d.causes.begin(), d.causes.end(),

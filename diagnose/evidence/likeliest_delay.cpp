@@ -1,0 +1,35 @@
+#include "diagnose/evidence/likeliest_delay.hpp"
+
+#include <boost/math/tools/minima.hpp>
+#include <cstdint>
+
+namespace secular {
+namespace {
+
+/// Places of a period that are looked at: a row turns by less than a right angle from one to the next up to the
+/// third multiple of the excitation.
+constexpr int places = 16;
+
+/// Of the distance of two places, 2^-9/4 (Boost's Brent): 3e-5 of a period. What is left is linear.
+constexpr int bits = 10;
+constexpr std::uintmax_t most_steps = 20;
+
+}  // namespace
+
+double likeliest_delay(const std::function<double(double)>& misfit, double here, double period) {
+  const double reach = period / places;
+  double best = here, least = misfit(here);
+  for (int place = 1; place < places; ++place) {
+    const double delay = here + reach * (place <= places / 2 ? place : place - places);
+    const double value = misfit(delay);
+    if (!(value < least)) continue;
+    best = delay;
+    least = value;
+  }
+  std::uintmax_t steps = most_steps;
+  const auto [offset, value] = boost::math::tools::brent_find_minima(
+      [&](double part) { return misfit(best + part * reach); }, -1.0, 1.0, bits, steps);
+  return best + offset * reach;
+}
+
+}  // namespace secular

@@ -1,0 +1,43 @@
+#include "diagnose/verdict/model_alone.hpp"
+
+#include "diagnose/thresholds.hpp"
+#include "diagnose/verdict/comparison.hpp"
+#include "numerics/distribution.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+
+/// Of the scatter of natural frequencies before it is known, relative (any that is not far below it does).
+constexpr auto& first_scatter = diagnose_thresholds().first_scatter;
+
+}  // namespace
+
+bool ModelAlone::misses() const {
+  return chi_squared_upper_tail(chi_squared, freedom) < diagnose_thresholds().gap_alarm;
+}
+
+ModelAlone fit_alone(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+                     const std::vector<std::size_t>& own, const DiagnosisOptions& options,
+                     std::optional<double> common_late_s) {
+  Comparison comparison = compare(campaign, read, model, own, {}, options);
+  std::vector<std::size_t> fitted = comparison.fitted_beside(own);
+  if (common_late_s) {
+    const std::size_t delay = model.symbols.size() + comparison.faults.delay(comparison.sensors.responses.size());
+    comparison.start(static_cast<Index>(delay)) = -*common_late_s;
+    fitted.push_back(delay);
+  }
+  InferenceOptions inference_options;
+  inference_options.threads = options.threads;
+  const Inference alone = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
+  return {alone.null.fit.chi_squared, alone.degrees_of_freedom,
+          scatter_about(comparison.discrepancy, alone.null.fit.unknowns, model.modes()),
+          lateness_about(comparison.discrepancy)};
+}
+
+Eigen::VectorXd first_frequency_scatter(std::size_t modes) {
+  return Eigen::VectorXd::Constant(static_cast<Index>(modes), first_scatter);
+}
+
+}  // namespace secular

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "diagnose/verdict/diagnosis_options.hpp"
+#include "diagnose/verdict/frequency_scatter.hpp"
+#include "diagnose/verdict/late_records.hpp"
+#include "measure/data/campaign.hpp"
+
+namespace secular {
+
+/// What the model as it is leaves of a campaign, beside what its records are allowed to have of their own.
+struct ModelAlone {
+  double chi_squared = 0, freedom = 0;
+  FrequencyScatter scatter;  ///< where the options admit it
+  LateRecords late;          ///< where the options admit it
+
+  /// Whether it leaves more than noise does in 3 of 1000 campaigns.
+  bool misses() const;
+  double dispersion() const { return chi_squared / freedom; }
+};
+
+/// Takes a small part of the time of a diagnosis. `model`, `own`: as of diagnose(). `common_late_s`: with all
+/// responses late by one unknown time, from this one on.
+ModelAlone fit_alone(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+                     const std::vector<std::size_t>& own, const DiagnosisOptions& options,
+                     std::optional<double> common_late_s = {});
+
+/// Scatter of natural frequencies before it is known, by mode, relative.
+Eigen::VectorXd first_frequency_scatter(std::size_t modes);
+
+}  // namespace secular
