@@ -97,10 +97,13 @@ LineEvidence::LineEvidence(ConditionModel model, std::vector<Condition> conditio
   }
 }
 
-void LineEvidence::whiten(std::size_t condition, const VectorXd& unknowns, double coarse, Whitening& w) const {
+ConditionRows LineEvidence::whiten(std::size_t condition, const VectorXd& unknowns, double coarse,
+                                   Whitening& w) const {
   const Condition& c = conditions_[condition];
   w.motion = model_.rows(c, unknowns, w.motion.converged ? &w.motion : nullptr).motion;
-  MatrixXd covariance = model_.covariance(c, unknowns, w.motion.converged ? &w.motion : nullptr);
+  // From a motion that is lost none is looked for here.
+  ConditionRows here = model_.rows(c, unknowns, w.motion.converged ? &w.motion : nullptr);
+  MatrixXd covariance = model_.covariance(c, unknowns, here);
   for (std::size_t m = 0; m < c.masters.size(); ++m) {
     const double inertia = std::norm(c.line_rate(c.masters[m].line));
     covariance.diagonal().segment<2>(static_cast<Index>(2 * m)).array() += coarse * inertia * coarse * inertia;
@@ -112,7 +115,7 @@ void LineEvidence::whiten(std::size_t condition, const VectorXd& unknowns, doubl
   // Numbers so far off that no motion is found: errors stay what they were; without any, every row counts alike
   // until the numbers are nearer.
   if (!covariance.allFinite()) {
-    if (!first) return;
+    if (!first) return here;
     covariance.setIdentity();
   }
   // A row of a channel has at least its line's error of its own, unless the amplitudes were taken from it.
@@ -148,9 +151,11 @@ void LineEvidence::whiten(std::size_t condition, const VectorXd& unknowns, doubl
   w.kept = order;
   const auto n = static_cast<Index>(order.size());
   w.inverse_root = root.topLeftCorner(n, n).triangularView<Eigen::Lower>().solve(MatrixXd::Identity(n, n));
+  return here;
 }
 
-bool LineEvidence::took_more_lines(std::size_t condition, const VectorXd& unknowns, Whitening& w) {
+bool LineEvidence::took_more_lines(std::size_t condition, const VectorXd& unknowns, const ConditionRows& few,
+                                   Whitening& w) {
   Condition& c = conditions_[condition];
   const Index highest = c.torus->lines() - 1;
   if (c.torus->dimensions() != 1 || 2 * highest * points_of_a_line > c.torus->points() || !w.motion.converged)
@@ -159,7 +164,7 @@ bool LineEvidence::took_more_lines(std::size_t condition, const VectorXd& unknow
   finer.torus = std::make_shared<const Torus>(1, static_cast<int>(2 * highest), c.torus->points());
   Motion start = w.motion;
   start.displacement.conservativeResizeLike(MatrixXcd::Zero(start.displacement.rows(), finer.torus->lines()));
-  const ConditionRows few = model_.rows(c, unknowns, &w.motion), more = model_.rows(finer, unknowns, &start);
+  const ConditionRows more = model_.rows(finer, unknowns, &start);
   const VectorXd moved = w.inverse_root * (more.values - few.values)(w.kept);
   if (!moved.allFinite() || !(moved.cwiseAbs().maxCoeff() > unseen)) return false;
   c = std::move(finer);
@@ -169,8 +174,11 @@ bool LineEvidence::took_more_lines(std::size_t condition, const VectorXd& unknow
 
 void LineEvidence::freeze(const VectorXd& unknowns, double coarse) {
   in_parallel(conditions_.size(), threads_, [&](std::size_t i) {
-    do whiten(i, unknowns, coarse, whitening_[i]);
-    while (coarse == 0 && took_more_lines(i, unknowns, whitening_[i]));
+    Whitening& w = whitening_[i];
+    while (true) {
+      const ConditionRows few = whiten(i, unknowns, coarse, w);
+      if (coarse > 0 || !took_more_lines(i, unknowns, few, w)) break;
+    }
   });
 }
 

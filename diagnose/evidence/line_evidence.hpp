@@ -30,10 +30,14 @@ class LineEvidence : public Evidence {
     Eigen::MatrixXd inverse_root;  // kept x kept, lower triangle
     Motion motion;
   };
-  /// Whether a motion of twice as many lines moves a row by more than a tenth of its standard deviation; it has
-  /// them from then on (docs/inference.md, Lines of a motion).
-  bool took_more_lines(std::size_t condition, const Eigen::VectorXd& unknowns, Whitening& whitening);
-  void whiten(std::size_t condition, const Eigen::VectorXd& unknowns, double coarse, Whitening& whitening) const;
+  /// Returns the rows as they are, not yet whitened.
+  ConditionRows whiten(std::size_t condition, const Eigen::VectorXd& unknowns, double coarse,
+                       Whitening& whitening) const;
+  /// Whether a motion of twice as many lines moves a row of `few`, which whiten() has found with those that it has,
+  /// by more than a tenth of its standard deviation; it has them from then on (docs/inference.md, Lines of a
+  /// motion).
+  bool took_more_lines(std::size_t condition, const Eigen::VectorXd& unknowns, const ConditionRows& few,
+                       Whitening& whitening);
 
   ConditionModel model_;
   std::vector<Condition> conditions_;
