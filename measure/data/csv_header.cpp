@@ -225,8 +225,10 @@ std::optional<CsvDialect> stated_dialect(std::string_view line, const std::strin
   if (line.size() != 5 || !(line.starts_with("sep=") || line.starts_with("SEP="))) return std::nullopt;
   for (const CsvDialect& dialect : csv_dialects)
     if (dialect.separator == line.back()) return dialect;
+  std::string known;
+  for (const CsvDialect& dialect : csv_dialects) known += (known.empty() ? "" : ", ") + std::string(dialect.name);
   throw InputError(file, fmt::format("line {}", number), "states a separator that is not read",
-                   "a semicolon, a comma, a tabulator or a vertical bar");
+                   "one of these: " + known);
 }
 
 Beginning beginning_of(std::string_view text, char line_break, const std::string& file) {
