@@ -97,8 +97,8 @@ struct Effect {
   std::vector<EffectForm> forms = {};
   bool sign_known = false;  ///< can only oppose or give way: no negative strength
   ChannelFault fault = ChannelFault::none;
-  /// Effects that some data cannot tell from it, near one resonance for example, as far as rows before it and
-  /// `contains` do not say so (EffectCatalogue::look_alikes).
+  /// Effects that some data cannot tell from it, near one resonance for example, as far as neither their rows nor
+  /// `contains` say so (EffectCatalogue::look_alikes).
   std::vector<std::string> mistaken_for = {};
   /// Simpler effects that it becomes at an end, or a value, of its shape: where it explains no better than they do,
   /// they are named.
