@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "folder_rules.hpp"
 #include "tests/places.hpp"
