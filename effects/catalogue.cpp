@@ -23,22 +23,18 @@ std::vector<Effect> rows() {
   return {
       {.name = "viscous_damping",
        .component = Component::dissipative,
-       .forms = {{.parameters = "mu1", .term = "-2*{0}*D({v})"}},
-       .mistaken_for = {"power_damping", "relaxation"}},
+       .forms = {{.parameters = "mu1", .term = "-2*{0}*D({v})"}}},
       {.name = "quadratic_damping",
        .component = Component::dissipative,
        .forms = {{.parameters = "mu2", .term = "-{0}*abs(D({v}))*D({v})", .degree = 2, .order = Order::last}},
-       .sign_known = true,
-       .mistaken_for = {"power_damping"}},
+       .sign_known = true},
       {.name = "cubic_damping",
        .component = Component::dissipative,
-       .forms = {{.parameters = "mu3", .term = "-{0}*D({v})^3", .degree = 3}},
-       .mistaken_for = {"amplitude_dependent_damping", "power_damping"}},
+       .forms = {{.parameters = "mu3", .term = "-{0}*D({v})^3", .degree = 3}}},
       {.name = "coulomb_friction",
        .component = Component::dissipative,
        .forms = {{.parameters = "fc", .term = "-{0}*sgn(D({v}))", .order = Order::last}},
-       .sign_known = true,
-       .mistaken_for = {"hysteresis", "stribeck_friction", "power_damping"}},
+       .sign_known = true},
       // What friction at rest is more than at speeds far beyond v0, as a share of the latter: one or less
       // (Armstrong-Helouvry, Dupont and Canudas de Wit 1994). Far more is a knock at every reversal.
       {.name = "stribeck_friction",
@@ -49,7 +45,6 @@ std::vector<Effect> rows() {
                   .law = force_law::decay_with_speed,
                   .shapes = {{Shape::Kind::share, most_excess_at_rest}, {Shape::Kind::speed}}}},
        .sign_known = true,
-       .mistaken_for = {"coulomb_friction"},
        .contains = {"coulomb_friction"}},
       {.name = "power_damping",
        .component = Component::dissipative,
@@ -59,7 +54,6 @@ std::vector<Effect> rows() {
                   .law = force_law::velocity_power,
                   .shapes = {{Shape::Kind::exponent, 4}}}},
        .sign_known = true,
-       .mistaken_for = {"viscous_damping", "quadratic_damping", "cubic_damping", "coulomb_friction"},
        .contains = {"viscous_damping", "quadratic_damping", "cubic_damping", "coulomb_friction"}},
       {.name = "amplitude_dependent_damping",
        .component = Component::dissipative,
@@ -67,27 +61,23 @@ std::vector<Effect> rows() {
        .mistaken_for = {"cubic_damping"}},
       {.name = "quadratic_stiffness",
        .component = Component::conservative,
-       .forms = {{.parameters = "alpha2", .term = "-{0}*{v}^2", .degree = 2, .order = Order::first}},
-       .mistaken_for = {"quadratic_inertia"}},
+       .forms = {{.parameters = "alpha2", .term = "-{0}*{v}^2", .degree = 2, .order = Order::first}}},
       {.name = "cubic_stiffness",
        .component = Component::conservative,
-       .forms = {{.parameters = "alpha3", .term = "-{0}*{v}^3", .degree = 3}},
-       .mistaken_for = {"cubic_inertia", "saturating_stiffness", "two_sided_stop"}},
+       .forms = {{.parameters = "alpha3", .term = "-{0}*{v}^3", .degree = 3}}},
       {.name = "quintic_stiffness",
        .component = Component::conservative,
        .forms = {{.parameters = "alpha5", .term = "-{0}*{v}^5", .degree = 5}}},
       {.name = "bilinear_stiffness",
        .component = Component::conservative,
-       .forms = {{.parameters = "kb", .term = "-{0}*max({v}, 0)", .order = Order::last}},
-       .mistaken_for = {"one_sided_stop"}},
+       .forms = {{.parameters = "kb", .term = "-{0}*max({v}, 0)", .order = Order::last}}},
       // The stiffness kf that is lost within the gap: kf*(v - max(v - gap, 0) - min(v + gap, 0)).
       {.name = "freeplay",
        .component = Component::conservative,
        .forms = {{.parameters = "kf gap",
                   .term = "+{0}/2*(abs({v} + {1}) - abs({v} - {1}))",
                   .order = Order::last}},
-       .sign_known = true,
-       .mistaken_for = {"two_sided_stop"}},
+       .sign_known = true},
       // A contact behind a clearance, on the one side or on the other: a shape's sign is the campaign's choice.
       {.name = "one_sided_stop",
        .component = Component::conservative,
@@ -100,7 +90,6 @@ std::vector<Effect> rows() {
                   .order = Order::last,
                   .shapes = {{Shape::Kind::gap}}}},
        .sign_known = true,
-       .mistaken_for = {"bilinear_stiffness"},
        .contains = {"bilinear_stiffness"}},
       // Freeplay in a structure whose stiffness is that within the gap.
       {.name = "two_sided_stop",
@@ -120,7 +109,6 @@ std::vector<Effect> rows() {
                   .law = force_law::saturation,
                   .shapes = {{Shape::Kind::level}}}},
        .sign_known = true,
-       .mistaken_for = {"cubic_stiffness"},
        .contains = {"cubic_stiffness"}},
       {.name = "quadratic_inertia",
        .component = Component::conservative,
@@ -133,8 +121,8 @@ std::vector<Effect> rows() {
        .component = Component::conservative,
        .forms = {{.parameters = "delta3", .term = "-{0}*({v}^2*D2({v}) + {v}*D({v})^2)", .degree = 3}},
        .mistaken_for = {"cubic_stiffness"}},
-      // A joint that slips at once, little by little, and ever more the further it is loaded. Where it gives way far
-      // below the motion, dry friction of as much force.
+      // A joint that slips at once, little by little, and ever more the further it is loaded. Where it gives way
+      // far below the motion, dry friction of as much force.
       {.name = "hysteresis",
        .component = Component::dissipative,
        .forms = {{.parameters = "kh slip", .term = "-{0}*{s}", .order = Order::outside, .law = force_law::slider},
@@ -147,7 +135,6 @@ std::vector<Effect> rows() {
                   .order = Order::outside,
                   .law = force_law::smooth_slider}},
        .sign_known = true,
-       .mistaken_for = {"coulomb_friction", "relaxation"},
        .contains = {"coulomb_friction"}},
       // A spring and a damper in series: at one frequency viscous damping and a stiffness.
       {.name = "relaxation",
@@ -158,7 +145,7 @@ std::vector<Effect> rows() {
                   .law = force_law::relaxation,
                   .shapes = {{Shape::Kind::time}}}},
        .sign_known = true,
-       .mistaken_for = {"viscous_damping", "hysteresis"},
+       .mistaken_for = {"hysteresis"},
        .contains = {"viscous_damping"}},
       {.name = "direct_excitation",
        .component = Component::direct_excitation,
@@ -182,8 +169,7 @@ std::vector<Effect> rows() {
                   .term = "-2*{0}*{v}*{u}",
                   .other_term = "-{0}*{v}^2",
                   .degree = 2,
-                  .order = Order::first}},
-       .mistaken_for = {"inertia_coupling"}},
+                  .order = Order::first}}},
       {.name = "cubic_coupling",
        .component = Component::coupling,
        .forms = {{.parameters = "c22",
@@ -215,10 +201,7 @@ std::vector<Effect> rows() {
                   .other_term = "+{0}*{v}*{F}",
                   .order = Order::unless_resonant,
                   .symmetric = true}}},
-      {.name = "extra_mode",
-       .component = Component::direct_excitation,
-       .kind = Kind::extra_mode,
-       .mistaken_for = {"sensor_cross_axis"}},
+      {.name = "extra_mode", .component = Component::direct_excitation, .kind = Kind::extra_mode},
       // omega = omega0*(1 + drift*t): omega^2 grows by 2*omega0^2*drift*t.
       {.name = "natural_frequency_drift",
        .component = Component::conservative,
@@ -227,10 +210,7 @@ std::vector<Effect> rows() {
                   .order = Order::outside,
                   .law = force_law::time}}},
       {.name = "shaker_harmonics", .component = Component::direct_excitation, .kind = Kind::shaker_harmonics},
-      {.name = "sensor_gain",
-       .kind = Kind::channel_fault,
-       .fault = ChannelFault::gain,
-       .mistaken_for = {"mode_shape_error", "parameters"}},
+      {.name = "sensor_gain", .kind = Kind::channel_fault, .fault = ChannelFault::gain},
       {.name = "sensor_offset", .kind = Kind::channel_fault, .fault = ChannelFault::offset},
       {.name = "sensor_cross_axis",
        .kind = Kind::channel_fault,
@@ -334,6 +314,20 @@ const Effect* EffectCatalogue::find(Effect::Kind kind) const {
 
 const Effect* EffectCatalogue::find(ChannelFault fault) const {
   return first(effects, [&](const Effect& effect) { return effect.fault == fault; });
+}
+
+std::vector<std::string> EffectCatalogue::look_alikes(std::string_view name) const {
+  const auto names_it = [](const Effect& effect, std::string_view other) {
+    const auto holds = [other](const std::vector<std::string>& list) {
+      return std::find(list.begin(), list.end(), other) != list.end();
+    };
+    return holds(effect.mistaken_for) || holds(effect.contains);
+  };
+  const Effect* effect = find(name);
+  std::vector<std::string> alike;
+  for (const Effect& other : effects)
+    if (names_it(other, name) || (effect && names_it(*effect, other.name))) alike.push_back(other.name);
+  return alike;
 }
 
 const EffectForm* EffectCatalogue::find_form(std::string_view name, std::size_t form) const {

@@ -97,7 +97,8 @@ struct Effect {
   std::vector<EffectForm> forms = {};
   bool sign_known = false;  ///< can only oppose or give way: no negative strength
   ChannelFault fault = ChannelFault::none;
-  /// Effects that some data cannot tell from it: near one resonance, or in a limit of its shape.
+  /// Effects that some data cannot tell from it, near one resonance for example, as far as neither their rows nor
+  /// `contains` say so (EffectCatalogue::look_alikes).
   std::vector<std::string> mistaken_for = {};
   /// Simpler effects that it becomes at an end, or a value, of its shape: where it explains no better than they do,
   /// they are named.
@@ -116,6 +117,8 @@ struct EffectCatalogue {
   const Effect* find(std::string_view name) const;
   const Effect* find(Effect::Kind kind) const;
   const Effect* find(ChannelFault fault) const;
+  /// Effects that some data cannot tell from it: one of the two rows says so. In the catalogue's order.
+  std::vector<std::string> look_alikes(std::string_view name) const;
   const EffectForm* find_form(std::string_view name, std::size_t form) const;
 };
 

@@ -51,6 +51,13 @@ std::string verdict_text(const Diagnosis& d) {
   return "unknown";
 }
 
+// Of a single cause: what other data would not tell from it.
+std::string look_alikes(const Diagnosis& d) {
+  const std::vector<std::string> alike = effect_catalogue().look_alikes(d.cause);
+  if (d.together.size() > 1 || alike.empty()) return "";
+  return " (Other campaigns may not tell it from " + joined(alike, " or ") + ".)";
+}
+
 std::string sentence(const Diagnosis& d) {
   if (d.verdict == "no_gap")
     return "What was measured is what the model does, with " +
@@ -63,7 +70,7 @@ std::string sentence(const Diagnosis& d) {
            (d.second_or.empty()
                 ? ""
                 : " (instead of the second, " + joined(d.second_or, " or ") + " would do as well)") +
-           "; no other effect of the catalogue explains this campaign as well.";
+           "; no other effect of the catalogue explains this campaign as well." + look_alikes(d);
   if (d.verdict == "set")
     return "The gap is explained by one of " + joined(d.set, " or ") +
            ". This campaign cannot say which: they change what was measured in the same way.";

@@ -16,7 +16,6 @@
 #include "app/shared/parameter_file.hpp"
 #include "app/shared/record_assignment.hpp"
 #include "app/shared/record_selection.hpp"
-#include "diagnose/thresholds.hpp"
 #include "diagnose/verdict/model_alone.hpp"
 #include "input/input_error.hpp"
 #include "measure/disturbances/catalogue.hpp"
@@ -275,7 +274,7 @@ class StepByStep {
 
   Diagnosis run() {
     const ModelAlone plain = alone({});
-    if (!plain.misses()) return diagnosed({});
+    if (!is_more_than_noise(plain.left)) return diagnosed({});
     of_decays_ = find_decay_scatter(request_);
     std::vector<Allowance> all = allowances(plain);
     std::stable_sort(all.begin(), all.end(), [](const Allowance& a, const Allowance& b) {
@@ -319,7 +318,7 @@ class StepByStep {
     // Frequencies of late records follow the settings as their phases do, until they are in step.
     ModelAlone both = alone({true, first_frequency_scatter(tried_.model->modes())});
     take_decays(both.scatter);
-    if (at_random(both.scatter) && both.late.comes_at_random() && needs_lateness(scatter, both))
+    if (at_random(both.scatter) && both.late.comes_at_random() && lateness_takes_more_than_chance(scatter, both))
       all.push_back({true, admitted(both.scatter), Allowance::both, both.dispersion()});
     return all;
   }
@@ -344,17 +343,10 @@ class StepByStep {
 
   // Not where one time of all does as well, which is a cause, channel_skew, and no disturbance.
   bool are_late(const ModelAlone& late, const ModelAlone& plain) {
-    if (late.late.records.size() < 2 || !needs_lateness(plain, late)) return false;
+    if (late.late.records.size() < 2 || !lateness_takes_more_than_chance(plain, late)) return false;
     std::vector<double> late_s;
     for (const OwnLateness& record : late.late.records) late_s.push_back(record.late_s);
-    return needs_lateness(alone({}, upper_median(std::move(late_s))), late);
-  }
-
-  // Whether lateness of each record's own takes more than chance of what is left without.
-  static bool needs_lateness(const ModelAlone& without, const ModelAlone& with) {
-    const double taken = (without.chi_squared - with.chi_squared) / std::max(1.0, with.dispersion());
-    return chi_squared_upper_tail(std::max(0.0, taken), static_cast<double>(with.late.records.size())) <
-           diagnose_thresholds().scatter_alarm;
+    return lateness_takes_more_than_chance(alone({}, upper_median(std::move(late_s))), late);
   }
 
   // Keeps what accounts for most of the gap, of two that do as much the one that leaves less; whether it accounts

@@ -108,13 +108,12 @@ std::vector<RowMeaning> ConditionModel::meanings(const Condition& condition) con
 }
 
 MatrixXd ConditionModel::covariance(const Condition& condition, const VectorXd& unknowns,
-                                    const Motion* start) const {
-  const ConditionRows base = rows(condition, unknowns, start);
-  MatrixXd covariance = MatrixXd::Zero(base.values.size(), base.values.size());
+                                    const ConditionRows& here) const {
+  MatrixXd covariance = MatrixXd::Zero(here.values.size(), here.values.size());
   Condition moved = condition;
   const auto add = [&](double sd) {
     if (!(sd > 0)) return;
-    const VectorXd difference = rows(moved, unknowns, &base.motion).values - base.values;
+    const VectorXd difference = rows(moved, unknowns, &here.motion).values - here.values;
     covariance += difference * difference.transpose();
   };
   const auto vary = [&](Complex& value, double sd, bool real) {

@@ -56,10 +56,10 @@ class ConditionModel {
   ConditionForecast forecast(const Condition& condition, const Eigen::VectorXcd& amplitudes,
                              const Eigen::VectorXd& unknowns, const Motion* start) const;
 
-  /// Covariance of the rows from the errors of everything measured in the condition, by differences at `unknowns`.
-  /// Not finite where no motion is found there.
+  /// Covariance of the rows from the errors of everything measured in the condition, by differences at `unknowns`
+  /// about `here`, the rows there. Not finite where no motion is found.
   Eigen::MatrixXd covariance(const Condition& condition, const Eigen::VectorXd& unknowns,
-                             const Motion* start) const;
+                             const ConditionRows& here) const;
 
   const SensorModel& sensors() const { return sensors_; }
   const MotionBalance& balance() const { return balance_; }

@@ -12,7 +12,7 @@ constexpr int places = 16;
 
 /// Of the distance of two places, 2^-9/4 (Boost's Brent): 3e-5 of a period. What is left is linear.
 constexpr int bits = 10;
-constexpr std::uintmax_t most_steps = 20;
+constexpr std::uintmax_t most_narrowings = 20;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ double likeliest_delay(const std::function<double(double)>& misfit, double here,
     best = delay;
     least = value;
   }
-  std::uintmax_t steps = most_steps;
+  std::uintmax_t steps = most_narrowings;
   const auto [offset, value] = boost::math::tools::brent_find_minima(
       [&](double part) { return misfit(best + part * reach); }, -1.0, 1.0, bits, steps);
   return best + offset * reach;

@@ -98,9 +98,12 @@ LineEvidence::LineEvidence(ConditionModel model, std::vector<Condition> conditio
   }
 }
 
-void LineEvidence::whiten(const Condition& c, const VectorXd& unknowns, double coarse, Whitening& w) const {
+ConditionRows LineEvidence::whiten(const Condition& c, const VectorXd& unknowns, double coarse,
+                                   Whitening& w) const {
   w.motion = model_.rows(c, unknowns, w.motion.converged ? &w.motion : nullptr).motion;
-  MatrixXd covariance = model_.covariance(c, unknowns, w.motion.converged ? &w.motion : nullptr);
+  // From a motion that is lost none is looked for here.
+  ConditionRows here = model_.rows(c, unknowns, w.motion.converged ? &w.motion : nullptr);
+  MatrixXd covariance = model_.covariance(c, unknowns, here);
   for (std::size_t m = 0; m < c.masters.size(); ++m) {
     const double inertia = std::norm(c.line_rate(c.masters[m].line));
     covariance.diagonal().segment<2>(static_cast<Index>(2 * m)).array() += coarse * inertia * coarse * inertia;
@@ -112,7 +115,7 @@ void LineEvidence::whiten(const Condition& c, const VectorXd& unknowns, double c
   // Numbers so far off that no motion is found: errors stay what they were; without any, every row counts alike
   // until the numbers are nearer.
   if (!covariance.allFinite()) {
-    if (!first) return;
+    if (!first) return here;
     covariance.setIdentity();
   }
   // A row of a channel has at least its line's error of its own, unless the amplitudes were taken from it.
@@ -148,9 +151,11 @@ void LineEvidence::whiten(const Condition& c, const VectorXd& unknowns, double c
   w.kept = order;
   const auto n = static_cast<Index>(order.size());
   w.inverse_root = root.topLeftCorner(n, n).triangularView<Eigen::Lower>().solve(MatrixXd::Identity(n, n));
+  return here;
 }
 
-bool LineEvidence::took_more_lines(std::size_t condition, const VectorXd& unknowns, Whitening& w) {
+bool LineEvidence::took_more_lines(std::size_t condition, const VectorXd& unknowns, const ConditionRows& few,
+                                   Whitening& w) {
   Condition& c = conditions_[condition];
   const Index highest = c.torus->lines() - 1;
   if (c.torus->dimensions() != 1 || 2 * highest * points_of_a_line > c.torus->points() || !w.motion.converged)
@@ -159,7 +164,7 @@ bool LineEvidence::took_more_lines(std::size_t condition, const VectorXd& unknow
   finer.torus = std::make_shared<const Torus>(1, static_cast<int>(2 * highest), c.torus->points());
   Motion start = w.motion;
   start.displacement.conservativeResizeLike(MatrixXcd::Zero(start.displacement.rows(), finer.torus->lines()));
-  const ConditionRows few = model_.rows(c, unknowns, &w.motion), more = model_.rows(finer, unknowns, &start);
+  const ConditionRows more = model_.rows(finer, unknowns, &start);
   const VectorXd moved = w.inverse_root * (more.values - few.values)(w.kept);
   if (!moved.allFinite() || !(moved.cwiseAbs().maxCoeff() > unseen)) return false;
   c = std::move(finer);
@@ -169,8 +174,11 @@ bool LineEvidence::took_more_lines(std::size_t condition, const VectorXd& unknow
 
 void LineEvidence::freeze(const VectorXd& unknowns, double coarse) {
   in_parallel(conditions_.size(), threads_, [&](std::size_t i) {
-    do whiten(conditions_[i], unknowns, coarse, whitening_[i]);
-    while (coarse == 0 && took_more_lines(i, unknowns, whitening_[i]));
+    Whitening& w = whitening_[i];
+    while (true) {
+      const ConditionRows few = whiten(conditions_[i], unknowns, coarse, w);
+      if (coarse > 0 || !took_more_lines(i, unknowns, few, w)) break;
+    }
   });
 }
 
@@ -182,9 +190,8 @@ void LineEvidence::approach(const VectorXd& unknowns) {
   }
 }
 
-// Rows of one condition; not finite where there is no motion.
-VectorXd LineEvidence::whitened(const Condition& c, const VectorXd& unknowns, const Whitening& w) const {
-  const ConditionRows raw = model_.rows(c, unknowns, w.motion.converged ? &w.motion : nullptr);
+// Of unit variance; not finite where there is no motion.
+VectorXd LineEvidence::whitened(const ConditionRows& raw, const Whitening& w) {
   VectorXd kept(static_cast<Index>(w.kept.size()));
   for (Index r = 0; r < kept.size(); ++r) kept(r) = raw.values(w.kept[static_cast<std::size_t>(r)]);
   if (kept.allFinite()) kept = w.inverse_root * kept;
@@ -200,7 +207,8 @@ void LineEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows)
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
     const Whitening& w = whitening_[i];
     const auto count = static_cast<Index>(w.kept.size());
-    const VectorXd own = whitened(conditions_[i], unknowns, w);
+    const VectorXd own =
+        whitened(model_.rows(conditions_[i], unknowns, w.motion.converged ? &w.motion : nullptr), w);
     if (own.allFinite())
       rows.segment(first, count) = own;
     else
@@ -266,8 +274,8 @@ double LineEvidence::misfit_if_late(const std::vector<std::size_t>& conditions, 
     Condition c = conditions_[i];
     c.count_as_late(seconds);
     Whitening w = whitening_[i];
-    whiten(c, unknowns, coarse, w);
-    misfit += whitened(c, unknowns, w).squaredNorm() - 2 * w.inverse_root.diagonal().array().log().sum();
+    const ConditionRows rows = whiten(c, unknowns, coarse, w);
+    misfit += whitened(rows, w).squaredNorm() - 2 * w.inverse_root.diagonal().array().log().sum();
   }
   return std::isfinite(misfit) ? misfit : std::numeric_limits<double>::infinity();
 }

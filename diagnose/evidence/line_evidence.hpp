@@ -31,13 +31,15 @@ class LineEvidence : public Evidence {
     Eigen::MatrixXd inverse_root;  // kept x kept, lower triangle
     Motion motion;
   };
-  /// Whether a motion of twice as many lines moves a row by more than a tenth of its standard deviation; it has
-  /// them from then on (docs/inference.md, Lines of a motion).
-  bool took_more_lines(std::size_t condition, const Eigen::VectorXd& unknowns, Whitening& whitening);
-  void whiten(const Condition& condition, const Eigen::VectorXd& unknowns, double coarse,
-              Whitening& whitening) const;
-  Eigen::VectorXd whitened(const Condition& condition, const Eigen::VectorXd& unknowns,
-                           const Whitening& whitening) const;
+  /// Returns the rows as they are, not yet whitened.
+  ConditionRows whiten(const Condition& condition, const Eigen::VectorXd& unknowns, double coarse,
+                       Whitening& whitening) const;
+  /// Whether a motion of twice as many lines moves a row of `few`, which whiten() has found with those that it has,
+  /// by more than a tenth of its standard deviation; it has them from then on (docs/inference.md, Lines of a
+  /// motion).
+  bool took_more_lines(std::size_t condition, const Eigen::VectorXd& unknowns, const ConditionRows& few,
+                       Whitening& whitening);
+  static Eigen::VectorXd whitened(const ConditionRows& rows, const Whitening& whitening);
   double misfit_if_late(const std::vector<std::size_t>& conditions, const Eigen::VectorXd& unknowns, double coarse,
                         double seconds) const;
 

@@ -14,7 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// That lateness differs by chance.
-constexpr auto& scatter_alarm = diagnose_thresholds().scatter_alarm;
+constexpr auto& lateness_alarm = diagnose_thresholds().scatter_alarm;
 
 /// Of lateness beside its functions: the F law (5 %) with six of these sees what makes 0.6 of the variance.
 constexpr Index plain_freedom = 12;
@@ -38,7 +38,7 @@ LateRecords lateness_about(const Discrepancy& discrepancy) {
     of_records.push_back(settings(own));
   }
   const Between between = between_records(late_s, variance, MatrixXd::Ones(late_s.size(), 1));
-  result.differ = between.p_value < scatter_alarm;
+  result.differ = between.p_value < lateness_alarm;
   const MatrixXd functions = independent_functions(of_records);
   result.plain = late_s.size() - functions.cols() >= plain_freedom;
   const Following following = follows_settings(late_s, functions);

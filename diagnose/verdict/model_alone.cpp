@@ -1,5 +1,7 @@
 #include "diagnose/verdict/model_alone.hpp"
 
+#include <algorithm>
+
 #include "diagnose/thresholds.hpp"
 #include "diagnose/verdict/comparison.hpp"
 #include "numerics/distribution.hpp"
@@ -14,10 +16,6 @@ constexpr auto& first_scatter = diagnose_thresholds().first_scatter;
 
 }  // namespace
 
-bool ModelAlone::misses() const {
-  return chi_squared_upper_tail(chi_squared, freedom) < diagnose_thresholds().gap_alarm;
-}
-
 ModelAlone fit_alone(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
                      const std::vector<std::size_t>& own, const DiagnosisOptions& options,
                      std::optional<double> common_late_s) {
@@ -31,9 +29,15 @@ ModelAlone fit_alone(const Campaign& campaign, const RecordReader& read, const C
   InferenceOptions inference_options;
   inference_options.threads = options.threads;
   const Inference alone = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
-  return {alone.null.fit.chi_squared, alone.degrees_of_freedom,
+  return {{alone.null.fit.chi_squared, alone.degrees_of_freedom},
           scatter_about(comparison.discrepancy, alone.null.fit.unknowns, model.modes()),
           lateness_about(comparison.discrepancy)};
+}
+
+bool lateness_takes_more_than_chance(const ModelAlone& without, const ModelAlone& with) {
+  const double taken = (without.left.chi_squared - with.left.chi_squared) / std::max(1.0, with.dispersion());
+  const auto records = static_cast<double>(with.late.records.size());
+  return chi_squared_upper_tail(std::max(0.0, taken), records) < diagnose_thresholds().scatter_alarm;
 }
 
 Eigen::VectorXd first_frequency_scatter(std::size_t modes) {

@@ -4,6 +4,7 @@
 
 #include "diagnose/verdict/diagnosis_options.hpp"
 #include "diagnose/verdict/frequency_scatter.hpp"
+#include "diagnose/verdict/gap_detection.hpp"
 #include "diagnose/verdict/late_records.hpp"
 #include "measure/data/campaign.hpp"
 
@@ -11,13 +12,11 @@ namespace secular {
 
 /// What the model as it is leaves of a campaign, beside what its records are allowed to have of their own.
 struct ModelAlone {
-  double chi_squared = 0, freedom = 0;
+  RowsLeft left;
   FrequencyScatter scatter;  ///< where the options admit it
   LateRecords late;          ///< where the options admit it
 
-  /// Whether it leaves more than noise does in 3 of 1000 campaigns.
-  bool misses() const;
-  double dispersion() const { return chi_squared / freedom; }
+  double dispersion() const { return left.chi_squared / left.freedom; }
 };
 
 /// Takes a small part of the time of a diagnosis. `model`, `own`: as of diagnose(). `common_late_s`: with all
@@ -25,6 +24,9 @@ struct ModelAlone {
 ModelAlone fit_alone(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
                      const std::vector<std::size_t>& own, const DiagnosisOptions& options,
                      std::optional<double> common_late_s = {});
+
+/// Whether lateness of each record's own takes more than chance does of what is left without it.
+bool lateness_takes_more_than_chance(const ModelAlone& without, const ModelAlone& with);
 
 /// Scatter of natural frequencies before it is known, by mode, relative.
 Eigen::VectorXd first_frequency_scatter(std::size_t modes);

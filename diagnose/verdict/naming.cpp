@@ -1,13 +1,10 @@
 #include "diagnose/verdict/naming.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <stdexcept>
-#include <utility>
 
 #include "diagnose/thresholds.hpp"
-#include "diagnose/verdict/next_experiment.hpp"
-#include "diagnose/verdict/ties.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -16,20 +13,13 @@ namespace {
 /// Explanations that are expected to differ by less than this in chi-squared cannot be told apart.
 constexpr auto& separable = diagnose_thresholds().separable;
 
-/// Others stay in the set down to this share of the best one's probability.
-constexpr auto& credible_odds = diagnose_thresholds().told_apart;
+/// Predicting what was held out takes longer than all else that is said of a rival.
+constexpr int most_neighbours = 6;
 
 using Names = std::vector<std::string>;
 
 bool holds(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-// Among explanations: few unknowns, then early in the catalogue.
-std::pair<std::size_t, std::vector<std::size_t>> place_of(const Rival& rival) {
-  std::vector<std::size_t> members = rival.explanation->members;
-  std::sort(members.begin(), members.end());
-  return {rival.explanation->unknowns, std::move(members)};
 }
 
 // Of two effects together the one that alone explains more.
@@ -57,32 +47,25 @@ bool is_its_limit(const Rival& rival, const Rival& best, double dispersion) {
   return more > 0 && chi_squared_upper_tail(std::max(0.0, gain), more) > diagnose_thresholds().told_apart;
 }
 
-}  // namespace
-
-std::vector<std::string> only_in(const std::vector<std::string>& a, const std::vector<std::string>& b) {
-  Names only;
-  for (const std::string& name : a)
-    if (!holds(b, name)) only.push_back(name);
-  return only;
+// What a rival has in the place of one of the best one's effects, all others being the same.
+struct Exchange {
+  std::string instead, of;
+};
+std::optional<Exchange> exchange(const Rival& rival, const Rival& best) {
+  const Names instead = only_in(rival.effects, best.effects), of = only_in(best.effects, rival.effects);
+  if (rival.effects.size() != best.effects.size() || instead.size() != 1 || of.size() != 1) return std::nullopt;
+  return Exchange{instead.front(), of.front()};
 }
+
+// Where an effect stands that could be in the place of `of`.
+Names& list_beside(const std::string& of, Naming& naming) {
+  return of == naming.set.front() ? naming.set : naming.second_or;
+}
+
+}  // namespace
 
 bool Naming::names(const std::string& effect) const {
   return holds(set, effect) || holds(together, effect);
-}
-
-void rank(std::vector<Rival>& rivals) {
-  std::stable_sort(rivals.begin(), rivals.end(),
-                   [](const Rival& a, const Rival& b) { return a.log_evidence > b.log_evidence; });
-  order_ties(
-      rivals, same_evidence, [](const Rival& r) { return r.log_evidence; },
-      [](const Rival& a, const Rival& b) { return place_of(a) < place_of(b); });
-  double sum = 0;
-  for (const Rival& r : rivals) sum += std::exp(r.log_evidence - rivals.front().log_evidence);
-  for (Rival& r : rivals) r.probability = std::exp(r.log_evidence - rivals.front().log_evidence) / sum;
-}
-
-bool is_credible(const Rival& rival, const Rival& best) {
-  return rival.probability > credible_odds * best.probability;
 }
 
 Naming name_effects(const std::vector<Rival>& rivals, const Inference& inference) {
@@ -123,12 +106,32 @@ void keep_limits(Naming& naming, const std::vector<Rival>& rivals, const EffectC
                  const StepIsShown& is_shown) {
   const Rival& best = rivals.front();
   for (const Rival& rival : rivals) {
-    const Names limit = only_in(rival.effects, best.effects), of = only_in(best.effects, rival.effects);
-    if (rival.effects.size() != best.effects.size() || limit.size() != 1 || of.size() != 1) continue;
-    const Effect* effect = catalogue.find(of.front());
-    Names& names = of.front() == naming.set.front() ? naming.set : naming.second_or;
-    if (!effect || !holds(effect->contains, limit.front()) || holds(names, limit.front())) continue;
-    if (!is_shown(*rival.explanation, *best.explanation)) names.push_back(limit.front());
+    const std::optional<Exchange> limit = exchange(rival, best);
+    if (!limit) continue;
+    const Effect* effect = catalogue.find(limit->of);
+    Names& names = list_beside(limit->of, naming);
+    if (!effect || !holds(effect->contains, limit->instead) || holds(names, limit->instead)) continue;
+    if (!is_shown(*rival.explanation, *best.explanation)) names.push_back(limit->instead);
+  }
+}
+
+void add_neighbours(Naming& naming, const std::vector<Rival>& rivals, const ClosedShare& closing,
+                    const LeftBy& left_by) {
+  const Rival& best = rivals.front();
+  int tried = 0;
+  for (const Rival& rival : rivals) {
+    const std::optional<Exchange> neighbour = exchange(rival, best);
+    if (!neighbour) continue;
+    Names& names = list_beside(neighbour->of, naming);
+    if (holds(names, neighbour->instead) || holds(rival.contains, neighbour->of)) continue;
+    const Names shared = only_in(best.effects, {neighbour->of});
+    const auto beside =
+        std::find_if(rivals.begin(), rivals.end(), [&](const Rival& r) { return r.effects == shared; });
+    if (!shared.empty() && beside == rivals.end()) continue;
+    if (tried++ == most_neighbours) return;
+    const double without = shared.empty() ? closing.before : left_by(*beside->explanation);
+    if (without - left_by(*rival.explanation) >= diagnose_thresholds().most_of_the_gap * (without - closing.after))
+      names.push_back(neighbour->instead);
   }
 }
 

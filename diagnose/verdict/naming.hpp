@@ -4,29 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/effects/candidate.hpp"
-#include "diagnose/inference/inference.hpp"
+#include "diagnose/inference/held_out.hpp"
+#include "diagnose/verdict/rivals.hpp"
+#include "effects/catalogue.hpp"
 
 namespace secular {
-
-/// An explanation that competes with others for the name of the cause.
-struct Rival {
-  const Explanation* explanation = nullptr;
-  double log_evidence = 0, probability = 0;
-  std::vector<std::string> effects;        ///< of its members, in their order
-  bool open_law = false;                   ///< holds a law outside of the catalogue
-  std::vector<std::string> contains = {};  ///< simpler effects that one of its members has as limits
-};
-
-/// Those of `a` that are not in `b`.
-std::vector<std::string> only_in(const std::vector<std::string>& a, const std::vector<std::string>& b);
-
-/// Gives rivals their probabilities and puts the likeliest first (of those that are the same but for what fits are
-/// good to, the one that comes first in the catalogue).
-void rank(std::vector<Rival>& rivals);
-
-/// Whether `rival` keeps a share of the best one's probability that nobody should overlook.
-bool is_credible(const Rival& rival, const Rival& best);
 
 /// What the best rival names, and what the data cannot tell from it.
 struct Naming {
@@ -49,5 +31,14 @@ using StepIsShown = std::function<bool(const Explanation& limit, const Explanati
 /// then.
 void keep_limits(Naming& naming, const std::vector<Rival>& rivals, const EffectCatalogue& catalogue,
                  const StepIsShown& is_shown);
+
+/// What an explanation leaves on conditions that were held out, as ClosedShare::after.
+using LeftBy = std::function<double(const Explanation&)>;
+
+/// Adds what acts as much like the best explanation, where that is not all: how much likelier it is than others
+/// rests on a model that does not hold then. An effect in the place of one of its own does if it closes nine tenths
+/// of what that one closes beside the other. `closing`: of the best rival.
+void add_neighbours(Naming& naming, const std::vector<Rival>& rivals, const ClosedShare& closing,
+                    const LeftBy& left_by);
 
 }  // namespace secular

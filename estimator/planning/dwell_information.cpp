@@ -19,7 +19,7 @@ bool is_used(const RegressorBlock& block) {
   return block.kind == BlockKind::modulation || block.order <= 1;
 }
 
-// Observed frequency of a mode: of the locked frame, plus the drift of a free phase.
+// Observed frequency of a mode: of the locked frame, plus the frequency shift of one whose phase is free.
 double observed_frequency(const CompiledModel& model, const CompiledCase& resonance, const VectorXd& parameters,
                           const DwellState& state, std::size_t mode) {
   const std::size_t modes = model.modes(), columns = modes + model.excitations.size();

@@ -47,6 +47,13 @@ std::vector<std::string_view> split_quoted(std::string_view line, char separator
   return fields;
 }
 
+// The same without empty fields at the end of the line, but those among the first `columns`.
+std::vector<std::string_view> split_row(std::string_view line, char separator, std::size_t columns) {
+  std::vector<std::string_view> fields = split_quoted(line, separator);
+  while (fields.size() > columns && fields.back().empty()) fields.pop_back();
+  return fields;
+}
+
 CsvDialect dialect_of(std::string_view header) {
   const auto stands_in = [header](const CsvDialect& dialect) {
     bool inside = false;
@@ -82,9 +89,7 @@ std::vector<std::string_view> names_in(std::string_view line, char separator) {
     }
     return names;
   }
-  std::vector<std::string_view> names = split_quoted(line, separator);
-  while (names.size() > 1 && names.back().empty()) names.pop_back();
-  return names;
+  return split_row(line, separator, 1);
 }
 
 bool are_names(const std::vector<std::string_view>& fields) {
@@ -122,8 +127,7 @@ struct Beginning {
     if (!are_names(names)) return false;
     for (const std::size_t row : {i + 1, i + 2}) {
       if (row >= lines.size()) return false;
-      std::vector<std::string_view> fields = split_quoted(lines[row].text, its.separator);
-      while (fields.size() > names.size() && fields.back().empty()) fields.pop_back();
+      const std::vector<std::string_view> fields = split_row(lines[row].text, its.separator, names.size());
       if (fields.size() != names.size()) return false;
       if (are_numbers(fields, its.decimal_comma)) return true;
     }
@@ -162,8 +166,7 @@ bool is_whole_number(std::string_view field) {
 
 // A row of numbers as the dialect parts it: empty where it is none.
 std::vector<std::string_view> number_row(std::string_view line, const CsvDialect& dialect) {
-  std::vector<std::string_view> fields = split_quoted(trimmed(line), dialect.separator);
-  while (fields.size() > 1 && fields.back().empty()) fields.pop_back();
+  const std::vector<std::string_view> fields = split_row(trimmed(line), dialect.separator, 1);
   const bool numbers = std::all_of(fields.begin(), fields.end(),
                                    [&](std::string_view field) { return is_number(field, dialect.decimal_comma); });
   return numbers ? fields : std::vector<std::string_view>();
@@ -222,8 +225,10 @@ std::optional<CsvDialect> stated_dialect(std::string_view line, const std::strin
   if (line.size() != 5 || !(line.starts_with("sep=") || line.starts_with("SEP="))) return std::nullopt;
   for (const CsvDialect& dialect : csv_dialects)
     if (dialect.separator == line.back()) return dialect;
+  std::string known;
+  for (const CsvDialect& dialect : csv_dialects) known += (known.empty() ? "" : ", ") + std::string(dialect.name);
   throw InputError(file, fmt::format("line {}", number), "states a separator that is not read",
-                   "a semicolon, a comma, a tabulator or a vertical bar");
+                   "one of these: " + known);
 }
 
 Beginning beginning_of(std::string_view text, char line_break, const std::string& file) {
@@ -252,8 +257,8 @@ Beginning beginning_of(std::string_view text, char line_break, const std::string
 void read_units(CsvHeader& header) {
   for (const std::string& name : header.names) header.units.push_back(bracketed_unit(name).unit);
   std::string_view rest = header.rows;
-  std::vector<std::string_view> fields = split_quoted(next_line(rest, header.line_break), header.dialect.separator);
-  while (fields.size() > header.names.size() && fields.back().empty()) fields.pop_back();
+  const std::vector<std::string_view> fields =
+      split_row(next_line(rest, header.line_break), header.dialect.separator, header.names.size());
   if (fields.size() != header.names.size()) return;
   bool known = false;
   for (const std::string_view field : fields) {

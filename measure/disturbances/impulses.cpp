@@ -14,7 +14,7 @@
 namespace secular {
 namespace {
 
-constexpr int most_rounds = 8;
+constexpr int most_spike_rounds = 8;
 
 // Of a hundred wrong samples one is not told from a corner of the motion.
 constexpr auto& not_told = measure_thresholds().spikes_not_told;
@@ -93,7 +93,7 @@ Impulses find_impulses(std::span<const double> samples, const ValueGrid& grid, c
   Impulses impulses;
   if (samples.size() < 4 * measure_thresholds().impulse_block) return impulses;
   std::vector<double> x(samples.begin(), samples.end());
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_spike_rounds; ++round) {
     const Roughness rough = roughness(x, grid.step.value_or(0));
     const std::vector<std::size_t> all = peaks(rough);
     std::vector<double> sizes, beside;

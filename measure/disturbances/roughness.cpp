@@ -10,7 +10,7 @@
 namespace secular {
 namespace {
 
-constexpr auto& block = measure_thresholds().impulse_block;
+constexpr auto& impulse_block = measure_thresholds().impulse_block;
 
 }  // namespace
 
@@ -20,9 +20,9 @@ Roughness roughness(std::span<const double> x, double step) {
   for (std::size_t i = 2; i + 2 < x.size(); ++i)
     result.off[i] = x[i] - (4 * (x[i - 1] + x[i + 1]) - x[i - 2] - x[i + 2]) / 6;
   std::vector<double> medians, size;
-  for (std::size_t begin = 2; begin + 2 < x.size(); begin += block) {
+  for (std::size_t begin = 2; begin + 2 < x.size(); begin += impulse_block) {
     size.clear();
-    for (std::size_t i = begin; i < std::min(x.size() - 2, begin + block); ++i)
+    for (std::size_t i = begin; i < std::min(x.size() - 2, begin + impulse_block); ++i)
       size.push_back(std::abs(result.off[i]));
     medians.push_back(upper_median(size));
   }
@@ -32,7 +32,7 @@ Roughness roughness(std::span<const double> x, double step) {
         std::max({medians[b == 0 ? 0 : b - 1], medians[b], medians[std::min(b + 1, medians.size() - 1)], rounding});
     if (!(scale > 0)) continue;
     result.blur = std::max(result.blur, rounding / scale);
-    for (std::size_t i = 2 + b * block; i < std::min(x.size() - 2, 2 + (b + 1) * block); ++i) {
+    for (std::size_t i = 2 + b * impulse_block; i < std::min(x.size() - 2, 2 + (b + 1) * impulse_block); ++i) {
       result.scales[i] = scale;
       result.relative[i] = std::abs(result.off[i]) / scale;
     }

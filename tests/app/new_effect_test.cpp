@@ -193,18 +193,29 @@ TEST(Catalogue, HoldsOnlyRowsThatTheProgramCanFollow) {
       EXPECT_EQ(form.term.find("{s}") != std::string::npos, form.law.kind != ForceLaw::Kind::none) << effect.name;
       EXPECT_EQ(form.law.kind == ForceLaw::Kind::state, form.law.value != nullptr) << effect.name;
     }
-    for (const std::string& simpler : effect.contains)
-      EXPECT_NE(std::find(effect.mistaken_for.begin(), effect.mistaken_for.end(), simpler),
-                effect.mistaken_for.end())
-          << effect.name << " and " << simpler;
-    for (const std::string& other : effect.mistaken_for) {
+    // Said once, by the one row or by the other.
+    std::vector<std::string> named = effect.mistaken_for;
+    named.insert(named.end(), effect.contains.begin(), effect.contains.end());
+    std::sort(named.begin(), named.end());
+    EXPECT_EQ(std::adjacent_find(named.begin(), named.end()), named.end()) << effect.name;
+    for (const std::string& other : named) {
       const Effect* like = catalogue.find(other);
       ASSERT_NE(like, nullptr) << effect.name << " and " << other;
-      EXPECT_NE(std::find(like->mistaken_for.begin(), like->mistaken_for.end(), effect.name),
-                like->mistaken_for.end())
-          << other << " does not say so of " << effect.name;
+      EXPECT_EQ(std::count(like->mistaken_for.begin(), like->mistaken_for.end(), effect.name), 0)
+          << other << " says so of " << effect.name << ", too";
     }
   }
+}
+
+TEST(Catalogue, LookAlikesAreSoBothWays) {
+  EffectCatalogue catalogue = effect_catalogue();
+  catalogue.effects.push_back(quartic_loss());
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(catalogue.look_alikes("quartic_loss"), Names{"amplitude_dependent_damping"});
+  EXPECT_EQ(catalogue.look_alikes("amplitude_dependent_damping"), (Names{"cubic_damping", "quartic_loss"}));
+  EXPECT_EQ(catalogue.look_alikes("quadratic_damping"), Names{"power_damping"});  // which holds it as a limit
+  EXPECT_TRUE(catalogue.look_alikes("quintic_stiffness").empty());
+  EXPECT_TRUE(catalogue.look_alikes("phlogiston").empty());
 }
 
 TEST(Catalogue, IsThatOfTheManual) {

@@ -63,7 +63,7 @@ std::string experiment_of(const std::string& parameters, const std::string& prog
          programme;
 }
 
-const std::string dwells =
+const std::string settled_dwells =
     "[[dwell]]\nfrequencies_hz = [19.7, 19.85, 20.0, 20.1, 20.2, 20.35]\namplitudes = [0.1, 0.2, 0.4]\n"
     "ensembles = 4\nensemble_s = 2.0\nsettle_s = 12.0\n";
 
@@ -71,9 +71,9 @@ const std::string dwells =
 TEST_F(SlowToldOrDoubtful, ASpringOfWhichTheModulationHoldsTheSquare) {
   write("model.toml", model_of(" - a2*x^2", ", a2 = 1"));
   for (const double a2 : {5e5, -2e6}) {
-    write(
-        "experiment.toml",
-        experiment_of("omega0 = 125.66370614359172\nmu = 1.0\ne = 1.0\na2 = " + std::to_string(a2) + "\n", dwells));
+    write("experiment.toml",
+          experiment_of("omega0 = 125.66370614359172\nmu = 1.0\ne = 1.0\na2 = " + std::to_string(a2) + "\n",
+                        settled_dwells));
     run("simulate experiment.toml --seed 4 --force -o campaign");
     run("identify campaign --model model.toml --case primary --force -o out");
     const nlohmann::json found = value("a2"), frequency = value("omega0");
@@ -125,7 +125,8 @@ TEST_F(SlowToldOrDoubtful, ShortDecaysOfAModelThatLacksFriction) {
 // A logger that repeats its last value for longer than anything replaces: nothing rests on that.
 TEST_F(SlowToldOrDoubtful, HeldSamplesThatNothingReplaces) {
   write("model.toml", model_of(" - a3*x^3", ", a3 = 2"));
-  write("experiment.toml", experiment_of("omega0 = 125.66370614359172\nmu = 1.0\ne = 1.0\na3 = 2.5e8\n", dwells));
+  write("experiment.toml",
+        experiment_of("omega0 = 125.66370614359172\nmu = 1.0\ne = 1.0\na3 = 2.5e8\n", settled_dwells));
   run("simulate experiment.toml --seed 1 -o campaign");
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "campaign" / "records")) {
     std::ifstream from(entry.path());

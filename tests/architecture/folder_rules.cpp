@@ -9,6 +9,7 @@ namespace secular::architecture {
 
 namespace fs = std::filesystem;
 
+// A table: one row a folder, as long as there are folders.
 const FolderTable& folder_table() {
   static const FolderTable table = {
       {"input", {}},

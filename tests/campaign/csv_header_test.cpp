@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/data/csv_dialect.hpp"
 #include "measure/data/data_file.hpp"
 #include "measure/data/inspection.hpp"
 #include "measure/data/number_table.hpp"
@@ -124,7 +125,10 @@ TEST_F(CsvAround, LinesAboveTheNamesArePassedOver) {
   EXPECT_EQ(table("sep=;\nt;a\n0;1\n0,5;2\n").columns, columns);
   EXPECT_EQ(table("sep=\t\nt, of the clock\ta\n0\t1\n0,5\t2\n").names,
             (std::vector<std::string>{"t, of the clock", "a"}));
-  EXPECT_TRUE(contains(complaint("sep=~\nt~a\n0~1\n"), "line 1: states a separator that is not read"));
+  const std::string unknown = complaint("sep=~\nt~a\n0~1\n");
+  EXPECT_TRUE(contains(unknown, "line 1: states a separator that is not read")) << unknown;
+  for (const CsvDialect& dialect : csv_dialects)
+    EXPECT_TRUE(contains(unknown, std::string(dialect.name))) << unknown;
   // Two lines that could be the names: the first is, and the second no row.
   EXPECT_TRUE(contains(complaint("t,a\nx,y\n0,1\n"), "line 2, column t: 'x' is not a number"));
   EXPECT_TRUE(contains(complaint("# t, a\n"), "is empty"));

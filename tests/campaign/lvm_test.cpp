@@ -14,12 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path corpus = testing_support::source_folder() / "tests/campaign/corpus/lvm";
+const fs::path lvm_files = testing_support::source_folder() / "tests/campaign/corpus/lvm";
 
 class Lvm : public TemporaryFolder {};
 
 TEST_F(Lvm, HasTimesAndChannelsWithUnits) {
-  const std::vector<MatVariable> read = read_lvm(corpus / "valid/one.lvm");
+  const std::vector<MatVariable> read = read_lvm(lvm_files / "valid/one.lvm");
   ASSERT_EQ(read.size(), 3u);
   EXPECT_EQ(read[0].path, "t");
   EXPECT_EQ(read[0].unit, "s");
@@ -28,12 +28,12 @@ TEST_F(Lvm, HasTimesAndChannelsWithUnits) {
   EXPECT_EQ(read[1].unit, "Newton");
   EXPECT_EQ(read[1].values, (std::vector<double>{1.5, 2.5, 3.5}));
   EXPECT_EQ(read[2].values, (std::vector<double>{-2, -3, -4}));
-  EXPECT_TRUE(read_lvm(corpus / "valid/one.lvm", {"tip"})[1].values.empty());
-  EXPECT_EQ(read_lvm(corpus / "valid/one.lvm", {}, 2)[2].values, (std::vector<double>{-2, -3}));
+  EXPECT_TRUE(read_lvm(lvm_files / "valid/one.lvm", {"tip"})[1].values.empty());
+  EXPECT_EQ(read_lvm(lvm_files / "valid/one.lvm", {}, 2)[2].values, (std::vector<double>{-2, -3}));
 }
 
 TEST_F(Lvm, MakesTimesFromTheirStep) {
-  const std::vector<MatVariable> read = read_lvm(corpus / "valid/no_times.lvm");
+  const std::vector<MatVariable> read = read_lvm(lvm_files / "valid/no_times.lvm");
   ASSERT_EQ(read.size(), 3u);
   EXPECT_EQ(read[0].values, (std::vector<double>{0, 0.01, 0.02}));
   EXPECT_EQ(read[1].values, (std::vector<double>{1.5, 2.5, 3.5}));
@@ -45,7 +45,7 @@ TEST_F(Lvm, MakesTimesFromTheirStep) {
 
 TEST_F(Lvm, BecomesARecordByNamesAndRolesAlone) {
   ImportOptions options;
-  options.files = {corpus / "valid/one.lvm"};
+  options.files = {lvm_files / "valid/one.lvm"};
   options.kind = "free_decay";
   options.channels = {"force:excitation", "tip:response"};
   const ImportedFiles imported = import_files(options);
@@ -56,12 +56,12 @@ TEST_F(Lvm, BecomesARecordByNamesAndRolesAlone) {
 }
 
 TEST_F(Lvm, ComplaintsNameTheLine) {
-  EXPECT_TRUE(
-      contains(refusal([] { read_lvm(corpus / "damaged/two_segments.lvm"); }), "line 22: begins a second segment"));
-  EXPECT_TRUE(contains(refusal([] { read_lvm(corpus / "damaged/few_fields.lvm"); }),
+  EXPECT_TRUE(contains(refusal([] { read_lvm(lvm_files / "damaged/two_segments.lvm"); }),
+                       "line 22: begins a second segment"));
+  EXPECT_TRUE(contains(refusal([] { read_lvm(lvm_files / "damaged/few_fields.lvm"); }),
                        "line 19: has 2 fields, the names are 3"));
-  EXPECT_TRUE(contains(refusal([] { read_lvm(corpus / "damaged/no_names.lvm"); }), "without a line of names"));
-  EXPECT_TRUE(contains(refusal([] { read_lvm(corpus / "damaged/no_step.lvm"); }), "states no number for X0"));
+  EXPECT_TRUE(contains(refusal([] { read_lvm(lvm_files / "damaged/no_names.lvm"); }), "without a line of names"));
+  EXPECT_TRUE(contains(refusal([] { read_lvm(lvm_files / "damaged/no_step.lvm"); }), "states no number for X0"));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ using testing_support::Laboratory;
 using testing_support::natural;
 
 constexpr Index samples = 600;
-constexpr double sample_s = 2e-3, base = 3, response_noise = 0.02;
+constexpr double spacing_s = 2e-3, base = 3, response_noise = 0.02;
 
 struct Driven {
   Segment segment;
@@ -31,16 +31,16 @@ Driven sweep(const Laboratory& lab, const VectorXd& unknowns, double base_noise,
   testing_support::Gaussian gaussian(seed);
   Driven d;
   Segment& s = d.segment;
-  s.sample_s = sample_s;
+  s.sample_s = spacing_s;
   s.substeps = 4;
   Eigen::MatrixXd truth(1, 2 * samples - 1);
   for (Index i = 0; i < truth.cols(); ++i) {
-    const double t = 0.5 * sample_s * static_cast<double>(i);
+    const double t = 0.5 * spacing_s * static_cast<double>(i);
     truth(0, i) = base * std::cos((0.98 * natural + 2 * t) * t);
   }
   const MotionStart start{{unknowns.data(), unknowns.data() + lab.compiled.symbols.size()},
                           d.state,
-                          std::make_shared<const DrivingSignal>(DrivingSignal{truth, sample_s}),
+                          std::make_shared<const DrivingSignal>(DrivingSignal{truth, spacing_s}),
                           samples,
                           4};
   s.response = MotionIntegrator(lab.compiled, {}).motion(start).acceleration +

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "diagnose/inference/refit.hpp"
+#include "diagnose/verdict/held_out_gap.hpp"
 
 namespace secular {
 namespace {
@@ -62,6 +63,27 @@ TEST(HeldOut, IsPredictedByTheBestFitToTheOthers) {
     least = std::min(least, left);
   }
   EXPECT_LT((found.rows.tail(4) - best.tail(4)).norm(), 1e-2 * best.tail(4).norm());
+}
+
+// Of given numbers the rows are as they are, nothing was fitted to them; those of explanations are predicted once.
+TEST(HeldOutGap, IsThatOfTheNumbersThatAreJudged) {
+  Discrepancy discrepancy;
+  discrepancy.add(std::make_unique<Growth>());
+  const std::vector<RowLabel> labels = discrepancy.labels();
+  Explanation null, fitted;
+  null.fit.unknowns = VectorXd::Constant(1, 1);
+  null.fit.rows = discrepancy(null.fit.unknowns);
+  fitted.fit = refit(discrepancy, VectorXd::Constant(1, 1.2), {0});
+  const double held_out = std::sqrt(predict_held_out(discrepancy, fitted.fit, labels).rows.squaredNorm() / 20);
+  HeldOutGap own(discrepancy, labels, {}, null, 1);
+  EXPECT_DOUBLE_EQ(own.closed_by(fitted).after, held_out);
+  EXPECT_DOUBLE_EQ(own.closed_by(fitted).before, std::sqrt(null.fit.rows.squaredNorm() / 20));
+  EXPECT_EQ(own.closed_by(null).closed, 0);
+  EXPECT_EQ(own.unclosed().closed, 0);
+  EXPECT_FALSE(own.repeats_step(null, null));
+  HeldOutGap given(discrepancy, labels, VectorXd::Constant(20, 3), null, 1);
+  EXPECT_DOUBLE_EQ(given.closed_by(fitted).before, 3);
+  EXPECT_DOUBLE_EQ(given.closed_by(fitted).after, held_out);
 }
 
 TEST(ClosedShare, OfOneConditionIsAnything) {

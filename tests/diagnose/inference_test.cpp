@@ -13,7 +13,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr Index samples = 120;
+constexpr Index readings = 120;
 constexpr double sd = 0.02;
 
 constexpr double tones[] = {1.4, 0.7, 0.85, 1.15, 1.25, 1.55, 1.7, 1.85};  // rad/s
@@ -25,13 +25,13 @@ double time_of(Index i) {
 /// A signal cos(u_0 t) + sum of u_k cos(tones_k t), compared with one that was measured.
 class Signal : public Evidence {
  public:
-  explicit Signal(const VectorXd& truth) : measured_(signal(truth)), labels_(samples) {
+  explicit Signal(const VectorXd& truth) : measured_(signal(truth)), labels_(readings) {
     std::mt19937 random(4);
     std::normal_distribution<double> noise(0, sd);
     for (double& y : measured_) y += noise(random);
   }
 
-  Index size() const override { return samples; }
+  Index size() const override { return readings; }
   const std::vector<RowLabel>& labels() const override { return labels_; }
   // Coarse errors are a multiple of the noise that is far beyond what any tone leaves.
   void freeze(const VectorXd& /*unknowns*/, double coarse) override { widening_ = 1 + 1e6 * coarse; }
@@ -41,8 +41,8 @@ class Signal : public Evidence {
 
  private:
   static VectorXd signal(const VectorXd& unknowns) {
-    VectorXd y(samples);
-    for (Index i = 0; i < samples; ++i) {
+    VectorXd y(readings);
+    for (Index i = 0; i < readings; ++i) {
       const double t = time_of(i);
       y(i) = std::cos(unknowns(0) * t);
       for (std::size_t k = 0; k < std::size(tones); ++k)
@@ -113,8 +113,8 @@ TEST(Inference, WithoutCandidatesTheModelIsJudgedAtTheTrueErrors) {
     Discrepancy discrepancy;
     discrepancy.add(std::make_unique<Signal>(truth));
     const Inference found = infer(discrepancy, {}, start, {}, {});
-    EXPECT_NEAR(found.null.fit.rows.norm(), strength * std::sqrt(samples / 2.0) / sd,
-                0.1 * strength * std::sqrt(samples / 2.0) / sd);
+    EXPECT_NEAR(found.null.fit.rows.norm(), strength * std::sqrt(readings / 2.0) / sd,
+                0.1 * strength * std::sqrt(readings / 2.0) / sd);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <deque>
+#include <map>
 #include <stdexcept>
 
 namespace secular {
@@ -125,6 +126,26 @@ TEST(Naming, TheLimitOfALawStaysUntilTheLawIsShown) {
     EXPECT_EQ(naming.set, shown ? Names{"hysteresis"} : (Names{"hysteresis", "coulomb_friction"}));
     EXPECT_TRUE(naming.second_or.empty());
   }
+}
+
+// Of a gap of 10 the best pair leaves 2, its first effect alone 6: its second closes 4, and 3.6 of that is enough.
+TEST(Naming, WhatClosesNearlyAsMuchIsANeighbourOfAnApproximateCause) {
+  Competition competition;
+  competition.enter({"a", "b"}, 1, 0, 2);
+  competition.enter({"a", "c"}, 1e-9, 1, 2);
+  competition.enter({"a", "d"}, 1e-9, 2, 2);
+  competition.enter({"e", "b"}, 1e-9, 2, 2);  // without "b" alone nobody knows what "a" closes
+  competition.enter({"a"}, 1e-9, 2);
+  const std::map<Names, double> left = {{{"a", "c"}, 2.3}, {{"a", "d"}, 2.5}, {{"e", "b"}, 2}, {{"a"}, 6}};
+  Naming naming = competition.named();
+  ASSERT_EQ(naming.together, (Names{"a", "b"}));
+  add_neighbours(naming, competition.rivals(), {10, 2, 0.9, 0.8, 0.95}, [&](const Explanation& e) {
+    for (const Rival& r : competition.rivals())
+      if (r.explanation == &e) return left.at(r.effects);
+    return INFINITY * 1.0;
+  });
+  EXPECT_EQ(naming.set, Names{"a"});
+  EXPECT_EQ(naming.second_or, Names{"c"});
 }
 
 TEST(Naming, OfTwoTogetherTheOneThatExplainsMoreLeads) {

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double swung_omega = 80, start = 1e-3;
-constexpr Index samples = 60;
+constexpr Index moments = 60;
 constexpr int substeps = 4;
 
 class SideBySide : public testing::Test {
@@ -27,7 +27,7 @@ class SideBySide : public testing::Test {
     std::vector<MotionStart> all;
     for (int i = 0; i < 19; ++i) {
       MotionStart one{std::vector<double>(model.symbols.size(), 0.0),
-                      Eigen::Vector2d(start * (1 + 0.05 * i), 0.01 * swung_omega * start * i), signal, samples,
+                      Eigen::Vector2d(start * (1 + 0.05 * i), 0.01 * swung_omega * start * i), signal, moments,
                       substeps};
       one.parameters[symbol("omega0")] = swung_omega * (1 + 1e-3 * i);
       one.parameters[symbol("mu1")] = 0.4;
@@ -44,7 +44,7 @@ class SideBySide : public testing::Test {
     return std::make_shared<const DrivingSignal>(DrivingSignal{Eigen::MatrixXd(), 2e-3});
   }
   static std::shared_ptr<const DrivingSignal> driven() {
-    DrivingSignal signal{Eigen::MatrixXd(1, 2 * samples - 1), 2e-3};
+    DrivingSignal signal{Eigen::MatrixXd(1, 2 * moments - 1), 2e-3};
     for (Index i = 0; i < signal.half_steps.cols(); ++i)
       signal.half_steps(0, i) =
           std::sin(0.09 * static_cast<double>(i)) + 0.3 * std::cos(0.21 * static_cast<double>(i));
@@ -93,7 +93,7 @@ TEST_F(SideBySide, MotionsUnderSignalsOfTheirOwnAndOfOtherLengths) {
     DrivingSignal own = *all[i].signal;
     own.half_steps *= 1 + 0.1 * static_cast<double>(i);
     if (i % 3 > 0) all[i].signal = std::make_shared<const DrivingSignal>(std::move(own));
-    if (i % 5 == 0) all[i].samples = samples / 2;
+    if (i % 5 == 0) all[i].samples = moments / 2;
     if (i % 7 == 0) all[i].substeps = 2;
   }
   expect_the_same({}, all);
@@ -104,7 +104,7 @@ TEST_F(SideBySide, AMotionThatGoesBeyondAllBoundsStopsAlone) {
   all[2].parameters[symbol("mu1")] = -60;
   expect_the_same({}, all);
   const StretchOfMotion lost = MotionIntegrator(model, {}).motion(all[2]);
-  EXPECT_EQ(lost.displacement(0, samples - 1), 0);
+  EXPECT_EQ(lost.displacement(0, moments - 1), 0);
 }
 
 // The model's excitation carries the force.
@@ -148,8 +148,8 @@ TEST_F(SideBySide, FrictionHolds) {
         -(0.05 + 0.2 * static_cast<double>(i % 5)) * start * swung_omega * swung_omega;
   expect_the_same({friction}, all);
   const StretchOfMotion held = MotionIntegrator(model, {friction}).motion(all[4]);
-  EXPECT_EQ(held.velocity(0, samples - 1), 0);
-  EXPECT_NE(held.displacement(0, samples - 1), 0);
+  EXPECT_EQ(held.velocity(0, moments - 1), 0);
+  EXPECT_NE(held.displacement(0, moments - 1), 0);
 }
 
 }  // namespace
