@@ -6,10 +6,10 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 #include <string_view>
 
 #include "app/diagnose/lateness.hpp"
+#include "app/diagnose/left_content.hpp"
 #include "app/shared/model_loading.hpp"
 #include "app/shared/number_file.hpp"
 #include "app/shared/parameter_file.hpp"
@@ -20,12 +20,11 @@
 #include "measure/disturbances/disturbance_watch.hpp"
 #include "measure/thresholds.hpp"
 #include "numerics/distribution.hpp"
+#include "numerics/hertz.hpp"
 #include "numerics/median.hpp"
 
 namespace secular::app {
 namespace {
-
-constexpr std::string_view wandering = "offset_wander";
 
 // Of others the diagnosis has descriptions of its own: they are not terms that a line of a steady motion sees.
 bool is_seen_by_lines(const EffectTerm& term, const EffectCatalogue& catalogue) {
@@ -73,7 +72,15 @@ std::optional<Eigen::Index> fitted_offset(const Channel& channel, const Diagnosi
 bool is_fitted(const Disturbance& d, const DiagnosisRun& run, const DiagnosisOptions& options) {
   if (!d.channel) return false;
   const Channel& channel = run.campaign.channels[*d.channel];
-  if (d.kind == wandering) return channel.role == ChannelRole::response && options.wandering.contains(*d.channel);
+  if (d.kind == tone_kind) {
+    const auto tones = options.tones.find(d.record);
+    return tones != options.tones.end() &&
+           std::any_of(tones->second.begin(), tones->second.end(), [&](const auto& t) {
+             return t.channel == *d.channel && t.rate == 0 && t.frequency == two_pi * *d.frequency_hz;
+           });
+  }
+  if (d.kind == wander_kind) return channel.role == ChannelRole::response && options.wandering.contains(*d.channel);
+  if (d.kind == "offset" && options.wandering.contains(*d.channel)) return true;
   return d.kind == "offset" && fitted_offset(channel, run.diagnosis).has_value();
 }
 
@@ -147,18 +154,6 @@ std::vector<Disturbance> own_frequencies(const Diagnosis& diagnosis, const Compi
     found.push_back(std::move(d));
   }
   return found;
-}
-
-// Of channels that show it in two records or more; then it does in the others, seen there or not. In one record
-// alone it may be the motion's own mean.
-WanderingZeros wandering_zeros(const std::vector<Disturbance>& found) {
-  std::map<std::size_t, std::set<std::size_t>> records;  // by channel
-  for (const Disturbance& d : found)
-    if (d.kind == wandering && d.channel) records[*d.channel].insert(d.record);
-  WanderingZeros zeros;
-  for (const auto& [channel, with] : records)
-    if (with.size() > 1) zeros.insert(channel);
-  return zeros;
 }
 
 DiagnosisOptions options_of(const DiagnosisRequest& request) {
@@ -244,17 +239,32 @@ int how_told(const Diagnosis& d) {
 /// at: what follows them is nine tenths then.
 constexpr double little = 0.1;
 
+/// Searches for foreign content, each beside what the one before found.
+constexpr int most_rounds = 3;
+
 // What differs from record to record: a phase of each dwell's own is allowed for at once where the model's
 // equations hold then; natural frequencies of each record's own are tried first where they come at random. Either
 // counts where the diagnosis then accounts for more than without.
 class StepByStep {
  public:
   StepByStep(const DiagnosisRequest& request, const TriedModel& tried, const Campaign& campaign,
-             const RecordReader& read, DiagnosisOptions& options)
-      : request_(request), tried_(tried), campaign_(campaign), read_(read), options_(options) {}
+             const RecordReader& read, DiagnosisOptions& options, ForeignContent& foreign)
+      : request_(request), tried_(tried), campaign_(campaign), read_(read), options_(options), foreign_(foreign) {}
 
+  // What a missing term leaves may look like foreign content: what is found in the rest counts where nothing is
+  // left beside it.
   Diagnosis run() {
-    if (!misses(campaign_, read_, *tried_.model, tried_.own, options_)) return diagnosed({}, {});
+    const ForeignContent in_records = foreign_;
+    if (!misses_beside_foreign_content()) return diagnosed({}, {});
+    foreign_ = in_records;
+    admit(foreign_, campaign_, options_);
+    return run_steps();
+  }
+
+  const Lateness& lateness() const { return lateness_; }
+
+ private:
+  Diagnosis run_steps() {
     if (can_be_late(campaign_, *tried_.model)) lateness_ = find_lateness(request_);
     std::map<std::size_t, double> late_s = lateness_.late_s;
     if (!late_s.empty() && share_a_delay(tried_, campaign_, read_, options_, lateness_)) late_s.clear();
@@ -273,13 +283,21 @@ class StepByStep {
     return std::move(*best_);
   }
 
-  const Lateness& lateness() const { return lateness_; }
-
- private:
   Diagnosis diagnosed(const std::map<std::size_t, double>& late_s, const Eigen::VectorXd& scatter) {
     options_.late_s = late_s;
     options_.frequency_scatter = scatter;
     return diagnose(campaign_, read_, *tried_.model, tried_.own, tried_.effects, options_);
+  }
+
+  // What is in the readings and no term of the equations makes is allowed for before anything is tried. What is
+  // large hides what is small, and where a line falls is known better beside a model that is fitted beside it.
+  bool misses_beside_foreign_content() {
+    for (int round = 0;; ++round) {
+      const auto left = left_where_missed(campaign_, read_, *tried_.model, tried_.own, options_);
+      if (!left) return false;
+      if (round == most_rounds || search(*left, campaign_, foreign_) == 0) return true;
+      admit(foreign_, campaign_, options_);
+    }
   }
 
   FrequencyScatter scatter_beside(const std::map<std::size_t, double>& late_s) {
@@ -313,6 +331,7 @@ class StepByStep {
   const Campaign& campaign_;
   const RecordReader& read_;
   DiagnosisOptions& options_;
+  ForeignContent& foreign_;
   Lateness lateness_;
   std::optional<Diagnosis> best_;
 };
@@ -348,14 +367,15 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
     if (std::isfinite(nominal[k]) && !starts.moved[k]) options.natural_frequency[k] = nominal[k];
   for (std::size_t r = 0; r < run.campaign.records.size(); ++r)
     if (request.window.takes(r, run.campaign.records[r].file)) read(r);  // looked at before any is compared
-  options.wandering = wandering_zeros(watch.found());
+  ForeignContent foreign{watch.found(), {}, {}};
+  admit(foreign, run.campaign, options);
   const TriedModel tried = with_effects(source, request.catalogue);
   run.model = tried.model;
   options.forces = tried.forces;
   const std::string unused = unused_numbers(request.parameters, options.given.values, *run.model);
   const bool rough = only_rough_frequencies(options.given, source, *run.model, tried.own);
   if (rough) options.given = {};
-  StepByStep steps(request, tried, run.campaign, read, options);
+  StepByStep steps(request, tried, run.campaign, read, options, foreign);
   run.diagnosis = steps.run();
   const Lateness& lateness = steps.lateness();
   run.diagnosis.warnings.insert(run.diagnosis.warnings.begin(), starts.warnings.begin(), starts.warnings.end());
@@ -367,7 +387,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   if (!lateness.warning.empty()) run.diagnosis.warnings.push_back(lateness.warning);
   for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
   doubt(run.diagnosis, reader.not_replaced());
-  run.disturbances = watch.found();
+  run.disturbances = std::move(foreign.found);
   for (Disturbance& d : run.disturbances)
     if (is_fitted(d, run, options)) d.treated = "fitted";
   for (Disturbance& d : fitted_offsets(run.diagnosis, run.campaign, run.disturbances))

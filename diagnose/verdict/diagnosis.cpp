@@ -416,6 +416,16 @@ class Diagnoser {
   Diagnosis result_;
 };
 
+Inference null_of(Comparison& comparison, const std::vector<std::size_t>& fitted, const DiagnosisOptions& options) {
+  InferenceOptions inference_options;
+  inference_options.threads = options.threads;
+  return infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
+}
+
+bool misses(const Inference& null) {
+  return chi_squared_upper_tail(null.null.fit.chi_squared, null.degrees_of_freedom) < false_alarm;
+}
+
 }  // namespace
 
 Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
@@ -434,10 +444,19 @@ bool misses(const Campaign& campaign, const RecordReader& read, const CompiledMo
     comparison.start(static_cast<Eigen::Index>(delay)) = -*common_delay_s;
     fitted.push_back(delay);
   }
-  InferenceOptions inference_options;
-  inference_options.threads = options.threads;
-  const Inference null = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
-  return chi_squared_upper_tail(null.null.fit.chi_squared, null.degrees_of_freedom) < false_alarm;
+  return misses(null_of(comparison, fitted, options));
+}
+
+std::optional<std::vector<SegmentEvidence::Left>> left_where_missed(const Campaign& campaign,
+                                                                    const RecordReader& read,
+                                                                    const CompiledModel& model,
+                                                                    const std::vector<std::size_t>& own,
+                                                                    const DiagnosisOptions& options) {
+  Comparison comparison = compare(campaign, read, model, own, {}, options);
+  const Inference null = null_of(comparison, comparison.fitted_beside(own), options);
+  if (!misses(null)) return std::nullopt;
+  const SegmentEvidence* segments = comparison.segment_evidence;
+  return segments ? segments->left(null.null.fit.unknowns) : std::vector<SegmentEvidence::Left>();
 }
 
 FrequencyScatter find_frequency_scatter(const Campaign& campaign, const RecordReader& read,

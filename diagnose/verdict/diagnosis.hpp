@@ -77,6 +77,14 @@ bool misses(const Campaign& campaign, const RecordReader& read, const CompiledMo
             const std::vector<std::size_t>& own, const DiagnosisOptions& options,
             std::optional<double> common_delay_s = {});
 
+/// What the model as it is leaves of records that are compared sample by sample; nothing where it does not miss the
+/// campaign (misses()).
+std::optional<std::vector<SegmentEvidence::Left>> left_where_missed(const Campaign& campaign,
+                                                                    const RecordReader& read,
+                                                                    const CompiledModel& model,
+                                                                    const std::vector<std::size_t>& own,
+                                                                    const DiagnosisOptions& options);
+
 /// What the model as it is leaves of each record's natural frequencies.
 FrequencyScatter find_frequency_scatter(const Campaign& campaign, const RecordReader& read,
                                         const CompiledModel& model, const std::vector<std::size_t>& own,
