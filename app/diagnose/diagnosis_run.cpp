@@ -6,11 +6,11 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 #include <string_view>
 #include <tuple>
 
 #include "app/diagnose/decay_scatter.hpp"
+#include "app/diagnose/left_content.hpp"
 #include "app/shared/model_loading.hpp"
 #include "app/shared/number_file.hpp"
 #include "app/shared/parameter_file.hpp"
@@ -22,12 +22,11 @@
 #include "measure/disturbances/disturbance_watch.hpp"
 #include "measure/thresholds.hpp"
 #include "numerics/distribution.hpp"
+#include "numerics/hertz.hpp"
 #include "numerics/median.hpp"
 
 namespace secular::app {
 namespace {
-
-constexpr std::string_view wandering = "offset_wander";
 
 // Of others the diagnosis has descriptions of its own: they are not terms that a line of a steady motion sees.
 bool is_seen_by_lines(const EffectTerm& term, const EffectCatalogue& catalogue) {
@@ -75,7 +74,15 @@ std::optional<Eigen::Index> fitted_offset(const Channel& channel, const Diagnosi
 bool is_fitted(const Disturbance& d, const DiagnosisRun& run, const DiagnosisOptions& options) {
   if (!d.channel) return false;
   const Channel& channel = run.campaign.channels[*d.channel];
-  if (d.kind == wandering) return channel.role == ChannelRole::response && options.wandering.contains(*d.channel);
+  if (d.kind == tone_kind) {
+    const auto tones = options.tones.find(d.record);
+    return tones != options.tones.end() &&
+           std::any_of(tones->second.begin(), tones->second.end(), [&](const auto& t) {
+             return t.channel == *d.channel && t.rate == 0 && t.frequency == two_pi * *d.frequency_hz;
+           });
+  }
+  if (d.kind == wander_kind) return channel.role == ChannelRole::response && options.wandering.contains(*d.channel);
+  if (d.kind == "offset" && options.wandering.contains(*d.channel)) return true;
   return d.kind == "offset" && fitted_offset(channel, run.diagnosis).has_value();
 }
 
@@ -149,18 +156,6 @@ std::vector<Disturbance> own_frequencies(const Diagnosis& diagnosis, const Compi
     found.push_back(std::move(d));
   }
   return found;
-}
-
-// Of channels that show it in two records or more; then it does in the others, seen there or not. In one record
-// alone it may be the motion's own mean.
-WanderingZeros wandering_zeros(const std::vector<Disturbance>& found) {
-  std::map<std::size_t, std::set<std::size_t>> records;  // by channel
-  for (const Disturbance& d : found)
-    if (d.kind == wandering && d.channel) records[*d.channel].insert(d.record);
-  WanderingZeros zeros;
-  for (const auto& [channel, with] : records)
-    if (with.size() > 1) zeros.insert(channel);
-  return zeros;
 }
 
 DiagnosisOptions options_of(const DiagnosisRequest& request) {
@@ -263,18 +258,30 @@ struct Allowance {
 /// at: what follows them is nine tenths then.
 constexpr double little = 0.1;
 
-// What differs from record to record: natural frequencies and lateness of each record's own, or both, are tried
-// first where they come at random, in the order of what the model as it is leaves beside them: a law that the model
-// lacks follows the settings. They count where the diagnosis then accounts for more than without.
+/// Searches for foreign content, each beside what the one before found.
+constexpr int most_rounds = 3;
+
+// What differs from record to record: natural frequencies or lateness of each record's own are tried first where
+// they plainly come at random, in the order of what the model as it is leaves beside them: what a law that the
+// model lacks does follows the settings. Both at once take all that the resonant line of a dwell tells, and come
+// last. They count where the diagnosis then accounts for more than without.
 class StepByStep {
  public:
   StepByStep(const DiagnosisRequest& request, const TriedModel& tried, const Campaign& campaign,
-             const RecordReader& read, DiagnosisOptions& options)
-      : request_(request), tried_(tried), campaign_(campaign), read_(read), options_(options) {}
+             const RecordReader& read, DiagnosisOptions& options, ForeignContent& foreign)
+      : request_(request), tried_(tried), campaign_(campaign), read_(read), options_(options), foreign_(foreign) {}
 
+  // What a missing term leaves may look like foreign content: what is found in the rest counts where nothing is
+  // left beside it.
   Diagnosis run() {
-    const ModelAlone plain = alone({});
+    const ForeignContent in_records = foreign_;
+    ModelAlone plain = beside_foreign_content();
     if (!is_more_than_noise(plain.left)) return diagnosed({});
+    if (searched_) {
+      foreign_ = in_records;
+      admit(foreign_, campaign_, options_);
+      plain = alone({});
+    }
     of_decays_ = find_decay_scatter(request_);
     std::vector<Allowance> all = allowances(plain);
     std::stable_sort(all.begin(), all.end(), [](const Allowance& a, const Allowance& b) {
@@ -301,6 +308,19 @@ class StepByStep {
   ModelAlone alone(const Allowance& allowance, std::optional<double> common_late_s = {}) {
     allow(allowance);
     return fit_alone(campaign_, read_, *tried_.model, tried_.own, options_, common_late_s);
+  }
+
+  // What is in the readings and no term of the equations makes is allowed for before anything is tried. What is
+  // large hides what is small, and where a line falls is known better beside a model that is fitted beside it.
+  ModelAlone beside_foreign_content() {
+    for (int round = 0;; ++round) {
+      ModelAlone plain = alone({});
+      if (!is_more_than_noise(plain.left) || round == most_rounds ||
+          search(plain.of_segments, campaign_, foreign_) == 0)
+        return plain;
+      admit(foreign_, campaign_, options_);
+      searched_ = true;
+    }
   }
 
   std::vector<Allowance> allowances(const ModelAlone& plain) {
@@ -364,6 +384,8 @@ class StepByStep {
   const Campaign& campaign_;
   const RecordReader& read_;
   DiagnosisOptions& options_;
+  ForeignContent& foreign_;
+  bool searched_ = false;  // and found something in what the model left
   DecayScatter of_decays_;
   std::optional<Diagnosis> best_;
 };
@@ -398,14 +420,15 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
     if (std::isfinite(nominal[k]) && !starts.moved[k]) options.natural_frequency[k] = nominal[k];
   for (std::size_t r = 0; r < run.campaign.records.size(); ++r)
     if (request.window.takes(r, run.campaign.records[r].file)) read(r);  // looked at before any is compared
-  options.wandering = wandering_zeros(watch.found());
+  ForeignContent foreign{watch.found(), {}, {}};
+  admit(foreign, run.campaign, options);
   const TriedModel tried = with_effects(source, request.catalogue);
   run.model = tried.model;
   options.forces = tried.forces;
   const std::string unused = unused_numbers(request.parameters, options.given.values, *run.model);
   const bool rough = only_rough_frequencies(options.given, source, *run.model, tried.own);
   if (rough) options.given = {};
-  StepByStep steps(request, tried, run.campaign, read, options);
+  StepByStep steps(request, tried, run.campaign, read, options, foreign);
   run.diagnosis = steps.run();
   run.diagnosis.warnings.insert(run.diagnosis.warnings.begin(), starts.warnings.begin(), starts.warnings.end());
   if (rough)
@@ -416,7 +439,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   if (!steps.warning().empty()) run.diagnosis.warnings.push_back(steps.warning());
   for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
   doubt(run.diagnosis, reader.not_replaced());
-  run.disturbances = watch.found();
+  run.disturbances = std::move(foreign.found);
   for (Disturbance& d : run.disturbances)
     if (is_fitted(d, run, options)) d.treated = "fitted";
   for (Disturbance& d : fitted_offsets(run.diagnosis, run.campaign, run.disturbances))

@@ -1,6 +1,8 @@
 #include "diagnose/evidence/driven_noise.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace secular {
@@ -24,8 +26,9 @@ struct Changes {
   MatrixXd states, accelerations, errors;
 };
 
-Neighbours neighbours_of(const SegmentModel& model, const SegmentTrial& trial, const std::vector<Index>& at_jumps) {
-  const Index parts = trial.state.size(), inputs = trial.segment.excitation.rows();
+Neighbours neighbours_of(const SegmentModel& model, const SegmentTrial& trial, const std::vector<Index>& at_jumps,
+                         bool driven_apart) {
+  const Index parts = trial.state.size(), inputs = driven_apart ? trial.segment.excitation.rows() : 0;
   const VectorXd steps = state_steps(trial.state);
   std::vector<Segment> driven(static_cast<std::size_t>(inputs), trial.segment);
   std::vector<SegmentTrial> trials(1, trial);
@@ -43,6 +46,15 @@ Neighbours neighbours_of(const SegmentModel& model, const SegmentTrial& trial, c
   for (VectorXd& error : errors) error = silenced(std::move(error), trial.samples, at_jumps);
   return {
       motions.front(), {motions.begin() + 1, motions.end()}, errors.front(), {errors.begin() + 1, errors.end()}};
+}
+
+// What a sample reads of coloured noises; nothing where its errors do not count.
+MatrixXd read_colours(const Segment& segment, Index channels, const std::vector<Index>& at_jumps, Index sample) {
+  MatrixXd reading = MatrixXd::Zero(channels, static_cast<Index>(segment.coloured.size()));
+  if (std::binary_search(at_jumps.begin(), at_jumps.end(), sample)) return reading;
+  for (std::size_t c = 0; c < segment.coloured.size(); ++c)
+    reading(static_cast<Index>(segment.coloured[c].channel), static_cast<Index>(c)) = 1;
+  return reading;
 }
 
 Changes changes_at(const Neighbours& n, Index sample) {
@@ -65,11 +77,19 @@ Changes changes_at(const Neighbours& n, Index sample) {
 
 DrivenNoise::DrivenNoise(const SegmentModel& model, const SegmentTrial& trial, const std::vector<Index>& at_jumps) {
   const Segment& s = trial.segment;
-  const bool known = s.excitation.cols() > 0 && s.excitation_noise_sd.size() == s.excitation.rows();
-  if (!known || !(s.excitation_noise_sd.maxCoeff() > 0)) return;
-  const Neighbours near = neighbours_of(model, trial, at_jumps);
-  const Index parts = trial.state.size(), inputs = s.excitation.rows(), modes = parts / 2;
-  MatrixXd covariance = MatrixXd::Zero(parts, parts);
+  const bool known = s.excitation.cols() > 0 && s.excitation_noise_sd.size() == s.excitation.rows() &&
+                     s.excitation_noise_sd.maxCoeff() > 0;
+  const auto colours = static_cast<Index>(s.coloured.size());
+  if (!known && colours == 0) return;
+  const Neighbours near = neighbours_of(model, trial, at_jumps, known);
+  const Index parts = trial.state.size(), inputs = known ? s.excitation.rows() : 0, modes = parts / 2,
+              states = parts + colours;
+  MatrixXd covariance = MatrixXd::Zero(states, states);
+  for (Index c = 0; c < colours; ++c)
+    covariance(parts + c, parts + c) = std::pow(s.coloured[static_cast<std::size_t>(c)].sd, 2);
+  VectorXd white = VectorXd::Ones(near.still_error.size() / trial.samples);  // variances
+  for (const ColouredNoise& noise : s.coloured)
+    white(static_cast<Index>(noise.channel)) = noise.white_sd * noise.white_sd;
   std::vector<Step> steps;
   for (Index i = 0; i < trial.samples; ++i) {
     const Changes now = changes_at(near, i);
@@ -83,27 +103,37 @@ DrivenNoise::DrivenNoise(const SegmentModel& model, const SegmentTrial& trial, c
     MatrixXd push = MatrixXd::Zero(parts, inputs);
     push.bottomRows(modes) =
         s.sample_s * (now.accelerations.rightCols(inputs) - by_state(now.accelerations) * beside);
-    // The state before this sample's noise, then the noise.
-    MatrixXd both = MatrixXd::Identity(parts + inputs, parts + inputs);
-    both.topLeftCorner(parts, parts) = covariance;
+    // The state before this sample's noise, coloured noises, then the noise.
+    MatrixXd both = MatrixXd::Identity(states + inputs, states + inputs);
+    both.topLeftCorner(states, states) = covariance;
     Step step;
-    step.reading.resize(reading.rows(), parts + inputs);
-    step.reading << reading, now.errors.rightCols(inputs) - reading * beside + 0.5 * reading * push;
+    step.reading.resize(reading.rows(), states + inputs);
+    step.reading << reading, read_colours(s, reading.rows(), at_jumps, i),
+        now.errors.rightCols(inputs) - reading * beside + 0.5 * reading * push;
     MatrixXd innovation = step.reading * both * step.reading.transpose();
-    innovation.diagonal().array() += 1;
+    innovation.diagonal() += white;
     step.lower = innovation.llt().matrixL();
     step.gain = step.lower.triangularView<Eigen::Lower>().solve(step.reading * both).transpose();
     both -= step.gain * step.gain.transpose();
-    step.transition = MatrixXd::Zero(parts, parts + inputs);
+    step.transition = MatrixXd::Zero(states, states + inputs);
     if (i + 1 < trial.samples) {
       const MatrixXd on = by_state(changes_at(near, i + 1).states);
-      step.transition << on, on * push;
+      step.transition.topLeftCorner(parts, parts) = on;
+      step.transition.topRightCorner(parts, inputs) = on * push;
     }
+    for (Index c = 0; c < colours; ++c)
+      step.transition(parts + c, parts + c) =
+          std::exp(-s.sample_s / s.coloured[static_cast<std::size_t>(c)].time_s);
     covariance = step.transition * both * step.transition.transpose();
+    for (Index c = 0; c < colours; ++c) {
+      const double keeps = step.transition(parts + c, parts + c), sd = s.coloured[static_cast<std::size_t>(c)].sd;
+      covariance(parts + c, parts + c) += (1 - keeps * keeps) * sd * sd;
+    }
     if (!covariance.allFinite() || !step.lower.allFinite()) return;
     steps.push_back(std::move(step));
   }
   steps_ = std::move(steps);
+  inputs_ = inputs;
 }
 
 VectorXd DrivenNoise::whitened(VectorXd error) const {
@@ -128,7 +158,7 @@ VectorXd DrivenNoise::whitened(VectorXd error) const {
 MatrixXd DrivenNoise::expected(const VectorXd& white) const {
   if (steps_.empty()) return {};
   const auto samples = static_cast<Index>(steps_.size()), channels = white.size() / samples;
-  const Index parts = steps_.front().transition.rows(), inputs = steps_.front().transition.cols() - parts;
+  const Index parts = steps_.front().transition.rows(), inputs = inputs_;
   MatrixXd noise(inputs, samples);
   VectorXd later = VectorXd::Zero(parts);
   for (Index i = samples - 1; i >= 0; --i) {

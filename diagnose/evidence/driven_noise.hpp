@@ -12,9 +12,11 @@ namespace secular {
 /// about the motion, with states x of displacements and velocities, noise n_i of standard deviation one in sample i
 /// (b_i, d_i hold its size) and errors e_i of the responses in units of their own white noise v_i,
 ///   e_i = H_i (x_i + g_i n_i/2) + d_i n_i + v_i,   x_(i+1) = Phi_i (x_i + g_i n_i),   g_i = h [0; b_i],   x_0 = 0,
-/// h the time of a sample (interpolated between samples, its noise acts half before it and half after). Their
-/// innovations over the standard deviations of these are white (B. D. O. Anderson, J. B. Moore, Optimal Filtering,
-/// 1979, sections 5.3 and 5.5).
+/// (docs/inference.md (33)), h the time of a sample (interpolated between samples, its noise acts half before it
+/// and half after). Their innovations over the standard deviations of these are white (B. D. O. Anderson, J. B.
+/// Moore, Optimal Filtering, 1979, sections 5.3 and 5.5). Coloured noise
+/// of a response (Segment::coloured) is one state more, of which an error reads all:
+///   c_(i+1) = exp(-h/T) c_i + what keeps its variance.
 class DrivenNoise {
  public:
   /// Leaves errors as they are.
@@ -24,7 +26,7 @@ class DrivenNoise {
   DrivenNoise(const SegmentModel& model, const SegmentTrial& trial, const std::vector<Eigen::Index>& at_jumps);
 
   /// Whether a noise of the excitation is known.
-  bool is_known() const { return !steps_.empty(); }
+  bool is_of_excitation() const { return inputs_ > 0; }
 
   /// Errors, channel after channel.
   Eigen::VectorXd whitened(Eigen::VectorXd error) const;
@@ -43,6 +45,7 @@ class DrivenNoise {
     Eigen::MatrixXd lower, gain;          ///< L of S = L L^T, the innovation's covariance; of the innovation over L
   };
   std::vector<Step> steps_;  // by sample; empty: white
+  Eigen::Index inputs_ = 0;  // excitations whose noise is known
 };
 
 }  // namespace secular

@@ -195,6 +195,30 @@ class Cutter {
   std::vector<std::size_t> channels_;
 };
 
+// A tone in a reading of the excitation that the structure does not feel moves the computed motion: to first order
+// by a tone of that frequency in every response, from any state.
+std::vector<ForeignTone> tones_in(const SensorModel& sensors, const std::vector<ForeignTone>& of_record) {
+  std::vector<ForeignTone> tones;
+  for (const ForeignTone& tone : of_record) {
+    const auto& excitations = sensors.excitations;
+    const bool of_all = std::find(excitations.begin(), excitations.end(), tone.channel) != excitations.end();
+    for (std::size_t c = 0; c < sensors.responses.size(); ++c)
+      if (of_all || sensors.responses[c] == tone.channel) tones.push_back({c, tone.frequency, tone.rate});
+  }
+  return tones;
+}
+
+std::vector<ColouredNoise> coloured_in(const SensorModel& sensors, const std::vector<ColouredNoise>& of_record,
+                                       const Eigen::VectorXd& floor) {
+  std::vector<ColouredNoise> noises;
+  for (const ColouredNoise& noise : of_record)
+    for (std::size_t c = 0; c < sensors.responses.size(); ++c)
+      if (sensors.responses[c] == noise.channel)
+        noises.push_back({c, noise.sd / floor(static_cast<Index>(c)), noise.time_s,
+                          noise.white_sd / floor(static_cast<Index>(c))});
+  return noises;
+}
+
 }  // namespace
 
 MatrixXd at_half_samples(const MatrixXd& samples) {
@@ -236,6 +260,12 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
       segment.excitation_noise_sd = excitation_noise;
       for (std::size_t c = 0; c < sensors.responses.size(); ++c)
         if (cut.wandering.contains(sensors.responses[c])) segment.wandering.push_back(static_cast<Index>(c));
+      segment.begin_in_record = static_cast<double>(begin) / static_cast<double>(movement->available());
+      segment.share_of_record = static_cast<double>(length) / static_cast<double>(movement->available());
+      if (const auto tones = cut.tones.find(r); tones != cut.tones.end())
+        segment.tones = tones_in(sensors, tones->second);
+      if (const auto noises = cut.coloured.find(r); noises != cut.coloured.end())
+        segment.coloured = coloured_in(sensors, noises->second, noise);
       // What is taken off is seen by no row, and a state is found without it.
       for (const Index c : segment.wandering) segment.response.row(c).array() -= segment.response.row(c).mean();
       segments.push_back(std::move(segment));

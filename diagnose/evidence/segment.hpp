@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/evidence/foreign_content.hpp"
 #include "diagnose/evidence/segment_motion.hpp"
 #include "diagnose/evidence/sensor_model.hpp"
 #include "diagnose/evidence/wandering_zeros.hpp"
@@ -26,6 +27,9 @@ struct Segment {
   Eigen::VectorXd excitation_noise_sd;  ///< excitation channels; zero where the record does not tell it
   int substeps = 1;
   std::vector<Eigen::Index> wandering;  ///< response channels whose zero moves slowly
+  std::vector<ForeignTone> tones;       ///< in response channels
+  std::vector<ColouredNoise> coloured;
+  double begin_in_record = 0, share_of_record = 0;  ///< of the record's time
 };
 
 /// Channels x samples -> channels x (2*samples - 1): values and, by cubic interpolation, those halfway between.
@@ -42,6 +46,8 @@ struct SegmentCut {
   SegmentLength length = SegmentLength::turns;
   Eigen::Index most_samples = 0;  ///< in all; of no effect on whole ones
   WanderingZeros wandering = {};
+  ForeignTones tones = {};
+  ColouredNoises coloured = {};
 };
 
 /// Free decays, impacts, sweeps and broadband records as segments, evenly spread over the record where it holds

@@ -24,6 +24,10 @@ constexpr auto& fewest_segments = diagnose_thresholds().fewest_segments;
 /// law, where the record itself is disturbed (slips of its clock, knocks).
 constexpr auto& irregular = diagnose_thresholds().irregular;
 
+/// Foreign content of which a state makes all but this share, in the norm, is left in the readings: they hold it
+/// as a state then, and rows see neither.
+constexpr double told_apart = 0.1;
+
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -40,23 +44,6 @@ MatrixXd beyond(const MatrixXd& basis, MatrixXd columns) {
       columns.col(i) /= length;
     else
       columns.col(i).setZero();
-  }
-  return columns;
-}
-
-/// Of a zero that wanders, within a segment: where it is and how fast it moves.
-constexpr Index wander_terms = 2;
-
-// What wandering zeros do to a segment's errors, in orthonormal columns.
-MatrixXd wander(const Segment& s) {
-  const Index samples = s.response.cols();
-  MatrixXd columns =
-      MatrixXd::Zero(s.response.rows() * samples, wander_terms * static_cast<Index>(s.wandering.size()));
-  for (std::size_t w = 0; w < s.wandering.size(); ++w) {
-    auto block =
-        columns.block(s.wandering[w] * samples, wander_terms * static_cast<Index>(w), samples, wander_terms);
-    block.col(0).setConstant(1 / std::sqrt(static_cast<double>(samples)));
-    block.col(1) = VectorXd::LinSpaced(samples, -1, 1).normalized();
   }
   return columns;
 }
@@ -125,6 +112,7 @@ SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateFo
       threads_(threads),
       frozen_(segments_.size()) {
   for (const Segment& s : segments_) {
+    foreign_.push_back(foreign_columns(s));
     RowLabel label;
     label.record = s.record;
     label.fold = s.fold;
@@ -153,9 +141,9 @@ Index SegmentEvidence::freedom() const {
   Index at_jumps = 0;
   for (const Frozen& f : frozen_)
     at_jumps += static_cast<Index>(f.at_jumps.size() * model_.sensors().responses.size());
-  Index wandering = 0;
-  for (const Segment& s : segments_) wandering += wander_terms * static_cast<Index>(s.wandering.size());
-  return size() - static_cast<Index>(4 * model_.modes() * segments_.size()) - at_jumps - wandering;
+  Index foreign = 0;
+  for (const MatrixXd& columns : foreign_) foreign += columns.cols();
+  return size() - static_cast<Index>(4 * model_.modes() * segments_.size()) - at_jumps - foreign;
 }
 
 std::vector<VectorXd> SegmentEvidence::frozen_errors(const std::vector<std::size_t>& segments,
@@ -244,17 +232,57 @@ void SegmentEvidence::freeze_bases(std::size_t first, std::size_t end, const Vec
       return columns;
     };
     Frozen& f = frozen_[s];
-    f.state_basis = beyond(wander(segments_[s]), differences(1, 1e4));
+    const MatrixXd states = differences(1, 1e4), foreign = seen_foreign_columns(s);
+    f.state_basis.resize(states.rows(), foreign.cols() + states.cols());
+    f.state_basis << beyond(MatrixXd(), foreign), MatrixXd::Zero(states.rows(), states.cols());
+    f.state_basis.rightCols(states.cols()) = beyond(f.state_basis.leftCols(foreign.cols()), states);
     f.change_basis = beyond(f.state_basis, differences(1 + 2 * modes, 1e6));
   }
 }
 
+Index SegmentEvidence::foreign_count(std::size_t segment) const {
+  return coarse_ ? slow_count(segments_[segment]) : foreign_[segment].cols();
+}
+
+MatrixXd SegmentEvidence::seen_foreign_columns(std::size_t segment) const {
+  MatrixXd columns = foreign_[segment].leftCols(foreign_count(segment));
+  for (auto column : columns.colwise()) column = seen(segment, column);
+  return columns;
+}
+
+void SegmentEvidence::take_foreign_content_off(std::size_t segment, const VectorXd& unknowns) {
+  Segment& s = segments_[segment];
+  const Index count = foreign_count(segment), samples = s.response.cols();
+  if (count == 0) return;
+  const VectorXd error = frozen_errors({segment}, {frozen_trial(segment, unknowns)}).front();
+  // Beside the state: what a state does as well is no foreign content.
+  MatrixXd seen_columns = seen_foreign_columns(segment);
+  const VectorXd lengths = seen_columns.colwise().norm().transpose();
+  seen_columns.array().rowwise() /= lengths.transpose().array();
+  const MatrixXd states = frozen_[segment].state_basis.rightCols(static_cast<Index>(2 * model_.modes()));
+  MatrixXd both(error.size(), count + states.cols());
+  both << seen_columns, states;
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> all;
+  all.setThreshold(told_apart);
+  const VectorXd content =
+      foreign_[segment].leftCols(count) * all.compute(both).solve(error).head(count).cwiseQuotient(lengths);
+  MatrixXd& taken = frozen_[segment].foreign;
+  if (taken.size() == 0) taken.setZero(s.response.rows(), samples);
+  for (Index c = 0; c < s.response.rows(); ++c)
+    taken.row(c) += s.noise_sd(c) * content.segment(c * samples, samples).transpose();
+  s.response = measured_[segment].response - taken;
+}
+
 void SegmentEvidence::take_driven_noise_off(std::size_t segment, const VectorXd& unknowns) {
-  if (!frozen_[segment].driven_noise.is_known()) return;
+  if (!frozen_[segment].driven_noise.is_of_excitation()) return;
   Segment& s = segments_[segment];
   const Index samples = s.response.cols();
   const std::vector<SegmentTrial> trial{frozen_trial(segment, unknowns)};
-  const VectorXd with = model_.errors(trial).front(), white = seen(segment, with);
+  const VectorXd with = model_.errors(trial).front();
+  // Foreign content of any size says nothing of the noise.
+  VectorXd white = seen(segment, with);
+  const MatrixXd foreign = beyond(MatrixXd(), seen_foreign_columns(segment));
+  white -= foreign * (foreign.transpose() * white);
   // Of errors r times as large in the square as noise makes them, where the model lacks something, one r-th is its.
   const double ratio = white.squaredNorm() / static_cast<double>(white.size());
   const MatrixXd noise = frozen_[segment].driven_noise.expected(white) / std::max(1.0, ratio);
@@ -264,7 +292,15 @@ void SegmentEvidence::take_driven_noise_off(std::size_t segment, const VectorXd&
     s.response.row(c) -= s.noise_sd(c) * (without - with).segment(c * samples, samples).transpose();
 }
 
+void SegmentEvidence::freeze_motions(std::size_t first, std::size_t end, const VectorXd& unknowns) {
+  freeze_states(first, end, unknowns);
+  for (std::size_t i = first; i < end; ++i)
+    frozen_[i].driven_noise =
+        coarse_ ? DrivenNoise() : DrivenNoise(model_, frozen_trial(i, unknowns), frozen_[i].at_jumps);
+}
+
 void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
+  coarse_ = coarse > 0;
   for (std::size_t i = 0; i < segments_.size(); ++i)
     frozen_[i].widening = coarse > 0 ? std::hypot(1.0, std::sqrt(coarse) * loudness(segments_[i])) : 1;
   const std::size_t parts = std::min<std::size_t>(std::max(1U, threads_), segments_.size());
@@ -273,26 +309,29 @@ void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
     for (std::size_t i = first; i < end; ++i) {
       segments_[i].excitation = measured_[i].excitation;
       segments_[i].response = measured_[i].response;
+      if (frozen_[i].foreign.size() > 0) segments_[i].response -= frozen_[i].foreign;
     }
-    freeze_states(first, end, unknowns);
-    for (std::size_t i = first; i < end; ++i) {
-      frozen_[i].driven_noise =
-          coarse > 0 ? DrivenNoise() : DrivenNoise(model_, frozen_trial(i, unknowns), frozen_[i].at_jumps);
-      take_driven_noise_off(i, unknowns);
+    freeze_motions(first, end, unknowns);
+    bool any_foreign = false;
+    for (std::size_t i = first; i < end; ++i) any_foreign = any_foreign || foreign_count(i) > 0;
+    if (any_foreign) {
+      freeze_bases(first, end, unknowns);
+      for (std::size_t i = first; i < end; ++i) take_foreign_content_off(i, unknowns);
+      freeze_motions(first, end, unknowns);
     }
+    for (std::size_t i = first; i < end; ++i) take_driven_noise_off(i, unknowns);
     freeze_bases(first, end, unknowns);
   });
-  coarse_ = coarse > 0;
   if (coarse_) noise_.clear();
   if (!coarse_) measure_noise(unknowns);
 }
 
-std::vector<SegmentEvidence::Left> SegmentEvidence::left_by(const VectorXd& unknowns) const {
+std::vector<SegmentEvidence::LeftOfSegment> SegmentEvidence::left_by(const VectorXd& unknowns) const {
   const std::vector<VectorXd> errors = frozen_errors(unknowns);
-  std::vector<Left> all;
+  std::vector<LeftOfSegment> all;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const Frozen& f = frozen_[i];
-    Left left;
+    LeftOfSegment left;
     left.white = white_variance(errors[i], segments_[i].response.cols(), f.at_jumps);
     left.changes = f.change_basis.transpose() * errors[i];
     left.rest = errors[i] - f.state_basis * (f.state_basis.transpose() * errors[i]) - f.change_basis * left.changes;
@@ -305,7 +344,7 @@ std::vector<SegmentEvidence::Left> SegmentEvidence::left_by(const VectorXd& unkn
   return all;
 }
 
-std::shared_ptr<const NoiseInCosines> SegmentEvidence::coloured_noise(const std::vector<Left>& left,
+std::shared_ptr<const NoiseInCosines> SegmentEvidence::coloured_noise(const std::vector<LeftOfSegment>& left,
                                                                       const VectorXd& unknowns) const {
   std::vector<std::size_t> alike;
   for (std::size_t i = 0; i < segments_.size(); ++i)
@@ -349,11 +388,11 @@ std::shared_ptr<const NoiseInCosines> SegmentEvidence::coloured_noise(const std:
 
 // What the first rows repeat to from segment to segment is what noise makes of them where the segments are too few
 // to tell.
-SegmentEvidence::Noise SegmentEvidence::noise_of(std::span<const Left> left, std::size_t first,
+SegmentEvidence::Noise SegmentEvidence::noise_of(std::span<const LeftOfSegment> left, std::size_t first,
                                                  std::shared_ptr<const NoiseInCosines> coloured) const {
   const Segment& s = segments_[first];
   std::vector<double> white, rest;
-  for (const Left& l : left) {
+  for (const LeftOfSegment& l : left) {
     white.push_back(l.white);
     rest.push_back(l.rest_rms);
   }
@@ -370,14 +409,14 @@ SegmentEvidence::Noise SegmentEvidence::noise_of(std::span<const Left> left, std
   }
   for (Index row = 0; repeats && row < changes; ++row) {
     std::vector<double> series;
-    for (const Left& l : left) series.push_back(l.changes(row));
+    for (const LeftOfSegment& l : left) series.push_back(l.changes(row));
     noise.change_sd(row) = std::max(noise.change_sd(row), roughness(series));
   }
   return noise;
 }
 
 void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
-  const std::vector<Left> left = left_by(unknowns);
+  const std::vector<LeftOfSegment> left = left_by(unknowns);
   const std::shared_ptr<const NoiseInCosines> coloured = coloured_noise(left, unknowns);
   std::vector<Noise> found;
   for (std::size_t first = 0, end = 0; first < segments_.size(); first = end) {
@@ -537,6 +576,68 @@ std::vector<SegmentEvidence::Disturbed> SegmentEvidence::disturbed() const {
     if (frozen_[i].disturbance > 2) record.worst_s.push_back(segments_[i].in_record_s);
   }
   return records;
+}
+
+namespace {
+
+SegmentEvidence::Left left_of(const Segment& first, std::size_t channel) {
+  SegmentEvidence::Left left;
+  left.record = first.record;
+  left.channel = channel;
+  left.sample_s = first.sample_s;
+  left.from_s = first.in_record_s - 0.5 * static_cast<double>(first.response.cols()) * first.sample_s;
+  return left;
+}
+
+}  // namespace
+
+std::vector<SegmentEvidence::Left> SegmentEvidence::left(const VectorXd& unknowns) const {
+  const std::vector<LeftOfSegment> by_segment = left_by(unknowns);
+  std::vector<SegmentTrial> trials;
+  for (std::size_t i = 0; i < segments_.size(); ++i) trials.push_back(frozen_trial(i, unknowns));
+  const std::vector<VectorXd> errors = model_.errors(trials);
+  std::vector<Left> all;
+  const auto channels = static_cast<Index>(model_.sensors().responses.size());
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const Segment& s = segments_[i];
+    const Index samples = s.response.cols();
+    if (i == 0 || segments_[i - 1].record != s.record)
+      for (Index c = 0; c < channels; ++c)
+        all.push_back(left_of(s, model_.sensors().responses[static_cast<std::size_t>(c)]));
+    const Frozen& f = frozen_[i];
+    MatrixXd known(s.response.size(), f.state_basis.cols() + f.change_basis.cols());
+    known << f.state_basis, f.change_basis;
+    VectorXd foreign = VectorXd::Zero(s.response.size());
+    for (Index c = 0; c < channels && f.foreign.size() > 0; ++c)
+      foreign.segment(c * samples, samples) = f.foreign.row(c).transpose() / s.noise_sd(c);
+    foreign = seen(i, std::move(foreign));
+    const MatrixXd moved = known.rightCols(known.cols() - foreign_[i].cols());
+    foreign -= moved * (moved.transpose() * foreign);
+    for (Index c = 0; c < channels; ++c) {
+      Left& left = all[all.size() - static_cast<std::size_t>(channels - c)];
+      const VectorXd rest = by_segment[i].rest.segment(c * samples, samples);
+      for (Index k = 0; k < samples; ++k) {
+        left.rest.push_back(s.noise_sd(c) * (rest(k) + foreign(c * samples + k)));
+        left.noise.push_back(s.noise_sd(c) * rest(k));
+        left.unwhited.push_back(s.noise_sd(c) * errors[i](c * samples + k));
+        left.reading.push_back(s.response(c, k));
+      }
+      MatrixXd slow = wander_columns(s, c);
+      for (auto column : slow.colwise()) column = seen(i, column);
+      slow = beyond(known, std::move(slow));
+      const double gained = (slow.transpose() * by_segment[i].rest).squaredNorm(),
+                   freedom = slow.colwise().squaredNorm().sum();
+      left.slow += gained;
+      left.slow_freedom += freedom;
+      left.other += rest.squaredNorm() - gained;
+      left.other_freedom += static_cast<double>(samples) - freedom;
+      left.to_s = s.in_record_s + 0.5 * static_cast<double>(samples) * s.sample_s;
+    }
+  }
+  for (Left& left : all)
+    left.rms = std::sqrt(std::inner_product(left.rest.begin(), left.rest.end(), left.rest.begin(), 0.0) /
+                         static_cast<double>(left.rest.size()));
+  return all;
 }
 
 VectorXd SegmentEvidence::mean_square_error(const VectorXd& unknowns) const {

@@ -46,6 +46,22 @@ class SegmentEvidence : public Evidence {
   };
   std::vector<Disturbed> disturbed() const;
 
+  /// What is left of a response channel in the segments of a record, one behind the other, after freeze(): beside
+  /// the state that is fitted for each segment, in the channel's unit, with foreign content that was fitted beside
+  /// it.
+  struct Left {
+    std::size_t record = 0, channel = 0;        ///< of the campaign
+    double sample_s = 0, from_s = 0, to_s = 0;  ///< in the record's time
+    std::vector<double> rest, reading;
+    std::vector<double> noise;     ///< the rest without foreign content
+    std::vector<double> unwhited;  ///< the same before anything makes it white
+    double rms = 0;                ///< of the rest
+    /// In units of noise: the square that zeros which wander would make of it, with its degrees of freedom, and
+    /// that of all else.
+    double slow = 0, slow_freedom = 0, other = 0, other_freedom = 0;
+  };
+  std::vector<Left> left(const Eigen::VectorXd& unknowns) const;
+
   /// Mean square of the error over all samples, by response channel, in the square of its unit; every segment from
   /// its best state.
   Eigen::VectorXd mean_square_error(const Eigen::VectorXd& unknowns) const;
@@ -56,7 +72,9 @@ class SegmentEvidence : public Evidence {
   struct Frozen {
     Eigen::VectorXd state;
     DrivenNoise driven_noise;  // where errors are not coarse: what whitens them before anything else
-    Eigen::MatrixXd state_basis, change_basis;  // samples*channels x 2 modes, orthonormal
+    // Orthonormal, samples*channels long: foreign content, then what the state adds to it; 2 modes columns.
+    Eigen::MatrixXd state_basis, change_basis;
+    Eigen::MatrixXd foreign;  // content that was taken off the responses so far; empty: none
     // Samples at which a channel may read either side of a jump of its signal: errors there are not continuous in
     // the unknowns and do not count.
     std::vector<Eigen::Index> at_jumps;
@@ -74,16 +92,16 @@ class SegmentEvidence : public Evidence {
     double white_sd() const { return coloured ? coloured->least : rest_sd; }
   };
   // What the unknowns leave of a segment.
-  struct Left {
+  struct LeftOfSegment {
     double white = 0;         // variance of what is white
     Eigen::VectorXd changes;  // in the first rows
     Eigen::VectorXd rest;     // in the others
     double rest_rms = 0;
   };
-  std::vector<Left> left_by(const Eigen::VectorXd& unknowns) const;
+  std::vector<LeftOfSegment> left_by(const Eigen::VectorXd& unknowns) const;
   void measure_noise(const Eigen::VectorXd& unknowns);
   /// Of all decays together; nothing where it is white, or where they are too few to tell: fewer than two.
-  std::shared_ptr<const NoiseInCosines> coloured_noise(const std::vector<Left>& left,
+  std::shared_ptr<const NoiseInCosines> coloured_noise(const std::vector<LeftOfSegment>& left,
                                                        const Eigen::VectorXd& unknowns) const;
   /// Errors beside the first rows in units of noise.
   static void whiten(const Noise& noise, const Eigen::VectorXd& error, Eigen::Ref<Eigen::VectorXd> rest);
@@ -92,13 +110,22 @@ class SegmentEvidence : public Evidence {
   /// Slopes by the offset of a response channel, per `scale`.
   Eigen::VectorXd offset_slopes(std::size_t channel, double scale) const;
   /// Of a record's segments.
-  Noise noise_of(std::span<const Left> left, std::size_t first,
+  Noise noise_of(std::span<const LeftOfSegment> left, std::size_t first,
                  std::shared_ptr<const NoiseInCosines> coloured) const;
   /// Where segments begin, from the first one to before the end, and what does not count of them.
   void freeze_states(std::size_t first, std::size_t end, const Eigen::VectorXd& unknowns);
   std::vector<Eigen::VectorXd> states_at(std::size_t first, std::size_t end, const Eigen::VectorXd& unknowns) const;
   /// Directions in which their errors move with the state, and with the change of every mode, where they are.
   void freeze_bases(std::size_t first, std::size_t end, const Eigen::VectorXd& unknowns);
+  /// States, and what whitens errors about them.
+  void freeze_motions(std::size_t first, std::size_t end, const Eigen::VectorXd& unknowns);
+  /// Columns of foreign content that are fitted: while errors are coarse, in which tones are small, of zeros alone.
+  Eigen::Index foreign_count(std::size_t segment) const;
+  /// Foreign content as errors hold it.
+  Eigen::MatrixXd seen_foreign_columns(std::size_t segment) const;
+  /// What the errors of a frozen segment hold of foreign content comes off its responses: rows do not see it, but
+  /// its state is found beside it, and slopes are those of the motion.
+  void take_foreign_content_off(std::size_t segment, const Eigen::VectorXd& unknowns);
   /// What the errors of a frozen segment say of the noise in its excitation comes off the excitation, and what that
   /// does to its errors off its responses: slopes are those of the likeliest excitation, errors stay as they are.
   void take_driven_noise_off(std::size_t segment, const Eigen::VectorXd& unknowns);
@@ -127,7 +154,8 @@ class SegmentEvidence : public Evidence {
 
   SegmentModel model_;
   std::vector<Segment> measured_;
-  std::vector<Segment> segments_;  // those measured; where a noise of the excitation is known, without it
+  std::vector<Segment> segments_;         // those measured; where a noise of the excitation is known, without it
+  std::vector<Eigen::MatrixXd> foreign_;  // of each, foreign_columns()
   unsigned threads_;
   std::vector<Frozen> frozen_;
   std::vector<Noise> noise_;

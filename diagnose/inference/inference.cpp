@@ -64,6 +64,11 @@ constexpr std::size_t most_first_afresh = 2;
 /// A second effect is looked for where the best single one leaves so many standard deviations of chi-squared.
 constexpr auto& least_structure = diagnose_thresholds().least_structure;
 
+/// Errors of a fit are taken anew so often at each level; among the true ones of a model that leaves no more than
+/// noise, until that changes less than chance does, and at most as often as this: each time with what the last fit
+/// left of states and noise, which comes to rest slowly where these are large.
+constexpr int usual_rounds = 6, most_rounds = 24;
+
 // The strengths and shapes of one candidate from one vector of unknowns put into another.
 void take_over(VectorXd& into, const VectorXd& from, const Candidate& c) {
   for (const std::size_t u : c.strengths) into(static_cast<Index>(u)) = from(static_cast<Index>(u));
@@ -164,13 +169,16 @@ class Search {
     for (const double coarse : coarse_levels) {
       Refit fit;
       double before = std::numeric_limits<double>::infinity();
-      for (int round = 0; round < 6; ++round) {
+      for (int round = 0; round < most_rounds; ++round) {
         freeze(unknowns, coarse);
         Refit next = refit_these(unknowns, free, coarse > 0 ? first_damping : 0);
         if (next.chi_squared > reweighting * std::max(before, rows())) break;
         fit = std::move(next);
         unknowns = fit.unknowns;
-        if (round > 0 && std::abs(fit.chi_squared - before) < 0.02 * before + 1) break;
+        const bool holds = coarse == 0 && is_within_noise(fit.chi_squared, rows());
+        const double change = std::abs(fit.chi_squared - before);
+        if (round > 0 && change < (holds ? least_gain : 0.02 * before + 1)) break;
+        if (round + 1 >= usual_rounds && !holds) break;
         before = fit.chi_squared;
       }
       fits.push_back(std::move(fit));
@@ -191,9 +199,12 @@ class Search {
   // Among the errors as they are.
   double left_by(const Explanation& e) const { return discrepancy_(e.fit.unknowns).squaredNorm(); }
 
+  static bool is_within_noise(double chi_squared, double freedom) {
+    return chi_squared <= freedom + least_structure * std::sqrt(2 * freedom);
+  }
+
   bool leaves_more_than_noise(const Explanation& e) const {
-    const double freedom = result_.degrees_of_freedom;
-    return e.fit.chi_squared > freedom + least_structure * std::sqrt(2 * freedom);
+    return !is_within_noise(e.fit.chi_squared, result_.degrees_of_freedom);
   }
 
   // Of a model that is far from the data a fine fit would be bent beyond all sense; what it lacks is looked for
@@ -215,6 +226,7 @@ class Search {
     }
     result_.null.fit = std::move(nulls[level_]);
     result_.degrees_of_freedom = rows() - static_cast<double>(result_.null.fit.rank);
+    null_holds_ = level_ == finest && !leaves_more_than_noise(result_.null);
   }
 
   // A model that misses even coarse equations fits best with natural frequencies that nobody would believe, and
@@ -530,7 +542,9 @@ class Search {
 
   // Coarse errors are a way to walk; what a verdict is read from holds among the true ones.
   void settle() {
-    settle_null(found_.empty() ? result_.null : found_.front());
+    // A model that leaves no more than noise among its own errors needs none of an explanation: by numbers that
+    // others make up for it may be far from there.
+    settle_null(found_.empty() || null_holds_ ? result_.null : found_.front());
     refit_found();
     end_stalled();
     // Where all rows together show no gap, one candidate may still: beside this null.
@@ -561,7 +575,8 @@ class Search {
   double price_;  // of one unknown more, in log evidence
   KnownScales scales_;
   Frozen frozen_;
-  std::size_t level_ = 0;  // index into coarse_levels that the errors are frozen at
+  std::size_t level_ = 0;    // index into coarse_levels that the errors are frozen at
+  bool null_holds_ = false;  // the model as it is leaves no more than noise among its own true errors
   std::vector<Screening> singles_;
   std::vector<Explanation> found_;
   std::atomic<std::size_t> fitted_ = 0;

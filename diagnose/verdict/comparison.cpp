@@ -95,13 +95,24 @@ std::vector<double> natural_frequencies(const CompiledModel& model, const Diagno
   return natural;
 }
 
-// Velocities and accelerations of a motion that lasts have no mean: what is there is the sensor's.
+// Velocities and accelerations of a motion that lasts have no mean: what is there is the sensor's. No row sees that
+// of a zero that wanders.
 std::vector<std::size_t> offsets_of_derivatives(const CompiledModel& model, const SensorModel& sensors,
-                                                const FaultTable& faults) {
+                                                const FaultTable& faults, const WanderingZeros& wandering) {
   std::vector<std::size_t> offsets;
   for (std::size_t c = 0; c < sensors.responses.size() && sensors.derivatives > 0; ++c)
-    offsets.push_back(model.symbols.size() + faults.offset(c));
+    if (!wandering.contains(sensors.responses[c])) offsets.push_back(model.symbols.size() + faults.offset(c));
   return offsets;
+}
+
+// Offsets of zeros that wander.
+bool is_unseen(const Candidate& candidate, const CompiledModel& model, const SensorModel& sensors,
+               const FaultTable& faults, const WanderingZeros& wandering) {
+  for (std::size_t c = 0; c < sensors.responses.size(); ++c)
+    if (wandering.contains(sensors.responses[c]) &&
+        candidate.strengths == std::vector{model.symbols.size() + faults.offset(c)})
+      return true;
+  return false;
 }
 
 InputError nothing_to_compare(const Campaign& campaign, const CompiledModel& model,
@@ -182,7 +193,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
   Comparison result{.forces = options.forces,
                     .sensors = sensors,
                     .faults = faults,
-                    .nuisances = offsets_of_derivatives(model, sensors, faults),
+                    .nuisances = offsets_of_derivatives(model, sensors, faults, options.wandering),
                     .start = start_of(model, faults, options),
                     .conditions = {},
                     .candidates = {},
@@ -199,7 +210,8 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
       observe_conditions({campaign, model, sensors, natural, options.window, options.wandering}, counted);
   result.warnings = std::move(observed.warnings);
   const auto cut = [&](const Window& window, SegmentLength length) {
-    return cut_segments(campaign, counted, sensors, natural, {window, length, most_samples, options.wandering},
+    return cut_segments(campaign, counted, sensors, natural,
+                        {window, length, most_samples, options.wandering, options.tones, options.coloured},
                         result.warnings);
   };
   std::vector<Segment> segments = cut(options.window, SegmentLength::turns);
@@ -221,7 +233,9 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
       candidates_of(options.catalogue, effects, {model, sensors, faults, result.conditions, segments, largest});
   note_scales(result.forces, result.candidates);
   check_left_out(options.left_out, options.catalogue);
-  std::erase_if(result.candidates, [&](const Candidate& c) { return options.left_out.contains(c.effect); });
+  std::erase_if(result.candidates, [&](const Candidate& c) {
+    return options.left_out.contains(c.effect) || is_unseen(c, model, sensors, faults, options.wandering);
+  });
   if (!result.conditions.empty())
     result.discrepancy.add(std::make_unique<LineEvidence>(result.condition_model(model), result.conditions,
                                                           result.start, options.threads));

@@ -29,9 +29,11 @@ ModelAlone fit_alone(const Campaign& campaign, const RecordReader& read, const C
   InferenceOptions inference_options;
   inference_options.threads = options.threads;
   const Inference alone = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
+  const SegmentEvidence* segments = comparison.segment_evidence;
   return {{alone.null.fit.chi_squared, alone.degrees_of_freedom},
           scatter_about(comparison.discrepancy, alone.null.fit.unknowns, model.modes()),
-          lateness_about(comparison.discrepancy)};
+          lateness_about(comparison.discrepancy),
+          segments ? segments->left(alone.null.fit.unknowns) : std::vector<SegmentEvidence::Left>()};
 }
 
 bool lateness_takes_more_than_chance(const ModelAlone& without, const ModelAlone& with) {

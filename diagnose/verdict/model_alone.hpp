@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "diagnose/evidence/segment_evidence.hpp"
 #include "diagnose/verdict/diagnosis_options.hpp"
 #include "diagnose/verdict/frequency_scatter.hpp"
 #include "diagnose/verdict/gap_detection.hpp"
@@ -13,8 +15,9 @@ namespace secular {
 /// What the model as it is leaves of a campaign, beside what its records are allowed to have of their own.
 struct ModelAlone {
   RowsLeft left;
-  FrequencyScatter scatter;  ///< where the options admit it
-  LateRecords late;          ///< where the options admit it
+  FrequencyScatter scatter;                        ///< where the options admit it
+  LateRecords late;                                ///< where the options admit it
+  std::vector<SegmentEvidence::Left> of_segments;  ///< of records that are compared sample by sample
 
   double dispersion() const { return left.chi_squared / left.freedom; }
 };

@@ -39,6 +39,12 @@ std::span<const DisturbanceKind> disturbance_catalogue() {
           "amplitude at the begin, in the channel's unit",
           "the first block's line over that of 8 to 32 late ones (F law), blocks of many lengths",
           "early ensembles differ from late ones; a mode outside of the model seems to be driven", find_ringing},
+      DisturbanceKind{
+          "coloured_noise", "noise of a response whose correlation falls exponentially, beside white noise",
+          "standard deviation, in the channel's unit",
+          "by diagnose, from what the model leaves between multiples of the motion (likelihood ratio of "
+          "Whittle's)",
+          "slow rows scatter more than fast ones: a law of the structure seems to act"},
       DisturbanceKind{"spikes", "single samples that neighbours do not go with",
                       "the largest, in the channel's unit",
                       "a gap between the largest and the tail of all (spacings of ordered values, F law), or the "

@@ -16,7 +16,8 @@ namespace {
 // less than a tenth of their noise under this window.
 constexpr std::size_t side_bins = 8;
 constexpr std::size_t first_side_bin = 5;
-constexpr std::size_t reach = first_side_bin + 2 * (side_bins - 1);
+constexpr std::size_t reach = line_reach;
+static_assert(reach == first_side_bin + 2 * (side_bins - 1));
 
 // The larger mean of the two sides of a bin; nothing near the ends of the spectrum.
 double noise_beside(const std::vector<double>& powers, std::size_t bin) {

@@ -16,6 +16,9 @@ struct Line {
 /// with: two lines that are nearer cannot be told apart.
 inline constexpr double lobe_bins = 4;
 
+/// Nearer to either end of the spectrum, in bins, no line is looked for: noise beside it is needed.
+inline constexpr std::ptrdiff_t line_reach = 19;
+
 /// The window of Blackman and Harris with four terms, whose side lobes are 92 dB down.
 std::vector<double> lobe_window(std::size_t length);
 

@@ -8,7 +8,7 @@
 namespace secular {
 namespace {
 
-// Halves and thirds are the subharmonics of equations with quadratic and cubic terms.
+// Halves and thirds are the subharmonics of equations with quadratic and cubic terms that are driven.
 constexpr int largest_divisor = 3;
 // Of sums of two excitations' multiples: the third power of what a cubic term makes is far below any line here.
 constexpr auto& largest_order = measure_thresholds().largest_order;
@@ -38,6 +38,7 @@ MotionTones::MotionTones(const SearchedRecord& record) : record_(record), rate_(
   const RecordEntry& entry = record.entry();
   const bool dwell = entry.kind == RecordKind::dwell;
   forced_ = dwell;
+  decays_ = entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact;
   const bool tonal = dwell || entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact;
   double largest_share = 0;
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
@@ -61,7 +62,7 @@ double MotionTones::folded(double frequency_hz) const {
 }
 
 bool MotionTones::is_multiple(double frequency_hz, double of_hz, double tolerance) const {
-  for (int q = 1; q <= largest_divisor; ++q)
+  for (int q = 1; q <= (decays_ ? 1 : largest_divisor); ++q)
     if (same(frequency_hz * q, of_hz * std::round(frequency_hz * q / of_hz), tolerance)) return true;
   return false;
 }

@@ -40,6 +40,7 @@ class MotionTones {
   const SearchedRecord& record_;
   double rate_ = 0, tolerance_ = 0;
   bool forced_ = false;             // a dwell
+  bool decays_ = false;             // swings freely: no subharmonics
   std::vector<double> generators_;  // excitation frequencies of a dwell, the strongest line of a decay
   std::vector<double> excited_;     // other records: lines of the excitation
 };

@@ -52,19 +52,12 @@ BlockMeans block_means(std::span<const double> samples, std::size_t length) {
   return blocks;
 }
 
-// Of accelerations and velocities of a bounded motion the mean is zero; quadratic terms give a displacement one.
-bool has_no_mean(const Channel& channel) {
-  return channel.role == ChannelRole::excitation || channel.quantity == Quantity::acceleration ||
-         channel.quantity == Quantity::velocity;
-}
-
-// Columns: one, powers of the motion's mean square that its own mean may follow, slow cosines.
-MatrixXd columns(const VectorXd& square, Index own) {
-  const Index rows = square.size();
+// Columns: one, what the motion's own mean may follow, slow cosines.
+MatrixXd columns(const MatrixXd& follows) {
+  const Index rows = follows.rows(), own = follows.cols();
   MatrixXd x(rows, 1 + own + slow_terms);
   x.col(0).setOnes();
-  const VectorXd relative = square / std::max(square.maxCoeff(), 1e-300);
-  for (Index p = 0; p < own; ++p) x.col(1 + p) = relative.array().pow(static_cast<double>(p + 1));
+  x.middleCols(1, own) = follows;
   for (Index k = 0; k < slow_terms; ++k)
     for (Index l = 0; l < rows; ++l)
       x(l, 1 + own + k) = std::cos(std::numbers::pi * static_cast<double>(k + 1) * (static_cast<double>(l) + 0.5) /
@@ -94,9 +87,9 @@ Index blocks_in_motion(const SearchedChannel& channel, const VectorXd& square) {
   return last;
 }
 
-// A decay begins behind its largest sample: before that the structure is led or held there.
+// A decay begins behind its largest sample: before that the structure is led or held there, or struck.
 std::span<const double> motion_of(const SearchedRecord& record, std::span<const double> samples) {
-  if (record.entry().kind != RecordKind::free_decay) return samples;
+  if (record.entry().kind != RecordKind::free_decay && record.entry().kind != RecordKind::impact) return samples;
   double mean = 0, largest = 0;
   for (const double x : samples) mean += x / static_cast<double>(samples.size());
   std::size_t begin = 0;
@@ -108,18 +101,39 @@ std::span<const double> motion_of(const SearchedRecord& record, std::span<const 
   return samples.subspan(begin);
 }
 
+bool is_driven(const SearchedRecord& record) {
+  return record.entry().kind == RecordKind::sweep || record.entry().kind == RecordKind::broadband;
+}
+
+// What the motion's own mean may follow: its mean square, and the mean of what drives it (below all resonances a
+// structure follows as a spring), each over its largest.
+MatrixXd followed(const SearchedRecord& record, std::size_t c, const VectorXd& square, std::size_t length) {
+  std::vector<VectorXd> drives;
+  for (std::size_t e = 0; e < record.channels.size() && is_driven(record); ++e)
+    if (record.is_excitation(e) && e != c)
+      drives.push_back(block_means(record.channels[e].samples, length).mean.head(square.size()));
+  const Index own = own_terms(record.channel(c));
+  MatrixXd follows(square.size(), own + static_cast<Index>(drives.size()));
+  const VectorXd relative = square / std::max(square.maxCoeff(), 1e-300);
+  for (Index p = 0; p < own; ++p) follows.col(p) = relative.array().pow(static_cast<double>(p + 1));
+  for (const VectorXd& drive : drives)
+    follows.col(own + (&drive - drives.data())) = drive / std::max(drive.cwiseAbs().maxCoeff(), 1e-300);
+  return follows;
+}
+
 // The zero of a channel, from means of blocks of that length.
 std::optional<Zero> zero_of(const SearchedRecord& record, std::size_t c, std::size_t length) {
   const SearchedChannel& channel = record.channels[c];
-  const Index own = own_terms(record.channel(c));
   const std::span<const double> samples = motion_of(record, channel.samples);
   if (samples.size() < 2 * length) return std::nullopt;
   BlockMeans blocks = block_means(samples, length);
-  const Index rows = own > 0 ? blocks_in_motion(channel, blocks.square) : blocks.mean.size();
+  const Index rows =
+      own_terms(record.channel(c)) > 0 ? blocks_in_motion(channel, blocks.square) : blocks.mean.size();
   blocks.mean.conservativeResize(rows);
   blocks.square.conservativeResize(rows);
-  if (rows < fewest_blocks + 1 + own + slow_terms) return std::nullopt;
-  const MatrixXd x = columns(blocks.square, own);
+  const MatrixXd x = columns(followed(record, c, blocks.square, length));
+  const Index own = x.cols() - 1 - slow_terms;
+  if (rows < fewest_blocks + x.cols()) return std::nullopt;
   const Eigen::CompleteOrthogonalDecomposition<MatrixXd> all(x), without(x.leftCols(1 + own));
   const MatrixXd inverse = all.pseudoInverse();
   const VectorXd fit = inverse * blocks.mean;
@@ -138,20 +152,42 @@ std::optional<Zero> zero_of(const SearchedRecord& record, std::size_t c, std::si
   return zero;
 }
 
+// Of a record whose excitation is no tone: its strongest response, next to what an amplitude makes of it. Slower
+// than lines are looked for nothing moves.
+double lowest_of_any(const SearchedRecord& record) {
+  double strongest = 0, lowest = 0;
+  for (std::size_t c = 0; c < record.channels.size(); ++c) {
+    const std::vector<double>& powers = record.channels[c].powers;
+    if (record.is_excitation(c) || powers.size() <= static_cast<std::size_t>(2 * line_reach)) continue;
+    const auto most = std::max_element(powers.begin() + line_reach, powers.end());
+    if (!(*most > strongest)) continue;
+    strongest = *most;
+    lowest = 0.5 * record.rate * static_cast<double>(most - powers.begin()) /
+             static_cast<double>(powers.size() - 1) / static_cast<double>(measure_thresholds().softest);
+  }
+  return lowest;
+}
+
 // Samples of a block that is so long that the lowest line lies beside the window's main lobe; zero where there is
 // none, or the record too short.
 std::size_t block_length(const SearchedRecord& record) {
   const RecordKind kind = record.entry().kind;
-  if (kind != RecordKind::dwell && kind != RecordKind::free_decay) return 0;
-  double lowest = MotionTones(record).lowest_hz();
+  const bool tonal = kind == RecordKind::dwell || kind == RecordKind::free_decay;
+  double lowest = tonal ? MotionTones(record).lowest_hz() : lowest_of_any(record);
   for (const SearchedChannel& channel : record.channels)
-    for (const Line& line : channel.lines) lowest = lowest > 0 ? std::min(lowest, line.frequency_hz) : lowest;
+    for (const Line& line : channel.lines)
+      lowest = lowest > 0 && tonal ? std::min(lowest, line.frequency_hz) : lowest;
   if (!(lowest > 0)) return 0;
   const auto length = static_cast<std::size_t>(std::ceil(lobe_bins * record.rate / lowest)) / 2 * 2 + 2;
   return length > record.samples() / 2 ? 0 : length;
 }
 
 }  // namespace
+
+bool has_no_mean(const Channel& channel) {
+  return channel.role == ChannelRole::excitation || channel.quantity == Quantity::acceleration ||
+         channel.quantity == Quantity::velocity;
+}
 
 void find_offsets(const SearchedRecord& record, std::vector<Disturbance>& found) {
   const std::size_t length = block_length(record);

@@ -50,6 +50,10 @@ struct SearchedRecord {
   Disturbance found(std::string_view kind, std::size_t channel, double size) const;
 };
 
+/// Of accelerations and velocities of a bounded motion the mean is zero, as that of an excitation; quadratic terms
+/// give a displacement one.
+bool has_no_mean(const Channel& channel);
+
 /// Values are those of each channel's longest stretch in which no channel lacks a sample.
 SearchedRecord searched(const Campaign& campaign, std::size_t index, const Record& record,
                         const std::vector<ChannelValues>& values);

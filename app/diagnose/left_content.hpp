@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "diagnose/verdict/diagnosis.hpp"
+#include "diagnose/verdict/diagnosis_options.hpp"
+#include "measure/data/campaign.hpp"
+#include "measure/disturbances/disturbance.hpp"
+
+namespace secular::app {
+
+/// Kinds of disturbances that it may be.
+inline constexpr std::string_view wander_kind = "offset_wander", tone_kind = "foreign_tone",
+                                  ring_kind = "neighbour_mode", colour_kind = "coloured_noise";
+
+/// What was found beside the motion of records that are compared sample by sample.
+struct ForeignContent {
+  std::vector<Disturbance> found;  ///< in the records themselves, then in what the model left of them
+  ForeignTones ringing;            ///< of modes that the model does not have
+  ColouredNoises coloured;
+};
+
+/// What the fit allows for from now on: zeros that wander, tones, rings and coloured noise.
+void admit(const ForeignContent& content, const Campaign& campaign, DiagnosisOptions& options);
+
+/// Adds what no missing term of the equations makes of what the model leaves (docs/inference.md (36)); how much was
+/// found.
+std::size_t search(const std::vector<SegmentEvidence::Left>& left, const Campaign& campaign,
+                   ForeignContent& content);
+
+}  // namespace secular::app

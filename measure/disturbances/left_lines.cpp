@@ -1,0 +1,111 @@
+#include "measure/disturbances/left_lines.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "measure/disturbances/lines.hpp"
+#include "numerics/hertz.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// The motion's strongest line, Hz, by the parabola through the logarithms of its powers; zero where it has none.
+double line_of(std::span<const double> motion, double rate_hz) {
+  const std::size_t length = motion.size() / 2 * 2;
+  const std::vector<double> powers = windowed_powers(motion.first(length), lobe_window(length));
+  const auto most = static_cast<std::size_t>(
+      std::max_element(powers.begin() + static_cast<std::ptrdiff_t>(lobe_bins), powers.end() - 1) - powers.begin());
+  const double before = std::log(powers[most - 1]), here = std::log(powers[most]),
+               after = std::log(powers[most + 1]);
+  const double bend = before - 2 * here + after, off = bend < 0 ? 0.5 * (before - after) / bend : 0;
+  return (static_cast<double>(most) + off) * rate_hz / static_cast<double>(length);
+}
+
+// The motion's line in a part of a record, and by how much it changes there.
+struct MovingLine {
+  double frequency_hz, change_hz;
+};
+
+MovingLine moving_line_of(std::span<const double> motion, double rate_hz) {
+  const double whole = line_of(motion, rate_hz), first = line_of(motion.first(motion.size() / 2), rate_hz);
+  return {whole, std::abs(whole - first)};
+}
+
+// Of a falling line the frequency is fitted, to less than a bin; a steady one is told from a multiple by the main
+// lobe. A multiple changes by as many times as its order.
+bool is_multiple(const LeftLine& line, const MovingLine& of, double bin_hz) {
+  if (!(of.frequency_hz > 0)) return false;
+  const double order = std::max(1.0, std::round(line.frequency_hz / of.frequency_hz));
+  return std::abs(line.frequency_hz - order * of.frequency_hz) <
+         (line.rate > 0 ? 1 : lobe_bins) * bin_hz + order * of.change_hz;
+}
+
+// A falling line as it fits best beside nothing else.
+struct Fall {
+  double frequency_hz, rate, amplitude, gain;
+};
+
+Fall fitted(const VectorXd& left, double frequency_hz, double rate, double rate_hz) {
+  MatrixXd waves(left.size(), 2);
+  for (Index i = 0; i < left.size(); ++i) {
+    const double t = static_cast<double>(i) / rate_hz, falls = std::exp(-rate * t);
+    waves.row(i) << falls * std::cos(two_pi * frequency_hz * t), falls * std::sin(two_pi * frequency_hz * t);
+  }
+  const Eigen::Matrix2d normal = waves.transpose() * waves;
+  const Eigen::Vector2d along = waves.transpose() * left, size = normal.ldlt().solve(along);
+  return {frequency_hz, rate, size.norm(), size.dot(along)};
+}
+
+// By the largest gain over a grid that closes in: frequencies within two bins of the part that shows it, rates from
+// a tenth of one in the whole to sixteen in the part.
+LeftLine falling(const VectorXd& left, double frequency_hz, double part_s, double rate_hz) {
+  const double whole_s = static_cast<double>(left.size()) / rate_hz;
+  Fall best = fitted(left, frequency_hz, 1 / part_s, rate_hz);
+  double off_hz = 2 / part_s, ratio = std::sqrt(160 * whole_s / part_s),
+         middle = std::sqrt(1.6 / (part_s * whole_s));
+  for (int round = 0; round < 4; ++round) {
+    const double about_hz = round == 0 ? frequency_hz : best.frequency_hz,
+                 about_rate = round == 0 ? middle : best.rate;
+    for (int f = -4; f <= 4; ++f)
+      for (int r = -4; r <= 4; ++r) {
+        const Fall fall =
+            fitted(left, about_hz + 0.25 * f * off_hz, about_rate * std::pow(ratio, 0.25 * r), rate_hz);
+        if (fall.gain > best.gain) best = fall;
+      }
+    off_hz *= 0.25;
+    ratio = std::pow(ratio, 0.25);
+  }
+  return {best.frequency_hz, best.amplitude, best.rate};
+}
+
+}  // namespace
+
+std::vector<LeftLine> find_left_lines(std::span<const double> left, std::span<const double> motion, double rate_hz,
+                                      double false_alarm) {
+  std::vector<LeftLine> found;
+  const auto add = [&](const Line& line, std::span<const double> moving, double part_s, bool steady) {
+    const double bin_hz = 1 / part_s;
+    for (const LeftLine& other : found)
+      if (std::abs(other.frequency_hz - line.frequency_hz) < lobe_bins * bin_hz) return;
+    const LeftLine fresh = steady
+                               ? LeftLine{line.frequency_hz, line.amplitude, 0}
+                               : falling(Eigen::Map<const VectorXd>(left.data(), static_cast<Index>(left.size())),
+                                         line.frequency_hz, part_s, rate_hz);
+    const MovingLine of = moving_line_of(moving, rate_hz);
+    if (is_multiple(fresh, of, bin_hz)) return;
+    found.push_back(fresh);
+  };
+  for (const Line& line : find_lines(left, rate_hz, 0.5 * false_alarm))
+    if (line.steady) add(line, motion, static_cast<double>(left.size()) / rate_hz, true);
+  for (std::size_t length = left.size() / 2; length >= 8 * static_cast<std::size_t>(line_reach); length /= 2)
+    for (const Line& line : find_lines(left.first(length), rate_hz, 0.5 * false_alarm))
+      add(line, motion.first(length), static_cast<double>(length) / rate_hz, false);
+  return found;
+}
+
+}  // namespace secular

@@ -1,0 +1,191 @@
+// What the laboratory adds to single decays and sweeps is listed and explains nothing: a model that is right shows
+// no gap beside it, and what a model lacks is still named.
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <sstream>
+#include <vector>
+
+#include "tests/app/diagnosed_folder.hpp"
+#include "tests/signal/gaussian.hpp"
+
+namespace secular {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi, rate_hz = 320, natural_rad_s = 66.7;
+
+class ForeignContent : public testing_support::DiagnosedFolder {
+ protected:
+  // By time and random numbers, in units of the readings' rms about their mean.
+  using Added = std::function<double(double, testing_support::Gaussian&)>;
+
+  void write_model() const {
+    std::ofstream(folder_ / "model.toml") << R"toml(schema = 1
+name = "plain"
+[[mode]]
+coordinate = "v"
+frequency = "omega0"
+equation = "D2(v) + omega0^2*v = -2*mu1*D(v) + eta1*F*cos(Omega*t)"
+[[case]]
+name = "free"
+relations = []
+order = { mu1 = 2, eta1 = 2 }
+expand_to = 2
+excitation = false
+[[case]]
+name = "primary"
+relations = ["Omega = omega0 + eps^2*sigma"]
+order = { mu1 = 2, eta1 = 2 }
+expand_to = 2
+[nominal]
+omega0 = 66.0
+)toml";
+  }
+
+  // A campaign of such records, the response a velocity with noise of 0.6 % of its rms.
+  void measure(const std::string& records, const std::string& effect = "") const {
+    write_model();
+    std::ofstream(folder_ / "experiment.toml") << "schema = 1\nname = \"made\"\nmodel = \"" << path("model.toml")
+                                               << "\"\nsample_rate_hz = " << rate_hz << R"toml(.0
+[parameters]
+omega0 = 66.7
+mu1 = 0.75
+eta1 = 1.0
+[excitation]
+name = "base"
+quantity = "acceleration"
+unit = "m/s^2"
+noise_sd = 0.001
+[[response]]
+name = "tip"
+quantity = "velocity"
+unit = "m/s"
+noise_sd = 0.0003
+)toml" << records << effect;
+    ASSERT_EQ(run("simulate " + path("experiment.toml") + " --seed 5 --force -o " + path("campaign")), 0)
+        << printed();
+  }
+
+  void measure_decay(const std::string& effect = "") const {
+    measure("[[free_decay]]\ninitial_displacement = [0.002]\nduration_s = 4.0\n", effect);
+  }
+
+  void measure_sweep() const {
+    measure("[[sweep]]\nfrom_hz = 9.6\nto_hz = 11.6\nrate_hz_per_s = 0.1\namplitude = 0.1\nsettle_s = 10.0\n");
+  }
+
+  void add(const Added& added, std::uint64_t seed = 1) const {
+    testing_support::Gaussian random(seed);
+    const std::filesystem::path file = folder_ / "campaign/records/0001.csv";
+    std::ifstream in(file);
+    std::string header, line;
+    std::getline(in, header);
+    std::vector<std::string> before;
+    std::vector<double> times, readings;
+    while (std::getline(in, line)) {
+      const std::size_t last = line.rfind(',');
+      before.push_back(line.substr(0, last));
+      readings.push_back(std::stod(line.substr(last + 1)));
+      times.push_back(std::stod(line));
+    }
+    in.close();
+    double square = 0;
+    for (const double x : readings) square += x * x / static_cast<double>(readings.size());
+    std::ofstream out(file);
+    out.precision(12);
+    out << header << '\n';
+    for (std::size_t i = 0; i < times.size(); ++i)
+      out << before[i] << ',' << readings[i] + std::sqrt(square) * added(times[i] - times.front(), random) << '\n';
+  }
+
+  void expect_no_gap_beside(const std::string& kind) const {
+    const nlohmann::json d = diagnosis();
+    ASSERT_TRUE(d.is_object()) << printed();
+    EXPECT_EQ(d["verdict"], "no_gap") << kind << '\n' << printed();
+    EXPECT_TRUE(is_fitted(d, kind)) << kind << '\n' << printed();
+  }
+
+  static bool is_fitted(const nlohmann::json& d, const std::string& kind) {
+    bool found = false;
+    for (const nlohmann::json& one : d["disturbances"])
+      found = found || (one["kind"] == kind && one["treated"] == "fitted");
+    return found;
+  }
+};
+
+double hum(double t, testing_support::Gaussian&) {
+  return 0.07 * std::sin(turn * 50 * t + 1);
+}
+
+double wander(double t, testing_support::Gaussian&) {
+  return 0.25 * (1 - std::exp(-t / 8));
+}
+
+double ring(double t, testing_support::Gaussian&) {
+  return 0.2 * std::exp(-1.5 * t) * std::cos(turn * 26.1 * t);
+}
+
+// Correlated over 0.05 s, 3 % (sd).
+struct Coloured {
+  double now = 0;
+  double operator()(double, testing_support::Gaussian& random) {
+    const double keeps = std::exp(-1 / (rate_hz * 0.05));
+    now = keeps * now + std::sqrt(1 - keeps * keeps) * random();
+    return 0.03 * now;
+  }
+};
+
+TEST_F(ForeignContent, HumInADecayIsNoGap) {
+  measure_decay();
+  add(hum);
+  expect_no_gap_beside("foreign_tone");
+}
+
+TEST_F(ForeignContent, AWanderingZeroInADecayIsNoGap) {
+  measure_decay();
+  add(wander);
+  expect_no_gap_beside("offset_wander");
+}
+
+TEST_F(ForeignContent, AnotherModeThatRingsInADecayIsNoGap) {
+  measure_decay();
+  add(ring);
+  expect_no_gap_beside("neighbour_mode");
+}
+
+TEST_F(ForeignContent, ColouredNoiseInADecayIsNoGap) {
+  measure_decay();
+  add(Coloured());
+  expect_no_gap_beside("coloured_noise");
+}
+
+TEST_F(ForeignContent, HumInASweepIsNoGap) {
+  measure_sweep();
+  add(hum);
+  expect_no_gap_beside("foreign_tone");
+}
+
+TEST_F(ForeignContent, AWanderingZeroInASweepIsNoGap) {
+  measure_sweep();
+  add(wander);
+  expect_no_gap_beside("offset_wander");
+}
+
+TEST_F(ForeignContent, BesideHumWhatAModelLacksIsNamed) {
+  constexpr double stiffness = 0.05 * natural_rad_s * natural_rad_s / (0.002 * 0.002);
+  measure_decay("[[effect]]\nname = \"cubic_stiffness\"\nstrength = " + std::to_string(stiffness) + "\n");
+  add(hum);
+  const nlohmann::json d = diagnosis();
+  ASSERT_TRUE(d.is_object()) << printed();
+  EXPECT_TRUE(is_fitted(d, "foreign_tone"));
+  EXPECT_FALSE(is_fitted(d, "coloured_noise"));
+  ASSERT_FALSE(d["set"].empty()) << printed();
+  EXPECT_EQ(d["set"][0], "cubic_stiffness") << printed();
+  for (const nlohmann::json& p : d["parameters"]) {
+    if (p["name"] != "alpha3_v") continue;
+    EXPECT_NEAR(p["value"].get<double>(), stiffness, 4 * p["sd"].get<double>());
+  }
+}
+
+}  // namespace
+}  // namespace secular

@@ -1,0 +1,115 @@
+// Lines and colours of what a model leaves of a record: found where they are, and not in white noise.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "measure/disturbances/left_lines.hpp"
+#include "measure/disturbances/noise_colour.hpp"
+#include "tests/signal/gaussian.hpp"
+
+namespace secular {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi, rate_hz = 320, level = 1e-3;
+constexpr std::size_t count = 1280;
+
+double at(std::size_t i) {
+  return static_cast<double>(i) / rate_hz;
+}
+
+std::vector<double> motion() {
+  std::vector<double> x;
+  for (std::size_t i = 0; i < count; ++i) x.push_back(100 * std::exp(-0.75 * at(i)) * std::cos(turn * 10 * at(i)));
+  return x;
+}
+
+std::vector<double> white(testing_support::Gaussian& random) {
+  std::vector<double> x;
+  for (std::size_t i = 0; i < count; ++i) x.push_back(random());
+  return x;
+}
+
+// A binomial law of 200 draws at 1e-3 has more than three once in 600 times; bins and lengths are counted in.
+TEST(LeftContent, WhiteNoiseHoldsNeitherLinesNorColour) {
+  testing_support::Gaussian random(3);
+  int lines = 0, colours = 0;
+  for (int draw = 0; draw < 200; ++draw) {
+    const std::vector<double> x = white(random);
+    lines += find_left_lines(x, motion(), rate_hz, level).empty() ? 0 : 1;
+    colours += find_noise_colour(x, motion(), rate_hz, level) ? 1 : 0;
+  }
+  EXPECT_LE(lines, 3);
+  EXPECT_LE(colours, 3);
+}
+
+TEST(LeftContent, ASteadyToneAndAFallingOneAreToldApart) {
+  testing_support::Gaussian random(4);
+  std::vector<double> x = white(random);
+  for (std::size_t i = 0; i < count; ++i)
+    x[i] += std::cos(turn * 47 * at(i) + 1) + 12 * std::exp(-2 * at(i)) * std::cos(turn * 24.1 * at(i));
+  const std::vector<LeftLine> found = find_left_lines(x, motion(), rate_hz, level);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].rate, 0);
+  EXPECT_NEAR(found[0].frequency_hz, 47, 0.05);
+  EXPECT_NEAR(found[0].amplitude, 1, 0.15);
+  // Standard deviations of a falling line of that size are 0.005 Hz, 0.03 1/s and 0.2.
+  EXPECT_NEAR(found[1].frequency_hz, 24.1, 0.03);
+  EXPECT_NEAR(found[1].rate, 2, 0.2);
+  EXPECT_NEAR(found[1].amplitude, 12, 1);
+}
+
+// What a missing term makes of a motion is at its multiples.
+TEST(LeftContent, AMultipleOfTheMotionIsNoForeignLine) {
+  testing_support::Gaussian random(5);
+  for (const double order : {1.0, 2.0, 3.0}) {
+    std::vector<double> x = white(random);
+    for (std::size_t i = 0; i < count; ++i)
+      x[i] += 12 * std::exp(-0.75 * order * at(i)) * std::cos(turn * 10 * order * at(i));
+    EXPECT_TRUE(find_left_lines(x, motion(), rate_hz, level).empty()) << order;
+  }
+}
+
+TEST(LeftContent, AColourIsFoundWithItsSizeAndTime) {
+  testing_support::Gaussian random(6);
+  double variance = 0, time_s = 0, white_variance = 0;
+  constexpr int draws = 48;
+  for (int draw = 0; draw < draws; ++draw) {
+    std::vector<double> x = white(random);
+    const double keeps = std::exp(-1 / (rate_hz * 0.05));
+    double now = random();
+    for (double& value : x) {
+      now = keeps * now + std::sqrt(1 - keeps * keeps) * random();
+      value += 4 * now;
+    }
+    const std::optional<NoiseColour> colour = find_noise_colour(x, motion(), rate_hz, level);
+    ASSERT_TRUE(colour);
+    variance += colour->sd * colour->sd / draws;
+    time_s += colour->time_s / draws;
+    white_variance += colour->white_sd * colour->white_sd / draws;
+  }
+  // Half of the spectrum of 80 correlation times tells time and variance to 40 %, white noise to a fourth; means of
+  // 48 within four standard deviations of theirs.
+  EXPECT_NEAR(variance, 16, 4 * 0.4 * 16 / std::sqrt(draws));
+  EXPECT_NEAR(time_s, 0.05, 4 * 0.4 * 0.05 / std::sqrt(draws));
+  EXPECT_NEAR(white_variance, 1, 4 * 0.25 / std::sqrt(draws));
+}
+
+// What a missing term leaves is larger where the motion is; a sensor's noise is the same everywhere.
+TEST(LeftContent, NoiseThatFollowsTheMotionIsToldFromASensors) {
+  testing_support::Gaussian random(7);
+  const std::vector<double> moves = motion();
+  constexpr NoiseColour colour{1, 0.05, 0.2};
+  int alarms = 0;
+  for (int draw = 0; draw < 200; ++draw) {
+    std::vector<double> noise = white(random), following = noise;
+    alarms += follows({1, 0.001, 0.2}, noise, moves, rate_hz, level) ? 1 : 0;
+    for (std::size_t i = 0; i < count; ++i) following[i] *= std::exp(-0.75 * at(i));
+    EXPECT_TRUE(follows(colour, following, moves, rate_hz, level)) << draw;
+  }
+  EXPECT_LE(alarms, 3);
+}
+
+}  // namespace
+}  // namespace secular
