@@ -99,6 +99,7 @@ class Discrepancy {
   void add(std::unique_ptr<Evidence> evidence);
   /// From the next freeze() on.
   void admit(RecordNuisances nuisances);
+  bool admits_own() const { return nuisances_.any(); }
   // Sums, or one behind the other, of the evidence's own.
   Eigen::Index size() const;
   Eigen::Index freedom() const;

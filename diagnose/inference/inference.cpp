@@ -226,7 +226,7 @@ class Search {
     }
     result_.null.fit = std::move(nulls[level_]);
     result_.degrees_of_freedom = rows() - static_cast<double>(result_.null.fit.rank);
-    null_holds_ = level_ == finest && !leaves_more_than_noise(result_.null);
+    null_holds_ = level_ == finest && !discrepancy_.admits_own() && !leaves_more_than_noise(result_.null);
   }
 
   // A model that misses even coarse equations fits best with natural frequencies that nobody would believe, and
@@ -543,7 +543,7 @@ class Search {
   // Coarse errors are a way to walk; what a verdict is read from holds among the true ones.
   void settle() {
     // A model that leaves no more than noise among its own errors needs none of an explanation: by numbers that
-    // others make up for it may be far from there.
+    // others make up for it may be far from there. (Not where what records have of their own makes up for it.)
     settle_null(found_.empty() || null_holds_ ? result_.null : found_.front());
     refit_found();
     end_stalled();
