@@ -228,10 +228,16 @@ std::string doubt_of_own(const Diagnosis& d) {
   if (d.frequency_scatter.follows_settings)
     return "natural frequencies of each record's own beside it follow the records' settings, as what a missing law "
            "does to them";
-  if (d.late.records.empty() || d.late.comes_at_random() || (d.late.too_few && d.verdict == "no_gap")) return "";
-  return d.late.too_few ? "too few records to tell whether they are late beside it"
-                        : "how late records are beside it follows their settings, as what a missing law does to "
-                          "phases";
+  if (d.late.records.empty() || d.late.comes_at_random()) return "";
+  switch (d.late.following) {
+    case Following::too_few:
+      return d.verdict == "no_gap" ? "" : "too few records to tell whether they are late beside it";
+    case Following::settings:
+      return "how late records are beside it follows their settings, as what a missing law does to phases";
+    case Following::at_random:
+      break;
+  }
+  return "records are not late by different times beside it";
 }
 
 void make_unknown(Diagnosis& d, const std::string& why) {
@@ -274,14 +280,8 @@ class StepByStep {
   // What a missing term leaves may look like foreign content: what is found in the rest counts where nothing is
   // left beside it.
   Diagnosis run() {
-    const ForeignContent in_records = foreign_;
-    ModelAlone plain = beside_foreign_content();
-    if (!is_more_than_noise(plain.left)) return diagnosed({});
-    if (searched_) {
-      foreign_ = in_records;
-      admit(foreign_, campaign_, options_);
-      plain = alone({});
-    }
+    const ModelAlone plain = alone({});
+    if (!is_more_than_noise(plain.left) || holds_beside_foreign_content(plain)) return diagnosed({});
     of_decays_ = find_decay_scatter(request_);
     std::vector<Allowance> all = allowances(plain);
     std::stable_sort(all.begin(), all.end(), [](const Allowance& a, const Allowance& b) {
@@ -312,15 +312,16 @@ class StepByStep {
 
   // What is in the readings and no term of the equations makes is allowed for before anything is tried. What is
   // large hides what is small, and where a line falls is known better beside a model that is fitted beside it.
-  ModelAlone beside_foreign_content() {
-    for (int round = 0;; ++round) {
-      ModelAlone plain = alone({});
-      if (!is_more_than_noise(plain.left) || round == most_rounds ||
-          search(plain.of_segments, campaign_, foreign_) == 0)
-        return plain;
+  bool holds_beside_foreign_content(ModelAlone left) {
+    const ForeignContent in_records = foreign_;
+    for (int round = 0; round < most_rounds && search(left.of_segments, campaign_, foreign_) > 0; ++round) {
       admit(foreign_, campaign_, options_);
-      searched_ = true;
+      left = alone({});
+      if (!is_more_than_noise(left.left)) return true;
     }
+    foreign_ = in_records;
+    admit(foreign_, campaign_, options_);
+    return false;
   }
 
   std::vector<Allowance> allowances(const ModelAlone& plain) {
@@ -332,7 +333,7 @@ class StepByStep {
     if (!may_be_late()) return all;
     const ModelAlone late = alone({true, {}});
     if (!are_late(late, plain)) return all;
-    if (late.late.comes_at_random() || late.late.too_few)
+    if (late.late.comes_at_random() || late.late.following == Following::too_few)
       all.push_back(
           {true, {}, late.late.is_plain() ? Allowance::at_random : Allowance::late_at_last, late.dispersion()});
     // Frequencies of late records follow the settings as their phases do, until they are in step.
@@ -358,7 +359,9 @@ class StepByStep {
     const auto excitations =
         std::count_if(campaign_.channels.begin(), campaign_.channels.end(),
                       [](const Channel& channel) { return channel.role == ChannelRole::excitation; });
-    return !tried_.model->excitations.empty() && excitations == 1;
+    const bool dwells = std::any_of(campaign_.records.begin(), campaign_.records.end(),
+                                    [](const RecordEntry& record) { return record.kind == RecordKind::dwell; });
+    return !tried_.model->excitations.empty() && excitations == 1 && dwells;
   }
 
   // Not where one time of all does as well, which is a cause, channel_skew, and no disturbance.
@@ -385,7 +388,6 @@ class StepByStep {
   const RecordReader& read_;
   DiagnosisOptions& options_;
   ForeignContent& foreign_;
-  bool searched_ = false;  // and found something in what the model left
   DecayScatter of_decays_;
   std::optional<Diagnosis> best_;
 };

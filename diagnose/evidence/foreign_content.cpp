@@ -47,21 +47,20 @@ MatrixXd wander_columns(const Segment& segment, Index channel) {
   return columns;
 }
 
-Index slow_count(const Segment& segment) {
-  return segment.wandering.empty() ? 0
-                                   : slow_columns(segment).cols() * static_cast<Index>(segment.wandering.size());
+Index tone_count(const Segment& segment) {
+  return tone_terms * static_cast<Index>(segment.tones.size());
 }
 
 MatrixXd foreign_columns(const Segment& segment) {
-  const Index samples = segment.response.cols(),
-              slow = segment.wandering.empty() ? 0 : slow_columns(segment).cols();
+  const Index samples = segment.response.cols();
+  const MatrixXd slow = segment.wandering.empty() ? MatrixXd(samples, 0) : slow_columns(segment);
   MatrixXd columns =
-      MatrixXd::Zero(segment.response.rows() * samples, slow * static_cast<Index>(segment.wandering.size()) +
-                                                            tone_terms * static_cast<Index>(segment.tones.size()));
+      MatrixXd::Zero(segment.response.rows() * samples,
+                     slow.cols() * static_cast<Index>(segment.wandering.size()) + tone_count(segment));
   Index next = 0;
   for (const Index channel : segment.wandering) {
-    columns.middleCols(next, slow) = wander_columns(segment, channel);
-    next += slow;
+    columns.block(channel * samples, next, samples, slow.cols()) = slow;
+    next += slow.cols();
   }
   for (const ForeignTone& tone : segment.tones) {
     const auto first = static_cast<Index>(tone.channel) * samples;

@@ -36,8 +36,8 @@ struct Segment;
 /// unknowns of the segment (docs/inference.md (36)).
 Eigen::MatrixXd foreign_columns(const Segment& segment);
 
-/// How many of them, the first ones, are of zeros.
-Eigen::Index slow_count(const Segment& segment);
+/// How many of them, the last ones, are of tones.
+Eigen::Index tone_count(const Segment& segment);
 
 /// What a zero that wanders would do to one response channel of a segment, as columns of its errors.
 Eigen::MatrixXd wander_columns(const Segment& segment, Eigen::Index channel);

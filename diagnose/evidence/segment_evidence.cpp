@@ -241,7 +241,7 @@ void SegmentEvidence::freeze_bases(std::size_t first, std::size_t end, const Vec
 }
 
 Index SegmentEvidence::foreign_count(std::size_t segment) const {
-  return coarse_ ? slow_count(segments_[segment]) : foreign_[segment].cols();
+  return foreign_[segment].cols() - (coarse_ ? tone_count(segments_[segment]) : 0);
 }
 
 MatrixXd SegmentEvidence::seen_foreign_columns(std::size_t segment) const {

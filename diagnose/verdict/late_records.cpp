@@ -4,7 +4,6 @@
 
 #include "diagnose/evidence/record_directions.hpp"
 #include "diagnose/thresholds.hpp"
-#include "diagnose/verdict/setting_functions.hpp"
 
 namespace secular {
 namespace {
@@ -41,9 +40,7 @@ LateRecords lateness_about(const Discrepancy& discrepancy) {
   result.differ = between.p_value < lateness_alarm;
   const MatrixXd functions = independent_functions(of_records);
   result.plain = late_s.size() - functions.cols() >= plain_freedom;
-  const Following following = follows_settings(late_s, functions);
-  result.follows_settings = following == Following::settings;
-  result.too_few = following == Following::too_few;
+  result.following = follows_settings(late_s, functions);
   return result;
 }
 

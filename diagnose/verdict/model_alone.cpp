@@ -29,7 +29,8 @@ ModelAlone fit_alone(const Campaign& campaign, const RecordReader& read, const C
   InferenceOptions inference_options;
   inference_options.threads = options.threads;
   const Inference alone = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
-  const SegmentEvidence* segments = comparison.segment_evidence;
+  const SegmentEvidence* segments =
+      comparison.discrepancy.admits_own() || common_late_s ? nullptr : comparison.segment_evidence;
   return {{alone.null.fit.chi_squared, alone.degrees_of_freedom},
           scatter_about(comparison.discrepancy, alone.null.fit.unknowns, model.modes()),
           lateness_about(comparison.discrepancy),

@@ -15,9 +15,10 @@ namespace secular {
 /// What the model as it is leaves of a campaign, beside what its records are allowed to have of their own.
 struct ModelAlone {
   RowsLeft left;
-  FrequencyScatter scatter;                        ///< where the options admit it
-  LateRecords late;                                ///< where the options admit it
-  std::vector<SegmentEvidence::Left> of_segments;  ///< of records that are compared sample by sample
+  FrequencyScatter scatter;  ///< where the options admit it
+  LateRecords late;          ///< where the options admit it
+  /// Of records that are compared sample by sample; none where records are allowed to have anything of their own.
+  std::vector<SegmentEvidence::Left> of_segments;
 
   double dispersion() const { return left.chi_squared / left.freedom; }
 };
