@@ -129,6 +129,7 @@ std::optional<Zero> zero_of(const SearchedRecord& record, std::size_t c, std::si
   BlockMeans blocks = block_means(samples, length);
   const Index rows =
       own_terms(record.channel(c)) > 0 ? blocks_in_motion(channel, blocks.square) : blocks.mean.size();
+  if (rows <= fewest_blocks) return std::nullopt;  // none at all where noise is all there is
   blocks.mean.conservativeResize(rows);
   blocks.square.conservativeResize(rows);
   const MatrixXd x = columns(followed(record, c, blocks.square, length));

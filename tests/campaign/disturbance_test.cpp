@@ -287,6 +287,40 @@ TEST(Disturbances, TheMotionItselfIsNone) {
   for (const Disturbance& d : find_disturbances(campaign, 0, record)) ADD_FAILURE() << d.kind << ": " << d.text;
 }
 
+// A channel that is at rest, disconnected or all noise, and records of a few samples.
+TEST(Disturbances, RecordsWithoutMotionAreLookedAtToo) {
+  using Content = std::function<double(std::size_t, Normal&)>;
+  const std::vector<Content> contents = {
+      [](std::size_t, Normal&) { return 0.0; },
+      [](std::size_t, Normal&) { return 3.5; },
+      [](std::size_t, Normal& normal) { return normal(); },
+      [](std::size_t, Normal& normal) { return 0.1 * std::round(normal()); },
+      [](std::size_t i, Normal&) { return i == 7 ? 1.0 : 0.0; },
+      [](std::size_t i, Normal&) { return static_cast<double>(i); },
+      [](std::size_t i, Normal& normal) { return std::exp(-0.2 * static_cast<double>(i)) + 1e-3 * normal(); },
+      [](std::size_t i, Normal&) { return i % 3 == 0 ? std::numeric_limits<double>::quiet_NaN() : 1.0; },
+  };
+  for (const RecordKind kind :
+       {RecordKind::dwell, RecordKind::free_decay, RecordKind::impact, RecordKind::sweep, RecordKind::broadband})
+    for (const Quantity quantity : {Quantity::displacement, Quantity::acceleration})
+      for (const std::size_t count :
+           {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{16}, std::size_t{200}, drive_count}) {
+        Campaign campaign = campaign_of(1, kind);
+        campaign.channels[1].quantity = quantity;
+        for (const Content& content : contents)
+          for (const bool driven : {false, true}) {
+            Record record = clean(RecordKind::dwell, 4);
+            record.channels[0].resize(count);
+            record.channels[1].resize(count);
+            Normal normal(8);
+            if (!driven) std::fill(record.channels[0].begin(), record.channels[0].end(), 0.0);
+            for (std::size_t i = 0; i < count; ++i) record.channels[1][i] = content(i, normal);
+            for (const Disturbance& d : find_disturbances(campaign, 0, record))
+              EXPECT_TRUE(std::isfinite(d.size)) << d.kind << ": " << d.text;
+          }
+      }
+}
+
 // What the search for spikes takes for granted, wherever between two samples the corner lies.
 TEST(Roughness, ACornerLeavesAQuarterBesideASpikeAndASpikeNothing) {
   for (int part = 0; part < 20; ++part) {
