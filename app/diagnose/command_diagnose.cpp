@@ -39,9 +39,10 @@ void print_next_experiment(const DiagnosisRun& run) {
     return;
   }
   const ProposedDwell& dwell = *next.dwell;
-  fmt::print("next experiment: a dwell at {:.5g} Hz, {:.3g} times the excitation of {}{} ({})\n",
+  fmt::print("next experiment: a dwell at {:.5g} Hz, {:.3g} times the excitation of {}{} ({}): {:.2g} minutes\n",
              dwell.frequency * to_hz, dwell.level, run.campaign.records[dwell.like].file,
-             dwell.length > 1 ? fmt::format(" and {:.3g} times as long", dwell.length) : "", dwell.resonance);
+             dwell.length > 1 ? fmt::format(" and {:.3g} times as long", dwell.length) : "", dwell.resonance,
+             dwell.minutes);
   fmt::print(
       "  to tell {} apart: {:.1f} sd expected, seen in the {}; the right one's probability {} -> {}, chance to "
       "leave it alone {}\n",
@@ -160,6 +161,12 @@ void add_diagnose_command(CLI::App& root, Action& chosen) {
       ->add_option("--without", request.without,
                    "an effect of the catalogue that is not to be considered; may be given several times")
       ->allow_extra_args(false);
+  command
+      ->add_option(
+          "--highest-level", request.highest_level,
+          "most that the next experiment may ask for, times the highest excitation measured at a resonance")
+      ->check(CLI::Range(0.5, 10.0))
+      ->capture_default_str();
   command->add_flag("--interpret", request.interpret, "no compiled code: slower, same results");
   command->add_option("--threads", request.threads, "threads; the result does not depend on it")
       ->check(CLI::Range(1U, 1024U));

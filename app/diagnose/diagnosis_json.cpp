@@ -23,6 +23,7 @@ Json next_experiment(const DiagnosisRun& run) {
                {"like", run.campaign.records[dwell.like].file},
                {"level_factor", dwell.level},
                {"length_factor", dwell.length},
+               {"minutes", dwell.minutes},
                {"excitation_channel", dwell.channel},
                {"excitation_peak", dwell.excitation},
                {"frequency_hz", dwell.frequency * to_hz},

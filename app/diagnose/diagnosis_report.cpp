@@ -317,7 +317,8 @@ void next_section(HtmlReport& page, const DiagnosisRun& run) {
                 {"Peak of " + dwell.channel, report::format_number(dwell.excitation, 4) + ", " +
                                                  report::format_number(dwell.level, 2) + " times that of " +
                                                  run.campaign.records[dwell.like].file},
-                {"Length", report::format_number(dwell.length, 2) + " times as many ensembles as that record"},
+                {"Length", report::format_number(dwell.length, 2) + " times as many ensembles as that record, " +
+                               report::format_number(dwell.minutes, 2) + " minutes once it has settled"},
                 {"Tells apart", rivals},
                 {"Expected separation", report::format_number(dwell.separation, 2) + " sd of the closest two"},
                 {"Look at", dwell.watch},
@@ -326,8 +327,7 @@ void next_section(HtmlReport& page, const DiagnosisRun& run) {
                      " now, " + report::format_percent(dwell.typical) + " after one taken at random"},
                 {"Chance that it leaves one", report::format_percent(dwell.chance)}};
   table.caption = "Best of " + std::to_string(dwell.compared) +
-                  " dwells at the resonances measured, between half the lowest and twice the highest "
-                  "level used";
+                  " dwells at the resonances measured, around their levels and frequencies";
   page.table(table);
 }
 

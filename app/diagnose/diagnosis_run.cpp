@@ -134,8 +134,7 @@ std::vector<Disturbance> late_records(const Diagnosis& diagnosis) {
     d.share = std::abs(own.late_s) / own.period_s;
     d.text = fmt::format(
         "responses are {:.3g} ms {} their excitation, up to whole periods of {:.3g} ms (half ones, if the force "
-        "has "
-        "the other sign)",
+        "has the other sign)",
         1e3 * std::abs(own.late_s), own.late_s < 0 ? "ahead of" : "behind", 1e3 * own.period_s);
     found.push_back(std::move(d));
   }
@@ -164,6 +163,7 @@ DiagnosisOptions options_of(const DiagnosisRequest& request) {
   options.window = request.window;
   options.threads = request.threads;
   options.progress = request.progress;
+  options.highest_level = request.highest_level;
   options.left_out.insert(request.without.begin(), request.without.end());
   if (request.check_from_s || request.check_to_s) {
     options.check = request.window;
@@ -240,12 +240,6 @@ std::string doubt_of_own(const Diagnosis& d) {
   return "records are not late by different times beside it";
 }
 
-void make_unknown(Diagnosis& d, const std::string& why) {
-  d.verdict = "unknown";
-  d.cause.clear();
-  d.unknown_because = why;
-}
-
 // How much of the gap a diagnosis accounts for; where it is none any more and that is doubtful, nothing.
 int how_told(const Diagnosis& d) {
   if (!d.frequency_scatter.suffices || (d.verdict == "unknown" && !d.gap.detected)) return -1;
@@ -281,7 +275,7 @@ class StepByStep {
   // left beside it.
   Diagnosis run() {
     const ModelAlone plain = alone({});
-    if (!is_more_than_noise(plain.left) || holds_beside_foreign_content(plain)) return diagnosed({});
+    if (!is_more_than_noise(plain.left) || holds_beside_foreign_content(plain)) return diagnosed({}).finish();
     of_decays_ = find_decay_scatter(request_);
     std::vector<Allowance> all = allowances(plain);
     std::stable_sort(all.begin(), all.end(), [](const Allowance& a, const Allowance& b) {
@@ -289,7 +283,7 @@ class StepByStep {
     });
     for (const Allowance& allowance : all)
       if (tells(allowance)) break;
-    return std::move(*best_);
+    return std::move(*best_).finish();
   }
 
   const std::string& warning() const { return of_decays_.warning; }
@@ -300,9 +294,9 @@ class StepByStep {
     options_.frequency_scatter = allowance.frequency_scatter;
   }
 
-  Diagnosis diagnosed(const Allowance& allowance) {
+  OpenDiagnosis diagnosed(const Allowance& allowance) {
     allow(allowance);
-    return diagnose(campaign_, read_, *tried_.model, tried_.own, tried_.effects, options_);
+    return OpenDiagnosis(campaign_, read_, *tried_.model, tried_.own, tried_.effects, options_);
   }
 
   ModelAlone alone(const Allowance& allowance, std::optional<double> common_late_s = {}) {
@@ -375,11 +369,13 @@ class StepByStep {
   // Keeps what accounts for most of the gap, of two that do as much the one that leaves less; whether it accounts
   // for all of it.
   bool tells(const Allowance& allowance) {
-    Diagnosis fresh = diagnosed(allowance);
-    if (const std::string why = doubt_of_own(fresh); !why.empty()) make_unknown(fresh, why);
-    const auto accounts = [](const Diagnosis& d) { return std::pair(how_told(d), -d.gap.after); };
+    OpenDiagnosis fresh = diagnosed(allowance);
+    if (const std::string why = doubt_of_own(fresh.so_far()); !why.empty()) fresh.make_unknown(why);
+    const auto accounts = [](const OpenDiagnosis& d) {
+      return std::pair(how_told(d.so_far()), -d.so_far().gap.after);
+    };
     if (!best_ || accounts(fresh) > accounts(*best_)) best_ = std::move(fresh);
-    return how_told(*best_) == 2;
+    return how_told(best_->so_far()) == 2;
   }
 
   const DiagnosisRequest& request_;
@@ -389,7 +385,7 @@ class StepByStep {
   DiagnosisOptions& options_;
   ForeignContent& foreign_;
   DecayScatter of_decays_;
-  std::optional<Diagnosis> best_;
+  std::optional<OpenDiagnosis> best_;
 };
 
 // A verdict that rests on samples which are no motion is none.

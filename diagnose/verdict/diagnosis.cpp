@@ -32,23 +32,25 @@ void take_share(const ClosedShare& share, GapReport& gap) {
   gap.closed_high = share.high;
 }
 
+}  // namespace
+
 /// Hands what one stage finds to the next, and all of it to the diagnosis.
-class Diagnoser {
+class OpenDiagnosis::Stages {
  public:
-  Diagnoser(const Campaign& campaign, const CompiledModel& model, const std::vector<std::size_t>& own,
-            Comparison comparison, const DiagnosisOptions& options)
+  Stages(const Campaign& campaign, const CompiledModel& model, const std::vector<std::size_t>& own,
+         Comparison comparison, const DiagnosisOptions& options)
       : campaign_(campaign),
         model_(model),
         options_(options),
         comparison_(std::move(comparison)),
         free_(comparison_.fitted_beside(own)) {}
 
-  Diagnosis run() {
+  void run() {
     take_comparison();
     infer_all();
     if (!result_.frequency_scatter.suffices) {
       result_.verdict = "unknown";
-      return std::move(result_);
+      return;
     }
     take_own_of_records();
     judge_numbers();
@@ -57,6 +59,13 @@ class Diagnoser {
       explain();
     else
       close_without_gap();
+  }
+
+  Diagnosis& result() { return result_; }
+
+  Diagnosis finish() {
+    if (contest_) propose();
+    if (contest_ && best_) simulate();
     return std::move(result_);
   }
 
@@ -162,12 +171,26 @@ class Diagnoser {
   }
 
   void explain() {
-    const Contest contest = contest_of(inference_, comparison_.candidates, judged_.has_value());
-    const Naming naming = name_cause(contest);
+    contest_ = contest_of(inference_, comparison_.candidates, judged_.has_value());
+    naming_ = name_cause(*contest_);
     share_out();
-    result_.next_experiment = propose_experiment(contest.named, naming, comparison_.condition_model(model_),
-                                                 comparison_.conditions, inference_.dispersion, options_.threads);
-    if (best_) simulate();
+  }
+
+  void propose() {
+    NextExperiment& next = result_.next_experiment;
+    if (result_.verdict == "cause") {
+      next.reason = "no other explanation keeps a twentieth of its odds";
+      return;
+    }
+    next = propose_experiment(contest_->named, naming_, comparison_.condition_model(model_), comparison_.conditions,
+                              {options_.highest_level, inference_.dispersion, options_.threads});
+    if (next.dwell) next.dwell->minutes = next.dwell->length * minutes_of(next.dwell->like);
+  }
+
+  // Of what was read of a record.
+  double minutes_of(std::size_t record) const {
+    const auto span = result_.spans.find(record);
+    return span == result_.spans.end() ? 0 : (span->second.to_s - span->second.from_s) / 60;
   }
 
   Naming name_cause(const Contest& contest) {
@@ -265,21 +288,51 @@ class Diagnoser {
 
   const Campaign& campaign_;
   const CompiledModel& model_;
-  const DiagnosisOptions& options_;
+  DiagnosisOptions options_;
   Comparison comparison_;
   std::vector<std::size_t> free_;        // beside every explanation
   std::optional<JudgedNumbers> judged_;  // where numbers were given
   Inference inference_;
+  std::optional<Contest> contest_;     // where a gap was found
+  Naming naming_;                      // of its explanations
   const Explanation* best_ = nullptr;  // that the verdict is about
   Diagnosis result_;
 };
 
-}  // namespace
+OpenDiagnosis::OpenDiagnosis(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+                             const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+                             const DiagnosisOptions& options)
+    : stages_(std::make_unique<Stages>(campaign, model, own, compare(campaign, read, model, own, effects, options),
+                                       options)) {
+  stages_->run();
+}
+
+OpenDiagnosis::OpenDiagnosis(OpenDiagnosis&&) noexcept = default;
+OpenDiagnosis& OpenDiagnosis::operator=(OpenDiagnosis&&) noexcept = default;
+OpenDiagnosis::~OpenDiagnosis() = default;
+
+const Diagnosis& OpenDiagnosis::so_far() const {
+  return stages_->result();
+}
+
+void OpenDiagnosis::make_unknown(const std::string& why) {
+  secular::make_unknown(stages_->result(), why);
+}
+
+Diagnosis OpenDiagnosis::finish() && {
+  return stages_->finish();
+}
 
 Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
                    const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
                    const DiagnosisOptions& options) {
-  return Diagnoser(campaign, model, own, compare(campaign, read, model, own, effects, options), options).run();
+  return OpenDiagnosis(campaign, read, model, own, effects, options).finish();
+}
+
+void make_unknown(Diagnosis& d, const std::string& why) {
+  d.verdict = "unknown";
+  d.cause.clear();
+  d.unknown_because = why;
 }
 
 bool is_told(const Diagnosis& d) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,6 +65,30 @@ struct Diagnosis {
 
 /// Whether nothing beyond repeatability is left: there is no gap, or it is explained.
 bool is_told(const Diagnosis& diagnosis);
+
+void make_unknown(Diagnosis& diagnosis, const std::string& why);
+
+/// A diagnosis up to its verdict, for those who compare several before they ask one for all that it has to say. The
+/// campaign and the model outlive it. Arguments and errors as of diagnose().
+class OpenDiagnosis {
+ public:
+  OpenDiagnosis(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+                const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+                const DiagnosisOptions& options);
+  OpenDiagnosis(OpenDiagnosis&&) noexcept;
+  OpenDiagnosis& operator=(OpenDiagnosis&&) noexcept;
+  ~OpenDiagnosis();
+
+  const Diagnosis& so_far() const;  ///< without next_experiment (but its reason where there is no gap), simulated
+  void make_unknown(const std::string& why);
+  /// Adds what no verdict waits for, and much time goes into: the next experiment, and motions simulated before and
+  /// after.
+  Diagnosis finish() &&;
+
+ private:
+  class Stages;
+  std::unique_ptr<Stages> stages_;
+};
 
 /// Diagnoses the gap between a model and a campaign. `model` is the augmented model, `own` lists the symbols of the
 /// model as it was. Throws InputError where the campaign holds nothing that the model can be compared with.

@@ -32,6 +32,7 @@ struct DiagnosisOptions {
   ColouredNoises coloured;
   std::optional<Window> check;  ///< part of the records on which the explanation is tried, whatever was fitted
   bool fit_check = false;       ///< and once more with the numbers that fit that part best
+  double highest_level = 1.5;   ///< that may be proposed, times the highest one measured at a resonance
   unsigned threads = 1;
   SearchProgress progress = {};
 };

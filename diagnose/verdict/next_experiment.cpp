@@ -32,7 +32,7 @@ constexpr double shifts[] = {-0.5, -0.2, 0, 0.2, 0.5};
 /// Range of frequencies of a resonance that was measured at one frequency only, relative.
 constexpr auto& least_range = diagnose_thresholds().least_range;
 
-constexpr double highest_level = 2, lowest_level = 0.5;
+constexpr double lowest_level = 0.5;
 
 // Peak.
 double drive(const Condition& c) {
@@ -50,7 +50,7 @@ struct Test {
 // Dwells at one resonance: the same line of the same mode, counted from the excitation's.
 using Resonance = std::tuple<std::size_t, Index, Index>;
 
-std::vector<Test> tests_around(const std::vector<Condition>& conditions) {
+std::vector<Test> tests_around(const std::vector<Condition>& conditions, double highest_level) {
   std::map<Resonance, std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const Condition& c = conditions[i];
@@ -182,13 +182,13 @@ std::vector<Condition> predicted(const ConditionModel& model, const Condition& m
 class PossibleDwells {
  public:
   PossibleDwells(const ConditionModel& model, const std::vector<Condition>& conditions,
-                 const std::vector<Hypothesis>& hypotheses, double dispersion, unsigned threads)
+                 const std::vector<Hypothesis>& hypotheses, const ProposalOptions& options)
       : model_(model),
         conditions_(conditions),
         hypotheses_(hypotheses),
-        dispersion_(dispersion),
-        threads_(threads),
-        tests_(tests_around(conditions)),
+        dispersion_(options.dispersion),
+        threads_(options.threads),
+        tests_(tests_around(conditions, options.highest_level)),
         dwells_(tests_.size()) {
     in_parallel(tests_.size(), threads_, [&](std::size_t t) {
       dwells_[t] = predicted(model_, conditions_[tests_[t].condition], tests_[t], hypotheses_);
@@ -278,9 +278,9 @@ class PossibleDwells {
 }  // namespace
 
 ProposedDwell next_experiment(const ConditionModel& model, const std::vector<Condition>& conditions,
-                              const std::vector<Hypothesis>& hypotheses, double dispersion, unsigned threads) {
+                              const std::vector<Hypothesis>& hypotheses, const ProposalOptions& options) {
   if (hypotheses.size() < 2) return {};
-  const PossibleDwells possible(model, conditions, hypotheses, dispersion, threads);
+  const PossibleDwells possible(model, conditions, hypotheses, options);
   ProposedDwell best;
   for (const double length : dwell_lengths) {
     best = possible.best_of(length);

@@ -31,6 +31,13 @@ struct ProposedDwell {
   double typical = 0;        ///< the same after a test of that length taken at random from those compared
   double chance = 0;         ///< that it leaves the right hypothesis alone: no other at `told_apart` of its odds
   std::size_t compared = 0;  ///< tests that were compared
+  double minutes = 0;        ///< of steady motion to be measured
+};
+
+struct ProposalOptions {
+  double highest_level = 1.5;  ///< times the highest one measured at a resonance
+  double dispersion = 1;       ///< variance of rows about the explanations, in that of repeatability
+  unsigned threads = 1;
 };
 
 /// The dwell, among levels and frequencies around those measured, after which the right one of `hypotheses` is
@@ -39,11 +46,11 @@ struct ProposedDwell {
 /// separation d^2 = r^T (1 + J P J^T)^-1 r of whitened rows r, Jacobian J and covariance P is the fall of
 /// chi-squared that refitting cannot take back (a discrimination design; Box and Hill 1967, Atkinson and Fedorov
 /// 1975), and exp(-d^2/2) the expected odds. What a dwell adds to the logarithm of the odds is normal with mean
-/// d^2/2 and standard deviation d, which gives its chance. Levels stay within half the lowest and twice the highest
-/// used; where no dwell as long as those measured is as good as certain, one of the next of `dwell_lengths` is
-/// looked for. Without a proposal (compared = 0) there is no dwell to start from.
+/// d^2/2 and standard deviation d, which gives its chance. Levels stay within half the lowest and
+/// `highest_level` times the highest used; where no dwell as long as those measured is as good as certain, one of
+/// the next of `dwell_lengths` is looked for. Without a proposal (compared = 0) there is no dwell to start from.
 ProposedDwell next_experiment(const ConditionModel& model, const std::vector<Condition>& conditions,
-                              const std::vector<Hypothesis>& hypotheses, double dispersion, unsigned threads);
+                              const std::vector<Hypothesis>& hypotheses, const ProposalOptions& options);
 
 /// Times the number of ensembles of a measured dwell: each halves the errors of the one before.
 inline constexpr double dwell_lengths[] = {1, 4, 16};

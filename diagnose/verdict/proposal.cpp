@@ -24,7 +24,7 @@ constexpr auto& least_rival = diagnose_thresholds().least_rival;
 
 NextExperiment propose_experiment(const std::vector<Rival>& rivals, const Naming& naming,
                                   const ConditionModel& model, const std::vector<Condition>& conditions,
-                                  double dispersion, unsigned threads) {
+                                  const ProposalOptions& options) {
   NextExperiment next;
   std::vector<Hypothesis> hypotheses;
   std::vector<Names> taken;
@@ -45,7 +45,7 @@ NextExperiment propose_experiment(const std::vector<Rival>& rivals, const Naming
     next.reason = "nothing competes with the explanation";
     return next;
   }
-  const ProposedDwell dwell = next_experiment(model, conditions, hypotheses, dispersion, threads);
+  const ProposedDwell dwell = next_experiment(model, conditions, hypotheses, options);
   if (dwell.compared == 0) {
     next.reason = "no steady motion near the measured ones could be predicted under every explanation";
     return next;
@@ -55,11 +55,12 @@ NextExperiment propose_experiment(const std::vector<Rival>& rivals, const Naming
   next.proposed = dwell.chance >= worth_a_test && 1 - dwell.probability <= most_doubt * (1 - dwell.before);
   if (!next.proposed)
     next.reason = fmt::format(
-        "no dwell between half the lowest and twice the highest level used would part {}: the best has a chance "
-        "of {:.0f} % and takes the right one's probability from {:.1f} to {:.1f} %; it takes another kind of "
-        "test, for example a second sensor, a calibration of the excitation, or a resonance that was not "
+        "no dwell between half the lowest and {:.3g} times the highest level used would part {}: the best has a "
+        "chance of {:.0f} % and takes the right one's probability from {:.1f} to {:.1f} %; it takes another kind "
+        "of test, for example a second sensor, a calibration of the excitation, or a resonance that was not "
         "measured yet",
-        fmt::join(next.separates, ", "), 100 * dwell.chance, 100 * dwell.before, 100 * dwell.probability);
+        options.highest_level, fmt::join(next.separates, ", "), 100 * dwell.chance, 100 * dwell.before,
+        100 * dwell.probability);
   return next;
 }
 

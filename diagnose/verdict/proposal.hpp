@@ -21,6 +21,6 @@ struct NextExperiment {
 /// one that comes nearest. `rivals`: ranked, with `naming` by name_effects.
 NextExperiment propose_experiment(const std::vector<Rival>& rivals, const Naming& naming,
                                   const ConditionModel& model, const std::vector<Condition>& conditions,
-                                  double dispersion, unsigned threads);
+                                  const ProposalOptions& options);
 
 }  // namespace secular

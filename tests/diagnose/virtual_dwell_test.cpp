@@ -80,15 +80,17 @@ TEST(NextExperiment, GoesWhereTheLawsPart) {
                         explanation(lab, cubic, "mu3", 0.01 * cubic(static_cast<Eigen::Index>(lab.symbol("mu3")))),
                     second =
                         explanation(lab, drag, "mu2", 0.01 * drag(static_cast<Eigen::Index>(lab.symbol("mu2"))));
-  const ProposedDwell next = next_experiment(lab.model, {measured}, {{&first, 0.5}, {&second, 0.5}}, 1, 1);
+  const ProposedDwell next = next_experiment(lab.model, {measured}, {{&first, 0.5}, {&second, 0.5}}, {});
   ASSERT_GT(next.compared, 3u);
   EXPECT_DOUBLE_EQ(next.before, 0.5);
   EXPECT_GE(next.probability, next.typical);
   EXPECT_GE(next.typical, next.before);
   EXPECT_GT(next.separation, 2);
   EXPECT_NE(next.level, 1);
+  EXPECT_LE(next.level, 1.5);  // of what the structure has seen
+  EXPECT_EQ(next_experiment(lab.model, {measured}, {{&first, 0.5}, {&second, 0.5}}, {.highest_level = 3}).level, 2);
   EXPECT_EQ(next.resonance, "Omega near omega0");
-  const ProposedDwell none = next_experiment(lab.model, {measured}, {{&first, 0.5}, {&first, 0.5}}, 1, 1);
+  const ProposedDwell none = next_experiment(lab.model, {measured}, {{&first, 0.5}, {&first, 0.5}}, {});
   EXPECT_LT(none.separation, 1e-3);
   EXPECT_NEAR(none.probability, 0.5, 1e-6);
   EXPECT_EQ(none.chance, 0);
@@ -104,13 +106,13 @@ TEST(NextExperiment, IsLongerWhereItHasToBe) {
   const Condition measured = lab.dwell(frequency, force, Complex(0, half));
   double length = 1;
   std::set<double> used;
-  for (const double share : {0.4, 0.01, 0.001, 0.0005, 0.0002, 0.0001}) {
+  for (const double share : {0.4, 0.01, 0.004, 0.002, 0.001, 0.0005, 0.0002, 0.0001}) {
     const double added = share * damping, own = (1 - share / 2) * damping;
     const VectorXd cubic = lab.unknowns({{"mu1", own}, {"mu3", added / rate}}),
                    drag = lab.unknowns({{"mu1", own}, {"mu2", added / drag_rate}});
     const Explanation first = explanation(lab, cubic, "mu3", 1e-3 * added / rate),
                       second = explanation(lab, drag, "mu2", 1e-3 * added / drag_rate);
-    const ProposedDwell next = next_experiment(lab.model, {measured}, {{&first, 0.5}, {&second, 0.5}}, 1, 1);
+    const ProposedDwell next = next_experiment(lab.model, {measured}, {{&first, 0.5}, {&second, 0.5}}, {});
     // Phi((d^2/2 - ln 20)/d) of the closer of the two.
     const double d = next.separation;
     EXPECT_NEAR(next.chance, 0.5 * std::erfc(-(d / 2 - std::log(20) / d) / std::sqrt(2)), 0.1);
