@@ -82,12 +82,13 @@ void Discrepancy::approach(const Eigen::VectorXd& unknowns) {
   for (const auto& part : parts_) part->approach(unknowns);
 }
 
-void Discrepancy::freeze(const Eigen::VectorXd& unknowns, double coarse) {
+void Discrepancy::freeze(const Eigen::VectorXd& unknowns, double coarse, Lookout lookout) {
   for (int round = 1; round <= most_rounds; ++round) {
     for (const auto& part : parts_) {
       part->shift_records(record_shifts_);
       if (in_reach_ && !nuisances_.delay_sd.empty())
-        part->put_in_step(unknowns, coarse, record_periods_, record_late_s_);
+        part->put_in_step(unknowns, coarse, round > 1 ? Lookout::close_by : lookout, record_periods_,
+                          record_late_s_);
       part->freeze(unknowns, coarse);
     }
     in_reach_ = true;

@@ -29,6 +29,9 @@ struct RowLabel {
 /// Whether unknowns can be those of a structure: the first `modes` are natural frequencies, all positive.
 bool has_frequencies(const Eigen::VectorXd& unknowns, std::size_t modes);
 
+/// Where what a record has of its own is looked for: anywhere, or where it was, by unknowns that have moved little.
+enum class Lookout { anywhere, close_by };
+
 /// Evidence of one kind: rows of unit variance that vanish where the unknowns explain what was measured. Where
 /// unknowns have no frequencies (has_frequencies) rows are infinite, so that no fit goes there.
 class Evidence {
@@ -55,7 +58,7 @@ class Evidence {
   virtual void shift_records(const std::map<std::size_t, Eigen::VectorXd>& /*shifts*/) {}
   /// Counts these records' responses (period of the excitation in s, by record) as late as is likeliest at these
   /// unknowns, and notes it (s). Until the next call.
-  virtual void put_in_step(const Eigen::VectorXd& /*unknowns*/, double /*coarse*/,
+  virtual void put_in_step(const Eigen::VectorXd& /*unknowns*/, double /*coarse*/, Lookout /*lookout*/,
                            const std::map<std::size_t, double>& /*periods*/,
                            std::map<std::size_t, double>& /*late_s*/) {}
   /// Rows before they were made independent of each other, where that mixed them.
@@ -106,7 +109,7 @@ class Discrepancy {
   std::vector<RowLabel> labels() const;
   /// As Evidence::freeze(). Each record's own natural frequencies and lateness are put where they are likeliest at
   /// these unknowns, so that what is left of them is small.
-  void freeze(const Eigen::VectorXd& unknowns, double coarse = 0);
+  void freeze(const Eigen::VectorXd& unknowns, double coarse = 0, Lookout lookout = Lookout::anywhere);
   void approach(const Eigen::VectorXd& unknowns);
   /// The rows, of unit variance with what records have of their own (RecordDirections).
   Eigen::VectorXd operator()(const Eigen::VectorXd& unknowns) const;

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "diagnose/evidence/likeliest_delay.hpp"
 #include "diagnose/thresholds.hpp"
@@ -245,7 +247,7 @@ void LineEvidence::shift_records(const std::map<std::size_t, VectorXd>& shifts) 
   }
 }
 
-void LineEvidence::put_in_step(const VectorXd& unknowns, double coarse,
+void LineEvidence::put_in_step(const VectorXd& unknowns, double coarse, Lookout lookout,
                                const std::map<std::size_t, double>& periods,
                                std::map<std::size_t, double>& late_s) {
   std::map<std::size_t, std::vector<std::size_t>> of_record;
@@ -255,9 +257,13 @@ void LineEvidence::put_in_step(const VectorXd& unknowns, double coarse,
   std::vector<double> found(late.size());
   in_parallel(late.size(), threads_, [&](std::size_t i) {
     const auto& [record, conditions] = late[i];
-    found[i] =
-        likeliest_delay([&](double seconds) { return misfit_if_late(conditions, unknowns, coarse, seconds); },
-                        conditions_[conditions.front()].late_s, periods.at(record));
+    const std::function<double(double)> misfit = [&](double seconds) {
+      return misfit_if_late(conditions, unknowns, coarse, seconds);
+    };
+    const double here = conditions_[conditions.front()].late_s, period = periods.at(record);
+    std::optional<double> close;
+    if (lookout == Lookout::close_by) close = likeliest_delay_near(misfit, here, period);
+    found[i] = close ? *close : likeliest_delay(misfit, here, period);
   });
   for (std::size_t i = 0; i < late.size(); ++i) {
     for (const std::size_t c : late[i].second) conditions_[c].count_as_late(found[i]);

@@ -7,8 +7,8 @@
 
 namespace secular {
 
-/// Channels, indices of the campaign, of which the zero moves slowly: what is read there at rest says nothing of the
-/// motion, and is another thing in every record and from one stretch of a record to the next.
+/// Channels, indices of the campaign, of which the zero moves slowly: what is read there at rest says nothing of
+/// the motion, and is another thing in every record and from one stretch of a record to the next.
 using WanderingZeros = std::set<std::size_t>;
 
 /// Whether that of one of these channels does.

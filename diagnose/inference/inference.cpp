@@ -137,9 +137,9 @@ class Search {
     double coarse = 0;
   };
 
-  void freeze(const VectorXd& at, double coarse = 0) {
+  void freeze(const VectorXd& at, double coarse = 0, Lookout lookout = Lookout::anywhere) {
     frozen_ = {at, coarse};
-    discrepancy_.freeze(at, coarse);
+    discrepancy_.freeze(at, coarse, lookout);
   }
 
   double rows() const { return static_cast<double>(discrepancy_.freedom()); }  // that are independent
@@ -170,7 +170,7 @@ class Search {
       Refit fit;
       double before = std::numeric_limits<double>::infinity();
       for (int round = 0; round < most_rounds; ++round) {
-        freeze(unknowns, coarse);
+        freeze(unknowns, coarse, round > 0 ? Lookout::close_by : Lookout::anywhere);
         Refit next = refit_these(unknowns, free, coarse > 0 ? first_damping : 0);
         if (next.chi_squared > reweighting * std::max(before, rows())) break;
         fit = std::move(next);

@@ -6,6 +6,7 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace secular {
 namespace {
@@ -40,6 +41,23 @@ TEST(LikeliestDelay, DoesNotGoWhereThereIsNoMotion) {
     return seconds < 0 ? std::numeric_limits<double>::infinity() : std::pow(seconds - 0.01, 2);
   };
   EXPECT_NEAR(likeliest_delay(misfit, 0, period), 0.01, 1e-4 * period);
+}
+
+TEST(LikeliestDelay, CloseByAParabolaFindsItAndFartherOffNothing) {
+  const double late = 0.0123;
+  const auto misfit = [&](double seconds) {
+    return 1e4 * std::norm(std::polar(1.0, turn(seconds)) - std::polar(1.0, turn(late))) +
+           300 * std::sin(3 * turn(seconds - late)) - 900 * std::sin(turn(seconds - late));
+  };
+  for (const double off : {-0.007, -0.001, 0.0, 0.004, 0.007}) {
+    const std::optional<double> found = likeliest_delay_near(misfit, late + off * period, period);
+    ASSERT_TRUE(found) << off;
+    EXPECT_NEAR(*found, late, 2e-4 * period) << off;
+  }
+  for (const double off : {-0.02, 0.01, 0.3, 0.5})
+    EXPECT_FALSE(likeliest_delay_near(misfit, late + off * period, period)) << off;
+  EXPECT_FALSE(likeliest_delay_near([](double) { return 3.0; }, 0, period));
+  EXPECT_FALSE(likeliest_delay_near([](double) { return std::numeric_limits<double>::infinity(); }, 0, period));
 }
 
 TEST(LikeliestDelay, StaysWhereNothingTells) {
