@@ -76,8 +76,10 @@ Contest contest_of(const Inference& inference, const std::vector<Candidate>& can
 }
 
 const Rival& Contest::best() const {
-  const bool catalogue_will_do = all.front().open_law && !named.empty() && is_credible(named.front(), all.front());
-  return catalogue_will_do ? named.front() : all.front();
+  const Rival& first = all.front();
+  const bool catalogue_will_do = first.open_law && !named.empty() && is_credible(named.front(), first) &&
+                                 named.front().effects.size() <= first.effects.size();
+  return catalogue_will_do ? named.front() : first;
 }
 
 }  // namespace secular

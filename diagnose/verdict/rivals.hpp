@@ -33,8 +33,8 @@ struct Contest {
   std::vector<Rival> named;  ///< of these, the ones that the catalogue holds
   bool stalled = false;      ///< the likeliest is no minimum, and no other comes near it: it names nothing
 
-  /// An exponent of its own that is credibly no better than a law of the catalogue stands for that law. There has
-  /// to be one in `all`.
+  /// An exponent of its own that is credibly no better than a law of the catalogue stands for that law; not for two
+  /// that only do together what it does alone. There has to be one in `all`.
   const Rival& best() const;
 };
 

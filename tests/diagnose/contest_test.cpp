@@ -76,6 +76,17 @@ TEST(Contest, ALawOfTheCatalogueWillDoWhereAnExponentIsCrediblyNoBetter) {
   }
 }
 
+// Two laws that do together what one does that nobody listed are a way to write it down, and no causes.
+TEST(Contest, TwoLawsOfTheCatalogueWillNotDoForOneOutsideOfIt) {
+  Inference inference;
+  inference.explanations = {made_up({2}, 1), made_up({0, 1}, 0.5)};
+  EXPECT_EQ(contest_of(inference, some_laws(), false).best().effects, Names{"any power"});
+  inference.explanations = {made_up({0, 2}, 1), made_up({0, 1}, 0.5)};
+  EXPECT_EQ(contest_of(inference, some_laws(), false).best().effects, (Names{"drag", "friction"}));
+  inference.explanations = {made_up({2}, 0.5), made_up({0, 1}, 1)};
+  EXPECT_EQ(contest_of(inference, some_laws(), false).best().effects, (Names{"drag", "friction"}));
+}
+
 TEST(Contest, OfNothingIsEmpty) {
   const Contest contest = contest_of({}, some_laws(), false);
   EXPECT_TRUE(contest.all.empty() && contest.named.empty());
