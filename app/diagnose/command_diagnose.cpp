@@ -38,16 +38,22 @@ void print_next_experiment(const DiagnosisRun& run) {
     if (run.diagnosis.gap.detected) fmt::print("next experiment: none proposed; {}\n", next.reason);
     return;
   }
-  const ProposedDwell& dwell = *next.dwell;
-  fmt::print("next experiment: a dwell at {:.5g} Hz, {:.3g} times the excitation of {}{} ({}): {:.2g} minutes\n",
-             dwell.frequency * to_hz, dwell.level, run.campaign.records[dwell.like].file,
-             dwell.length > 1 ? fmt::format(" and {:.3g} times as long", dwell.length) : "", dwell.resonance,
-             dwell.minutes);
+  const ProposedTest& test = *next.test;
+  const RecordEntry& like = run.campaign.records[test.like];
+  if (like.kind == RecordKind::dwell)
+    fmt::print("next experiment: a dwell at {:.5g} Hz, {:.3g} times the excitation of {}{} ({}): {:.2g} minutes\n",
+               test.frequency * to_hz, test.level, like.file,
+               test.length > 1 ? fmt::format(" and {:.3g} times as long", test.length) : "", test.resonance,
+               test.minutes);
+  else
+    fmt::print("next experiment: {} like {}, {:.3g} times its level{}: {:.2g} minutes\n", to_string(like.kind),
+               like.file, test.level, test.length > 1 ? fmt::format(", {:.3g} of them", test.length) : "",
+               test.minutes);
   fmt::print(
       "  to tell {} apart: {:.1f} sd expected, seen in the {}; the right one's probability {} -> {}, chance to "
       "leave it alone {}\n",
-      fmt::join(next.separates, ", "), dwell.separation, dwell.watch, report::format_percent(dwell.before),
-      report::format_percent(dwell.probability), report::format_percent(dwell.chance));
+      fmt::join(next.separates, ", "), test.separation, test.watch, report::format_percent(test.before),
+      report::format_percent(test.probability), report::format_percent(test.chance));
 }
 
 void print_summary(const DiagnosisRun& run, const std::string& folder) {

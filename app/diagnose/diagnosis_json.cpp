@@ -14,27 +14,29 @@ using Json = nlohmann::ordered_json;
 
 Json next_experiment(const DiagnosisRun& run) {
   const NextExperiment& next = run.diagnosis.next_experiment;
-  if (!next.dwell) return {{"proposed", false}, {"reason", next.reason}};
-  const ProposedDwell& dwell = *next.dwell;
+  if (!next.test) return {{"proposed", false}, {"reason", next.reason}};
+  const ProposedTest& test = *next.test;
+  const RecordEntry& like = run.campaign.records[test.like];
   Json json = {{"proposed", next.proposed}};
   if (!next.proposed) json["reason"] = next.reason;
-  json.update({{"kind", "dwell"},
-               {"resonance", dwell.resonance},
-               {"like", run.campaign.records[dwell.like].file},
-               {"level_factor", dwell.level},
-               {"length_factor", dwell.length},
-               {"minutes", dwell.minutes},
-               {"excitation_channel", dwell.channel},
-               {"excitation_peak", dwell.excitation},
-               {"frequency_hz", dwell.frequency * to_hz},
-               {"watch", dwell.watch},
+  json.update({{"kind", to_string(like.kind)},
+               {"like", like.file},
+               {"level_factor", test.level},
+               {"length_factor", test.length},
+               {"minutes", test.minutes},
+               {"watch", test.watch},
                {"separates", next.separates},
-               {"separation_sigma", dwell.separation},
-               {"probability_before", dwell.before},
-               {"expected_probability", dwell.probability},
-               {"expected_probability_of_a_random_one", dwell.typical},
-               {"chance_to_leave_one", dwell.chance},
-               {"compared", dwell.compared}});
+               {"separation_sigma", test.separation},
+               {"probability_before", test.before},
+               {"expected_probability", test.probability},
+               {"expected_probability_of_a_random_one", test.typical},
+               {"chance_to_leave_one", test.chance},
+               {"compared", test.compared}});
+  if (like.kind == RecordKind::dwell)
+    json.update({{"resonance", test.resonance},
+                 {"excitation_channel", test.channel},
+                 {"excitation_peak", test.excitation},
+                 {"frequency_hz", test.frequency * to_hz}});
   return json;
 }
 

@@ -306,28 +306,35 @@ void next_section(HtmlReport& page, const DiagnosisRun& run) {
   if (!run.diagnosis.gap.detected) return;
   page.section("Next experiment");
   if (!next.proposed) page.paragraph("None is proposed: " + next.reason + ".");
-  if (!next.dwell) return;
-  const ProposedDwell& dwell = *next.dwell;
+  if (!next.test) return;
+  const ProposedTest& test = *next.test;
+  const RecordEntry& like = run.campaign.records[test.like];
   std::string rivals;
   for (const std::string& effect : next.separates) rivals += (rivals.empty() ? "" : ", ") + spaced(effect);
   Table table;
   table.columns = {{"", Column::Kind::text, ""}, {"", Column::Kind::text, ""}};
-  table.rows = {{"Dwell", dwell.resonance},
-                {"Frequency", report::format_number(dwell.frequency * to_hz, 5) + " Hz"},
-                {"Peak of " + dwell.channel, report::format_number(dwell.excitation, 4) + ", " +
-                                                 report::format_number(dwell.level, 2) + " times that of " +
-                                                 run.campaign.records[dwell.like].file},
-                {"Length", report::format_number(dwell.length, 2) + " times as many ensembles as that record, " +
-                               report::format_number(dwell.minutes, 2) + " minutes once it has settled"},
-                {"Tells apart", rivals},
-                {"Expected separation", report::format_number(dwell.separation, 2) + " sd of the closest two"},
-                {"Look at", dwell.watch},
-                {"Expected probability of the right one",
-                 report::format_percent(dwell.probability) + " after it, " + report::format_percent(dwell.before) +
-                     " now, " + report::format_percent(dwell.typical) + " after one taken at random"},
-                {"Chance that it leaves one", report::format_percent(dwell.chance)}};
-  table.caption = "Best of " + std::to_string(dwell.compared) +
-                  " dwells at the resonances measured, around their levels and frequencies";
+  const std::string minutes = report::format_number(test.minutes, 2) + " minutes",
+                    level = report::format_number(test.level, 2) + " times that of " + like.file;
+  if (like.kind == RecordKind::dwell)
+    table.rows = {{"Dwell", test.resonance},
+                  {"Frequency", report::format_number(test.frequency * to_hz, 5) + " Hz"},
+                  {"Peak of " + test.channel, report::format_number(test.excitation, 4) + ", " + level},
+                  {"Length", report::format_number(test.length, 2) + " times as many ensembles as that record, " +
+                                 minutes + " once it has settled"}};
+  else
+    table.rows = {{"Record", spaced(to_string(like.kind))},
+                  {"Level", level},
+                  {"How many", report::format_number(test.length, 2) + " as long as that record, " + minutes}};
+  table.rows.insert(
+      table.rows.end(),
+      {{"Tells apart", rivals},
+       {"Expected separation", report::format_number(test.separation, 2) + " sd of the closest two"},
+       {"Look at", test.watch},
+       {"Expected probability of the right one",
+        report::format_percent(test.probability) + " after it, " + report::format_percent(test.before) + " now, " +
+            report::format_percent(test.typical) + " after one taken at random"},
+       {"Chance that it leaves one", report::format_percent(test.chance)}});
+  table.caption = "Best of " + std::to_string(test.compared) + " tests around those that were measured";
   page.table(table);
 }
 

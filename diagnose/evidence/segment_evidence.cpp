@@ -106,7 +106,11 @@ VectorXd sd_of_changes(const NoiseInCosines& noise, const MatrixXd& basis) {
 
 SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateForce> forces, SensorModel sensors,
                                  FaultTable table, std::vector<Segment> segments, unsigned threads)
-    : model_(model, std::move(forces), std::move(sensors), std::move(table)),
+    : SegmentEvidence(SegmentModel(model, std::move(forces), std::move(sensors), std::move(table)),
+                      std::move(segments), threads) {}
+
+SegmentEvidence::SegmentEvidence(SegmentModel model, std::vector<Segment> segments, unsigned threads)
+    : model_(std::move(model)),
       measured_(std::move(segments)),
       segments_(measured_),
       threads_(threads),
@@ -119,12 +123,12 @@ SegmentEvidence::SegmentEvidence(const CompiledModel& model, std::vector<StateFo
     label.time_s = s.time_s;
     label.amplitude = 0.5 * s.response.row(0).cwiseAbs().maxCoeff();
     label.balance = true;
-    for (std::size_t k = 0; k < model.modes(); ++k)
+    for (std::size_t k = 0; k < model_.modes(); ++k)
       for (const EffectComponent component : {EffectComponent::conservative, EffectComponent::dissipative}) {
         label.mode = k;
-        label.place = std::string(model.coordinates[k]);
+        label.place = std::string(model_.model().coordinates[k]);
         label.component = component;
-        label.harmonic = std::string(model.symbols[k].name);
+        label.harmonic = std::string(model_.model().symbols[k].name);
         labels_.push_back(label);
       }
     label.balance = false;
@@ -416,6 +420,10 @@ SegmentEvidence::Noise SegmentEvidence::noise_of(std::span<const LeftOfSegment> 
 }
 
 void SegmentEvidence::measure_noise(const VectorXd& unknowns) {
+  if (noise_is_known_) {
+    noise_.assign(segments_.size(), {VectorXd::Ones(static_cast<Index>(2 * model_.modes())), 1});
+    return;
+  }
   const std::vector<LeftOfSegment> left = left_by(unknowns);
   const std::shared_ptr<const NoiseInCosines> coloured = coloured_noise(left, unknowns);
   std::vector<Noise> found;
@@ -638,6 +646,54 @@ std::vector<SegmentEvidence::Left> SegmentEvidence::left(const VectorXd& unknown
     left.rms = std::sqrt(std::inner_product(left.rest.begin(), left.rest.end(), left.rest.begin(), 0.0) /
                          static_cast<double>(left.rest.size()));
   return all;
+}
+
+std::vector<SegmentEvidence::RecordSize> SegmentEvidence::record_sizes() const {
+  std::vector<RecordSize> sizes;
+  for (const Segment& s : measured_) {
+    if (sizes.empty() || sizes.back().record != s.record) sizes.push_back({s.record, s.excitation.cols() > 0, 0});
+    const Eigen::MatrixXd& what = sizes.back().driven ? s.excitation : s.response;
+    sizes.back().size = std::max(sizes.back().size, what.row(0).cwiseAbs().maxCoeff());
+  }
+  return sizes;
+}
+
+std::vector<Segment> SegmentEvidence::predicted(std::size_t record, const VectorXd& unknowns, double level) const {
+  const std::vector<VectorXd> states = states_at(0, segments_.size(), unknowns);
+  std::vector<Segment> segments;
+  std::vector<VectorXd> begins;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    if (segments_[i].record != record) continue;
+    Segment& s = segments.emplace_back(segments_[i]);
+    s.excitation *= level;
+    s.response.setZero();
+    if (i < noise_.size()) s.noise_sd *= noise_[i].white_sd();
+    s.wandering.clear();
+    s.tones.clear();
+    s.coloured.clear();
+    begins.push_back(level * states[i]);
+  }
+  std::vector<SegmentTrial> trials;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    trials.push_back({segments[i], segments[i].response.cols(), unknowns, begins[i]});
+  std::vector<StretchOfMotion> motions;
+  const std::vector<VectorXd> errors = model_.errors(trials, nullptr, &motions);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const auto& motion = motions[i];
+    const Index last = motion.displacement.cols() - 1;
+    if (!errors[i].allFinite() || (motion.displacement.col(last).isZero(0) && motion.velocity.col(last).isZero(0)))
+      return {};
+    const Index samples = segments[i].response.cols();
+    for (Index c = 0; c < segments[i].response.rows(); ++c)
+      segments[i].response.row(c) = -segments[i].noise_sd(c) * errors[i].segment(c * samples, samples).transpose();
+  }
+  return segments;
+}
+
+SegmentEvidence SegmentEvidence::of_known_noise(std::vector<Segment> segments) const {
+  SegmentEvidence evidence(model_, std::move(segments), 1);
+  evidence.noise_is_known_ = true;
+  return evidence;
 }
 
 VectorXd SegmentEvidence::mean_square_error(const VectorXd& unknowns) const {

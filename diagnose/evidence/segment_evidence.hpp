@@ -62,6 +62,21 @@ class SegmentEvidence : public Evidence {
   };
   std::vector<Left> left(const Eigen::VectorXd& unknowns) const;
 
+  /// How much is in a record: the excitation (first channel), or the response's largest (first channel), in that
+  /// channel's unit.
+  struct RecordSize {
+    std::size_t record = 0;
+    bool driven = false;
+    double size = 0;
+  };
+  std::vector<RecordSize> record_sizes() const;
+  /// The segments of a record as these unknowns predict them, each from `level` times the state that it begins with
+  /// and driven by `level` times its excitation: without noise or foreign content, with the errors that were
+  /// measured. Empty: a motion runs away. After freeze().
+  std::vector<Segment> predicted(std::size_t record, const Eigen::VectorXd& unknowns, double level) const;
+  /// Evidence of other segments by the same model and sensors, whose noise is what they say.
+  SegmentEvidence of_known_noise(std::vector<Segment> segments) const;
+
   /// Mean square of the error over all samples, by response channel, in the square of its unit; every segment from
   /// its best state.
   Eigen::VectorXd mean_square_error(const Eigen::VectorXd& unknowns) const;
@@ -69,6 +84,8 @@ class SegmentEvidence : public Evidence {
   Eigen::VectorXd mean_square_signal() const;
 
  private:
+  SegmentEvidence(SegmentModel model, std::vector<Segment> segments, unsigned threads);
+
   struct Frozen {
     Eigen::VectorXd state;
     DrivenNoise driven_noise;  // where errors are not coarse: what whitens them before anything else
@@ -159,6 +176,7 @@ class SegmentEvidence : public Evidence {
   unsigned threads_;
   std::vector<Frozen> frozen_;
   std::vector<Noise> noise_;
+  bool noise_is_known_ = false;
   bool coarse_ = true;  // frozen at widened errors, beside which nothing repeats worse
   std::vector<RowLabel> labels_;
 };

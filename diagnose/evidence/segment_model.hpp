@@ -26,6 +26,7 @@ class SegmentModel {
  public:
   SegmentModel(const CompiledModel& model, std::vector<StateForce> forces, SensorModel sensors, FaultTable table);
 
+  const CompiledModel& model() const { return *model_; }
   std::size_t modes() const { return model_->modes(); }
   const SensorModel& sensors() const { return sensors_; }
   /// Unknown that is the offset of a response channel.

@@ -183,8 +183,9 @@ class OpenDiagnosis::Stages {
       return;
     }
     next = propose_experiment(contest_->named, naming_, comparison_.condition_model(model_), comparison_.conditions,
+                              comparison_.segment_evidence,
                               {options_.highest_level, inference_.dispersion, options_.threads});
-    if (next.dwell) next.dwell->minutes = next.dwell->length * minutes_of(next.dwell->like);
+    if (next.test) next.test->minutes = next.test->length * minutes_of(next.test->like);
   }
 
   // Of what was read of a record.

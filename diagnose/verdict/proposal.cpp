@@ -3,15 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "diagnose/thresholds.hpp"
+#include "diagnose/verdict/next_record.hpp"
 
 namespace secular {
 namespace {
 
 using Names = std::vector<std::string>;
 
-/// A dwell is proposed if it has this chance of leaving one explanation, and leaves no more than this share of the
+/// A test is proposed if it has this chance of leaving one explanation, and leaves no more than this share of the
 /// probability that another one is right.
 constexpr auto& worth_a_test = diagnose_thresholds().worth_a_test;
 constexpr auto& most_doubt = diagnose_thresholds().most_doubt;
@@ -20,11 +22,15 @@ constexpr auto& most_doubt = diagnose_thresholds().most_doubt;
 constexpr std::size_t most_hypotheses = 4;
 constexpr auto& least_rival = diagnose_thresholds().least_rival;
 
+bool is_worth_it(const ProposedTest& test) {
+  return test.compared > 0 && test.chance >= worth_a_test && 1 - test.probability <= most_doubt * (1 - test.before);
+}
+
 }  // namespace
 
 NextExperiment propose_experiment(const std::vector<Rival>& rivals, const Naming& naming,
                                   const ConditionModel& model, const std::vector<Condition>& conditions,
-                                  const ProposalOptions& options) {
+                                  const SegmentEvidence* segments, const ProposalOptions& options) {
   NextExperiment next;
   std::vector<Hypothesis> hypotheses;
   std::vector<Names> taken;
@@ -37,30 +43,31 @@ NextExperiment propose_experiment(const std::vector<Rival>& rivals, const Naming
     taken.push_back(r.effects);
     if (hypotheses.size() == most_hypotheses) break;
   }
-  if (conditions.empty()) {
-    next.reason = "dwells are proposed by changing measured ones, and the campaign has none that has settled";
-    return next;
-  }
   if (hypotheses.size() < 2) {
     next.reason = "nothing competes with the explanation";
     return next;
   }
-  const ProposedDwell dwell = next_experiment(model, conditions, hypotheses, options);
-  if (dwell.compared == 0) {
-    next.reason = "no steady motion near the measured ones could be predicted under every explanation";
+  ProposedTest test;
+  if (!conditions.empty()) test = next_dwell(model, conditions, hypotheses, options);
+  if (segments && !is_worth_it(test)) {
+    ProposedTest record = next_record(*segments, hypotheses, options);
+    if (record.compared > 0 && record.probability > test.probability) test = std::move(record);
+  }
+  if (test.compared == 0) {
+    next.reason = "no motion near the measured ones could be predicted under every explanation";
     return next;
   }
   for (const Names& effects : taken) next.separates.push_back(fmt::format("{}", fmt::join(effects, " + ")));
-  next.dwell = dwell;
-  next.proposed = dwell.chance >= worth_a_test && 1 - dwell.probability <= most_doubt * (1 - dwell.before);
+  next.proposed = is_worth_it(test);
   if (!next.proposed)
     next.reason = fmt::format(
-        "no dwell between half the lowest and {:.3g} times the highest level used would part {}: the best has a "
+        "no test between half the lowest and {:.3g} times the highest level used would part {}: the best has a "
         "chance of {:.0f} % and takes the right one's probability from {:.1f} to {:.1f} %; it takes another kind "
         "of test, for example a second sensor, a calibration of the excitation, or a resonance that was not "
         "measured yet",
-        options.highest_level, fmt::join(next.separates, ", "), 100 * dwell.chance, 100 * dwell.before,
-        100 * dwell.probability);
+        options.highest_level, fmt::join(next.separates, ", "), 100 * test.chance, 100 * test.before,
+        100 * test.probability);
+  next.test = std::move(test);
   return next;
 }
 

@@ -222,7 +222,7 @@ TEST(SlowDiagnosis, DwellsOfAParametricResonance) {
   EXPECT_EQ(d.where.front().component, EffectComponent::dissipative);
   EXPECT_NE(d.where.front().harmonic.find("Omega/2"), std::string::npos);
   // Beyond doubt: nothing is left to be told apart.
-  EXPECT_FALSE(d.next_experiment.dwell);
+  EXPECT_FALSE(d.next_experiment.test);
   EXPECT_NE(d.next_experiment.reason.find("no other explanation"), std::string::npos) << d.next_experiment.reason;
   ASSERT_FALSE(d.causes.empty());
   EXPECT_NEAR(d.causes.front().coefficient, 36.87, 4 * d.causes.front().sd);

@@ -4,47 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "diagnose/evidence/line_evidence.hpp"
 #include "diagnose/inference/refit.hpp"
-#include "tests/diagnose/laboratory.hpp"
+#include "tests/diagnose/decay_segments.hpp"
 
 namespace secular {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+using testing_support::decay;
 using testing_support::Laboratory;
 using testing_support::natural;
-
-// A free decay of one mode, measured without other error than noise of 1e-4 of its start.
-std::vector<Segment> decay(const Laboratory& lab, const VectorXd& unknowns, std::uint64_t seed) {
-  constexpr Index samples = 64;
-  constexpr int count = 6;
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
-  std::vector<Segment> segments;
-  MotionStart start{{unknowns.data(), unknowns.data() + lab.compiled.symbols.size()},
-                    Eigen::Vector2d(1e-3, 0),
-                    std::make_shared<const DrivingSignal>(DrivingSignal{{}, 2e-3 * 80 / natural}),
-                    samples + 1,
-                    4};
-  for (int i = 0; i < count; ++i) {
-    Segment s;
-    s.fold = i;
-    s.sample_s = start.signal->sample_s;
-    s.time_s = s.in_record_s = i * samples * s.sample_s;
-    const StretchOfMotion motion = MotionIntegrator(lab.compiled, {}).motion(start);
-    s.response = motion.acceleration.leftCols(samples);
-    s.noise_sd = VectorXd::Constant(1, 1e-4 * 1e-3 * natural * natural);
-    for (double& reading : s.response.row(0)) reading += s.noise_sd(0) * normal(random);
-    s.substeps = 4;
-    start.state << motion.displacement(0, samples), motion.velocity(0, samples);
-    segments.push_back(std::move(s));
-  }
-  return segments;
-}
 
 Discrepancy decay_of(const Laboratory& lab, const VectorXd& truth) {
   Discrepancy discrepancy;

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <set>
 
-#include "diagnose/verdict/next_experiment.hpp"
+#include "diagnose/verdict/next_dwell.hpp"
 #include "tests/diagnose/laboratory.hpp"
 
 namespace secular {
@@ -65,7 +65,7 @@ Explanation explanation(const Laboratory& lab, const VectorXd& unknowns, const s
 
 // Two laws of damping that were matched at one amplitude part at another, and the farther from it the better; one
 // law twice is never parted.
-TEST(NextExperiment, GoesWhereTheLawsPart) {
+TEST(NextDwell, GoesWhereTheLawsPart) {
   const Laboratory lab;
   const double force = 3, frequency = natural, half = 0.5 * force * std::abs(direct) / (2 * damping * frequency);
   const double peak = 2 * half;
@@ -80,7 +80,7 @@ TEST(NextExperiment, GoesWhereTheLawsPart) {
                         explanation(lab, cubic, "mu3", 0.01 * cubic(static_cast<Eigen::Index>(lab.symbol("mu3")))),
                     second =
                         explanation(lab, drag, "mu2", 0.01 * drag(static_cast<Eigen::Index>(lab.symbol("mu2"))));
-  const ProposedDwell next = next_experiment(lab.model, {measured}, {{&first, 0.5}, {&second, 0.5}}, {});
+  const ProposedTest next = next_dwell(lab.model, {measured}, {{&first, 0.5}, {&second, 0.5}}, {});
   ASSERT_GT(next.compared, 3u);
   EXPECT_DOUBLE_EQ(next.before, 0.5);
   EXPECT_GE(next.probability, next.typical);
@@ -88,9 +88,9 @@ TEST(NextExperiment, GoesWhereTheLawsPart) {
   EXPECT_GT(next.separation, 2);
   EXPECT_NE(next.level, 1);
   EXPECT_LE(next.level, 1.5);  // of what the structure has seen
-  EXPECT_EQ(next_experiment(lab.model, {measured}, {{&first, 0.5}, {&second, 0.5}}, {.highest_level = 3}).level, 2);
+  EXPECT_EQ(next_dwell(lab.model, {measured}, {{&first, 0.5}, {&second, 0.5}}, {.highest_level = 3}).level, 2);
   EXPECT_EQ(next.resonance, "Omega near omega0");
-  const ProposedDwell none = next_experiment(lab.model, {measured}, {{&first, 0.5}, {&first, 0.5}}, {});
+  const ProposedTest none = next_dwell(lab.model, {measured}, {{&first, 0.5}, {&first, 0.5}}, {});
   EXPECT_LT(none.separation, 1e-3);
   EXPECT_NEAR(none.probability, 0.5, 1e-6);
   EXPECT_EQ(none.chance, 0);
@@ -98,7 +98,7 @@ TEST(NextExperiment, GoesWhereTheLawsPart) {
 
 // A dwell four times as long, where one alone is not as good as certain, halves the errors: at most twice the
 // separation (the explanations' own freedom stays). Where that is not enough either, sixteen times as long.
-TEST(NextExperiment, IsLongerWhereItHasToBe) {
+TEST(NextDwell, IsLongerWhereItHasToBe) {
   const Laboratory lab;
   const double force = 3, frequency = natural, half = 0.5 * force * std::abs(direct) / (2 * damping * frequency);
   const double peak = 2 * half, rate = 0.75 * std::pow(frequency * peak, 2),
@@ -112,7 +112,7 @@ TEST(NextExperiment, IsLongerWhereItHasToBe) {
                    drag = lab.unknowns({{"mu1", own}, {"mu2", added / drag_rate}});
     const Explanation first = explanation(lab, cubic, "mu3", 1e-3 * added / rate),
                       second = explanation(lab, drag, "mu2", 1e-3 * added / drag_rate);
-    const ProposedDwell next = next_experiment(lab.model, {measured}, {{&first, 0.5}, {&second, 0.5}}, {});
+    const ProposedTest next = next_dwell(lab.model, {measured}, {{&first, 0.5}, {&second, 0.5}}, {});
     // Phi((d^2/2 - ln 20)/d) of the closer of the two.
     const double d = next.separation;
     EXPECT_NEAR(next.chance, 0.5 * std::erfc(-(d / 2 - std::log(20) / d) / std::sqrt(2)), 0.1);
