@@ -41,10 +41,11 @@ void print_next_experiment(const DiagnosisRun& run) {
   const ProposedTest& test = *next.test;
   const RecordEntry& like = run.campaign.records[test.like];
   if (like.kind == RecordKind::dwell)
-    fmt::print("next experiment: a dwell at {:.5g} Hz, {:.3g} times the excitation of {}{} ({}): {:.2g} minutes\n",
-               test.frequency * to_hz, test.level, like.file,
-               test.length > 1 ? fmt::format(" and {:.3g} times as long", test.length) : "", test.resonance,
-               test.minutes);
+    fmt::print(
+        "next experiment: a dwell at {:.5g} Hz, {:.3g} times the excitation of {}{} ({}): {:.2g} minutes once "
+        "settled\n",
+        test.frequency * to_hz, test.level, like.file,
+        test.length > 1 ? fmt::format(" and {:.3g} times as long", test.length) : "", test.resonance, test.minutes);
   else
     fmt::print("next experiment: {} like {}, {:.3g} times its level{}: {:.2g} minutes\n", to_string(like.kind),
                like.file, test.level, test.length > 1 ? fmt::format(", {:.3g} of them", test.length) : "",
@@ -171,7 +172,7 @@ void add_diagnose_command(CLI::App& root, Action& chosen) {
       ->add_option(
           "--highest-level", request.highest_level,
           "most that the next experiment may ask for, times the highest excitation measured at a resonance")
-      ->check(CLI::Range(0.5, 10.0))
+      ->check(CLI::Range(0.5, 2.0))
       ->capture_default_str();
   command->add_flag("--interpret", request.interpret, "no compiled code: slower, same results");
   command->add_option("--threads", request.threads, "threads; the result does not depend on it")

@@ -83,15 +83,17 @@ void Discrepancy::approach(const Eigen::VectorXd& unknowns) {
 }
 
 void Discrepancy::freeze(const Eigen::VectorXd& unknowns, double coarse, Lookout lookout) {
+  // Records count as in step until numbers have been fitted, and are looked for anywhere once at least.
+  const bool late = std::exchange(in_reach_, true) && !nuisances_.delay_sd.empty();
+  if (late && record_late_s_.empty()) lookout = Lookout::anywhere;
   for (int round = 1; round <= most_rounds; ++round) {
     for (const auto& part : parts_) {
       part->shift_records(record_shifts_);
-      if (in_reach_ && !nuisances_.delay_sd.empty())
+      if (late)
         part->put_in_step(unknowns, coarse, round > 1 ? Lookout::close_by : lookout, record_periods_,
                           record_late_s_);
       part->freeze(unknowns, coarse);
     }
-    in_reach_ = true;
     take_directions(unknowns);
     if (round == most_rounds || !put_in_own(unknowns)) return;
   }

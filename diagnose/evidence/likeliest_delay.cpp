@@ -34,7 +34,7 @@ double likeliest_delay(const std::function<double(double)>& misfit, double here,
   std::uintmax_t steps = most_narrowings;
   const auto [offset, value] = boost::math::tools::brent_find_minima(
       [&](double part) { return misfit(best + part * reach); }, -1.0, 1.0, bits, steps);
-  return best + offset * reach;
+  return value < least ? best + offset * reach : best;
 }
 
 std::optional<double> likeliest_delay_near(const std::function<double(double)>& misfit, double here,
@@ -43,7 +43,7 @@ std::optional<double> likeliest_delay_near(const std::function<double(double)>& 
                behind = misfit(here + reach);
   const double bend = before - 2 * at + behind, step = 0.5 * reach * (before - behind) / bend;
   if (!(bend > 0) || !(std::abs(step) <= reach)) return std::nullopt;
-  return here + step;
+  return misfit(here + step) <= at ? here + step : here;
 }
 
 }  // namespace secular

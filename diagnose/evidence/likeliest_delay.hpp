@@ -9,7 +9,7 @@ namespace secular {
 /// (24)). `misfit`: -2 log likelihood by that time; infinite: impossible.
 double likeliest_delay(const std::function<double(double)>& misfit, double here, double period);
 
-/// The same from where it was likeliest by numbers that have moved since, in three evaluations; nothing where it is
+/// The same from where it was likeliest by numbers that have moved since, in four evaluations; nothing where it is
 /// not close by any more (docs/inference.md (24b)).
 std::optional<double> likeliest_delay_near(const std::function<double(double)>& misfit, double here, double period);
 

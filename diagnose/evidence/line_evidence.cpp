@@ -116,8 +116,9 @@ ConditionRows LineEvidence::whiten(const Condition& c, const VectorXd& unknowns,
     for (Index i = 0; i < covariance.rows(); ++i) rows.push_back(i);
   // Numbers so far off that no motion is found: errors stay what they were; without any, every row counts alike
   // until the numbers are nearer.
+  w.is_of_before = !covariance.allFinite() && !first;
+  if (w.is_of_before) return here;
   if (!covariance.allFinite()) {
-    if (!first) return here;
     covariance.setIdentity();
   }
   // A row of a channel has at least its line's error of its own, unless the amplitudes were taken from it.
@@ -281,6 +282,7 @@ double LineEvidence::misfit_if_late(const std::vector<std::size_t>& conditions, 
     c.count_as_late(seconds);
     Whitening w = whitening_[i];
     const ConditionRows rows = whiten(c, unknowns, coarse, w);
+    if (w.is_of_before) return std::numeric_limits<double>::infinity();
     misfit += whitened(rows, w).squaredNorm() - 2 * w.inverse_root.diagonal().array().log().sum();
   }
   return std::isfinite(misfit) ? misfit : std::numeric_limits<double>::infinity();

@@ -30,6 +30,7 @@ class LineEvidence : public Evidence {
     std::vector<Eigen::Index> kept;
     Eigen::MatrixXd inverse_root;  // kept x kept, lower triangle
     Motion motion;
+    bool is_of_before = false;  // the errors at these unknowns are not finite
   };
   /// Returns the rows as they are, not yet whitened.
   ConditionRows whiten(const Condition& condition, const Eigen::VectorXd& unknowns, double coarse,

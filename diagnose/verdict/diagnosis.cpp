@@ -61,7 +61,12 @@ class OpenDiagnosis::Stages {
       close_without_gap();
   }
 
-  Diagnosis& result() { return result_; }
+  const Diagnosis& result() const { return result_; }
+
+  void make_unknown(const std::string& why) {
+    secular::make_unknown(result_, why);
+    doubt_ = why;
+  }
 
   Diagnosis finish() {
     if (contest_) propose();
@@ -178,7 +183,11 @@ class OpenDiagnosis::Stages {
 
   void propose() {
     NextExperiment& next = result_.next_experiment;
-    if (result_.verdict == "cause") {
+    if (!doubt_.empty()) {
+      next.reason = doubt_;
+      return;
+    }
+    if (result_.verdict == "cause" && stands_alone()) {
       next.reason = "no other explanation keeps a twentieth of its odds";
       return;
     }
@@ -186,6 +195,11 @@ class OpenDiagnosis::Stages {
                               comparison_.segment_evidence,
                               {options_.highest_level, inference_.dispersion, options_.threads});
     if (next.test) next.test->minutes = next.test->length * minutes_of(next.test->like);
+  }
+
+  bool stands_alone() const {
+    return std::none_of(contest_->named.begin() + 1, contest_->named.end(),
+                        [&](const Rival& r) { return is_credible(r, contest_->named.front()); });
   }
 
   // Of what was read of a record.
@@ -297,6 +311,7 @@ class OpenDiagnosis::Stages {
   std::optional<Contest> contest_;     // where a gap was found
   Naming naming_;                      // of its explanations
   const Explanation* best_ = nullptr;  // that the verdict is about
+  std::string doubt_;                  // of the whole; empty: none
   Diagnosis result_;
 };
 
@@ -317,7 +332,7 @@ const Diagnosis& OpenDiagnosis::so_far() const {
 }
 
 void OpenDiagnosis::make_unknown(const std::string& why) {
-  secular::make_unknown(stages_->result(), why);
+  stages_->make_unknown(why);
 }
 
 Diagnosis OpenDiagnosis::finish() && {

@@ -40,7 +40,10 @@ LateRecords lateness_about(const Discrepancy& discrepancy) {
   result.differ = between.p_value < lateness_alarm;
   const MatrixXd functions = independent_functions(of_records);
   result.plain = late_s.size() - functions.cols() >= plain_freedom;
-  result.following = follows_settings(late_s, functions);
+  // Beside functions as beside a mean, errors differ: a record that is hardly known hides no law in the others.
+  const double sd = between_records(late_s, variance, functions).sd;
+  const VectorXd weight = (variance.array() + sd * sd).rsqrt();
+  result.following = follows_settings(weight.cwiseProduct(late_s), weight.asDiagonal() * functions);
   return result;
 }
 

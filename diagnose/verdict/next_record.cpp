@@ -25,12 +25,12 @@ std::vector<RecordAtLevel> records_around(std::vector<SegmentEvidence::RecordSiz
     for (const SegmentEvidence::RecordSize& r : records)
       if (r.driven == driven && r.size > 0) alike.push_back(r);
     if (alike.empty()) continue;
-    const double least = lowest_test_level * alike.front().size, most = highest_level * alike.back().size;
+    const double least = lowest_test_level * alike.front().size;
     std::vector<std::size_t> from = {0, alike.size() / 2, alike.size() - 1};
     from.erase(std::unique(from.begin(), from.end()), from.end());
     for (const std::size_t i : from)
       for (const double level : test_levels)
-        if (level * alike[i].size >= least * (1 - 1e-9) && level * alike[i].size <= most * (1 + 1e-9))
+        if (level <= highest_level && level * alike[i].size >= least * (1 - 1e-9))
           tests.push_back({alike[i].record, level});
   }
   return tests;

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 using testing_support::damping, testing_support::natural;
 using testing_support::decay, testing_support::Laboratory;
 
-constexpr double start = 1e-3;  // of decay()
+constexpr double first_displacement = 1e-3;  // of decay()
 
 SegmentEvidence frozen_decay(const Laboratory& lab, const VectorXd& truth) {
   SegmentEvidence evidence(lab.compiled, {}, lab.sensors, lab.faults, decay(lab, truth, 7));
@@ -56,8 +56,8 @@ Explanation of_law(const Laboratory& lab, const char* symbol, double value) {
 TEST(NextRecord, GoesWhereTheLawsPartWithinItsLimits) {
   const Laboratory lab;
   const double added = 0.2 * damping;
-  const Explanation cubic = of_law(lab, "mu3", added / (0.75 * std::pow(natural * start, 2))),
-                    drag = of_law(lab, "mu2", added / (8 / (3 * std::numbers::pi) * natural * start));
+  const Explanation cubic = of_law(lab, "mu3", added / (0.75 * std::pow(natural * first_displacement, 2))),
+                    drag = of_law(lab, "mu2", added / (8 / (3 * std::numbers::pi) * natural * first_displacement));
   const SegmentEvidence measured = frozen_decay(lab, cubic.fit.unknowns);
   const ProposedTest next = next_record(measured, {{&cubic, 0.5}, {&drag, 0.5}}, {});
   EXPECT_EQ(next.compared, 4u);  // half to half again
@@ -77,8 +77,8 @@ TEST(NextRecord, GoesWhereTheLawsPartWithinItsLimits) {
 TEST(NextRecord, TellsMoreWithLessNoise) {
   const Laboratory lab;
   const double added = 0.02 * damping;
-  Explanation cubic = of_law(lab, "mu3", added / (0.75 * std::pow(natural * start, 2))),
-              drag = of_law(lab, "mu2", added / (8 / (3 * std::numbers::pi) * natural * start));
+  Explanation cubic = of_law(lab, "mu3", added / (0.75 * std::pow(natural * first_displacement, 2))),
+              drag = of_law(lab, "mu2", added / (8 / (3 * std::numbers::pi) * natural * first_displacement));
   cubic.fit.covariance *= 1e-8;
   drag.fit.covariance *= 1e-8;
   std::vector<Segment> segments = decay(lab, cubic.fit.unknowns, 3);
