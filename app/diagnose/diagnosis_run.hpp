@@ -21,7 +21,7 @@ struct DiagnosisRequest {
   bool fit_check = false;
   std::vector<std::string> without;  ///< effects that are not to be considered
   EffectCatalogue catalogue = effect_catalogue();
-  double highest_level = 1.5;  ///< DiagnosisOptions::highest_level
+  double highest_level = usual_highest_level;  ///< DiagnosisOptions::highest_level
   bool interpret = false;
   unsigned threads = 1;
   SearchProgress progress = {};

@@ -659,11 +659,14 @@ std::vector<SegmentEvidence::RecordSize> SegmentEvidence::record_sizes() const {
 }
 
 std::vector<Segment> SegmentEvidence::predicted(std::size_t record, const VectorXd& unknowns, double level) const {
-  const std::vector<VectorXd> states = states_at(0, segments_.size(), unknowns);
+  // A record's segments stand one behind the other.
+  std::size_t first = 0;
+  while (first < segments_.size() && segments_[first].record != record) ++first;
+  std::size_t end = first;
+  while (end < segments_.size() && segments_[end].record == record) ++end;
+  const std::vector<VectorXd> states = states_at(first, end, unknowns);
   std::vector<Segment> segments;
-  std::vector<VectorXd> begins;
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    if (segments_[i].record != record) continue;
+  for (std::size_t i = first; i < end; ++i) {
     Segment& s = segments.emplace_back(segments_[i]);
     s.excitation *= level;
     s.response.setZero();
@@ -671,11 +674,10 @@ std::vector<Segment> SegmentEvidence::predicted(std::size_t record, const Vector
     s.wandering.clear();
     s.tones.clear();
     s.coloured.clear();
-    begins.push_back(level * states[i]);
   }
   std::vector<SegmentTrial> trials;
   for (std::size_t i = 0; i < segments.size(); ++i)
-    trials.push_back({segments[i], segments[i].response.cols(), unknowns, begins[i]});
+    trials.push_back({segments[i], segments[i].response.cols(), unknowns, level * states[i]});
   std::vector<StretchOfMotion> motions;
   const std::vector<VectorXd> errors = model_.errors(trials, nullptr, &motions);
   for (std::size_t i = 0; i < segments.size(); ++i) {

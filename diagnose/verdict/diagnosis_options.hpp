@@ -9,6 +9,7 @@
 #include "diagnose/evidence/segment.hpp"
 #include "diagnose/inference/inference.hpp"
 #include "diagnose/verdict/given_numbers.hpp"
+#include "diagnose/verdict/test_outcome.hpp"
 #include "effects/catalogue.hpp"
 #include "measure/observe/observation_set.hpp"
 #include "motion/balance/state_force.hpp"
@@ -32,7 +33,8 @@ struct DiagnosisOptions {
   ColouredNoises coloured;
   std::optional<Window> check;  ///< part of the records on which the explanation is tried, whatever was fitted
   bool fit_check = false;       ///< and once more with the numbers that fit that part best
-  double highest_level = 1.5;   ///< that may be proposed, times the highest one measured at a resonance
+  double highest_level =
+      usual_highest_level;  ///< that may be proposed, times the highest one measured at a resonance
   unsigned threads = 1;
   SearchProgress progress = {};
 };

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "diagnose/evidence/line_evidence.hpp"
 #include "diagnose/evidence/virtual_dwell.hpp"
@@ -17,7 +19,6 @@ namespace secular {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Shifts of the frequency, in parts of the range that the campaign covers at the resonance.
@@ -93,73 +94,41 @@ std::vector<Condition> predicted(const ConditionModel& model, const Condition& m
   return dwells;
 }
 
-// Dwells that may be run next, under every hypothesis.
-class PossibleDwells {
- public:
-  PossibleDwells(const ConditionModel& model, const std::vector<Condition>& conditions,
-                 const std::vector<Hypothesis>& hypotheses, const ProposalOptions& options)
-      : model_(model),
-        conditions_(conditions),
-        hypotheses_(hypotheses),
-        dispersion_(options.dispersion),
-        threads_(options.threads),
-        tests_(tests_around(conditions, options.highest_level)),
-        dwells_(tests_.size()) {
-    in_parallel(tests_.size(), threads_, [&](std::size_t t) {
-      dwells_[t] = predicted(model_, conditions_[tests_[t].condition], tests_[t], hypotheses_);
-    });
-  }
-
-  // `length`: of test_lengths.
-  ProposedTest best_of(double length) const {
-    std::vector<std::optional<TestOutcome>> outcomes(tests_.size());
-    in_parallel(tests_.size(), threads_, [&](std::size_t t) { outcomes[t] = outcome_of(dwells_[t], length); });
-    const std::optional<std::size_t> chosen = safest(outcomes);
-    return chosen ? with_outcome(proposal(*chosen), outcomes, *chosen, length) : ProposedTest{};
-  }
-
- private:
-  std::optional<TestOutcome> outcome_of(std::vector<Condition> dwells, double length) const {
-    if (dwells.empty()) return std::nullopt;
-    for (Condition& dwell : dwells) {
-      dwell.response_sd /= std::sqrt(length);
-      dwell.excitation_sd /= std::sqrt(length);
-    }
-    return expected_outcome(hypotheses_, [&](std::size_t truth, const Refit& judge) {
-      Discrepancy discrepancy;
-      discrepancy.add(std::make_unique<LineEvidence>(model_, std::vector{dwells[truth]}, judge.unknowns));
-      return judged(discrepancy, judge, dispersion_);
-    });
-  }
-
-  ProposedTest proposal(std::size_t test) const {
-    const Condition& likeliest = dwells_[test].front();
-    ProposedTest proposed;
-    proposed.like = conditions_[tests_[test].condition].record;
-    proposed.level = tests_[test].level;
-    proposed.channel = model_.sensors().excitation_names.front();
-    proposed.excitation = drive(likeliest);
-    proposed.frequency = likeliest.excitation_frequency();
-    proposed.resonance = resonance_of(likeliest, model_.balance().model());
-    return proposed;
-  }
-
-  const ConditionModel& model_;
-  const std::vector<Condition>& conditions_;
-  const std::vector<Hypothesis>& hypotheses_;
-  double dispersion_;
-  unsigned threads_;
-  std::vector<Test> tests_;
-  std::vector<std::vector<Condition>> dwells_;  // [test][hypothesis]; empty where one has no steady motion
-};
+// `dwells`: a test's, under every hypothesis; empty: it is not possible.
+PossibleTest possible(const ConditionModel& model, const Condition& measured, const Test& test,
+                      std::vector<Condition> dwells) {
+  if (dwells.empty()) return {};
+  PossibleTest result;
+  const Condition& likeliest = dwells.front();
+  result.proposed.like = measured.record;
+  result.proposed.level = test.level;
+  result.proposed.channel = model.sensors().excitation_names.front();
+  result.proposed.excitation = drive(likeliest);
+  result.proposed.frequency = likeliest.excitation_frequency();
+  result.proposed.resonance = resonance_of(likeliest, model.balance().model());
+  result.rows = [&model, dwells = std::move(dwells)](std::size_t truth, const VectorXd& unknowns, double length) {
+    Condition dwell = dwells[truth];
+    dwell.response_sd /= std::sqrt(length);
+    dwell.excitation_sd /= std::sqrt(length);
+    Discrepancy rows;
+    rows.add(std::make_unique<LineEvidence>(model, std::vector{std::move(dwell)}, unknowns));
+    return rows;
+  };
+  return result;
+}
 
 }  // namespace
 
 ProposedTest next_dwell(const ConditionModel& model, const std::vector<Condition>& conditions,
                         const std::vector<Hypothesis>& hypotheses, const ProposalOptions& options) {
   if (hypotheses.size() < 2) return {};
-  const PossibleDwells possible(model, conditions, hypotheses, options);
-  return as_long_as_it_takes(hypotheses, [&](double length) { return possible.best_of(length); });
+  const std::vector<Test> tests = tests_around(conditions, options.highest_level);
+  std::vector<PossibleTest> all(tests.size());
+  in_parallel(tests.size(), options.threads, [&](std::size_t t) {
+    const Condition& measured = conditions[tests[t].condition];
+    all[t] = possible(model, measured, tests[t], predicted(model, measured, tests[t], hypotheses));
+  });
+  return best_test(all, hypotheses, options);
 }
 
 }  // namespace secular

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "numerics/in_parallel.hpp"
@@ -36,34 +35,28 @@ std::vector<RecordAtLevel> records_around(std::vector<SegmentEvidence::RecordSiz
   return tests;
 }
 
-// A test's record under each hypothesis; empty where a motion runs away under one of them.
-using Predicted = std::vector<std::vector<Segment>>;
-
-Predicted predicted_record(const SegmentEvidence& measured, const RecordAtLevel& test,
-                           const std::vector<Hypothesis>& hypotheses) {
-  Predicted records;
+PossibleTest possible_record(const SegmentEvidence& measured, const RecordAtLevel& test,
+                             const std::vector<Hypothesis>& hypotheses) {
+  std::vector<std::vector<Segment>> records;  // under each hypothesis
   for (const Hypothesis& truth : hypotheses) {
     records.push_back(measured.predicted(test.record, truth.explanation->fit.unknowns, test.level));
     if (records.back().empty()) return {};
   }
-  return records;
-}
-
-// So many such records: errors of their mean.
-std::optional<TestOutcome> record_outcome(const SegmentEvidence& measured, Predicted records,
-                                          const std::vector<Hypothesis>& hypotheses, double length,
-                                          double dispersion) {
-  if (records.empty()) return std::nullopt;
-  for (std::vector<Segment>& record : records)
-    for (Segment& segment : record) {
+  PossibleTest result;
+  result.proposed.like = test.record;
+  result.proposed.level = test.level;
+  result.rows = [&measured, records = std::move(records)](std::size_t truth, const Eigen::VectorXd& /*unknowns*/,
+                                                          double length) {
+    std::vector<Segment> record = records[truth];
+    for (Segment& segment : record) {  // errors of the mean of so many
       segment.noise_sd /= std::sqrt(length);
       segment.excitation_noise_sd /= std::sqrt(length);
     }
-  return expected_outcome(hypotheses, [&](std::size_t truth, const Refit& judge) {
-    Discrepancy discrepancy;
-    discrepancy.add(std::make_unique<SegmentEvidence>(measured.of_known_noise(records[truth])));
-    return judged(discrepancy, judge, dispersion);
-  });
+    Discrepancy rows;
+    rows.add(std::make_unique<SegmentEvidence>(measured.of_known_noise(std::move(record))));
+    return rows;
+  };
+  return result;
 }
 
 }  // namespace
@@ -72,21 +65,10 @@ ProposedTest next_record(const SegmentEvidence& measured, const std::vector<Hypo
                          const ProposalOptions& options) {
   if (hypotheses.size() < 2) return {};
   const std::vector<RecordAtLevel> tests = records_around(measured.record_sizes(), options.highest_level);
-  std::vector<Predicted> records(tests.size());
+  std::vector<PossibleTest> all(tests.size());
   in_parallel(tests.size(), options.threads,
-              [&](std::size_t t) { records[t] = predicted_record(measured, tests[t], hypotheses); });
-  return as_long_as_it_takes(hypotheses, [&](double length) {
-    std::vector<std::optional<TestOutcome>> outcomes(tests.size());
-    in_parallel(tests.size(), options.threads, [&](std::size_t t) {
-      outcomes[t] = record_outcome(measured, records[t], hypotheses, length, options.dispersion);
-    });
-    const std::optional<std::size_t> chosen = safest(outcomes);
-    if (!chosen) return ProposedTest{};
-    ProposedTest test;
-    test.like = tests[*chosen].record;
-    test.level = tests[*chosen].level;
-    return with_outcome(std::move(test), outcomes, *chosen, length);
-  });
+              [&](std::size_t t) { all[t] = possible_record(measured, tests[t], hypotheses); });
+  return best_test(all, hypotheses, options);
 }
 
 }  // namespace secular

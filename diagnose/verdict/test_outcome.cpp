@@ -3,10 +3,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "diagnose/thresholds.hpp"
 #include "numerics/distribution.hpp"
+#include "numerics/in_parallel.hpp"
 
 namespace secular {
 namespace {
@@ -20,6 +22,20 @@ constexpr double unknown_variance = 1e6;
 
 /// A test with this chance of leaving one hypothesis need not be longer.
 constexpr auto& as_good_as_certain = diagnose_thresholds().as_good_as_certain;
+
+// How a test that goes as one hypothesis predicts is judged by another one.
+struct Judgement {
+  double separation = 0;  ///< squared, in standard deviations
+  std::string watch;
+};
+
+// What a test is expected to tell.
+struct Outcome {
+  double probability = 0;  ///< of the right hypothesis
+  double chance = 0;       ///< of leaving it alone
+  double separation = 0;   ///< of the closest two
+  std::string watch;
+};
 
 double expected_probability(const std::vector<Hypothesis>& hypotheses, const MatrixXd& separation) {
   double total = 0, expected = 0;
@@ -55,12 +71,6 @@ double expected_chance(const std::vector<Hypothesis>& hypotheses, const MatrixXd
   return expected / total;
 }
 
-std::pair<double, double> safety(const TestOutcome& outcome) {
-  return {std::min(outcome.probability, 0.999), outcome.separation};
-}
-
-}  // namespace
-
 Judgement judged(Discrepancy& test, const Refit& fit, double dispersion) {
   test.freeze(fit.unknowns);
   const VectorXd rows = test(fit.unknowns);
@@ -89,16 +99,18 @@ Judgement judged(Discrepancy& test, const Refit& fit, double dispersion) {
   return result;
 }
 
-TestOutcome expected_outcome(const std::vector<Hypothesis>& hypotheses,
-                             const std::function<Judgement(std::size_t, const Refit&)>& judge) {
+Outcome outcome_of(const PossibleTest& test, const std::vector<Hypothesis>& hypotheses, double length,
+                   double dispersion) {
   const std::size_t count = hypotheses.size();
   MatrixXd separation = MatrixXd::Zero(static_cast<Index>(count), static_cast<Index>(count));
-  TestOutcome outcome;
+  Outcome outcome;
   double closest = INFINITY;
   for (std::size_t h = 0; h < count; ++h)
     for (std::size_t g = 0; g < count; ++g) {
       if (g == h) continue;
-      const Judgement judgement = judge(h, hypotheses[g].explanation->fit);
+      const Refit& judge = hypotheses[g].explanation->fit;
+      Discrepancy rows = test.rows(h, judge.unknowns, length);
+      const Judgement judgement = judged(rows, judge, dispersion);
       separation(static_cast<Index>(h), static_cast<Index>(g)) = judgement.separation;
       if (!(judgement.separation < closest)) continue;
       closest = judgement.separation;
@@ -110,36 +122,45 @@ TestOutcome expected_outcome(const std::vector<Hypothesis>& hypotheses,
   return outcome;
 }
 
-std::optional<std::size_t> safest(const std::vector<std::optional<TestOutcome>>& outcomes) {
+std::pair<double, double> safety(const Outcome& outcome) {
+  return {std::min(outcome.probability, 0.999), outcome.separation};
+}
+
+ProposedTest best_of_length(const std::vector<PossibleTest>& tests, const std::vector<Hypothesis>& hypotheses,
+                            double length, const ProposalOptions& options) {
+  std::vector<std::optional<Outcome>> outcomes(tests.size());
+  in_parallel(tests.size(), options.threads, [&](std::size_t t) {
+    if (tests[t].rows) outcomes[t] = outcome_of(tests[t], hypotheses, length, options.dispersion);
+  });
   std::optional<std::size_t> chosen;
-  for (std::size_t t = 0; t < outcomes.size(); ++t)
-    if (outcomes[t] && (!chosen || safety(*outcomes[t]) > safety(*outcomes[*chosen]))) chosen = t;
-  return chosen;
-}
-
-ProposedTest with_outcome(ProposedTest test, const std::vector<std::optional<TestOutcome>>& outcomes,
-                          std::size_t which, double length) {
+  std::size_t compared = 0;
   double sum = 0;
-  for (const std::optional<TestOutcome>& outcome : outcomes) {
-    if (!outcome) continue;
-    ++test.compared;
-    sum += outcome->probability;
+  for (std::size_t t = 0; t < tests.size(); ++t) {
+    if (!outcomes[t]) continue;
+    ++compared;
+    sum += outcomes[t]->probability;
+    if (!chosen || safety(*outcomes[t]) > safety(*outcomes[*chosen])) chosen = t;
   }
-  const TestOutcome& own = *outcomes[which];
-  test.separation = own.separation;
-  test.watch = own.watch;
-  test.probability = own.probability;
-  test.chance = own.chance;
-  test.length = length;
-  test.typical = sum / static_cast<double>(test.compared);
-  return test;
+  if (!chosen) return {};
+  ProposedTest best = tests[*chosen].proposed;
+  const Outcome& own = *outcomes[*chosen];
+  best.separation = own.separation;
+  best.watch = own.watch;
+  best.probability = own.probability;
+  best.chance = own.chance;
+  best.length = length;
+  best.compared = compared;
+  best.typical = sum / static_cast<double>(compared);
+  return best;
 }
 
-ProposedTest as_long_as_it_takes(const std::vector<Hypothesis>& hypotheses,
-                                 const std::function<ProposedTest(double)>& best_of) {
+}  // namespace
+
+ProposedTest best_test(const std::vector<PossibleTest>& tests, const std::vector<Hypothesis>& hypotheses,
+                       const ProposalOptions& options) {
   ProposedTest best;
   for (const double length : test_lengths) {
-    best = best_of(length);
+    best = best_of_length(tests, hypotheses, length, options);
     if (best.compared == 0 || best.chance > as_good_as_certain) break;
   }
   const auto count = static_cast<Index>(hypotheses.size());

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,9 +36,12 @@ struct ProposedTest {
   double minutes = 0;        ///< to be measured
 };
 
+/// Times the highest level measured: half again.
+inline constexpr double usual_highest_level = 1.5;
+
 struct ProposalOptions {
-  double highest_level = 1.5;  ///< times the highest one measured
-  double dispersion = 1;       ///< variance of rows about the explanations, in that of repeatability
+  double highest_level = usual_highest_level;  ///< times the highest one measured
+  double dispersion = 1;  ///< variance of rows about the explanations, in that of repeatability
   unsigned threads = 1;
 };
 
@@ -49,41 +51,22 @@ inline constexpr double test_levels[] = {0.5, 0.7, 1.0, 1.5, 2.0}, lowest_test_l
 /// Times the length of a measured record: each halves the errors of the one before.
 inline constexpr double test_lengths[] = {1, 4, 16};
 
-/// How a test that goes as one hypothesis predicts is judged by another one.
-struct Judgement {
-  double separation = 0;  ///< squared, in standard deviations
-  std::string watch;
+/// A test that may be run next.
+struct PossibleTest {
+  ProposedTest proposed;  ///< what it is; what is expected of it is not yet in it
+  /// Rows, not yet frozen, of the test if it goes as the hypothesis of that index predicts, for another one's
+  /// unknowns, with the errors of as many such tests as `length`. Empty: not every hypothesis predicts it.
+  std::function<Discrepancy(std::size_t truth, const Eigen::VectorXd& unknowns, double length)> rows;
 };
-
-/// By an explanation's fit. `test`: the test's rows, not yet frozen. The fit's unknowns may move as far as the
-/// campaign leaves them free: d^2 = r^T (1 + J P J^T)^-1 r of whitened rows r, Jacobian J and covariance P, is the
-/// fall of chi-squared that refitting cannot take back.
-Judgement judged(Discrepancy& test, const Refit& fit, double dispersion);
-
-/// What a test is expected to tell.
-struct TestOutcome {
-  double probability = 0;  ///< of the right hypothesis
-  double chance = 0;       ///< of leaving it alone
-  double separation = 0;   ///< of the closest two
-  std::string watch;
-};
-
-/// `judge`: a test that goes as the hypothesis of that index predicts, judged by another one's fit. exp(-d^2/2) are
-/// the expected odds. What a test adds to the logarithm of the odds is normal with mean d^2/2 and standard
-/// deviation d, which gives its chance.
-TestOutcome expected_outcome(const std::vector<Hypothesis>& hypotheses,
-                             const std::function<Judgement(std::size_t, const Refit&)>& judge);
 
 /// The test after which the right hypothesis is expected to have the largest probability; between certain ones the
-/// larger separation is the safer test. Of those without an outcome none; nothing where no test has one.
-std::optional<std::size_t> safest(const std::vector<std::optional<TestOutcome>>& outcomes);
-
-/// A test with what is expected of it, beside all that it was compared with.
-ProposedTest with_outcome(ProposedTest test, const std::vector<std::optional<TestOutcome>>& outcomes,
-                          std::size_t which, double length);
-
-/// The best test of the shortest of test_lengths at which one is as good as certain, else of the longest.
-ProposedTest as_long_as_it_takes(const std::vector<Hypothesis>& hypotheses,
-                                 const std::function<ProposedTest(double)>& best_of);
+/// larger separation is the safer test. A test that goes as one hypothesis predicts is judged by every other, whose
+/// unknowns may move as far as the campaign leaves them free: d^2 = r^T (1 + J P J^T)^-1 r of whitened rows r,
+/// Jacobian J and covariance P is the fall of chi-squared that refitting cannot take back, and exp(-d^2/2) the
+/// expected odds. What a test adds to the logarithm of the odds is normal with mean d^2/2 and standard deviation d,
+/// which gives its chance. Of the shortest of test_lengths at which a test is as good as certain, else of the
+/// longest. Without a proposal (compared = 0) none is possible.
+ProposedTest best_test(const std::vector<PossibleTest>& tests, const std::vector<Hypothesis>& hypotheses,
+                       const ProposalOptions& options);
 
 }  // namespace secular

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/diagnose/decay_segments.hpp"
+#include "tests/diagnose/made_up_explanation.hpp"
 
 namespace secular {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using testing_support::damping, testing_support::natural;
-using testing_support::decay, testing_support::Laboratory;
+using testing_support::decay, testing_support::explanation, testing_support::Laboratory;
 
 constexpr double first_displacement = 1e-3;  // of decay()
 
@@ -42,14 +43,7 @@ TEST(PredictedRecord, OfALinearOscillatorGrowsWithItsLevel) {
 }
 
 Explanation of_law(const Laboratory& lab, const char* symbol, double value) {
-  Explanation e;
-  const double sd = 0.01 * value;
-  e.fit.unknowns = lab.unknowns({{"mu1", 0.9 * damping}, {symbol, value}});
-  e.fit.free = {lab.symbol(symbol)};
-  e.fit.scale = VectorXd::Constant(1, sd);
-  e.fit.covariance = Eigen::MatrixXd::Constant(1, 1, sd * sd);
-  e.fit.identifiable = {true};
-  return e;
+  return explanation(lab, lab.unknowns({{"mu1", 0.9 * damping}, {symbol, value}}), symbol, 0.01 * value);
 }
 
 // Two laws of damping that add a tenth at the amplitude measured: 3/4 mu3 w^2 X^2 and 8/(3 pi) mu2 w X.
@@ -81,17 +75,16 @@ TEST(NextRecord, TellsMoreWithLessNoise) {
               drag = of_law(lab, "mu2", added / (8 / (3 * std::numbers::pi) * natural * first_displacement));
   cubic.fit.covariance *= 1e-8;
   drag.fit.covariance *= 1e-8;
-  std::vector<Segment> segments = decay(lab, cubic.fit.unknowns, 3);
+  const std::vector<Segment> segments = decay(lab, cubic.fit.unknowns, 3);
+  SegmentEvidence loud(lab.compiled, {}, lab.sensors, lab.faults, segments);
+  loud.freeze(cubic.fit.unknowns, 0);
+  const std::vector<Segment> clean = loud.predicted(0, cubic.fit.unknowns, 1);
   double separation[2];
   for (double& found : separation) {
     const double scale = &found == separation ? 1 : 0.1;
     std::vector<Segment> quiet = segments;
-    for (std::size_t i = 0; i < quiet.size(); ++i) {
-      // The same noise, a tenth as much.
-      SegmentEvidence measured(lab.compiled, {}, lab.sensors, lab.faults, segments);
-      measured.freeze(cubic.fit.unknowns, 0);
-      const Eigen::MatrixXd clean = measured.predicted(0, cubic.fit.unknowns, 1)[i].response;
-      quiet[i].response = clean + scale * (segments[i].response - clean);
+    for (std::size_t i = 0; i < quiet.size(); ++i) {  // the same noise, a tenth as much
+      quiet[i].response = clean[i].response + scale * (segments[i].response - clean[i].response);
       quiet[i].noise_sd *= scale;
     }
     SegmentEvidence measured(lab.compiled, {}, lab.sensors, lab.faults, quiet);

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "diagnose/verdict/next_dwell.hpp"
-#include "tests/diagnose/laboratory.hpp"
+#include "tests/diagnose/made_up_explanation.hpp"
 
 namespace secular {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::VectorXd;
 using testing_support::damping, testing_support::direct, testing_support::natural;
-using testing_support::Laboratory;
+using testing_support::explanation, testing_support::Laboratory;
 
 Complex transfer(double frequency) {
   return direct / Complex(natural * natural - frequency * frequency, 2 * damping * frequency);
@@ -51,16 +51,6 @@ TEST(VirtualDwell, EndsWithTheBranch) {
   EXPECT_TRUE(virtual_dwell(lab.model, measured, unknowns, 1, 1));
   EXPECT_TRUE(virtual_dwell(lab.model, measured, unknowns, 1.2, 1));
   EXPECT_FALSE(virtual_dwell(lab.model, measured, unknowns, 0.8, 1));
-}
-
-Explanation explanation(const Laboratory& lab, const VectorXd& unknowns, const std::string& symbol, double sd) {
-  Explanation e;
-  e.fit.unknowns = unknowns;
-  e.fit.free = {lab.symbol(symbol)};
-  e.fit.scale = VectorXd::Constant(1, sd);
-  e.fit.covariance = Eigen::MatrixXd::Constant(1, 1, sd * sd);
-  e.fit.identifiable = {true};
-  return e;
 }
 
 // Two laws of damping that were matched at one amplitude part at another, and the farther from it the better; one
