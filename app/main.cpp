@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -17,7 +17,8 @@ int main(int argc, char** argv) {
   root.require_subcommand(1);
   root.footer("Example: secular derive two_mass_mode1 --case principal_parametric");
   Action chosen;
-  for (AddCommand* add : all_commands) add(root, chosen);
+  for (const Command& command : all_commands)
+    command.add(root.add_subcommand(command.name, command.purpose), chosen);
   add_common_flags(root);
   try {
     root.parse(argc, argv);

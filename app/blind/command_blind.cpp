@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -171,8 +171,7 @@ void add_run_options(CLI::App* command, const std::shared_ptr<BlindArguments>& o
 
 }  // namespace
 
-void add_blind_command(CLI::App& root, Action& chosen) {
-  CLI::App* blind = root.add_subcommand("blind", "Check of the diagnosis on campaigns whose cause it cannot know");
+void add_blind_command(CLI::App* blind, Action& chosen) {
   blind->require_subcommand(1);
   blind->footer("Example: secular blind all --set short -o blind_set");
   const auto add = [&](const char* name, const char* what, auto... steps) {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,7 +34,7 @@ Model augmented(const Model& model, const std::vector<std::string>& effects) {
 
 }  // namespace
 
-void add_derive_command(CLI::App& root, Action& chosen) {
+void add_derive_command(CLI::App* command, Action& chosen) {
   struct Options {
     std::string model, resonance, format = "text";
     OutputFile output;
@@ -42,9 +42,6 @@ void add_derive_command(CLI::App& root, Action& chosen) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = root.add_subcommand(
-      "derive",
-      "Expansion, solvability, modulation equations, frequency response, lumps and certificate of a model");
   command->add_option("MODEL", options->model, "model file, or the name of a shipped model")->required();
   command->add_option("--case", options->resonance, "one resonance case; all without it");
   command

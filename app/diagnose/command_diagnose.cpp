@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <memory>
 #include <set>
@@ -147,12 +147,10 @@ int run(DiagnoseArguments& options, const CLI::App& command) {
 
 }  // namespace
 
-void add_diagnose_command(CLI::App& root, Action& chosen) {
+void add_diagnose_command(CLI::App* command, Action& chosen) {
   auto options = std::make_shared<DiagnoseArguments>();
   DiagnosisRequest& request = options->request;
   request.threads = std::max(1U, std::thread::hardware_concurrency());
-  CLI::App* command = root.add_subcommand(
-      "diagnose", "Where model and measurement disagree, which unmodelled effect does it, how far the gap closes");
   command->add_option("CAMPAIGN", request.campaign, "campaign folder")->required();
   command->add_option("--model", request.model, "model file, or the name of a shipped model")->required();
   options->output.add_to(*command, "folder for diagnosis.json and report.html");

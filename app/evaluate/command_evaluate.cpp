@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <map>
 #include <memory>
 #include <set>
@@ -15,14 +15,12 @@
 
 namespace secular::app {
 
-void add_evaluate_command(CLI::App& root, Action& chosen) {
+void add_evaluate_command(CLI::App* command, Action& chosen) {
   struct Options {
     std::string model, resonance, values, policy = "nominal";
     bool json = true;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      root.add_subcommand("evaluate", "Numbers of a derivation: modulation terms and harmonics as JSON");
   command->add_option("MODEL", options->model, "model file, or the name of a shipped model")->required();
   command->add_option("--case", options->resonance, "resonance case of the model")->required();
   command->add_option("--at", options->values, "JSON object: a number for every symbol")->required();

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -17,15 +17,13 @@
 
 namespace secular::app {
 
-void add_generate_command(CLI::App& root, Action& chosen) {
+void add_generate_command(CLI::App* command, Action& chosen) {
   struct Options {
     std::vector<std::string> models;
     OutputFolder output{{"registry.hpp", "*.hpp", "*.cpp"}, "generated code, never edited by hand"};
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = root.add_subcommand(
-      "generate", "C++ of models: regressor rows, residuals, Jacobians, modulation equations, equations of motion");
   command->add_option("MODEL", options->models, "model files, or names of shipped models")->required();
   options->output.add_to(*command, "folder for NAME.hpp and NAME.cpp and the registry");
   command->add_flag("--json", options->json, "list what was written as JSON");

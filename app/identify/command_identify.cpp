@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
@@ -125,10 +125,9 @@ std::optional<std::string> lost_records(const Identification& id, const Window& 
 
 }  // namespace
 
-void add_identify_command(CLI::App& root, Action& chosen) {
+void add_identify_command(CLI::App* command, Action& chosen) {
   auto options = std::make_shared<IdentifyArguments>();
   options->request.threads = std::max(1U, std::thread::hardware_concurrency());
-  CLI::App* command = root.add_subcommand("identify", "Estimates of a model's parameters from a campaign");
   command->add_option("CAMPAIGN", options->request.campaign, "campaign folder")->required();
   command->add_option("--model", options->request.model, "model file, or the name of a shipped model")->required();
   options->output.add_to(*command, "folder for estimate.json and report.html");

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -65,7 +65,7 @@ void print_text(const ImportedCampaign& imported, const std::vector<RecordSummar
 
 }  // namespace
 
-void add_import_command(CLI::App& root, Action& chosen) {
+void add_import_command(CLI::App* command, Action& chosen) {
   struct Options {
     ImportOptions import;
     std::vector<std::string> files;
@@ -74,9 +74,8 @@ void add_import_command(CLI::App& root, Action& chosen) {
   };
   auto options = std::make_shared<Options>();
   ImportOptions& import = options->import;
-  CLI::App* command =
-      root.add_subcommand("import", "CSV, MAT, HDF5, UFF 58, LVM and WAV files to a campaign folder, one record a file");
-  command->add_option("FILE", options->files, "CSV, MAT, HDF5, UFF 58, LVM or WAV files, each a record")->required();
+  command->add_option("FILE", options->files, "CSV, MAT, HDF5, UFF 58, LVM or WAV files, each a record")
+      ->required();
   options->output.add_to(*command);
   command->add_option("--kind", import.kind, "dwell, sweep, free_decay, impact or broadband");
   command

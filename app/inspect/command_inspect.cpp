@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <limits>
@@ -341,16 +341,15 @@ Json file_json(const std::filesystem::path& path, const InspectionLimit& limit) 
 
 }  // namespace
 
-void add_inspect_command(CLI::App& root, Action& chosen) {
+void add_inspect_command(CLI::App* command, Action& chosen) {
   struct Options {
     std::string path;
     SelectionOptions selection;
     bool json = false, whole = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = root.add_subcommand(
-      "inspect", "What a campaign or file holds: channels, units, records, levels, noise, faults found");
-  command->add_option("CAMPAIGN_OR_FILE", options->path, "campaign folder, or CSV, MAT, HDF5, UFF 58, LVM or WAV file")
+  command
+      ->add_option("CAMPAIGN_OR_FILE", options->path, "campaign folder, or CSV, MAT, HDF5, UFF 58, LVM or WAV file")
       ->required();
   options->selection.add_to(*command, {.band = false});
   command->add_flag("--whole", options->whole, "read everything, also where data are larger than 64 MB");

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -119,11 +119,9 @@ int run(ModalArguments& options, const CLI::App& command) {
 
 }  // namespace
 
-void add_modal_command(CLI::App& root, Action& chosen) {
+void add_modal_command(CLI::App* command, Action& chosen) {
   auto options = std::make_shared<ModalArguments>();
   ModalSurveyOptions& survey = options->survey;
-  CLI::App* command =
-      root.add_subcommand("modal", "Natural frequencies, damping and mode shapes from impacts or free decays");
   command->add_option("CAMPAIGN", options->campaign, "campaign folder")->required();
   options->output.add_to(*command, "folder for modal.json and report.html");
   command->add_option("--order", survey.largest_order, "largest model order of the stabilisation diagram")

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -142,9 +142,8 @@ int run(PlanArguments& options, const CLI::App& command) {
 
 }  // namespace
 
-void add_plan_command(CLI::App& root, Action& chosen) {
+void add_plan_command(CLI::App* command, Action& chosen) {
   auto options = std::make_shared<PlanArguments>();
-  CLI::App* command = root.add_subcommand("plan", "Levels and frequencies that best determine chosen parameters");
   declare_options(command, options.get());
   command->callback(
       [options, command, &chosen] { chosen = [options, command] { return run(*options, *command); }; });

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -127,11 +127,10 @@ void write_files(const Prediction& prediction, const std::vector<PredictionFigur
 
 }  // namespace
 
-void add_predict_command(CLI::App& root, Action& chosen) {
+void add_predict_command(CLI::App* command, Action& chosen) {
   auto options = std::make_shared<PredictArguments>();
   PredictionRequest& request = options->request;
   request.threads = std::max(1U, std::thread::hardware_concurrency());
-  CLI::App* command = root.add_subcommand("predict", "Steady responses, their stability and bifurcations");
   command->add_option("MODEL", request.model, "model file, or the name of a shipped model")->required();
   command->add_option("--case", request.resonance, "resonance case; may be left out where there is only one");
   command

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <memory>
 #include <sstream>
@@ -62,11 +62,9 @@ void print_summary(const ProcedureRun& run, const std::string& folder) {
 
 }  // namespace
 
-void add_procedure_command(CLI::App& root, Action& chosen) {
+void add_procedure_command(CLI::App* command, Action& chosen) {
   auto options = std::make_shared<ProcedureArguments>();
   ProcedureRequest& request = options->request;
-  CLI::App* command =
-      root.add_subcommand("procedure", "The source's own estimation procedures, beside truth and printed tables");
   command->add_option("CAMPAIGN", request.campaign, "campaign folder with dwells")->required();
   command->add_option("--model", request.model, "model file, or the name of a shipped model")->required();
   command->add_option("--case", request.resonance, "resonance case; otherwise the one that the methods cover");

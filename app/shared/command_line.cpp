@@ -1,7 +1,16 @@
 #include "app/shared/command_line.hpp"
 
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#define SECULAR_INSTANCE template
+#include "cmake/precompiled/options.inc"
+#undef SECULAR_INSTANCE
 
 namespace secular::app {
 namespace {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -18,7 +18,7 @@
 
 namespace secular::app {
 
-void add_simulate_command(CLI::App& root, Action& chosen) {
+void add_simulate_command(CLI::App* command, Action& chosen) {
   struct Options {
     std::string experiment;
     OutputCampaign output;
@@ -27,7 +27,6 @@ void add_simulate_command(CLI::App& root, Action& chosen) {
     bool interpret = false, json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = root.add_subcommand("simulate", "Virtual test on the full equations of motion");
   command->add_option("EXPERIMENT", options->experiment, "experiment file, or experiments/NAME of a shipped one")
       ->required();
   options->output.add_to(*command);

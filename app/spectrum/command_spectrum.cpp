@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -355,12 +355,12 @@ int run(SpectrumArguments& options, const CLI::App& command) {
 
 }  // namespace
 
-void add_spectrum_command(CLI::App& root, Action& chosen) {
+void add_spectrum_command(CLI::App* command, Action& chosen) {
   auto options = std::make_shared<SpectrumArguments>();
   SpectralOptions& spectral = options->spectral;
-  CLI::App* command = root.add_subcommand(
-      "spectrum", "Tones, decays and their number in one record: decomposition, principal components, figures");
-  command->add_option("CAMPAIGN_OR_FILE", options->source, "campaign folder, or CSV, MAT, HDF5, UFF 58, LVM or WAV file")
+  command
+      ->add_option("CAMPAIGN_OR_FILE", options->source,
+                   "campaign folder, or CSV, MAT, HDF5, UFF 58, LVM or WAV file")
       ->required();
   options->output.add_to(*command, "folder for spectrum.json and report.html");
   options->selection.add_to(*command);

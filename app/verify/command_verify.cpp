@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -64,15 +64,13 @@ std::string verdict_json(const verify::PrintedSource& source, const std::vector<
 
 }  // namespace
 
-void add_verify_command(CLI::App& root, Action& chosen) {
+void add_verify_command(CLI::App* command, Action& chosen) {
   struct Options {
     std::string source = "thesis";
     OutputFile output;
     bool json = false, without_proofs = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      root.add_subcommand("verify", "Equation-by-equation verdict on a printed derivation: confirmed or misprint");
   command->add_option("--source", options->source, "thesis, or a file of printed statements")
       ->capture_default_str();
   command->add_flag("--without-proofs", options->without_proofs,

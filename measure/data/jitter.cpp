@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <unsupported/Eigen/FFT>
 
 #include "measure/thresholds.hpp"
 #include "numerics/distribution.hpp"
+#include "numerics/fourier_transform.hpp"
 #include "numerics/hertz.hpp"
 #include "numerics/median.hpp"
 
@@ -20,17 +19,15 @@ constexpr auto& false_alarm = measure_thresholds().jitter_false_alarm;
 
 // Mean power of every bin over segments that overlap by half, under a Hann window.
 std::vector<double> mean_powers(const std::vector<double>& samples) {
-  std::vector<double> powers(segment / 2 + 1, 0.0), piece(segment);
-  Eigen::FFT<double> transform;
-  std::vector<std::complex<double>> spectrum;
+  Eigen::VectorXd powers = Eigen::VectorXd::Zero(segment / 2 + 1), piece(segment);
   for (std::size_t begin = 0; begin + segment <= samples.size(); begin += segment / 2) {
     for (std::size_t i = 0; i < segment; ++i)
-      piece[i] = (samples[begin + i] - samples.front()) *
-                 (1 - std::cos(two_pi * static_cast<double>(i) / static_cast<double>(segment)));
-    transform.fwd(spectrum, piece);
-    for (std::size_t k = 0; k < powers.size(); ++k) powers[k] += std::norm(spectrum[k]);
+      piece(static_cast<Eigen::Index>(i)) =
+          (samples[begin + i] - samples.front()) *
+          (1 - std::cos(two_pi * static_cast<double>(i) / static_cast<double>(segment)));
+    powers += half_spectrum(piece).cwiseAbs2();
   }
-  return powers;
+  return {powers.begin(), powers.end()};
 }
 
 }  // namespace

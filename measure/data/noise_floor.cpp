@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <numeric>
-#include <unsupported/Eigen/FFT>
 #include <vector>
 
+#include "numerics/fourier_transform.hpp"
 #include "numerics/hertz.hpp"
 #include "numerics/median.hpp"
 
@@ -41,19 +40,18 @@ BandLevels band_levels(std::span<const double> samples) {
   constexpr std::size_t first = noise_segment / 4;
   constexpr std::size_t width = (noise_segment / 2 - first) / bands;
   std::vector<std::vector<double>> power(bands);
-  Eigen::FFT<double> transform;
-  std::vector<double> piece(noise_segment);
-  std::vector<std::complex<double>> spectrum;
+  Eigen::VectorXd piece(static_cast<Eigen::Index>(noise_segment));
   for (std::size_t begin = 0; begin + noise_segment <= samples.size(); begin += noise_segment / 2) {
     const auto part = samples.subspan(begin, noise_segment);
     // Removing the line through the ends keeps a drift from leaking into the upper half.
     const double slope = (part.back() - part.front()) / static_cast<double>(noise_segment - 1);
     for (std::size_t i = 0; i < noise_segment; ++i)
-      piece[i] = window[i] * (part[i] - part.front() - slope * static_cast<double>(i));
-    transform.fwd(spectrum, piece);
+      piece(static_cast<Eigen::Index>(i)) = window[i] * (part[i] - part.front() - slope * static_cast<double>(i));
+    const Eigen::VectorXd powers = half_spectrum(piece).cwiseAbs2();
     for (std::size_t b = 0; b < bands; ++b) {
       double sum = 0;
-      for (std::size_t k = first + b * width; k < first + (b + 1) * width; ++k) sum += std::norm(spectrum[k]);
+      for (std::size_t k = first + b * width; k < first + (b + 1) * width; ++k)
+        sum += powers(static_cast<Eigen::Index>(k));
       power[b].push_back(sum / (gain * static_cast<double>(width)));
     }
   }

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <unsupported/Eigen/FFT>
 
 #include "measure/signal/transform_length.hpp"
 #include "numerics/distribution.hpp"
+#include "numerics/fourier_transform.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
@@ -58,18 +57,13 @@ std::vector<double> lobe_window(std::size_t length) {
 }
 
 std::vector<double> windowed_powers(std::span<const double> samples, const std::vector<double>& window) {
-  thread_local Eigen::FFT<double> transform;  // its plans cost more than the transform
-  transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  thread_local std::vector<double> part;
-  thread_local std::vector<std::complex<double>> spectrum;
   double mean = 0;
   for (std::size_t i = 0; i < window.size(); ++i) mean += samples[i] / static_cast<double>(window.size());
-  part.resize(window.size());
-  for (std::size_t i = 0; i < window.size(); ++i) part[i] = window[i] * (samples[i] - mean);
-  transform.fwd(spectrum, part);
-  std::vector<double> powers(window.size() / 2 + 1);
-  for (std::size_t k = 0; k < powers.size(); ++k) powers[k] = std::norm(spectrum[k]);
-  return powers;
+  Eigen::VectorXd part(static_cast<Eigen::Index>(window.size()));
+  for (std::size_t i = 0; i < window.size(); ++i)
+    part(static_cast<Eigen::Index>(i)) = window[i] * (samples[i] - mean);
+  const Eigen::VectorXd powers = half_spectrum(part).cwiseAbs2();
+  return {powers.begin(), powers.end()};
 }
 
 std::vector<Line> find_lines(std::span<const double> samples, double rate, double false_alarm,

@@ -5,7 +5,8 @@
 #include <complex>
 #include <numbers>
 #include <stdexcept>
-#include <unsupported/Eigen/FFT>
+
+#include "numerics/fourier_transform.hpp"
 
 namespace secular {
 namespace {
@@ -16,14 +17,6 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
-
-VectorXcd half_spectrum(const VectorXd& samples) {
-  Eigen::FFT<double> transform;
-  transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  VectorXcd spectrum;
-  transform.fwd(spectrum, samples);
-  return spectrum;
-}
 
 VectorXd force_window(Index samples, double rate, const ImpactWindows& windows) {
   VectorXd weight(samples);
@@ -139,15 +132,12 @@ PulseResponse pulse_response(const Eigen::Ref<const VectorXd>& frequency_hz,
   result.sample_rate_hz = static_cast<double>(samples) * spacing;
   const Index p = references.front().cols(), q = static_cast<Index>(references.size());
   result.samples.assign(static_cast<std::size_t>(kept), MatrixXd(p, q));
-  Eigen::FFT<double> transform;
-  transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   for (Index j = 0; j < q; ++j)
     for (Index c = 0; c < p; ++c) {
       VectorXcd spectrum = references[static_cast<std::size_t>(j)].col(c).head(last + 1);
       spectrum(0) = spectrum(0).real();
       spectrum(last) = spectrum(last).real();
-      VectorXd pulse(samples);
-      transform.inv(pulse, spectrum, samples);
+      const VectorXd pulse = samples_of(spectrum);
       for (Index k = 0; k < kept; ++k) result.samples[static_cast<std::size_t>(k)](c, j) = pulse(k);
     }
   return result;

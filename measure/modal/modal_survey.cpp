@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <unsupported/Eigen/FFT>
 
 #include "input/input_error.hpp"
 #include "measure/data/campaign_text.hpp"
@@ -20,6 +19,7 @@
 #include "measure/modal/survey_records.hpp"
 #include "measure/signal/transform_length.hpp"
 #include "numerics/confidence.hpp"
+#include "numerics/fourier_transform.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
@@ -403,7 +403,6 @@ class DecaySpectrum {
   explicit DecaySpectrum(const std::vector<DecaySummary>& decays) : rate_(decays.front().sample_rate_hz) {
     for (const DecaySummary& decay : decays) samples_ = std::min(samples_, cut_transform_length(decay.rows));
     power_ = VectorXd::Zero(samples_ / 2 + 1);
-    transform_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   }
 
   void add(const MatrixXd& decay) {
@@ -412,9 +411,7 @@ class DecaySpectrum {
       column.array() -= column.mean();
       for (Index i = 0; i < samples_; ++i)
         column(i) *= 1 - std::cos(two_pi * (static_cast<double>(i) + 0.5) / static_cast<double>(samples_));
-      VectorXcd spectrum;
-      transform_.fwd(spectrum, column);
-      power_ += spectrum.cwiseAbs2();
+      power_ += half_spectrum(column).cwiseAbs2();
       ++count_;
     }
   }
@@ -430,7 +427,6 @@ class DecaySpectrum {
   Index samples_ = std::numeric_limits<Index>::max();
   double rate_, count_ = 0;
   VectorXd power_;
-  Eigen::FFT<double> transform_;
 };
 
 ResponseSequence as_references(const FreeMotions& motions) {

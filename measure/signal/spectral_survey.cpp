@@ -6,12 +6,12 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
-#include <unsupported/Eigen/FFT>
 
 #include "measure/signal/arma.hpp"
 #include "measure/signal/model_order.hpp"
 #include "measure/signal/tone_search.hpp"
 #include "measure/signal/transform_length.hpp"
+#include "numerics/fourier_transform.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
@@ -285,17 +285,13 @@ AmplitudeSpectrum amplitude_spectrum(const Eigen::Ref<const MatrixXd>& channels,
   VectorXd window(length);
   for (Index i = 0; i < length; ++i)
     window(i) = 1 - std::cos(two_pi * static_cast<double>(i) / static_cast<double>(length));
-  Eigen::FFT<double> transform;
-  transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   double segments = 0;
   for (Index begin = 0; begin + length <= channels.rows(); begin += length / 2, ++segments)
     for (Index c = 0; c < channels.cols(); ++c) {
       VectorXd part = channels.col(c).segment(begin, length);
       part.array() -= part.mean();
       part.array() *= window.array();
-      Eigen::VectorXcd lines_of_part;
-      transform.fwd(lines_of_part, part);
-      spectrum.amplitude.col(c) += lines_of_part.cwiseAbs2();
+      spectrum.amplitude.col(c) += half_spectrum(part).cwiseAbs2();
     }
   spectrum.amplitude = (spectrum.amplitude / segments).cwiseSqrt() * (2 / static_cast<double>(length));
   return spectrum;

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <unsupported/Eigen/FFT>
 #include <utility>
 
 #include "measure/signal/transform_length.hpp"
 #include "numerics/distribution.hpp"
+#include "numerics/fourier_transform.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
@@ -36,9 +36,7 @@ SpectralPeak spectral_peak(const Eigen::Ref<const MatrixXd>& residual, double sa
   const Index low = bin_lines, high = (length + 1) / 2 - bin_lines;  // one bin from zero and from Nyquist
   SpectralPeak peak;
   if (high <= low) return peak;
-  // Plans of the transform cost more than the transform: they are kept, one set for each thread.
-  thread_local Eigen::FFT<double> transform;
-  Eigen::VectorXcd padded = Eigen::VectorXcd::Zero(length), spectrum;
+  Eigen::VectorXcd padded = Eigen::VectorXcd::Zero(length);
   const double freedom = std::max(4.0, static_cast<double>(samples) - unknowns);
   // Share of the energy in one frequency: a beta law, hence the logarithm of the rest is exponential. The logarithm
   // of the product over channels is their sum. Two channels, each in units of its noise, share a transform as real
@@ -52,7 +50,7 @@ SpectralPeak spectral_peak(const Eigen::Ref<const MatrixXd>& residual, double sa
   for (Index c = 0; c < residual.cols(); c += 2) {
     padded.head(samples).real() = scaled(c);
     padded.head(samples).imag() = scaled(c + 1);
-    transform.fwd(spectrum, padded);
+    const Eigen::VectorXcd spectrum = whole_spectrum(padded);
     for (Index k = low; k < high; ++k) {
       const std::complex<double> z = spectrum(k), mirrored = std::conj(spectrum(length - k));
       rest(k - low) *= std::max(1 - std::norm(z + mirrored), 1e-15) * std::max(1 - std::norm(z - mirrored), 1e-15);

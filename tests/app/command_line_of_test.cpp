@@ -1,7 +1,7 @@
 // A report's own command line.
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <sstream>
 #include <string>
