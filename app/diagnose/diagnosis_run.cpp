@@ -222,8 +222,7 @@ TriedModel with_effects(const ModelSource& source, const EffectCatalogue& catalo
   return tried;
 }
 
-// Why what records have of their own beside an explanation is doubtful; empty: it is not. Of too few records to
-// tell, lateness counts where the equations hold beside it.
+// Why what records have of their own beside an explanation is doubtful; empty: it is not.
 std::string doubt_of_own(const Diagnosis& d) {
   if (d.frequency_scatter.follows_settings)
     return "natural frequencies of each record's own beside it follow the records' settings, as what a missing law "
@@ -231,7 +230,7 @@ std::string doubt_of_own(const Diagnosis& d) {
   if (d.late.records.empty() || d.late.comes_at_random()) return "";
   switch (d.late.following) {
     case Following::too_few:
-      return d.verdict == "no_gap" ? "" : "too few records to tell whether they are late beside it";
+      return "too few records to tell whether they are late beside it";
     case Following::settings:
       return "how late records are beside it follows their settings, as what a missing law does to phases";
     case Following::at_random:
@@ -324,6 +323,7 @@ class StepByStep {
     take_decays(scatter.scatter);
     if (at_random(scatter.scatter))
       all.push_back({false, admitted(scatter.scatter), Allowance::at_random, scatter.dispersion()});
+    if (scatter.scatter.any()) scatter_alone_ = admitted(scatter.scatter);
     if (!may_be_late()) return all;
     const ModelAlone late = alone({true, {}});
     if (!are_late(late, plain)) return all;
@@ -366,11 +366,22 @@ class StepByStep {
     return lateness_takes_more_than_chance(alone({}, upper_median(std::move(late_s))), late);
   }
 
+  // A law is told where it is likelier than frequencies that scatter about the model as it is, also where too few
+  // records tell whether these follow the settings.
+  bool may_be_scatter(const OpenDiagnosis& plain) {
+    const std::string& verdict = plain.so_far().verdict;
+    if (scatter_alone_.size() == 0 || verdict == "no_gap" || verdict == "unknown") return false;
+    return plain.has_as_credible(alone({false, scatter_alone_}));
+  }
+
   // Keeps what accounts for most of the gap, of two that do as much the one that leaves less; whether it accounts
   // for all of it.
   bool tells(const Allowance& allowance) {
     OpenDiagnosis fresh = diagnosed(allowance);
     if (const std::string why = doubt_of_own(fresh.so_far()); !why.empty()) fresh.make_unknown(why);
+    if (allowance.turn == Allowance::plain && may_be_scatter(fresh))
+      fresh.make_unknown(
+          "natural frequencies that differ from record to record make as much of it; too few records tell which");
     const auto accounts = [](const OpenDiagnosis& d) {
       return std::pair(how_told(d.so_far()), -d.so_far().gap.after);
     };
@@ -385,6 +396,7 @@ class StepByStep {
   DiagnosisOptions& options_;
   ForeignContent& foreign_;
   DecayScatter of_decays_;
+  Eigen::VectorXd scatter_alone_;  // of frequencies about the model as it is
   std::optional<OpenDiagnosis> best_;
 };
 

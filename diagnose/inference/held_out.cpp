@@ -17,6 +17,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// Of fewer none is held out: the others do not tell the numbers.
+constexpr std::size_t fewest_folds = 3;
+
 constexpr int bootstrap_draws = 4000;
 constexpr int placebo_draws = 16;
 
@@ -40,7 +43,7 @@ MatrixXd some_rows(const MatrixXd& all, const std::vector<Index>& which) {
 std::vector<std::vector<Index>> groups_of_rows(const std::vector<RowLabel>& labels, int groups) {
   std::map<int, std::size_t> group;
   for (const RowLabel& label : labels) group.emplace(label.fold, 0);
-  if (group.size() < 3) return {};
+  if (group.size() < fewest_folds) return {};
   std::vector<std::vector<Index>> rows(std::min<std::size_t>(static_cast<std::size_t>(groups), group.size()));
   std::size_t next = 0;
   for (auto& [fold, g] : group) g = next++ % rows.size();
@@ -138,7 +141,7 @@ double drawn_share(const FoldSums& sums, double floor) {
 void take_interval(const std::vector<FoldSums>& folds, double floor, ClosedShare& share) {
   share.low = -1;
   share.high = 1;
-  if (folds.size() < 2) return;
+  if (folds.size() < fewest_folds) return;
   std::mt19937_64 random(20001);
   std::vector<double> draws;
   for (int d = 0; d < bootstrap_draws; ++d) {

@@ -20,7 +20,7 @@ HeldOut predict_held_out(const Discrepancy& discrepancy, const Refit& fit, const
                          int groups = 8);
 
 /// Share of the gap closed, from -1 to 1, and its 95 % interval when conditions are drawn again (bootstrap, seeded,
-/// docs/inference.md (30)). Of one condition nothing says what it would be in another: from -1 to 1.
+/// docs/inference.md (30)). Of fewer than three conditions nothing says what it would be in another: from -1 to 1.
 struct ClosedShare {
   double before = 0, after = 0, closed = 0, low = 0, high = 0;
 };

@@ -560,6 +560,7 @@ class Search {
       if (e.members.size() > 1) e.log_evidence += std::log(options_.prior_second);
       if (is_open(e)) e.log_evidence += std::log(options_.prior_open_law);
     };
+    result_.price = price_;
     weigh_one(result_.null);
     for (Explanation& e : found_) weigh_one(e);
     std::stable_sort(found_.begin(), found_.end(),

@@ -27,6 +27,7 @@ struct Inference {
   std::vector<Explanation> explanations;  ///< singles and pairs that were fitted, likeliest first; null is not here
   double dispersion = 1;                  ///< variance of the rows about the best explanation
   double degrees_of_freedom = 0;          ///< of the rows about the null
+  double price = 0;                       ///< of one unknown more, in log evidence
   std::vector<double> linear_gain;        ///< by candidate: fall of chi-squared to first order at the null
   std::vector<double> gain_of_records;    ///< by candidate: share of that gain's variance that is the records' own
 };

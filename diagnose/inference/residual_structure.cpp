@@ -51,6 +51,16 @@ VectorXd ranks(const VectorXd& x) {
   });
 }
 
+bool leaves_no_structure(const ResidualStructure& structure) {
+  return structure.p_value >= structure_alarm && structure.smooth_p_value >= structure_alarm;
+}
+
+// What an explanation fails to predict of conditions that it has not seen is no more than these differ by when they
+// are repeated: a^2 - 1 <= 1 (docs/inference.md, "Share that is closed").
+bool predicts_as_well_as_rows_repeat(const ClosedShare& closing) {
+  return closing.after * closing.after <= 2;
+}
+
 using Balance = std::tuple<std::string, std::string, EffectComponent>;
 
 }  // namespace
@@ -115,7 +125,7 @@ bool closes_most(const ClosedShare& closing) {
 
 Reach reach_of(const ResidualStructure& structure, const ClosedShare& closing) {
   if (!closes_more_than_it_leaves(closing)) return Reach::little;
-  if (structure.p_value >= structure_alarm && structure.smooth_p_value >= structure_alarm) return Reach::all;
+  if (leaves_no_structure(structure)) return predicts_as_well_as_rows_repeat(closing) ? Reach::all : Reach::little;
   return closes_most(closing) ? Reach::approximate : Reach::little;
 }
 
@@ -123,6 +133,12 @@ std::string what_is_missing(const ResidualStructure& structure, const ClosedShar
   if (!(closing.closed >= least_closing)) return "the best explanation closes less of the gap than it leaves";
   if (!closes_more_than_it_leaves(closing))
     return "held-out conditions do not show that the best explanation closes half of the gap";
+  if (leaves_no_structure(structure))
+    return fmt::format(
+        "the best explanation fits, but misses conditions that were held out by {:.3g} times the repeatability: "
+        "too "
+        "few conditions tell its law from others",
+        closing.after);
   return fmt::format("the best explanation closes less than {:.0f} % of the gap and leaves structure (p = {:.1g})",
                      100 * diagnose_thresholds().most_of_the_gap,
                      std::min(structure.p_value, structure.smooth_p_value));

@@ -34,9 +34,10 @@ ResidualStructure residual_structure_of(const Refit& fit, const std::vector<RowL
 
 /// How far an explanation goes.
 enum class Reach {
-  little,       ///< it is not shown to close more of the gap than it leaves, or leaves structure and a tenth of it
+  little,       ///< it is not shown to close more of the gap than it leaves, leaves structure and a tenth of it, or
+                ///< fits what it has seen and misses what was held out
   approximate,  ///< it closes most of the gap, and structure is left beside it
-  all           ///< what it leaves is what repeatability leaves
+  all           ///< what it leaves is what repeatability leaves, also of conditions that were held out
 };
 
 /// Whether held-out conditions show that an explanation closes half of the gap: the lower end of its interval does.

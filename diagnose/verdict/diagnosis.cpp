@@ -63,6 +63,12 @@ class OpenDiagnosis::Stages {
 
   const Diagnosis& result() const { return result_; }
 
+  bool has_as_credible(const ModelAlone& scatter) const {
+    const double log_evidence = -0.5 * scatter.left.chi_squared / inference_.dispersion - scatter.log_width -
+                                inference_.price * scatter.scattering_modes;
+    return std::exp(log_evidence - best_->log_evidence) >= diagnose_thresholds().told_apart;
+  }
+
   void make_unknown(const std::string& why) {
     secular::make_unknown(result_, why);
     doubt_ = why;
@@ -329,6 +335,10 @@ OpenDiagnosis::~OpenDiagnosis() = default;
 
 const Diagnosis& OpenDiagnosis::so_far() const {
   return stages_->result();
+}
+
+bool OpenDiagnosis::has_as_credible(const ModelAlone& scatter) const {
+  return stages_->has_as_credible(scatter);
 }
 
 void OpenDiagnosis::make_unknown(const std::string& why) {

@@ -15,6 +15,7 @@
 #include "diagnose/verdict/frequency_scatter.hpp"
 #include "diagnose/verdict/gap_shares.hpp"
 #include "diagnose/verdict/late_records.hpp"
+#include "diagnose/verdict/model_alone.hpp"
 #include "diagnose/verdict/proposal.hpp"
 #include "diagnose/verdict/simulated_check.hpp"
 #include "measure/data/time_span.hpp"
@@ -80,6 +81,9 @@ class OpenDiagnosis {
   ~OpenDiagnosis();
 
   const Diagnosis& so_far() const;  ///< without next_experiment (but its reason where there is no gap), simulated
+  /// Whether natural frequencies of each record's own beside the model alone, a fit of the same records that admits
+  /// them, keep a twentieth of the odds of what the verdict is about (docs/inference.md (26a)).
+  bool has_as_credible(const ModelAlone& scatter) const;
   void make_unknown(const std::string& why);
   /// Adds what no verdict waits for, and much time goes into: the next experiment, and motions simulated before and
   /// after.

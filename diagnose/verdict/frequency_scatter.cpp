@@ -18,9 +18,6 @@ using Eigen::VectorXd;
 /// That frequencies of one structure differ by chance.
 constexpr auto& scatter_alarm = diagnose_thresholds().scatter_alarm;
 
-/// Of a natural frequency: no scatter, and nothing that a record feels.
-constexpr double none = 1e-9;
-
 /// A standard deviation of as few values as there are records is not known better.
 constexpr auto& same_size = diagnose_thresholds().same_size;
 
@@ -94,11 +91,11 @@ FrequencyScatter scatter_about(const Discrepancy& discrepancy, const VectorXd& u
 }
 
 VectorXd admitted(const FrequencyScatter& scatter) {
-  return scatter.sd.cwiseMax(none);
+  return scatter.sd.cwiseMax(no_scatter);
 }
 
 bool is_as_large(const VectorXd& admitted, const VectorXd& before) {
-  return ((admitted - before).array().abs() <= same_size * before.array().max(none)).all();
+  return ((admitted - before).array().abs() <= same_size * before.array().max(no_scatter)).all();
 }
 
 }  // namespace secular

@@ -8,6 +8,9 @@
 
 namespace secular {
 
+/// Of a natural frequency, relative: no scatter, and nothing that a record feels.
+inline constexpr double no_scatter = 1e-9;
+
 /// How natural frequencies differ from record to record (docs/inference.md (26)).
 struct FrequencyScatter {
   /// By mode, relative, about what follows the settings; 0: records do not differ beyond their noise.

@@ -1,6 +1,7 @@
 #include "diagnose/verdict/model_alone.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagnose/thresholds.hpp"
 #include "diagnose/verdict/comparison.hpp"
@@ -29,12 +30,22 @@ ModelAlone fit_alone(const Campaign& campaign, const RecordReader& read, const C
   InferenceOptions inference_options;
   inference_options.threads = options.threads;
   const Inference alone = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
+  double scattering_modes = 0, log_width = 0;
+  if (options.frequency_scatter.size() > 0) {
+    scattering_modes = static_cast<double>((options.frequency_scatter.array() > no_scatter).count());
+    for (const OwnFrequency& frequency : comparison.discrepancy.own_frequencies(alone.null.fit.unknowns)) {
+      const double sd = options.frequency_scatter(static_cast<Index>(frequency.mode));
+      log_width += 0.5 * std::log1p(sd * sd / frequency.variance);
+    }
+  }
   const SegmentEvidence* segments =
       comparison.discrepancy.admits_own() || common_late_s ? nullptr : comparison.segment_evidence;
   return {{alone.null.fit.chi_squared, alone.degrees_of_freedom},
           scatter_about(comparison.discrepancy, alone.null.fit.unknowns, model.modes()),
           lateness_about(comparison.discrepancy),
-          segments ? segments->left(alone.null.fit.unknowns) : std::vector<SegmentEvidence::Left>()};
+          segments ? segments->left(alone.null.fit.unknowns) : std::vector<SegmentEvidence::Left>(),
+          scattering_modes,
+          log_width};
 }
 
 bool lateness_takes_more_than_chance(const ModelAlone& without, const ModelAlone& with) {

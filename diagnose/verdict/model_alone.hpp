@@ -20,6 +20,10 @@ struct ModelAlone {
   /// Of records that are compared sample by sample; none where records are allowed to have anything of their own.
   std::vector<SegmentEvidence::Left> of_segments;
 
+  /// Natural frequencies of each record's own, where admitted: of how many modes, and log of how much wider they
+  /// are spread before the record is seen than after it, sum over records (docs/inference.md (26a)).
+  double scattering_modes = 0, log_width = 0;
+
   double dispersion() const { return left.chi_squared / left.freedom; }
 };
 

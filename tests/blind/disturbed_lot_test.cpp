@@ -195,6 +195,20 @@ TEST(SlowDisturbedLot, AnEffectIsNamedBesideFrequenciesThatScatter) {
   EXPECT_EQ(d.said.at("cause"), "quintic_stiffness");
 }
 
+// Five dwells do not tell how frequencies scatter, and a law fits them as well: none is named.
+TEST(SlowDisturbedLot, FewDwellsWhoseFrequenciesScatterTellNoLaw) {
+  for (std::size_t number = 91; number < 97; ++number) {
+    const auto scatter = [](SealedCase& sealed) {
+      sealed.decays.clear();
+      sealed.specimen.dwells.resize(5);
+      sealed.motions.resize(5);
+      let_frequencies_scatter(sealed, 0.003, seed_of_diagnosed);
+    };
+    const std::string verdict = diagnosed(number, {}, scatter).said.at("verdict");
+    EXPECT_TRUE(verdict == "unknown" || verdict == "no_gap") << number << ": " << verdict;
+  }
+}
+
 // All of them given, none of them doubtful (but the one whose sign nothing tells) or far off, and together within
 // their error bars.
 void expect_as_good_as_noise(const std::vector<JudgedNumber>& numbers, const std::string& of_unknown_sign = "") {

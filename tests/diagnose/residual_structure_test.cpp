@@ -132,6 +132,29 @@ TEST(Reach, IsNotShownWhereTheIntervalReachesBelowOneHalf) {
   EXPECT_EQ(reach_of(rows_left, closing(0.95, 0.6)), Reach::approximate);
 }
 
+TEST(Reach, WhatIsMissedOfHeldOutConditionsIsNoMoreThanTheirRepeatability) {
+  const auto reach = [](double before, double after) {
+    ClosedShare share = closing((before - after) / (before - 1), 0.6);
+    share.before = before;
+    share.after = after;
+    return reach_of(nothing, share);
+  };
+  EXPECT_EQ(reach(200, 1.41), Reach::all);
+  EXPECT_EQ(reach(200, 1.42), Reach::little);
+  EXPECT_EQ(reach(200, 5), Reach::little);
+  EXPECT_NE(what_is_missing(nothing, closing(0.8, 0.6)).find("held out"), std::string::npos);
+}
+
+TEST(Reach, OfTwoConditionsNoneIsHeldOut) {
+  for (const int conditions : {1, 2, 3}) {
+    std::vector<RowLabel> labels(12);
+    for (std::size_t i = 0; i < labels.size(); ++i) labels[i].fold = static_cast<int>(i) % conditions;
+    const ClosedShare share =
+        closed_share(Eigen::VectorXd::Constant(12, 20), Eigen::VectorXd::Constant(12, 0.5), labels, 1);
+    EXPECT_EQ(reach_of(nothing, share) == Reach::all, conditions == 3) << conditions;
+  }
+}
+
 // Whatever the evidence: neither where nothing was closed, nor where there was nothing to close.
 TEST(Reach, NoCauseClosesNothing) {
   const auto closes = [](double before, double after) {
@@ -145,7 +168,7 @@ TEST(Reach, NoCauseClosesNothing) {
   EXPECT_FALSE(closes(0.94, 0.5));
   EXPECT_FALSE(closes(0.144, 0.1));
   EXPECT_FALSE(closes(11, 7));
-  EXPECT_TRUE(closes(11, 3));
+  EXPECT_TRUE(closes(11, 1.4));
 }
 
 }  // namespace
