@@ -14,8 +14,7 @@ Eigen::VectorXcd half_spectrum(const Eigen::Ref<const Eigen::VectorXd>& samples)
 /// All N lines of complex samples.
 Eigen::VectorXcd whole_spectrum(const Eigen::Ref<const Eigen::VectorXcd>& samples);
 
-/// The real samples, an even number N of them, whose lines 0 ... N/2 are these (one line: one sample): what half_spectrum
-/// did is undone.
+/// The real samples, an even number N of them or one, whose lines 0 ... N/2 are these: undoes half_spectrum().
 Eigen::VectorXd samples_of(const Eigen::Ref<const Eigen::VectorXcd>& half_spectrum);
 
 }  // namespace secular

@@ -17,7 +17,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Of fewer none is held out: the others do not tell the numbers.
+/// Of two conditions the other one alone would have to predict one, and nothing says how far it can.
 constexpr std::size_t fewest_folds = 3;
 
 constexpr int bootstrap_draws = 4000;

@@ -136,8 +136,7 @@ std::string what_is_missing(const ResidualStructure& structure, const ClosedShar
   if (leaves_no_structure(structure))
     return fmt::format(
         "the best explanation fits, but misses conditions that were held out by {:.3g} times the repeatability: "
-        "too "
-        "few conditions tell its law from others",
+        "too few conditions tell its law from others",
         closing.after);
   return fmt::format("the best explanation closes less than {:.0f} % of the gap and leaves structure (p = {:.1g})",
                      100 * diagnose_thresholds().most_of_the_gap,

@@ -64,9 +64,7 @@ class OpenDiagnosis::Stages {
   const Diagnosis& result() const { return result_; }
 
   bool has_as_credible(const ModelAlone& scatter) const {
-    const double log_evidence = -0.5 * scatter.left.chi_squared / inference_.dispersion - scatter.log_width -
-                                inference_.price * scatter.scattering_modes;
-    return std::exp(log_evidence - best_->log_evidence) >= diagnose_thresholds().told_apart;
+    return is_credible(scatter.log_evidence(inference_.dispersion, inference_.price), best_->log_evidence);
   }
 
   void make_unknown(const std::string& why) {

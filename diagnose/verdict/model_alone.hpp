@@ -25,6 +25,11 @@ struct ModelAlone {
   double scattering_modes = 0, log_width = 0;
 
   double dispersion() const { return left.chi_squared / left.freedom; }
+
+  /// docs/inference.md (26a), on the scale of Explanation::log_evidence. `price`: of one unknown.
+  double log_evidence(double of_dispersion, double price) const {
+    return -0.5 * left.chi_squared / of_dispersion - log_width - price * scattering_modes;
+  }
 };
 
 /// Takes a small part of the time of a diagnosis. `model`, `own`: as of diagnose(). `common_late_s`: with all

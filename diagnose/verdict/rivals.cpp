@@ -56,6 +56,10 @@ bool is_credible(const Rival& rival, const Rival& best) {
   return rival.probability > credible_odds * best.probability;
 }
 
+bool is_credible(double log_evidence, double of_best) {
+  return std::exp(log_evidence - of_best) > credible_odds;
+}
+
 Contest contest_of(const Inference& inference, const std::vector<Candidate>& candidates, bool with_null) {
   Contest contest;
   if (with_null) contest.all.push_back({&inference.null, inference.null.log_evidence, 0, {"parameters"}, false});

@@ -26,6 +26,8 @@ void rank(std::vector<Rival>& rivals);
 
 /// Whether `rival` keeps a share of the best one's probability that nobody should overlook.
 bool is_credible(const Rival& rival, const Rival& best);
+/// The same of what stands in no list of rivals, by log evidence.
+bool is_credible(double log_evidence, double of_best);
 
 /// The explanations of a gap, likeliest first.
 struct Contest {
