@@ -3,8 +3,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
-#include "diagnose/evidence/held_lines.hpp"
+#include "diagnose/evidence/followed_lines.hpp"
 #include "diagnose/thresholds.hpp"
 
 namespace secular {
@@ -41,20 +43,9 @@ ConditionForecast ConditionModel::forecast(const Condition& condition, const Vec
 MatrixXd ConditionModel::slopes(const Condition& condition, const VectorXd& unknowns, const MatrixXcd& displacement,
                                 const std::vector<std::size_t>& which, const VectorXd& scale) const {
   const std::size_t symbols = balance_.model().symbols.size();
-  const auto held = [&](const VectorXd& at) {
-    return HeldLines(condition, balance_, sensors_, table_.faults(at.data() + symbols), {at.data(), symbols},
-                     displacement);
-  };
-  HeldLines here = held(unknowns);
-  const std::vector<SlavedLine> slaves = here.slaves();
-  const BalanceSweep::Path path = here.path(displacement);
-  const HeldLines::Slopes by_line = here.line_slopes(path, slaves);
-  const Eigen::PartialPivLU<MatrixXd> to_balance(by_line.steps);
-  const auto followed = [&](VectorXd rows, const VectorXd& steps) {
-    if (!slaves.empty()) rows -= by_line.rows * to_balance.solve(steps);
-    return rows;
-  };
-  MatrixXd slopes(by_line.rows.rows(), static_cast<Index>(which.size()));
+  HeldLines here = held(condition, unknowns, displacement);
+  const FollowedLines lines(here, displacement);
+  MatrixXd slopes(lines.rows(), static_cast<Index>(which.size()));
   std::vector<std::size_t> in_equations;
   std::vector<Index> columns;
   for (std::size_t w = 0; w < which.size(); ++w) {
@@ -67,20 +58,28 @@ MatrixXd ConditionModel::slopes(const Condition& condition, const VectorXd& unkn
     const auto at = [&](double value) {
       VectorXd moved = unknowns;
       moved(u) = value;
-      if (which[w] < symbols) return here.at(path, {moved.data(), symbols}, slaves);
-      HeldLines there = held(moved);
-      return there.at(there.path(displacement), slaves);
+      if (which[w] < symbols) return here.at(lines.path(), {moved.data(), symbols}, lines.slaves());
+      HeldLines there = held(condition, moved, displacement);
+      return there.at(there.path(displacement), lines.slaves());
     };
     const HeldLines::Values up = at(unknowns(u) + 0.5 * scale(column)),
                             down = at(unknowns(u) - 0.5 * scale(column));
-    slopes.col(column) = followed(up.rows - down.rows, up.steps - down.steps);
+    slopes.col(column) = lines.change(up.rows - down.rows, up.steps - down.steps);
   }
-  const HeldLines::Slopes by_symbol = here.symbol_slopes(path, in_equations, slopes.rows(), slaves);
+  const HeldLines::Slopes by_symbol = here.symbol_slopes(lines.path(), in_equations, slopes.rows(), lines.slaves());
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto column = static_cast<Index>(i);
-    slopes.col(columns[i]) = scale(columns[i]) * followed(by_symbol.rows.col(column), by_symbol.steps.col(column));
+    slopes.col(columns[i]) =
+        scale(columns[i]) * lines.change(by_symbol.rows.col(column), by_symbol.steps.col(column));
   }
   return slopes;
+}
+
+HeldLines ConditionModel::held(const Condition& condition, const VectorXd& unknowns,
+                               const MatrixXcd& displacement) const {
+  const std::size_t symbols = balance_.model().symbols.size();
+  return {condition,   balance_, sensors_, table_.faults(unknowns.data() + symbols), {unknowns.data(), symbols},
+          displacement};
 }
 
 // Forces whose law the equations of motion do not hold depend on their shapes in ways that these do not show.
@@ -107,13 +106,32 @@ std::vector<RowMeaning> ConditionModel::meanings(const Condition& condition) con
   return rows;
 }
 
+// The cut of a channel that saturates moves with the lines that follow, which only a motion that is solved for
+// shows.
 MatrixXd ConditionModel::covariance(const Condition& condition, const VectorXd& unknowns,
                                     const ConditionRows& here) const {
-  MatrixXd covariance = MatrixXd::Zero(here.values.size(), here.values.size());
+  const Index size = here.values.size();
+  if (!here.values.allFinite()) return MatrixXd::Constant(size, size, std::numeric_limits<double>::quiet_NaN());
+  const Faults faults = table_.faults(unknowns.data() + balance_.model().symbols.size());
+  const bool saturates = std::any_of(faults.response.begin(), faults.response.end(),
+                                     [](const ChannelFaults& fault) { return fault.saturates(); });
+  const MatrixXcd& displacement = here.motion.displacement;
+  std::optional<FollowedLines> lines;
+  if (!saturates) {
+    HeldLines measured = held(condition, unknowns, displacement);
+    lines.emplace(measured, displacement);
+  }
+  MatrixXd covariance = MatrixXd::Zero(size, size);
   Condition moved = condition;
+  const auto change = [&] {
+    if (saturates) return VectorXd(rows(moved, unknowns, &here.motion).values - here.values);
+    HeldLines there = held(moved, unknowns, displacement);
+    const HeldLines::Values values = there.at(there.path(displacement), lines->slaves());
+    return lines->change(values.rows - lines->here().rows, values.steps - lines->here().steps);
+  };
   const auto add = [&](double sd) {
     if (!(sd > 0)) return;
-    const VectorXd difference = rows(moved, unknowns, &here.motion).values - here.values;
+    const VectorXd difference = change();
     covariance += difference * difference.transpose();
   };
   const auto vary = [&](Complex& value, double sd, bool real) {
@@ -133,9 +151,6 @@ MatrixXd ConditionModel::covariance(const Condition& condition, const VectorXd& 
       if (meanings[r].kind == kind && meanings[r].channel == channel && meanings[r].line == line)
         covariance(static_cast<Index>(r), static_cast<Index>(r)) += sd * sd;
   };
-  const Faults faults = table_.faults(unknowns.data() + balance_.model().symbols.size());
-  const bool saturates = std::any_of(faults.response.begin(), faults.response.end(),
-                                     [](const ChannelFaults& fault) { return fault.saturates(); });
   const auto is_master = [&](Index line) {
     return std::any_of(condition.masters.begin(), condition.masters.end(),
                        [line](const MasterLine& master) { return master.line == line; });

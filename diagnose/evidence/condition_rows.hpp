@@ -10,6 +10,8 @@
 
 namespace secular {
 
+class HeldLines;
+
 /// What a row of a discrepancy speaks of.
 struct RowMeaning {
   enum class Kind { balance, response, excitation };
@@ -56,8 +58,9 @@ class ConditionModel {
   ConditionForecast forecast(const Condition& condition, const Eigen::VectorXcd& amplitudes,
                              const Eigen::VectorXd& unknowns, const Motion* start) const;
 
-  /// Covariance of the rows from the errors of everything measured in the condition, by differences at `unknowns`
-  /// about `here`, the rows there. Not finite where no motion is found.
+  /// Covariance of the rows from the errors of everything measured in the condition, at `unknowns` about `here`,
+  /// the rows there: each reading is changed by its error, and the slaved lines follow to first order. Not finite
+  /// where no motion is found.
   Eigen::MatrixXd covariance(const Condition& condition, const Eigen::VectorXd& unknowns,
                              const ConditionRows& here) const;
 
@@ -65,6 +68,8 @@ class ConditionModel {
   const MotionBalance& balance() const { return balance_; }
 
  private:
+  HeldLines held(const Condition& condition, const Eigen::VectorXd& unknowns,
+                 const Eigen::MatrixXcd& displacement) const;
   bool is_shape(std::size_t symbol) const;
 
   MotionBalance balance_;

@@ -14,6 +14,12 @@ class Lanes {
   Lanes() : Lanes(0.0) {}
   explicit Lanes(double x) : Lanes(Pair{x, x}, Pair{x, x}, Pair{x, x}, Pair{x, x}) {}
 
+  /// value(lane) of every lane.
+  template <class Value>
+  static Lanes each(const Value& value) {
+    return {Pair{value(0), value(1)}, Pair{value(2), value(3)}, Pair{value(4), value(5)}, Pair{value(6), value(7)}};
+  }
+
   double operator[](std::size_t lane) const { return pair_[lane / 2][lane % 2]; }
   void set(std::size_t lane, double x) { pair_[lane / 2][lane % 2] = x; }
 

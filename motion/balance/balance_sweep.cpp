@@ -78,12 +78,13 @@ BalanceSweep::BalanceSweep(const CompiledModel& model, std::vector<StateForce> f
       acceleration_(static_cast<Index>(model.modes()), torus_.points()),
       excitation_(model.excitations.size()) {
   for (Index l = 0; l < rates_.size(); ++l) rates_(l) = setting.line_rate(l);
-  force_ = torus_.samples(setting.excitation);
-  force_rate_ = torus_.samples(setting.excitation * rates_.asDiagonal());
-  force_acceleration_ = torus_.samples(setting.excitation * rates_.cwiseAbs2().asDiagonal() * Complex(-1));
-  for (Index j = 0; j < force_.rows(); ++j)
+  for (Index j = 0; j < setting.excitation.rows(); ++j)
     if (!setting.excitation.row(j).isZero(0)) driven_.push_back(j);
-  if (force_.rows() > 0) level_ = squared_amplitude(force_.row(0));
+  const MatrixXcd driving = setting.excitation(driven_, Eigen::all);
+  force_ = torus_.samples(driving);
+  force_rate_ = torus_.samples(driving * rates_.asDiagonal());
+  force_acceleration_ = torus_.samples(driving * rates_.cwiseAbs2().asDiagonal() * Complex(-1));
+  if (!driven_.empty() && driven_.front() == 0) level_ = squared_amplitude(force_.row(0));
 }
 
 BalanceSweep::Path BalanceSweep::path(MatrixXcd displacement) const {
@@ -115,9 +116,8 @@ std::vector<BalanceSweep::Signal> BalanceSweep::signals(const MatrixXd& position
 }
 
 void BalanceSweep::excite(Index point, const std::vector<Signal>& signals) {
-  for (const Index j : driven_)
-    excitation_[static_cast<std::size_t>(j)] = {force_(j, point), force_rate_(j, point),
-                                                force_acceleration_(j, point)};
+  for (Index d = 0; d < force_.rows(); ++d)
+    excitation_[driven(d)] = {force_(d, point), force_rate_(d, point), force_acceleration_(d, point)};
   for (const Signal& signal : signals) excitation_[signal.force->excitation] = {signal.values(point), 0, 0};
 }
 
@@ -145,19 +145,16 @@ const MatrixXd& BalanceSweep::accelerations_side_by_side(const MatrixXd& positio
   std::vector<LaneSample> excitation(excitation_.size());
   std::vector<Lanes> here(model_.modes()), speed = here, result = here;
   for (Index first = 0; first < points; first += static_cast<Index>(Lanes::count)) {
-    for (std::size_t lane = 0; lane < Lanes::count; ++lane) {
-      const Index p = std::min(first + static_cast<Index>(lane), points - 1);
-      for (const Index j : driven_) {
-        LaneSample& sample = excitation[static_cast<std::size_t>(j)];
-        sample.value.set(lane, force_(j, p));
-        sample.first_derivative.set(lane, force_rate_(j, p));
-        sample.second_derivative.set(lane, force_acceleration_(j, p));
-      }
-      for (const Signal& signal : signals) excitation[signal.force->excitation].value.set(lane, signal.values(p));
-      for (Index k = 0; k < modes; ++k) {
-        here[static_cast<std::size_t>(k)].set(lane, position(k, p));
-        speed[static_cast<std::size_t>(k)].set(lane, velocity(k, p));
-      }
+    const auto lanes_of = [&](const auto& row) {
+      return Lanes::each([&](Index lane) { return row(std::min(first + lane, points - 1)); });
+    };
+    for (Index d = 0; d < force_.rows(); ++d)
+      excitation[driven(d)] = {lanes_of(force_.row(d)), lanes_of(force_rate_.row(d)),
+                               lanes_of(force_acceleration_.row(d))};
+    for (const Signal& signal : signals) excitation[signal.force->excitation].value = lanes_of(signal.values);
+    for (Index k = 0; k < modes; ++k) {
+      here[static_cast<std::size_t>(k)] = lanes_of(position.row(k));
+      speed[static_cast<std::size_t>(k)] = lanes_of(velocity.row(k));
     }
     model_.acceleration_of_lanes(same.data(), excitation.data(), here.data(), speed.data(), result.data());
     for (Index p = first; p < std::min(first + static_cast<Index>(Lanes::count), points); ++p)
@@ -175,8 +172,9 @@ void BalanceSweep::beside_turnings(const Path& path, const std::vector<Turning>&
   const Index points = path.position.cols();
   for (std::size_t t = 0; t < turnings.size(); ++t) {
     RowVectorXcd waves(rates_.size());
-    for (Index n = 0; n < waves.size(); ++n)
-      waves(n) = std::polar(n == 0 ? 1.0 : 2.0, static_cast<double>(n) * turnings[t].seen);
+    const Complex turn = std::polar(1.0, turnings[t].seen);
+    waves(0) = 1;
+    for (Index n = 1; n < waves.size(); ++n) waves(n) = (n == 1 ? 2.0 : waves(n - 1)) * turn;
     position_ = (path.lines * waves.transpose()).real();
     velocity_ = (velocity_lines * waves.transpose()).real();
     excite(static_cast<Index>(turnings[t].seen / two_pi * static_cast<double>(points)) % points, signals);
@@ -317,37 +315,44 @@ std::vector<BalanceSweep::Memory> BalanceSweep::memories(const Path& path, std::
 // What a line moves, every point feels through its own displacement and velocity: a pair of evaluations for each of
 // these instead of one for each line. A force with memory, which does not feel where the whole path lies, counts as
 // a signal there; what a line changes of that signal goes through the accelerations' slope by it.
-MatrixXd BalanceSweep::felt_at_points(const Path& path, std::span<const double> parameters,
+MatrixXcd BalanceSweep::felt_on_lines(const Path& path, std::span<const double> parameters,
                                       const std::vector<Signal>& signals, const std::vector<Entry>& entries,
                                       double length) {
   const auto modes = path.position.rows(), points = path.position.cols();
   double fastest = 0;
   for (Index l = 0; l < rates_.size(); ++l) fastest = std::max(fastest, std::abs(rates_(l)));
-  std::vector<MatrixXd> by_position, by_velocity;  // [coordinate]: accelerations x points
+  MatrixXd slopes(2 * modes * modes, points);  // by position and by velocity of a coordinate: of all accelerations
   for (Index k = 0; k < modes; ++k) {
-    by_position.push_back(slope_at_points(path, parameters, k, Variable::position, length));
-    by_velocity.push_back(slope_at_points(path, parameters, k, Variable::velocity, length * fastest));
+    slopes.middleRows(2 * k * modes, modes) = slope_at_points(path, parameters, k, Variable::position, length);
+    slopes.middleRows((2 * k + 1) * modes, modes) =
+        slope_at_points(path, parameters, k, Variable::velocity, length * fastest);
   }
+  const MatrixXcd sums = torus_.coefficients_of_sums(slopes);
   const std::vector<Memory> memories = this->memories(path, parameters, signals, length);
-  MatrixXd felt(static_cast<Index>(entries.size()) * modes, points);
+  MatrixXcd felt = MatrixXcd::Zero(static_cast<Index>(entries.size()) * modes, torus_.lines());
   for (std::size_t e = 0; e < entries.size(); ++e) {
     const Entry& entry = entries[e];
-    const RowVectorXd moved = torus_.samples_of_line(entry.line, entry.unit),
-                      faster = torus_.samples_of_line(entry.line, entry.unit * rates_(entry.line));
-    const auto k = static_cast<std::size_t>(entry.mode);
-    auto rows = felt.middleRows(static_cast<Index>(e) * modes, modes);
-    rows = by_position[k] * moved.asDiagonal() + by_velocity[k] * faster.asDiagonal();
-    for (const Memory& memory : memories) {
-      const StateForce& force = *memory.signal.force;
-      if (force.mode != k) continue;
-      MatrixXd position = path.position;
-      position.row(entry.mode) += length * moved;
-      const RowVectorXd change =
-          (values_of(force, position, path.velocity, force.shape(parameters)) - memory.signal.values) / length;
-      rows += memory.felt * change.asDiagonal();
+    auto lines = felt.middleRows(static_cast<Index>(e) * modes, modes);
+    for (Index m = 0; m < modes; ++m) {
+      const Index by_position = 2 * entry.mode * modes + m;
+      torus_.add_product(sums.row(by_position), entry.line, entry.unit, lines.row(m));
+      torus_.add_product(sums.row(by_position + modes), entry.line, entry.unit * rates_(entry.line), lines.row(m));
     }
+    for (const Memory& memory : memories)
+      if (memory.signal.force->mode == static_cast<std::size_t>(entry.mode))
+        lines += torus_.coefficients(memory.felt *
+                                     change_of(memory.signal, path, parameters, entry, length).asDiagonal());
   }
   return felt;
+}
+
+// Of the signal of a force with memory with an entry of its mode.
+RowVectorXd BalanceSweep::change_of(const Signal& signal, const Path& path, std::span<const double> parameters,
+                                    const Entry& entry, double length) const {
+  MatrixXd position = path.position;
+  position.row(entry.mode) += length * torus_.samples_of_line(entry.line, entry.unit);
+  return (values_of(*signal.force, position, path.velocity, signal.force->shape(parameters)) - signal.values) /
+         length;
 }
 
 // Jumps go with the turnings that a line of their mode moves.
@@ -367,7 +372,7 @@ MatrixXcd BalanceSweep::residual_slopes(const Path& path, std::span<const double
                                         const std::vector<SlavedLine>& slaves, double length) {
   const std::vector<Signal> signals = this->signals(path.position, path.velocity, parameters);
   const std::vector<Entry> entries = entries_of(slaves);
-  const MatrixXcd changes = torus_.coefficients(felt_at_points(path, parameters, signals, entries, length));
+  const MatrixXcd changes = felt_on_lines(path, parameters, signals, entries, length);
   const Jumps jumps = this->jumps(path, parameters, signals);
   const Index modes = path.position.rows();
   MatrixXcd slopes(modes * torus_.lines(), static_cast<Index>(entries.size()));

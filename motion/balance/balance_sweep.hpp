@@ -85,6 +85,9 @@ class BalanceSweep {
                        const Side& side);
   /// How far a jump at one turning moves another: phase by size.
   double moves(const Turning& jump, const Turning& moved, std::span<const double> parameters) const;
+  std::size_t driven(Eigen::Index row) const {
+    return static_cast<std::size_t>(driven_[static_cast<std::size_t>(row)]);
+  }
   /// What excites the model at one point.
   void excite(Eigen::Index point, const std::vector<Signal>& signals);
   /// Accelerations over one turn: modes x points.
@@ -113,8 +116,10 @@ class BalanceSweep {
   };
   std::vector<Memory> memories(const Path& path, std::span<const double> parameters,
                                const std::vector<Signal>& signals, double length);
-  /// Change of the accelerations by every entry, without jumps: (entries*modes) x points.
-  Eigen::MatrixXd felt_at_points(const Path& path, std::span<const double> parameters,
+  Eigen::RowVectorXd change_of(const Signal& signal, const Path& path, std::span<const double> parameters,
+                               const Entry& entry, double length) const;
+  /// Change of the accelerations by every entry, without jumps: (entries*modes) x lines.
+  Eigen::MatrixXcd felt_on_lines(const Path& path, std::span<const double> parameters,
                                  const std::vector<Signal>& signals, const std::vector<Entry>& entries,
                                  double length);
   void take_jumps_along(const Entry& entry, const Jumps& jumps, Eigen::MatrixXcd& change) const;
@@ -123,9 +128,10 @@ class BalanceSweep {
   std::vector<StateForce> forces_;
   const Torus& torus_;
   Eigen::RowVectorXcd rates_;
-  Eigen::MatrixXd force_, force_rate_, force_acceleration_, acceleration_;
-  double level_ = 0;                  ///< squared_amplitude of the first excitation
-  std::vector<Eigen::Index> driven_;  ///< excitations that are not zero
+  std::vector<Eigen::Index> driven_;                         ///< excitations that are not zero
+  Eigen::MatrixXd force_, force_rate_, force_acceleration_;  ///< of those: driven x points
+  Eigen::MatrixXd acceleration_;
+  double level_ = 0;  ///< squared_amplitude of the first excitation
   std::vector<ExcitationSample> excitation_;
   Eigen::VectorXd position_, velocity_;  ///< at one point
 };

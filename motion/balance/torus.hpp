@@ -2,6 +2,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <complex>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -33,11 +36,36 @@ class Torus {
   /// samples: rows x points -> rows x lines.
   Eigen::MatrixXcd coefficients(const Eigen::MatrixXd& samples) const;
 
+  /// samples: rows x points -> coefficients on all sums and differences of two lines.
+  Eigen::MatrixXcd coefficients_of_sums(const Eigen::MatrixXd& samples) const;
+  /// Adds to `lines` those of a product with one line alone, samples_of_line(line, coefficient): with b the other
+  /// factor's coefficients_of_sums and b_-m = conj(b_m), line n of b(theta) (a exp(i l.theta) + conj) is
+  ///   a b_(n-l) + conj(a) b_(n+l),
+  /// whatever the points alias.
+  void add_product(const Eigen::Ref<const Eigen::RowVectorXcd, 0, Eigen::InnerStride<>>& sums, Eigen::Index line,
+                   std::complex<double> coefficient,
+                   Eigen::Ref<Eigen::RowVectorXcd, 0, Eigen::InnerStride<>> lines) const;
+
  private:
-  int dimensions_;
+  /// Where a sum of phases stands; conjugated: its negative does.
+  struct Place {
+    Eigen::Index column = 0;
+    bool conjugated = false;
+  };
+  /// Of products, made when the first is asked for.
+  struct Sums {
+    std::once_flag once;
+    Eigen::MatrixXd basis;
+    std::vector<Place> difference, sum;  ///< [line l * lines + line n]: n - l, n + l
+  };
+  Eigen::MatrixXd basis_of(const std::vector<LinePhase>& phases) const;
+  const Sums& sums() const;
+
+  int dimensions_, highest_;
   Eigen::Index turn_points_;  // in one dimension
   std::vector<LinePhase> phases_;
   Eigen::MatrixXd basis_;  // points x (cosine, -sine of every line)
+  std::shared_ptr<Sums> sums_ = std::make_shared<Sums>();
 };
 
 }  // namespace secular

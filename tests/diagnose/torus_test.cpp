@@ -35,6 +35,21 @@ TEST(Torus, ProductsOfLinesFallOnSumsAndDifferences) {
   EXPECT_FALSE(torus.find({1, -1}));  // the other half of the lattice
 }
 
+// With few points for the lines that a product has, so that some of them alias.
+TEST(Torus, ProductWithALineNeedsNoSamplesOfIt) {
+  for (const Torus& torus : {Torus(1, 6, 15), Torus(2, 3, 8)}) {
+    const MatrixXd factor = MatrixXd::Random(1, torus.points());
+    const MatrixXcd sums = torus.coefficients_of_sums(factor);
+    for (Eigen::Index line = 0; line < torus.lines(); ++line) {
+      const Complex a(0.7, line == 0 ? 0 : -1.3);
+      MatrixXcd product = MatrixXcd::Zero(1, torus.lines());
+      torus.add_product(sums.row(0), line, a, product.row(0));
+      const MatrixXcd expected = torus.coefficients(factor.cwiseProduct(torus.samples_of_line(line, a)));
+      EXPECT_LT((product - expected).cwiseAbs().maxCoeff(), 1e-14);
+    }
+  }
+}
+
 TEST(Slider, LosesFourTimesSlipTimesSlidingInACycle) {
   // A spring of unit stiffness in series with a slider, driven by x = X cos(theta): the loop's area is 4 z (X - z).
   const Torus torus(1, 1, 4096);
