@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <tuple>
 
@@ -374,19 +375,25 @@ class StepByStep {
     return plain.has_as_credible(alone({false, scatter_alone_}));
   }
 
-  // Keeps what accounts for most of the gap, of two that do as much the one that leaves less; whether it accounts
-  // for all of it.
+  // Keeps what accounts for most of the gap, of two that do as much the one that leaves less. Whether that is the
+  // answer: it accounts for all of the gap, or what records have of their own is not needed for that.
   bool tells(const Allowance& allowance) {
+    const bool is_known = known_without_scatter_.contains(allowance.late);
+    if (is_known && allowance.frequency_scatter.size() == 0) return false;
+    options_.knows_without_scatter = is_known;
     OpenDiagnosis fresh = diagnosed(allowance);
+    if (!fresh.admits_scatter()) known_without_scatter_.insert(allowance.late);
+    const bool is_plain = !allowance.late && !fresh.admits_scatter();
     if (const std::string why = doubt_of_own(fresh.so_far()); !why.empty()) fresh.make_unknown(why);
-    if (allowance.turn == Allowance::plain && may_be_scatter(fresh))
+    if (is_plain && may_be_scatter(fresh))
       fresh.make_unknown(
           "natural frequencies that differ from record to record make as much of it; too few records tell which");
+    const bool suffices = is_plain && fresh.leaves_noise_alone();
     const auto accounts = [](const OpenDiagnosis& d) {
       return std::pair(how_told(d.so_far()), -d.so_far().gap.after);
     };
     if (!best_ || accounts(fresh) > accounts(*best_)) best_ = std::move(fresh);
-    return how_told(best_->so_far()) == 2;
+    return suffices || how_told(best_->so_far()) == 2;
   }
 
   const DiagnosisRequest& request_;
@@ -396,7 +403,8 @@ class StepByStep {
   DiagnosisOptions& options_;
   ForeignContent& foreign_;
   DecayScatter of_decays_;
-  Eigen::VectorXd scatter_alone_;  // of frequencies about the model as it is
+  Eigen::VectorXd scatter_alone_;         // of frequencies about the model as it is
+  std::set<bool> known_without_scatter_;  // late or not: what a diagnosis says whose frequencies are all the same
   std::optional<OpenDiagnosis> best_;
 };
 

@@ -10,7 +10,7 @@ namespace secular {
 /// What rows of a condition do to first order near a motion in balance. With r the rows, s the slaved lines' steps
 /// (HeldLines::Values) and y their entries, a small change of readings or unknowns moves r by dr and s by ds where
 /// the lines are held; they follow to s = 0, and the rows change by
-///   dr - (dr/dy) (ds/dy)^-1 ds.
+///   dr - (dr/dy) (ds/dy)^-1 ds    (docs/inference.md (39)).
 class FollowedLines {
  public:
   /// `displacement`: a motion in balance, modes x lines. Keeps nothing of `held`.

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -162,8 +163,10 @@ class Search {
   }
 
   // Errors of the rows depend on the unknowns, and a start far off has none that mean anything: one fit for each of
-  // coarse_levels, every one from where the last ended.
-  std::vector<Refit> from_coarse_to_fine(const VectorXd& start, const std::vector<std::size_t>& free) {
+  // coarse_levels, every one from where the last ended. Among wider errors a fit leaves less: none that is finer
+  // follows one that leaves more than `most`.
+  std::vector<Refit> from_coarse_to_fine(const VectorXd& start, const std::vector<std::size_t>& free,
+                                         double most = std::numeric_limits<double>::infinity()) {
     VectorXd unknowns = start;
     std::vector<Refit> fits;
     for (const double coarse : coarse_levels) {
@@ -182,6 +185,7 @@ class Search {
         before = fit.chi_squared;
       }
       fits.push_back(std::move(fit));
+      if (fits.back().chi_squared > reweighting * most) break;
     }
     return fits;
   }
@@ -199,9 +203,8 @@ class Search {
   // Among the errors as they are.
   double left_by(const Explanation& e) const { return discrepancy_(e.fit.unknowns).squaredNorm(); }
 
-  static bool is_within_noise(double chi_squared, double freedom) {
-    return chi_squared <= freedom + least_structure * std::sqrt(2 * freedom);
-  }
+  static double most_of_noise(double freedom) { return freedom + least_structure * std::sqrt(2 * freedom); }
+  static bool is_within_noise(double chi_squared, double freedom) { return chi_squared <= most_of_noise(freedom); }
 
   bool leaves_more_than_noise(const Explanation& e) const {
     return !is_within_noise(e.fit.chi_squared, result_.degrees_of_freedom);
@@ -438,11 +441,14 @@ class Search {
       }
   }
 
-  // One effect on its own way from the start, its strength and shape as in `like`.
-  Explanation afresh(std::size_t member, const VectorXd& start, const VectorXd& like) {
+  // One effect on its own way from the start, its strength and shape as in `like`; nothing where it leaves more
+  // than `most` on the way.
+  std::optional<Explanation> afresh(std::size_t member, const VectorXd& start, const VectorXd& like, double most) {
     VectorXd begin = start;
     take_over(begin, like, candidates_[member]);
-    return explanation({member}, std::move(from_coarse_to_fine(begin, free_of({member})).back()));
+    std::vector<Refit> fits = from_coarse_to_fine(begin, free_of({member}), most);
+    if (fits.size() < std::size(coarse_levels)) return std::nullopt;
+    return explanation({member}, std::move(fits.back()));
   }
 
   // The model's own numbers may follow what is missing to where no step leads back, and whatever is tried beside
@@ -455,19 +461,20 @@ class Search {
     const std::vector<std::size_t> own = std::exchange(own_, all_own_);
     for (std::size_t f = 0; f < std::min(most_first_afresh, found_.size()); ++f) {
       if (is_open(found_[f])) continue;
-      Explanation again = afresh(found_[f].members.front(), start, found_[f].fit.unknowns);
-      if (leaves_more_than_noise(again) || !is_possible(again, candidates_)) continue;
-      freeze(again.fit.unknowns);
-      if (left_by(found_.front()) <= left_by(again)) continue;  // it has run away with its own errors
+      std::optional<Explanation> again = afresh(found_[f].members.front(), start, found_[f].fit.unknowns,
+                                                most_of_noise(result_.degrees_of_freedom));
+      if (!again || leaves_more_than_noise(*again) || !is_possible(*again, candidates_)) continue;
+      freeze(again->fit.unknowns);
+      if (left_by(found_.front()) <= left_by(*again)) continue;  // it has run away with its own errors
       level_ = finest;
-      const VectorXd without = switched_off(again.fit.unknowns, again.members, candidates_);
+      const VectorXd without = switched_off(again->fit.unknowns, again->members, candidates_);
       for (Explanation& e : found_) {
         VectorXd begin = without;
         take_over(begin, e.fit.unknowns, candidates_[e.members.front()]);
         e.fit.unknowns = std::move(begin);
         e.fit.free = free_of(e.members);
       }
-      found_[f] = std::move(again);
+      found_[f] = std::move(*again);
       refit_found();
       return true;
     }
@@ -483,12 +490,16 @@ class Search {
   bool start_afresh(const VectorXd& start) {
     if (found_.empty() || !leaves_more_than_noise(found_.front())) return false;
     const std::size_t most = misses(found_.front().fit) ? most_afresh : most_firsts;
+    double most_left = found_.front().fit.chi_squared;
     std::set<std::pair<std::string, std::string>> taken;
     std::vector<Explanation> fresh;
     for (const Explanation& e : found_)
       for (const std::size_t m : e.members) {
-        if (fresh.size() == most || !taken.emplace(candidates_[m].effect, candidates_[m].subject).second) continue;
-        fresh.push_back(afresh(m, start, e.fit.unknowns));
+        if (taken.size() == most || !taken.emplace(candidates_[m].effect, candidates_[m].subject).second) continue;
+        std::optional<Explanation> again = afresh(m, start, e.fit.unknowns, most_left);
+        if (!again) continue;
+        most_left = std::min(most_left, again->fit.chi_squared);
+        fresh.push_back(std::move(*again));
       }
     // Every one among its own errors; the better one must be better among those of its own as well.
     const Explanation* best = &found_.front();

@@ -63,6 +63,13 @@ class OpenDiagnosis::Stages {
 
   const Diagnosis& result() const { return result_; }
 
+  bool leaves_noise_alone() const {
+    return best_ != nullptr &&
+           !is_more_than_noise({best_->fit.chi_squared, freedom() - static_cast<double>(best_->fit.rank)});
+  }
+
+  bool admits_scatter() const { return (comparison_.of_records.frequency_sd.array() > no_scatter).any(); }
+
   bool has_as_credible(const ModelAlone& scatter) const {
     return is_credible(scatter.log_evidence(inference_.dispersion, inference_.price), best_->log_evidence);
   }
@@ -100,7 +107,7 @@ class OpenDiagnosis::Stages {
       if (s < model_.modes()) inference_options.anchors.push_back(s);  // natural frequencies
     ScatteredInference found =
         infer_beside_scatter(comparison_.discrepancy, comparison_.of_records, comparison_.candidates,
-                             comparison_.start, free_, inference_options);
+                             comparison_.start, free_, inference_options, options_.knows_without_scatter);
     inference_ = std::move(found.inference);
     result_.frequency_scatter = std::move(found.scatter);
   }
@@ -330,6 +337,14 @@ OpenDiagnosis::OpenDiagnosis(const Campaign& campaign, const RecordReader& read,
 OpenDiagnosis::OpenDiagnosis(OpenDiagnosis&&) noexcept = default;
 OpenDiagnosis& OpenDiagnosis::operator=(OpenDiagnosis&&) noexcept = default;
 OpenDiagnosis::~OpenDiagnosis() = default;
+
+bool OpenDiagnosis::leaves_noise_alone() const {
+  return stages_->leaves_noise_alone();
+}
+
+bool OpenDiagnosis::admits_scatter() const {
+  return stages_->admits_scatter();
+}
 
 const Diagnosis& OpenDiagnosis::so_far() const {
   return stages_->result();

@@ -80,6 +80,11 @@ class OpenDiagnosis {
   OpenDiagnosis& operator=(OpenDiagnosis&&) noexcept;
   ~OpenDiagnosis();
 
+  /// Whether what the verdict is about leaves no more than noise.
+  bool leaves_noise_alone() const;
+  /// Whether natural frequencies of each record's own were admitted at last: where none are found to differ, they
+  /// are not, and the diagnosis is that of a campaign whose frequencies are all the same.
+  bool admits_scatter() const;
   const Diagnosis& so_far() const;  ///< without next_experiment (but its reason where there is no gap), simulated
   /// Whether natural frequencies of each record's own beside the model alone, a fit of the same records that admits
   /// them, keep a twentieth of the odds of what the verdict is about (docs/inference.md (26a)).

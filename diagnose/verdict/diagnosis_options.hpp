@@ -28,8 +28,9 @@ struct DiagnosisOptions {
   /// By mode, relative: standard deviation with which natural frequencies differ from record to record, at first.
   /// Each record has its own then. Empty: all have the same.
   Eigen::VectorXd frequency_scatter;
-  WanderingZeros wandering;  ///< of responses: no offset of theirs lasts
-  ForeignTones tones;        ///< of records that are compared sample by sample
+  bool knows_without_scatter = false;  ///< where frequencies turn out to be all the same, nothing is told
+  WanderingZeros wandering;            ///< of responses: no offset of theirs lasts
+  ForeignTones tones;                  ///< of records that are compared sample by sample
   ColouredNoises coloured;
   std::optional<Window> check;  ///< part of the records on which the explanation is tried, whatever was fitted
   bool fit_check = false;       ///< and once more with the numbers that fit that part best

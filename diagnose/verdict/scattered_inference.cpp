@@ -28,7 +28,8 @@ bool leaves_little(const RowsLeft& best, const RowsLeft& null) {
 
 ScatteredInference infer_beside_scatter(Discrepancy& discrepancy, RecordNuisances& of_records,
                                         const std::vector<Candidate>& candidates, const VectorXd& start,
-                                        const std::vector<std::size_t>& own, const InferenceOptions& options) {
+                                        const std::vector<std::size_t>& own, const InferenceOptions& options,
+                                        bool knows_without) {
   ScatteredInference found;
   for (int round = 1;; ++round) {
     found.inference = infer(discrepancy, candidates, start, own, options);
@@ -46,6 +47,10 @@ ScatteredInference infer_beside_scatter(Discrepancy& discrepancy, RecordNuisance
     const bool grows = (sd.array() > of_records.frequency_sd.array()).any();
     if ((!found.scatter.suffices && !grows) || round == most_rounds || is_as_large(sd, of_records.frequency_sd))
       return found;
+    if (knows_without && !(sd.array() > no_scatter).any()) {
+      found.scatter.suffices = false;
+      return found;
+    }
     of_records.frequency_sd = sd;
     discrepancy.admit(of_records);
   }

@@ -88,7 +88,7 @@ struct ScatteredSearch {
   double sd_of_own = 0;
 };
 
-ScatteredSearch searched(double strength, double scatter, bool admitted) {
+ScatteredSearch searched(double strength, double scatter, bool admitted, bool knows_without = false) {
   ScatteredSearch found;
   const VectorXd truth{{1, strength}}, start{{1, 0}};
   auto evidence = std::make_unique<Tones>(truth, scatter);
@@ -97,7 +97,7 @@ ScatteredSearch searched(double strength, double scatter, bool admitted) {
   discrepancy.add(std::move(evidence));
   if (admitted) found.of_records.frequency_sd = VectorXd::Constant(1, 0.01);
   discrepancy.admit(found.of_records);
-  found.search = infer_beside_scatter(discrepancy, found.of_records, one_law(), start, {0}, {});
+  found.search = infer_beside_scatter(discrepancy, found.of_records, one_law(), start, {0}, {}, knows_without);
   return found;
 }
 
@@ -116,6 +116,16 @@ TEST(ScatteredInference, FindsTheScatterThatIsThere) {
   EXPECT_EQ(found.search.scatter.records.size(), static_cast<std::size_t>(swings));
   // What the search was made beside is what it found.
   EXPECT_NEAR(found.of_records.frequency_sd(0), found.search.scatter.sd(0), 0.5 * found.search.scatter.sd(0));
+}
+
+// Frequencies that were allowed to differ and do not: what is known already is not searched for once more.
+TEST(ScatteredInference, OfNoneThatIsThereEndsWhereTheRestIsKnown) {
+  const ScatteredSearch alone = searched(0.5, 0, true), known = searched(0.5, 0, true, true);
+  EXPECT_FALSE(alone.search.scatter.any());
+  EXPECT_TRUE(alone.search.scatter.suffices);
+  EXPECT_LE(alone.of_records.frequency_sd(0), no_scatter);
+  EXPECT_FALSE(known.search.scatter.suffices);
+  EXPECT_GT(known.of_records.frequency_sd(0), no_scatter);
 }
 
 TEST(ScatteredInference, FindsTheLawBesideIt) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "diagnose/thresholds.hpp"
 #include "tests/diagnose/laboratory.hpp"
 
 namespace secular {
@@ -48,6 +49,37 @@ TEST(ConditionSlopes, AreThoseOfTheSolvedRows) {
     // Balances are found to 1e-10 of forces of some 1e4; that divided by a change of this size is what may differ.
     EXPECT_LT((slopes.col(column) - solved).norm(), 1e-4 * solved.norm() + 1e-6) << "unknown " << which[w];
   }
+}
+
+// Every reading that the motion follows from is changed by its error; those that it does not follow from are in
+// their own rows alone. What the lines do is linear: errors of 1e-4 leave their square.
+TEST(ConditionCovariance, IsThatOfTheSolvedRows) {
+  const Laboratory lab;
+  const VectorXd unknowns =
+      lab.unknowns({{"alpha2", 6e5}, {"alpha3", -2e7}, {"delta2", 20}, {"mu3", 30}, {"eta2", 1.5}});
+  const Condition dwell = lab.dwell(80.3, 3, Complex(2e-3, -1.5e-3));
+  const ConditionRows here = lab.model.rows(dwell, unknowns, nullptr);
+  const double floor = diagnose_thresholds().trusted_share;
+  const double response_sd = std::hypot(dwell.response_sd(0, 0), floor * std::abs(dwell.response(0, 0))),
+               excitation_sd = std::hypot(dwell.excitation_sd(0, 0), floor * std::abs(dwell.excitation(0, 0)));
+  const Index size = here.values.size();
+  MatrixXd expected = MatrixXd::Zero(size, size);
+  expected.diagonal().tail(4).setConstant(response_sd * response_sd);
+  const auto add = [&](const Condition& moved) {
+    const VectorXd change = lab.model.rows(moved, unknowns, nullptr).values - here.values;
+    expected += change * change.transpose();
+  };
+  for (const Complex turn : {Complex(1, 0), Complex(0, 1)}) {
+    Condition moved = dwell;
+    moved.response(0, 0) += response_sd * turn;
+    add(moved);
+    moved = dwell;
+    moved.excitation(0, 0) += excitation_sd * turn;
+    add(moved);
+  }
+  const MatrixXd covariance = lab.model.covariance(dwell, unknowns, here);
+  const VectorXd sd = expected.diagonal().cwiseSqrt();
+  EXPECT_LT(((covariance - expected).array() / (sd * sd.transpose()).array()).abs().maxCoeff(), 1e-3);
 }
 
 // A dwell on which no mode is seen to swing, under a model that does not move yet either: what it lacks has slopes.
