@@ -60,6 +60,10 @@ void Discrepancy::add(std::unique_ptr<Evidence> evidence) {
   parts_.push_back(std::move(evidence));
 }
 
+bool Discrepancy::measures_errors() const {
+  return std::any_of(parts_.begin(), parts_.end(), [](const auto& part) { return part->measures_errors(); });
+}
+
 Index Discrepancy::size() const {
   Index sum = 0;
   for (const auto& part : parts_) sum += part->size();

@@ -45,6 +45,9 @@ class Evidence {
   /// Takes errors and starting points at these unknowns. `coarse`: the equations of motion count as known to this
   /// share of the inertia only, for unknowns that are still far off.
   virtual void freeze(const Eigen::VectorXd& unknowns, double coarse) = 0;
+  /// Whether freeze() measures errors by what the unknowns leave, unless it is coarse: among true errors they may
+  /// leave less then than among wide ones.
+  virtual bool measures_errors() const { return false; }
   /// Motions are looked for from those at these unknowns on; errors stay.
   virtual void approach(const Eigen::VectorXd& /*unknowns*/) {}
   /// `rows`: size() of them, at the errors that freeze() took.
@@ -103,6 +106,8 @@ class Discrepancy {
   /// From the next freeze() on.
   void admit(RecordNuisances nuisances);
   bool admits_own() const { return nuisances_.any(); }
+  /// Whether any of the evidence does.
+  bool measures_errors() const;
   // Sums, or one behind the other, of the evidence's own.
   Eigen::Index size() const;
   Eigen::Index freedom() const;

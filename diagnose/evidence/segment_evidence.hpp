@@ -31,6 +31,7 @@ class SegmentEvidence : public Evidence {
   Eigen::Index freedom() const override;
   const std::vector<RowLabel>& labels() const override { return labels_; }
   void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
+  bool measures_errors() const override { return !noise_is_known_; }
   void shift_records(const std::map<std::size_t, Eigen::VectorXd>& shifts) override;
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
   /// Offsets of response channels, which no motion depends on, in closed form; the others by differences of motions

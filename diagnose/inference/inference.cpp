@@ -185,7 +185,7 @@ class Search {
         before = fit.chi_squared;
       }
       fits.push_back(std::move(fit));
-      if (fits.back().chi_squared > reweighting * most) break;
+      if (!discrepancy_.measures_errors() && fits.back().chi_squared > reweighting * most) break;
     }
     return fits;
   }
