@@ -250,7 +250,7 @@ int how_told(const Diagnosis& d) {
 struct Allowance {
   bool late = false;
   Eigen::VectorXd frequency_scatter;  // DiagnosisOptions::frequency_scatter
-  enum Turn { at_random, plain, late_at_last, both } turn = plain;
+  enum Turn { at_random, plain, at_last, both } turn = plain;
   double left = 0;  // beside the model as it is, mean square in variances
 };
 
@@ -322,15 +322,16 @@ class StepByStep {
     std::vector<Allowance> all{{}};
     ModelAlone scatter = alone({false, first_frequency_scatter(tried_.model->modes())});
     take_decays(scatter.scatter);
-    if (at_random(scatter.scatter))
-      all.push_back({false, admitted(scatter.scatter), Allowance::at_random, scatter.dispersion()});
+    if (scatter.scatter.any())
+      all.push_back({false, admitted(scatter.scatter),
+                     at_random(scatter.scatter) ? Allowance::at_random : Allowance::at_last, scatter.dispersion()});
     if (scatter.scatter.any()) scatter_alone_ = admitted(scatter.scatter);
     if (!may_be_late()) return all;
     const ModelAlone late = alone({true, {}});
     if (!are_late(late, plain)) return all;
     if (late.late.comes_at_random() || late.late.following == Following::too_few)
       all.push_back(
-          {true, {}, late.late.is_plain() ? Allowance::at_random : Allowance::late_at_last, late.dispersion()});
+          {true, {}, late.late.is_plain() ? Allowance::at_random : Allowance::at_last, late.dispersion()});
     // Frequencies of late records follow the settings as their phases do, until they are in step.
     ModelAlone both = alone({true, first_frequency_scatter(tried_.model->modes())});
     take_decays(both.scatter);
