@@ -262,9 +262,9 @@ constexpr double little = 0.1;
 constexpr int most_rounds = 3;
 
 // What differs from record to record: natural frequencies or lateness of each record's own are tried first where
-// they plainly come at random, in the order of what the model as it is leaves beside them: what a law that the
-// model lacks does follows the settings. Both at once take all that the resonant line of a dwell tells, and come
-// last. They count where the diagnosis then accounts for more than without.
+// they plainly come at random, in the order of what the model as it is leaves beside them, and else after the plain
+// equations: what a law that the model lacks does follows the settings. Both at once take all that the resonant line
+// of a dwell tells, and come last. They count where the diagnosis then accounts for more than without.
 class StepByStep {
  public:
   StepByStep(const DiagnosisRequest& request, const TriedModel& tried, const Campaign& campaign,
