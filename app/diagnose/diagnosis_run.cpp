@@ -262,9 +262,10 @@ constexpr double little = 0.1;
 constexpr int most_rounds = 3;
 
 // What differs from record to record: natural frequencies or lateness of each record's own are tried first where
-// they plainly come at random, in the order of what the model as it is leaves beside them, and else after the plain
-// equations: what a law that the model lacks does follows the settings. Both at once take all that the resonant line
-// of a dwell tells, and come last. They count where the diagnosis then accounts for more than without.
+// they plainly come at random, in the order of what the model as it is leaves beside them, and else after the
+// plain equations: what a law that the model lacks does follows the settings. Both at once take all that the
+// resonant line of a dwell tells, and come last. They count where the diagnosis then accounts for more than
+// without.
 class StepByStep {
  public:
   StepByStep(const DiagnosisRequest& request, const TriedModel& tried, const Campaign& campaign,
@@ -376,8 +377,9 @@ class StepByStep {
     return plain.has_as_credible(alone({false, scatter_alone_}));
   }
 
-  // Keeps what accounts for most of the gap, of two that do as much the one that leaves less. Whether that is the
-  // answer: it accounts for all of the gap, or what records have of their own is not needed for that.
+  // Keeps what accounts for most of the gap, of two that do as much the one that leaves less, or needs nothing of
+  // the records' own to leave noise alone. Whether that is the answer: it accounts for all of the gap, or needs
+  // nothing of their own.
   bool tells(const Allowance& allowance) {
     const bool is_known = known_without_scatter_.contains(allowance.late);
     if (is_known && allowance.frequency_scatter.size() == 0) return false;
@@ -393,7 +395,9 @@ class StepByStep {
     const auto accounts = [](const OpenDiagnosis& d) {
       return std::pair(how_told(d.so_far()), -d.so_far().gap.after);
     };
-    if (!best_ || accounts(fresh) > accounts(*best_)) best_ = std::move(fresh);
+    if (!best_ || accounts(fresh) > accounts(*best_) ||
+        (suffices && how_told(fresh.so_far()) >= how_told(best_->so_far())))
+      best_ = std::move(fresh);
     return suffices || how_told(best_->so_far()) == 2;
   }
 
