@@ -323,13 +323,17 @@ class StepByStep {
     std::vector<Allowance> all{{}};
     ModelAlone scatter = alone({false, first_frequency_scatter(tried_.model->modes())});
     take_decays(scatter.scatter);
-    if (scatter.scatter.any())
-      all.push_back({false, admitted(scatter.scatter),
-                     at_random(scatter.scatter) ? Allowance::at_random : Allowance::at_last, scatter.dispersion()});
+    if (at_random(scatter.scatter))
+      all.push_back({false, admitted(scatter.scatter), Allowance::at_random, scatter.dispersion()});
     if (scatter.scatter.any()) scatter_alone_ = admitted(scatter.scatter);
-    if (!may_be_late()) return all;
+    const auto of_records_in_step = [&] {
+      if (scatter.scatter.any() && !at_random(scatter.scatter))
+        all.push_back({false, admitted(scatter.scatter), Allowance::at_last, scatter.dispersion()});
+      return all;
+    };
+    if (!may_be_late()) return of_records_in_step();
     const ModelAlone late = alone({true, {}});
-    if (!are_late(late, plain)) return all;
+    if (!are_late(late, plain)) return of_records_in_step();
     if (late.late.comes_at_random() || late.late.following == Following::too_few)
       all.push_back(
           {true, {}, late.late.is_plain() ? Allowance::at_random : Allowance::at_last, late.dispersion()});
