@@ -389,8 +389,8 @@ class StepByStep {
     if (is_known && allowance.frequency_scatter.size() == 0) return false;
     options_.knows_without_scatter = is_known;
     OpenDiagnosis fresh = diagnosed(allowance);
-    if (!fresh.admits_scatter()) known_without_scatter_.insert(allowance.late);
-    const bool is_plain = !allowance.late && !fresh.admits_scatter();
+    const bool is_without_scatter = !fresh.admits_scatter(), is_plain = is_without_scatter && !allowance.late;
+    if (is_without_scatter) known_without_scatter_.insert(allowance.late);
     if (const std::string why = doubt_of_own(fresh.so_far()); !why.empty()) fresh.make_unknown(why);
     if (is_plain && may_be_scatter(fresh))
       fresh.make_unknown(

@@ -5,12 +5,11 @@ namespace secular {
 FollowedLines::FollowedLines(HeldLines& held, const Eigen::MatrixXcd& displacement)
     : slaves_(held.slaves()),
       path_(held.path(displacement)),
-      here_(held.at(path_, slaves_)),
-      by_line_(held.line_slopes(path_, slaves_)),
-      to_balance_(by_line_.steps) {}
+      along_(held.along_lines(path_, slaves_)),
+      to_balance_(along_.by_line.steps) {}
 
 Eigen::VectorXd FollowedLines::change(Eigen::VectorXd rows, const Eigen::VectorXd& steps) const {
-  if (!slaves_.empty()) rows -= by_line_.rows * to_balance_.solve(steps);
+  if (!slaves_.empty()) rows -= along_.by_line.rows * to_balance_.solve(steps);
   return rows;
 }
 

@@ -19,8 +19,8 @@ class FollowedLines {
   const std::vector<SlavedLine>& slaves() const { return slaves_; }
   const BalanceSweep::Path& path() const { return path_; }
   /// Of the motion as it is.
-  const HeldLines::Values& here() const { return here_; }
-  Eigen::Index rows() const { return by_line_.rows.rows(); }
+  const HeldLines::Values& here() const { return along_.here; }
+  Eigen::Index rows() const { return along_.by_line.rows.rows(); }
 
   /// Change of the rows, from what it is with the lines held.
   Eigen::VectorXd change(Eigen::VectorXd rows, const Eigen::VectorXd& steps) const;
@@ -28,8 +28,7 @@ class FollowedLines {
  private:
   std::vector<SlavedLine> slaves_;
   BalanceSweep::Path path_;
-  HeldLines::Values here_;
-  HeldLines::Slopes by_line_;
+  HeldLines::AlongLines along_;
   Eigen::PartialPivLU<Eigen::MatrixXd> to_balance_;
 };
 

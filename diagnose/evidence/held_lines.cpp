@@ -62,19 +62,20 @@ HeldLines::Slopes HeldLines::symbol_slopes(const BalanceSweep::Path& path, const
   return result;
 }
 
-HeldLines::Slopes HeldLines::line_slopes(const BalanceSweep::Path& path, const std::vector<SlavedLine>& slaves) {
+HeldLines::AlongLines HeldLines::along_lines(const BalanceSweep::Path& path,
+                                             const std::vector<SlavedLine>& slaves) {
   const double motion = path.lines.cwiseAbs().maxCoeff();
   const double step = line_step * (motion > 0 ? motion : evaluation_.measured_displacement());
   const MatrixXcd residual = sweep_.residual(path, evaluation_.parameters());
   const MatrixXcd slopes = sweep_.residual_slopes(path, evaluation_.parameters(), slaves, step);
-  const VectorXd base = rows(path.lines, residual);
-  Slopes result{MatrixXd(base.size(), slopes.cols()), MatrixXd(slopes.cols(), slopes.cols())};
+  const Values here{rows(path.lines, residual), BalanceSweep::steps(slaves, residual)};
+  Slopes result{MatrixXd(here.rows.size(), slopes.cols()), MatrixXd(slopes.cols(), slopes.cols())};
   for (Index s = 0; s < slopes.cols(); ++s) {
     const MatrixXcd slope = slopes.col(s).reshaped(residual.rows(), residual.cols());
-    result.rows.col(s) = (rows(with_step(slaves, path.lines, s, step), residual + step * slope) - base) / step;
+    result.rows.col(s) = (rows(with_step(slaves, path.lines, s, step), residual + step * slope) - here.rows) / step;
     result.steps.col(s) = BalanceSweep::steps(slaves, slope);
   }
-  return result;
+  return {here, result};
 }
 
 VectorXd HeldLines::rows(const MatrixXcd& displacement, const MatrixXcd& residual) const {

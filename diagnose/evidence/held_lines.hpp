@@ -22,6 +22,12 @@ class HeldLines {
     Eigen::MatrixXd rows, steps;
   };
 
+  /// With the lines of a path as they are, and what moves with them.
+  struct AlongLines {
+    Values here;
+    Slopes by_line;
+  };
+
   HeldLines(const Condition& condition, const MotionBalance& balance, const SensorModel& sensors,
             const Faults& faults, std::span<const double> parameters, const Eigen::MatrixXcd& displacement);
   HeldLines(const HeldLines&) = delete;
@@ -41,8 +47,8 @@ class HeldLines {
   /// Change per unit of some of the model's symbols, by their derivatives; `rows`: how many rows there are.
   Slopes symbol_slopes(const BalanceSweep::Path& path, const std::vector<std::size_t>& symbols, Eigen::Index rows,
                        const std::vector<SlavedLine>& slaves);
-  /// Change with every entry of gathered(slaves), by one-sided differences.
-  Slopes line_slopes(const BalanceSweep::Path& path, const std::vector<SlavedLine>& slaves);
+  /// Values, and their change with every entry of gathered(slaves), by one-sided differences.
+  AlongLines along_lines(const BalanceSweep::Path& path, const std::vector<SlavedLine>& slaves);
 
  private:
   Eigen::VectorXd rows(const Eigen::MatrixXcd& displacement, const Eigen::MatrixXcd& residual) const;

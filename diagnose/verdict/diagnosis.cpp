@@ -68,7 +68,7 @@ class OpenDiagnosis::Stages {
            !is_more_than_noise({best_->fit.chi_squared, freedom() - static_cast<double>(best_->fit.rank)});
   }
 
-  bool admits_scatter() const { return (comparison_.of_records.frequency_sd.array() > no_scatter).any(); }
+  bool admits_scatter() const { return is_scatter(comparison_.of_records.frequency_sd); }
 
   bool has_as_credible(const ModelAlone& scatter) const {
     return is_credible(scatter.log_evidence(inference_.dispersion, inference_.price), best_->log_evidence);

@@ -11,6 +11,11 @@ namespace secular {
 /// Of a natural frequency, relative: no scatter, and nothing that a record feels.
 inline constexpr double no_scatter = 1e-9;
 
+/// Whether frequencies of any mode may differ with these standard deviations.
+inline bool is_scatter(const Eigen::VectorXd& sd) {
+  return (sd.array() > no_scatter).any();
+}
+
 /// How natural frequencies differ from record to record (docs/inference.md (26)).
 struct FrequencyScatter {
   /// By mode, relative, about what follows the settings; 0: records do not differ beyond their noise.

@@ -47,7 +47,7 @@ ScatteredInference infer_beside_scatter(Discrepancy& discrepancy, RecordNuisance
     const bool grows = (sd.array() > of_records.frequency_sd.array()).any();
     if ((!found.scatter.suffices && !grows) || round == most_rounds || is_as_large(sd, of_records.frequency_sd))
       return found;
-    if (knows_without && !(sd.array() > no_scatter).any()) {
+    if (knows_without && !is_scatter(sd)) {
       found.scatter.suffices = false;
       return found;
     }

@@ -28,6 +28,17 @@ std::vector<LinePhase> half_lattice(int dimensions, int highest) {
   return phases;
 }
 
+// samples: rows x points; basis: points x (cosine, -sine of every line).
+MatrixXcd projected(const MatrixXd& samples, const MatrixXd& basis) {
+  MatrixXcd coefficients(samples.rows(), basis.cols() / 2);
+  const MatrixXd all = samples * basis / static_cast<double>(basis.rows());
+  for (Index l = 0; l < coefficients.cols(); ++l) {
+    coefficients.col(l).real() = all.col(2 * l);
+    coefficients.col(l).imag() = all.col(2 * l + 1);
+  }
+  return coefficients;
+}
+
 bool is_negative(const LinePhase& n) {
   return n[1] < 0 || (n[1] == 0 && n[0] < 0);
 }
@@ -120,15 +131,8 @@ Eigen::RowVectorXd Torus::samples_of_line(Index line, std::complex<double> coeff
 }
 
 MatrixXcd Torus::coefficients(const MatrixXd& samples) const {
+  if (samples.rows() > few_rows) return projected(samples, basis_);
   MatrixXcd coefficients(samples.rows(), lines());
-  if (samples.rows() > few_rows) {
-    const MatrixXd all = samples * basis_ / static_cast<double>(points());
-    for (Index l = 0; l < lines(); ++l) {
-      coefficients.col(l).real() = all.col(2 * l);
-      coefficients.col(l).imag() = all.col(2 * l + 1);
-    }
-    return coefficients;
-  }
   Eigen::VectorXcd line(lines());
   Eigen::VectorXd row(points());
   for (Index r = 0; r < samples.rows(); ++r) {
@@ -141,14 +145,7 @@ MatrixXcd Torus::coefficients(const MatrixXd& samples) const {
 }
 
 MatrixXcd Torus::coefficients_of_sums(const MatrixXd& samples) const {
-  const MatrixXd& basis = sums().basis;
-  MatrixXcd coefficients(samples.rows(), basis.cols() / 2);
-  const MatrixXd all = samples * basis / static_cast<double>(points());
-  for (Index s = 0; s < coefficients.cols(); ++s) {
-    coefficients.col(s).real() = all.col(2 * s);
-    coefficients.col(s).imag() = all.col(2 * s + 1);
-  }
-  return coefficients;
+  return projected(samples, sums().basis);
 }
 
 void Torus::add_product(const Eigen::Ref<const Eigen::RowVectorXcd, 0, Eigen::InnerStride<>>& sums, Index line,

@@ -17,13 +17,20 @@ using Eigen::VectorXd;
 using testing_support::Laboratory;
 using testing_support::natural;
 
+// Quadratic and cubic forces so strong that slaved lines carry some percent of the motion.
+VectorXd strong_forces(const Laboratory& lab) {
+  return lab.unknowns({{"alpha2", 6e5}, {"alpha3", -2e7}, {"delta2", 20}, {"mu3", 30}, {"eta2", 1.5}});
+}
+
+Condition swinging(const Laboratory& lab) {
+  return lab.dwell(80.3, 3, Complex(2e-3, -1.5e-3));
+}
+
 // Held lines and a linear correction for what follows them give what solving anew for every change gives.
 TEST(ConditionSlopes, AreThoseOfTheSolvedRows) {
   const Laboratory lab;
-  // Quadratic and cubic forces so strong that slaved lines carry some percent of the motion.
-  const VectorXd unknowns =
-      lab.unknowns({{"alpha2", 6e5}, {"alpha3", -2e7}, {"delta2", 20}, {"mu3", 30}, {"eta2", 1.5}});
-  const Condition dwell = lab.dwell(80.3, 3, Complex(2e-3, -1.5e-3));
+  const VectorXd unknowns = strong_forces(lab);
+  const Condition dwell = swinging(lab);
   const ConditionRows rows = lab.model.rows(dwell, unknowns, nullptr);
   ASSERT_TRUE(rows.motion.converged);
   ASSERT_GT(rows.motion.displacement.col(2).cwiseAbs()(0), 0.04 * std::abs(rows.amplitudes(0)));
@@ -55,9 +62,8 @@ TEST(ConditionSlopes, AreThoseOfTheSolvedRows) {
 // their own rows alone. What the lines do is linear: errors of 1e-4 leave their square.
 TEST(ConditionCovariance, IsThatOfTheSolvedRows) {
   const Laboratory lab;
-  const VectorXd unknowns =
-      lab.unknowns({{"alpha2", 6e5}, {"alpha3", -2e7}, {"delta2", 20}, {"mu3", 30}, {"eta2", 1.5}});
-  const Condition dwell = lab.dwell(80.3, 3, Complex(2e-3, -1.5e-3));
+  const VectorXd unknowns = strong_forces(lab);
+  const Condition dwell = swinging(lab);
   const ConditionRows here = lab.model.rows(dwell, unknowns, nullptr);
   const double floor = diagnose_thresholds().trusted_share;
   const double response_sd = std::hypot(dwell.response_sd(0, 0), floor * std::abs(dwell.response(0, 0))),
