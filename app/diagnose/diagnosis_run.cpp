@@ -417,14 +417,6 @@ class StepByStep {
   std::optional<OpenDiagnosis> best_;
 };
 
-// A verdict that rests on samples which are no motion is none.
-void doubt(Diagnosis& diagnosis, std::size_t not_replaced) {
-  if (not_replaced == 0) return;
-  make_unknown(diagnosis, fmt::format("{} samples that are held or lost are used as they are", not_replaced));
-  diagnosis.next_experiment = {};
-  diagnosis.next_experiment.reason = "the same records without held or lost samples come first";
-}
-
 }  // namespace
 
 DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
@@ -445,9 +437,19 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   options.natural_frequency = starts.frequency;
   for (std::size_t k = 0; k < nominal.size(); ++k)
     if (std::isfinite(nominal[k]) && !starts.moved[k]) options.natural_frequency[k] = nominal[k];
+  std::size_t chosen = 0;
   for (std::size_t r = 0; r < run.campaign.records.size(); ++r)
-    if (request.window.takes(r, run.campaign.records[r].file)) read(r);  // looked at before any is compared
+    if (request.window.takes(r, run.campaign.records[r].file)) {
+      read(r);  // looked at before any is compared
+      ++chosen;
+    }
+  // Clipping of a few records is beside the motion; of most of them, it is what they tell.
   ForeignContent foreign{watch.found(), {}, {}};
+  if (2 * reader.clipped_records() < chosen) {
+    reader.leave_clipped_out();
+    for (Disturbance& d : foreign.found)
+      if (d.kind == "clipping") d.treated = "left_out";
+  }
   admit(foreign, run.campaign, options);
   const TriedModel tried = with_effects(source, request.catalogue);
   run.model = tried.model;
@@ -465,7 +467,6 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   if (!unused.empty()) run.diagnosis.warnings.push_back(unused);
   if (!steps.warning().empty()) run.diagnosis.warnings.push_back(steps.warning());
   for (std::string& warning : reader.warnings()) run.diagnosis.warnings.push_back(std::move(warning));
-  doubt(run.diagnosis, reader.not_replaced());
   run.disturbances = std::move(foreign.found);
   for (Disturbance& d : run.disturbances)
     if (is_fitted(d, run, options)) d.treated = "fitted";

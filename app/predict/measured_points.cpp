@@ -87,6 +87,7 @@ bool excited_as_predicted(const Dwell& dwell, const Varied& varied, const Predic
 std::vector<Observation> observed(const PredictionRequest& request, const Prediction& prediction,
                                   const Campaign& campaign, std::vector<std::string>& warnings) {
   SelectedRecords reader(campaign, request.window);
+  reader.leave_clipped_out();
   const ObservationSet set = observe_dwells(
       campaign, [&](std::size_t r) { return reader.read(r); }, *prediction.model, *prediction.resonance,
       request.window);

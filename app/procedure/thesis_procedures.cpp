@@ -116,6 +116,7 @@ void find_bias(const ProcedureRequest& request, const RecordReader& read, Proced
 ProcedureRun run_procedures(const ProcedureRequest& request) {
   const Campaign campaign = read_campaign(request.campaign);
   SelectedRecords reader(campaign, request.window);
+  reader.leave_clipped_out();
   ProcedureRun run = run_procedures(request, campaign, [&](std::size_t r) { return reader.read(r); });
   for (std::string& warning : reader.warnings()) run.warnings.push_back(std::move(warning));
   return run;

@@ -87,18 +87,12 @@ Identification identify(const IdentificationRequest& request) {
   const Campaign campaign = read_campaign(request.campaign);
   DisturbanceWatch watch(campaign);
   SelectedRecords reader(campaign, request.window, watch.look());
+  reader.leave_clipped_out();
   Identification result = identify(request, campaign, [&](std::size_t r) { return reader.read(r); });
   for (std::string& warning : reader.warnings()) result.estimate.warnings.push_back(std::move(warning));
-  if (const std::size_t wrong = reader.not_replaced(); wrong > 0) {
-    doubt_all(result.estimate);
-    result.estimate.warnings.push_back(
-        fmt::format("{} samples that are held or lost are used as they are: every value is doubtful", wrong));
-  }
-  if (reader.clipped() > 0) {
-    doubt_all(result.estimate);
-    result.estimate.warnings.push_back("amplitudes of clipped channels are too small: every value is doubtful");
-  }
   result.disturbances = watch.found();
+  for (Disturbance& d : result.disturbances)
+    if (d.kind == "clipping") d.treated = "left_out";
   for (Disturbance& scatter : scatter_disturbances(result)) result.disturbances.push_back(std::move(scatter));
   result.looked_at = watch.records();
   return result;

@@ -52,10 +52,10 @@ class SelectedRecords {
   /// As WatchedReader::read(), filtered to the band.
   Record read(std::size_t record);
   std::vector<std::string> warnings() const { return reader_.warnings(); }
-  /// WatchedReader::clipped
-  std::size_t clipped() const { return reader_.clipped(); }
-  /// WatchedReader::not_replaced
-  std::size_t not_replaced() const { return reader_.not_replaced(); }
+  /// WatchedReader::leave_clipped_out
+  void leave_clipped_out() { reader_.leave_clipped_out(); }
+  /// WatchedReader::clipped_records
+  std::size_t clipped_records() const { return reader_.clipped_records(); }
 
  private:
   const Campaign& campaign_;

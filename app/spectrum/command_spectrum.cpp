@@ -22,6 +22,7 @@
 #include "measure/data/campaign.hpp"
 #include "measure/data/data_file.hpp"
 #include "measure/data/number_range.hpp"
+#include "measure/data/recorded_span.hpp"
 #include "measure/observe/observation_set.hpp"
 #include "measure/observe/record_window.hpp"
 #include "measure/signal/band_pass.hpp"
@@ -68,6 +69,10 @@ Columns columns_of_campaign(const SpectrumArguments& options) {
         fmt::format("{} is analysed, the first of {} records; --records chooses another", file, chosen.size()));
   Record record = reader.read(chosen.front());
   print_warnings(reader.warnings());
+  if (!record.unusable.empty()) {
+    const SampleRange usable = range_of(record, options.window);
+    cut_record(record, static_cast<std::size_t>(usable.first), static_cast<std::size_t>(usable.count));
+  }
   Columns columns;
   columns.source = fmt::format("campaign {}, record {}", campaign.name, file);
   columns.start_s = record.start_s;

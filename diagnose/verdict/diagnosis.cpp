@@ -75,7 +75,9 @@ class OpenDiagnosis::Stages {
   }
 
   void make_unknown(const std::string& why) {
-    secular::make_unknown(result_, why);
+    result_.verdict = "unknown";
+    result_.cause.clear();
+    result_.unknown_because = why;
     doubt_ = why;
   }
 
@@ -366,12 +368,6 @@ Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const Com
                    const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
                    const DiagnosisOptions& options) {
   return OpenDiagnosis(campaign, read, model, own, effects, options).finish();
-}
-
-void make_unknown(Diagnosis& d, const std::string& why) {
-  d.verdict = "unknown";
-  d.cause.clear();
-  d.unknown_because = why;
 }
 
 bool is_told(const Diagnosis& d) {

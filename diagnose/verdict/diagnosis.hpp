@@ -67,8 +67,6 @@ struct Diagnosis {
 /// Whether nothing beyond repeatability is left: there is no gap, or it is explained.
 bool is_told(const Diagnosis& diagnosis);
 
-void make_unknown(Diagnosis& diagnosis, const std::string& why);
-
 /// A diagnosis up to its verdict, for those who compare several before they ask one for all that it has to say. The
 /// campaign and the model outlive it. Arguments and errors as of diagnose().
 class OpenDiagnosis {

@@ -82,6 +82,9 @@ struct Record {
   /// At the ends of the file. The record begins where all channels have begun, and ends with the first of them.
   std::vector<Unrecorded> unrecorded{};
   std::size_t cut_off = 0;  ///< samples at both ends, for that reason
+  /// Rows, rising, in which a channel holds what it did not measure and nothing around them tells what it would
+  /// have.
+  std::vector<std::size_t> unusable{};
   std::size_t samples() const { return channels.empty() ? 0 : channels.front().size(); }
 };
 

@@ -128,14 +128,19 @@ double grid_near_extreme(const std::function<double(std::size_t)>& depth_of, std
 
 // What is stuck at one end of the range; sign = -1 turns the smallest value into the largest.
 struct Side {
-  std::size_t at_extreme = 0, runs = 0, samples_in_runs = 0;
+  std::size_t at_extreme = 0, runs = 0;
+  std::vector<std::size_t> at;  // samples of the runs
 };
 
 Side judge_side(std::span<const double> samples, const std::vector<double>& sorted, double sign, double quantum) {
   const double range = sorted.back() - sorted.front(), extreme = sign > 0 ? sorted.back() : sorted.front();
   const double same = SameValue(sorted).within(extreme);
   Side side;
-  std::size_t short_runs = 0, samples_in_short_runs = 0;
+  std::size_t short_runs = 0;
+  std::vector<std::size_t> at_short_runs;
+  const auto add = [](std::vector<std::size_t>& places, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) places.push_back(i);
+  };
   double least_step = std::numeric_limits<double>::infinity(), largest_step = 0;  // to the extreme; elsewhere
   std::vector<Peak> peaks;
   const auto depth = [&](std::size_t i) { return sign * (extreme - samples[i]); };
@@ -152,8 +157,9 @@ Side judge_side(std::span<const double> samples, const std::vector<double>& sort
     if (length < long_run) {
       if (depth(begin - 1) <= depth(begin) || depth(end) <= depth(begin)) continue;
       peaks.push_back(parabola(depth(begin), depth(begin - 1), depth(end), length));
-      short_runs += at_extreme ? 1 : 0;
-      samples_in_short_runs += at_extreme ? length : 0;
+      if (!at_extreme) continue;
+      ++short_runs;
+      add(at_short_runs, begin, end);
       continue;
     }
     if (!at_extreme) continue;
@@ -161,10 +167,10 @@ Side judge_side(std::span<const double> samples, const std::vector<double>& sort
     const double after = excess([&](std::size_t n) { return depth(end - 1 + n); }, samples.size() - end, quantum);
     if (std::min(before, after) <= excess_in_quanta * quantum) continue;
     ++side.runs;
-    side.samples_in_runs += length;
+    add(side.at, begin, end);
   }
   // What is clipped is on its way to the extreme before; a mark of lost samples lies out of reach.
-  if (least_step > 2 * largest_step) return {side.at_extreme, 0, 0};
+  if (least_step > 2 * largest_step) return {side.at_extreme, 0, {}};
   const auto nth_depth = [&](std::size_t n) {
     return sign * (extreme - (sign > 0 ? sorted[sorted.size() - 1 - n] : sorted[n]));
   };
@@ -173,7 +179,7 @@ Side judge_side(std::span<const double> samples, const std::vector<double>& sort
   if (too_many(samples, peaks, range, same,
                std::max(quantum, grid_near_extreme(nth_depth, sorted.size(), range, same)))) {
     side.runs += short_runs;
-    side.samples_in_runs += samples_in_short_runs;
+    side.at.insert(side.at.end(), at_short_runs.begin(), at_short_runs.end());
   }
   return side;
 }
@@ -193,12 +199,13 @@ Clipping find_clipping(std::span<const double> samples, const std::vector<double
   if (two_levels) return clipping;
   if (share(top.at_extreme) < resting_share) {
     clipping.runs_high = top.runs;
-    clipping.samples += top.samples_in_runs;
+    clipping.at = top.at;
   }
   if (share(bottom.at_extreme) < resting_share) {
     clipping.runs_low = bottom.runs;
-    clipping.samples += bottom.samples_in_runs;
+    clipping.at.insert(clipping.at.end(), bottom.at.begin(), bottom.at.end());
   }
+  std::sort(clipping.at.begin(), clipping.at.end());
   return clipping;
 }
 

@@ -11,7 +11,7 @@ namespace secular {
 /// Samples stuck at the end of a sensor's or converter's range.
 struct Clipping {
   std::size_t runs_high = 0, runs_low = 0;  ///< separate runs at the largest and at the smallest value
-  std::size_t samples = 0;                  ///< in all of them
+  std::vector<std::size_t> at{};            ///< the samples of all of them, rising
   bool found() const { return runs_high + runs_low > 0; }
 };
 

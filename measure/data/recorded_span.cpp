@@ -187,6 +187,7 @@ void cut_record(Record& record, std::size_t first, std::size_t count) {
     return part.replaced && (part.at_end ? first + count < whole : first > 0);
   });
   keep_within(record.lost);
+  keep_within(record.unusable);
   for (std::vector<std::size_t>& places : record.no_numbers) keep_within(places);
   record.start_s += static_cast<double>(first) / record.sample_rate_hz;
 }

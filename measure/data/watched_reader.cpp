@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -25,13 +26,16 @@ Record to_relative(const Campaign& campaign, Record record) {
   return record;
 }
 
-// Returns how many samples could not be replaced.
-std::size_t mend(Record& record, const Treatment& treatment) {
-  std::size_t left = 0;
+void make_unusable(Record& record, const std::vector<std::size_t>& rows) {
+  std::vector<std::size_t> all;
+  std::set_union(record.unusable.begin(), record.unusable.end(), rows.begin(), rows.end(), std::back_inserter(all));
+  record.unusable = std::move(all);
+}
+
+void mend(Record& record, const Treatment& treatment) {
   for (std::size_t c = 0; c < treatment.masked.size(); ++c)
-    left += fill_gaps(record.channels[c], treatment.masked[c]).size();
+    make_unusable(record, fill_gaps(record.channels[c], treatment.masked[c]));
   if (treatment.then) treatment.then(record);
-  return left;
 }
 
 }  // namespace
@@ -59,13 +63,20 @@ ChannelValues values_of(const Record& record, std::size_t channel, std::span<con
 
 Record WatchedReader::read(std::size_t index) {
   Record record = read_record(campaign_, campaign_.records[index]);
-  const Treatment* known = nullptr;
+  const Seen* known = nullptr;
+  bool without_clipped = false;
   {
     const std::lock_guard lock(mutex_);
-    if (const auto before = seen_.find(index); before != seen_.end()) known = &before->second.treatment;
+    if (const auto before = seen_.find(index); before != seen_.end()) known = &before->second;
+    without_clipped = leaves_clipped_out_;
   }
+  const auto without = [&](const std::vector<Clipping>& channels) {
+    if (!without_clipped) return;
+    for (const Clipping& clipping : channels) make_unusable(record, clipping.at);
+  };
   if (known != nullptr) {  // it stays where it is, and as it is
-    mend(record, *known);
+    mend(record, known->treatment);
+    without(known->clipping);
     return to_relative(campaign_, std::move(record));
   }
   Seen seen;
@@ -79,25 +90,25 @@ Record WatchedReader::read(std::size_t index) {
     seen.jitter = jitter_text({record.start_s, record.sample_rate_hz, record.jitter_s}, record.channels);
   if (look_) look_(index, record, values);
   if (treat_) seen.treatment = treat_(index, record, values);
-  seen.not_replaced = mend(record, seen.treatment);
+  mend(record, seen.treatment);
+  seen.not_replaced = record.unusable.size();
+  without(seen.clipping);
   const std::lock_guard lock(mutex_);
   seen_.emplace(index, std::move(seen));
   return to_relative(campaign_, std::move(record));
 }
 
-std::size_t WatchedReader::clipped() const {
+void WatchedReader::leave_clipped_out() {
   const std::lock_guard lock(mutex_);
-  std::size_t count = 0;
-  for (const auto& [record, seen] : seen_)
-    for (const Clipping& clipping : seen.clipping) count += clipping.samples;
-  return count;
+  leaves_clipped_out_ = true;
 }
 
-std::size_t WatchedReader::not_replaced() const {
+std::size_t WatchedReader::clipped_records() const {
   const std::lock_guard lock(mutex_);
-  std::size_t count = 0;
-  for (const auto& [record, seen] : seen_) count += seen.not_replaced;
-  return count;
+  return static_cast<std::size_t>(std::count_if(seen_.begin(), seen_.end(), [](const auto& one) {
+    const std::vector<Clipping>& channels = one.second.clipping;
+    return std::any_of(channels.begin(), channels.end(), [](const Clipping& c) { return c.found(); });
+  }));
 }
 
 std::vector<std::string> WatchedReader::warnings() const {
@@ -110,20 +121,24 @@ std::vector<std::string> WatchedReader::warnings() const {
       if (!seen.clipping[c].found()) continue;
       if (clipped == 0) first = campaign_.records[record].file;
       ++clipped;
-      samples += seen.clipping[c].samples;
+      samples += seen.clipping[c].at.size();
     }
     if (clipped > 0)
       warnings.push_back(fmt::format(
           "{}: {} samples are stuck at the ends of its range (clipping), in {} of {} records, first {}: "
-          "what they hold is too small and has harmonics that the motion has not",
-          campaign_.channels[c].name, samples, clipped, seen_.size(), first));
+          "what they hold is too small and has harmonics that the motion has not{}",
+          campaign_.channels[c].name, samples, clipped, seen_.size(), first,
+          leaves_clipped_out_
+              ? "; of these records the stretch without such samples that holds most of the motion counts"
+              : ""));
   }
   for (const auto& [record, seen] : seen_)
     if (seen.not_replaced > 0)
-      warnings.push_back(fmt::format(
-          "{}: {} samples that its file holds wrongly (held, lost, spikes) lie too close or are too many in a row "
-          "to be replaced: they are used",
-          campaign_.records[record].file, seen.not_replaced));
+      warnings.push_back(
+          fmt::format("{}: {} rows whose samples its file holds wrongly (held, lost, spikes) lie too close or are "
+                      "too many in a "
+                      "row to be replaced: the stretch between them that holds most of the motion counts",
+                      campaign_.records[record].file, seen.not_replaced));
   const auto worst = std::max_element(seen_.begin(), seen_.end(), [](const auto& a, const auto& b) {
     return a.second.jitter_of_step < b.second.jitter_of_step;
   });

@@ -50,18 +50,18 @@ class WatchedReader {
   explicit WatchedReader(const Campaign& campaign, Look look = {}, Treat treat = {})
       : campaign_(campaign), look_(std::move(look)), treat_(std::move(treat)) {}
 
-  /// As read_record does, mended, relative to the base.
+  /// As read_record does, mended, relative to the base. What cannot be mended is unusable (Record::unusable).
   Record read(std::size_t record);
 
-  /// One line for each channel that is clipped in some of the records that were read, and one for the time stamps
-  /// that scatter most.
+  /// From now on samples at an end of their channel's range (clipping) are unusable, too.
+  void leave_clipped_out();
+
+  /// Of the records that were read, those with such samples.
+  std::size_t clipped_records() const;
+
+  /// One line for each channel that is clipped in some of the records that were read, one for each record with
+  /// samples that could not be replaced, and one for the time stamps that scatter most.
   std::vector<std::string> warnings() const;
-
-  /// Samples of all records read at an end of their channel's range (clipping).
-  std::size_t clipped() const;
-
-  /// Samples of all records read that their files hold wrongly, and that could not be replaced.
-  std::size_t not_replaced() const;
 
  private:
   const Campaign& campaign_;
@@ -73,9 +73,10 @@ class WatchedReader {
     double jitter_of_step = 0;
     std::string jitter;  // in words
     Treatment treatment;
-    std::size_t not_replaced = 0;  // of its masked samples
+    std::size_t not_replaced = 0;  // rows of its masked samples
   };
   std::map<std::size_t, Seen> seen_;  // by record, whatever the order of reading
+  bool leaves_clipped_out_ = false;
 };
 
 }  // namespace secular

@@ -18,7 +18,8 @@ struct Disturbance {
   double share = 0;                     ///< the size over the channel's rms, or the share of samples
   std::optional<double> frequency_hz;   ///< of tones
   std::string text;                     ///< for people, without record and channel
-  std::string_view treated = "listed";  ///< or "fitted", as an unknown beside the motion, "masked", or "removed"
+  std::string_view treated = "listed";  ///< or "fitted", as an unknown beside the motion, "masked", "removed", or
+                                        ///< "left_out" of what counts
 };
 
 }  // namespace secular

@@ -143,7 +143,6 @@ HeldSamples find_held(std::span<const double> x, const ChannelValues& values, do
   const double noise = noise_floor(x).value_or(std::numeric_limits<double>::infinity());
   Repeats repeats;
   std::vector<std::pair<HeldSamples::Run, double>> chances;
-  std::vector<HeldSamples::Run> long_ones;  // that chance does not make in the whole record
   for (std::size_t i = 3; i + 2 < x.size(); ++i) {
     std::size_t end = i + 1;
     const bool equal = equals(i, i - 1);
@@ -160,19 +159,17 @@ HeldSamples find_held(std::span<const double> x, const ChannelValues& values, do
     if (!equal) continue;
     if (p < 0.5) held.likely.push_back({i, end});
     chances.push_back({{i, end}, p});
-    if (std::pow(p, static_cast<double>(end - i)) * static_cast<double>(x.size()) < false_alarm)
-      long_ones.push_back({i, end});
     i = end - 1;
   }
   held.expected = repeats.expected.front();
   const double share = repeats.held_share(false_alarm);
-  if (share == 0) {
-    held.runs = std::move(long_ones);
-    return held;
-  }
-  // Of a repeat the odds are share to p that it is held: (share/p)^n of n in a row.
+  // Of a repeat the odds are share to p that it is held. A run that chance does not make in the whole record is
+  // held however few others are.
+  const auto is_too_long = [&](const HeldSamples::Run& run, double p) {
+    return std::pow(p, static_cast<double>(run.end - run.begin)) * static_cast<double>(x.size()) < false_alarm;
+  };
   for (const auto& [run, p] : chances)
-    if (p < share) held.runs.push_back(run);
+    if (p < share || is_too_long(run, p)) held.runs.push_back(run);
   return held;
 }
 

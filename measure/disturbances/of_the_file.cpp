@@ -16,11 +16,11 @@ void find_clipped(const SearchedRecord& record, std::vector<Disturbance>& found)
     const SearchedChannel& channel = record.channels[c];
     const Clipping& clipping = channel.values->clipping;
     if (!clipping.found()) continue;
-    Disturbance clipped = record.found("clipping", c, static_cast<double>(clipping.samples));
+    Disturbance clipped = record.found("clipping", c, static_cast<double>(clipping.at.size()));
     clipped.unit = "samples";
     clipped.share = clipped.size / static_cast<double>(record.samples());
     clipped.text = fmt::format(
-        "{} samples are stuck at the ends of the range: {} times at {:.4g}, {} times at {:.4g}", clipping.samples,
+        "{} samples are stuck at the ends of the range: {} times at {:.4g}, {} times at {:.4g}", clipping.at.size(),
         clipping.runs_low, channel.values->sorted.front(), clipping.runs_high, channel.values->sorted.back());
     found.push_back(std::move(clipped));
   }

@@ -105,7 +105,7 @@ void find_ringing(const SearchedRecord& record, std::vector<Disturbance>& found)
   std::vector<double> all;
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
     rings.emplace_back();
-    if (record.is_excitation(c)) continue;
+    if (record.is_excitation(c) || record.channels[c].is_broken) continue;  // a break sounds like a ring
     rings.back() = rings_of(record, record.channels[c]);
     for (const Ring& ring : rings.back()) all.push_back(ring.frequency_hz);
   }

@@ -25,9 +25,10 @@ void put_right(SearchedChannel& channel, std::span<const double> samples, std::v
                double rate, double level) {
   channel.masked = std::move(masked);
   channel.samples = samples;
+  channel.is_broken = false;
   if (!channel.masked.empty()) {
     channel.mended.assign(samples.begin(), samples.end());
-    fill_gaps(channel.mended, channel.masked);
+    channel.is_broken = !fill_gaps(channel.mended, channel.masked).empty();
     channel.samples = channel.mended;
   }
   channel.lines = find_lines(channel.samples, rate, level, &channel.powers);

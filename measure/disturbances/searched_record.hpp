@@ -27,6 +27,7 @@ struct SearchedChannel {
   bool is_held = false, has_spikes = false, has_knocks = false;  ///< and none of these is the motion's own
   std::vector<std::size_t> masked;                               ///< what is replaced, rising
   std::vector<double> mended;                                    ///< empty where nothing is
+  bool is_broken = false;  ///< some of the masked stay as they are, since nothing around tells them
 };
 
 /// A record as the rows of the catalogue look at it. Campaign, samples and values must live as long.

@@ -114,7 +114,10 @@ class DwellObserver {
     const auto leave_out = [&](const std::string& why) {
       result.warnings.push_back(fmt::format("{}: {}, left out", entry.file, why));
     };
-    if (ensemble < 32 || range.count < ensemble) return leave_out("shorter than one ensemble");
+    if (ensemble < 32 || range.count < ensemble)
+      return leave_out(record.unusable.empty()
+                           ? "shorter than one ensemble"
+                           : "no stretch without clipped, held or lost samples is as long as one ensemble");
     const auto nominal = entry.excitation_frequency_hz;
     if (nominal && !window_.passes(two_pi * *nominal))
       return leave_out(fmt::format("its excitation at {:.4g} Hz is outside of the band", *nominal));

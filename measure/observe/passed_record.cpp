@@ -1,6 +1,7 @@
 #include "measure/observe/passed_record.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -35,6 +36,20 @@ Index release(const Campaign& campaign, const Record& record, const Window& wind
   return start ? first + start->sample : 0;
 }
 
+// Rows of what a filter leaves that unusable ones of the record have a part in. Row i of it comes from the rows
+// first + i to first + i + 2 reach.
+std::vector<std::size_t> touched(const std::vector<std::size_t>& unusable, Index first, Index reach,
+                                 std::size_t rows) {
+  std::vector<std::size_t> all;
+  Index next = 0;  // not yet looked at
+  for (const std::size_t row : unusable) {
+    const Index last = static_cast<Index>(row) - first;
+    for (next = std::max(next, last - 2 * reach); next <= last && next < static_cast<Index>(rows); ++next)
+      all.push_back(static_cast<std::size_t>(next));
+  }
+  return all;
+}
+
 }  // namespace
 
 Record passed_record(const Campaign& campaign, std::size_t record, Record samples, const Window& window) {
@@ -49,6 +64,7 @@ Record passed_record(const Campaign& campaign, std::size_t record, Record sample
     channel.assign(passed.data(), passed.data() + passed.size());
   }
   const Index reach = band_pass_reach(*window.band, samples.sample_rate_hz);
+  samples.unusable = touched(samples.unusable, first, reach, samples.samples());
   samples.start_s += static_cast<double>(first + reach) / samples.sample_rate_hz;
   return samples;
 }

@@ -20,8 +20,45 @@ MatrixXd samples_of(const Record& record, const std::vector<std::size_t>& channe
   return samples;
 }
 
+namespace {
+
+// By row of the range: how much of the motion lies before it (SampleRange range_of), from 0 to the number of
+// channels.
+Eigen::VectorXd motion_before(const Record& record, SampleRange range) {
+  Eigen::VectorXd before = Eigen::VectorXd::Zero(range.count + 1);
+  for (const std::vector<double>& channel : record.channels) {
+    const Eigen::Map<const Eigen::ArrayXd> x(channel.data() + range.first, range.count);
+    const Eigen::ArrayXd squares = (x - x.mean()).square();
+    const double total = squares.sum();
+    if (!(total > 0)) continue;
+    double sum = 0;
+    for (Index i = 0; i < range.count; ++i) before(i + 1) += (sum += squares(i) / total);
+  }
+  return before;
+}
+
+}  // namespace
+
 SampleRange range_of(const Record& record, const Window& window) {
-  return range_of(record.start_s, record.sample_rate_hz, record.samples(), window);
+  const SampleRange all = range_of(record.start_s, record.sample_rate_hz, record.samples(), window);
+  if (record.unusable.empty() || all.count == 0) return all;
+  const Eigen::VectorXd before = motion_before(record, all);
+  SampleRange best{all.first, 0};
+  double most = -1;
+  Index begin = 0;
+  const auto end_at = [&](Index end) {
+    if (end > begin && before(end) - before(begin) > most) {
+      most = before(end) - before(begin);
+      best = {all.first + begin, end - begin};
+    }
+    begin = end + 1;
+  };
+  for (const std::size_t row : record.unusable) {
+    const Index at = static_cast<Index>(row) - all.first;
+    if (at >= 0 && at < all.count) end_at(at);
+  }
+  end_at(all.count);
+  return best;
 }
 
 SampleRange range_of(double start_s, double sample_rate_hz, std::size_t samples, const Window& window) {

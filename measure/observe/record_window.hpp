@@ -19,6 +19,9 @@ Eigen::MatrixXd samples_of(const Record& record, const std::vector<std::size_t>&
 struct SampleRange {
   Eigen::Index first = 0, count = 0;
 };
+/// Where rows of it are unusable, the stretch between them that holds most of the motion: the largest sum, over
+/// channels, of its share in the channel's squares about their mean. One stretch, not several: what a stretch tells
+/// of a motion's phase and decay needs time without a break.
 SampleRange range_of(const Record& record, const Window& window);
 
 /// The same of so many samples from `start_s` on.

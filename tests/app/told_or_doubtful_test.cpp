@@ -1,12 +1,16 @@
 // What a campaign tells by a square alone, what a short decay hides, and samples that are used although they are
 // wrong: right numbers, or a word of doubt.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "tests/app/program_run.hpp"
 #include "tests/process_folder.hpp"
@@ -122,30 +126,95 @@ TEST_F(SlowToldOrDoubtful, ShortDecaysOfAModelThatLacksFriction) {
   }
 }
 
-// A logger that repeats its last value for longer than anything replaces: nothing rests on that.
-TEST_F(SlowToldOrDoubtful, HeldSamplesThatNothingReplaces) {
-  write("model.toml", model_of(" - a3*x^3", ", a3 = 2"));
-  write("experiment.toml",
-        experiment_of("omega0 = 125.66370614359172\nmu = 1.0\ne = 1.0\na3 = 2.5e8\n", settled_dwells));
-  run("simulate experiment.toml --seed 1 -o campaign");
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "campaign" / "records")) {
-    std::ifstream from(entry.path());
-    std::string text, line, held;
-    for (int number = 0; std::getline(from, line); ++number) {
-      if (number > 1 && number % 300 < 20) line = line.substr(0, line.rfind(',')) + held;
-      held = line.substr(line.rfind(','));
-      text += line + '\n';
-    }
-    from.close();
-    std::ofstream(entry.path()) << text;
+// Dwells of a structure with a hardening spring whose lines are changed after they were measured.
+class SlowUsableStretch : public SlowToldOrDoubtful {
+ protected:
+  // What becomes of the response at a sample of a record.
+  using Change = std::function<double(std::size_t, double)>;
+
+  void measure() const {
+    write("model.toml", model_of(" - a3*x^3", ", a3 = 2"));
+    write("experiment.toml",
+          experiment_of("omega0 = 125.66370614359172\nmu = 1.0\ne = 1.0\na3 = 2.5e8\n", settled_dwells));
+    run("simulate experiment.toml --seed 1 --force -o campaign");
   }
-  const testing_support::Outcome outcome = run("identify campaign --model model.toml --case primary -o out");
-  EXPECT_NE(outcome.errors.find("every value is doubtful"), std::string::npos) << outcome.errors;
-  EXPECT_TRUE(value("e").value("doubtful", false));
-  run("diagnose campaign --model model.toml -o diagnosis");
+
+  // The largest value of the response.
+  double change(const Change& changed) const {
+    double largest = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder / "campaign" / "records")) {
+      std::ifstream from(entry.path());
+      std::string text, line;
+      std::getline(from, text);
+      text += '\n';
+      for (std::size_t row = 0; std::getline(from, line); ++row) {
+        const std::size_t last = line.rfind(',') + 1;
+        const double value = std::stod(line.substr(last));
+        largest = std::max(largest, value);
+        text += line.substr(0, last) + fmt::format("{:.9g}\n", changed(row, value));
+      }
+      from.close();
+      std::ofstream(entry.path()) << text;
+    }
+    return largest;
+  }
+
+  // Right, with no word of doubt, and nothing is missing in the model.
+  void expect_right() const {
+    const testing_support::Outcome outcome =
+        run("identify campaign --model model.toml --case primary --force -o out");
+    EXPECT_NE(outcome.errors.find("holds most of the motion counts"), std::string::npos) << outcome.errors;
+    const std::pair<const char*, double> truths[] = {
+        {"omega0", 125.66370614359172}, {"mu", 1.0}, {"e", 1.0}, {"a3", 2.5e8}};
+    for (const auto& [name, truth] : truths) {
+      const nlohmann::json number = value(name);
+      ASSERT_TRUE(number.at("value").is_number()) << name;
+      EXPECT_NEAR(number.at("value").get<double>(), truth, 4 * number.at("sd").get<double>()) << name;
+      EXPECT_LT(number.at("sd").get<double>(), 0.01 * truth) << name;
+      EXPECT_FALSE(number.value("doubtful", false)) << name;
+    }
+    run("diagnose campaign --model model.toml --force -o diagnosis");
+    const nlohmann::json diagnosis = nlohmann::json::parse(std::ifstream(folder / "diagnosis" / "diagnosis.json"));
+    EXPECT_EQ(diagnosis.at("verdict"), "no_gap");
+  }
+};
+
+// A logger that repeats its last value, or writes zeros, for longer than anything replaces: the rest tells.
+TEST_F(SlowUsableStretch, LiesBesideHeldSamples) {
+  for (const bool zeros : {false, true}) {
+    measure();
+    double held = 0;
+    change([&](std::size_t row, double value) {
+      if (row % 1300 >= 40) held = zeros ? 0 : value;
+      return row > 1299 && row % 1300 < 40 ? held : value;
+    });
+    expect_right();
+  }
+}
+
+// A charge amplifier at its limit in the largest dwells: the others tell.
+TEST_F(SlowUsableStretch, LiesInTheDwellsThatAreNotClipped) {
+  measure();
+  const double limit = 0.8 * change([](std::size_t, double value) { return value; });
+  change([&](std::size_t, double value) { return std::clamp(value, -limit, limit); });
+  expect_right();
   const nlohmann::json diagnosis = nlohmann::json::parse(std::ifstream(folder / "diagnosis" / "diagnosis.json"));
-  EXPECT_EQ(diagnosis.at("verdict"), "unknown");
-  EXPECT_NE(diagnosis.at("unknown_because").get<std::string>().find("held or lost"), std::string::npos);
+  EXPECT_EQ(diagnosis.at("disturbances").at(0).at("kind"), "clipping");
+}
+
+TEST_F(SlowUsableStretch, IsNowhereLongEnough) {
+  measure();
+  double held = 0;
+  change([&](std::size_t row, double value) {
+    if (row < 300 || row % 300 >= 40) held = value;
+    return held;
+  });
+  const testing_support::Outcome outcome = testing_support::run_with_shared_cache(
+      folder, "identify campaign --model model.toml --case primary --force -o out");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.errors.find("no stretch without clipped, held or lost samples"), std::string::npos)
+      << outcome.errors;
+  EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
 }  // namespace

@@ -232,6 +232,26 @@ TEST(HeldSamples, AreFoundOnACoarseConverter) {
   }
 }
 
+// Few runs in a record are a small share of it, smaller than what chance makes of one repeat on this converter;
+// none of them is made by chance all the same.
+TEST(HeldSamples, OfLongRunsNoneIsMissed) {
+  std::vector<double> measured = signal(1e-3);
+  for (double& value : measured) value = 1.2e-5 * std::round(value / 1.2e-5);
+  for (std::size_t shift = 0; shift < 40; ++shift) {
+    std::vector<double> x = measured;
+    for (std::size_t begin = 300 + shift; begin < 3400; begin += 640)
+      std::fill_n(x.begin() + static_cast<std::ptrdiff_t>(begin), 30, x[begin - 1]);
+    const HeldSamples told = find_held(x, values_of(x), 1e-4);
+    for (std::size_t begin = 300 + shift; begin < 3400; begin += 640)
+      EXPECT_EQ(
+          std::count_if(told.runs.begin(), told.runs.end(),
+                        [&](const HeldSamples::Run& run) { return run.begin <= begin && run.end >= begin + 30; }),
+          1)
+          << shift << " " << begin;
+  }
+  EXPECT_TRUE(find_held(measured, values_of(measured), 1e-4).runs.empty());
+}
+
 // Furthest that a sample of the record read is off the one that was measured.
 double furthest_off(const Record& record, const std::vector<double>& measured) {
   double worst = 0;
