@@ -365,6 +365,9 @@ class SharedFit {
           is_informed(svd.matrixV().col(k), singular(k), scale, plausible_))
         informed.push_back(k);
     directions_fitted_ = scale.asDiagonal() * svd.matrixV()(Eigen::all, informed);
+    // What no row sees stays where it is: rounding would give it an error bar, and with that a slope to divide by it.
+    for (Index p = 0; p < jacobian_.cols(); ++p)
+      if (jacobian_.col(p).isZero(0)) directions_fitted_.row(p).setZero();
     inverse_ = directions_fitted_ * singular(informed).cwiseInverse().asDiagonal() *
                svd.matrixU()(Eigen::all, informed).transpose();
     result_.surplus = rows() - static_cast<Index>(informed.size());
