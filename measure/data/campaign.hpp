@@ -85,11 +85,15 @@ struct Record {
   /// Rows, rising, in which a channel holds what it did not measure and nothing around them tells what it would
   /// have.
   std::vector<std::size_t> unusable{};
+  std::vector<std::size_t> moving{};  ///< channels that tell the motion, for what counts beside these; empty: all
   std::size_t samples() const { return channels.empty() ? 0 : channels.front().size(); }
 };
 
 /// The samples of a channel, rising, that the record's file does not hold: Record::lost and Record::no_numbers.
 std::vector<std::size_t> filled_samples(const Record& record, std::size_t channel);
+
+/// The responses that a model sees: those of the modal basis, or all.
+std::vector<std::size_t> seen_responses(const Campaign& campaign);
 
 /// The channel that measures the base's acceleration: the only excitation that is an acceleration, if there is one.
 std::optional<std::size_t> base_channel(const Campaign& campaign);

@@ -129,18 +129,15 @@ double grid_near_extreme(const std::function<double(std::size_t)>& depth_of, std
 // What is stuck at one end of the range; sign = -1 turns the smallest value into the largest.
 struct Side {
   std::size_t at_extreme = 0, runs = 0;
-  std::vector<std::size_t> at;  // samples of the runs
+  std::size_t samples_in_runs = 0;
+  std::vector<std::size_t> at;  // all samples at the extreme
 };
 
 Side judge_side(std::span<const double> samples, const std::vector<double>& sorted, double sign, double quantum) {
   const double range = sorted.back() - sorted.front(), extreme = sign > 0 ? sorted.back() : sorted.front();
   const double same = SameValue(sorted).within(extreme);
   Side side;
-  std::size_t short_runs = 0;
-  std::vector<std::size_t> at_short_runs;
-  const auto add = [](std::vector<std::size_t>& places, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) places.push_back(i);
-  };
+  std::size_t short_runs = 0, samples_in_short_runs = 0;
   double least_step = std::numeric_limits<double>::infinity(), largest_step = 0;  // to the extreme; elsewhere
   std::vector<Peak> peaks;
   const auto depth = [&](std::size_t i) { return sign * (extreme - samples[i]); };
@@ -149,6 +146,7 @@ Side judge_side(std::span<const double> samples, const std::vector<double>& sort
     const std::size_t length = end - begin;
     const bool at_extreme = depth(begin) <= same;
     if (at_extreme) side.at_extreme += length;
+    for (std::size_t i = begin; at_extreme && i < end; ++i) side.at.push_back(i);
     if (begin == 0 || end == samples.size()) continue;
     if (const double before = depth(begin - 1); at_extreme)
       least_step = std::min(least_step, before);
@@ -157,9 +155,8 @@ Side judge_side(std::span<const double> samples, const std::vector<double>& sort
     if (length < long_run) {
       if (depth(begin - 1) <= depth(begin) || depth(end) <= depth(begin)) continue;
       peaks.push_back(parabola(depth(begin), depth(begin - 1), depth(end), length));
-      if (!at_extreme) continue;
-      ++short_runs;
-      add(at_short_runs, begin, end);
+      short_runs += at_extreme ? 1 : 0;
+      samples_in_short_runs += at_extreme ? length : 0;
       continue;
     }
     if (!at_extreme) continue;
@@ -167,10 +164,10 @@ Side judge_side(std::span<const double> samples, const std::vector<double>& sort
     const double after = excess([&](std::size_t n) { return depth(end - 1 + n); }, samples.size() - end, quantum);
     if (std::min(before, after) <= excess_in_quanta * quantum) continue;
     ++side.runs;
-    add(side.at, begin, end);
+    side.samples_in_runs += length;
   }
   // What is clipped is on its way to the extreme before; a mark of lost samples lies out of reach.
-  if (least_step > 2 * largest_step) return {side.at_extreme, 0, {}};
+  if (least_step > 2 * largest_step) return {side.at_extreme, 0, 0, {}};
   const auto nth_depth = [&](std::size_t n) {
     return sign * (extreme - (sign > 0 ? sorted[sorted.size() - 1 - n] : sorted[n]));
   };
@@ -179,7 +176,7 @@ Side judge_side(std::span<const double> samples, const std::vector<double>& sort
   if (too_many(samples, peaks, range, same,
                std::max(quantum, grid_near_extreme(nth_depth, sorted.size(), range, same)))) {
     side.runs += short_runs;
-    side.at.insert(side.at.end(), at_short_runs.begin(), at_short_runs.end());
+    side.samples_in_runs += samples_in_short_runs;
   }
   return side;
 }
@@ -197,14 +194,14 @@ Clipping find_clipping(std::span<const double> samples, const std::vector<double
   const bool two_levels = share(top.at_extreme + bottom.at_extreme) > two_level_share &&
                           share(std::max(top.at_extreme, bottom.at_extreme)) < two_level_share;
   if (two_levels) return clipping;
-  if (share(top.at_extreme) < resting_share) {
-    clipping.runs_high = top.runs;
-    clipping.at = top.at;
-  }
-  if (share(bottom.at_extreme) < resting_share) {
-    clipping.runs_low = bottom.runs;
-    clipping.at.insert(clipping.at.end(), bottom.at.begin(), bottom.at.end());
-  }
+  const auto take = [&](const Side& side, std::size_t& runs) {
+    if (side.runs == 0 || share(side.at_extreme) >= resting_share) return;
+    runs = side.runs;
+    clipping.samples += side.samples_in_runs;
+    clipping.at.insert(clipping.at.end(), side.at.begin(), side.at.end());
+  };
+  take(top, clipping.runs_high);
+  take(bottom, clipping.runs_low);
   std::sort(clipping.at.begin(), clipping.at.end());
   return clipping;
 }

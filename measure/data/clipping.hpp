@@ -11,7 +11,9 @@ namespace secular {
 /// Samples stuck at the end of a sensor's or converter's range.
 struct Clipping {
   std::size_t runs_high = 0, runs_low = 0;  ///< separate runs at the largest and at the smallest value
-  std::vector<std::size_t> at{};            ///< the samples of all of them, rising
+  std::size_t samples = 0;                  ///< in all of them
+  /// Rising: every sample at an end of the range where there are such runs.
+  std::vector<std::size_t> at{};
   bool found() const { return runs_high + runs_low > 0; }
 };
 

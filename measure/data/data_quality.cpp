@@ -111,7 +111,7 @@ ChannelQuality check_channel(std::span<const double> samples) {
     quality.faults.push_back(
         {"clipping",
          fmt::format("{} samples are stuck at the extremes ({} times at {:.6g}, {} times at {:.6g})",
-                     clipping.at.size(), clipping.runs_high, quality.maximum, clipping.runs_low, quality.minimum)});
+                     clipping.samples, clipping.runs_high, quality.maximum, clipping.runs_low, quality.minimum)});
   check_offset(whole, quality);
   if (whole.size() > 16 * coarse_levels && grid.step &&
       quality.maximum - quality.minimum < static_cast<double>(coarse_levels) * *grid.step)

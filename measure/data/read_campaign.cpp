@@ -133,6 +133,18 @@ RecordEntry read_entry(const TomlTable& table, const Campaign& campaign) {
 
 }  // namespace
 
+std::vector<std::size_t> seen_responses(const Campaign& campaign) {
+  std::vector<std::size_t> seen;
+  for (std::size_t c = 0; c < campaign.channels.size(); ++c) {
+    const Channel& channel = campaign.channels[c];
+    if (channel.role != ChannelRole::response) continue;
+    const auto& basis = campaign.modal_basis;
+    if (!basis || std::find(basis->channels.begin(), basis->channels.end(), channel.name) != basis->channels.end())
+      seen.push_back(c);
+  }
+  return seen;
+}
+
 std::optional<std::size_t> base_channel(const Campaign& campaign) {
   std::optional<std::size_t> base;
   for (std::size_t c = 0; c < campaign.channels.size(); ++c) {

@@ -32,9 +32,20 @@ void make_unusable(Record& record, const std::vector<std::size_t>& rows) {
   record.unusable = std::move(all);
 }
 
-void mend(Record& record, const Treatment& treatment) {
-  for (std::size_t c = 0; c < treatment.masked.size(); ++c)
-    make_unusable(record, fill_gaps(record.channels[c], treatment.masked[c]));
+// By channel, whether a model sees it: excitations, and responses of the modal basis.
+std::vector<bool> seen_by_models(const Campaign& campaign, const std::vector<std::size_t>& responses) {
+  std::vector<bool> seen;
+  for (const Channel& channel : campaign.channels) seen.push_back(channel.role == ChannelRole::excitation);
+  for (const std::size_t c : responses) seen[c] = true;
+  return seen;
+}
+
+// `seen`: channels whose wrong samples break the record.
+void mend(Record& record, const Treatment& treatment, const std::vector<bool>& seen) {
+  for (std::size_t c = 0; c < treatment.masked.size(); ++c) {
+    const std::vector<std::size_t> left = fill_gaps(record.channels[c], treatment.masked[c]);
+    if (seen[c]) make_unusable(record, left);
+  }
   if (treatment.then) treatment.then(record);
 }
 
@@ -70,12 +81,14 @@ Record WatchedReader::read(std::size_t index) {
     if (const auto before = seen_.find(index); before != seen_.end()) known = &before->second;
     without_clipped = leaves_clipped_out_;
   }
+  record.moving = seen_responses(campaign_);
+  const std::vector<bool> seen_channels = seen_by_models(campaign_, record.moving);
   const auto without = [&](const std::vector<Clipping>& channels) {
-    if (!without_clipped) return;
-    for (const Clipping& clipping : channels) make_unusable(record, clipping.at);
+    for (std::size_t c = 0; without_clipped && c < channels.size(); ++c)
+      if (seen_channels[c]) make_unusable(record, channels[c].at);
   };
   if (known != nullptr) {  // it stays where it is, and as it is
-    mend(record, known->treatment);
+    mend(record, known->treatment, seen_channels);
     without(known->clipping);
     return to_relative(campaign_, std::move(record));
   }
@@ -90,7 +103,7 @@ Record WatchedReader::read(std::size_t index) {
     seen.jitter = jitter_text({record.start_s, record.sample_rate_hz, record.jitter_s}, record.channels);
   if (look_) look_(index, record, values);
   if (treat_) seen.treatment = treat_(index, record, values);
-  mend(record, seen.treatment);
+  mend(record, seen.treatment, seen_channels);
   seen.not_replaced = record.unusable.size();
   without(seen.clipping);
   const std::lock_guard lock(mutex_);
@@ -105,9 +118,12 @@ void WatchedReader::leave_clipped_out() {
 
 std::size_t WatchedReader::clipped_records() const {
   const std::lock_guard lock(mutex_);
-  return static_cast<std::size_t>(std::count_if(seen_.begin(), seen_.end(), [](const auto& one) {
+  const std::vector<bool> seen = seen_by_models(campaign_, seen_responses(campaign_));
+  return static_cast<std::size_t>(std::count_if(seen_.begin(), seen_.end(), [&](const auto& one) {
     const std::vector<Clipping>& channels = one.second.clipping;
-    return std::any_of(channels.begin(), channels.end(), [](const Clipping& c) { return c.found(); });
+    bool clipped = false;
+    for (std::size_t c = 0; c < channels.size(); ++c) clipped = clipped || (seen[c] && channels[c].found());
+    return clipped;
   }));
 }
 
@@ -121,7 +137,7 @@ std::vector<std::string> WatchedReader::warnings() const {
       if (!seen.clipping[c].found()) continue;
       if (clipped == 0) first = campaign_.records[record].file;
       ++clipped;
-      samples += seen.clipping[c].at.size();
+      samples += seen.clipping[c].samples;
     }
     if (clipped > 0)
       warnings.push_back(fmt::format(

@@ -56,7 +56,7 @@ class WatchedReader {
   /// From now on samples at an end of their channel's range (clipping) are unusable, too.
   void leave_clipped_out();
 
-  /// Of the records that were read, those with such samples.
+  /// Of the records that were read, those with such samples in a channel that a model sees.
   std::size_t clipped_records() const;
 
   /// One line for each channel that is clipped in some of the records that were read, one for each record with

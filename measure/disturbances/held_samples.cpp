@@ -181,7 +181,7 @@ void find_held_samples(const SearchedRecord& record, std::vector<Disturbance>& f
     for (const HeldSamples::Run& run : held.runs) samples += run.end - run.begin;
     Disturbance entry = record.found("held_samples", c, static_cast<double>(samples));
     entry.unit = "samples";
-    if (record.channels[c].is_held) entry.treated = "masked";
+    if (record.channels[c].is_held) entry.treated = record.channels[c].treated_as();
     entry.share = entry.size / static_cast<double>(record.samples());
     entry.from_s = record.time_s(held.runs.front().begin);
     entry.to_s = record.time_s(held.runs.back().end);

@@ -131,7 +131,7 @@ void find_spikes(const SearchedRecord& record, std::vector<Disturbance>& found) 
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
     if (!record.channels[c].has_spikes) continue;
     add(record, c, "spikes", record.channels[c].wrong.impulses.spikes, found);
-    found.back().treated = "masked";
+    found.back().treated = record.channels[c].treated_as();
   }
 }
 

@@ -16,11 +16,11 @@ void find_clipped(const SearchedRecord& record, std::vector<Disturbance>& found)
     const SearchedChannel& channel = record.channels[c];
     const Clipping& clipping = channel.values->clipping;
     if (!clipping.found()) continue;
-    Disturbance clipped = record.found("clipping", c, static_cast<double>(clipping.at.size()));
+    Disturbance clipped = record.found("clipping", c, static_cast<double>(clipping.samples));
     clipped.unit = "samples";
     clipped.share = clipped.size / static_cast<double>(record.samples());
     clipped.text = fmt::format(
-        "{} samples are stuck at the ends of the range: {} times at {:.4g}, {} times at {:.4g}", clipping.at.size(),
+        "{} samples are stuck at the ends of the range: {} times at {:.4g}, {} times at {:.4g}", clipping.samples,
         clipping.runs_low, channel.values->sorted.front(), clipping.runs_high, channel.values->sorted.back());
     found.push_back(std::move(clipped));
   }
@@ -64,7 +64,7 @@ void find_lost_samples(const SearchedRecord& record, std::vector<Disturbance>& f
     Disturbance lost = record.found("lost_samples", c, static_cast<double>(samples));
     lost.unit = "samples";
     lost.share = lost.size / static_cast<double>(record.total);
-    if (missing == 0) lost.treated = "masked";
+    if (missing == 0) lost.treated = record.channels[c].treated_as();
     lost.text = fmt::format("{}", fmt::join(texts, ", "));
     found.push_back(std::move(lost));
   }

@@ -193,6 +193,7 @@ bool has_no_mean(const Channel& channel) {
 void find_offsets(const SearchedRecord& record, std::vector<Disturbance>& found) {
   const std::size_t length = block_length(record);
   for (std::size_t c = 0; length > 0 && c < record.channels.size(); ++c) {
+    if (record.channels[c].is_broken) continue;  // what stays wrong has a mean of its own
     const bool no_mean = has_no_mean(record.channel(c));
     if (!no_mean && record.entry().kind == RecordKind::dwell) continue;  // the motion's own mean is as steady
     const std::optional<Zero> zero = zero_of(record, c, length);
@@ -207,6 +208,7 @@ void find_offsets(const SearchedRecord& record, std::vector<Disturbance>& found)
 void find_wander(const SearchedRecord& record, std::vector<Disturbance>& found) {
   const std::size_t length = block_length(record);
   for (std::size_t c = 0; length > 0 && c < record.channels.size(); ++c) {
+    if (record.channels[c].is_broken) continue;
     const std::optional<Zero> zero = zero_of(record, c, length);
     if (!zero || zero->probability > record.level) continue;
     Disturbance wander = record.found(

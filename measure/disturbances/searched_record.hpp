@@ -28,6 +28,9 @@ struct SearchedChannel {
   std::vector<std::size_t> masked;                               ///< what is replaced, rising
   std::vector<double> mended;                                    ///< empty where nothing is
   bool is_broken = false;  ///< some of the masked stay as they are, since nothing around tells them
+
+  /// Disturbance::treated of wrong samples.
+  std::string_view treated_as() const { return is_broken ? "left_out" : "masked"; }
 };
 
 /// A record as the rows of the catalogue look at it. Campaign, samples and values must live as long.

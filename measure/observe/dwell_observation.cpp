@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "estimator/model/zero_frequency.hpp"
 #include "input/input_error.hpp"
@@ -109,15 +110,13 @@ class DwellObserver {
     const RecordEntry& entry = campaign_.records[r];
     const Record record = read_(r);
     const SampleRange range = range_of(record, window_);
-    const Index ensemble =
-        entry.ensemble_s ? static_cast<Index>(std::lround(*entry.ensemble_s * record.sample_rate_hz)) : range.count;
+    std::optional<Index> asked;
+    if (entry.ensemble_s) asked = static_cast<Index>(std::lround(*entry.ensemble_s * record.sample_rate_hz));
+    const Index ensemble = asked.value_or(range.count);
     const auto leave_out = [&](const std::string& why) {
       result.warnings.push_back(fmt::format("{}: {}, left out", entry.file, why));
     };
-    if (ensemble < 32 || range.count < ensemble)
-      return leave_out(record.unusable.empty()
-                           ? "shorter than one ensemble"
-                           : "no stretch without clipped, held or lost samples is as long as one ensemble");
+    if (const std::string why = too_short(record, window_, asked, 32); !why.empty()) return leave_out(why);
     const auto nominal = entry.excitation_frequency_hz;
     if (nominal && !window_.passes(two_pi * *nominal))
       return leave_out(fmt::format("its excitation at {:.4g} Hz is outside of the band", *nominal));

@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "measure/data/time_span.hpp"
 #include "measure/observe/record_window.hpp"
 #include "measure/signal/free_decay.hpp"
 
@@ -19,9 +18,9 @@ using Eigen::VectorXd;
 
 // Sample of the record from which the response that moves most swings freely; 0 where no decay is found.
 Index release(const Campaign& campaign, const Record& record, const Window& window) {
-  const SpanOfSamples range =
-      samples_within({window.from_s, window.to_s}, record.start_s, record.sample_rate_hz, record.samples());
-  const auto first = static_cast<Index>(range.first), count = static_cast<Index>(range.count);
+  Window of_any_band = window;
+  of_any_band.band.reset();
+  const auto [first, count] = range_of(record, of_any_band);
   std::optional<VectorXd> leading;
   double most = -1;
   for (std::size_t c = 0; c < campaign.channels.size() && count > 0; ++c) {

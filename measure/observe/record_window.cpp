@@ -1,5 +1,6 @@
 #include "measure/observe/record_window.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "measure/data/file_pattern.hpp"
@@ -22,13 +23,18 @@ MatrixXd samples_of(const Record& record, const std::vector<std::size_t>& channe
 
 namespace {
 
-// By row of the range: how much of the motion lies before it (SampleRange range_of), from 0 to the number of
-// channels.
+// By row of the range: how much of the motion lies before it (range_of), from 0 to the number of channels.
 Eigen::VectorXd motion_before(const Record& record, SampleRange range) {
   Eigen::VectorXd before = Eigen::VectorXd::Zero(range.count + 1);
-  for (const std::vector<double>& channel : record.channels) {
-    const Eigen::Map<const Eigen::ArrayXd> x(channel.data() + range.first, range.count);
-    const Eigen::ArrayXd squares = (x - x.mean()).square();
+  Eigen::ArrayXd usable = Eigen::ArrayXd::Ones(range.count);
+  for (const std::size_t row : record.unusable)
+    if (const Index at = static_cast<Index>(row) - range.first; at >= 0 && at < range.count) usable(at) = 0;
+  std::vector<std::size_t> channels = record.moving;
+  for (std::size_t c = 0; record.moving.empty() && c < record.channels.size(); ++c) channels.push_back(c);
+  for (const std::size_t c : channels) {
+    const Eigen::Map<const Eigen::ArrayXd> x(record.channels[c].data() + range.first, range.count);
+    const double mean = (usable * x).sum() / std::max(1.0, usable.sum());
+    const Eigen::ArrayXd squares = usable * (x - mean).square();
     const double total = squares.sum();
     if (!(total > 0)) continue;
     double sum = 0;
@@ -59,6 +65,14 @@ SampleRange range_of(const Record& record, const Window& window) {
   }
   end_at(all.count);
   return best;
+}
+
+std::string too_short(const Record& record, const Window& window, std::optional<Index> ensemble, Index fewest) {
+  const Index whole = range_of(record.start_s, record.sample_rate_hz, record.samples(), window).count,
+              usable = range_of(record, window).count, needed = ensemble.value_or(usable);
+  if (needed >= fewest && usable >= needed && (ensemble || 2 * usable > whole)) return {};
+  return usable < whole ? "no stretch without clipped, held or lost samples is as long as one ensemble"
+                        : "shorter than one ensemble";
 }
 
 SampleRange range_of(double start_s, double sample_rate_hz, std::size_t samples, const Window& window) {

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <complex>
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "measure/observe/modal_projection.hpp"
@@ -20,12 +22,17 @@ struct SampleRange {
   Eigen::Index first = 0, count = 0;
 };
 /// Where rows of it are unusable, the stretch between them that holds most of the motion: the largest sum, over
-/// channels, of its share in the channel's squares about their mean. One stretch, not several: what a stretch tells
-/// of a motion's phase and decay needs time without a break.
+/// the channels that tell it (Record::moving), of its share in the squares about the mean of usable rows. One
+/// stretch, not several: what a stretch tells of a motion's phase and decay needs time without a break.
 SampleRange range_of(const Record& record, const Window& window);
 
 /// The same of so many samples from `start_s` on.
 SampleRange range_of(double start_s, double sample_rate_hz, std::size_t samples, const Window& window);
+
+/// Why a dwell holds no ensemble of so many samples, in words; empty where it does. Without ensembles the whole
+/// record is one, and what unusable rows leave must be most of it. `fewest`: samples of an ensemble.
+std::string too_short(const Record& record, const Window& window, std::optional<Eigen::Index> ensemble,
+                      Eigen::Index fewest);
 
 /// Complex amplitude of a tone that changes slowly, and what changes it, at one instant.
 struct SlowAmplitude {

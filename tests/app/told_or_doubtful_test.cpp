@@ -1,5 +1,5 @@
-// What a campaign tells by a square alone, what a short decay hides, and samples that are used although they are
-// wrong: right numbers, or a word of doubt.
+// What a campaign tells by a square alone, what a short decay hides, and records with samples that nothing mends:
+// right numbers, or a word of doubt.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -73,7 +73,7 @@ TEST(Clipping, FindsLimitedSignals) {
       EXPECT_GE(clipping.runs_high + clipping.runs_low, periods) << per_period << " " << limit;
       const auto stuck =
           std::count_if(samples.begin(), samples.end(), [&](double x) { return std::abs(x) == limit; });
-      EXPECT_LE(clipping.at.size(), static_cast<std::size_t>(stuck));
+      EXPECT_LE(clipping.samples, static_cast<std::size_t>(stuck));
     }
 }
 
@@ -195,7 +195,7 @@ TEST(Clipping, FindsTheRecordThatShortRunsHid) {
   const std::filesystem::path path = testing_support::source_folder() / "../shared/faults/clipping_missed/0014.csv";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "../shared/faults is not there";
   const DataFile data = read_data_file(path);
-  EXPECT_EQ(find_clipping(data.vector("tip").values).at.size(), 648u);
+  EXPECT_EQ(find_clipping(data.vector("tip").values).samples, 648u);
   EXPECT_FALSE(find_clipping(data.vector("base").values).found());
 }
 

@@ -167,16 +167,17 @@ ObservationSet observe_combination_dwells(const Campaign& campaign, const Record
     if (entry.kind != RecordKind::dwell || !window.takes(r, entry.file)) continue;
     const Record record = read(r);
     const SampleRange range = range_of(record, window);
-    const Index length =
-        entry.ensemble_s ? static_cast<Index>(std::lround(*entry.ensemble_s * record.sample_rate_hz)) : range.count;
+    std::optional<Index> asked;
+    if (entry.ensemble_s) asked = static_cast<Index>(std::lround(*entry.ensemble_s * record.sample_rate_hz));
+    const Index length = asked.value_or(range.count);
     const int label = condition++;
     if (const auto nominal = entry.excitation_frequency_hz; nominal && !window.passes(two_pi * *nominal)) {
       set.warnings.push_back(
           fmt::format("{}: its excitation at {:.4g} Hz is outside of the band, left out", entry.file, *nominal));
       continue;
     }
-    if (length < 64 || range.count < length) {
-      set.warnings.push_back(fmt::format("{}: shorter than one ensemble, left out", entry.file));
+    if (const std::string why = too_short(record, window, asked, 64); !why.empty()) {
+      set.warnings.push_back(fmt::format("{}: {}, left out", entry.file, why));
       continue;
     }
     std::vector<Observation> found;
