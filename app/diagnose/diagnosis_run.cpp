@@ -447,8 +447,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   ForeignContent foreign{watch.found(), {}, {}};
   if (2 * reader.clipped_records() < chosen) {
     reader.leave_clipped_out();
-    for (Disturbance& d : foreign.found)
-      if (d.kind == "clipping") d.treated = "left_out";
+    list_clipped_as_left_out(foreign.found);
   }
   admit(foreign, run.campaign, options);
   const TriedModel tried = with_effects(source, request.catalogue);

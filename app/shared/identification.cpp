@@ -91,8 +91,7 @@ Identification identify(const IdentificationRequest& request) {
   Identification result = identify(request, campaign, [&](std::size_t r) { return reader.read(r); });
   for (std::string& warning : reader.warnings()) result.estimate.warnings.push_back(std::move(warning));
   result.disturbances = watch.found();
-  for (Disturbance& d : result.disturbances)
-    if (d.kind == "clipping") d.treated = "left_out";
+  list_clipped_as_left_out(result.disturbances);
   for (Disturbance& scatter : scatter_disturbances(result)) result.disturbances.push_back(std::move(scatter));
   result.looked_at = watch.records();
   return result;

@@ -148,6 +148,11 @@ void require_sampled(const Window& window, double sample_rate_hz) {
         fmt::format("{:.6g} samples/s hold what is below {:.6g} Hz", sample_rate_hz, 0.5 * sample_rate_hz));
 }
 
+void list_clipped_as_left_out(std::vector<Disturbance>& found) {
+  for (Disturbance& disturbance : found)
+    if (disturbance.kind == "clipping") disturbance.treated = "left_out";
+}
+
 SelectedRecords::SelectedRecords(const Campaign& campaign, const Window& window, WatchedReader::Look look)
     : campaign_(campaign),
       window_(window),

@@ -8,6 +8,7 @@
 
 #include "measure/data/time_span.hpp"
 #include "measure/data/watched_reader.hpp"
+#include "measure/disturbances/disturbance.hpp"
 #include "measure/observe/observation_set.hpp"
 
 namespace secular::app {
@@ -40,6 +41,9 @@ void require_match(const Campaign& campaign, const Window& window);
 
 /// Throws InputError for a band that goes beyond half the sample rate.
 void require_sampled(const Window& window, double sample_rate_hz);
+
+/// Says of clipping among these that it was left out (SelectedRecords::leave_clipped_out).
+void list_clipped_as_left_out(std::vector<Disturbance>& found);
 
 /// The records of a campaign that a window chooses, filtered to its band, and what is wrong with their samples. May
 /// be read by several threads. The campaign must live as long.

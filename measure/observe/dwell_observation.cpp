@@ -116,7 +116,8 @@ class DwellObserver {
     const auto leave_out = [&](const std::string& why) {
       result.warnings.push_back(fmt::format("{}: {}, left out", entry.file, why));
     };
-    if (const std::string why = too_short(record, window_, asked, 32); !why.empty()) return leave_out(why);
+    if (const std::string why = too_short(record, window_, range.count, asked, 32); !why.empty())
+      return leave_out(why);
     const auto nominal = entry.excitation_frequency_hz;
     if (nominal && !window_.passes(two_pi * *nominal))
       return leave_out(fmt::format("its excitation at {:.4g} Hz is outside of the band", *nominal));

@@ -67,9 +67,10 @@ SampleRange range_of(const Record& record, const Window& window) {
   return best;
 }
 
-std::string too_short(const Record& record, const Window& window, std::optional<Index> ensemble, Index fewest) {
+std::string too_short(const Record& record, const Window& window, Index usable, std::optional<Index> ensemble,
+                      Index fewest) {
   const Index whole = range_of(record.start_s, record.sample_rate_hz, record.samples(), window).count,
-              usable = range_of(record, window).count, needed = ensemble.value_or(usable);
+              needed = ensemble.value_or(usable);
   if (needed >= fewest && usable >= needed && (ensemble || 2 * usable > whole)) return {};
   return usable < whole ? "no stretch without clipped, held or lost samples is as long as one ensemble"
                         : "shorter than one ensemble";

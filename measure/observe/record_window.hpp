@@ -30,9 +30,10 @@ SampleRange range_of(const Record& record, const Window& window);
 SampleRange range_of(double start_s, double sample_rate_hz, std::size_t samples, const Window& window);
 
 /// Why a dwell holds no ensemble of so many samples, in words; empty where it does. Without ensembles the whole
-/// record is one, and what unusable rows leave must be most of it. `fewest`: samples of an ensemble.
-std::string too_short(const Record& record, const Window& window, std::optional<Eigen::Index> ensemble,
-                      Eigen::Index fewest);
+/// record is one, and what unusable rows leave must be most of it. `usable`: samples of range_of(record, window);
+/// `fewest`: of an ensemble.
+std::string too_short(const Record& record, const Window& window, Eigen::Index usable,
+                      std::optional<Eigen::Index> ensemble, Eigen::Index fewest);
 
 /// Complex amplitude of a tone that changes slowly, and what changes it, at one instant.
 struct SlowAmplitude {

@@ -176,7 +176,7 @@ ObservationSet observe_combination_dwells(const Campaign& campaign, const Record
           fmt::format("{}: its excitation at {:.4g} Hz is outside of the band, left out", entry.file, *nominal));
       continue;
     }
-    if (const std::string why = too_short(record, window, asked, 64); !why.empty()) {
+    if (const std::string why = too_short(record, window, range.count, asked, 64); !why.empty()) {
       set.warnings.push_back(fmt::format("{}: {}, left out", entry.file, why));
       continue;
     }
