@@ -17,6 +17,7 @@
 #include "app/shared/parameter_file.hpp"
 #include "app/shared/record_assignment.hpp"
 #include "app/shared/record_selection.hpp"
+#include "diagnose/verdict/blows_alone.hpp"
 #include "diagnose/verdict/model_alone.hpp"
 #include "input/input_error.hpp"
 #include "measure/disturbances/catalogue.hpp"
@@ -158,6 +159,30 @@ std::vector<Disturbance> own_frequencies(const Diagnosis& diagnosis, const Compi
   return found;
 }
 
+// Blows that do not do what their excitation says, where only what follows them counts.
+std::vector<Disturbance> mismatches(const BlowsAlone& blows, const Diagnosis& diagnosis,
+                                    const CompiledModel& model) {
+  std::vector<Disturbance> found;
+  const BlowStrengths* strengths = blows.most_different();
+  if (strengths == nullptr) return found;
+  for (const BlowStrength& own : strengths->records) {
+    Disturbance d = fitted_in(own.record, "blow_mismatch", diagnosis);
+    d.treated = "left_out";
+    d.size = own.value / strengths->mean - 1;
+    d.share = std::abs(d.size);
+    d.text = fmt::format(
+        "its excitation acts {:.2g} % {} the mean of all blows (sd {:.1g} %): {} would be {:.5g}; blows differ by "
+        "{:.2g} % (sd) and leave {:.3g} times the noise, each at its own strength; what they do between their "
+        "samples "
+        "is open to {:.2g} %; only what follows them counts",
+        100 * d.share, d.size < 0 ? "below" : "above", 100 * std::sqrt(own.variance) / std::abs(strengths->mean),
+        model.symbols[strengths->symbol].name, own.value, 100 * strengths->sd / std::abs(strengths->mean),
+        std::sqrt(blows.left.chi_squared / blows.left.freedom), 100 * blows.between_samples);
+    found.push_back(std::move(d));
+  }
+  return found;
+}
+
 DiagnosisOptions options_of(const DiagnosisRequest& request) {
   DiagnosisOptions options;
   options.catalogue = request.catalogue;
@@ -240,18 +265,21 @@ std::string doubt_of_own(const Diagnosis& d) {
   return "records are not late by different times beside it";
 }
 
+constexpr int all_told = 2;  // of how_told()
+
 // How much of the gap a diagnosis accounts for; where it is none any more and that is doubtful, nothing.
 int how_told(const Diagnosis& d) {
   if (!d.frequency_scatter.suffices || (d.verdict == "unknown" && !d.gap.detected)) return -1;
-  return is_told(d) ? 2 : d.verdict == "approximate" ? 1 : 0;
+  return is_told(d) ? all_told : d.verdict == "approximate" ? 1 : 0;
 }
 
 // What records are allowed to have of their own.
 struct Allowance {
   bool late = false;
-  Eigen::VectorXd frequency_scatter;  // DiagnosisOptions::frequency_scatter
-  enum Turn { at_random, plain, at_last, both } turn = plain;
-  double left = 0;  // beside the model as it is, mean square in variances
+  Eigen::VectorXd frequency_scatter = {};  // DiagnosisOptions::frequency_scatter
+  enum Turn { at_random, plain, blows, at_last, both } turn = plain;
+  double left = 0;               // beside the model as it is, mean square in variances
+  bool blows_as_decays = false;  // nothing of what drives them
 };
 
 /// Share of what frequencies differ by that chance may have, beside what follows the settings, without being looked
@@ -276,23 +304,34 @@ class StepByStep {
   // left beside it.
   Diagnosis run() {
     const ModelAlone plain = alone({});
-    if (!is_more_than_noise(plain.left) || holds_beside_foreign_content(plain)) return diagnosed({}).finish();
-    of_decays_ = find_decay_scatter(request_);
-    std::vector<Allowance> all = allowances(plain);
+    std::vector<Allowance> all{{}};
+    if (is_more_than_noise(plain.left) && !holds_beside_foreign_content(plain)) {
+      of_decays_ = find_decay_scatter(request_);
+      all = allowances(plain);
+    }
+    // What follows a blow says nothing of effects on what drives it: those are tried before.
+    if (has_blows()) all.push_back({.turn = Allowance::blows, .blows_as_decays = true});
     std::stable_sort(all.begin(), all.end(), [](const Allowance& a, const Allowance& b) {
       return std::tie(a.turn, a.left) < std::tie(b.turn, b.left);
     });
-    for (const Allowance& allowance : all)
-      if (tells(allowance)) break;
+    bool is_answered = false;
+    for (const Allowance& allowance : all) {
+      // What leaves noise alone and yet tells no cause may follow blows that do not say how strong they are.
+      const bool open = !is_answered || (allowance.blows_as_decays && how_told(best_->so_far()) < all_told);
+      if (open) is_answered = tells(allowance) || is_answered;
+    }
     return std::move(*best_).finish();
   }
 
   const std::string& warning() const { return of_decays_.warning; }
+  /// Of blows whose excitation does not count.
+  const BlowsAlone& blows() const { return blows_; }
 
  private:
   void allow(const Allowance& allowance) {
     options_.late = allowance.late;
     options_.frequency_scatter = allowance.frequency_scatter;
+    options_.blows_as_decays = allowance.blows_as_decays;
   }
 
   OpenDiagnosis diagnosed(const Allowance& allowance) {
@@ -365,6 +404,13 @@ class StepByStep {
     return !tried_.model->excitations.empty() && excitations == 1 && dwells;
   }
 
+  bool has_blows() const {
+    for (std::size_t r = 0; r < campaign_.records.size(); ++r)
+      if (campaign_.records[r].kind == RecordKind::impact && request_.window.takes(r, campaign_.records[r].file))
+        return !tried_.model->excitations.empty();
+    return false;
+  }
+
   // Not where one time of all does as well, which is a cause, channel_skew, and no disturbance.
   bool are_late(const ModelAlone& late, const ModelAlone& plain) {
     if (late.late.records.size() < 2 || !lateness_takes_more_than_chance(plain, late)) return false;
@@ -385,24 +431,32 @@ class StepByStep {
   // the records' own to leave noise alone. Whether that is the answer: it accounts for all of the gap, or needs
   // nothing of their own.
   bool tells(const Allowance& allowance) {
-    const bool is_known = known_without_scatter_.contains(allowance.late);
+    const std::pair beside(allowance.late, allowance.blows_as_decays);
+    const bool is_known = known_without_scatter_.contains(beside);
     if (is_known && allowance.frequency_scatter.size() == 0) return false;
     options_.knows_without_scatter = is_known;
     OpenDiagnosis fresh = diagnosed(allowance);
-    const bool is_without_scatter = !fresh.admits_scatter(), is_plain = is_without_scatter && !allowance.late;
-    if (is_without_scatter) known_without_scatter_.insert(allowance.late);
+    const bool is_without_scatter = !fresh.admits_scatter(),
+               is_plain = is_without_scatter && !allowance.late && !allowance.blows_as_decays;
+    if (is_without_scatter) known_without_scatter_.insert(beside);
     if (const std::string why = doubt_of_own(fresh.so_far()); !why.empty()) fresh.make_unknown(why);
     if (is_plain && may_be_scatter(fresh))
       fresh.make_unknown(
           "natural frequencies that differ from record to record make as much of it; too few records tell which");
+    BlowsAlone blows;
+    if (allowance.blows_as_decays && how_told(fresh.so_far()) == all_told) {
+      blows = fit_blows_alone(campaign_, read_, *tried_.model, tried_.own, options_, fresh.fit());
+      if (!blows.do_not_fit())
+        fresh.make_unknown("what follows the blows leaves nothing, and blows do what their excitation says");
+    }
     const bool suffices = is_plain && fresh.leaves_noise_alone();
     const auto accounts = [](const OpenDiagnosis& d) {
       return std::pair(how_told(d.so_far()), -d.so_far().gap.after);
     };
     if (!best_ || accounts(fresh) > accounts(*best_) ||
         (suffices && how_told(fresh.so_far()) >= how_told(best_->so_far())))
-      best_ = std::move(fresh);
-    return suffices || how_told(best_->so_far()) == 2;
+      std::tie(best_, blows_) = std::pair(std::move(fresh), std::move(blows));
+    return suffices || how_told(best_->so_far()) == all_told;
   }
 
   const DiagnosisRequest& request_;
@@ -412,9 +466,11 @@ class StepByStep {
   DiagnosisOptions& options_;
   ForeignContent& foreign_;
   DecayScatter of_decays_;
-  Eigen::VectorXd scatter_alone_;         // of frequencies about the model as it is
-  std::set<bool> known_without_scatter_;  // late or not: what a diagnosis says whose frequencies are all the same
+  Eigen::VectorXd scatter_alone_;  // of frequencies about the model as it is
+  // Late or not, blows as decays or not: what a diagnosis says whose frequencies are all the same.
+  std::set<std::pair<bool, bool>> known_without_scatter_;
   std::optional<OpenDiagnosis> best_;
+  BlowsAlone blows_;
 };
 
 }  // namespace
@@ -473,6 +529,8 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
     run.disturbances.push_back(std::move(d));
   for (Disturbance& d : late_records(run.diagnosis)) run.disturbances.push_back(std::move(d));
   for (Disturbance& d : own_frequencies(run.diagnosis, *run.model)) run.disturbances.push_back(std::move(d));
+  for (Disturbance& d : mismatches(steps.blows(), run.diagnosis, *run.model))
+    run.disturbances.push_back(std::move(d));
   run.looked_at = watch.records();
   return run;
 }

@@ -103,10 +103,12 @@ void Discrepancy::freeze(const Eigen::VectorXd& unknowns, double coarse, Lookout
   }
 }
 
-// Columns of a record: its lateness where that is admitted, then its natural frequencies.
+// Columns of a record: its lateness where that is admitted, what is between the samples of its blow, then its
+// natural frequencies.
 void Discrepancy::take_directions(const Eigen::VectorXd& unknowns) {
   directions_.clear();
-  if (!nuisances_.any()) return;
+  const BetweenSamples& blows = nuisances_.of_blows;
+  if (!nuisances_.any() && blows.records.empty()) return;
   double step = 0;
   for (const auto& [record, sd] : nuisances_.delay_sd) step = std::max(step, nuisance_step * sd);
   Eigen::VectorXd by_delay = Eigen::VectorXd::Zero(size());
@@ -116,17 +118,26 @@ void Discrepancy::take_directions(const Eigen::VectorXd& unknowns) {
   std::iota(frequencies.begin(), frequencies.end(), std::size_t{0});
   const Eigen::VectorXd steps = nuisance_step * nuisances_.frequency_sd.cwiseProduct(unknowns.head(modes()));
   const Eigen::MatrixXd by_frequency = raw_slopes(unknowns, frequencies, steps, 1) / nuisance_step;
-  if (!by_delay.allFinite() || !by_frequency.allFinite()) return;
+  Eigen::MatrixXd by_blow = Eigen::MatrixXd::Zero(size(), blows.records.empty() ? 0 : 2);
+  Index first = 0;
+  for (const auto& part : parts_) {
+    const Eigen::MatrixXd of_part = part->between_samples(unknowns, blows);
+    if (of_part.cols() > 0) by_blow.middleRows(first, part->size()) = of_part;
+    first += part->size();
+  }
+  if (!by_delay.allFinite() || !by_frequency.allFinite() || !by_blow.allFinite()) return;
   std::map<std::size_t, std::vector<Index>> rows_of;
   const std::vector<RowLabel> all = labels();
   for (std::size_t r = 0; r < all.size(); ++r)
-    if (modes() > 0 || nuisances_.delay_sd.contains(all[r].record))
+    if (modes() > 0 || nuisances_.delay_sd.contains(all[r].record) || blows.records.contains(all[r].record))
       rows_of[all[r].record].push_back(static_cast<Index>(r));
   for (auto& [record, rows] : rows_of) {
     const auto late = nuisances_.delay_sd.find(record);
     const Index delays = late == nuisances_.delay_sd.end() ? 0 : 1;
-    Eigen::MatrixXd columns(static_cast<Index>(rows.size()), delays + modes());
+    const Index of_blow = blows.records.contains(record) ? by_blow.cols() : 0;
+    Eigen::MatrixXd columns(static_cast<Index>(rows.size()), delays + of_blow + modes());
     if (delays > 0) columns.col(0) = late->second * by_delay(rows);
+    columns.middleCols(delays, of_blow) = by_blow(rows, Eigen::all).leftCols(of_blow);
     columns.rightCols(modes()) = by_frequency(rows, Eigen::all);
     if (columns.isZero(0)) continue;
     Eigen::VectorXd put_in = Eigen::VectorXd::Zero(columns.cols());

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,13 @@ bool has_frequencies(const Eigen::VectorXd& unknowns, std::size_t modes);
 
 /// Where what a record has of its own is looked for: anywhere, or where it was, by unknowns that have moved little.
 enum class Lookout { anywhere, close_by };
+
+/// Records of blows, and the relative standard deviation of what is between the samples of their excitations, at a
+/// natural frequency (rad/s).
+struct BetweenSamples {
+  std::set<std::size_t> records;
+  double share = 0, frequency = 0;
+};
 
 /// Evidence of one kind: rows of unit variance that vanish where the unknowns explain what was measured. Where
 /// unknowns have no frequencies (has_frequencies) rows are infinite, so that no fit goes there.
@@ -64,11 +72,17 @@ class Evidence {
   virtual void put_in_step(const Eigen::VectorXd& /*unknowns*/, double /*coarse*/, Lookout /*lookout*/,
                            const std::map<std::size_t, double>& /*periods*/,
                            std::map<std::size_t, double>& /*late_s*/) {}
+  /// Columns by which rows move with one standard deviation of what is between the samples of blows; none where
+  /// nothing is.
+  virtual Eigen::MatrixXd between_samples(const Eigen::VectorXd& /*unknowns*/,
+                                          const BetweenSamples& /*of_blows*/) const {
+    return {};
+  }
   /// Rows before they were made independent of each other, where that mixed them.
   virtual Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const { return rows; }
 };
 
-/// What differs from record to record and explains nothing (docs/inference.md (24), (26)).
+/// What differs from record to record and explains nothing (docs/inference.md (24), (26), (42)).
 struct RecordNuisances {
   /// Unknown that delays the excitation; by record the standard deviation of its responses' lateness in s, where it
   /// is not known at all that of a whole period, period/sqrt(12).
@@ -76,7 +90,9 @@ struct RecordNuisances {
   std::map<std::size_t, double> delay_sd;
   /// By mode: standard deviation of the records' natural frequencies, relative. Empty: all are the same.
   Eigen::VectorXd frequency_sd;
+  BetweenSamples of_blows;  ///< no fit puts it anywhere
 
+  /// Whether records have anything that is looked for.
   bool any() const { return !delay_sd.empty() || frequency_sd.size() > 0; }
 };
 

@@ -15,6 +15,7 @@
 #include "measure/data/noise_floor.hpp"
 #include "measure/signal/free_decay.hpp"
 #include "numerics/hertz.hpp"
+#include "numerics/spread_by_size.hpp"
 
 namespace secular {
 namespace {
@@ -77,7 +78,7 @@ class Cutter {
     m.driven = entry.kind == RecordKind::sweep || entry.kind == RecordKind::broadband;
     const Index inputs = m.part.samples.cols() - responses_;
     const bool excited = inputs > 0 && m.part.samples.rightCols(inputs).norm() > 0;
-    if (entry.kind == RecordKind::impact && excited) m.driven = true;
+    if (entry.kind == RecordKind::impact && excited && !cut_.blows_as_decays) m.driven = true;
     if (m.driven && !excited) return left_out(entry, "nothing excites it");
     if (m.driven && cut_.window.band)
       throw InputError("--band", "", "cannot be applied to " + entry.file + ", which is driven",
@@ -124,25 +125,36 @@ class Cutter {
   }
 
   // Thinned samples at which segments begin, one after the other or, where the record holds more than its share,
-  // evenly spread over it: over a decay as far as it stands out from the noise.
+  // spread over it: over a decay evenly as far as it stands out from the noise, over a record that is driven by how
+  // much motion there is (a sweep passes a resonance in a small part of its time).
   std::vector<Index> starts(const Movement& m, Index length, const Eigen::VectorXd& noise,
                             std::size_t records) const {
     Index pieces = m.available() / length;
+    const auto piece_of = [&](Index piece, Index channel) {
+      return m.part.samples.col(channel)(Eigen::seqN(m.first + piece * length * m.thinning, length, m.thinning));
+    };
     if (!m.driven) {
-      const auto stands_out = [&](Index piece) {
-        const auto samples =
-            m.part.samples.col(0)(Eigen::seqN(m.first + piece * length * m.thinning, length, m.thinning));
-        return samples.cwiseAbs().maxCoeff() >= end_at_noise * noise(0);
-      };
       Index loud = 0;
-      while (loud < pieces && stands_out(loud)) ++loud;
+      while (loud < pieces && piece_of(loud, 0).cwiseAbs().maxCoeff() >= end_at_noise * noise(0)) ++loud;
       pieces = loud;
     }
     const Index share = std::max<Index>(m.driven ? 1 : fewest_of_a_decay(),
                                         cut_.most_samples / static_cast<Index>(records) / length),
                 kept = std::min(pieces, share);
     std::vector<Index> starts;
-    for (Index s = 0; s < kept; ++s) starts.push_back(s * pieces / kept * length);
+    if (!m.driven) {
+      for (Index s = 0; s < kept; ++s) starts.push_back(s * pieces / kept * length);
+      return starts;
+    }
+    std::vector<double> motion(static_cast<std::size_t>(pieces));
+    for (Index c = 0; c < responses_; ++c) {
+      const double mean = m.part.samples.col(c).mean();
+      for (Index p = 0; p < pieces; ++p)
+        motion[static_cast<std::size_t>(p)] +=
+            (piece_of(p, c).array() - mean).square().sum() / (noise(c) * noise(c));
+    }
+    for (const std::size_t piece : spread_by_size(motion, static_cast<std::size_t>(kept)))
+      starts.push_back(static_cast<Index>(piece) * length);
     return starts;
   }
 

@@ -48,12 +48,14 @@ struct SegmentCut {
   WanderingZeros wandering = {};
   ForeignTones tones = {};
   ColouredNoises coloured = {};
+  bool blows_as_decays = false;  ///< of impacts what follows the blow, whatever drove it
 };
 
-/// Free decays, impacts, sweeps and broadband records as segments, evenly spread over the record where it holds
-/// more than its share of `most_samples`. Decays begin where the structure swings freely. Samples are thinned where
-/// the record is much faster than the highest mode. Throws InputError for driven records with a band: what is
-/// nonlinear answers to all of its excitation.
+/// Free decays, impacts, sweeps and broadband records as segments. Of a record that holds more than its share of
+/// `most_samples` they are spread over it: evenly over a decay, by how much motion there is over one that is driven
+/// (docs/inference.md (40)). Decays begin where the structure swings freely. Samples are thinned where the record
+/// is much faster than the highest mode. Throws InputError for driven records with a band: what is nonlinear
+/// answers to all of its excitation.
 std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& read, const SensorModel& sensors,
                                   const std::vector<double>& natural_frequency, const SegmentCut& cut,
                                   std::vector<std::string>& warnings);

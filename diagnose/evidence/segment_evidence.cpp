@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -90,6 +91,34 @@ double loudness(const Segment& s) {
          std::sqrt(static_cast<double>(s.response.cols()));
 }
 
+// Samples at the end of a driven segment that do not count beside errors widened by this share of the motion: the
+// finer the errors, the longer the stretch, from what a decay's segment holds on (docs/inference.md (40)). Over n
+// turns a natural frequency that is wrong by d of itself turns the motion by 2 pi n d, and where that is half a
+// turn a fit finds no way.
+Index beyond_horizon(const Segment& s, double share) {
+  if (s.excitation.cols() == 0) return 0;
+  constexpr double whole_from = 0.01;
+  const double shortest = diagnose_thresholds().decay_turns / diagnose_thresholds().driven_turns,
+               part = std::clamp(whole_from / share, shortest, 1.0);
+  return static_cast<Index>(std::floor((1 - part) * static_cast<double>(s.response.cols())));
+}
+
+// Readings at the samples are what they are; halfway between they are stronger or later. Two thirds of what a
+// signal does are of there (Simpson's rule).
+constexpr double part_between = 2.0 / 3;
+
+Segment stronger_between_samples(Segment s, double share) {
+  for (Index i = 1; i < s.excitation.cols(); i += 2) s.excitation.col(i) *= 1 + share / part_between;
+  return s;
+}
+
+Segment later_between_samples(Segment s, const BetweenSamples& blows) {
+  const double late_s = blows.share / blows.frequency / part_between;
+  for (Index i = 1; i + 1 < s.excitation.cols(); i += 2)
+    s.excitation.col(i) -= late_s / s.sample_s * (s.excitation.col(i + 1) - s.excitation.col(i - 1));
+  return s;
+}
+
 // Of orthonormal columns of errors, channel after channel.
 VectorXd sd_of_changes(const NoiseInCosines& noise, const MatrixXd& basis) {
   const Index samples = noise.cosines.rows();
@@ -142,12 +171,11 @@ SegmentEvidence::SegmentEvidence(SegmentModel model, std::vector<Segment> segmen
 }
 
 Index SegmentEvidence::freedom() const {
-  Index at_jumps = 0;
-  for (const Frozen& f : frozen_)
-    at_jumps += static_cast<Index>(f.at_jumps.size() * model_.sensors().responses.size());
+  Index silent = 0;
+  for (const Frozen& f : frozen_) silent += static_cast<Index>(f.silent.size() * model_.sensors().responses.size());
   Index foreign = 0;
   for (const MatrixXd& columns : foreign_) foreign += columns.cols();
-  return size() - static_cast<Index>(4 * model_.modes() * segments_.size()) - at_jumps - foreign;
+  return size() - static_cast<Index>(4 * model_.modes() * segments_.size()) - silent - foreign;
 }
 
 std::vector<VectorXd> SegmentEvidence::frozen_errors(const std::vector<std::size_t>& segments,
@@ -170,35 +198,45 @@ std::vector<std::size_t> SegmentEvidence::all_segments() const {
 }
 
 void SegmentEvidence::freeze_states(std::size_t first, std::size_t end, const VectorXd& unknowns) {
-  std::vector<VectorXd> states = states_at(first, end, unknowns);
+  std::vector<VectorXd> states = states_at(first, end, unknowns, Stretch::to_the_horizon);
   for (std::size_t i = first; i < end; ++i) {
     frozen_[i].state = std::move(states[i - first]);
-    frozen_[i].at_jumps.clear();
+    frozen_[i].silent.clear();
   }
-  if (model_.sensors().derivatives != 2) return;
+  if (model_.sensors().derivatives == 2) silence_jumps(first, end, unknowns);
+  for (std::size_t i = first; i < end; ++i)
+    for (Index k = horizon(i); k < segments_[i].response.cols(); ++k) frozen_[i].silent.push_back(k);
+}
+
+void SegmentEvidence::silence_jumps(std::size_t first, std::size_t end, const VectorXd& unknowns) {
   std::vector<SegmentTrial> trials;
-  for (std::size_t i = first; i < end; ++i) trials.push_back(frozen_trial(i, unknowns));
+  for (std::size_t i = first; i < end; ++i)
+    trials.push_back({segments_[i], horizon(i), unknowns, frozen_[i].state});
   std::vector<std::vector<Index>> jumps;
   model_.errors(trials, &jumps);
   std::vector<StateSearch> searches;
   for (std::size_t i = first; i < end; ++i) {
-    std::vector<Index>& at = frozen_[i].at_jumps;
+    std::vector<Index>& at = frozen_[i].silent;
     for (const Index before : jumps[i - first])
       for (const Index sample : {before, before + 1})
         if (at.empty() || at.back() < sample) at.push_back(sample);
-    if (!at.empty()) searches.push_back({segments_[i], frozen_[i].state, segments_[i].response.cols(), at});
+    if (!at.empty()) searches.push_back({segments_[i], frozen_[i].state, horizon(i), at});
   }
   improve_states(model_, unknowns, searches);
   auto found = searches.begin();
   for (std::size_t i = first; i < end; ++i)
-    if (!frozen_[i].at_jumps.empty()) frozen_[i].state = (found++)->state;
+    if (!frozen_[i].silent.empty()) frozen_[i].state = (found++)->state;
 }
 
-std::vector<VectorXd> SegmentEvidence::states_at(std::size_t first, std::size_t end,
-                                                 const VectorXd& unknowns) const {
+std::vector<VectorXd> SegmentEvidence::states_at(std::size_t first, std::size_t end, const VectorXd& unknowns,
+                                                 Stretch stretch) const {
   std::vector<VectorXd> states;
-  for (std::size_t i = first; i < end; ++i) states.push_back(frozen_[i].state);
-  find_states(model_, std::span(segments_).subspan(first, end - first), unknowns, states);
+  std::vector<Index> counted;
+  for (std::size_t i = first; i < end; ++i) {
+    states.push_back(frozen_[i].state);
+    counted.push_back(stretch == Stretch::whole ? segments_[i].response.cols() : horizon(i));
+  }
+  find_states(model_, std::span(segments_).subspan(first, end - first), counted, unknowns, states);
   return states;
 }
 
@@ -300,13 +338,15 @@ void SegmentEvidence::freeze_motions(std::size_t first, std::size_t end, const V
   freeze_states(first, end, unknowns);
   for (std::size_t i = first; i < end; ++i)
     frozen_[i].driven_noise =
-        coarse_ ? DrivenNoise() : DrivenNoise(model_, frozen_trial(i, unknowns), frozen_[i].at_jumps);
+        coarse_ ? DrivenNoise() : DrivenNoise(model_, frozen_trial(i, unknowns), frozen_[i].silent);
 }
 
 void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
   coarse_ = coarse > 0;
-  for (std::size_t i = 0; i < segments_.size(); ++i)
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
     frozen_[i].widening = coarse > 0 ? std::hypot(1.0, std::sqrt(coarse) * loudness(segments_[i])) : 1;
+    frozen_[i].beyond_horizon = coarse > 0 ? beyond_horizon(segments_[i], std::sqrt(coarse)) : 0;
+  }
   const std::size_t parts = std::min<std::size_t>(std::max(1U, threads_), segments_.size());
   in_parallel(parts, threads_, [&](std::size_t part) {
     const std::size_t first = part * segments_.size() / parts, end = (part + 1) * segments_.size() / parts;
@@ -336,10 +376,10 @@ std::vector<SegmentEvidence::LeftOfSegment> SegmentEvidence::left_by(const Vecto
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const Frozen& f = frozen_[i];
     LeftOfSegment left;
-    left.white = white_variance(errors[i], segments_[i].response.cols(), f.at_jumps);
+    left.white = white_variance(errors[i], segments_[i].response.cols(), f.silent);
     left.changes = f.change_basis.transpose() * errors[i];
     left.rest = errors[i] - f.state_basis * (f.state_basis.transpose() * errors[i]) - f.change_basis * left.changes;
-    const auto silent = static_cast<Index>(f.at_jumps.size()) * segments_[i].response.rows();
+    const auto silent = static_cast<Index>(f.silent.size()) * segments_[i].response.rows();
     left.rest_rms =
         left.rest.norm() /
         std::sqrt(static_cast<double>(errors[i].size() - silent - f.state_basis.cols() - f.change_basis.cols()));
@@ -381,7 +421,7 @@ std::shared_ptr<const NoiseInCosines> SegmentEvidence::coloured_noise(const std:
       const std::size_t segment = alike[static_cast<std::size_t>(i)];
       stretches.values.col(i) = noise.cosines * left[segment].rest(of_channel);
       stretches.freedom.col(i).array() -=
-          static_cast<double>(frozen_[segment].at_jumps.size()) / static_cast<double>(samples);
+          static_cast<double>(frozen_[segment].silent.size()) / static_cast<double>(samples);
       for (const MatrixXd* basis : {&frozen_[segment].state_basis, &frozen_[segment].change_basis})
         stretches.freedom.col(i) -= (noise.cosines * (*basis)(of_channel, Eigen::all)).rowwise().squaredNorm();
     }
@@ -494,6 +534,28 @@ void SegmentEvidence::whiten(const Noise& noise, const VectorXd& error, Eigen::R
   const Index samples = cosines.rows();
   for (Index c = 0; c < sd.cols(); ++c)
     rest.segment(c * samples, samples) = (cosines * error.segment(c * samples, samples)).cwiseQuotient(sd.col(c));
+}
+
+MatrixXd SegmentEvidence::between_samples(const VectorXd& unknowns, const BetweenSamples& of_blows) const {
+  if (of_blows.records.empty()) return {};
+  MatrixXd columns = MatrixXd::Zero(size(), 2);
+  Index first = 0;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    if (of_blows.records.contains(segments_[i].record)) {
+      const std::array<Segment, 2> moved{stronger_between_samples(segments_[i], of_blows.share),
+                                         later_between_samples(segments_[i], of_blows)};
+      std::vector<SegmentTrial> trials{frozen_trial(i, unknowns)};
+      for (const Segment& s : moved) trials.push_back({s, s.response.cols(), unknowns, frozen_[i].state});
+      const std::vector<VectorXd> errors = frozen_errors({i, i, i}, trials);
+      for (Index side : {0, 1}) {
+        VectorXd rows(rows_in(i));
+        rows_of(i, errors[static_cast<std::size_t>(side + 1)] - errors[0], rows);
+        columns.col(side).segment(first, rows.size()) = rows;
+      }
+    }
+    first += rows_in(i);
+  }
+  return columns;
 }
 
 VectorXd SegmentEvidence::offset_slopes(std::size_t channel, double scale) const {
@@ -664,7 +726,7 @@ std::vector<Segment> SegmentEvidence::predicted(std::size_t record, const Vector
   while (first < segments_.size() && segments_[first].record != record) ++first;
   std::size_t end = first;
   while (end < segments_.size() && segments_[end].record == record) ++end;
-  const std::vector<VectorXd> states = states_at(first, end, unknowns);
+  const std::vector<VectorXd> states = states_at(first, end, unknowns, Stretch::whole);
   std::vector<Segment> segments;
   for (std::size_t i = first; i < end; ++i) {
     Segment& s = segments.emplace_back(segments_[i]);
@@ -702,7 +764,7 @@ VectorXd SegmentEvidence::mean_square_error(const VectorXd& unknowns) const {
   const auto channels = static_cast<Index>(model_.sensors().response_names.size());
   VectorXd sum = VectorXd::Zero(channels);
   double count = 0;
-  std::vector<VectorXd> states = states_at(0, segments_.size(), unknowns);
+  std::vector<VectorXd> states = states_at(0, segments_.size(), unknowns, Stretch::whole);
   std::vector<SegmentTrial> trials;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     trials.push_back(frozen_trial(i, unknowns));

@@ -34,6 +34,7 @@ class SegmentEvidence : public Evidence {
   bool measures_errors() const override { return !noise_is_known_; }
   void shift_records(const std::map<std::size_t, Eigen::VectorXd>& shifts) override;
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
+  Eigen::MatrixXd between_samples(const Eigen::VectorXd& unknowns, const BetweenSamples& of_blows) const override;
   /// Offsets of response channels, which no motion depends on, in closed form; the others by differences of motions
   /// that are integrated side by side.
   Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
@@ -92,10 +93,11 @@ class SegmentEvidence : public Evidence {
     DrivenNoise driven_noise;  // where errors are not coarse: what whitens them before anything else
     // Orthonormal, samples*channels long: foreign content, then what the state adds to it; 2 modes columns.
     Eigen::MatrixXd state_basis, change_basis;
-    Eigen::MatrixXd foreign;  // content that was taken off the responses so far; empty: none
-    // Samples at which a channel may read either side of a jump of its signal: errors there are not continuous in
-    // the unknowns and do not count.
-    std::vector<Eigen::Index> at_jumps;
+    Eigen::MatrixXd foreign;          // content that was taken off the responses so far; empty: none
+    Eigen::Index beyond_horizon = 0;  // samples at the end that do not count while errors are coarse
+    // Samples that do not count: those, and where a channel may read either side of a jump of its signal, since
+    // errors there are not continuous in the unknowns.
+    std::vector<Eigen::Index> silent;
     double widening = 1;     // errors times this
     double disturbance = 0;  // of a disturbed record what the other rows hold, in units of noise; else 0
   };
@@ -132,7 +134,14 @@ class SegmentEvidence : public Evidence {
                  std::shared_ptr<const NoiseInCosines> coloured) const;
   /// Where segments begin, from the first one to before the end, and what does not count of them.
   void freeze_states(std::size_t first, std::size_t end, const Eigen::VectorXd& unknowns);
-  std::vector<Eigen::VectorXd> states_at(std::size_t first, std::size_t end, const Eigen::VectorXd& unknowns) const;
+  void silence_jumps(std::size_t first, std::size_t end, const Eigen::VectorXd& unknowns);
+  enum class Stretch { to_the_horizon, whole };
+  std::vector<Eigen::VectorXd> states_at(std::size_t first, std::size_t end, const Eigen::VectorXd& unknowns,
+                                         Stretch stretch) const;
+  /// Samples of a segment that may count, the first ones.
+  Eigen::Index horizon(std::size_t segment) const {
+    return segments_[segment].response.cols() - frozen_[segment].beyond_horizon;
+  }
   /// Directions in which their errors move with the state, and with the change of every mode, where they are.
   void freeze_bases(std::size_t first, std::size_t end, const Eigen::VectorXd& unknowns);
   /// States, and what whitens errors about them.
@@ -155,7 +164,7 @@ class SegmentEvidence : public Evidence {
   /// Errors of a frozen segment as its rows see them.
   Eigen::VectorXd seen(std::size_t segment, Eigen::VectorXd error) const {
     const Frozen& f = frozen_[segment];
-    return f.driven_noise.whitened(silenced(std::move(error), segments_[segment].response.cols(), f.at_jumps));
+    return f.driven_noise.whitened(silenced(std::move(error), segments_[segment].response.cols(), f.silent));
   }
   /// Errors of trials of frozen segments as their rows see them.
   std::vector<Eigen::VectorXd> frozen_errors(const std::vector<std::size_t>& segments,

@@ -152,16 +152,16 @@ void improve_states(const SegmentModel& model, const VectorXd& unknowns, std::ve
 }
 
 // A long stretch has many minima: a new state is found from its beginning on, and the better one stays.
-void find_states(const SegmentModel& model, std::span<const Segment> segments, const VectorXd& unknowns,
-                 std::vector<VectorXd>& states) {
+void find_states(const SegmentModel& model, std::span<const Segment> segments, const std::vector<Index>& counted,
+                 const VectorXd& unknowns, std::vector<VectorXd>& states) {
   std::vector<StateSearch> fresh, known;
   for (const Segment& s : segments)
     fresh.push_back({s, guessed_state(model.sensors(), s, unknowns, static_cast<Index>(model.modes())), 0, {}});
   for (const Index parts : {8, 3}) {
     std::vector<StateSearch> begun;
-    for (StateSearch& search : fresh) {
-      search.samples = search.segment.response.cols() / parts;
-      if (search.samples > 8) begun.push_back(search);
+    for (std::size_t i = 0; i < fresh.size(); ++i) {
+      fresh[i].samples = counted[i] / parts;
+      if (fresh[i].samples > 8) begun.push_back(fresh[i]);
     }
     improve_states(model, unknowns, begun);
     auto next = begun.begin();
@@ -169,7 +169,7 @@ void find_states(const SegmentModel& model, std::span<const Segment> segments, c
       if (search.samples > 8) search.state = (next++)->state;
   }
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    fresh[i].samples = segments[i].response.cols();
+    fresh[i].samples = counted[i];
     if (states[i].size() > 0) fresh.push_back({segments[i], states[i], fresh[i].samples, {}});
   }
   improve_states(model, unknowns, fresh);

@@ -19,8 +19,10 @@ struct StateSearch {
 /// Gauss-Newton of every search. Motions of all are integrated side by side; each goes as it would alone.
 void improve_states(const SegmentModel& model, const Eigen::VectorXd& unknowns, std::vector<StateSearch>& searches);
 
-/// The states that segments begin at which fit them best; `states`: a guess for each, or empty.
-void find_states(const SegmentModel& model, std::span<const Segment> segments, const Eigen::VectorXd& unknowns,
+/// The states that segments begin at which fit best so many of their first samples; `states`: a guess for each, or
+/// empty.
+void find_states(const SegmentModel& model, std::span<const Segment> segments,
+                 const std::vector<Eigen::Index>& counted, const Eigen::VectorXd& unknowns,
                  std::vector<Eigen::VectorXd>& states);
 
 }  // namespace secular

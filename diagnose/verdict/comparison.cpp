@@ -11,6 +11,7 @@
 
 #include "diagnose/evidence/line_evidence.hpp"
 #include "diagnose/evidence/observe_conditions.hpp"
+#include "diagnose/evidence/unresolved_blows.hpp"
 #include "estimator/identification/short_list.hpp"
 #include "input/input_error.hpp"
 #include "measure/observe/record_window.hpp"
@@ -133,6 +134,20 @@ std::map<std::size_t, double> unknown_lateness(const std::vector<Condition>& con
   return unknown;
 }
 
+BetweenSamples between_samples(const Campaign& campaign, const std::vector<Segment>& segments, double lowest) {
+  BetweenSamples blows;
+  std::vector<const Segment*> of_blows;
+  for (const Segment& s : segments)
+    if (campaign.records[s.record].kind == RecordKind::impact && s.excitation.cols() > 0) of_blows.push_back(&s);
+  blows.share = unresolved_share(of_blows, lowest);
+  blows.frequency = lowest;
+  if (blows.share == 0) return blows;
+  for (const Segment* s : of_blows) blows.records.insert(s->record);
+  // Blows that are alike may be off alike: the mean of all is not known better than one.
+  blows.share *= std::sqrt(static_cast<double>(blows.records.size()));
+  return blows;
+}
+
 // Laws with an exponent: a strength then has much the same size whatever the exponent.
 void set_scales(std::vector<StateForce>& forces, const VectorXd& largest, const std::vector<double>& natural) {
   for (StateForce& force : forces) {
@@ -210,11 +225,14 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
       observe_conditions({campaign, model, sensors, natural, options.window, options.wandering}, counted);
   result.warnings = std::move(observed.warnings);
   const auto cut = [&](const Window& window, SegmentLength length) {
-    return cut_segments(campaign, counted, sensors, natural,
-                        {window, length, most_samples, options.wandering, options.tones, options.coloured},
-                        result.warnings);
+    return cut_segments(
+        campaign, counted, sensors, natural,
+        {window, length, most_samples, options.wandering, options.tones, options.coloured, options.blows_as_decays},
+        result.warnings);
   };
   std::vector<Segment> segments = cut(options.window, SegmentLength::turns);
+  result.of_records.of_blows =
+      between_samples(campaign, segments, *std::min_element(natural.begin(), natural.end()));
   if (observed.conditions.empty() && segments.empty()) throw nothing_to_compare(campaign, model, result.warnings);
   result.conditions = std::move(observed.conditions);
   result.segments = segments.size();

@@ -63,6 +63,8 @@ class OpenDiagnosis::Stages {
 
   const Diagnosis& result() const { return result_; }
 
+  const Refit& fit() const { return best_ != nullptr ? best_->fit : inference_.null.fit; }
+
   bool leaves_noise_alone() const {
     return best_ != nullptr &&
            !is_more_than_noise({best_->fit.chi_squared, freedom() - static_cast<double>(best_->fit.rank)});
@@ -358,6 +360,10 @@ bool OpenDiagnosis::has_as_credible(const ModelAlone& scatter) const {
 
 void OpenDiagnosis::make_unknown(const std::string& why) {
   stages_->make_unknown(why);
+}
+
+const Refit& OpenDiagnosis::fit() const {
+  return stages_->fit();
 }
 
 Diagnosis OpenDiagnosis::finish() && {

@@ -88,6 +88,8 @@ class OpenDiagnosis {
   /// them, keep a twentieth of the odds of what the verdict is about (docs/inference.md (26a)).
   bool has_as_credible(const ModelAlone& scatter) const;
   void make_unknown(const std::string& why);
+  /// Of the explanation that the verdict is about, or of the model as it is.
+  const Refit& fit() const;
   /// Adds what no verdict waits for, and much time goes into: the next experiment, and motions simulated before and
   /// after.
   Diagnosis finish() &&;

@@ -74,6 +74,11 @@ std::span<const DisturbanceKind> disturbance_catalogue() {
       DisturbanceKind{"late_record", "responses shifted in time against their excitation, by record", "s",
                       "by identify, from a case's equations with and without phases of their own (F law)",
                       "phases tell neither damping nor force: the fit does without them"},
+      DisturbanceKind{"blow_mismatch", "a blow that does not do what its excitation says, by record",
+                      "strength relative to the mean of all blows",
+                      "by diagnose, where nothing is left of what follows blows: each is fitted with a strength of "
+                      "its own (chi-squared of what strengths differ by, and of what is left)",
+                      "an effect of the excitation seems to act: what drives blows does not count"},
       DisturbanceKind{
           "record_scatter", "a natural frequency that differs from record to record",
           "distance from the mean of all records, rad/s (in a diagnosis relative)",

@@ -181,8 +181,8 @@ TEST(Disturbances, EveryKindIsFoundWithItsSizeAndNothingElse) {
 }
 
 TEST(Disturbances, EveryRowHasACase) {
-  std::set<std::string> tested = {"uneven_time", "late_record", "record_scatter",
-                                  "coloured_noise"};  // of stamps; of identify; of diagnose
+  std::set<std::string> tested = {"uneven_time", "late_record", "record_scatter", "coloured_noise",
+                                  "blow_mismatch"};  // of stamps; of identify; of diagnose
   for (const Case& c : cases()) tested.insert(c.kind);
   for (const DisturbanceKind& kind : disturbance_catalogue())
     EXPECT_TRUE(tested.contains(std::string(kind.name))) << kind.name;

@@ -1,0 +1,95 @@
+#include "diagnose/verdict/blows_alone.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "diagnose/evidence/record_directions.hpp"
+#include "diagnose/inference/inference.hpp"
+#include "diagnose/thresholds.hpp"
+#include "diagnose/verdict/comparison.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// Symbols of the model as it was that a fit leaves open.
+std::vector<std::size_t> not_told(const Refit& fit, const std::vector<std::size_t>& own) {
+  std::vector<std::size_t> open;
+  for (const std::size_t symbol : own) {
+    const auto place = std::find(fit.free.begin(), fit.free.end(), symbol);
+    if (place == fit.free.end() || !fit.identifiable[static_cast<std::size_t>(place - fit.free.begin())])
+      open.push_back(symbol);
+  }
+  return open;
+}
+
+BlowStrengths compared(std::size_t symbol, std::vector<BlowStrength> records) {
+  const auto count = static_cast<Index>(records.size());
+  VectorXd values(count), variances(count);
+  for (Index r = 0; r < count; ++r) {
+    values(r) = records[static_cast<std::size_t>(r)].value;
+    variances(r) = records[static_cast<std::size_t>(r)].variance;
+  }
+  const Between between = between_records(values, variances, Eigen::MatrixXd::Ones(count, 1));
+  const VectorXd weight = (variances.array() + between.sd * between.sd).inverse();
+  return {symbol, std::move(records), weight.dot(values) / weight.sum(), between.sd, between.p_value};
+}
+
+}  // namespace
+
+bool BlowsAlone::do_not_fit() const {
+  return is_more_than_noise(left) || is_more_than_noise({left.freedom + squares_between_samples, left.freedom}) ||
+         (most_different() != nullptr && most_different()->p_value < diagnose_thresholds().scatter_alarm);
+}
+
+const BlowStrengths* BlowsAlone::most_different() const {
+  const auto least = std::min_element(strengths.begin(), strengths.end(),
+                                      [](const auto& a, const auto& b) { return a.p_value < b.p_value; });
+  return least == strengths.end() ? nullptr : &*least;
+}
+
+BlowsAlone fit_blows_alone(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+                           const std::vector<std::size_t>& own, DiagnosisOptions options, const Refit& fit) {
+  const std::vector<std::size_t> open = not_told(fit, own);
+  const Window all = options.window;
+  options.blows_as_decays = false;
+  options.late = false;
+  options.frequency_scatter = {};
+  options.given = {};
+  options.check = {};
+  BlowsAlone blows;
+  std::map<std::size_t, std::vector<BlowStrength>> of_symbols;
+  for (std::size_t r = 0; r < campaign.records.size(); ++r) {
+    if (campaign.records[r].kind != RecordKind::impact || !all.takes(r, campaign.records[r].file)) continue;
+    options.window.chosen.assign(campaign.records.size(), false);
+    options.window.chosen[r] = true;
+    Comparison comparison = compare(campaign, read, model, own, {}, options);
+    InferenceOptions inference_options;
+    inference_options.threads = options.threads;
+    const Inference alone =
+        infer(comparison.discrepancy, {}, fit.unknowns, comparison.fitted_beside(open), inference_options);
+    const Refit& told = alone.null.fit;
+    blows.left.chi_squared += told.chi_squared;
+    blows.left.freedom += alone.degrees_of_freedom;
+    if (const BetweenSamples& open_part = comparison.of_records.of_blows; !open_part.records.empty()) {
+      blows.between_samples = std::max(blows.between_samples, open_part.share);
+      blows.squares_between_samples +=
+          comparison.segment_evidence->between_samples(told.unknowns, open_part).squaredNorm();
+    }
+    const double dispersion = dispersion_of(told.chi_squared, alone.degrees_of_freedom);
+    for (std::size_t f = 0; f < open.size(); ++f) {
+      const double variance = told.covariance(static_cast<Index>(f), static_cast<Index>(f));
+      if (told.identifiable[f] && variance > 0)
+        of_symbols[open[f]].push_back({r, told.unknowns(static_cast<Index>(open[f])), dispersion * variance});
+    }
+  }
+  for (auto& [symbol, records] : of_symbols)
+    if (records.size() >= 2) blows.strengths.push_back(compared(symbol, std::move(records)));
+  return blows;
+}
+
+}  // namespace secular

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "diagnose/inference/refit.hpp"
+#include "diagnose/verdict/diagnosis_options.hpp"
+#include "diagnose/verdict/gap_detection.hpp"
+#include "estimator/model/compiled_model.hpp"
+#include "measure/data/campaign.hpp"
+#include "measure/observe/observation_set.hpp"
+
+namespace secular {
+
+/// What one impact says of a symbol that what follows blows does not tell, in the symbol's unit.
+struct BlowStrength {
+  std::size_t record = 0;
+  double value = 0, variance = 0;
+};
+
+/// A symbol by which excitations act, told by every impact for itself.
+struct BlowStrengths {
+  std::size_t symbol = 0;
+  std::vector<BlowStrength> records;  ///< two at least
+  double mean = 0, sd = 0;            ///< over records, and between them beyond what each leaves open
+  double p_value = 1;                 ///< that one value is that of all
+};
+
+/// Impacts, each fitted with strengths of its own to a structure that is known (docs/inference.md (41)).
+struct BlowsAlone {
+  std::vector<BlowStrengths> strengths;
+  RowsLeft left;  ///< by all of them
+  /// What is between their samples: its standard deviation next to what blows do, and the squares that it makes of
+  /// the rows (42).
+  double between_samples = 0, squares_between_samples = 0;
+  /// Strengths differ beyond chance, or more than noise is left at whatever strength, or what is between the
+  /// samples would make more than noise: blows do not do what their excitation says.
+  bool do_not_fit() const;
+  /// By the symbol whose strengths differ most beyond chance; null: there is none.
+  const BlowStrengths* most_different() const;
+};
+
+/// `fit`: of what follows the blows. Its numbers are held, and the symbols of `own` that it does not tell are
+/// fitted to every impact that its excitation drives. Other arguments as of diagnose().
+BlowsAlone fit_blows_alone(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
+                           const std::vector<std::size_t>& own, DiagnosisOptions options, const Refit& fit);
+
+}  // namespace secular
