@@ -140,15 +140,20 @@ VectorXd DrivenNoise::whitened(VectorXd error) const {
   if (steps_.empty()) return error;
   const auto samples = static_cast<Index>(steps_.size()), channels = error.size() / samples;
   const Index parts = steps_.front().transition.rows();
-  VectorXd both = VectorXd::Zero(steps_.front().transition.cols()), innovation(channels);
+  VectorXd both = VectorXd::Zero(steps_.front().transition.cols()), innovation(channels), next(parts);
+  // Few numbers at a time: products that are written out take no memory of their own.
   for (Index i = 0; i < samples; ++i) {
     const Step& step = steps_[static_cast<std::size_t>(i)];
     auto here = error(Eigen::seqN(i, channels, samples));
-    innovation = here - step.reading * both;
-    step.lower.triangularView<Eigen::Lower>().solveInPlace(innovation);
+    innovation = here;
+    innovation.noalias() -= step.reading.lazyProduct(both);
+    for (Index c = 0; c < channels; ++c) {
+      for (Index before = 0; before < c; ++before) innovation(c) -= step.lower(c, before) * innovation(before);
+      innovation(c) /= step.lower(c, c);
+    }
     here = innovation;
-    both += step.gain * innovation;
-    const VectorXd next = step.transition * both;
+    both.noalias() += step.gain.lazyProduct(innovation);
+    next.noalias() = step.transition.lazyProduct(both);
     both.setZero();
     both.head(parts) = next;
   }

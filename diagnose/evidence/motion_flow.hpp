@@ -40,8 +40,19 @@ struct Motions<Lanes> {
   static const auto& acceleration(const CompiledModel& model) { return model.acceleration_of_lanes; }
 };
 
-/// The signal at a time in half steps of the samples, by a parabola through three neighbouring half steps.
-ExcitationSample interpolated(const DrivingSignal& signal, Eigen::Index row, double at);
+/// The signal at a time >= 0 in half steps of the samples, by a parabola through three neighbouring half steps.
+inline ExcitationSample interpolated(const DrivingSignal& signal, Eigen::Index row, double at) {
+  const Eigen::MatrixXd& half_steps = signal.half_steps;
+  const Eigen::Index last = half_steps.cols() - 1;
+  if (last < 2) return {half_steps(row, 0), 0, 0};
+  const double per_s = 2 / signal.sample_s;
+  const auto middle = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(at + 0.5), 1, last - 1);
+  const double before = half_steps(row, middle - 1), here = half_steps(row, middle),
+               after = half_steps(row, middle + 1);
+  const double x = at - static_cast<double>(middle);
+  const double slope = 0.5 * (after - before), bend = after - 2 * here + before;
+  return {here + slope * x + 0.5 * bend * x * x, (slope + bend * x) * per_s, bend * per_s * per_s};
+}
 
 /// Right-hand sides of the full equations of motion, with what drives them and what stands beside them. A state is
 /// displacements, velocities, displacement and velocity of the side oscillator, and what relaxes.

@@ -13,20 +13,6 @@ namespace secular {
 
 using Eigen::Index;
 
-ExcitationSample interpolated(const DrivingSignal& signal, Index row, double at) {
-  const Eigen::MatrixXd& half_steps = signal.half_steps;
-  const double half_step_s = 0.5 * signal.sample_s;
-  const Index last = half_steps.cols() - 1;
-  const auto middle = std::clamp<Index>(static_cast<Index>(std::lround(at)), 1, std::max<Index>(1, last - 1));
-  if (last < 2) return {half_steps(row, 0), 0, 0};
-  const double before = half_steps(row, middle - 1), here = half_steps(row, middle),
-               after = half_steps(row, middle + 1);
-  const double x = at - static_cast<double>(middle);
-  const double slope = 0.5 * (after - before), bend = after - 2 * here + before;
-  return {here + slope * x + 0.5 * bend * x * x, (slope + bend * x) / half_step_s,
-          bend / (half_step_s * half_step_s)};
-}
-
 namespace {
 
 // Steps of motions side by side, whose accelerations have neither jumps nor corners.
