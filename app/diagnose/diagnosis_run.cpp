@@ -159,25 +159,30 @@ std::vector<Disturbance> own_frequencies(const Diagnosis& diagnosis, const Compi
   return found;
 }
 
-// Blows that do not do what their excitation says, where only what follows them counts.
+// Blows that do not do what their excitation says: only what follows them counts.
 std::vector<Disturbance> mismatches(const BlowsAlone& blows, const Diagnosis& diagnosis,
                                     const CompiledModel& model) {
-  std::vector<Disturbance> found;
   const BlowStrengths* strengths = blows.most_different();
-  if (strengths == nullptr) return found;
-  for (const BlowStrength& own : strengths->records) {
-    Disturbance d = fitted_in(own.record, "blow_mismatch", diagnosis);
+  std::vector<Disturbance> found;
+  for (const std::size_t record : blows.records) {
+    Disturbance d = fitted_in(record, "blow_mismatch", diagnosis);
     d.treated = "left_out";
-    d.size = own.value / strengths->mean - 1;
-    d.share = std::abs(d.size);
-    d.text = fmt::format(
-        "its excitation acts {:.2g} % {} the mean of all blows (sd {:.1g} %): {} would be {:.5g}; blows differ by "
-        "{:.2g} % (sd) and leave {:.3g} times the noise, each at its own strength; what they do between their "
-        "samples "
-        "is open to {:.2g} %; only what follows them counts",
-        100 * d.share, d.size < 0 ? "below" : "above", 100 * std::sqrt(own.variance) / std::abs(strengths->mean),
-        model.symbols[strengths->symbol].name, own.value, 100 * strengths->sd / std::abs(strengths->mean),
-        std::sqrt(blows.left.chi_squared / blows.left.freedom), 100 * blows.between_samples);
+    const std::string left = fmt::format(
+        "blows, each at its own strength, leave {:.3g} times the noise, and what they do between their "
+        "samples is open to {:.2g} %; what drives them does not count, what follows them does",
+        std::sqrt(blows.left.chi_squared / std::max(1.0, blows.left.freedom)), 100 * blows.between_samples);
+    d.text = left;
+    if (const BlowStrength* own = strengths ? strengths->of(record) : nullptr; own && strengths->mean != 0) {
+      const double mean = std::abs(strengths->mean);
+      d.size = own->value / strengths->mean - 1;
+      d.share = std::abs(d.size);
+      d.text = fmt::format(
+          "its excitation acts {:.2g} % {} the mean of all blows (sd {:.1g} %): {} would be {:.5g}; blows differ "
+          "by "
+          "{:.2g} % (sd); {}",
+          100 * d.share, d.size < 0 ? "below" : "above", 100 * std::sqrt(own->variance) / mean,
+          model.symbols[strengths->symbol].name, own->value, 100 * strengths->sd / mean, left);
+    }
     found.push_back(std::move(d));
   }
   return found;
@@ -324,8 +329,8 @@ class StepByStep {
   }
 
   const std::string& warning() const { return of_decays_.warning; }
-  /// Of blows whose excitation does not count.
-  const BlowsAlone& blows() const { return blows_; }
+  /// Of blows whose excitation does not count; nothing where all do.
+  const std::optional<BlowsAlone>& blows() const { return blows_; }
 
  private:
   void allow(const Allowance& allowance) {
@@ -396,18 +401,20 @@ class StepByStep {
   }
 
   bool may_be_late() const {
-    const auto excitations =
-        std::count_if(campaign_.channels.begin(), campaign_.channels.end(),
-                      [](const Channel& channel) { return channel.role == ChannelRole::excitation; });
     const bool dwells = std::any_of(campaign_.records.begin(), campaign_.records.end(),
                                     [](const RecordEntry& record) { return record.kind == RecordKind::dwell; });
-    return !tried_.model->excitations.empty() && excitations == 1 && dwells;
+    return !tried_.model->excitations.empty() && excitation_channels() == 1 && dwells;
+  }
+
+  std::ptrdiff_t excitation_channels() const {
+    return std::count_if(campaign_.channels.begin(), campaign_.channels.end(),
+                         [](const Channel& channel) { return channel.role == ChannelRole::excitation; });
   }
 
   bool has_blows() const {
     for (std::size_t r = 0; r < campaign_.records.size(); ++r)
       if (campaign_.records[r].kind == RecordKind::impact && request_.window.takes(r, campaign_.records[r].file))
-        return !tried_.model->excitations.empty();
+        return tried_.model->excitations.size() > tried_.forces.size() && excitation_channels() > 0;
     return false;
   }
 
@@ -421,10 +428,10 @@ class StepByStep {
 
   // A law is told where it is likelier than frequencies that scatter about the model as it is, also where too few
   // records tell whether these follow the settings.
-  bool may_be_scatter(const OpenDiagnosis& plain) {
+  bool may_be_scatter(const OpenDiagnosis& plain, bool blows_as_decays) {
     const std::string& verdict = plain.so_far().verdict;
     if (scatter_alone_.size() == 0 || verdict == "no_gap" || verdict == "unknown") return false;
-    return plain.has_as_credible(alone({false, scatter_alone_}));
+    return plain.has_as_credible(alone({.frequency_scatter = scatter_alone_, .blows_as_decays = blows_as_decays}));
   }
 
   // Keeps what accounts for most of the gap, of two that do as much the one that leaves less, or needs nothing of
@@ -440,14 +447,16 @@ class StepByStep {
                is_plain = is_without_scatter && !allowance.late && !allowance.blows_as_decays;
     if (is_without_scatter) known_without_scatter_.insert(beside);
     if (const std::string why = doubt_of_own(fresh.so_far()); !why.empty()) fresh.make_unknown(why);
-    if (is_plain && may_be_scatter(fresh))
+    if ((is_plain || allowance.blows_as_decays) && may_be_scatter(fresh, allowance.blows_as_decays))
       fresh.make_unknown(
           "natural frequencies that differ from record to record make as much of it; too few records tell which");
-    BlowsAlone blows;
-    if (allowance.blows_as_decays && how_told(fresh.so_far()) == all_told) {
-      blows = fit_blows_alone(campaign_, read_, *tried_.model, tried_.own, options_, fresh.fit());
-      if (!blows.do_not_fit())
-        fresh.make_unknown("what follows the blows leaves nothing, and blows do what their excitation says");
+    if (allowance.blows_as_decays) {
+      // Rows of the blows themselves are gone: less that is left of the others is no better answer by itself.
+      if (how_told(fresh.so_far()) != all_told) return false;
+      blows_ = fit_blows_alone(campaign_, read_, *tried_.model, tried_.own, options_, fresh.forces(), fresh.fit());
+      if (!blows_->do_not_fit()) blows_.reset();
+      if (blows_) best_ = std::move(fresh);
+      return blows_.has_value();
     }
     const bool suffices = is_plain && fresh.leaves_noise_alone();
     const auto accounts = [](const OpenDiagnosis& d) {
@@ -455,7 +464,7 @@ class StepByStep {
     };
     if (!best_ || accounts(fresh) > accounts(*best_) ||
         (suffices && how_told(fresh.so_far()) >= how_told(best_->so_far())))
-      std::tie(best_, blows_) = std::pair(std::move(fresh), std::move(blows));
+      best_ = std::move(fresh);
     return suffices || how_told(best_->so_far()) == all_told;
   }
 
@@ -470,7 +479,7 @@ class StepByStep {
   // Late or not, blows as decays or not: what a diagnosis says whose frequencies are all the same.
   std::set<std::pair<bool, bool>> known_without_scatter_;
   std::optional<OpenDiagnosis> best_;
-  BlowsAlone blows_;
+  std::optional<BlowsAlone> blows_;
 };
 
 }  // namespace
@@ -529,8 +538,16 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
     run.disturbances.push_back(std::move(d));
   for (Disturbance& d : late_records(run.diagnosis)) run.disturbances.push_back(std::move(d));
   for (Disturbance& d : own_frequencies(run.diagnosis, *run.model)) run.disturbances.push_back(std::move(d));
-  for (Disturbance& d : mismatches(steps.blows(), run.diagnosis, *run.model))
-    run.disturbances.push_back(std::move(d));
+  if (steps.blows()) {
+    run.diagnosis.warnings.emplace_back(
+        "blows do not do what their excitation says, or an effect of the excitation acts that is not found: they "
+        "are "
+        "compared from where the structure swings freely on, and numbers by which excitations act are missing "
+        "where "
+        "no other record tells them");
+    for (Disturbance& d : mismatches(*steps.blows(), run.diagnosis, *run.model))
+      run.disturbances.push_back(std::move(d));
+  }
   run.looked_at = watch.records();
   return run;
 }

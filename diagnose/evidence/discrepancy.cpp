@@ -125,7 +125,8 @@ void Discrepancy::take_directions(const Eigen::VectorXd& unknowns) {
     if (of_part.cols() > 0) by_blow.middleRows(first, part->size()) = of_part;
     first += part->size();
   }
-  if (!by_delay.allFinite() || !by_frequency.allFinite() || !by_blow.allFinite()) return;
+  if (!by_blow.allFinite()) by_blow.setZero();
+  if (!by_delay.allFinite() || !by_frequency.allFinite()) return;
   std::map<std::size_t, std::vector<Index>> rows_of;
   const std::vector<RowLabel> all = labels();
   for (std::size_t r = 0; r < all.size(); ++r)

@@ -128,7 +128,7 @@ class Cutter {
   // spread over it: over a decay evenly as far as it stands out from the noise, over a record that is driven by how
   // much motion there is (a sweep passes a resonance in a small part of its time).
   std::vector<Index> starts(const Movement& m, Index length, const Eigen::VectorXd& noise,
-                            std::size_t records) const {
+                            const Eigen::VectorXd& excitation_noise, std::size_t records) const {
     Index pieces = m.available() / length;
     const auto piece_of = [&](Index piece, Index channel) {
       return m.part.samples.col(channel)(Eigen::seqN(m.first + piece * length * m.thinning, length, m.thinning));
@@ -147,12 +147,16 @@ class Cutter {
       return starts;
     }
     std::vector<double> motion(static_cast<std::size_t>(pieces));
-    for (Index c = 0; c < responses_; ++c) {
-      const double mean = m.part.samples.col(c).mean();
-      for (Index p = 0; p < pieces; ++p)
-        motion[static_cast<std::size_t>(p)] +=
-            (piece_of(p, c).array() - mean).square().sum() / (noise(c) * noise(c));
-    }
+    // The square of the motion over that of what it is known to (docs/inference.md (40)): of its own noise and of
+    // what white noise in the reading of what drives makes at a resonance. About the mean of each part: a zero may
+    // wander.
+    const double of_excitation = 2 * noise_share(m, excitation_noise) / static_cast<double>(length);
+    for (Index c = 0; c < responses_; ++c)
+      for (Index p = 0; p < pieces; ++p) {
+        const Eigen::VectorXd piece = piece_of(p, c);
+        const double square = (piece.array() - piece.mean()).square().mean() / (noise(c) * noise(c));
+        motion[static_cast<std::size_t>(p)] += square / (1 + of_excitation * square);
+      }
     for (const std::size_t piece : spread_by_size(motion, static_cast<std::size_t>(kept)))
       starts.push_back(static_cast<Index>(piece) * length);
     return starts;
@@ -188,6 +192,13 @@ class Cutter {
     m.first = cut_.window.band ? 0 : start->sample;  // what has passed a band begins at the release
     m.thinning = std::max<Index>(1, static_cast<Index>(std::floor(two_pi * m.rate_hz / highest_ / wanted_samples)));
     return m;
+  }
+
+  // Of the excitations' variance: what moves with it is known no better.
+  double noise_share(const Movement& m, const Eigen::VectorXd& excitation_noise) const {
+    const MatrixXd inputs = m.part.samples.rightCols(excitation_noise.size());
+    const double all = (inputs.rowwise() - inputs.colwise().mean()).squaredNorm();
+    return all > 0 ? std::min(1.0, excitation_noise.squaredNorm() * static_cast<double>(inputs.rows()) / all) : 0;
   }
 
   MatrixXd excitation(const Movement& m, Index offset, Index length) const {
@@ -263,7 +274,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
     const Eigen::VectorXd noise = cutter.noise(*movement),
                           excitation_noise = cutter.excitation_noise(entry, *movement);
     int number = 0;
-    for (const Index begin : cutter.starts(*movement, length, noise, records.size())) {
+    for (const Index begin : cutter.starts(*movement, length, noise, excitation_noise, records.size())) {
       Segment segment = cutter.segment(*movement, record, begin, length);
       segment.record = r;
       segment.fold = static_cast<int>(r) + 1000 * (1 + number++ % 10);

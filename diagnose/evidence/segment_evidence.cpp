@@ -11,6 +11,7 @@
 
 #include "diagnose/evidence/state_search.hpp"
 #include "diagnose/thresholds.hpp"
+#include "numerics/hertz.hpp"
 #include "numerics/in_parallel.hpp"
 #include "numerics/median.hpp"
 #include "numerics/third_differences.hpp"
@@ -92,15 +93,19 @@ double loudness(const Segment& s) {
 }
 
 // Samples at the end of a driven segment that do not count beside errors widened by this share of the motion: the
-// finer the errors, the longer the stretch, from what a decay's segment holds on (docs/inference.md (40)). Over n
-// turns a natural frequency that is wrong by d of itself turns the motion by 2 pi n d, and where that is half a
-// turn a fit finds no way.
-Index beyond_horizon(const Segment& s, double share) {
+// finer the errors, the more turns of the lowest mode count, from where something drives (docs/inference.md (40)).
+// Over n turns a natural frequency that is wrong by d of itself turns the motion by 2 pi n d, and where that is
+// half a turn a fit finds no way.
+Index beyond_horizon(const Segment& s, double share, double lowest) {
   if (s.excitation.cols() == 0) return 0;
-  constexpr double whole_from = 0.01;
-  const double shortest = diagnose_thresholds().decay_turns / diagnose_thresholds().driven_turns,
-               part = std::clamp(whole_from / share, shortest, 1.0);
-  return static_cast<Index>(std::floor((1 - part) * static_cast<double>(s.response.cols())));
+  constexpr double whole_from = 0.01, at_rest = 0.01;
+  const double turns = std::max(diagnose_thresholds().decay_turns,
+                                diagnose_thresholds().driven_turns * std::min(1.0, whole_from / share));
+  const double least = at_rest * s.excitation.cwiseAbs().maxCoeff();
+  Index begin = 0;
+  while (begin < s.response.cols() && !(s.excitation.col(2 * begin).cwiseAbs().maxCoeff() > least)) ++begin;
+  const double counted = static_cast<double>(begin) + std::ceil(turns * two_pi / lowest / s.sample_s);
+  return s.response.cols() - static_cast<Index>(std::min(static_cast<double>(s.response.cols()), counted));
 }
 
 // Readings at the samples are what they are; halfway between they are stronger or later. Two thirds of what a
@@ -112,10 +117,9 @@ Segment stronger_between_samples(Segment s, double share) {
   return s;
 }
 
-Segment later_between_samples(Segment s, const BetweenSamples& blows) {
-  const double late_s = blows.share / blows.frequency / part_between;
+Segment later_between_samples(Segment s, double late_s) {
   for (Index i = 1; i + 1 < s.excitation.cols(); i += 2)
-    s.excitation.col(i) -= late_s / s.sample_s * (s.excitation.col(i + 1) - s.excitation.col(i - 1));
+    s.excitation.col(i) -= late_s / part_between / s.sample_s * (s.excitation.col(i + 1) - s.excitation.col(i - 1));
   return s;
 }
 
@@ -343,9 +347,10 @@ void SegmentEvidence::freeze_motions(std::size_t first, std::size_t end, const V
 
 void SegmentEvidence::freeze(const VectorXd& unknowns, double coarse) {
   coarse_ = coarse > 0;
+  const double lowest = unknowns.head(static_cast<Index>(model_.modes())).minCoeff();
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     frozen_[i].widening = coarse > 0 ? std::hypot(1.0, std::sqrt(coarse) * loudness(segments_[i])) : 1;
-    frozen_[i].beyond_horizon = coarse > 0 ? beyond_horizon(segments_[i], std::sqrt(coarse)) : 0;
+    frozen_[i].beyond_horizon = coarse > 0 ? beyond_horizon(measured_[i], std::sqrt(coarse), lowest) : 0;
   }
   const std::size_t parts = std::min<std::size_t>(std::max(1U, threads_), segments_.size());
   in_parallel(parts, threads_, [&](std::size_t part) {
@@ -542,14 +547,16 @@ MatrixXd SegmentEvidence::between_samples(const VectorXd& unknowns, const Betwee
   Index first = 0;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     if (of_blows.records.contains(segments_[i].record)) {
-      const std::array<Segment, 2> moved{stronger_between_samples(segments_[i], of_blows.share),
-                                         later_between_samples(segments_[i], of_blows)};
+      constexpr double step = 1e-3;  // of a standard deviation
+      const std::array<Segment, 2> moved{
+          stronger_between_samples(segments_[i], step * of_blows.share),
+          later_between_samples(segments_[i], step * of_blows.share / of_blows.frequency)};
       std::vector<SegmentTrial> trials{frozen_trial(i, unknowns)};
       for (const Segment& s : moved) trials.push_back({s, s.response.cols(), unknowns, frozen_[i].state});
       const std::vector<VectorXd> errors = frozen_errors({i, i, i}, trials);
       for (Index side : {0, 1}) {
         VectorXd rows(rows_in(i));
-        rows_of(i, errors[static_cast<std::size_t>(side + 1)] - errors[0], rows);
+        rows_of(i, (errors[static_cast<std::size_t>(side + 1)] - errors[0]) / step, rows);
         columns.col(side).segment(first, rows.size()) = rows;
       }
     }

@@ -1,6 +1,5 @@
 #include "diagnose/evidence/segment_motion.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>

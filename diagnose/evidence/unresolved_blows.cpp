@@ -4,47 +4,73 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <map>
+#include <vector>
+
+#include "numerics/median.hpp"
 
 namespace secular {
 namespace {
 
 using Eigen::Index;
+using Eigen::RowVectorXd;
 
-/// A blow lasts while it is more than this share of its peak, or than so many standard deviations of noise.
+/// A blow lasts while it is more than this share of its peak, or than so many standard deviations of the rest.
 constexpr double begins_at = 0.01, above_noise = 5;
 
 /// Of what a sum over every second sample is off, next to the sum over all: signals with corners, whose spectrum
 /// falls with the square of the frequency.
 constexpr double share_at_all_samples = 0.25;
 
-// From the first to the last sample of the blow, and as many again on both sides. Empty: there is none.
+// About the median, since a blow is short.
+RowVectorXd about_rest(const Segment& segment, Index excitation) {
+  RowVectorXd samples = segment.excitation.row(excitation)(Eigen::seq(0, Eigen::last, 2));
+  samples.array() -= upper_median(std::vector<double>(samples.begin(), samples.end()));
+  return samples;
+}
+
+// From the first to the last sample of the blow, and as many again on both sides. Nothing where it does not begin
+// and end within the samples, or is no blow, that lasts as long as all else.
 struct Blow {
   Index first = 0, count = 0;
 };
 
-Blow blow_in(const Eigen::RowVectorXd& samples, double noise) {
-  const double least = std::max(begins_at * samples.cwiseAbs().maxCoeff(), above_noise * noise);
+Blow blow_in(const RowVectorXd& samples) {
+  const RowVectorXd size = samples.cwiseAbs();
+  const double rest = upper_median(std::vector<double>(size.begin(), size.end())) / 0.6745;
+  const double least = std::max(begins_at * size.maxCoeff(), above_noise * rest);
   Index first = 0, end = samples.size();
-  while (first < end && !(std::abs(samples(first)) > least)) ++first;
-  while (end > first && !(std::abs(samples(end - 1)) > least)) --end;
-  const Index length = end - first, begin = std::max<Index>(0, first - length);
-  return {begin, length == 0 ? 0 : std::min<Index>(samples.size(), end + length) - begin};
+  while (first < end && !(size(first) > least)) ++first;
+  while (end > first && !(size(end - 1) > least)) --end;
+  const Index length = end - first;
+  if (length == 0 || first == 0 || end == samples.size() || 2 * length > samples.size()) return {};
+  const Index begin = std::max<Index>(0, first - length);
+  return {begin, std::min<Index>(samples.size(), end + length) - begin};
+}
+
+// Of the segments of one record, that in which this excitation is largest.
+const Segment& struck(const std::vector<const Segment*>& of_record, Index excitation) {
+  const auto peak = [&](const Segment* s) { return s->excitation.row(excitation).cwiseAbs().maxCoeff(); };
+  return **std::max_element(of_record.begin(), of_record.end(),
+                            [&](const Segment* a, const Segment* b) { return peak(a) < peak(b); });
 }
 
 }  // namespace
 
 double unresolved_share(const std::vector<const Segment*>& segments, double frequency) {
+  std::map<std::size_t, std::vector<const Segment*>> records;
+  for (const Segment* s : segments) records[s->record].push_back(s);
   double squares = 0, blows = 0;
-  for (const Segment* s : segments)
-    for (Index j = 0; j < s->excitation.rows(); ++j) {
-      const Eigen::RowVectorXd samples = s->excitation.row(j)(Eigen::seq(0, Eigen::last, 2));
-      const Blow blow = blow_in(samples, s->excitation_noise_sd(j));
-      // One that does not end within the segment is none.
-      if (blow.count == 0 || blow.count == samples.size()) continue;
+  for (const auto& [record, of_record] : records)
+    for (Index j = 0; j < of_record.front()->excitation.rows(); ++j) {
+      const Segment& s = struck(of_record, j);
+      const RowVectorXd samples = about_rest(s, j);
+      const Blow blow = blow_in(samples);
+      if (blow.count == 0) continue;
       std::complex<double> all = 0, alternating = 0;
       for (Index i = blow.first; i < blow.first + blow.count; ++i) {
         const std::complex<double> part =
-            samples(i) * std::polar(1.0, -frequency * s->sample_s * static_cast<double>(i));
+            samples(i) * std::polar(1.0, -frequency * s.sample_s * static_cast<double>(i));
         all += part;
         alternating += i % 2 == 0 ? part : -part;
       }

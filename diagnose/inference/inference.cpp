@@ -164,9 +164,10 @@ class Search {
 
   // Errors of the rows depend on the unknowns, and a start far off has none that mean anything: one fit for each of
   // coarse_levels, every one from where the last ended. Among wider errors a fit leaves less: none that is finer
-  // follows one that leaves more than `most`.
+  // follows one that leaves more than `most`. `counted`: rows that count, by level.
   std::vector<Refit> from_coarse_to_fine(const VectorXd& start, const std::vector<std::size_t>& free,
-                                         double most = std::numeric_limits<double>::infinity()) {
+                                         double most = std::numeric_limits<double>::infinity(),
+                                         std::vector<double>* counted = nullptr) {
     VectorXd unknowns = start;
     std::vector<Refit> fits;
     for (const double coarse : coarse_levels) {
@@ -185,12 +186,14 @@ class Search {
         before = fit.chi_squared;
       }
       fits.push_back(std::move(fit));
+      if (counted) counted->push_back(rows());
       if (!discrepancy_.measures_errors() && fits.back().chi_squared > reweighting * most) break;
     }
     return fits;
   }
 
-  bool misses(const Refit& fit) const { return fit.chi_squared > most_misfit * rows(); }
+  bool misses(const Refit& fit) const { return misses(fit, rows()); }
+  static bool misses(const Refit& fit, double rows) { return fit.chi_squared > most_misfit * rows; }
 
   double dispersion_of(const Explanation& e) const {
     return e.fit.chi_squared / std::max(1.0, rows() - static_cast<double>(e.fit.rank));
@@ -206,21 +209,27 @@ class Search {
   static double most_of_noise(double freedom) { return freedom + least_structure * std::sqrt(2 * freedom); }
   static bool is_within_noise(double chi_squared, double freedom) { return chi_squared <= most_of_noise(freedom); }
 
+  // Of the rows that count at the errors as they are.
+  double freedom_about_null() const { return rows() - static_cast<double>(result_.null.fit.rank); }
+
+  // Of a fit to the errors as they are.
   bool leaves_more_than_noise(const Explanation& e) const {
-    return !is_within_noise(e.fit.chi_squared, result_.degrees_of_freedom);
+    return !is_within_noise(e.fit.chi_squared, freedom_about_null());
   }
 
   // Of a model that is far from the data a fine fit would be bent beyond all sense; what it lacks is looked for
   // first, among errors that it can live with.
   void fit_null(const VectorXd& start) {
-    std::vector<Refit> nulls = from_coarse_to_fine(start, own_);
+    std::vector<double> counted;  // rows, by level
+    std::vector<Refit> nulls = from_coarse_to_fine(start, own_, std::numeric_limits<double>::infinity(), &counted);
     level_ = nulls.size() - 1;
     // What the equations of motion have no part in (a harmonic of the excitation that the model leaves out) is
     // missed at every level alike.
     const bool in_equations = nulls.front().chi_squared < least_relief * nulls.back().chi_squared;
-    if (misses(nulls[level_]) && in_equations) {
-      while (level_ > 0 && misses(nulls[level_])) --level_;
-      if (misses(nulls[level_]))
+    const auto misses_at_level = [&] { return misses(nulls[level_], counted[level_]); };
+    if (misses_at_level() && in_equations) {
+      while (level_ > 0 && misses_at_level()) --level_;
+      if (misses_at_level())
         nulls[level_] = anchored_null(start);
       else {
         freeze(nulls[level_].unknowns, coarse_levels[level_]);
@@ -228,7 +237,7 @@ class Search {
       }
     }
     result_.null.fit = std::move(nulls[level_]);
-    result_.degrees_of_freedom = rows() - static_cast<double>(result_.null.fit.rank);
+    result_.degrees_of_freedom = freedom_about_null();
     null_holds_ = level_ == finest && !discrepancy_.admits_own() && !leaves_more_than_noise(result_.null);
   }
 

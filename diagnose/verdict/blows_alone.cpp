@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "diagnose/evidence/record_directions.hpp"
@@ -16,15 +17,21 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Symbols of the model as it was that a fit leaves open.
-std::vector<std::size_t> not_told(const Refit& fit, const std::vector<std::size_t>& own) {
+// Symbols of the model as it was that move nothing where nothing drives: strengths of excitations. What free motion
+// tells badly may be a law's.
+std::vector<std::size_t> of_excitations(const Refit& fit, const std::vector<std::size_t>& own) {
   std::vector<std::size_t> open;
   for (const std::size_t symbol : own) {
     const auto place = std::find(fit.free.begin(), fit.free.end(), symbol);
-    if (place == fit.free.end() || !fit.identifiable[static_cast<std::size_t>(place - fit.free.begin())])
-      open.push_back(symbol);
+    if (place != fit.free.end() && fit.scale(place - fit.free.begin()) == 0) open.push_back(symbol);
   }
   return open;
+}
+
+std::set<std::size_t> records_of(const Discrepancy& discrepancy) {
+  std::set<std::size_t> records;
+  for (const RowLabel& label : discrepancy.labels()) records.insert(label.record);
+  return records;
 }
 
 BlowStrengths compared(std::size_t symbol, std::vector<BlowStrength> records) {
@@ -52,19 +59,32 @@ const BlowStrengths* BlowsAlone::most_different() const {
   return least == strengths.end() ? nullptr : &*least;
 }
 
+const BlowStrength* BlowStrengths::of(std::size_t record) const {
+  const auto own = std::find_if(records.begin(), records.end(), [&](const auto& r) { return r.record == record; });
+  return own == records.end() ? nullptr : &*own;
+}
+
 BlowsAlone fit_blows_alone(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-                           const std::vector<std::size_t>& own, DiagnosisOptions options, const Refit& fit) {
-  const std::vector<std::size_t> open = not_told(fit, own);
-  const Window all = options.window;
+                           const std::vector<std::size_t>& own, DiagnosisOptions options,
+                           const std::vector<StateForce>& forces, const Refit& fit) {
+  const std::vector<std::size_t> open = of_excitations(fit, own);
   options.blows_as_decays = false;
   options.late = false;
   options.frequency_scatter = {};
   options.given = {};
   options.check = {};
+  options.forces = forces;
+  options.keeps_scales = true;
+  std::vector<bool> impacts(campaign.records.size(), false);
+  for (std::size_t r = 0; r < campaign.records.size(); ++r)
+    impacts[r] =
+        campaign.records[r].kind == RecordKind::impact && options.window.takes(r, campaign.records[r].file);
   BlowsAlone blows;
+  if (std::find(impacts.begin(), impacts.end(), true) == impacts.end()) return blows;
+  options.window.chosen = impacts;
+  const std::set<std::size_t> usable = records_of(compare(campaign, read, model, own, {}, options).discrepancy);
   std::map<std::size_t, std::vector<BlowStrength>> of_symbols;
-  for (std::size_t r = 0; r < campaign.records.size(); ++r) {
-    if (campaign.records[r].kind != RecordKind::impact || !all.takes(r, campaign.records[r].file)) continue;
+  for (const std::size_t r : usable) {
     options.window.chosen.assign(campaign.records.size(), false);
     options.window.chosen[r] = true;
     Comparison comparison = compare(campaign, read, model, own, {}, options);
@@ -73,12 +93,13 @@ BlowsAlone fit_blows_alone(const Campaign& campaign, const RecordReader& read, c
     const Inference alone =
         infer(comparison.discrepancy, {}, fit.unknowns, comparison.fitted_beside(open), inference_options);
     const Refit& told = alone.null.fit;
+    blows.records.push_back(r);
     blows.left.chi_squared += told.chi_squared;
     blows.left.freedom += alone.degrees_of_freedom;
-    if (const BetweenSamples& open_part = comparison.of_records.of_blows; !open_part.records.empty()) {
-      blows.between_samples = std::max(blows.between_samples, open_part.share);
+    if (const BetweenSamples& between = comparison.of_records.of_blows; !between.records.empty()) {
+      blows.between_samples = std::max(blows.between_samples, between.share);
       blows.squares_between_samples +=
-          comparison.segment_evidence->between_samples(told.unknowns, open_part).squaredNorm();
+          comparison.segment_evidence->between_samples(told.unknowns, between).squaredNorm();
     }
     const double dispersion = dispersion_of(told.chi_squared, alone.degrees_of_freedom);
     for (std::size_t f = 0; f < open.size(); ++f) {

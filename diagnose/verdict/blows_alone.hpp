@@ -24,10 +24,12 @@ struct BlowStrengths {
   std::vector<BlowStrength> records;  ///< two at least
   double mean = 0, sd = 0;            ///< over records, and between them beyond what each leaves open
   double p_value = 1;                 ///< that one value is that of all
+  const BlowStrength* of(std::size_t record) const;
 };
 
 /// Impacts, each fitted with strengths of its own to a structure that is known (docs/inference.md (41)).
 struct BlowsAlone {
+  std::vector<std::size_t> records;
   std::vector<BlowStrengths> strengths;
   RowsLeft left;  ///< by all of them
   /// What is between their samples: its standard deviation next to what blows do, and the squares that it makes of
@@ -40,9 +42,11 @@ struct BlowsAlone {
   const BlowStrengths* most_different() const;
 };
 
-/// `fit`: of what follows the blows. Its numbers are held, and the symbols of `own` that it does not tell are
-/// fitted to every impact that its excitation drives. Other arguments as of diagnose().
+/// `fit`: of what follows the blows, its strengths those of `forces`. Its numbers are held as if they were exact,
+/// and the symbols of `own` that move none of its rows are fitted to every impact that its excitation drives. Other
+/// arguments as of diagnose().
 BlowsAlone fit_blows_alone(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-                           const std::vector<std::size_t>& own, DiagnosisOptions options, const Refit& fit);
+                           const std::vector<std::size_t>& own, DiagnosisOptions options,
+                           const std::vector<StateForce>& forces, const Refit& fit);
 
 }  // namespace secular

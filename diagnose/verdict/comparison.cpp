@@ -134,17 +134,19 @@ std::map<std::size_t, double> unknown_lateness(const std::vector<Condition>& con
   return unknown;
 }
 
-BetweenSamples between_samples(const Campaign& campaign, const std::vector<Segment>& segments, double lowest) {
+BetweenSamples between_samples(const Campaign& campaign, const std::vector<Segment>& segments,
+                               const std::vector<double>& natural) {
   BetweenSamples blows;
   std::vector<const Segment*> of_blows;
   for (const Segment& s : segments)
     if (campaign.records[s.record].kind == RecordKind::impact && s.excitation.cols() > 0) of_blows.push_back(&s);
-  blows.share = unresolved_share(of_blows, lowest);
-  blows.frequency = lowest;
+  for (const double frequency : natural)
+    if (const double share = unresolved_share(of_blows, frequency); share > blows.share)
+      blows = {{}, share, frequency};
   if (blows.share == 0) return blows;
   for (const Segment* s : of_blows) blows.records.insert(s->record);
   // Blows that are alike may be off alike: the mean of all is not known better than one.
-  blows.share *= std::sqrt(static_cast<double>(blows.records.size()));
+  blows.share = std::min(1.0, blows.share * std::sqrt(static_cast<double>(blows.records.size())));
   return blows;
 }
 
@@ -231,8 +233,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
         result.warnings);
   };
   std::vector<Segment> segments = cut(options.window, SegmentLength::turns);
-  result.of_records.of_blows =
-      between_samples(campaign, segments, *std::min_element(natural.begin(), natural.end()));
+  result.of_records.of_blows = between_samples(campaign, segments, natural);
   if (observed.conditions.empty() && segments.empty()) throw nothing_to_compare(campaign, model, result.warnings);
   result.conditions = std::move(observed.conditions);
   result.segments = segments.size();
@@ -246,7 +247,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
       static_cast<double>(compared_samples(result.conditions, segments)) / static_cast<double>(counting.samples());
   result.spans = counting.spans();
   const LargestMotions largest = largest_motions(result.conditions, segments, sensors, natural);
-  set_scales(result.forces, largest.displacement, natural);
+  if (!options.keeps_scales) set_scales(result.forces, largest.displacement, natural);
   result.candidates =
       candidates_of(options.catalogue, effects, {model, sensors, faults, result.conditions, segments, largest});
   note_scales(result.forces, result.candidates);

@@ -63,6 +63,7 @@ class OpenDiagnosis::Stages {
 
   const Diagnosis& result() const { return result_; }
 
+  const std::vector<StateForce>& forces() const { return comparison_.forces; }
   const Refit& fit() const { return best_ != nullptr ? best_->fit : inference_.null.fit; }
 
   bool leaves_noise_alone() const {
@@ -364,6 +365,10 @@ void OpenDiagnosis::make_unknown(const std::string& why) {
 
 const Refit& OpenDiagnosis::fit() const {
   return stages_->fit();
+}
+
+const std::vector<StateForce>& OpenDiagnosis::forces() const {
+  return stages_->forces();
 }
 
 Diagnosis OpenDiagnosis::finish() && {

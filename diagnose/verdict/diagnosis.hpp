@@ -90,6 +90,8 @@ class OpenDiagnosis {
   void make_unknown(const std::string& why);
   /// Of the explanation that the verdict is about, or of the model as it is.
   const Refit& fit() const;
+  /// With the scales that its strengths are of.
+  const std::vector<StateForce>& forces() const;
   /// Adds what no verdict waits for, and much time goes into: the next experiment, and motions simulated before and
   /// after.
   Diagnosis finish() &&;

@@ -23,6 +23,7 @@ struct DiagnosisOptions {
   /// By mode, rad/s: where the records are, whatever the model's nominal values say; NaN or missing: not known.
   std::vector<double> natural_frequency;
   std::vector<StateForce> forces;  ///< scales are set from the data
+  bool keeps_scales = false;       ///< of `forces`, as they are
   std::set<std::string> left_out;  ///< effects that are not to be considered
   bool late = false;               ///< responses of every dwell may be late by a time of its own
   /// By mode, relative: standard deviation with which natural frequencies differ from record to record, at first.

@@ -75,7 +75,7 @@ std::span<const DisturbanceKind> disturbance_catalogue() {
                       "by identify, from a case's equations with and without phases of their own (F law)",
                       "phases tell neither damping nor force: the fit does without them"},
       DisturbanceKind{"blow_mismatch", "a blow that does not do what its excitation says, by record",
-                      "strength relative to the mean of all blows",
+                      "strength over the mean of all blows, less one",
                       "by diagnose, where nothing is left of what follows blows: each is fitted with a strength of "
                       "its own (chi-squared of what strengths differ by, and of what is left)",
                       "an effect of the excitation seems to act: what drives blows does not count"},

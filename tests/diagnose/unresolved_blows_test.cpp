@@ -55,6 +55,7 @@ TEST(UnresolvedBlows, SharpEdgesAreOffByWhatIsSaid) {
     for (int blow = 0; blow < 40; ++blow) {
       const Signal signal = half_sine(0.2 + phase(draw), width_s);
       segments.push_back(sampled(signal));
+      segments.back().record = segments.size();
       squares += std::pow(error_of_samples(signal), 2) / 40;
     }
     std::vector<const Segment*> all;
@@ -68,6 +69,16 @@ TEST(UnresolvedBlows, SharpEdgesAreOffByWhatIsSaid) {
 TEST(UnresolvedBlows, BehindAFilterNothingIsOpen) {
   const Segment smooth = sampled([](double t) { return std::exp(-0.5 * std::pow((t - 0.3) / (2.5 * step_s), 2)); });
   EXPECT_LT(unresolved_share({&smooth}, at_rad_s), 1e-5);
+}
+
+// An offset of the reading, its noise, and a stretch at rest behind the blow.
+TEST(UnresolvedBlows, WhatElseIsInTheReadingIsNoBlow) {
+  const Signal blow = half_sine(0.3, 0.012);
+  const Segment clean = sampled(blow);
+  const Segment dirty = sampled([&](double t) { return blow(t) + 0.03 + 0.003 * std::sin(1.7e5 * t * t); });
+  const Segment after = sampled([](double t) { return 0.03 + 0.003 * std::sin(1.3e5 * t * t); });
+  EXPECT_NEAR(unresolved_share({&dirty, &after}, at_rad_s), unresolved_share({&clean}, at_rad_s), 1e-3);
+  EXPECT_GT(unresolved_share({&clean}, at_rad_s), 3e-3);
 }
 
 TEST(UnresolvedBlows, WithoutABlowNothingIsOpen) {
