@@ -26,7 +26,16 @@ bool holds(const Names& names, const std::string& name) {
 std::string leading_effect(const Rival& best, const Inference& inference) {
   if (best.effects.size() == 1) return best.effects.front();
   const std::vector<std::size_t>& members = best.explanation->members;
-  return best.effects[inference.linear_gain[members[0]] >= inference.linear_gain[members[1]] ? 0 : 1];
+  const auto alone = [&](std::size_t member) {
+    return std::find_if(inference.explanations.begin(), inference.explanations.end(),
+                        [&](const Explanation& e) { return e.members.size() == 1 && e.members.front() == member; });
+  };
+  const auto first = alone(members[0]), second = alone(members[1]), none = inference.explanations.end();
+  // One that was not fitted alone at last: to first order.
+  const bool first_leads = first != none && second != none
+                               ? first->fit.chi_squared <= second->fit.chi_squared
+                               : inference.linear_gain[members[0]] >= inference.linear_gain[members[1]];
+  return best.effects[first_leads ? 0 : 1];
 }
 
 // What has more unknowns and still explains no better contains the best as a limit (a slider that slips at once is
