@@ -70,6 +70,8 @@ struct DiagnoseThresholds {
   double disturbed_line = 4;
   double first_look = 1e-2;
   double no_motion = 1e4;
+  double drives_from = 0.01;
+  double above_rest = 5;
 };
 
 /// Those in use.

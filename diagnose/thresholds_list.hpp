@@ -14,7 +14,8 @@ inline constexpr std::array diagnose_threshold_list = {
     Threshold<DiagnoseThresholds>{
         "scatter_alarm", &DiagnoseThresholds::scatter_alarm, ThresholdKind::alarm, "probability",
         "frequencies of one structure, or how late records are, differ by chance", "per campaign",
-        "verdict/frequency_scatter.cpp, verdict/late_records.cpp, verdict/model_alone.cpp"},
+        "verdict/blows_alone.cpp, verdict/frequency_scatter.cpp, verdict/late_records.cpp, "
+        "verdict/model_alone.cpp"},
     Threshold<DiagnoseThresholds>{"setting_alarm", &DiagnoseThresholds::setting_alarm, ThresholdKind::alarm,
                                   "probability", "departures at random follow the settings",
                                   "per campaign; docs/inference.md (26)", "verdict/setting_functions.cpp"},
@@ -160,10 +161,10 @@ inline constexpr std::array diagnose_threshold_list = {
                                   "no record of the draws", "evidence/condition_rows.cpp, evidence/segment.cpp"},
     Threshold<DiagnoseThresholds>{"decay_turns", &DiagnoseThresholds::decay_turns, ThresholdKind::tuned,
                                   "turns of the lowest mode", "in a segment of a decay", "no record of the draws",
-                                  "evidence/segment.cpp"},
+                                  "evidence/segment.cpp, evidence/segment_evidence.cpp"},
     Threshold<DiagnoseThresholds>{"driven_turns", &DiagnoseThresholds::driven_turns, ThresholdKind::tuned,
                                   "turns of the lowest mode", "in a segment of a driven record",
-                                  "no record of the draws", "evidence/segment.cpp"},
+                                  "no record of the draws", "evidence/segment.cpp, evidence/segment_evidence.cpp"},
     Threshold<DiagnoseThresholds>{"segment_samples", &DiagnoseThresholds::segment_samples, ThresholdKind::tuned,
                                   "samples", "of a segment, at least", "no record of the draws",
                                   "evidence/segment.cpp"},
@@ -192,6 +193,13 @@ inline constexpr std::array diagnose_threshold_list = {
     Threshold<DiagnoseThresholds>{"no_motion", &DiagnoseThresholds::no_motion, ThresholdKind::tuned,
                                   "standard deviations", "of rows where no motion was found",
                                   "no record of the draws", "evidence/line_evidence.cpp"},
+    Threshold<DiagnoseThresholds>{"drives_from", &DiagnoseThresholds::drives_from, ThresholdKind::tuned,
+                                  "share of the peak", "from which on an excitation drives",
+                                  "tests/diagnose/unresolved_blows_test.cpp: half and twice as much",
+                                  "evidence/segment_evidence.cpp, evidence/unresolved_blows.cpp"},
+    Threshold<DiagnoseThresholds>{"above_rest", &DiagnoseThresholds::above_rest, ThresholdKind::alarm,
+                                  "standard deviations", "of an excitation at rest, that a blow passes",
+                                  "probability 6e-7 a sample", "evidence/unresolved_blows.cpp"},
 };
 static_assert(sizeof(DiagnoseThresholds) == 8 * diagnose_threshold_list.size(), "each has its row");
 

@@ -178,8 +178,7 @@ std::vector<Disturbance> mismatches(const BlowsAlone& blows, const Diagnosis& di
       d.share = std::abs(d.size);
       d.text = fmt::format(
           "its excitation acts {:.2g} % {} the mean of all blows (sd {:.1g} %): {} would be {:.5g}; blows differ "
-          "by "
-          "{:.2g} % (sd); {}",
+          "by {:.2g} % (sd); {}",
           100 * d.share, d.size < 0 ? "below" : "above", 100 * std::sqrt(own->variance) / mean,
           model.symbols[strengths->symbol].name, own->value, 100 * strengths->sd / mean, left);
     }
@@ -321,9 +320,10 @@ class StepByStep {
     });
     bool is_answered = false;
     for (const Allowance& allowance : all) {
+      if (!allowance.blows_as_decays) is_answered = is_answered || tells(allowance);
       // What leaves noise alone and yet tells no cause may follow blows that do not say how strong they are.
-      const bool open = !is_answered || (allowance.blows_as_decays && how_told(best_->so_far()) < all_told);
-      if (open) is_answered = tells(allowance) || is_answered;
+      else if (how_told(best_->so_far()) < all_told)
+        is_answered = blows_do_not_fit(allowance) || is_answered;
     }
     return std::move(*best_).finish();
   }
@@ -412,10 +412,9 @@ class StepByStep {
   }
 
   bool has_blows() const {
-    for (std::size_t r = 0; r < campaign_.records.size(); ++r)
-      if (campaign_.records[r].kind == RecordKind::impact && request_.window.takes(r, campaign_.records[r].file))
-        return tried_.model->excitations.size() > tried_.forces.size() && excitation_channels() > 0;
-    return false;
+    const std::vector<bool> impacts = chosen_impacts(campaign_, request_.window);
+    return tried_.model->excitations.size() > tried_.forces.size() && excitation_channels() > 0 &&
+           std::find(impacts.begin(), impacts.end(), true) != impacts.end();
   }
 
   // Not where one time of all does as well, which is a cause, channel_skew, and no disturbance.
@@ -434,30 +433,24 @@ class StepByStep {
     return plain.has_as_credible(alone({.frequency_scatter = scatter_alone_, .blows_as_decays = blows_as_decays}));
   }
 
+  void doubt_what_may_be_of_records(OpenDiagnosis& fresh, bool may_scatter, bool blows_as_decays) {
+    if (const std::string why = doubt_of_own(fresh.so_far()); !why.empty()) fresh.make_unknown(why);
+    if (may_scatter && may_be_scatter(fresh, blows_as_decays))
+      fresh.make_unknown(
+          "natural frequencies that differ from record to record make as much of it; too few records tell which");
+  }
+
   // Keeps what accounts for most of the gap, of two that do as much the one that leaves less, or needs nothing of
   // the records' own to leave noise alone. Whether that is the answer: it accounts for all of the gap, or needs
   // nothing of their own.
   bool tells(const Allowance& allowance) {
-    const std::pair beside(allowance.late, allowance.blows_as_decays);
-    const bool is_known = known_without_scatter_.contains(beside);
+    const bool is_known = known_without_scatter_.contains(allowance.late);
     if (is_known && allowance.frequency_scatter.size() == 0) return false;
     options_.knows_without_scatter = is_known;
     OpenDiagnosis fresh = diagnosed(allowance);
-    const bool is_without_scatter = !fresh.admits_scatter(),
-               is_plain = is_without_scatter && !allowance.late && !allowance.blows_as_decays;
-    if (is_without_scatter) known_without_scatter_.insert(beside);
-    if (const std::string why = doubt_of_own(fresh.so_far()); !why.empty()) fresh.make_unknown(why);
-    if ((is_plain || allowance.blows_as_decays) && may_be_scatter(fresh, allowance.blows_as_decays))
-      fresh.make_unknown(
-          "natural frequencies that differ from record to record make as much of it; too few records tell which");
-    if (allowance.blows_as_decays) {
-      // Rows of the blows themselves are gone: less that is left of the others is no better answer by itself.
-      if (how_told(fresh.so_far()) != all_told) return false;
-      blows_ = fit_blows_alone(campaign_, read_, *tried_.model, tried_.own, options_, fresh.forces(), fresh.fit());
-      if (!blows_->do_not_fit()) blows_.reset();
-      if (blows_) best_ = std::move(fresh);
-      return blows_.has_value();
-    }
+    const bool is_without_scatter = !fresh.admits_scatter(), is_plain = is_without_scatter && !allowance.late;
+    if (is_without_scatter) known_without_scatter_.insert(allowance.late);
+    doubt_what_may_be_of_records(fresh, is_plain, false);
     const bool suffices = is_plain && fresh.leaves_noise_alone();
     const auto accounts = [](const OpenDiagnosis& d) {
       return std::pair(how_told(d.so_far()), -d.so_far().gap.after);
@@ -468,6 +461,21 @@ class StepByStep {
     return suffices || how_told(best_->so_far()) == all_told;
   }
 
+  // Keeps what follows the blows where it accounts for all of the gap and the blows themselves do not fit. Rows of
+  // these are gone: less that is left of the others is no better answer by itself.
+  bool blows_do_not_fit(const Allowance& allowance) {
+    options_.knows_without_scatter = false;
+    OpenDiagnosis fresh = diagnosed(allowance);
+    doubt_what_may_be_of_records(fresh, true, true);
+    if (how_told(fresh.so_far()) != all_told) return false;
+    blows_ = fit_blows_alone(campaign_, read_, *tried_.model, tried_.own, options_, fresh.forces(), fresh.fit());
+    if (blows_->do_not_fit())
+      best_ = std::move(fresh);
+    else
+      blows_.reset();
+    return blows_.has_value();
+  }
+
   const DiagnosisRequest& request_;
   const TriedModel& tried_;
   const Campaign& campaign_;
@@ -475,9 +483,8 @@ class StepByStep {
   DiagnosisOptions& options_;
   ForeignContent& foreign_;
   DecayScatter of_decays_;
-  Eigen::VectorXd scatter_alone_;  // of frequencies about the model as it is
-  // Late or not, blows as decays or not: what a diagnosis says whose frequencies are all the same.
-  std::set<std::pair<bool, bool>> known_without_scatter_;
+  Eigen::VectorXd scatter_alone_;         // of frequencies about the model as it is
+  std::set<bool> known_without_scatter_;  // late or not: what a diagnosis says whose frequencies are all the same
   std::optional<OpenDiagnosis> best_;
   std::optional<BlowsAlone> blows_;
 };
@@ -541,10 +548,8 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   if (steps.blows()) {
     run.diagnosis.warnings.emplace_back(
         "blows do not do what their excitation says, or an effect of the excitation acts that is not found: they "
-        "are "
-        "compared from where the structure swings freely on, and numbers by which excitations act are missing "
-        "where "
-        "no other record tells them");
+        "are compared from where the structure swings freely on, and numbers by which excitations act are missing "
+        "where no other record tells them");
     for (Disturbance& d : mismatches(*steps.blows(), run.diagnosis, *run.model))
       run.disturbances.push_back(std::move(d));
   }

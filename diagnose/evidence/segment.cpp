@@ -129,36 +129,17 @@ class Cutter {
   // much motion there is (a sweep passes a resonance in a small part of its time).
   std::vector<Index> starts(const Movement& m, Index length, const Eigen::VectorXd& noise,
                             const Eigen::VectorXd& excitation_noise, std::size_t records) const {
-    Index pieces = m.available() / length;
-    const auto piece_of = [&](Index piece, Index channel) {
-      return m.part.samples.col(channel)(Eigen::seqN(m.first + piece * length * m.thinning, length, m.thinning));
-    };
-    if (!m.driven) {
-      Index loud = 0;
-      while (loud < pieces && piece_of(loud, 0).cwiseAbs().maxCoeff() >= end_at_noise * noise(0)) ++loud;
-      pieces = loud;
-    }
-    const Index share = std::max<Index>(m.driven ? 1 : fewest_of_a_decay(),
-                                        cut_.most_samples / static_cast<Index>(records) / length),
-                kept = std::min(pieces, share);
+    const Index share = cut_.most_samples / static_cast<Index>(records) / length;
     std::vector<Index> starts;
-    if (!m.driven) {
-      for (Index s = 0; s < kept; ++s) starts.push_back(s * pieces / kept * length);
+    if (m.driven) {
+      const std::vector<double> motion = motion_in(m, length, noise, excitation_noise);
+      for (const std::size_t piece : spread_by_size(motion, static_cast<std::size_t>(std::max<Index>(1, share))))
+        starts.push_back(static_cast<Index>(piece) * length);
       return starts;
     }
-    std::vector<double> motion(static_cast<std::size_t>(pieces));
-    // The square of the motion over that of what it is known to (docs/inference.md (40)): of its own noise and of
-    // what white noise in the reading of what drives makes at a resonance. About the mean of each part: a zero may
-    // wander.
-    const double of_excitation = 2 * noise_share(m, excitation_noise) / static_cast<double>(length);
-    for (Index c = 0; c < responses_; ++c)
-      for (Index p = 0; p < pieces; ++p) {
-        const Eigen::VectorXd piece = piece_of(p, c);
-        const double square = (piece.array() - piece.mean()).square().mean() / (noise(c) * noise(c));
-        motion[static_cast<std::size_t>(p)] += square / (1 + of_excitation * square);
-      }
-    for (const std::size_t piece : spread_by_size(motion, static_cast<std::size_t>(kept)))
-      starts.push_back(static_cast<Index>(piece) * length);
+    const Index pieces = pieces_that_stand_out(m, length, noise),
+                kept = std::min(pieces, std::max(fewest_of_a_decay(), share));
+    for (Index s = 0; s < kept; ++s) starts.push_back(s * pieces / kept * length);
     return starts;
   }
 
@@ -192,6 +173,34 @@ class Cutter {
     m.first = cut_.window.band ? 0 : start->sample;  // what has passed a band begins at the release
     m.thinning = std::max<Index>(1, static_cast<Index>(std::floor(two_pi * m.rate_hz / highest_ / wanted_samples)));
     return m;
+  }
+
+  auto piece_of(const Movement& m, Index length, Index piece, Index channel) const {
+    return m.part.samples.col(channel)(Eigen::seqN(m.first + piece * length * m.thinning, length, m.thinning));
+  }
+
+  // From a decay's start on.
+  Index pieces_that_stand_out(const Movement& m, Index length, const Eigen::VectorXd& noise) const {
+    const Index pieces = m.available() / length;
+    Index loud = 0;
+    while (loud < pieces && piece_of(m, length, loud, 0).cwiseAbs().maxCoeff() >= end_at_noise * noise(0)) ++loud;
+    return loud;
+  }
+
+  // By piece, the square of the motion over that of what it is known to (docs/inference.md (40)): of its own noise
+  // and of what white noise in the reading of what drives makes at a resonance. About the mean of each: a zero may
+  // wander.
+  std::vector<double> motion_in(const Movement& m, Index length, const Eigen::VectorXd& noise,
+                                const Eigen::VectorXd& excitation_noise) const {
+    std::vector<double> motion(static_cast<std::size_t>(m.available() / length));
+    const double of_excitation = 2 * noise_share(m, excitation_noise) / static_cast<double>(length);
+    for (Index c = 0; c < responses_; ++c)
+      for (std::size_t p = 0; p < motion.size(); ++p) {
+        const Eigen::VectorXd piece = piece_of(m, length, static_cast<Index>(p), c);
+        const double square = (piece.array() - piece.mean()).square().mean() / (noise(c) * noise(c));
+        motion[p] += square / (1 + of_excitation * square);
+      }
+    return motion;
   }
 
   // Of the excitations' variance: what moves with it is known no better.

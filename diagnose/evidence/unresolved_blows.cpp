@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "diagnose/thresholds.hpp"
 #include "numerics/median.hpp"
 
 namespace secular {
@@ -15,8 +16,9 @@ namespace {
 using Eigen::Index;
 using Eigen::RowVectorXd;
 
-/// A blow lasts while it is more than this share of its peak, or than so many standard deviations of the rest.
-constexpr double begins_at = 0.01, above_noise = 5;
+/// A blow lasts while it is more than this share of its peak and than so many standard deviations of the rest.
+constexpr auto& drives_from = diagnose_thresholds().drives_from;
+constexpr auto& above_rest = diagnose_thresholds().above_rest;
 
 /// Of what a sum over every second sample is off, next to the sum over all: signals with corners, whose spectrum
 /// falls with the square of the frequency.
@@ -37,8 +39,8 @@ struct Blow {
 
 Blow blow_in(const RowVectorXd& samples) {
   const RowVectorXd size = samples.cwiseAbs();
-  const double rest = upper_median(std::vector<double>(size.begin(), size.end())) / 0.6745;
-  const double least = std::max(begins_at * size.maxCoeff(), above_noise * rest);
+  const double rest = sd_of_median * upper_median(std::vector<double>(size.begin(), size.end()));
+  const double least = std::max(drives_from * size.maxCoeff(), above_rest * rest);
   Index first = 0, end = samples.size();
   while (first < end && !(size(first) > least)) ++first;
   while (end > first && !(size(end - 1) > least)) --end;

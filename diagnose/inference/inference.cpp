@@ -162,14 +162,19 @@ class Search {
     return fit;
   }
 
+  // A fit among errors of one level, and how many rows count there.
+  struct LevelFit {
+    Refit fit;
+    double rows = 0;
+  };
+
   // Errors of the rows depend on the unknowns, and a start far off has none that mean anything: one fit for each of
   // coarse_levels, every one from where the last ended. Among wider errors a fit leaves less: none that is finer
-  // follows one that leaves more than `most`. `counted`: rows that count, by level.
-  std::vector<Refit> from_coarse_to_fine(const VectorXd& start, const std::vector<std::size_t>& free,
-                                         double most = std::numeric_limits<double>::infinity(),
-                                         std::vector<double>* counted = nullptr) {
+  // follows one that leaves more than `most`.
+  std::vector<LevelFit> from_coarse_to_fine(const VectorXd& start, const std::vector<std::size_t>& free,
+                                            double most = std::numeric_limits<double>::infinity()) {
     VectorXd unknowns = start;
-    std::vector<Refit> fits;
+    std::vector<LevelFit> fits;
     for (const double coarse : coarse_levels) {
       Refit fit;
       double before = std::numeric_limits<double>::infinity();
@@ -185,15 +190,14 @@ class Search {
         if (round + 1 >= usual_rounds && !holds) break;
         before = fit.chi_squared;
       }
-      fits.push_back(std::move(fit));
-      if (counted) counted->push_back(rows());
-      if (!discrepancy_.measures_errors() && fits.back().chi_squared > reweighting * most) break;
+      fits.push_back({std::move(fit), rows()});
+      if (!discrepancy_.measures_errors() && fits.back().fit.chi_squared > reweighting * most) break;
     }
     return fits;
   }
 
-  bool misses(const Refit& fit) const { return misses(fit, rows()); }
-  static bool misses(const Refit& fit, double rows) { return fit.chi_squared > most_misfit * rows; }
+  static bool misses(const LevelFit& level) { return level.fit.chi_squared > most_misfit * level.rows; }
+  bool misses(const Refit& fit) const { return fit.chi_squared > most_misfit * rows(); }
 
   double dispersion_of(const Explanation& e) const {
     return e.fit.chi_squared / std::max(1.0, rows() - static_cast<double>(e.fit.rank));
@@ -220,23 +224,22 @@ class Search {
   // Of a model that is far from the data a fine fit would be bent beyond all sense; what it lacks is looked for
   // first, among errors that it can live with.
   void fit_null(const VectorXd& start) {
-    std::vector<double> counted;  // rows, by level
-    std::vector<Refit> nulls = from_coarse_to_fine(start, own_, std::numeric_limits<double>::infinity(), &counted);
+    std::vector<LevelFit> nulls = from_coarse_to_fine(start, own_);
     level_ = nulls.size() - 1;
     // What the equations of motion have no part in (a harmonic of the excitation that the model leaves out) is
     // missed at every level alike.
-    const bool in_equations = nulls.front().chi_squared < least_relief * nulls.back().chi_squared;
-    const auto misses_at_level = [&] { return misses(nulls[level_], counted[level_]); };
-    if (misses_at_level() && in_equations) {
-      while (level_ > 0 && misses_at_level()) --level_;
-      if (misses_at_level())
-        nulls[level_] = anchored_null(start);
+    const bool in_equations = nulls.front().fit.chi_squared < least_relief * nulls.back().fit.chi_squared;
+    if (misses(nulls[level_]) && in_equations) {
+      while (level_ > 0 && misses(nulls[level_])) --level_;
+      Refit& fit = nulls[level_].fit;
+      if (misses(nulls[level_]))
+        fit = anchored_null(start);
       else {
-        freeze(nulls[level_].unknowns, coarse_levels[level_]);
-        nulls[level_] = refit_own(nulls[level_].unknowns);
+        freeze(fit.unknowns, coarse_levels[level_]);
+        fit = refit_own(fit.unknowns);
       }
     }
-    result_.null.fit = std::move(nulls[level_]);
+    result_.null.fit = std::move(nulls[level_].fit);
     result_.degrees_of_freedom = freedom_about_null();
     null_holds_ = level_ == finest && !discrepancy_.admits_own() && !leaves_more_than_noise(result_.null);
   }
@@ -455,9 +458,9 @@ class Search {
   std::optional<Explanation> afresh(std::size_t member, const VectorXd& start, const VectorXd& like, double most) {
     VectorXd begin = start;
     take_over(begin, like, candidates_[member]);
-    std::vector<Refit> fits = from_coarse_to_fine(begin, free_of({member}), most);
+    std::vector<LevelFit> fits = from_coarse_to_fine(begin, free_of({member}), most);
     if (fits.size() < std::size(coarse_levels)) return std::nullopt;
-    return explanation({member}, std::move(fits.back()));
+    return explanation({member}, std::move(fits.back().fit));
   }
 
   // The model's own numbers may follow what is missing to where no step leads back, and whatever is tried beside

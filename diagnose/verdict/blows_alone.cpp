@@ -64,6 +64,13 @@ const BlowStrength* BlowStrengths::of(std::size_t record) const {
   return own == records.end() ? nullptr : &*own;
 }
 
+std::vector<bool> chosen_impacts(const Campaign& campaign, const Window& window) {
+  std::vector<bool> chosen;
+  for (std::size_t r = 0; r < campaign.records.size(); ++r)
+    chosen.push_back(campaign.records[r].kind == RecordKind::impact && window.takes(r, campaign.records[r].file));
+  return chosen;
+}
+
 BlowsAlone fit_blows_alone(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
                            const std::vector<std::size_t>& own, DiagnosisOptions options,
                            const std::vector<StateForce>& forces, const Refit& fit) {
@@ -75,13 +82,8 @@ BlowsAlone fit_blows_alone(const Campaign& campaign, const RecordReader& read, c
   options.check = {};
   options.forces = forces;
   options.keeps_scales = true;
-  std::vector<bool> impacts(campaign.records.size(), false);
-  for (std::size_t r = 0; r < campaign.records.size(); ++r)
-    impacts[r] =
-        campaign.records[r].kind == RecordKind::impact && options.window.takes(r, campaign.records[r].file);
   BlowsAlone blows;
-  if (std::find(impacts.begin(), impacts.end(), true) == impacts.end()) return blows;
-  options.window.chosen = impacts;
+  options.window.chosen = chosen_impacts(campaign, options.window);
   const std::set<std::size_t> usable = records_of(compare(campaign, read, model, own, {}, options).discrepancy);
   std::map<std::size_t, std::vector<BlowStrength>> of_symbols;
   for (const std::size_t r : usable) {

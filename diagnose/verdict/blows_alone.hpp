@@ -42,9 +42,12 @@ struct BlowsAlone {
   const BlowStrengths* most_different() const;
 };
 
+/// By record: impacts that the window takes.
+std::vector<bool> chosen_impacts(const Campaign& campaign, const Window& window);
+
 /// `fit`: of what follows the blows, its strengths those of `forces`. Its numbers are held as if they were exact,
 /// and the symbols of `own` that move none of its rows are fitted to every impact that its excitation drives. Other
-/// arguments as of diagnose().
+/// arguments as of diagnose(). The window holds an impact.
 BlowsAlone fit_blows_alone(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
                            const std::vector<std::size_t>& own, DiagnosisOptions options,
                            const std::vector<StateForce>& forces, const Refit& fit);

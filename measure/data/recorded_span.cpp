@@ -124,7 +124,6 @@ double largest_modulus(const std::vector<double>& values) {
 // corners.
 double noise_beside(const Tail& tail) {
   constexpr int highest = 6;
-  constexpr double sd_of_median = 1.4826;  // normal law: sd over the median of absolute values
   double variance = 2, before = median_modulus(tail.differences(1));
   for (int k = 2; k <= highest; ++k) {
     variance *= (4.0 * k - 2) / k;

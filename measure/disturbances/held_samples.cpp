@@ -20,7 +20,6 @@ namespace {
 
 constexpr auto& block = measure_thresholds().held_block;  // of samples that share the scatter of differences
 constexpr auto& neighbours = measure_thresholds().held_neighbours;  // values in order that share the smallest gap
-constexpr double sd_of_median = 1.4826;  // normal law: sd over the median of absolute values
 
 // The smallest gap between different values near a value: at least the step of whatever lattice is there.
 class LocalGaps {

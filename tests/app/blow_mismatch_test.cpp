@@ -5,54 +5,23 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/diagnosed_folder.hpp"
+#include "tests/app/plain_oscillator.hpp"
 
 namespace secular {
 namespace {
 
 constexpr double struck_rad_s = 66.7, struck_damping = 0.75, blow_strength = 1.2;
 
-class BlowMismatch : public testing_support::DiagnosedFolder {
+class BlowMismatch : public testing_support::PlainOscillator {
  protected:
   // Five blows on one mode; the effect is not in the model.
   void measure(double rate_hz, const std::string& effect = "") const {
-    std::ofstream(folder_ / "model.toml") << R"toml(schema = 1
-name = "plain"
-[[mode]]
-coordinate = "v"
-frequency = "omega0"
-equation = "D2(v) + omega0^2*v = -2*mu1*D(v) + eta1*F*cos(Omega*t)"
-[[case]]
-name = "free"
-relations = []
-order = { mu1 = 2, eta1 = 2 }
-expand_to = 2
-excitation = false
-[nominal]
-omega0 = 66.0
-)toml";
-    std::ofstream out(folder_ / "experiment.toml");
-    out << "schema = 1\nname = \"made\"\nmodel = \"" << path("model.toml") << "\"\nsample_rate_hz = " << rate_hz
-        << R"toml(.0
-[excitation]
-name = "base"
-quantity = "acceleration"
-unit = "m/s^2"
-noise_sd = 0.001
-[[response]]
-name = "tip"
-quantity = "acceleration"
-unit = "m/s^2"
-noise_sd = 0.02
-[parameters]
-)toml"
-        << "omega0 = " << struck_rad_s << "\nmu1 = " << struck_damping << "\neta1 = " << blow_strength << '\n';
+    std::ostringstream parameters, records;
+    parameters << "omega0 = " << struck_rad_s << "\nmu1 = " << struck_damping << "\neta1 = " << blow_strength
+               << '\n';
     for (const double peak : {4, 6, 8, 10, 12})
-      out << "[[impact]]\npeak = " << peak << "\nat_s = 0.2\nwidth_s = 0.02\nduration_s = 4.0\n";
-    out << effect;
-    out.close();
-    ASSERT_EQ(run("simulate " + path("experiment.toml") + " --seed 8 --force -o " + path("campaign")), 0)
-        << printed();
+      records << "[[impact]]\npeak = " << peak << "\nat_s = 0.2\nwidth_s = 0.02\nduration_s = 4.0\n";
+    simulate({rate_hz, "acceleration", "m/s^2", 0.02, 8}, parameters.str(), records.str() + effect);
   }
 
   // The readings of a record's excitation.

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include "tests/app/diagnosed_folder.hpp"
+#include "tests/app/plain_oscillator.hpp"
 #include "tests/signal/gaussian.hpp"
 
 namespace secular {
@@ -14,56 +14,14 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi, rate_hz = 320, natural_rad_s = 66.7;
 
-class ForeignContent : public testing_support::DiagnosedFolder {
+class ForeignContent : public testing_support::PlainOscillator {
  protected:
   // By time and random numbers, in units of the readings' rms about their mean.
   using Added = std::function<double(double, testing_support::Gaussian&)>;
 
-  void write_model() const {
-    std::ofstream(folder_ / "model.toml") << R"toml(schema = 1
-name = "plain"
-[[mode]]
-coordinate = "v"
-frequency = "omega0"
-equation = "D2(v) + omega0^2*v = -2*mu1*D(v) + eta1*F*cos(Omega*t)"
-[[case]]
-name = "free"
-relations = []
-order = { mu1 = 2, eta1 = 2 }
-expand_to = 2
-excitation = false
-[[case]]
-name = "primary"
-relations = ["Omega = omega0 + eps^2*sigma"]
-order = { mu1 = 2, eta1 = 2 }
-expand_to = 2
-[nominal]
-omega0 = 66.0
-)toml";
-  }
-
   // A campaign of such records, the response a velocity with noise of 0.6 % of its rms.
   void measure(const std::string& records, const std::string& effect = "") const {
-    write_model();
-    std::ofstream(folder_ / "experiment.toml") << "schema = 1\nname = \"made\"\nmodel = \"" << path("model.toml")
-                                               << "\"\nsample_rate_hz = " << rate_hz << R"toml(.0
-[parameters]
-omega0 = 66.7
-mu1 = 0.75
-eta1 = 1.0
-[excitation]
-name = "base"
-quantity = "acceleration"
-unit = "m/s^2"
-noise_sd = 0.001
-[[response]]
-name = "tip"
-quantity = "velocity"
-unit = "m/s"
-noise_sd = 0.0003
-)toml" << records << effect;
-    ASSERT_EQ(run("simulate " + path("experiment.toml") + " --seed 5 --force -o " + path("campaign")), 0)
-        << printed();
+    simulate({.rate_hz = rate_hz}, "omega0 = 66.7\nmu1 = 0.75\neta1 = 1.0\n", records + effect);
   }
 
   void measure_decay(const std::string& effect = "") const {

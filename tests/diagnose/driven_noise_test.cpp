@@ -7,14 +7,14 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/diagnose/laboratory.hpp"
-#include "tests/signal/gaussian.hpp"
+#include "tests/diagnose/driven_segment.hpp"
 
 namespace secular {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+using testing_support::driven_segment;
 using testing_support::Laboratory;
 using testing_support::natural;
 
@@ -30,25 +30,11 @@ struct Driven {
 Driven sweep(const Laboratory& lab, const VectorXd& unknowns, double base_noise, std::uint64_t seed) {
   testing_support::Gaussian gaussian(seed);
   Driven d;
+  const auto swept = [](double t) { return base * std::cos((0.98 * natural + 2 * t) * t); };
+  d.segment = driven_segment(lab, unknowns, {samples, spacing_s, swept}, d.state, response_noise, gaussian);
   Segment& s = d.segment;
-  s.sample_s = spacing_s;
-  s.substeps = 4;
-  Eigen::MatrixXd truth(1, 2 * samples - 1);
-  for (Index i = 0; i < truth.cols(); ++i) {
-    const double t = 0.5 * spacing_s * static_cast<double>(i);
-    truth(0, i) = base * std::cos((0.98 * natural + 2 * t) * t);
-  }
-  const MotionStart start{{unknowns.data(), unknowns.data() + lab.compiled.symbols.size()},
-                          d.state,
-                          std::make_shared<const DrivingSignal>(DrivingSignal{truth, spacing_s}),
-                          samples,
-                          4};
-  s.response = MotionIntegrator(lab.compiled, {}).motion(start).acceleration +
-               response_noise * gaussian.vector(samples).transpose();
-  s.noise_sd = VectorXd::Constant(1, response_noise);
   s.excitation_noise_sd = VectorXd::Constant(1, base_noise);
   const VectorXd noise = base_noise * gaussian.vector(samples);
-  s.excitation = truth;
   for (Index i = 0; i < samples; ++i) s.excitation(0, 2 * i) += noise(i);
   for (Index i = 0; i + 1 < samples; ++i) s.excitation(0, 2 * i + 1) += (noise(i) + noise(i + 1)) / 2;
   return d;

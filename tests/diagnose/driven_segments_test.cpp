@@ -8,14 +8,14 @@
 
 #include "diagnose/evidence/segment_evidence.hpp"
 #include "diagnose/inference/inference.hpp"
-#include "tests/diagnose/laboratory.hpp"
-#include "tests/signal/gaussian.hpp"
+#include "tests/diagnose/driven_segment.hpp"
 
 namespace secular {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+using testing_support::driven_segment;
 using testing_support::Laboratory;
 using testing_support::natural;
 
@@ -28,25 +28,12 @@ std::vector<Segment> sweeps(const Laboratory& lab, const VectorXd& unknowns) {
   std::vector<Segment> segments;
   for (const double level : {8.0, 16.0})
     for (const double direction : {1.0, -1.0}) {
-      Segment s;
-      s.record = segments.size();
-      s.sample_s = spacing_s;
-      s.substeps = 4;
-      s.excitation.resize(1, 2 * samples - 1);
-      for (Index i = 0; i < s.excitation.cols(); ++i) {
-        const double t = 0.5 * spacing_s * static_cast<double>(i);
-        s.excitation(0, i) = level * std::cos((1 - 0.03 * direction + 0.01 * direction * t) * natural * t);
-      }
-      const MotionStart start{{unknowns.data(), unknowns.data() + lab.compiled.symbols.size()},
-                              Eigen::Vector2d(direction * 4e-3, 0.1),
-                              std::make_shared<const DrivingSignal>(DrivingSignal{s.excitation, spacing_s}),
-                              samples,
-                              4};
-      s.response = MotionIntegrator(lab.compiled, {}).motion(start).acceleration +
-                   noise * gaussian.vector(samples).transpose();
-      s.noise_sd = VectorXd::Constant(1, noise);
-      s.excitation_noise_sd = VectorXd::Zero(1);
-      segments.push_back(std::move(s));
+      const auto base = [=](double t) {
+        return level * std::cos((1 - 0.03 * direction + 0.01 * direction * t) * natural * t);
+      };
+      segments.push_back(driven_segment(lab, unknowns, {samples, spacing_s, base},
+                                        Eigen::Vector2d(direction * 4e-3, 0.1), noise, gaussian));
+      segments.back().record = segments.size() - 1;
     }
   return segments;
 }

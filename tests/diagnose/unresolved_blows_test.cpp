@@ -10,6 +10,9 @@
 #include <random>
 #include <vector>
 
+#include "diagnose/thresholds.hpp"
+#include "tests/changed_thresholds.hpp"
+
 namespace secular {
 namespace {
 
@@ -79,6 +82,18 @@ TEST(UnresolvedBlows, WhatElseIsInTheReadingIsNoBlow) {
   const Segment after = sampled([](double t) { return 0.03 + 0.003 * std::sin(1.3e5 * t * t); });
   EXPECT_NEAR(unresolved_share({&dirty, &after}, at_rad_s), unresolved_share({&clean}, at_rad_s), 1e-3);
   EXPECT_GT(unresolved_share({&clean}, at_rad_s), 3e-3);
+}
+
+TEST(UnresolvedBlows, HalfAndTwiceTheShareThatBeginsABlowMoveLittle) {
+  const Segment blow = sampled([](double t) {
+    return half_sine(0.3, 0.012)(t) + 0.002 * std::exp(-std::abs(t - 0.3) / 0.01) * std::sin(900 * t);
+  });
+  const double usual = unresolved_share({&blow}, at_rad_s);
+  for (const double factor : {0.5, 2.0}) {
+    testing_support::ChangedThresholds<DiagnoseThresholds> changed;
+    changed->drives_from *= factor;
+    EXPECT_NEAR(unresolved_share({&blow}, at_rad_s), usual, 0.05 * usual) << factor;
+  }
 }
 
 TEST(UnresolvedBlows, WithoutABlowNothingIsOpen) {
