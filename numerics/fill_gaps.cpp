@@ -13,6 +13,7 @@ using Eigen::VectorXd;
 /// Coefficients of the model, and samples of a block: gaps that begin in one share the coefficients that it and its
 /// neighbours give.
 constexpr std::size_t order = 2 * longest_filled, around = 1024;
+constexpr auto delays = static_cast<Index>(order + 1);  // with none
 
 /// Gaps that hang together are found together, up to so many samples.
 constexpr std::size_t most_together = 64;
@@ -38,25 +39,40 @@ std::vector<Cluster> clusters_of(const std::vector<std::size_t>& missing) {
   return clusters;
 }
 
+// H_ij = sum of x_(t-i) x_(t-j) over the rows t from `begin` to before `end`, delays i, j from 0 to `order`; x from
+// begin - order on. Along a diagonal H differs by the products at both ends alone.
+MatrixXd products_of(std::span<const double> x, std::size_t begin, std::size_t end) {
+  const auto rows = static_cast<Index>(end - begin);
+  const auto from = [&](std::size_t place) { return Eigen::Map<const VectorXd>(x.data() + place, rows); };
+  MatrixXd h(delays, delays);
+  for (std::size_t j = 0; j <= order; ++j) h(static_cast<Index>(j), 0) = from(begin).dot(from(begin - j));
+  const auto enters = [&](Index delay) { return x[begin - 1 - static_cast<std::size_t>(delay)]; };
+  const auto leaves = [&](Index delay) { return x[end - 1 - static_cast<std::size_t>(delay)]; };
+  for (Index j = 0; j + 1 < delays; ++j)
+    for (Index i = j; i + 1 < delays; ++i)
+      h(i + 1, j + 1) = h(i, j) + enters(i) * enters(j) - leaves(i) * leaves(j);
+  return h.selfadjointView<Eigen::Lower>();
+}
+
 // x_t - sum_k a_k x_(t-k) over complete rows of a block and its neighbours; empty where there are too few.
 VectorXd coefficients(std::span<const double> x, const std::vector<bool>& lacks, std::size_t block) {
   const std::size_t begin = std::max(order, block > 0 ? (block - 1) * around : 0),
                     end = std::min(x.size(), (block + 2) * around);
-  constexpr auto size = static_cast<Index>(order);
-  MatrixXd gram = MatrixXd::Zero(size, size);
-  VectorXd product = VectorXd::Zero(size);
-  std::size_t rows = 0, complete = 0;
-  for (std::size_t t = begin - order; t < end; ++t) {
-    complete = lacks[t] ? 0 : complete + 1;
-    if (complete <= order) continue;
-    const Eigen::Map<const VectorXd> past(x.data() + t - order, size);
-    gram.selfadjointView<Eigen::Lower>().rankUpdate(past);
-    product += x[t] * past;
-    ++rows;
+  MatrixXd sum = MatrixXd::Zero(delays, delays);
+  std::size_t rows = 0, run = begin - order;  // of samples without a gap: where it begins
+  for (std::size_t t = run; t <= end; ++t) {
+    if (t < end && !lacks[t]) continue;
+    if (t > run + order) {
+      sum += products_of(x, run + order, t);
+      rows += t - run - order;
+    }
+    run = t + 1;
   }
   if (rows < 2 * order) return {};
+  constexpr auto size = static_cast<Index>(order);
+  MatrixXd gram = sum.bottomRightCorner(size, size);
   gram.diagonal().array() += ridge * gram.trace() / static_cast<double>(size);
-  return gram.selfadjointView<Eigen::Lower>().ldlt().solve(product).reverse();  // by delay
+  return gram.ldlt().solve(sum.col(0).tail(size));
 }
 
 bool fill(std::span<double> x, const VectorXd& a, const Cluster& cluster) {
