@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "motion/thresholds.hpp"
+
 namespace secular {
 namespace {
 
@@ -14,7 +16,8 @@ using Eigen::Index;
 /// was measured, or whose amplitudes would change by more than the second of themselves in a radian, is none that
 /// was measured. (What an excitation drives directly may be any number of times larger than a super- or
 /// subharmonic.)
-constexpr double largest_line = 10, largest_excess = 0.25;
+constexpr auto& largest_line = motion_thresholds().largest_line;
+constexpr auto& largest_excess = motion_thresholds().largest_excess;
 
 /// Highest line by the highest one on which a mode or a force is; and points of a turn.
 constexpr int multiples_of_one = 8, multiples_of_two = 3;

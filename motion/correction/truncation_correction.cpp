@@ -12,6 +12,7 @@
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
 #include "measure/observe/common_observations.hpp"
+#include "motion/thresholds.hpp"
 #include "numerics/anderson_acceleration.hpp"
 
 namespace secular {
@@ -22,7 +23,7 @@ constexpr const char *full_equations = "motions of the full equations", *regress
 /// The correction is evaluated at the estimate, at the corrected one, and so on: first as it comes, until that
 /// moves numbers by no more than a few error bars, then with how it depends on the parameters, until they rest.
 constexpr int most_plain_passes = 5, most_passes = 18;
-constexpr double near = 2, settled_share = 0.1;
+constexpr double near = 2;
 /// The pass that sees how the correction depends on the null space: near enough to where it is used.
 constexpr int null_space_pass = 2;
 constexpr std::size_t remembered_passes = 6;
@@ -45,8 +46,6 @@ constexpr double near_axes = 4;
 constexpr int last_weights = most_plain_passes + 6;
 /// Motions up to these shares of the largest ones are tried where those grow beyond bounds.
 constexpr double small_shares[] = {0.7, 0.5, 0.35};
-/// Slopes that make standard deviations grow by more say that corrections and numbers hardly determine one another.
-constexpr double most_growth = 1000;
 /// A unit vector that null-space directions leave less than this of has no direction beside them (rounding, of
 /// lengths about 1e-16).
 constexpr double no_direction = 1e-6;
@@ -436,7 +435,7 @@ class Correction {
     quick_.start = estimate_.state;
     int halvings = 0;
     for (int pass = most_plain_passes; pass < most_passes && halvings <= most_halvings; ++pass) {
-      if (move() < settled_share) {
+      if (move() < motion_thresholds().settled_share) {
         if (!at_.replayed) {
           replay();
           estimate_here();
@@ -479,7 +478,7 @@ class Correction {
     take_place(at, quick_);
     Estimate result = estimate_left(corrected, units_, options_, quick_);
     done_(regression);
-    if (!(growth(result, sd_) < most_growth))
+    if (!(growth(result, sd_) < motion_thresholds().most_growth))
       throw NumericalFailure(
           Ending::stalled,
           "the correction for the truncation: depends so much on the numbers that it is made for "

@@ -197,7 +197,7 @@ TEST_F(CommandLine, SimulateRefusesToOverwriteAndIdentifyRefusesNonsense) {
   expect_bad_input(run("identify " + campaign + " --model pendulum --from 5 --to 3" + out), "window is empty");
   expect_bad_input(run("identify " + (folder / "nowhere").string() + " --model pendulum" + out), "does not exist");
   EXPECT_FALSE(fs::exists(folder / "out"));
-  const Outcome good = run("identify " + campaign + " --model pendulum --to 60" + out);
+  const Outcome good = run("identify " + campaign + " --model pendulum --to 20" + out);
   EXPECT_EQ(good.status, 0) << good.errors;
   const auto estimate = nlohmann::json::parse(text_of(folder / "out/estimate.json"));
   EXPECT_EQ(estimate["schema"], 1);
@@ -243,7 +243,7 @@ TEST_F(CommandLine, PredictWritesResponsesOrNothing) {
   EXPECT_NE(text_of(fs::path(out) / "prediction.csv").find("branch,kind,Omega,stable,amplitude_v"),
             std::string::npos);
   const Outcome curve =
-      run(shipped + "--vary Omega 23 26 --against F 5 40 --curve saddle_node --hz --json --force");
+      run(shipped + "--vary Omega 24.3 25.1 --against F 15 30 --curve saddle_node --hz --json --force");
   EXPECT_EQ(curve.status, 0) << curve.errors;
   EXPECT_GT(nlohmann::json::parse(curve.output)["curves"][0]["points"].size(), 10u);
   const Outcome combination =

@@ -9,14 +9,15 @@
 #include "diagnose/thresholds_list.hpp"
 #include "estimator/thresholds_list.hpp"
 #include "measure/thresholds_list.hpp"
+#include "motion/thresholds_list.hpp"
 
 namespace secular::architecture {
 namespace {
 
 constexpr std::string_view head = R"(# Thresholds
 
-Numbers that decide results and that no formula gives. `measure/thresholds.hpp`, `estimator/thresholds.hpp` and
-`diagnose/thresholds.hpp` hold them; this page is made from the lists beside these structs:
+Numbers that decide results and that no formula gives. `measure/thresholds.hpp`, `estimator/thresholds.hpp`,
+`motion/thresholds.hpp` and `diagnose/thresholds.hpp` hold them; this page is made from the lists beside these structs:
 
 ```sh
 cmake --build build/release --target draw_thresholds && build/release/tests/draw_thresholds docs/thresholds.md
@@ -58,6 +59,7 @@ void print(std::ostream& out, std::string_view folder, const List& list) {
   for (const auto& [kind, title] :
        {std::pair{ThresholdKind::alarm, "alarm levels"}, std::pair{ThresholdKind::tuned, "tuned"}}) {
     const auto count = std::count_if(list.begin(), list.end(), [&](const auto& t) { return t.kind == kind; });
+    if (count == 0) continue;
     out << "\n## " << folder << "/: " << title << " (" << count << ")\n\n";
     out << "| name | value | unit | what it decides | source | where |\n|---|---|---|---|---|---|\n";
     for (const auto& t : list)
@@ -72,6 +74,7 @@ std::string thresholds_page() {
   out << head;
   print(out, "measure", measure_threshold_list);
   print(out, "estimator", estimator_threshold_list);
+  print(out, "motion", motion_threshold_list);
   print(out, "diagnose", diagnose_threshold_list);
   return out.str();
 }

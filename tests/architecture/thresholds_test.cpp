@@ -11,6 +11,7 @@
 #include "estimator/thresholds_list.hpp"
 #include "folder_rules.hpp"
 #include "measure/thresholds_list.hpp"
+#include "motion/thresholds_list.hpp"
 #include "tests/places.hpp"
 #include "thresholds_page.hpp"
 
@@ -48,6 +49,7 @@ void expect_complete(const List& list, const std::string& folder) {
 TEST(Thresholds, EachHasItsUnitSourceAndPlace) {
   expect_complete(measure_threshold_list, "measure");
   expect_complete(estimator_threshold_list, "estimator");
+  expect_complete(motion_threshold_list, "motion");
   expect_complete(diagnose_threshold_list, "diagnose");
 }
 
