@@ -309,7 +309,7 @@ class StepByStep {
   Diagnosis run() {
     const ModelAlone plain = alone({});
     std::vector<Allowance> all{{}};
-    if (is_more_than_noise(plain.left) && !holds_beside_foreign_content(plain)) {
+    if (!holds_beside_foreign_content(plain)) {
       of_decays_ = find_decay_scatter(request_);
       all = allowances(plain);
     }
@@ -356,8 +356,8 @@ class StepByStep {
     for (int round = 0; round < most_rounds && search(left.of_segments, campaign_, foreign_) > 0; ++round) {
       admit(foreign_, campaign_, options_);
       left = alone({});
-      if (!is_more_than_noise(left.left)) return true;
     }
+    if (!is_more_than_noise(left.left)) return true;
     foreign_ = in_records;
     admit(foreign_, campaign_, options_);
     return false;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -24,6 +25,9 @@ using Eigen::VectorXd;
 
 /// Samples of decays, sweeps and broadband records that are compared, in all.
 constexpr Index most_samples = 6000;
+
+/// In what the model leaves of one record lines are looked for in so many at most.
+constexpr Index most_searched_samples = 8192;
 
 // Reads records and notes how many samples of each are within a window.
 class CountingReader {
@@ -277,6 +281,26 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
     result.apart.emplace(model, result.forces, sensors, faults, std::move(apart), options.threads);
   }
   return result;
+}
+
+std::vector<SegmentEvidence::Left> left_of_records(const Campaign& campaign, const RecordReader& read,
+                                                   const CompiledModel& model, const Comparison& comparison,
+                                                   const DiagnosisOptions& options, const VectorXd& unknowns) {
+  std::vector<std::string> said_before;
+  std::vector<Segment> segments =
+      cut_segments(campaign, read, comparison.sensors, natural_frequencies(model, options, comparison.start),
+                   {options.window, SegmentLength::turns, std::numeric_limits<Index>::max(), options.wandering,
+                    options.tones, options.coloured, options.blows_as_decays},
+                   said_before);
+  // From the begin of each record.
+  std::map<std::size_t, Index> samples;
+  std::erase_if(segments, [&](const Segment& s) {
+    return (samples[s.record] += s.response.cols()) > most_searched_samples;
+  });
+  SegmentEvidence evidence(model, comparison.forces, comparison.sensors, comparison.faults, std::move(segments),
+                           options.threads);
+  evidence.freeze(unknowns, 0);
+  return evidence.left(unknowns);
 }
 
 std::vector<std::string> disturbed_records(const Comparison& comparison, const Campaign& campaign) {

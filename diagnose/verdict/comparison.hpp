@@ -51,6 +51,13 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
                    const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
                    const DiagnosisOptions& options);
 
+/// What the unknowns leave of records that are compared sample by sample, all samples of them one behind the other,
+/// or so many from the begin of each as evidence of lines needs.
+std::vector<SegmentEvidence::Left> left_of_records(const Campaign& campaign, const RecordReader& read,
+                                                   const CompiledModel& model, const Comparison& comparison,
+                                                   const DiagnosisOptions& options,
+                                                   const Eigen::VectorXd& unknowns);
+
 /// Records whose segments depart from every law of the amplitude, a warning each.
 std::vector<std::string> disturbed_records(const Comparison& comparison, const Campaign& campaign);
 

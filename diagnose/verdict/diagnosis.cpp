@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "diagnose/inference/fold_scatter.hpp"
 #include "diagnose/thresholds.hpp"
 #include "diagnose/verdict/comparison.hpp"
 #include "diagnose/verdict/conclusion.hpp"
@@ -176,7 +177,8 @@ class OpenDiagnosis::Stages {
     std::vector<const Candidate*> members;
     for (const std::size_t m : explanation.members) members.push_back(&comparison_.candidates[m]);
     result_.fitted =
-        fitted_numbers(explanation.fit, members, comparison_.unknown_names(model_), freedom(), campaign_, model_);
+        fitted_numbers(explanation.fit, members, comparison_.unknown_names(model_),
+                       covariance_of(explanation.fit, discrepancy().labels(), freedom()), campaign_, model_);
   }
 
   void close_without_gap() {

@@ -37,8 +37,8 @@ class Units {
 }  // namespace
 
 FittedNumbers fitted_numbers(const Refit& fit, const std::vector<const Candidate*>& members,
-                             const std::vector<std::string>& names, double rows, const Campaign& campaign,
-                             const CompiledModel& model) {
+                             const std::vector<std::string>& names, const Eigen::MatrixXd& covariance,
+                             const Campaign& campaign, const CompiledModel& model) {
   FittedNumbers numbers;
   const Units units(campaign, model);
   std::vector<Index> places, unknowns;
@@ -50,8 +50,7 @@ FittedNumbers fitted_numbers(const Refit& fit, const std::vector<const Candidate
     numbers.units.push_back(units.of(fit.free[f]));
   }
   numbers.values = fit.unknowns(unknowns);
-  numbers.covariance =
-      dispersion_of(fit.chi_squared, rows - static_cast<double>(fit.rank)) * fit.covariance(places, places);
+  numbers.covariance = covariance(places, places);
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Identity(numbers.values.size(), numbers.values.size());
   const auto place = [&](std::size_t unknown) {
     return std::find(unknowns.begin(), unknowns.end(), static_cast<Index>(unknown)) - unknowns.begin();

@@ -20,11 +20,11 @@ struct FittedNumbers {
 };
 
 /// `members`: candidates of the explanation whose fit this is; their strengths are given as their terms have them.
-/// `names`: of all unknowns, those of the model's symbols first. `rows`: how many of the fit's rows are
-/// independent; what they leave beyond repeatability widens the covariance. Units follow from those of the channels
-/// of `campaign`; a symbol that multiplies a force with a signal of its own (memory, time, a power) has none.
+/// `names`: of all unknowns, those of the model's symbols first. `covariance`: of the fit's free unknowns. Units
+/// follow from those of the channels of `campaign`; a symbol that multiplies a force with a signal of its own
+/// (memory, time, a power) has none.
 FittedNumbers fitted_numbers(const Refit& fit, const std::vector<const Candidate*>& members,
-                             const std::vector<std::string>& names, double rows, const Campaign& campaign,
-                             const CompiledModel& model);
+                             const std::vector<std::string>& names, const Eigen::MatrixXd& covariance,
+                             const Campaign& campaign, const CompiledModel& model);
 
 }  // namespace secular

@@ -43,7 +43,7 @@ ModelAlone fit_alone(const Campaign& campaign, const RecordReader& read, const C
   return {{alone.null.fit.chi_squared, alone.degrees_of_freedom},
           scatter_about(comparison.discrepancy, alone.null.fit.unknowns, model.modes()),
           lateness_about(comparison.discrepancy),
-          segments ? segments->left(alone.null.fit.unknowns) : std::vector<SegmentEvidence::Left>(),
+          segments ? left_of_records(campaign, read, model, comparison, options, alone.null.fit.unknowns) : std::vector<SegmentEvidence::Left>(),
           scattering_modes,
           log_width};
 }

@@ -1,8 +1,6 @@
 #include "estimator/identification/condition_scatter.hpp"
 
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
 
 #include "numerics/unit_scale.hpp"
 
@@ -16,9 +14,6 @@ using Eigen::VectorXd;
 /// Singular values of columns of unit norm below this share of the largest are none.
 constexpr double lost_column = 1e-9;
 
-/// A condition that alone determines a direction leaves nothing to compare it with.
-constexpr double largest_leverage = 0.999;
-
 // Residuals of the common fit in the case's coordinates, less those of its own: what the other unknowns of the case
 // take up is taken off.
 VectorXd left_by_common_fit(const CommonFit& c) {
@@ -29,24 +24,10 @@ VectorXd left_by_common_fit(const CommonFit& c) {
   return left - rows.others * weighted.completeOrthogonalDecomposition().solve(rows.kept * left);
 }
 
-// Conditions differ by no less than their repeats make them: docs/inference.md (27). `least`: that variance, by
-// unknown, and `error`: its square over its degrees of freedom.
-void keep_above(const VectorXd& least, const VectorXd& error, ConditionScatter& scatter) {
-  VectorXd larger = VectorXd::Ones(least.size());
-  for (Index p = 0; p < least.size(); ++p) {
-    const double found = scatter.covariance(p, p), kept = std::max(found, least(p));
-    double& freedom = scatter.degrees_of_freedom(p);
-    if (!(found > 0) || !(freedom > 0)) continue;
-    larger(p) = std::sqrt(kept / found);
-    freedom = kept * kept / (error(p) + (kept * kept - least(p) * least(p)) / freedom);
-  }
-  scatter.covariance = larger.asDiagonal() * scatter.covariance * larger.asDiagonal();
-}
-
 }  // namespace
 
-std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cases, const MatrixXd& further,
-                                                  const MatrixXd& directions) {
+std::optional<ClusterScatter> condition_scatter(std::span<const CommonFit> cases, const MatrixXd& further,
+                                                const MatrixXd& directions) {
   const Index common = directions.rows(), fitted = directions.cols();
   Index height = further.rows(), width = fitted;
   for (const CommonFit& c : cases) {
@@ -73,9 +54,8 @@ std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cas
   const MatrixXd of_fitted = scale.head(fitted).asDiagonal() * svd.matrixV().topLeftCorner(fitted, rank) *
                              singular.head(rank).cwiseInverse().asDiagonal();
   const MatrixXd spread = directions * of_fitted;
-  // By condition of all cases: its Gram matrix in the coordinates u, and what it alone moves the unknowns by.
-  std::vector<MatrixXd> grams, roots;
-  std::vector<VectorXd> moves;
+  // By condition of all cases: its Gram matrix in the coordinates u, and what it leaves.
+  std::vector<ClusterOfRows> conditions;
   VectorXd repeats = VectorXd::Zero(common), repeats_error = VectorXd::Zero(common);
   row = 0;
   for (const CommonFit& c : cases) {
@@ -90,35 +70,13 @@ std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cas
     if (rows.repeat_freedom > 0) repeats_error += of_case.cwiseAbs2() / rows.repeat_freedom;
     for (std::size_t g = 0; g < rows.gram.size(); ++g) {
       const MatrixXd gram = part.transpose() * rows.gram[g] * kept.solve(part);
-      const MatrixXd symmetric = 0.5 * (gram + gram.transpose());
-      const Eigen::SelfAdjointEigenSolver<MatrixXd> stays(MatrixXd::Identity(rank, rank) - symmetric);
-      if (stays.eigenvalues().minCoeff() < 1 - largest_leverage) return std::nullopt;
-      const MatrixXd root = stays.operatorInverseSqrt();
       const VectorXd score = part.transpose() * (rows.score[g] + rows.gram[g] * left) / rows.residual_sd;
-      moves.emplace_back(spread * (root * score));
-      roots.emplace_back(root * spread.transpose());
-      grams.push_back(symmetric);
+      conditions.push_back({0.5 * (gram + gram.transpose()), score});
     }
   }
-  ConditionScatter result{MatrixXd::Zero(common, common), VectorXd::Zero(common)};
-  const auto conditions = static_cast<Index>(moves.size());
-  for (const VectorXd& move : moves) result.covariance += move * move.transpose();
-  // The estimated variance is a sum of squares of linear forms in the residuals; where these are noise of unit
-  // variance, the forms have the covariance `forms`.
-  for (Index p = 0; p < common; ++p) {
-    MatrixXd products(rank, conditions);
-    VectorXd own(conditions);
-    for (Index g = 0; g < conditions; ++g) {
-      const auto at = static_cast<std::size_t>(g);
-      products.col(g) = grams[at] * roots[at].col(p);
-      own(g) = roots[at].col(p).dot(products.col(g));
-    }
-    MatrixXd forms = -products.transpose() * products;
-    forms.diagonal() += own;
-    const double trace = forms.trace(), square = forms.squaredNorm();
-    if (trace > 0 && square > 0) result.degrees_of_freedom(p) = trace * trace / square;
-  }
-  keep_above(repeats, repeats_error, result);
+  std::optional<ClusterScatter> result = cluster_scatter(conditions, spread);
+  // Conditions differ by no less than their repeats make them: docs/inference.md (27).
+  if (result) result->keep_above(repeats, repeats_error);
   return result;
 }
 

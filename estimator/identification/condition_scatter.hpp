@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "numerics/cluster_scatter.hpp"
+
 namespace secular {
 
 /// The rows of one case's regression, condition by condition, in coordinates in which all of them together are
@@ -30,20 +32,12 @@ struct CommonFit {
   Eigen::VectorXd values;  ///< by entry, at the fit
 };
 
-/// Error bars of the common unknowns from the scatter between conditions.
-struct ConditionScatter {
-  Eigen::MatrixXd covariance;          ///< unknowns x unknowns
-  Eigen::VectorXd degrees_of_freedom;  ///< by unknown, for Student's t
-};
-
-/// Covariance clustered by condition (docs/inference.md (8), (9)): residuals of the common fit, condition by
-/// condition, divided by the square root of what the fit leaves of them, so that their products have the right mean
-/// where conditions differ by noise alone, and degrees of freedom from the law of that estimate (CR2; R. M. Bell
-/// and D. F. McCaffrey, Survey Methodology 28, 2002, 169-181). The unknowns are fitted to the rows themselves: the
-/// case's own estimate has many more coefficients, of which some rest on a few conditions. `further`: rows of unit
-/// variance x unknowns of what else is known, which adds no scatter of its own. `directions`: unknowns x directions
-/// along which they are fitted. Nothing where one condition alone determines a direction.
-std::optional<ConditionScatter> condition_scatter(std::span<const CommonFit> cases, const Eigen::MatrixXd& further,
-                                                  const Eigen::MatrixXd& directions);
+/// cluster_scatter() of the common fit, condition by condition, kept above the scatter of repeats:
+/// docs/inference.md (8), (9), (27). The unknowns are fitted to the rows themselves: the case's own estimate has
+/// many more coefficients, of which some rest on a few conditions. `further`: rows of unit variance x unknowns of
+/// what else is known, which adds no scatter of its own. `directions`: unknowns x directions along which they are
+/// fitted. Nothing where one condition alone determines a direction.
+std::optional<ClusterScatter> condition_scatter(std::span<const CommonFit> cases, const Eigen::MatrixXd& further,
+                                                const Eigen::MatrixXd& directions);
 
 }  // namespace secular

@@ -229,7 +229,7 @@ MatrixXd slopes_of_lumps(std::span<const LumpEstimates> cases, const VectorXd& p
 
 // Clustered cases by their own rows, the others by their lumps: the rows of `further`, which holds all lumps'.
 // `directions`: along which unknowns are fitted.
-std::optional<ConditionScatter> scatter_at(std::span<const LumpEstimates> cases, const VectorXd& unknowns,
+std::optional<ClusterScatter> scatter_at(std::span<const LumpEstimates> cases, const VectorXd& unknowns,
                                            Index count, const std::vector<bool>& given, MatrixXd further,
                                            const MatrixXd& directions) {
   std::vector<CommonFit> common;
@@ -391,7 +391,7 @@ class SharedFit {
   }
 
   void set_errors(bool rough_errors) {
-    const std::optional<ConditionScatter> between =
+    const std::optional<ClusterScatter> between =
         rough_errors
             ? std::nullopt
             : scatter_at(cases_, seen_from_correction(unknowns_), count_, given_, jacobian_, directions_fitted_);

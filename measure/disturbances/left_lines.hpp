@@ -15,7 +15,7 @@ struct LeftLine {
 /// Lines in what a model leaves of a record, `left`, beside what it moves itself, `motion` (as many samples), that
 /// no missing term of its equations makes: steady ones over the whole, and ones that are in the first half, fourth,
 /// ... alone, a mode outside of the model that rings (find_lines, at half of the false alarm each). What a term
-/// makes lies at multiples of the motion's own line, as it is in the same samples.
+/// makes lies at multiples of the motion's own line, as it is in the same samples, and is no sharper than that.
 std::vector<LeftLine> find_left_lines(std::span<const double> left, std::span<const double> motion, double rate_hz,
                                       double false_alarm);
 

@@ -75,6 +75,11 @@ double hum(double t, testing_support::Gaussian&) {
   return 0.07 * std::sin(turn * 50 * t + 1);
 }
 
+// 6 % beside the resonance.
+double neighbour(double t, testing_support::Gaussian&) {
+  return 0.03 * std::sin(1.06 * natural_rad_s * t + 1);
+}
+
 double wander(double t, testing_support::Gaussian&) {
   return 0.25 * (1 - std::exp(-t / 8));
 }
@@ -115,6 +120,21 @@ TEST_F(ForeignContent, ColouredNoiseInADecayIsNoGap) {
   measure_decay();
   add(Coloured());
   expect_no_gap_beside("coloured_noise");
+}
+
+// Long before it makes a gap: it would move numbers by many standard deviations.
+TEST_F(ForeignContent, AToneBesideTheResonanceOfASweepMovesNoNumber) {
+  measure_sweep();
+  add(neighbour);
+  const nlohmann::json d = diagnosis();
+  ASSERT_TRUE(d.is_object()) << printed();
+  EXPECT_EQ(d["verdict"], "no_gap") << printed();
+  EXPECT_TRUE(is_fitted(d, "foreign_tone")) << printed();
+  for (const nlohmann::json& p : d["parameters"])
+    for (const auto& [name, truth] : {std::pair{"omega0", 66.7}, {"mu1", 0.75}, {"eta1", 1.0}})
+      if (p["name"] == name) {
+        EXPECT_NEAR(p["value"].get<double>(), truth, 4 * p["sd"].get<double>()) << name;
+      }
 }
 
 TEST_F(ForeignContent, HumInASweepIsNoGap) {
