@@ -90,7 +90,7 @@ inline constexpr std::array diagnose_threshold_list = {
     Threshold<DiagnoseThresholds>{"least_gain_share", &DiagnoseThresholds::least_gain_share, ThresholdKind::tuned,
                                   "share of the best gain", "a candidate with less is not fitted",
                                   "no record of the draws", "inference/inference.cpp"},
-    Threshold<DiagnoseThresholds>{"most_misfit", &DiagnoseThresholds::most_misfit, ThresholdKind::tuned,
+    Threshold<DiagnoseThresholds>{"most_residual", &DiagnoseThresholds::most_residual, ThresholdKind::tuned,
                                   "variances",
                                   "rows that a model misses by more are no place to look for what it lacks",
                                   "no record of the draws", "inference/inference.cpp"},

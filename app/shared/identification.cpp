@@ -235,12 +235,12 @@ void free_phases(const IdentificationRequest& request, const std::vector<Observa
          round < most_phase_rounds && refine_phases(unknown, corrected, units, options, freed.estimate); ++round)
       corrected = estimate_freed();
     found = unknown.cases;
-    const std::set<std::string> misfit = cases_that_misfit(freed.estimate);
+    const std::set<std::string> not_fitting = cases_with_lack_of_fit(freed.estimate);
     // Phases that are right leave numbers that agree with one another and with the full equations.
     const bool agrees = !corrected.empty() && !freed.estimate.consistency.significant;
     bool explained = true;
     for (CaseLateness& lateness : unknown.cases) {
-      if (lateness.finding == PhaseFinding::shifted && (!agrees || misfit.contains(lateness.resonance)))
+      if (lateness.finding == PhaseFinding::shifted && (!agrees || not_fitting.contains(lateness.resonance)))
         lateness.finding = PhaseFinding::in_part;
       explained = explained && (lateness.finding == PhaseFinding::shifted || !is_freed(lateness));
     }

@@ -258,13 +258,13 @@ void LineEvidence::put_in_step(const VectorXd& unknowns, double coarse, Lookout 
   std::vector<double> found(late.size());
   in_parallel(late.size(), threads_, [&](std::size_t i) {
     const auto& [record, conditions] = late[i];
-    const std::function<double(double)> misfit = [&](double seconds) {
-      return misfit_if_late(conditions, unknowns, coarse, seconds);
+    const std::function<double(double)> deviance = [&](double seconds) {
+      return deviance_if_late(conditions, unknowns, coarse, seconds);
     };
     const double here = conditions_[conditions.front()].late_s, period = periods.at(record);
     std::optional<double> close;
-    if (lookout == Lookout::close_by) close = likeliest_delay_near(misfit, here, period);
-    found[i] = close ? *close : likeliest_delay(misfit, here, period);
+    if (lookout == Lookout::close_by) close = likeliest_delay_near(deviance, here, period);
+    found[i] = close ? *close : likeliest_delay(deviance, here, period);
   });
   for (std::size_t i = 0; i < late.size(); ++i) {
     for (const std::size_t c : late[i].second) conditions_[c].count_as_late(found[i]);
@@ -274,18 +274,18 @@ void LineEvidence::put_in_step(const VectorXd& unknowns, double coarse, Lookout 
 
 // -2 log likelihood of conditions of one record if its responses are so late, but for a constant. Errors are those
 // of that lateness: their axes turn with it, so that errors of one place see no other.
-double LineEvidence::misfit_if_late(const std::vector<std::size_t>& conditions, const VectorXd& unknowns,
-                                    double coarse, double seconds) const {
-  double misfit = 0;
+double LineEvidence::deviance_if_late(const std::vector<std::size_t>& conditions, const VectorXd& unknowns,
+                                      double coarse, double seconds) const {
+  double deviance = 0;
   for (const std::size_t i : conditions) {
     Condition c = conditions_[i];
     c.count_as_late(seconds);
     Whitening w = whitening_[i];
     const ConditionRows rows = whiten(c, unknowns, coarse, w);
     if (w.is_of_before) return std::numeric_limits<double>::infinity();
-    misfit += whitened(rows, w).squaredNorm() - 2 * w.inverse_root.diagonal().array().log().sum();
+    deviance += whitened(rows, w).squaredNorm() - 2 * w.inverse_root.diagonal().array().log().sum();
   }
-  return std::isfinite(misfit) ? misfit : std::numeric_limits<double>::infinity();
+  return std::isfinite(deviance) ? deviance : std::numeric_limits<double>::infinity();
 }
 
 VectorXd LineEvidence::unmixed(const VectorXd& rows) const {

@@ -32,7 +32,7 @@ double observed_frequency(const CompiledModel& model, const CompiledCase& resona
   return frequency;
 }
 
-// The first-order model of one dwell: what its equations see, and what noise makes of their misfit. States are
+// The first-order model of one dwell: what its equations see, and what noise makes of their residuals. States are
 // (Re B_0, Im B_0, Re B_1, ...).
 class Dwell {
  public:
@@ -81,8 +81,8 @@ class Dwell {
     return information;
   }
 
-  // What noise makes of the misfit i (observed - frame) B - dB/dt.
-  MatrixXd misfit_covariance(const Eigen::Ref<const MatrixXd>& symmetry, double repeats) const {
+  // What noise makes of the residual i (observed - frame) B - dB/dt.
+  MatrixXd residual_covariance(const Eigen::Ref<const MatrixXd>& symmetry, double repeats) const {
     MatrixXd covariance = MatrixXd::Zero(states(), states());
     add_amplitude_noise(covariance, repeats);
     add_force_noise(covariance, repeats);
@@ -164,7 +164,7 @@ class Dwell {
       covariance += variance * (slope.col(2 * k) * slope.col(2 * k).transpose() +
                                 slope.col(2 * k + 1) * slope.col(2 * k + 1).transpose());
       const Complex b = state_.amplitude[m];
-      scatter += noise_.repeatability * (slope.col(2 * k) * b.real() + slope.col(2 * k + 1) * b.imag());
+      scatter += noise_.dwell_scatter * (slope.col(2 * k) * b.real() + slope.col(2 * k + 1) * b.imag());
     }
     covariance += scatter * scatter.transpose();
   }
@@ -268,7 +268,7 @@ MatrixXd dwell_information(const PlannedTest& test, const DwellState& state,
   std::vector<Index> rows;
   for (const Index k : dwell.active()) rows.insert(rows.end(), {2 * k, 2 * k + 1});
   // Rows in units of their own deviation: modes differ by orders of magnitude.
-  const MatrixXd part = dwell.misfit_covariance(symmetry, ensembles)(rows, rows);
+  const MatrixXd part = dwell.residual_covariance(symmetry, ensembles)(rows, rows);
   const VectorXd unit = part.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
   const Eigen::LLT<MatrixXd> cholesky(
       MatrixXd(unit.asDiagonal() * part * unit.asDiagonal()) +

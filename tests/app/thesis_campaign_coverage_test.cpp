@@ -294,7 +294,7 @@ TEST(SlowChapterFive, NullSpaceCoordinatesAreReadOffTheRows) {
   for (const LackOfFit& test : estimate.lack_of_fit.front().equations) {
     EXPECT_FALSE(test.significant) << test.name;
     // The root of a mean square has the standard deviation 1/sqrt(2 degrees of freedom).
-    EXPECT_GT(test.misfit, 1 - 4 / std::sqrt(2 * test.numerator_df)) << test.name;
+    EXPECT_GT(test.misfit_ratio, 1 - 4 / std::sqrt(2 * test.numerator_df)) << test.name;
   }
 }
 

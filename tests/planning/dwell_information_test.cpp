@@ -131,7 +131,7 @@ TEST(DwellInformation, RepeatabilityLimitsWhatEnsemblesBring) {
                              ensembles)(mu3, mu3);
   };
   EXPECT_NEAR(at(40), 4 * at(10), 1e-6 * at(40));
-  noise.repeatability = 0.02;
+  noise.dwell_scatter = 0.02;
   EXPECT_LT(at(4000), 1.9 * 4000.0 / 10 * at(10));
   EXPECT_GT(at(40), at(10));
 }
