@@ -547,7 +547,7 @@ class Search {
   // a law whose shape trades with its strength and the model's own numbers ends in a curved valley. (A power of any
   // exponent comes near to it before, and would be called a law that the catalogue lacks.)
   void end_stalled() {
-    const auto has_ended = [](const Explanation& e) { return e.fit.ending == FitEnding::converged; };
+    const auto has_ended = [](const Explanation& e) { return e.fit.ending == SolverEnding::converged; };
     double least = result_.null.fit.chi_squared;
     for (const Explanation& e : found_)
       if (has_ended(e) && !is_open(e)) least = std::min(least, e.fit.chi_squared);

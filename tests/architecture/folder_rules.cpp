@@ -37,7 +37,7 @@ const FolderTable& folder_table() {
       {"estimator/identification",
        {"input", "numerics", "estimator", "estimator/model", "measure/signal", "estimator/regression",
         "measure/observe"}},
-      {"motion/response", {"estimator/model"}},
+      {"motion/response", {"numerics", "estimator/model"}},
       {"estimator/planning", {"numerics", "estimator/model", "motion/response"}},
       {"motion/balance", {"effects", "numerics", "estimator/model"}},
       {"motion/simulate", {"effects", "input", "numerics", "estimator/model", "measure/data"}},

@@ -87,7 +87,7 @@ TEST_P(FrictionEvidence, ItsFitConvergesToTheTruth) {
     fit = refit(discrepancy, at, {symbol("omega0"), symbol("mu1"), symbol("fc")});
     at = fit.unknowns;
   }
-  EXPECT_EQ(fit.ending, FitEnding::converged);
+  EXPECT_EQ(fit.ending, SolverEnding::converged);
   EXPECT_NEAR(at(static_cast<Index>(symbol("fc"))), friction, 4 * std::sqrt(fit.covariance(2, 2)));
   // Four standard deviations of chi-squared.
   const auto freedom = static_cast<double>(discrepancy.freedom());

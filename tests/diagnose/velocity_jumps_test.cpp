@@ -98,7 +98,7 @@ class FrictionOverATurn : public testing::Test {
   Complex balance(int highest, Index points) const {
     const Motion motion = MotionBalance(model, {}).solve(
         setting(highest, points), Eigen::VectorXcd::Constant(1, Complex(0.1, 0.06)), parameters());
-    EXPECT_TRUE(motion.converged) << highest << " lines, " << points << " points";
+    EXPECT_TRUE(motion.converged()) << highest << " lines, " << points << " points";
     return motion.balance(0);
   }
 };
