@@ -178,7 +178,7 @@ inline constexpr std::array diagnose_threshold_list = {
                                   "steps in a turn", "of integration, of the highest mode",
                                   "no record of the draws", "evidence/segment.cpp"},
     Threshold<DiagnoseThresholds>{"fewest_cosines", &DiagnoseThresholds::fewest_cosines, ThresholdKind::tuned,
-                                  "cosines", "of a band whose noise is told", "no record of the draws",
+                                  "cosines", "of a band whose noise is determined", "no record of the draws",
                                   "evidence/noise_bands.cpp"},
     Threshold<DiagnoseThresholds>{"enough_freedom", &DiagnoseThresholds::enough_freedom, ThresholdKind::tuned,
                                   "degrees of freedom", "of lines that share a scatter",

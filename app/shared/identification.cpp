@@ -215,8 +215,8 @@ void doubt_by_rival(const IdentificationRequest& request, const UnknownPhases& u
 
 // Once more with phases as unknowns where equations do not hold. Numbers stay as they were, and those that this
 // moves are doubtful, where it is no explanation: equations still do not hold, or phases follow a law of the
-// amplitude. Where it is one, those that the other sign of the excitation moves are doubtful if that is not told.
-// `id` is as it was if this throws.
+// amplitude. Where it is one, those that the other sign of the excitation moves are doubtful if that is not
+// determined. `id` is as it was if this throws.
 void free_phases(const IdentificationRequest& request, const std::vector<ObservationSet>& observed,
                  Identification& id) {
   const MeasuredUnits units{id.coordinate_unit, id.excitation_units};
@@ -256,7 +256,7 @@ void free_phases(const IdentificationRequest& request, const std::vector<Observa
   for (const CaseLateness& lateness : unknown.cases) {
     id.estimate.warnings.push_back(text_of(lateness));
     if (!is_freed(lateness))
-      take_out(id.estimate, {lateness.resonance}, "phases do not hold, and nothing tells it without them");
+      take_out(id.estimate, {lateness.resonance}, "phases do not hold, and nothing determines it without them");
   }
   id.lateness = std::move(unknown.cases);
   id.freed = found;

@@ -24,7 +24,7 @@ const char* measure_of_fit(const CaseFit& fit, const std::vector<LackOfFit>& tes
   if (fit.set->resonance->excited) return "as well as repeats of one condition agree";
   const bool too_short =
       std::all_of(tests.begin(), tests.end(), [](const LackOfFit& t) { return !std::isfinite(t.denominator_df); });
-  return too_short ? "to three times the measured noise (decays are too short to tell their scatter)"
+  return too_short ? "to three times the measured noise (decays are too short to determine their scatter)"
                    : "as well as windows of a decay that follow one another agree";
 }
 

@@ -117,7 +117,7 @@ Index turning_column(const LateCase& late) {
   return turns;
 }
 
-// The one that was told, or that in which the coefficient that turns its sign is positive.
+// The one that is determined, or that in which the coefficient that turns its sign is positive.
 std::size_t chosen(const LateCase& late) {
   if (late.told) return *late.told;
   const Index turns = turning_column(late);
@@ -230,22 +230,23 @@ std::string text_of(const CaseLateness& lateness) {
         lateness.resonance, better);
   if (lateness.finding == PhaseFinding::nothing_told)
     return fmt::format(
-        "case {}: {}, but without that phase these conditions do not tell the parameters: no numbers are given. "
+        "case {}: {}, but without that phase these conditions do not determine the parameters: no numbers are "
+        "given. "
         "Check that excitation and responses are recorded by one clock, with one trigger and filters alike, and "
-        "that the model lacks no stiffness; dwells further from phase resonance would tell",
+        "that the model lacks no stiffness; dwells further from phase resonance would determine them",
         lateness.resonance, better);
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const RecordLateness& record : lateness.records) {
     least = std::min(least, record.late_s);
     most = std::max(most, record.late_s);
   }
-  const std::string sign =
-      lateness.assumed_positive.empty()
-          ? ""
-          : fmt::format(
-                "; the sign of the excitation's effect is not told: {} is taken as positive, and numbers that this "
-                "turns are doubtful",
-                lateness.assumed_positive);
+  const std::string sign = lateness.assumed_positive.empty()
+                               ? ""
+                               : fmt::format(
+                                     "; the sign of the excitation's effect is not determined: {} is taken as "
+                                     "positive, and numbers that this "
+                                     "turns are doubtful",
+                                     lateness.assumed_positive);
   const std::string from = fmt::format("{:.3g}", 1e3 * least), to = fmt::format("{:.3g}", 1e3 * most);
   return fmt::format(
       "case {}: excitation and responses are not in step. In {} records the responses are shifted in time by {} ms "
