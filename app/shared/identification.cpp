@@ -14,6 +14,7 @@
 #include "app/shared/record_selection.hpp"
 #include "app/shared/scatter_output.hpp"
 #include "estimator/identification/unsupported_values.hpp"
+#include "estimator/model/by_name.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
 #include "measure/disturbances/disturbance_watch.hpp"
@@ -50,11 +51,6 @@ class StageClock {
   std::vector<std::pair<std::string, double>>& seconds_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-const CompiledCase& named_case(const CompiledModel& model, const std::string& name) {
-  return *std::find_if(model.cases.begin(), model.cases.end(),
-                       [&](const CompiledCase& resonance) { return resonance.name == name; });
-}
 
 std::size_t count_of_conditions(const std::vector<ObservationSet>& sets) {
   std::size_t count = 0;
@@ -113,7 +109,7 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
   const CompiledModel& model = *result.model;
   clock.done("model");
   for (std::size_t c = 0; c < assignment.names.size(); ++c) {
-    const CompiledCase& resonance = named_case(model, assignment.names[c]);
+    const CompiledCase& resonance = case_named(model, assignment.names[c]);
     Window window = request.window;
     window.chosen = assignment.records[c];
     window.threads = request.threads;

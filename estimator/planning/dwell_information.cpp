@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "estimator/model/by_name.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
@@ -250,12 +251,9 @@ PlanUnknowns plan_unknowns(const CompiledModel& model, const CompiledCase& reson
     if (!resonance.mode_at_rest[k])
       add(model.symbols[k].name, -1, static_cast<int>(k), parameters(static_cast<Index>(k)));
   for (const std::string& name : fixed) {
-    const bool lump = std::any_of(resonance.lumps.begin(), resonance.lumps.end(),
-                                  [&](const CompiledLump& l) { return l.name == name; });
-    const bool frequency =
-        std::any_of(model.symbols.begin(), model.symbols.begin() + static_cast<std::ptrdiff_t>(model.modes()),
-                    [&](const CompiledSymbol& s) { return s.name == name; });
-    if (!lump && !frequency) throw std::invalid_argument("'" + name + "' is no lump and no natural frequency");
+    const bool frequency = place_of(model.symbols.first(model.modes()), name).has_value();
+    if (!place_of(resonance.lumps, name) && !frequency)
+      throw std::invalid_argument("'" + name + "' is no lump and no natural frequency");
   }
   unknowns.values = Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
   return unknowns;

@@ -20,6 +20,7 @@
 #include "app/procedure/thesis_procedures.hpp"
 #include "app/shared/identification.hpp"
 #include "app/shared/model_loading.hpp"
+#include "estimator/model/by_name.hpp"
 #include "motion/correction/observation_noise.hpp"
 #include "motion/correction/steady_set.hpp"
 #include "motion/simulate/noise.hpp"
@@ -257,11 +258,8 @@ void expect_intervals_to_hold_for_drawn_structures(const ThesisCampaign& campaig
     for (const EstimatedValue& v : id.estimate.parameters) {
       if (!v.value || v.fixed) continue;
       doubtful += v.doubtful;
-      for (std::size_t p = 0; p < id.model->symbols.size(); ++p)
-        if (id.model->symbols[p].name == v.name) {
-          inside += table[v.name].add(v, truth(static_cast<Eigen::Index>(p)));
-          ++count;
-        }
+      inside += table[v.name].add(v, truth(static_cast<Eigen::Index>(symbol_named(*id.model, v.name))));
+      ++count;
     }
   }
   print(table);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "diagnose/evidence/segment_motion.hpp"
+#include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
 
 namespace secular {
@@ -18,9 +19,7 @@ using Complex = std::complex<double>;
 Eigen::VectorXd parameters_of(const CompiledModel& model,
                               std::initializer_list<std::pair<const char*, double>> values) {
   Eigen::VectorXd parameters = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.symbols.size()));
-  for (const auto& [name, value] : values)
-    for (std::size_t s = 0; s < model.symbols.size(); ++s)
-      if (model.symbols[s].name == name) parameters(static_cast<Eigen::Index>(s)) = value;
+  for (const auto& [name, value] : values) parameters(static_cast<Eigen::Index>(symbol_named(model, name))) = value;
   return parameters;
 }
 

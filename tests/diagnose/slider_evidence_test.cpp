@@ -29,7 +29,7 @@ const ForceLaw only_friction{
 // The model's excitation carries the force.
 class SliderEvidence : public testing::TestWithParam<ForceLaw> {
  protected:
-  std::size_t symbol(const std::string& name) const { return testing_support::symbol_of(model, name); }
+  std::size_t symbol(const std::string& name) const { return symbol_named(model, name); }
   Index at(const std::string& name) const { return static_cast<Index>(symbol(name)); }
 
   VectorXd unknowns(double slips_at) const {

@@ -8,6 +8,7 @@
 #include <complex>
 #include <string>
 
+#include "estimator/model/by_name.hpp"
 #include "motion/correction/observation_noise.hpp"
 #include "motion/correction/replay.hpp"
 #include "tests/identification/virtual_campaign.hpp"
@@ -15,7 +16,6 @@
 namespace secular {
 namespace {
 
-using testing_support::case_named;
 using testing_support::observed;
 using testing_support::shipped_experiment;
 
@@ -111,8 +111,7 @@ TEST(SteadySet, MotionsOfACombinationResonanceStandStill) {
 TEST(SteadySet, NothingIsFoundBeyondTheRangeOfAResonance) {
   Dwells dwells(parametric(), "principal_parametric", false);
   Eigen::VectorXd damped = dwells.experiment.parameters;
-  for (std::size_t p = 0; p < dwells.model->symbols.size(); ++p)
-    if (dwells.model->symbols[p].name == "mu1") damped(static_cast<Eigen::Index>(p)) *= 50;
+  damped(static_cast<Eigen::Index>(symbol_named(*dwells.model, "mu1"))) *= 50;
   EXPECT_FALSE(SteadySet(dwells.set, 2).at(damped));
 }
 
