@@ -23,13 +23,15 @@
 #include "estimator/model/by_name.hpp"
 #include "motion/correction/observation_noise.hpp"
 #include "motion/correction/steady_set.hpp"
-#include "motion/simulate/noise.hpp"
 #include "numerics/confidence.hpp"
 #include "tests/identification/continuity.hpp"
 #include "tests/identification/virtual_campaign.hpp"
+#include "tests/sensor_noise.hpp"
 
 namespace secular::app {
 namespace {
+
+using testing_support::number_from;
 
 // One of them as it would be measured without noise.
 class ThesisCampaign {
@@ -104,9 +106,7 @@ class ThesisCampaign {
   ThesisCampaign(const std::string& name, const std::string& resonance)
       : experiment_(testing_support::shipped_experiment(name)),
         model_(ModelSource(experiment_.model, false).load({resonance})) {
-    Experiment quiet = experiment_;
-    quiet.excitation->noise_sd = 0;
-    for (SimulatedChannel& channel : quiet.responses) channel.noise_sd = 0;
+    Experiment quiet = testing_support::without_noise(experiment_);
     // Twenty minutes of settling take half as many steps so, and samples move by 3e-9 of the largest, less than a
     // millionth of the noise.
     quiet.motion.relative_tolerance *= 100;
@@ -116,13 +116,8 @@ class ThesisCampaign {
 
   RecordReader reader(int draw) const {
     return [this, draw](std::size_t r) {
-      Record record = exact_.samples[r];
-      for (std::size_t c = 0; c < record.channels.size(); ++c) {
-        const double sd = c == 0 ? experiment_.excitation->noise_sd : experiment_.responses[c - 1].noise_sd;
-        NoiseStream noise(static_cast<std::uint64_t>(draw) + 1, r, c);
-        for (double& x : record.channels[c]) x += sd * noise.gaussian();
-      }
-      return record;
+      return testing_support::with_sensor_noise(exact_.samples[r], experiment_,
+                                                static_cast<std::uint64_t>(draw) + 1, r);
     };
   }
 
@@ -149,11 +144,6 @@ struct Coverage {
     return holds;
   }
 };
-
-int number_from(const char* variable, int otherwise) {
-  const char* text = std::getenv(variable);
-  return text ? std::atoi(text) : otherwise;
-}
 
 void print(const std::map<std::string, Coverage>& table) {
   for (const auto& [name, c] : table)

@@ -12,6 +12,7 @@
 #include "measure/observe/modal_projection.hpp"
 #include "motion/simulate/virtual_test.hpp"
 #include "tests/places.hpp"
+#include "tests/sensor_noise.hpp"
 
 // Virtual tests in memory and what is identified from them.
 namespace secular::testing_support {
@@ -37,12 +38,6 @@ inline double truth_of(const CompiledModel& model, const CompiledCase& resonance
 inline Experiment shipped_experiment(const std::string& name) {
   const auto path = source_folder() / "models/experiments" / (name + ".toml");
   return read_experiment(path, *generated::find_compiled_model(experiment_model(path)));
-}
-
-inline Experiment without_noise(Experiment e) {
-  if (e.excitation) e.excitation->noise_sd = e.excitation->quantisation = 0;
-  for (SimulatedChannel& channel : e.responses) channel.noise_sd = channel.quantisation = 0;
-  return e;
 }
 
 /// Observations of the records of a simulated campaign that belong to a case: all dwells, or all decays.

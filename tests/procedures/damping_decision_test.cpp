@@ -6,6 +6,7 @@
 
 #include "estimator/model/by_name.hpp"
 #include "tests/procedures/noisy_campaign.hpp"
+#include "tests/sensor_noise.hpp"
 #include "thesis/procedures/competing_terms.hpp"
 
 namespace secular {
@@ -18,8 +19,7 @@ constexpr int default_seeds = 12, least_right = 10;
 
 // Longer runs of the same test: SECULAR_SEEDS=100.
 int seeds() {
-  const char* text = std::getenv("SECULAR_SEEDS");
-  return text ? std::atoi(text) : default_seeds;
+  return testing_support::number_from("SECULAR_SEEDS", default_seeds);
 }
 
 int right_decisions(Experiment experiment, const std::string& truth) {

@@ -12,6 +12,7 @@
 #include "motion/correction/observation_noise.hpp"
 #include "motion/correction/replay.hpp"
 #include "tests/identification/virtual_campaign.hpp"
+#include "tests/sensor_noise.hpp"
 
 namespace secular {
 namespace {
@@ -27,10 +28,7 @@ struct Dwells {
   ObservationSet set;
 
   Dwells(Experiment e, const std::string& case_name, bool noise) : experiment(std::move(e)) {
-    if (!noise) {
-      experiment.excitation->noise_sd = 0;
-      for (SimulatedChannel& channel : experiment.responses) channel.noise_sd = 0;
-    }
+    if (!noise) experiment = testing_support::without_noise(std::move(experiment));
     model = generated::find_compiled_model(experiment.model);
     resonance = &case_named(*model, case_name);
     simulated = run_virtual_test(experiment, *model, 1, 2);
