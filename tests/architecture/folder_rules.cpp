@@ -121,6 +121,14 @@ std::vector<fs::path> sources_of(const fs::path& root, const std::string& folder
   return files;
 }
 
+std::vector<std::string> folders_of_sources(const fs::path& root) {
+  std::vector<std::string> all;
+  for (const auto& [folder, allowed] : folder_table()) all.push_back(folder);
+  for (const fs::directory_entry& entry : fs::directory_iterator(root / "tests"))
+    if (entry.is_directory()) all.push_back("tests/" + entry.path().filename().string());
+  return all;
+}
+
 std::vector<Include> includes_in(const std::string& text) {
   static const std::regex directive(R"(^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"])");
   std::vector<Include> found;
