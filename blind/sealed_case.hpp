@@ -13,7 +13,7 @@ namespace secular::blind {
 
 enum class SetSize { short_set, full_set };
 
-/// What a set of cases is made with.
+/// What a blind set is made with. Here a case is a sealed one (docs/glossary.md): a campaign with its label.
 struct SetOptions {
   std::size_t cases = 60;
   std::uint64_t seed = 1;

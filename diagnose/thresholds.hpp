@@ -37,7 +37,7 @@ struct DiagnoseThresholds {
   double one_sided = 0.8;
   double largest_extra = 4;
   double least_gain_share = 0.02;
-  double most_misfit = 10;
+  double most_residual = 10;
   double least_relief = 0.5;
   double reweighting = 1.3;
   double first_damping = 1e-2;

@@ -15,12 +15,12 @@ struct EstimatorThresholds {
   double common_delay_alarm = 0.05;
   double false_lateness = 0.001;
   double phase_alarm = 0.001;
-  double false_misfit = 0.001;
+  double false_lack_of_fit = 0.001;
   double excluding_probability = 0.005;
   double outlier_false_alarm = 0.01;
   double interval_tail = 0.025;
   // Tuned.
-  double grid_misfit = 4;
+  double grid_rise = 4;
   double same_on_grid = 0.3;
   double same_phase = 0.02;
   double fewest_repeats = 10;

@@ -85,7 +85,7 @@ FitReport nonlinear_fit(const ResidualFunction& function, Index residuals, const
         damping = std::max(damping / 10, 1e-14);
         moved = true;
         if (done) {
-          report.status = FitStatus::converged;
+          report.ending = SolverEnding::converged;
           report.reason = "the cost no longer changes";
         }
         break;
@@ -94,10 +94,11 @@ FitReport nonlinear_fit(const ResidualFunction& function, Index residuals, const
     }
     if (!moved) {
       const double slope = along.norm();
-      report.status = slope <= 1e-6 * (1e-300 + residual.norm()) ? FitStatus::converged : FitStatus::no_descent;
-      report.reason = report.status == FitStatus::converged ? "the gradient vanishes" : "no step lowers the cost";
+      report.ending = slope <= 1e-6 * (1e-300 + residual.norm()) ? SolverEnding::converged : SolverEnding::stalled;
+      report.reason =
+          report.ending == SolverEnding::converged ? "the gradient vanishes" : "no step lowers the cost";
     }
-    if (report.status == FitStatus::converged || !moved) break;
+    if (report.ending == SolverEnding::converged || !moved) break;
   }
   const Linearisation l = linearise(jacobian);
   const Index count = start.size();

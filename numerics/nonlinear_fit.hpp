@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-namespace secular {
+#include "numerics/solver_ending.hpp"
 
-enum class FitStatus { converged, iteration_limit, no_descent };
+namespace secular {
 
 /// How a nonlinear least-squares fit ended.
 struct FitReport {
-  FitStatus status = FitStatus::iteration_limit;
+  SolverEnding ending = SolverEnding::stalled;
   std::string reason;
   int iterations = 0;
   double cost = 0;  ///< half the sum of squared residuals

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "input/markup.hpp"
+#include "input/page_style.hpp"
 #include "report/html_style.hpp"
 #include "report/number_format.hpp"
 
@@ -164,8 +165,8 @@ std::string HtmlReport::html() const {
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
-      "<style>{}</style>\n</head>\n<body>\n<main>\n<header>\n",
-      escape_markup_line(title_), html_style);
+      "<style>{}{}</style>\n</head>\n<body>\n<main>\n<header>\n",
+      escape_markup_line(title_), page_style, html_style);
   page += element("h1", title_);
   if (!subtitle_.empty()) page += fmt::format("<p class=\"subtitle\">{}</p>\n", escape_markup(subtitle_));
   if (sections_.size() > 2) {

@@ -4,15 +4,8 @@
 
 namespace secular::report {
 
-/// The style sheet of a report page.
+/// What the style sheet of a report page holds beside page_style.
 inline constexpr std::string_view html_style = R"css(
-:root { color-scheme: light dark; --ink: #1b1f24; --soft: #57606a; --rule: #d5dae0; --page: #ffffff; --panel: #f5f7f9;
-  --good: #00795a; --caution: #9a6700; --bad: #b3261e; --accent: #0072b2; }
-@media (prefers-color-scheme: dark) { :root { --ink: #e4e7eb; --soft: #9aa4af; --rule: #3a424b; --page: #15181c;
-  --panel: #1e2329; --good: #3fc79a; --caution: #e3b341; --bad: #ff8a80; --accent: #56b4e9; } }
-* { box-sizing: border-box; }
-body { margin: 0; background: var(--page); color: var(--ink); font: 16px/1.55 Helvetica, Arial, "Liberation Sans",
-  sans-serif; }
 main { max-width: 880px; margin: 0 auto; padding: 40px 24px 56px; }
 h1 { font-size: 28px; line-height: 1.2; margin: 0; letter-spacing: -0.01em; }
 h2 { font-size: 20px; line-height: 1.3; margin: 44px 0 12px; padding-bottom: 6px; border-bottom: 1px solid var(--rule); }
@@ -55,8 +48,6 @@ summary { cursor: pointer; font-weight: 600; }
 footer { margin-top: 56px; padding-top: 12px; border-top: 1px solid var(--rule); font-size: 13.5px; color: var(--soft); }
 footer pre { white-space: pre-wrap; overflow-wrap: anywhere; }
 @media print {
-  :root { color-scheme: light; --ink: #000000; --soft: #444444; --rule: #bbbbbb; --page: #ffffff; --panel: #ffffff;
-    --good: #00795a; --caution: #7a5200; --bad: #9b1c15; }
   body { font-size: 10.5pt; } main { max-width: none; padding: 0; } nav { display: none; }
   h2, h3 { break-after: avoid; } tr { break-inside: avoid; } pre { white-space: pre-wrap; }
 }

@@ -83,7 +83,7 @@ void print_summary(const Identification& id, const std::string& folder) {
         std::max_element(tests.equations.begin(), tests.equations.end(),
                          [](const LackOfFit& a, const LackOfFit& b) { return a.p_value > b.p_value; });
     fmt::print("fit of case {}: worst equation {} off by {:.2f} times what repeats explain (p = {:.2g}{})\n",
-               tests.resonance, worst->name, worst->misfit, worst->p_value,
+               tests.resonance, worst->name, worst->misfit_ratio, worst->p_value,
                worst->significant ? "" : ", nothing wrong");
   }
   for (const DampingComparison& damping : id.estimate.damping) {

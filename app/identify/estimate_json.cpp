@@ -65,8 +65,10 @@ Json lack_of_fit_json(const LackOfFit& test, const CaseLackOfFit& tests) {
   entry["case"] = tests.resonance;
   entry["equation"] = test.name;
   entry["conditions"] = test.conditions;
-  entry["misfit"] = test.misfit;
-  entry["repeatability"] = test.repeatability;
+  entry["misfit_ratio"] = test.misfit_ratio;
+  entry["scatter_ratio"] = test.scatter_ratio;
+  entry["misfit"] = test.misfit_ratio;  // their names in version 0.1, kept for one version
+  entry["repeatability"] = test.scatter_ratio;
   entry["f"] = test.f;
   entry["numerator_df"] = test.numerator_df;
   if (std::isfinite(test.denominator_df))
@@ -146,7 +148,7 @@ void add_representative(Json& result, const Identification& identification) {
   result["representative"] = {{"values", std::move(open)}, {"steady_motions_of", std::move(cases)}};
 }
 
-// Of all parameters that were estimated. A misfit that widened an error bar counts as that parameter's own.
+// Of all parameters that were estimated. Misfit that widened an error bar counts as that parameter's own.
 Json covariance_json(const Estimate& estimate) {
   std::vector<Eigen::Index> places;
   Json names = Json::array(), matrix = Json::array();

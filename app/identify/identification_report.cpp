@@ -375,8 +375,8 @@ void add_lack_of_fit(report::HtmlReport& page, const Estimate& estimate) {
                    {"p", Column::Kind::number, ""}};
   for (const CaseLackOfFit& tests : estimate.lack_of_fit)
     for (const LackOfFit& test : tests.equations) {
-      table.rows.push_back({test.name, tests.resonance, report::format_number(test.misfit, 3),
-                            report::format_number(test.repeatability, 3),
+      table.rows.push_back({test.name, tests.resonance, report::format_number(test.misfit_ratio, 3),
+                            report::format_number(test.scatter_ratio, 3),
                             std::isfinite(test.denominator_df)
                                 ? fmt::format("{:.1f}, {:.0f}", test.numerator_df, test.denominator_df)
                                 : fmt::format("{:.1f}", test.numerator_df),
@@ -385,12 +385,10 @@ void add_lack_of_fit(report::HtmlReport& page, const Estimate& estimate) {
     }
   page.table(table);
   page.paragraph(
-      "Does each equation hold at every condition as well as repeats of one condition agree? Misfit one is "
-      "perfect. "
-      "Where it is significant (marked), the model lacks something, its parameters have absorbed part of it, and "
-      "error "
-      "bars are widened by what as large a part again would do along them; where that dominates, a value is called "
-      "doubtful.");
+      "Does each equation hold at every condition as well as repeats of one condition agree? A ratio of one is "
+      "perfect. Where it is significant (marked), the model lacks something, its parameters have absorbed part of "
+      "it, and error bars are widened by what as large a part again would do along them; where that dominates, a "
+      "value is called doubtful.");
 }
 
 void add_tests(report::HtmlReport& page, const Estimate& estimate) {

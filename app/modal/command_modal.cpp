@@ -140,7 +140,8 @@ void add_modal_command(CLI::App* command, Action& chosen) {
       ->expected(1)
       ->take_all();
   command
-      ->add_option("--modal-mass", survey.modal_masses, "M1,M2,... in kg, by mode, where impacts do not tell them")
+      ->add_option("--modal-mass", survey.modal_masses,
+                   "M1,M2,... in kg, by mode, where impacts do not determine them")
       ->delimiter(',')
       ->expected(1, 200);
   options->basis.add_to(*command, "--basis", "also write the [modal_basis] table for campaign.toml to this file");

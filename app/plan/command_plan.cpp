@@ -88,7 +88,8 @@ void declare_options(CLI::App* command, PlanArguments* options) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command
-      ->add_option("--repeatability", request.repeatability, "relative scatter of amplitudes from dwell to dwell")
+      ->add_option("--dwell-scatter,--repeatability", request.dwell_scatter,
+                   "relative scatter of amplitudes from dwell to dwell; --repeatability is its old name")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_option("--ensembles", request.ensembles, "numbers of ensembles that a dwell may have")

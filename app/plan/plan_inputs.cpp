@@ -65,7 +65,7 @@ void read_sensors(const PlanRequest& request, PlanResult& plan) {
   noise.excitation_sd = request.excitation_noise;
   noise.sample_rate_hz = request.sample_rate_hz;
   noise.ensemble_s = request.ensemble_s;
-  noise.repeatability = request.repeatability;
+  noise.dwell_scatter = request.dwell_scatter;
   if (request.against.empty() || !against_is_experiment(request)) return;
   if (request.against_records.records != Window{}.records)
     throw InputError("--records " + request.against_records.records, "",

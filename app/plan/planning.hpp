@@ -18,7 +18,7 @@ struct PlanRequest {
   std::vector<std::string> wanted;
   std::vector<std::string> fixed;                  ///< lumps and frequencies taken as known
   DesignCriterion criterion = DesignCriterion::d;  ///< of a plan with a budget
-  double noise = 0.05, excitation_noise = 0.05, repeatability = 0;
+  double noise = 0.05, excitation_noise = 0.05, dwell_scatter = 0;
   double sample_rate_hz = 256, ensemble_s = 4;
   std::vector<int> ensembles = {2, 5, 10, 20, 40};
   double lowest_hz = 0, highest_hz = 0, lowest_amplitude = 0, highest_amplitude = 0;

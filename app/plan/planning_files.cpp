@@ -224,9 +224,9 @@ std::string plan_report(const PlanRequest& request, const PlanResult& plan, cons
   }
   page.table(table);
   page.paragraph(
-      "First order, from measurement noise and the repeatability that was given: what the expansion's truncation "
-      "and "
-      "effects outside the model add is not in these numbers. All unknowns of the case are estimated together.");
+      "First order, from measurement noise and the scatter between dwells that was given: what the expansion's "
+      "truncation and effects outside the model add is not in these numbers. All unknowns of the case are "
+      "estimated together.");
   page.section("Dwells");
   page.table(dwell_table(plan.plan, plan));
   page.figure(plan_figure(plan), "Every stable response that was a candidate, and the dwells chosen among them.");

@@ -81,7 +81,7 @@ void take_vary(const PredictionRequest& request, Prediction& prediction) {
   }
 }
 
-// Steady motions of the case are the same whatever else has the lumps that were told; harmonics and sweeps of the
+// Steady motions of the case are the same whatever else has the identified lumps; harmonics and sweeps of the
 // full equations are those of one such set.
 template <typename Take>
 void take_representative(const GivenParameters& given, const PredictionRequest& request, Prediction& prediction,
@@ -94,7 +94,7 @@ void take_representative(const GivenParameters& given, const PredictionRequest& 
   }
   if (!open.empty())
     prediction.warnings.push_back(
-        fmt::format("{} does not tell {}: values that go with its lumps are taken. Amplitudes, frequencies and "
+        fmt::format("{} does not identify {}: values that go with its lumps are taken. Amplitudes, frequencies and "
                     "stability do not depend on the choice; harmonics, sweeps and other cases do",
                     request.parameters, fmt::join(open, ", ")));
 }

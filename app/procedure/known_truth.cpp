@@ -6,6 +6,7 @@
 
 #include "app/shared/parameter_file.hpp"
 #include "app/shared/shipped_models.hpp"
+#include "estimator/model/by_name.hpp"
 #include "input/input_error.hpp"
 #include "motion/simulate/experiment.hpp"
 
@@ -35,8 +36,7 @@ KnownTruth::KnownTruth(const std::string& source, const CompiledModel& model, co
 
 std::optional<double> KnownTruth::symbol(std::string_view name) const {
   if (!known()) return {};
-  for (std::size_t s = 0; s < model_->symbols.size(); ++s)
-    if (model_->symbols[s].name == name) return parameters_(static_cast<Index>(s));
+  if (const auto place = place_of(model_->symbols, name)) return parameters_(static_cast<Index>(*place));
   return {};
 }
 
@@ -44,8 +44,7 @@ std::optional<double> KnownTruth::lump(std::string_view name) const {
   if (!known()) return {};
   std::vector<double> values(resonance_->lumps.size());
   resonance_->evaluate_lumps(parameters_.data(), values.data());
-  for (std::size_t l = 0; l < values.size(); ++l)
-    if (resonance_->lumps[l].name == name) return values[l];
+  if (const auto place = place_of(resonance_->lumps, name)) return values[*place];
   return symbol(name);
 }
 

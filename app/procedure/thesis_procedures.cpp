@@ -17,6 +17,7 @@
 #include "app/shared/identification.hpp"
 #include "app/shared/model_loading.hpp"
 #include "app/shared/record_selection.hpp"
+#include "estimator/model/by_name.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
 #include "measure/observe/modal_projection.hpp"
@@ -128,8 +129,7 @@ ProcedureRun run_procedures(const ProcedureRequest& request, const Campaign& mea
   ProcedureRun run;
   run.campaign = measured;
   run.model = source.load({name});
-  for (const CompiledCase& resonance : run.model->cases)
-    if (resonance.name == name) run.resonance = &resonance;
+  run.resonance = &case_named(*run.model, name);
   run.measured = is_additive_combination(*run.model, *run.resonance)
                      ? observe_combination_dwells(run.campaign, read, *run.model, *run.resonance, request.window)
                      : observe_dwells(run.campaign, read, *run.model, *run.resonance, request.window);

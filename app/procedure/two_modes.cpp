@@ -72,8 +72,9 @@ void add_lumps(const ProcedureData& test, const TwoModeFit& right, const TwoMode
   test.run.sections.push_back(std::move(section));
   for (Index l = 0; l < right.lumps.size(); ++l)
     if (right.sd(l) > std::abs(right.lumps(l)))
-      test.run.warnings.push_back(fmt::format("{} cannot be told from zero by this campaign ({:.3g}, sd {:.3g})",
-                                              name_of(static_cast<TwoModeLump>(l)), right.lumps(l), right.sd(l)));
+      test.run.warnings.push_back(
+          fmt::format("{} cannot be distinguished from zero by this campaign ({:.3g}, sd {:.3g})",
+                      name_of(static_cast<TwoModeLump>(l)), right.lumps(l), right.sd(l)));
 }
 
 void add_fits(const ProcedureData& test, const TwoModeData& data, const TwoModeFit& fit) {

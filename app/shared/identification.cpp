@@ -14,6 +14,7 @@
 #include "app/shared/record_selection.hpp"
 #include "app/shared/scatter_output.hpp"
 #include "estimator/identification/unsupported_values.hpp"
+#include "estimator/model/by_name.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
 #include "measure/disturbances/disturbance_watch.hpp"
@@ -50,11 +51,6 @@ class StageClock {
   std::vector<std::pair<std::string, double>>& seconds_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-const CompiledCase& named_case(const CompiledModel& model, const std::string& name) {
-  return *std::find_if(model.cases.begin(), model.cases.end(),
-                       [&](const CompiledCase& resonance) { return resonance.name == name; });
-}
 
 std::size_t count_of_conditions(const std::vector<ObservationSet>& sets) {
   std::size_t count = 0;
@@ -113,7 +109,7 @@ Identification identify(const IdentificationRequest& request, const Campaign& me
   const CompiledModel& model = *result.model;
   clock.done("model");
   for (std::size_t c = 0; c < assignment.names.size(); ++c) {
-    const CompiledCase& resonance = named_case(model, assignment.names[c]);
+    const CompiledCase& resonance = case_named(model, assignment.names[c]);
     Window window = request.window;
     window.chosen = assignment.records[c];
     window.threads = request.threads;
@@ -215,8 +211,8 @@ void doubt_by_rival(const IdentificationRequest& request, const UnknownPhases& u
 
 // Once more with phases as unknowns where equations do not hold. Numbers stay as they were, and those that this
 // moves are doubtful, where it is no explanation: equations still do not hold, or phases follow a law of the
-// amplitude. Where it is one, those that the other sign of the excitation moves are doubtful if that is not told.
-// `id` is as it was if this throws.
+// amplitude. Where it is one, those that the other sign of the excitation moves are doubtful if that is not
+// determined. `id` is as it was if this throws.
 void free_phases(const IdentificationRequest& request, const std::vector<ObservationSet>& observed,
                  Identification& id) {
   const MeasuredUnits units{id.coordinate_unit, id.excitation_units};
@@ -235,12 +231,12 @@ void free_phases(const IdentificationRequest& request, const std::vector<Observa
          round < most_phase_rounds && refine_phases(unknown, corrected, units, options, freed.estimate); ++round)
       corrected = estimate_freed();
     found = unknown.cases;
-    const std::set<std::string> misfit = cases_that_misfit(freed.estimate);
+    const std::set<std::string> not_fitting = cases_with_lack_of_fit(freed.estimate);
     // Phases that are right leave numbers that agree with one another and with the full equations.
     const bool agrees = !corrected.empty() && !freed.estimate.consistency.significant;
     bool explained = true;
     for (CaseLateness& lateness : unknown.cases) {
-      if (lateness.finding == PhaseFinding::shifted && (!agrees || misfit.contains(lateness.resonance)))
+      if (lateness.finding == PhaseFinding::shifted && (!agrees || not_fitting.contains(lateness.resonance)))
         lateness.finding = PhaseFinding::in_part;
       explained = explained && (lateness.finding == PhaseFinding::shifted || !is_freed(lateness));
     }
@@ -256,7 +252,7 @@ void free_phases(const IdentificationRequest& request, const std::vector<Observa
   for (const CaseLateness& lateness : unknown.cases) {
     id.estimate.warnings.push_back(text_of(lateness));
     if (!is_freed(lateness))
-      take_out(id.estimate, {lateness.resonance}, "phases do not hold, and nothing tells it without them");
+      take_out(id.estimate, {lateness.resonance}, "phases do not hold, and nothing determines it without them");
   }
   id.lateness = std::move(unknown.cases);
   id.freed = found;

@@ -11,6 +11,7 @@
 #include "codegen/canonical/canonical_model.hpp"
 #include "codegen/runtime/expansion_sizes.hpp"
 #include "codegen/runtime/runtime_model.hpp"
+#include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
 #include "perturb/model.hpp"
@@ -99,8 +100,7 @@ const std::string& ModelSource::case_named(const std::string& wanted) const {
 LoadedCase ModelSource::load_case(const std::string& wanted) const {
   const std::string& name = case_named(wanted);
   LoadedCase loaded{load({name}), nullptr};
-  for (const CompiledCase& resonance : loaded.model->cases)
-    if (resonance.name == name) loaded.resonance = &resonance;
+  loaded.resonance = &secular::case_named(*loaded.model, name);
   return loaded;
 }
 

@@ -10,7 +10,7 @@ namespace secular::app {
 struct GivenParameters {
   std::map<std::string, double> values;
   std::map<std::string, double> sd;  ///< of an estimate
-  /// Of an estimate: of symbols that the data could not tell, values that go with all that they told.
+  /// Of an estimate: of symbols that the data did not identify, values that go with all that they did.
   std::map<std::string, double> representative;
   /// Cases whose steady motions do not depend on which values those are.
   std::set<std::string> identified_cases;

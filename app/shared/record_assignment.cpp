@@ -121,7 +121,7 @@ Assignment assign_records(const ModelSource& model, const Campaign& campaign, co
     }
     if (entry.kind != RecordKind::dwell) continue;
     dwells = true;
-    // A case that was asked for takes every dwell, and one whose natural frequencies nothing told.
+    // A case that was asked for takes every dwell, and one whose natural frequencies nothing determined.
     if (excited == 1 && (!chosen.empty() || !nominal_given(model))) {
       records[only][r] = true;
       continue;

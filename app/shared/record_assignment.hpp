@@ -13,7 +13,7 @@ namespace secular::app {
 struct FrequencyStarts {
   std::vector<DwellTones> dwells;
   std::vector<Resonance> cases;       ///< of the model, in its order; those that were not chosen have no excitation
-  std::vector<double> frequency;      ///< by mode, rad/s; NaN: not told
+  std::vector<double> frequency;      ///< by mode, rad/s; NaN: not determined
   std::vector<bool> moved;            ///< by mode: the nominal one is not what the records show
   std::vector<std::string> warnings;  ///< one, where a nominal one was moved
 };

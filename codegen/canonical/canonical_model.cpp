@@ -10,7 +10,7 @@
 #include "codegen/canonical/dimensions.hpp"
 #include "input/input_error.hpp"
 #include "perturb/certificate.hpp"
-#include "perturb/observation.hpp"
+#include "perturb/lump_equations.hpp"
 #include "perturb/term_sum.hpp"
 
 namespace secular {
@@ -169,7 +169,7 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
                         certificate.remainders};
   result.warnings = nominal.warnings;
   if (!observed_frequencies(nominal)) return result;
-  const Observations seen = observations(nominal, kept);
+  const LumpEquations seen = lump_equations(nominal, kept);
   for (const auto& row : seen.frequencies.of_mode) {
     std::vector<CanonicalRatio> ratios;
     for (const GiNaC::numeric& multiple : row) ratios.push_back(ratio(multiple));
@@ -178,7 +178,7 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
   for (const Lump& lump : seen.lumps)
     result.lumps.push_back({lump.name, form.of(lump.definition),
                             canonical_dimension(dimension_of(lump.definition, dimensions, model))});
-  for (const ObservationBlock& block : seen.blocks) {
+  for (const LumpEquation& block : seen.blocks) {
     CanonicalBlock flat;
     flat.modulation = block.modulation;
     flat.mode = block.mode;
@@ -186,7 +186,7 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
     flat.phase = block.phase;
     flat.name = (block.modulation ? "modulation of " : "harmonic " + phase_name(block.phase, model) + " of ") +
                 model.modes[block.mode].coordinate;
-    for (const ObservationBlock::Column& column : block.columns) {
+    for (const LumpEquation::Column& column : block.columns) {
       CanonicalBlock::Column terms{column.lump, {}};
       for (const ColumnTerm& term : column.terms)
         terms.terms.push_back(

@@ -11,7 +11,7 @@
 namespace secular {
 
 /// Everything that is printed or emitted of a model, as plain data in a fixed order. See the GiNaC-side structures
-/// of the same meaning in perturb/: Derivation, Observations, TermSum.
+/// of the same meaning in perturb/: Derivation, LumpEquations, TermSum.
 struct CanonicalPowers {
   std::vector<int> amplitude, conjugate, modulus;  ///< by mode
   std::vector<int> forcing;                        ///< by excitation, power of F

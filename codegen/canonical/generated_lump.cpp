@@ -6,7 +6,7 @@
 namespace secular {
 namespace {
 
-// As the derivation names it, see powers_name() in perturb/observation.cpp.
+// As the derivation names it, see powers_name() in perturb/lump_equations.cpp.
 std::string monomial_name(const CanonicalModel& model, const CanonicalPowers& powers) {
   std::string name;
   const auto add = [&](const std::string& base, int power) {

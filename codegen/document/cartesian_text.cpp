@@ -14,16 +14,7 @@ namespace {
 
 // w_k - omega_k as text.
 std::string frame_offset_text(const CanonicalModel& model, const CanonicalCase& c, std::size_t mode) {
-  std::string text;
-  const std::vector<CanonicalRatio> offset = frame_offset(c, mode);
-  for (std::size_t i = 0; i < offset.size(); ++i) {
-    const CanonicalRatio& r = offset[i];
-    if (r.numerator == 0) continue;
-    text += fmt::format("{}{}{}{}", r.numerator < 0 ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + "),
-                        std::abs(r.numerator) == 1 ? "" : std::to_string(std::abs(r.numerator)) + "*",
-                        model.frequency_name(i), r.denominator == 1 ? "" : "/" + std::to_string(r.denominator));
-  }
-  return text;
+  return frequency_text(model, frame_offset(c, mode));
 }
 
 // Sum of coefficient * rest with signs drawn out.
@@ -72,6 +63,18 @@ std::string cartesian_factors(const CanonicalModel& model, const CartesianTerm& 
 }
 
 }  // namespace
+
+std::string frequency_text(const CanonicalModel& model, const std::vector<CanonicalRatio>& factors) {
+  std::string text;
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const CanonicalRatio& r = factors[i];
+    if (r.numerator == 0) continue;
+    text += fmt::format("{}{}{}{}", r.numerator < 0 ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + "),
+                        std::abs(r.numerator) == 1 ? "" : std::to_string(std::abs(r.numerator)) + "*",
+                        model.frequency_name(i), r.denominator == 1 ? "" : "/" + std::to_string(r.denominator));
+  }
+  return text;
+}
 
 void append_power(std::string& product, const std::string& base, int power) {
   if (power != 0) product += (product.empty() ? "" : "*") + base + (power == 1 ? "" : "^" + std::to_string(power));

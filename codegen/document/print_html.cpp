@@ -10,19 +10,14 @@
 #include "codegen/document/line_pieces.hpp"
 #include "codegen/document/mathml.hpp"
 #include "input/markup.hpp"
+#include "input/page_style.hpp"
 
 namespace secular {
 namespace typeset {
 namespace {
 
+// Beside page_style.
 constexpr std::string_view style = R"css(
-:root { color-scheme: light dark; --ink: #1b1f24; --soft: #57606a; --rule: #d5dae0; --page: #ffffff;
-  --good: #00795a; --bad: #b3261e; --accent: #0072b2; }
-@media (prefers-color-scheme: dark) { :root { --ink: #e4e7eb; --soft: #9aa4af; --rule: #3a424b; --page: #15181c;
-  --good: #3fc79a; --bad: #ff8a80; --accent: #56b4e9; } }
-* { box-sizing: border-box; }
-body { margin: 0; background: var(--page); color: var(--ink);
-  font: 16px/1.55 Helvetica, Arial, "Liberation Sans", sans-serif; }
 main { max-width: 960px; margin: 0 auto; padding: 40px 24px 56px; }
 h1 { font-size: 28px; line-height: 1.2; margin: 0 0 12px; }
 h2 { font-size: 21px; line-height: 1.3; margin: 48px 0 12px; padding-bottom: 6px;
@@ -47,7 +42,7 @@ th, td { padding: 7px 18px 7px 0; text-align: left; vertical-align: middle; bord
 th { font-weight: 600; border-bottom-color: var(--ink); }
 td { white-space: nowrap; }
 td.long { white-space: normal; }
-@media print { :root { color-scheme: light; --ink: #000000; --soft: #444444; --rule: #bbbbbb; --page: #ffffff; }
+@media print {
   main { max-width: none; padding: 0; } h2, h3 { break-after: avoid; } tr { break-inside: avoid; } }
 )css";
 
@@ -79,8 +74,8 @@ class HtmlPrinter {
     text_ =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-        title + "</title>\n<style>" + std::string(style) + "</style>\n</head>\n<body>\n<main>\n<h1>" + title +
-        "</h1>\n";
+        title + "</title>\n<style>" + std::string(page_style) + std::string(style) +
+        "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n";
     if (cases > 0) text_ += "<nav>Cases\n<ul>\n" + contents + "</ul>\n</nav>\n";
     for (const Block& block : document.blocks) std::visit([this](const auto& b) { print(b); }, block);
     return std::move(text_) + "</main>\n</body>\n</html>\n";

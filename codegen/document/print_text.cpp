@@ -217,16 +217,8 @@ std::string case_text(const CanonicalModel& model, const CanonicalCase& c) {
   if (!c.observed_frequency.empty()) {
     text += "\nObserved frequencies (the frame in which the equations do not depend on time)\n";
     for (std::size_t k = 0; k < modes; ++k) {
-      std::string frequency;
-      for (std::size_t i = 0; i < c.observed_frequency[k].size(); ++i) {
-        const CanonicalRatio r = c.observed_frequency[k][i];
-        if (r.numerator == 0) continue;
-        frequency += fmt::format(
-            "{}{}{}{}", r.numerator < 0 ? (frequency.empty() ? "-" : " - ") : (frequency.empty() ? "" : " + "),
-            std::abs(r.numerator) == 1 ? "" : std::to_string(std::abs(r.numerator)) + "*", model.frequency_name(i),
-            r.denominator == 1 ? "" : "/" + std::to_string(r.denominator));
-      }
-      text += fmt::format("  {}: {} = {}\n", model.coordinates[k], observed_frequency_name(model, k), frequency);
+      text += fmt::format("  {}: {} = {}\n", model.coordinates[k], observed_frequency_name(model, k),
+                          frequency_text(model, c.observed_frequency[k]));
     }
     text += cartesian_text(model, c);
     for (const typeset::StatementSection& section : typeset::steady_sections(model, c))

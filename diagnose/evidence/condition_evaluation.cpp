@@ -67,7 +67,7 @@ ConditionRows ConditionEvaluation::rows(const Motion* start) const {
   rows.amplitudes = readings_.master_amplitudes(start ? start->displacement : MatrixXcd());
   ConditionForecast expected = forecast(rows.amplitudes, start);
   if (readings_.response_saturates())
-    for (int i = 0; i < most_undoings && expected.motion.converged; ++i) {
+    for (int i = 0; i < most_undoings && expected.motion.converged(); ++i) {
       const VectorXcd next = readings_.master_amplitudes(expected.motion.displacement);
       const double change = (next - rows.amplitudes).norm();
       if (change <= undone_cut * next.norm()) break;

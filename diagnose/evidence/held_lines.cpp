@@ -79,7 +79,8 @@ HeldLines::AlongLines HeldLines::along_lines(const BalanceSweep::Path& path,
 }
 
 VectorXd HeldLines::rows(const MatrixXcd& displacement, const MatrixXcd& residual) const {
-  return evaluation_.rows_of(amplitudes_, {displacement, balance_of_masters(setting_, residual), true});
+  return evaluation_.rows_of(amplitudes_,
+                             {displacement, balance_of_masters(setting_, residual), SolverEnding::converged});
 }
 
 HeldLines::Values HeldLines::values(const BalanceSweep::Path& path, std::span<const double> parameters,

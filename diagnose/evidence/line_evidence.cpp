@@ -102,9 +102,9 @@ LineEvidence::LineEvidence(ConditionModel model, std::vector<Condition> conditio
 
 ConditionRows LineEvidence::whiten(const Condition& c, const VectorXd& unknowns, double coarse,
                                    Whitening& w) const {
-  w.motion = model_.rows(c, unknowns, w.motion.converged ? &w.motion : nullptr).motion;
+  w.motion = model_.rows(c, unknowns, w.motion.converged() ? &w.motion : nullptr).motion;
   // From a motion that is lost none is looked for here.
-  ConditionRows here = model_.rows(c, unknowns, w.motion.converged ? &w.motion : nullptr);
+  ConditionRows here = model_.rows(c, unknowns, w.motion.converged() ? &w.motion : nullptr);
   MatrixXd covariance = model_.covariance(c, unknowns, here);
   for (std::size_t m = 0; m < c.masters.size(); ++m) {
     const double inertia = std::norm(c.line_rate(c.masters[m].line));
@@ -161,7 +161,7 @@ bool LineEvidence::took_more_lines(std::size_t condition, const VectorXd& unknow
                                    Whitening& w) {
   Condition& c = conditions_[condition];
   const Index highest = c.torus->lines() - 1;
-  if (c.torus->dimensions() != 1 || 2 * highest * points_of_a_line > c.torus->points() || !w.motion.converged)
+  if (c.torus->dimensions() != 1 || 2 * highest * points_of_a_line > c.torus->points() || !w.motion.converged())
     return false;
   Condition finer = c;
   finer.torus = std::make_shared<const Torus>(1, static_cast<int>(2 * highest), c.torus->points());
@@ -188,8 +188,8 @@ void LineEvidence::freeze(const VectorXd& unknowns, double coarse) {
 void LineEvidence::approach(const VectorXd& unknowns) {
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
     Motion& known = whitening_[i].motion;
-    Motion motion = model_.rows(conditions_[i], unknowns, known.converged ? &known : nullptr).motion;
-    if (motion.converged) known = std::move(motion);
+    Motion motion = model_.rows(conditions_[i], unknowns, known.converged() ? &known : nullptr).motion;
+    if (motion.converged()) known = std::move(motion);
   }
 }
 
@@ -211,12 +211,12 @@ void LineEvidence::evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows)
     const Whitening& w = whitening_[i];
     const auto count = static_cast<Index>(w.kept.size());
     const VectorXd own =
-        whitened(model_.rows(conditions_[i], unknowns, w.motion.converged ? &w.motion : nullptr), w);
+        whitened(model_.rows(conditions_[i], unknowns, w.motion.converged() ? &w.motion : nullptr), w);
     if (own.allFinite())
       rows.segment(first, count) = own;
     else
       rows.segment(first, count)
-          .setConstant(w.motion.converged ? std::numeric_limits<double>::infinity() : no_motion);
+          .setConstant(w.motion.converged() ? std::numeric_limits<double>::infinity() : no_motion);
     first += count;
   }
 }
@@ -230,7 +230,7 @@ MatrixXd LineEvidence::slopes(const VectorXd& unknowns, const std::vector<std::s
   in_parallel(conditions_.size(), threads, [&](std::size_t i) {
     const Whitening& w = whitening_[i];
     const Condition& c = conditions_[i];
-    const ConditionRows raw = model_.rows(c, unknowns, w.motion.converged ? &w.motion : nullptr);
+    const ConditionRows raw = model_.rows(c, unknowns, w.motion.converged() ? &w.motion : nullptr);
     if (!raw.values.allFinite()) return;
     const MatrixXd slopes = model_.slopes(c, unknowns, raw.motion.displacement, which, scale);
     if (!slopes.allFinite()) return;
@@ -258,13 +258,13 @@ void LineEvidence::put_in_step(const VectorXd& unknowns, double coarse, Lookout 
   std::vector<double> found(late.size());
   in_parallel(late.size(), threads_, [&](std::size_t i) {
     const auto& [record, conditions] = late[i];
-    const std::function<double(double)> misfit = [&](double seconds) {
-      return misfit_if_late(conditions, unknowns, coarse, seconds);
+    const std::function<double(double)> deviance = [&](double seconds) {
+      return deviance_if_late(conditions, unknowns, coarse, seconds);
     };
     const double here = conditions_[conditions.front()].late_s, period = periods.at(record);
     std::optional<double> close;
-    if (lookout == Lookout::close_by) close = likeliest_delay_near(misfit, here, period);
-    found[i] = close ? *close : likeliest_delay(misfit, here, period);
+    if (lookout == Lookout::close_by) close = likeliest_delay_near(deviance, here, period);
+    found[i] = close ? *close : likeliest_delay(deviance, here, period);
   });
   for (std::size_t i = 0; i < late.size(); ++i) {
     for (const std::size_t c : late[i].second) conditions_[c].count_as_late(found[i]);
@@ -274,18 +274,18 @@ void LineEvidence::put_in_step(const VectorXd& unknowns, double coarse, Lookout 
 
 // -2 log likelihood of conditions of one record if its responses are so late, but for a constant. Errors are those
 // of that lateness: their axes turn with it, so that errors of one place see no other.
-double LineEvidence::misfit_if_late(const std::vector<std::size_t>& conditions, const VectorXd& unknowns,
-                                    double coarse, double seconds) const {
-  double misfit = 0;
+double LineEvidence::deviance_if_late(const std::vector<std::size_t>& conditions, const VectorXd& unknowns,
+                                      double coarse, double seconds) const {
+  double deviance = 0;
   for (const std::size_t i : conditions) {
     Condition c = conditions_[i];
     c.count_as_late(seconds);
     Whitening w = whitening_[i];
     const ConditionRows rows = whiten(c, unknowns, coarse, w);
     if (w.is_of_before) return std::numeric_limits<double>::infinity();
-    misfit += whitened(rows, w).squaredNorm() - 2 * w.inverse_root.diagonal().array().log().sum();
+    deviance += whitened(rows, w).squaredNorm() - 2 * w.inverse_root.diagonal().array().log().sum();
   }
-  return std::isfinite(misfit) ? misfit : std::numeric_limits<double>::infinity();
+  return std::isfinite(deviance) ? deviance : std::numeric_limits<double>::infinity();
 }
 
 VectorXd LineEvidence::unmixed(const VectorXd& rows) const {

@@ -41,8 +41,8 @@ class LineEvidence : public Evidence {
   bool took_more_lines(std::size_t condition, const Eigen::VectorXd& unknowns, const ConditionRows& few,
                        Whitening& whitening);
   static Eigen::VectorXd whitened(const ConditionRows& rows, const Whitening& whitening);
-  double misfit_if_late(const std::vector<std::size_t>& conditions, const Eigen::VectorXd& unknowns, double coarse,
-                        double seconds) const;
+  double deviance_if_late(const std::vector<std::size_t>& conditions, const Eigen::VectorXd& unknowns,
+                          double coarse, double seconds) const;
 
   ConditionModel model_;
   std::vector<Condition> conditions_;

@@ -34,8 +34,8 @@ SensorModel sensor_model(const Campaign& campaign, const CompiledModel& model, s
   sensors.derivatives = projection.derivatives;
   sensors.filter = projection.matrix;
   sensors.shapes = projection.matrix.completeOrthogonalDecomposition().pseudoInverse();
-  for (std::size_t c = 0; c < campaign.channels.size() && sensors.excitations.size() < excitations; ++c)
-    if (campaign.channels[c].role == ChannelRole::excitation) sensors.excitations.push_back(c);
+  sensors.excitations = channels_of(campaign, ChannelRole::excitation);
+  sensors.excitations.resize(std::min(excitations, sensors.excitations.size()));
   const bool dwells = std::any_of(campaign.records.begin(), campaign.records.end(), [](const RecordEntry& entry) {
     return entry.kind == RecordKind::dwell || entry.kind == RecordKind::sweep ||
            entry.kind == RecordKind::broadband;

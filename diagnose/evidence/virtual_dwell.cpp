@@ -80,7 +80,7 @@ class Branch {
 
  private:
   VectorXd balance(const Condition& c, const VectorXcd& amplitudes, Motion& motion) const {
-    ConditionForecast forecast = model_.forecast(c, amplitudes, unknowns_, motion.converged ? &motion : nullptr);
+    ConditionForecast forecast = model_.forecast(c, amplitudes, unknowns_, motion.converged() ? &motion : nullptr);
     motion = std::move(forecast.motion);
     VectorXd parts(2 * amplitudes.size());
     for (Index m = 0; m < amplitudes.size(); ++m) {
@@ -97,7 +97,7 @@ class Branch {
     const Index size = 2 * point.amplitudes.size();
     for (int i = 0; i < most_iterations; ++i) {
       const VectorXd value = balance(c, point.amplitudes, point.motion);
-      if (!point.motion.converged || !value.allFinite()) return std::nullopt;
+      if (!point.motion.converged() || !value.allFinite()) return std::nullopt;
       MatrixXd jacobian(size, size);
       constexpr double h = 1e-6;
       for (Index k = 0; k < size; ++k) {

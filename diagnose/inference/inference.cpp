@@ -36,7 +36,7 @@ constexpr std::size_t finest = std::size(coarse_levels) - 1;
 
 /// Rows that a model misses by more than this, mean square in variances, are no place to look for what it lacks:
 /// its numbers are bent by then.
-constexpr auto& most_misfit = diagnose_thresholds().most_misfit;
+constexpr auto& most_residual = diagnose_thresholds().most_residual;
 
 /// Coarse equations help where they bring what the model leaves down to less than this share.
 constexpr auto& least_relief = diagnose_thresholds().least_relief;
@@ -196,8 +196,8 @@ class Search {
     return fits;
   }
 
-  static bool misses(const LevelFit& level) { return level.fit.chi_squared > most_misfit * level.rows; }
-  bool misses(const Refit& fit) const { return fit.chi_squared > most_misfit * rows(); }
+  static bool misses(const LevelFit& level) { return level.fit.chi_squared > most_residual * level.rows; }
+  bool misses(const Refit& fit) const { return fit.chi_squared > most_residual * rows(); }
 
   double dispersion_of(const Explanation& e) const {
     return e.fit.chi_squared / std::max(1.0, rows() - static_cast<double>(e.fit.rank));
@@ -547,7 +547,7 @@ class Search {
   // a law whose shape trades with its strength and the model's own numbers ends in a curved valley. (A power of any
   // exponent comes near to it before, and would be called a law that the catalogue lacks.)
   void end_stalled() {
-    const auto has_ended = [](const Explanation& e) { return e.fit.ending == FitEnding::converged; };
+    const auto has_ended = [](const Explanation& e) { return e.fit.ending == SolverEnding::converged; };
     double least = result_.null.fit.chi_squared;
     for (const Explanation& e : found_)
       if (has_ended(e) && !is_open(e)) least = std::min(least, e.fit.chi_squared);

@@ -93,7 +93,7 @@ class Descent {
 };
 
 // Rank, covariance and ending of a fit, by the slopes where it is.
-FitEnding judge_end(const Discrepancy& discrepancy, Refit& fit) {
+SolverEnding judge_end(const Discrepancy& discrepancy, Refit& fit) {
   const Directions directions(fit.jacobian);
   const VectorXd promised = directions.along(fit.rows);
   const MatrixXd& of_unknowns = directions.of_unknowns();
@@ -112,7 +112,7 @@ FitEnding judge_end(const Discrepancy& discrepancy, Refit& fit) {
   fit.covariance = turned * inverse.asDiagonal() * turned.transpose();
   // Damping makes every promise small: only what a free step promises tells whether this is the minimum.
   const double dispersion = dispersion_of(fit.chi_squared, static_cast<double>(discrepancy.freedom() - fit.rank));
-  fit.ending = promise < promise_kept * dispersion ? FitEnding::converged : FitEnding::stalled;
+  fit.ending = promise < promise_kept * dispersion ? SolverEnding::converged : SolverEnding::stalled;
   return fit.ending;
 }
 
@@ -182,7 +182,7 @@ Refit refit(const Discrepancy& discrepancy, const VectorXd& start, const std::ve
   fit.scale = std::move(slopes.scale);
   fit.jacobian = std::move(slopes.columns);
   if (free.empty()) {
-    fit.ending = FitEnding::converged;
+    fit.ending = SolverEnding::converged;
     fit.covariance.resize(0, 0);
     return fit;
   }
@@ -191,7 +191,7 @@ Refit refit(const Discrepancy& discrepancy, const VectorXd& start, const std::ve
   do {
     left = descent.go(fit, left);
     descent.renew(fit);
-  } while (judge_end(discrepancy, fit) == FitEnding::stalled && left > 0 && !descent.is_stuck());
+  } while (judge_end(discrepancy, fit) == SolverEnding::stalled && left > 0 && !descent.is_stuck());
   return fit;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "diagnose/evidence/discrepancy.hpp"
+#include "numerics/solver_ending.hpp"
 
 namespace secular {
 
@@ -11,11 +12,7 @@ namespace secular {
 /// one may still promise at most: explanations are compared in these variances, and none by so little.
 inline constexpr double promise_kept = 0.1;
 
-/// How a fit ended.
-enum class FitEnding {
-  converged,  ///< no step that the slopes promise is worth anything
-  stalled,    ///< steps that promise something do not bring it, or there were too many
-};
+using FitEnding = SolverEnding;  ///< its former name
 
 /// Least squares over some of the unknowns.
 struct Refit {
@@ -28,7 +25,9 @@ struct Refit {
   Eigen::Index rank = 0;
   Eigen::MatrixXd covariance;  ///< of the free unknowns, for rows of unit variance; identifiable directions only
   std::vector<bool> identifiable;  ///< by free unknown
-  FitEnding ending = FitEnding::stalled;
+  /// Converged: no step that the slopes promise is worth anything. Stalled: steps that promise something do not
+  /// bring it, or there were too many.
+  SolverEnding ending = SolverEnding::stalled;
 };
 
 /// Unknowns after a step of those that are free, in units of their scales.

@@ -168,8 +168,8 @@ std::vector<BlockQuality> block_quality(const CaseFit& fit) {
         conditions.insert(fit.system.condition[r]);
       }
     quality.conditions = conditions.size();
-    const auto misfit = fit.block_misfit.find(b);
-    quality.normalised_residual = misfit == fit.block_misfit.end() ? 0 : misfit->second;
+    const auto residual = fit.block_residual.find(b);
+    quality.normalised_residual = residual == fit.block_residual.end() ? 0 : residual->second;
     quality.condition_index = fit.fit.rank > 0 ? fit.fit.condition_indices.head(fit.fit.rank).maxCoeff() : 0;
     quality.clustered = fit.fit.covariance_kind == CovarianceKind::clustered;
     for (std::size_t c = 0; c < fit.columns.size(); ++c) {

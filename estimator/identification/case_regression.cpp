@@ -126,7 +126,7 @@ class CaseRegression {
       take_phases_into_account(result_.fit);
       take_records_into_account();
       take(result_.fit.coefficients);
-      block_misfits(result_.fit.residual);
+      block_residuals(result_.fit.residual);
     }
     const MatrixXd change = whitened(set_.truncation_change);
     result_.truncation_effect = effect_of(change);
@@ -213,7 +213,7 @@ class CaseRegression {
       assemble(first ? Pass::first : Pass::whitened);
       if (result_.system.design.rows() == 0) return;
       const double change = solve();
-      if (!first) block_misfits(left());
+      if (!first) block_residuals(left());
       if (pass > (warm_ ? 0 : 1) && change < enough) break;
     }
     warm_ = true;
@@ -260,7 +260,7 @@ class CaseRegression {
 
   // Residual of every equation alone over its own noise, from that of the whitened rows, and of every block, to
   // weigh blocks against each other.
-  void block_misfits(const VectorXd& whitened) {
+  void block_residuals(const VectorXd& whitened) {
     const WhitenedSystem& system = result_.system;
     result_.residual.resize(whitened.size());
     Index begin = 0;
@@ -289,9 +289,9 @@ class CaseRegression {
       count += weight * (1 - taken(r));
     }
     for (const auto& [block, sum] : sums) {
-      const double misfit = std::sqrt(sum.first / std::max(1.0, sum.second));
-      result_.block_misfit[block] = misfit;
-      if (std::isfinite(misfit)) scale_[block] = std::max(1.0, misfit);
+      const double ratio = std::sqrt(sum.first / std::max(1.0, sum.second));
+      result_.block_residual[block] = ratio;
+      if (std::isfinite(ratio)) scale_[block] = std::max(1.0, ratio);
     }
   }
 
@@ -449,10 +449,10 @@ class CaseRegression {
     for (std::size_t i = 0; i < set_.observations.size(); ++i) {
       const EquationData::Rows rows = adjusted_data_->rows(i, result_.columns, at_, reference_);
       if (rows.response.size() == 0) continue;
-      const VectorXd misfit = rows.response + rows.variants * moved_[i] - rows.design * values_;
+      const VectorXd left = rows.response + rows.variants * moved_[i] - rows.design * values_;
       const RowNoise noise(rows);
       const VectorXd solved = noise.sd.cwiseInverse().asDiagonal() *
-                              noise.correlation.solve(VectorXd(noise.sd.cwiseInverse().asDiagonal() * misfit));
+                              noise.correlation.solve(VectorXd(noise.sd.cwiseInverse().asDiagonal() * left));
       moved_[i] = rows.variants.transpose() * solved;
       adjusted_data_->move(next.observations[i], moved_[i]);
     }

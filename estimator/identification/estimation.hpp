@@ -67,9 +67,9 @@ Precision fit_rounds(Estimation& e);
 /// Regresses every case once.
 void fit_cases(Estimation& e, Precision precision);
 /// Where damping is of the first order, the second one shifts the frequency by a lump of its own (-mu^2/(2 omega)),
-/// whose column is that of the natural frequency: neither can be told. The lump's symbols are known from elsewhere,
-/// though, and it depends on the natural frequency weakly: it is given its value, and the frequency can be. Whether
-/// there is one.
+/// whose column is that of the natural frequency: neither can be determined. The lump's symbols are known from
+/// elsewhere, though, and it depends on the natural frequency weakly: it is given its value, and the frequency can
+/// be. Whether there is one.
 bool know_frequency_lumps(Estimation& e);
 /// These lumps as they are at the parameters that were found with them, for the next estimate.
 void follow_frequency_lumps(Estimation& e);

@@ -19,12 +19,12 @@ namespace {
 /// Probability that lumps of a model that holds contradict one another.
 constexpr auto& contradiction_alarm = estimator_thresholds().contradiction_alarm;
 
-// What a misfit is judged by, in words.
+// What a lack of fit is judged by, in words.
 const char* measure_of_fit(const CaseFit& fit, const std::vector<LackOfFit>& tests) {
   if (fit.set->resonance->excited) return "as well as repeats of one condition agree";
   const bool too_short =
       std::all_of(tests.begin(), tests.end(), [](const LackOfFit& t) { return !std::isfinite(t.denominator_df); });
-  return too_short ? "to three times the measured noise (decays are too short to tell their scatter)"
+  return too_short ? "to three times the measured noise (decays are too short to determine their scatter)"
                    : "as well as windows of a decay that follow one another agree";
 }
 
@@ -39,8 +39,8 @@ void test_fit(Estimation& e) {
     double largest = 0;
     for (const LackOfFit& test : tests.equations) {
       if (!test.significant) continue;
-      largest = std::max(largest, test.misfit);
-      worst += fmt::format("{}{} ({:.1f} times)", worst.empty() ? "" : "; ", test.name, test.misfit);
+      largest = std::max(largest, test.misfit_ratio);
+      worst += fmt::format("{}{} ({:.1f} times)", worst.empty() ? "" : "; ", test.name, test.misfit_ratio);
     }
     if (!worst.empty())
       e.result.warnings.push_back(
@@ -66,7 +66,7 @@ double misfit_of_parameter(const Estimation& e, Index p) {
 
 void test_consistency(Estimation& e) {
   LumpConsistency& c = e.result.consistency;
-  c.chi_squared = e.shared.misfit;
+  c.chi_squared = e.shared.chi_squared;
   c.degrees_of_freedom = static_cast<double>(e.shared.surplus);
   if (c.degrees_of_freedom < 1 || !std::isfinite(c.chi_squared)) return;
   c.p_value = chi_squared_upper_tail(c.chi_squared, c.degrees_of_freedom);

@@ -21,7 +21,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Probability that a case whose equations hold shows a significant lack of fit.
-constexpr auto& false_misfit = estimator_thresholds().false_misfit;
+constexpr auto& false_lack_of_fit = estimator_thresholds().false_lack_of_fit;
 
 /// Of a window's length, by which its neighbour may seem to overlap it.
 constexpr double rounding = 1e-3;
@@ -176,7 +176,7 @@ std::map<Equation, Conditions> gathered(const CaseFit& fit, const VectorXd& resi
     for (Index r = 0; r < by_phase.size(); ++r) {
       const auto at = static_cast<std::size_t>(begin + r);
       const Equation equation = equation_of(fit, begin + r);
-      const double scale = std::max(1.0, fit.block_misfit.at(equation.first));
+      const double scale = std::max(1.0, fit.block_residual.at(equation.first));
       equations[equation].groups[fit.system.condition[at]].by_phase +=
           fit.weight[fit.system.observation[at]] * by_phase(r) * by_phase(r) / (scale * scale);
     }
@@ -186,7 +186,8 @@ std::map<Equation, Conditions> gathered(const CaseFit& fit, const VectorXd& resi
 }
 
 // What the fit takes of the variance of a condition's mean: n m'Cm for its mean design row m in units of the
-// equation's own noise and the covariance C of the coefficients (the weights of a block that misfits are lower).
+// equation's own noise and the covariance C of the coefficients (the weights of a block with larger residuals are
+// lower).
 std::map<Equation, double> unknowns_of(const CaseFit& fit, const std::map<Equation, Conditions>& equations) {
   std::map<Equation, std::map<int, VectorXd>> rows;
   const MatrixXd own = over_own_noise(fit, fit.fit.orthonormal);
@@ -198,7 +199,7 @@ std::map<Equation, double> unknowns_of(const CaseFit& fit, const std::map<Equati
   }
   std::map<Equation, double> unknowns;
   for (const auto& [equation, conditions] : equations) {
-    const double scale = std::max(1.0, fit.block_misfit.at(equation.first));
+    const double scale = std::max(1.0, fit.block_residual.at(equation.first));
     for (const auto& [label, group] : conditions.groups)
       unknowns[equation] +=
           rows[equation][label].squaredNorm() / group.all_weights / (scale * scale) + group.phase_share();
@@ -257,28 +258,28 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) 
     test.numerator_df = static_cast<double>(test.conditions) - unknowns.at(equation);
     if (test.numerator_df < 1) continue;
     test.denominator_df = scatter.freedom;
-    test.repeatability = std::sqrt(scatter.variance);
+    test.scatter_ratio = std::sqrt(scatter.variance);
     const double usual = test.numerator_df * scatter.variance + truncation;
     test.f = means / usual;
     test.beyond = std::max(0.0, means - usual);
-    test.misfit = std::sqrt(test.f);
+    test.misfit_ratio = std::sqrt(test.f);
     test.p_value = f_upper_tail(test.f, test.numerator_df, test.denominator_df);
     result.push_back(std::move(test));
   }
   for (LackOfFit& test : result)
-    test.significant = test.p_value < false_misfit / static_cast<double>(result.size());
+    test.significant = test.p_value < false_lack_of_fit / static_cast<double>(result.size());
   return result;
 }
 
 MatrixXd hidden_misfit(const CaseFit& fit, const std::vector<LackOfFit>& tests) {
-  std::map<Equation, double> seen;  // norm of the misfit, over the measured noise
+  std::map<Equation, double> seen;  // norm of the lack of fit, over the measured noise
   for (const LackOfFit& test : tests)
     if (test.significant) seen[{test.block, test.part}] = std::sqrt(test.beyond);
   const Index columns = fit.fit.coefficients.size();
   if (seen.empty()) return MatrixXd::Zero(columns, 0);
   const std::vector<bool> repeats_at = repeats_of(*fit.set);
-  // Coefficients, in the basis, by the equations' misfit in units of their own noise, summed over the repeats of a
-  // condition.
+  // Coefficients, in the basis, by the equations' lack of fit in units of their own noise, summed over the repeats
+  // of a condition.
   std::map<std::pair<Equation, int>, std::pair<VectorXd, double>> sums;
   Index begin = 0;
   for (const MatrixXd& colouring : fit.system.colouring) {

@@ -15,9 +15,10 @@ struct LackOfFit {
   EquationPart part = EquationPart::in_phase;
   std::string name;            ///< readable
   std::size_t conditions = 0;  ///< with observations of it; of a decay: stretches
-  double misfit = 0;  ///< root mean square of the conditions' means over what repeatability gives; 1 is perfect
-  double repeatability = 0;  ///< scatter of repeats over what the measured noise explains; 1 is perfect
-  double f = 0;              ///< misfit squared: F of lack of fit against pure error
+  /// Root mean square of the conditions' means over what the scatter of repeats gives; 1 is perfect.
+  double misfit_ratio = 0;
+  double scatter_ratio = 0;  ///< scatter of repeats over what the measured noise explains; 1 is perfect
+  double f = 0;              ///< misfit_ratio squared: F of lack of fit against pure error
   /// Sum of squares of the conditions' means, over the measured noise, beyond what it is at f = 1.
   double beyond = 0;
   double numerator_df = 0;    ///< conditions less the unknowns that this equation takes up
@@ -34,11 +35,11 @@ struct LackOfFit {
 /// truncation_change, by independent unknowns; empty: one standard deviation each.
 std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const Eigen::MatrixXd& unknown);
 
-/// docs/inference.md (15). Columns x perturbations: what a misfit as large as the one that is seen, in each
-/// equation whose lack of fit is significant, does to the coefficients where it lies along them. The least-squares
+/// docs/inference.md (15). Columns x perturbations: what a lack of fit as large as the one that is seen, in
+/// each equation where it is significant, does to the coefficients where it lies along them. The least-squares
 /// residual shows only what no column can imitate; an effect that the model lacks is as likely to have a part that
 /// the columns take up. For a combination w of coefficients that part moves w'b by |w'M| at most if it is no larger
-/// than what is seen. Zero columns: no misfit.
+/// than what is seen. Zero columns: no lack of fit.
 Eigen::MatrixXd hidden_misfit(const CaseFit& fit, const std::vector<LackOfFit>& tests);
 
 }  // namespace secular

@@ -105,10 +105,10 @@ void test_phases(const PhaseProblem& problem, const CaseFit& fit, const Equation
   };
   const Solution in_step = solve(held), late = solve(freed);
   const double left = rows - unknown - static_cast<double>(late.rank);
-  if (left < 1 || unknown < 1 || !(late.misfit > 0)) return;
-  phases.misfit = late.misfit;
+  if (left < 1 || unknown < 1 || !(late.sum_of_squares > 0)) return;
+  phases.sum_of_squares = late.sum_of_squares;
   phases.left = left;
-  phases.f = (in_step.misfit - late.misfit) / unknown / (late.misfit / left);
+  phases.f = (in_step.sum_of_squares - late.sum_of_squares) / unknown / (late.sum_of_squares / left);
   phases.p_value = f_upper_tail(std::max(0.0, phases.f), unknown, left);
 }
 
@@ -154,9 +154,9 @@ std::vector<PhaseFit> equal_minima(const PhaseProblem& problem, const std::vecto
       search(start, most_steps_of_mate);
   }
   std::stable_sort(found.begin(), found.end(),
-                   [](const PhaseFit& a, const PhaseFit& b) { return a.misfit < b.misfit; });
-  while (!found.empty() && (found.back().misfit - found.front().misfit) * found.front().left >
-                               chi_squared_upper_quantile(told_apart, 1) * found.front().misfit)
+                   [](const PhaseFit& a, const PhaseFit& b) { return a.sum_of_squares < b.sum_of_squares; });
+  while (!found.empty() && (found.back().sum_of_squares - found.front().sum_of_squares) * found.front().left >
+                               chi_squared_upper_quantile(told_apart, 1) * found.front().sum_of_squares)
     found.pop_back();
   return found;
 }

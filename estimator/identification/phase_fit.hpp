@@ -11,10 +11,10 @@ namespace secular {
 
 /// A minimum of docs/inference.md (17) at the measured noise.
 struct PhaseFit {
-  std::vector<double> ahead;    ///< by record: what the excitation has to be put ahead by
-  std::vector<double> sd;       ///< of these; infinite where nothing tells a phase
-  double f = 0, p_value = 1;    ///< (18)
-  double misfit = 0, left = 0;  ///< what phases leave, squared, and its degrees of freedom
+  std::vector<double> ahead;            ///< by record: what the excitation has to be put ahead by
+  std::vector<double> sd;               ///< of these; infinite where nothing tells a phase
+  double f = 0, p_value = 1;            ///< (18)
+  double sum_of_squares = 0, left = 0;  ///< of what phases leave, and its degrees of freedom
   /// By record: what a phase a radian ahead does to the modulation equation (balance of energy, of frequency).
   std::vector<std::complex<double>> effect;
   Eigen::VectorXd coefficient;   ///< by column of the regression

@@ -25,13 +25,13 @@ constexpr std::size_t grid = 48;
 /// Starts of the search with phases at random, beside the common ones of the grid.
 constexpr int random_starts = 48;
 
-/// Each lowers the misfit on a finite set: a limit that is hardly ever reached.
+/// Each lowers the sum of squares on a finite set: a limit that is hardly ever reached.
 constexpr int most_alternations = 100;
 
-/// Minima of the grid that are followed. A grid leaves its own misfit at each: that much more than the lowest may
-/// be the lowest in the end.
+/// Minima of the grid that are followed. A grid adds to the sum of squares of each: that much more than the lowest
+/// may be the lowest in the end.
 constexpr std::size_t most_minima = 8;
-constexpr auto& grid_misfit = estimator_thresholds().grid_misfit;
+constexpr auto& grid_rise = estimator_thresholds().grid_rise;
 
 /// Phases of all records nearer than this (radians) belong to one minimum.
 constexpr auto& same_on_grid = estimator_thresholds().same_on_grid;
@@ -98,10 +98,13 @@ class PhaseGrid {
     std::vector<Minimum> all;
     std::vector<std::vector<double>> low;
     for (auto& [phase, solution] : found) all.push_back({phase, std::move(solution)});
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Minimum& a, const Minimum& b) { return a.solution.misfit < b.solution.misfit; });
+    std::stable_sort(all.begin(), all.end(), [](const Minimum& a, const Minimum& b) {
+      return a.solution.sum_of_squares < b.solution.sum_of_squares;
+    });
     for (const Minimum& minimum : all) {
-      if (low.size() == most_minima || minimum.solution.misfit > grid_misfit * all.front().solution.misfit) break;
+      if (low.size() == most_minima ||
+          minimum.solution.sum_of_squares > grid_rise * all.front().solution.sum_of_squares)
+        break;
       const bool known = std::any_of(low.begin(), low.end(), [&](const std::vector<double>& other) {
         return agree(other, angles(minimum.phase), same_on_grid);
       });
@@ -111,15 +114,16 @@ class PhaseGrid {
   }
 
  private:
-  // The misfit of the grid makes it larger than it is.
+  // What the grid adds makes it larger than it is.
   double p_value(const Minimum& lowest) const {
     const Solution measured = at(std::vector<std::size_t>(rows_.size(), 0));
     double rows = 0;
     for (const std::vector<Equations>& record : rows_) rows += static_cast<double>(record.front().response.size());
     const auto phases = static_cast<double>(rows_.size());
     const double left = rows - phases - static_cast<double>(lowest.solution.rank);
-    if (left < 1 || !(lowest.solution.misfit > 0)) return 1;
-    const double f = (measured.misfit - lowest.solution.misfit) / phases / (lowest.solution.misfit / left);
+    if (left < 1 || !(lowest.solution.sum_of_squares > 0)) return 1;
+    const double f = (measured.sum_of_squares - lowest.solution.sum_of_squares) / phases /
+                     (lowest.solution.sum_of_squares / left);
     return f_upper_tail(std::max(0.0, f), phases, left);
   }
 
@@ -142,9 +146,9 @@ class PhaseGrid {
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < record.size(); ++k) {
-      const double misfit = (record[k].response - record[k].design * values).squaredNorm();
-      if (misfit >= least) continue;
-      least = misfit;
+      const double squares = (record[k].response - record[k].design * values).squaredNorm();
+      if (squares >= least) continue;
+      least = squares;
       best = k;
     }
     return best;

@@ -86,7 +86,7 @@ Solution least_squares(const Equations& all) {
   solver.compute(all.design * scale.asDiagonal());
   Solution result;
   result.values = scale.cwiseProduct(VectorXd(solver.solve(all.response)));
-  result.misfit = (all.response - all.design * result.values).squaredNorm();
+  result.sum_of_squares = (all.response - all.design * result.values).squaredNorm();
   result.rank = solver.rank();
   return result;
 }

@@ -21,8 +21,8 @@ void add_to(Equations& sum, double share, const Equations& part);
 Equations stacked(const std::vector<const Equations*>& parts);
 
 struct Solution {
-  Eigen::VectorXd values;  ///< of minimal norm in columns of length one where not determined
-  double misfit = 0;       ///< sum of squares
+  Eigen::VectorXd values;     ///< of minimal norm in columns of length one where not determined
+  double sum_of_squares = 0;  ///< sum of squares
   Eigen::Index rank = 0;
 };
 

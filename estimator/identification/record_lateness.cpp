@@ -117,7 +117,7 @@ Index turning_column(const LateCase& late) {
   return turns;
 }
 
-// The one that was told, or that in which the coefficient that turns its sign is positive.
+// The one that is determined, or that in which the coefficient that turns its sign is positive.
 std::size_t chosen(const LateCase& late) {
   if (late.told) return *late.told;
   const Index turns = turning_column(late);
@@ -133,7 +133,7 @@ bool is_judged(const Estimate& estimate, std::string_view resonance) {
 }
 
 // Squares of what phases differ by from those of one delay of all records.
-double misfit_of_one_delay(const PhaseProblem& problem, const PhaseFit& phases) {
+double squares_of_one_delay(const PhaseProblem& problem, const PhaseFit& phases) {
   const LatenessOfRecords late = lateness_by(problem, phases);
   const auto records = static_cast<Index>(late.late_s.size());
   VectorXd frequency(records), angle(records);
@@ -143,7 +143,7 @@ double misfit_of_one_delay(const PhaseProblem& problem, const PhaseFit& phases) 
     frequency(r) = o.excitation_frequency.front();
     angle(r) = frequency(r) * late.late_s[at];
   }
-  return least_squares({MatrixXd(frequency), angle}).misfit;
+  return least_squares({MatrixXd(frequency), angle}).sum_of_squares;
 }
 
 // A law that the model lacks turns phases, too: with D_r what a phase does to the modulation equation, a law
@@ -176,9 +176,9 @@ bool follow_the_amplitude(const PhaseProblem& problem, const PhaseFit& phases) {
   }
   const Solution by_law = least_squares({law, phase}), same = least_squares({MatrixXd::Ones(records, 1), phase});
   const auto left = static_cast<double>(records - by_law.rank), of_same = static_cast<double>(records - 1);
-  if (left < 1 || !(by_law.misfit > 0)) return false;
-  const double without_law = std::min(same.misfit, misfit_of_one_delay(problem, phases));
-  return f_upper_tail(without_law / of_same / (by_law.misfit / left), of_same, left) < false_lateness;
+  if (left < 1 || !(by_law.sum_of_squares > 0)) return false;
+  const double without_law = std::min(same.sum_of_squares, squares_of_one_delay(problem, phases));
+  return f_upper_tail(without_law / of_same / (by_law.sum_of_squares / left), of_same, left) < false_lateness;
 }
 
 CaseLateness lateness_of(const PhaseProblem& problem, const PhaseFit& phases, std::string assumed_positive) {
@@ -230,22 +230,23 @@ std::string text_of(const CaseLateness& lateness) {
         lateness.resonance, better);
   if (lateness.finding == PhaseFinding::nothing_told)
     return fmt::format(
-        "case {}: {}, but without that phase these conditions do not tell the parameters: no numbers are given. "
+        "case {}: {}, but without that phase these conditions do not determine the parameters: no numbers are "
+        "given. "
         "Check that excitation and responses are recorded by one clock, with one trigger and filters alike, and "
-        "that the model lacks no stiffness; dwells further from phase resonance would tell",
+        "that the model lacks no stiffness; dwells further from phase resonance would determine them",
         lateness.resonance, better);
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const RecordLateness& record : lateness.records) {
     least = std::min(least, record.late_s);
     most = std::max(most, record.late_s);
   }
-  const std::string sign =
-      lateness.assumed_positive.empty()
-          ? ""
-          : fmt::format(
-                "; the sign of the excitation's effect is not told: {} is taken as positive, and numbers that this "
-                "turns are doubtful",
-                lateness.assumed_positive);
+  const std::string sign = lateness.assumed_positive.empty()
+                               ? ""
+                               : fmt::format(
+                                     "; the sign of the excitation's effect is not determined: {} is taken as "
+                                     "positive, and numbers that this "
+                                     "turns are doubtful",
+                                     lateness.assumed_positive);
   const std::string from = fmt::format("{:.3g}", 1e3 * least), to = fmt::format("{:.3g}", 1e3 * most);
   return fmt::format(
       "case {}: excitation and responses are not in step. In {} records the responses are shifted in time by {} ms "
@@ -261,14 +262,14 @@ UnknownPhases find_unknown_phases(std::span<const ObservationSet> sets, const Me
                                   const EstimateOptions& options, const Estimate& estimate) {
   UnknownPhases result{{sets.begin(), sets.end()}, {}, {}};
   const Estimation e(sets, units, options);
-  const std::set<std::string> misfit = cases_that_misfit(estimate);
+  const std::set<std::string> not_fitting = cases_with_lack_of_fit(estimate);
   std::vector<LateCase> cases;
   for (std::size_t s = 0; s < e.sets.size(); ++s) {
     const ObservationSet& set = *e.sets[s];
     // The delay of several excitations has no period that a grid of phases covers.
     if (!set.resonance->excited || set.model->excitations.size() != 1 || set.phase_unknown) continue;
     const std::string name(set.resonance->name);
-    if (is_judged(estimate, name) && !misfit.contains(name)) continue;
+    if (is_judged(estimate, name) && !not_fitting.contains(name)) continue;
     const std::vector<std::size_t>& blocks = estimate.state->blocks[s];
     LateCase late{static_cast<std::size_t>(&set - sets.data()),
                   PhaseProblem(set, blocks, e.knowledge, options.threads),

@@ -57,7 +57,7 @@ struct UnknownPhases {
 /// Equations that rest on the phase between excitation and response are satisfied by nothing (no damping, no force)
 /// where that phase is off at random, and nothing shrinks its own noise: an estimate that looks sharp and is wrong.
 /// Every case of dwells with one excitation whose equations did not hold in `estimate`, or could not be judged, is
-/// therefore fitted once more with the phase of each record unknown. Where this explains the misfit (F test of
+/// therefore fitted once more with the phase of each record unknown. Where this explains the lack of fit (F test of
 /// nested models on the records' means, 0.1 %), and phases do not follow the amplitude as those of a missing
 /// stiffness do, records are out of step. The set's excitations are turned by what was found and its phases marked
 /// as unknown, also where phases follow the amplitude: to see which numbers that moves.

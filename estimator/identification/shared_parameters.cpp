@@ -286,7 +286,7 @@ class SharedFit {
     invert();
     set_slopes();
     set_errors(rough_errors);
-    set_misfit();
+    set_chi_squared();
     return std::move(result_);
   }
 
@@ -365,7 +365,8 @@ class SharedFit {
           is_informed(svd.matrixV().col(k), singular(k), scale, plausible_))
         informed.push_back(k);
     directions_fitted_ = scale.asDiagonal() * svd.matrixV()(Eigen::all, informed);
-    // What no row sees stays where it is: rounding would give it an error bar, and with that a slope to divide by it.
+    // What no row sees stays where it is: rounding would give it an error bar, and with that a slope to divide by
+    // it.
     for (Index p = 0; p < jacobian_.cols(); ++p)
       if (jacobian_.col(p).isZero(0)) directions_fitted_.row(p).setZero();
     inverse_ = directions_fitted_ * singular(informed).cwiseInverse().asDiagonal() *
@@ -444,7 +445,7 @@ class SharedFit {
       if (squares(p) > 0) result_.degrees_of_freedom(p) = std::pow(result_.covariance(p, p), 2) / squares(p);
   }
 
-  void set_misfit() {
+  void set_chi_squared() {
     // What the fit leaves of a change of the lumps.
     const MatrixXd left = MatrixXd::Identity(rows(), rows()) - jacobian_ * inverse_;
     ResidualScatter scatter;
@@ -466,7 +467,7 @@ class SharedFit {
         also_known(MatrixXd::Identity(size, size));
       r += size;
     }
-    result_.misfit = clustered_chi_squared(residual_, result_.surplus, scatter);
+    result_.chi_squared = clustered_chi_squared(residual_, result_.surplus, scatter);
   }
 
   std::span<const LumpEstimates> cases_;

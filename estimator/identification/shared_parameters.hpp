@@ -63,7 +63,7 @@ struct SharedParameters {
   Eigen::MatrixXd noise_covariance;  ///< of values and then null-space coordinates, by noise alone
   /// What no parameters can give of the lumps (clustered_chi_squared), and how many more lumps than parameters
   /// there are.
-  double misfit = 0;
+  double chi_squared = 0;
   Eigen::Index surplus = 0;
 };
 

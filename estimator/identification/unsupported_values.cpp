@@ -57,7 +57,7 @@ bool leaves_open(const CaseFit& fit) {
 
 }  // namespace
 
-std::set<std::string> cases_that_misfit(const Estimate& estimate) {
+std::set<std::string> cases_with_lack_of_fit(const Estimate& estimate) {
   std::set<std::string> cases;
   for (const CaseLackOfFit& tests : estimate.lack_of_fit)
     if (std::any_of(tests.equations.begin(), tests.equations.end(),
@@ -95,8 +95,8 @@ void take_out_unsupported(Estimate& estimate, std::span<const CaseFit> fits) {
     take_out(estimate, open,
              "of too few conditions, which leave coefficients open that the expansion's truncation depends on");
   if (!estimate.consistency.significant) {
-    const std::set<std::string> misfit = cases_that_misfit(estimate);
-    std::erase_if(cases, [&](const std::string& resonance) { return !misfit.contains(resonance); });
+    const std::set<std::string> not_fitting = cases_with_lack_of_fit(estimate);
+    std::erase_if(cases, [&](const std::string& resonance) { return !not_fitting.contains(resonance); });
   }
   take_out(estimate, cases, "of too few conditions, and the equations do not hold");
 }

@@ -10,7 +10,7 @@
 namespace secular {
 
 /// Cases of which an equation does not hold (lack_of_fit).
-std::set<std::string> cases_that_misfit(const Estimate& estimate);
+std::set<std::string> cases_with_lack_of_fit(const Estimate& estimate);
 
 /// Cases whose error bars come from the scatter of repeats, for want of conditions.
 std::set<std::string> cases_of_few_conditions(const Estimate& estimate);

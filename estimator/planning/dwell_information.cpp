@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "estimator/model/by_name.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
@@ -32,7 +33,7 @@ double observed_frequency(const CompiledModel& model, const CompiledCase& resona
   return frequency;
 }
 
-// The first-order model of one dwell: what its equations see, and what noise makes of their misfit. States are
+// The first-order model of one dwell: what its equations see, and what noise makes of their residuals. States are
 // (Re B_0, Im B_0, Re B_1, ...).
 class Dwell {
  public:
@@ -81,8 +82,8 @@ class Dwell {
     return information;
   }
 
-  // What noise makes of the misfit i (observed - frame) B - dB/dt.
-  MatrixXd misfit_covariance(const Eigen::Ref<const MatrixXd>& symmetry, double repeats) const {
+  // What noise makes of the residual i (observed - frame) B - dB/dt.
+  MatrixXd residual_covariance(const Eigen::Ref<const MatrixXd>& symmetry, double repeats) const {
     MatrixXd covariance = MatrixXd::Zero(states(), states());
     add_amplitude_noise(covariance, repeats);
     add_force_noise(covariance, repeats);
@@ -164,7 +165,7 @@ class Dwell {
       covariance += variance * (slope.col(2 * k) * slope.col(2 * k).transpose() +
                                 slope.col(2 * k + 1) * slope.col(2 * k + 1).transpose());
       const Complex b = state_.amplitude[m];
-      scatter += noise_.repeatability * (slope.col(2 * k) * b.real() + slope.col(2 * k + 1) * b.imag());
+      scatter += noise_.dwell_scatter * (slope.col(2 * k) * b.real() + slope.col(2 * k + 1) * b.imag());
     }
     covariance += scatter * scatter.transpose();
   }
@@ -250,12 +251,9 @@ PlanUnknowns plan_unknowns(const CompiledModel& model, const CompiledCase& reson
     if (!resonance.mode_at_rest[k])
       add(model.symbols[k].name, -1, static_cast<int>(k), parameters(static_cast<Index>(k)));
   for (const std::string& name : fixed) {
-    const bool lump = std::any_of(resonance.lumps.begin(), resonance.lumps.end(),
-                                  [&](const CompiledLump& l) { return l.name == name; });
-    const bool frequency =
-        std::any_of(model.symbols.begin(), model.symbols.begin() + static_cast<std::ptrdiff_t>(model.modes()),
-                    [&](const CompiledSymbol& s) { return s.name == name; });
-    if (!lump && !frequency) throw std::invalid_argument("'" + name + "' is no lump and no natural frequency");
+    const bool frequency = place_of(model.symbols.first(model.modes()), name).has_value();
+    if (!place_of(resonance.lumps, name) && !frequency)
+      throw std::invalid_argument("'" + name + "' is no lump and no natural frequency");
   }
   unknowns.values = Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
   return unknowns;
@@ -268,7 +266,7 @@ MatrixXd dwell_information(const PlannedTest& test, const DwellState& state,
   std::vector<Index> rows;
   for (const Index k : dwell.active()) rows.insert(rows.end(), {2 * k, 2 * k + 1});
   // Rows in units of their own deviation: modes differ by orders of magnitude.
-  const MatrixXd part = dwell.misfit_covariance(symmetry, ensembles)(rows, rows);
+  const MatrixXd part = dwell.residual_covariance(symmetry, ensembles)(rows, rows);
   const VectorXd unit = part.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
   const Eigen::LLT<MatrixXd> cholesky(
       MatrixXd(unit.asDiagonal() * part * unit.asDiagonal()) +

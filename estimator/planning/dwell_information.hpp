@@ -15,7 +15,7 @@ struct PlanningNoise {
   int derivatives = 2;              ///< of the modal signal: 2 for accelerations
   double excitation_sd = 0;         ///< of one sample
   double sample_rate_hz = 256, ensemble_s = 4;
-  double repeatability = 0;  ///< relative scatter of a response's amplitude from dwell to dwell
+  double dwell_scatter = 0;  ///< relative scatter of a response's amplitude from dwell to dwell
 
   double samples() const { return sample_rate_hz * ensemble_s; }
 };
@@ -52,9 +52,9 @@ struct PlannedTest {
 
 /// Fisher information about the unknowns of `ensembles` ensembles at one dwell. The modulation equations' columns
 /// (RegressorBlock::columns) are whitened by what the noise of the amplitudes, of the force, of the frequencies of
-/// modes that the excitation does not lock, and the repeatability make of the equations' misfit, first order;
-/// harmonics by their own noise. `symmetry`: rows n of ResponseField::symmetries() over all modes (0 at rest),
-/// empty where every phase is locked. [unknown][unknown], in 1/unit^2.
+/// modes that the excitation does not lock, and the scatter between dwells make of the equations' residuals, first
+/// order; harmonics by their own noise. `symmetry`: rows n of ResponseField::symmetries() over all modes (0 at
+/// rest), empty where every phase is locked. [unknown][unknown], in 1/unit^2.
 Eigen::MatrixXd dwell_information(const PlannedTest& test, const DwellState& state,
                                   const Eigen::Ref<const Eigen::MatrixXd>& symmetry, int ensembles);
 

@@ -92,6 +92,9 @@ struct Record {
 /// The samples of a channel, rising, that the record's file does not hold: Record::lost and Record::no_numbers.
 std::vector<std::size_t> filled_samples(const Record& record, std::size_t channel);
 
+/// Channels of that role, in their order.
+std::vector<std::size_t> channels_of(const Campaign& campaign, ChannelRole role);
+
 /// The responses that a model sees: those of the modal basis, or all.
 std::vector<std::size_t> seen_responses(const Campaign& campaign);
 

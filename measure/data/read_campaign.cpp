@@ -133,15 +133,20 @@ RecordEntry read_entry(const TomlTable& table, const Campaign& campaign) {
 
 }  // namespace
 
+std::vector<std::size_t> channels_of(const Campaign& campaign, ChannelRole role) {
+  std::vector<std::size_t> channels;
+  for (std::size_t c = 0; c < campaign.channels.size(); ++c)
+    if (campaign.channels[c].role == role) channels.push_back(c);
+  return channels;
+}
+
 std::vector<std::size_t> seen_responses(const Campaign& campaign) {
-  std::vector<std::size_t> seen;
-  for (std::size_t c = 0; c < campaign.channels.size(); ++c) {
-    const Channel& channel = campaign.channels[c];
-    if (channel.role != ChannelRole::response) continue;
-    const auto& basis = campaign.modal_basis;
-    if (!basis || std::find(basis->channels.begin(), basis->channels.end(), channel.name) != basis->channels.end())
-      seen.push_back(c);
-  }
+  std::vector<std::size_t> seen = channels_of(campaign, ChannelRole::response);
+  if (!campaign.modal_basis) return seen;
+  const std::vector<std::string>& names = campaign.modal_basis->channels;
+  std::erase_if(seen, [&](std::size_t c) {
+    return std::find(names.begin(), names.end(), campaign.channels[c].name) == names.end();
+  });
   return seen;
 }
 

@@ -7,6 +7,7 @@
 
 namespace secular {
 
+// A table, as long as there are kinds of disturbances: one row each.
 std::span<const DisturbanceKind> disturbance_catalogue() {
   static constexpr std::array kinds = {
       DisturbanceKind{"foreign_tone",

@@ -593,11 +593,11 @@ void survey_decays(ModalSurvey& survey, SurveyRecords& records) {
     mode.degrees_of_freedom = dependence.degrees_of_freedom;
     mode.from = "regression over windows to zero amplitude";
     if (!mode.frequency_interval_hz())
-      survey.warnings.push_back(
-          fmt::format("mode {} ({:.4g} Hz): {} windows scatter by more than their noise, and too few tell by how "
-                      "much: its values "
-                      "have no interval; a shorter --window or more records would give one",
-                      r + 1, mode.natural_frequency_hz, dependence.windows));
+      survey.warnings.push_back(fmt::format(
+          "mode {} ({:.4g} Hz): {} windows scatter by more than their noise, and too few determine by how "
+          "much: its values "
+          "have no interval; a shorter --window or more records would give one",
+          r + 1, mode.natural_frequency_hz, dependence.windows));
     if (dependence.frequency_hz.curvature_p < 0.05 || dependence.damping_factor_hz.curvature_p < 0.05)
       survey.warnings.push_back(fmt::format(
           "mode {} ({:.4g} Hz): {} against amplitude is no straight line (p = {:.1g}); use --fit-below to "
@@ -654,7 +654,7 @@ void warn_of_growth(ModalSurvey& survey) {
           name, support.pole.real(), support.growth_sd, 100 * damping_ratio(support.pole)));
     if (mode.trend() == MotionTrend::undetermined)
       survey.warnings.push_back(fmt::format(
-          "{}: the records do not tell its damping from zero; a tone from outside looks the same", name));
+          "{}: the records do not distinguish its damping from zero; a tone from outside looks the same", name));
   }
 }
 

@@ -70,7 +70,7 @@ struct SurveyMode {
   std::optional<AmplitudeDependence> amplitude;
   std::vector<MassEstimate> masses;
   std::optional<double> mass;  ///< kg
-  double mass_sd = 0;          ///< kg; zero where it was given or cannot be told
+  double mass_sd = 0;          ///< kg; zero where it was given or cannot be determined
 
   /// Undetermined also where free motions do not tell the pole.
   MotionTrend trend() const;

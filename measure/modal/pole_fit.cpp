@@ -7,6 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "numerics/nonlinear_fit.hpp"
+
 namespace secular {
 namespace {
 
@@ -71,7 +73,7 @@ PoleFit residues_of(const Separable& problem, const VectorXcd& poles) {
   const MatrixXd coefficients = qr.solve(problem.data);
   const MatrixXd left = problem.data - design * coefficients;
   PoleFit fit;
-  fit.status = FitStatus::converged;
+  fit.ending = SolverEnding::converged;
   fit.poles = poles;
   fit.growth_sd = VectorXd::Zero(poles.size());
   fit.omega_sd = VectorXd::Zero(poles.size());
@@ -173,7 +175,7 @@ PoleFit refined(const Separable& problem, const VectorXcd& start) {
     for (Index r = 0; r < poles.size(); ++r)
       poles(r) += Complex(report.parameters(2 * r), report.parameters(2 * r + 1));
     fit = residues_of(problem, poles);
-    fit.status = report.status;
+    fit.ending = report.ending;
     const Index points = problem.data.size();
     const Index unknowns = 2 * poles.size() + (2 * poles.size() + problem.fixed.cols()) * problem.data.cols();
     const double variance = 2 * report.cost / static_cast<double>(std::max<Index>(1, points - unknowns));

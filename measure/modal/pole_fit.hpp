@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "measure/modal/residue_conversion.hpp"
-#include "numerics/nonlinear_fit.hpp"
+#include "numerics/solver_ending.hpp"
 
 namespace secular {
 
 /// Poles common to several signals and the residues of each: one complex-conjugate pair a mode, the pole with
 /// positive imaginary part given.
 struct PoleFit {
-  FitStatus status = FitStatus::iteration_limit;
+  SolverEnding ending = SolverEnding::stalled;
   Eigen::VectorXcd poles;     ///< n, rad/s
   Eigen::VectorXd growth_sd;  ///< n, standard deviation of the real parts, 1/s
   Eigen::VectorXd omega_sd;   ///< n, standard deviation of the imaginary parts, rad/s

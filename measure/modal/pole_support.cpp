@@ -28,11 +28,11 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 const std::string of_noise = "explains no more of the records than noise does";
 const std::string once = "one record shows it, others of the same kind do not";
 const std::string strays = "the records show no resonance where it is, but make up by it for another mode";
-const std::string too_many = "the records are too short to tell so many poles";
+const std::string too_many = "the records are too short to determine so many poles";
 const std::string too_wide = "its error bar is as wide as its resonance";
-const std::string no_peak = "its damping is not told from one without a resonance";
+const std::string no_peak = "its damping cannot be distinguished from one without a resonance";
 const std::string no_turn = "swings less than once in the records";
-const std::string at_the_top = "is not told from one above half the sample rate";
+const std::string at_the_top = "cannot be distinguished from one above half the sample rate";
 
 VectorXcd as_vector(const std::vector<Complex>& poles) {
   return Eigen::Map<const VectorXcd>(poles.data(), static_cast<Index>(poles.size()));

@@ -47,9 +47,7 @@ struct Spectrum {
 // Of all decays together, from where each begins.
 std::optional<Spectrum> spectrum_of_decays(const Campaign& campaign, const RecordReader& read,
                                            const Window& window) {
-  std::vector<std::size_t> responses;
-  for (std::size_t c = 0; c < campaign.channels.size(); ++c)
-    if (campaign.channels[c].role == ChannelRole::response) responses.push_back(c);
+  const std::vector<std::size_t> responses = channels_of(campaign, ChannelRole::response);
   std::vector<MatrixXd> decays;
   double rate = 0;
   for (std::size_t r = 0; r < campaign.records.size(); ++r) {

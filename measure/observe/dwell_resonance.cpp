@@ -57,9 +57,7 @@ std::vector<Subharmonic> subharmonics_of(const Resonance& resonance) {
 
 std::vector<Subharmonic> seen_subharmonics(const Campaign& campaign, const Record& record, double excitation,
                                            const std::vector<Subharmonic>& looked_for, const Window& window) {
-  std::vector<std::size_t> responses;
-  for (std::size_t c = 0; c < campaign.channels.size(); ++c)
-    if (campaign.channels[c].role == ChannelRole::response) responses.push_back(c);
+  const std::vector<std::size_t> responses = channels_of(campaign, ChannelRole::response);
   const SampleRange range = range_of(record, window);
   const Index count = std::min(range.count, most_samples);
   const double resolution = two_pi * record.sample_rate_hz / static_cast<double>(std::max<Index>(1, count));

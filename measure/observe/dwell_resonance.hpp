@@ -16,7 +16,7 @@ struct Resonance {
 };
 
 /// How far natural frequencies (rad/s, by mode) and an excitation frequency are from fulfilling the relations,
-/// relative; infinite where that cannot be told.
+/// relative; infinite where that cannot be determined.
 double mismatch(const Resonance& resonance, const std::vector<double>& natural, double excitation);
 
 /// A part of the excitation frequency at which a mode may answer, numerator/denominator < 1.

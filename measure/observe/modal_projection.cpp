@@ -1,5 +1,7 @@
 #include "measure/observe/modal_projection.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 
@@ -7,12 +9,6 @@
 
 namespace secular {
 namespace {
-
-std::string listed(std::span<const std::string_view> names) {
-  std::string text;
-  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
-  return text;
-}
 
 int derivatives_of(const Campaign& campaign, const Channel& channel) {
   switch (channel.quantity) {
@@ -36,14 +32,13 @@ ModalProjection modal_projection(const Campaign& campaign, const CompiledModel& 
   ModalProjection projection;
   const auto modes = static_cast<Eigen::Index>(model.modes());
   if (!campaign.modal_basis) {
-    for (std::size_t c = 0; c < campaign.channels.size(); ++c)
-      if (campaign.channels[c].role == ChannelRole::response) projection.channels.push_back(c);
+    projection.channels = channels_of(campaign, ChannelRole::response);
     if (projection.channels.size() != model.modes())
-      throw InputError(
-          file, "",
-          "has " + std::to_string(projection.channels.size()) + " response channels for " +
-              std::to_string(model.modes()) + " coordinates of model " + std::string(model.name),
-          "without [modal_basis] every response channel is one coordinate, in order: " + listed(model.coordinates));
+      throw InputError(file, "",
+                       "has " + std::to_string(projection.channels.size()) + " response channels for " +
+                           std::to_string(model.modes()) + " coordinates of model " + std::string(model.name),
+                       "without [modal_basis] every response channel is one coordinate, in order: " +
+                           fmt::format("{}", fmt::join(model.coordinates, ", ")));
     projection.matrix = Eigen::MatrixXd::Identity(modes, modes);
   } else {
     const ModalBasis& basis = *campaign.modal_basis;
@@ -63,7 +58,8 @@ ModalProjection modal_projection(const Campaign& campaign, const CompiledModel& 
       if (found == basis.modes.end())
         throw InputError(file, "[modal_basis], key modes",
                          "has no mode '" + std::string(model.coordinates[k]) + "'",
-                         "model " + std::string(model.name) + " has the coordinates " + listed(model.coordinates));
+                         "model " + std::string(model.name) + " has the coordinates " +
+                             fmt::format("{}", fmt::join(model.coordinates, ", ")));
       projection.matrix.row(static_cast<Eigen::Index>(k)) = inverse.row(found - basis.modes.begin());
     }
     for (const std::string& name : basis.channels)
@@ -86,9 +82,7 @@ ModalProjection modal_projection(const Campaign& campaign, const CompiledModel& 
 }
 
 std::vector<std::size_t> excitation_channels(const Campaign& campaign, const CompiledModel& model) {
-  std::vector<std::size_t> channels;
-  for (std::size_t c = 0; c < campaign.channels.size(); ++c)
-    if (campaign.channels[c].role == ChannelRole::excitation) channels.push_back(c);
+  std::vector<std::size_t> channels = channels_of(campaign, ChannelRole::excitation);
   if (channels.size() < model.excitations.size())
     throw InputError((campaign.folder / "campaign.toml").string(), "",
                      "has " + std::to_string(channels.size()) + " excitation channels, the case needs " +

@@ -9,7 +9,7 @@ namespace secular {
 /// Natural frequencies that a campaign's records tell, good enough to say which record excites which resonance and
 /// where a mode rings.
 struct NaturalFrequencyStarts {
-  std::vector<double> frequency;  ///< by mode, rad/s, amid the dwells that show the mode; NaN: not told
+  std::vector<double> frequency;  ///< by mode, rad/s, amid the dwells that show the mode; NaN: not determined
   std::vector<bool> moved;        ///< by mode: a nominal value was given and is not what the records show
 };
 

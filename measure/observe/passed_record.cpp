@@ -23,8 +23,8 @@ Index release(const Campaign& campaign, const Record& record, const Window& wind
   const auto [first, count] = range_of(record, of_any_band);
   std::optional<VectorXd> leading;
   double most = -1;
-  for (std::size_t c = 0; c < campaign.channels.size() && count > 0; ++c) {
-    if (campaign.channels[c].role != ChannelRole::response) continue;
+  for (const std::size_t c : channels_of(campaign, ChannelRole::response)) {
+    if (count == 0) break;
     VectorXd samples = samples_of(record, {c}, first, count).col(0);
     const double size = (samples.array() - samples.mean()).matrix().norm();
     if (size <= most) continue;

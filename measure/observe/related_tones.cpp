@@ -99,23 +99,25 @@ class Fitter {
 
   RelatedToneFit fit(VectorXd u) const {
     RelatedToneFit result;
-    result.converged = true;
     Projection p = project(u);
     MatrixXd hessian;
     VectorXd gradient;
     const Index unknowns = tones_.coupling.cols();
     const double bin = 2 * 3.14159265358979 * rate_ / static_cast<double>(y_.rows());
     if (unknowns > 0) {
-      result.converged = false;
-      for (int iteration = 0; iteration < 30 && !result.converged; ++iteration) {
+      result.ending = SolverEnding::stalled;
+      for (int iteration = 0; iteration < 30 && result.ending == SolverEnding::stalled; ++iteration) {
         normal_equations(p, hessian, gradient);
         VectorXd step = hessian.ldlt().solve(gradient);
-        if (!step.allFinite()) break;
+        if (!step.allFinite()) {
+          result.ending = SolverEnding::ran_away;
+          break;
+        }
         const double size = step.cwiseAbs().maxCoeff();
         if (size > 0.5 * bin) step *= 0.5 * bin / size;
         u += step;
         p = project(u);
-        result.converged = size < 1e-5 * bin;
+        if (size < 1e-5 * bin) result.ending = SolverEnding::converged;
       }
       normal_equations(p, hessian, gradient);
       const MatrixXd covariance = hessian.ldlt().solve(MatrixXd::Identity(unknowns, unknowns));

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "numerics/solver_ending.hpp"
+
 namespace secular {
 
 /// Tones whose frequencies are related: frequency of tone j = fixed(j) + (coupling*u)(j), rad/s.
@@ -13,8 +15,8 @@ struct RelatedTones {
 };
 
 struct RelatedToneFit {
-  bool converged = false;
-  Eigen::VectorXd free, free_sd;                ///< u
+  SolverEnding ending = SolverEnding::converged;  ///< converged where all frequencies are known
+  Eigen::VectorXd free, free_sd;                  ///< u
   Eigen::MatrixXcd amplitude;                   ///< [tone][channel], half of the peak, phase at the window's centre
   Eigen::MatrixXcd slope, curvature;            ///< [varying tone][channel]: d/dt and d2/dt2 of it at the centre
   Eigen::MatrixXd amplitude_sd;                 ///< of real and imaginary part alike

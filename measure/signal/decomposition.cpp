@@ -172,7 +172,7 @@ Decomposition decompose(const Eigen::Ref<const MatrixXd>& channels, double sampl
   bool done = false;
   if (options.refine) {
     RefinedPoles fit = refined(channels, sample_rate_hz, poles, options);
-    d.refinement = fit.status;
+    d.refinement = fit.ending;
     d.iterations = fit.iterations;
     if (std::isfinite(fit.cost)) {
       // The order of the poles is settled by a last call on sorted poles, which moves nothing.

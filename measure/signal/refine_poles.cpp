@@ -37,7 +37,7 @@ class Refiner {
     if (!now) return undetermined(poles);
     PoleMoments m(now->gram, now->functions.timed_moments());
     double damping = 0;
-    result.status = unknowns_ == 0 ? ToneStatus::converged : ToneStatus::iteration_limit;
+    result.ending = unknowns_ == 0 ? SolverEnding::converged : SolverEnding::stalled;
     double moved_by = 0;  // since the moments were taken, radians at the ends of the window
     for (; unknowns_ > 0 && result.iterations < limit; ++result.iterations) {
       if (!m.usable) return undetermined(poles);
@@ -52,14 +52,14 @@ class Refiner {
       if (!step.allFinite()) return undetermined(poles);
       const double promised = -0.5 * slope.dot(step);  // decrease of the quadratic model, in log-likelihood
       if (promised < no_decrease) {
-        result.status = ToneStatus::converged;
+        result.ending = SolverEnding::converged;
         break;
       }
       if (promised < linear_decrease && damping == 0) {
         // The amplitudes follow. The residual is smallest, and changes by less than a share 1e-4/samples.
         now->amplitudes += turns.dragged(m, step);
         poles = moved(std::move(poles), step, window_.half);
-        result.status = ToneStatus::converged;
+        result.ending = SolverEnding::converged;
         ++result.iterations;
         break;
       }
@@ -72,7 +72,7 @@ class Refiner {
         damping = damping < 1e-6 ? 0 : damping / 10;
         moved_by += length;
         if (length < 1e-14) {
-          result.status = ToneStatus::converged;
+          result.ending = SolverEnding::converged;
           break;
         }
         // Gauss-Newton contracts by about as much as its moments are off.
@@ -82,7 +82,7 @@ class Refiner {
         }
       } else {
         if (damping > 1e8) {
-          result.status = ToneStatus::converged;
+          result.ending = SolverEnding::converged;
           break;
         }
         if (moved_by > 0) m = PoleMoments(now->gram, now->functions.timed_moments());

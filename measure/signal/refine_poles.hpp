@@ -6,14 +6,15 @@
 
 #include "measure/signal/pole.hpp"
 #include "measure/signal/pole_covariance.hpp"
-#include "measure/signal/tone_fit.hpp"
+#include "numerics/solver_ending.hpp"
 
 namespace secular {
 
 /// Maximum-likelihood poles and amplitudes. Origin of time: the centre of the window, where the estimates of
 /// frequency and phase are least correlated.
 struct RefinedPoles {
-  ToneStatus status = ToneStatus::ill_conditioned;
+  /// Ran away: the poles cannot be told apart.
+  SolverEnding ending = SolverEnding::ran_away;
   int iterations = 0;
   std::vector<Pole> poles;
   Eigen::MatrixXd amplitudes;  ///< [function][channel]

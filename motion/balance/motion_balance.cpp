@@ -67,9 +67,12 @@ Motion MotionBalance::solve(const MotionSetting& setting, const VectorXcd& ampli
   for (int i = 0; i < iteration_limit; ++i) {
     residual = sweep.residual(sweep.path(motion.displacement), parameters);
     const VectorXd step = BalanceSweep::steps(slaves, residual);
-    if (!step.allFinite()) break;
+    if (!step.allFinite()) {
+      motion.ending = SolverEnding::ran_away;
+      break;
+    }
     const double size = std::max(scale, motion.displacement.cwiseAbs().maxCoeff());
-    motion.converged = step.size() == 0 || step.cwiseAbs().maxCoeff() <= tolerance * size;
+    const bool at_rest = step.size() == 0 || step.cwiseAbs().maxCoeff() <= tolerance * size;
     const double length = step.norm();
     lost = length > size;
     if (i > 0 && length > step_growth * last_step) {
@@ -77,12 +80,16 @@ Motion MotionBalance::solve(const MotionSetting& setting, const VectorXcd& ampli
       share = std::max(least_step_share, 0.5 * share);
     }
     last_step = length;
-    lines = motion.converged ? VectorXd(lines + step) : acceleration.next(lines, lines + share * step);
+    lines = at_rest ? VectorXd(lines + step) : acceleration.next(lines, lines + share * step);
     scattered(slaves, lines, motion.displacement);
-    if (motion.converged) break;
+    if (at_rest) {
+      motion.ending = SolverEnding::converged;
+      break;
+    }
   }
   motion.balance = balance_of_masters(setting, residual);
-  if (!motion.converged && lost) {
+  if (!motion.converged() && lost) {
+    motion.ending = SolverEnding::ran_away;
     motion.displacement.setConstant(std::numeric_limits<double>::quiet_NaN());
     motion.balance.setConstant(std::numeric_limits<double>::quiet_NaN());
   }

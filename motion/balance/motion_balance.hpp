@@ -10,6 +10,7 @@
 #include "estimator/model/compiled_model.hpp"
 #include "motion/balance/state_force.hpp"
 #include "motion/balance/torus.hpp"
+#include "numerics/solver_ending.hpp"
 
 namespace secular {
 
@@ -37,7 +38,9 @@ struct MotionSetting {
 struct Motion {
   Eigen::MatrixXcd displacement;  ///< modes x lines
   Eigen::VectorXcd balance;       ///< by master: force minus inertia on that line, per unit of modal mass
-  bool converged = false;
+  SolverEnding ending = SolverEnding::stalled;
+
+  bool converged() const { return ending == SolverEnding::converged; }
 };
 
 /// Writes amplitudes, by master, into a modes x lines matrix.

@@ -75,7 +75,7 @@ std::optional<BalancedMotions::Balanced> BalancedMotions::in_balance(const Eigen
           .solve(setting,
                  Eigen::Map<const Eigen::VectorXcd>(amplitudes.data(), static_cast<Index>(amplitudes.size())),
                  std::span(parameters.data(), static_cast<std::size_t>(parameters.size())), start);
-  if (!result.motion.converged) return std::nullopt;
+  if (!result.motion.converged()) return std::nullopt;
   return result;
 }
 

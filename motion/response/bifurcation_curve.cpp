@@ -67,7 +67,7 @@ class CurveOfBifurcations {
     if (result_.kind == BifurcationKind::hopf) pair_ = most_neutral_pair(spectrum_of(jacobian));
     const VectorXd along = null_direction(unknowns);
     const NewtonResult start = correct(curve_, unknowns, along);
-    if (!start.converged || (result_.kind == BifurcationKind::hopf && !(pair_at(start.unknowns).product > 0))) {
+    if (!start.converged() || (result_.kind == BifurcationKind::hopf && !(pair_at(start.unknowns).product > 0))) {
       result_.first_end = result_.last_end = {TraceStatus::no_start, "no such bifurcation near the start"};
       return std::move(result_);
     }

@@ -224,7 +224,7 @@ Branch continue_fixed_points(const VectorField& field, const ConstVector& parame
   curve.value = [&](const VectorXd& y) { return scaled_field.rate(y); };
   curve.jacobian = [&](const VectorXd& y) { return scaled_field.jacobian(y); };
   const NewtonResult start = correct(curve, guess, VectorXd::Unit(guess.size(), field.dimension()));
-  if (!start.converged) {
+  if (!start.converged()) {
     return no_branch(parameter, "no fixed point near the start");
   }
   BranchTracer tracer(scaled_field, parameter, options);

@@ -37,7 +37,7 @@ std::optional<CurvePoint> point_on_bound(const EquationSystem& curve, const Curv
   guess(crossing.bound->coordinate) = crossing.value;
   const VectorXd normal = VectorXd::Unit(guess.size(), crossing.bound->coordinate);
   const NewtonResult corrected = correct(curve, guess, normal);
-  if (!corrected.converged) return std::nullopt;
+  if (!corrected.converged()) return std::nullopt;
   const double length = (to.unknowns - from.unknowns).norm();
   if ((corrected.unknowns - guess).norm() > 0.3 * length) return std::nullopt;
   CurvePoint point{corrected.unknowns, tangent_at(curve, corrected.unknowns, to.tangent)};
@@ -67,7 +67,7 @@ bool passes(const EquationSystem& curve, const CurvePoint& from, const CurvePoin
   const VectorXd guess = from.unknowns + before / (before - after) * chord;
   if (start_is_crossing) return (guess - start.unknowns).norm() < 0.05 * chord.norm() + 1e-9;
   const NewtonResult corrected = correct(curve, guess, start.tangent);
-  return corrected.converged && (corrected.unknowns - start.unknowns).norm() < 1e-5;
+  return corrected.converged() && (corrected.unknowns - start.unknowns).norm() < 1e-5;
 }
 
 class Tracer {
@@ -134,7 +134,7 @@ class Tracer {
     const VectorXd guess = now.unknowns + step_ * now.tangent;
     const NewtonResult corrected = correct(curve_, guess, now.tangent);
     iterations_ = corrected.iterations;
-    if (!corrected.converged) return std::nullopt;
+    if (!corrected.converged()) return std::nullopt;
     if ((corrected.unknowns - guess).norm() > 0.3 * step_ + 1e-10) return std::nullopt;
     CurvePoint next{corrected.unknowns, tangent_at(curve_, corrected.unknowns, now.tangent)};
     if (!next.tangent.allFinite()) return std::nullopt;
@@ -195,7 +195,7 @@ std::optional<CurvePoint> point_between(const EquationSystem& curve, const Curve
   if (!(length > 0)) return std::nullopt;
   const VectorXd normal = chord / length;
   const NewtonResult corrected = correct(curve, from.unknowns + share * chord, normal);
-  if (!corrected.converged || (corrected.unknowns - from.unknowns - share * chord).norm() > length)
+  if (!corrected.converged() || (corrected.unknowns - from.unknowns - share * chord).norm() > length)
     return std::nullopt;
   return CurvePoint{corrected.unknowns, tangent_at(curve, corrected.unknowns, normal)};
 }

@@ -48,17 +48,23 @@ NewtonResult newton(const EquationSystem& system, const Eigen::Ref<const VectorX
   double previous = std::numeric_limits<double>::infinity();
   while (result.iterations < iteration_limit) {
     const VectorXd step = newton_step(system.jacobian(result.unknowns), system.value(result.unknowns));
-    if (!step.allFinite()) return result;
+    if (!step.allFinite()) {
+      result.ending = SolverEnding::ran_away;
+      return result;
+    }
     ++result.iterations;
     result.unknowns += step;
     result.last_step = step.norm();
     const double size = 1 + result.unknowns.norm();
     const bool rounding = result.last_step <= 1e-8 * size && result.last_step > 0.5 * previous;
     if (result.last_step <= 1e-11 * size || rounding) {
-      result.converged = system.value(result.unknowns).allFinite();
+      result.ending = system.value(result.unknowns).allFinite() ? SolverEnding::converged : SolverEnding::ran_away;
       return result;
     }
-    if (result.iterations > 1 && result.last_step > 4 * previous) return result;
+    if (result.iterations > 1 && result.last_step > 4 * previous) {
+      result.ending = SolverEnding::ran_away;
+      return result;
+    }
     previous = result.last_step;
   }
   return result;

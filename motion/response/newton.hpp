@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <functional>
 
+#include "numerics/solver_ending.hpp"
+
 namespace secular {
 
 /// A system of equations in unknowns of the order of one.
@@ -15,13 +17,16 @@ struct EquationSystem {
 EquationSystem with_differences(std::function<Eigen::VectorXd(const Eigen::VectorXd&)> value,
                                 Eigen::Index equations);
 
-/// How Newton's method ended. `converged`: the last step was below 1e-11 (1 + |unknowns|), or below 1e-8 of it and
-/// no longer shrinking (rounding).
+/// Where Newton's method ended. Converged: the last step was below 1e-11 (1 + |unknowns|), or below 1e-8 of it and
+/// no longer shrinking (rounding). Ran away: a step was not finite, or four times
+/// as long as the last.
 struct NewtonResult {
-  bool converged = false;
+  SolverEnding ending = SolverEnding::stalled;
   int iterations = 0;
   double last_step = 0;
   Eigen::VectorXd unknowns;
+
+  bool converged() const { return ending == SolverEnding::converged; }
 };
 
 /// Newton's method, undamped, for as many equations as unknowns; equations are scaled to rows of unit norm.

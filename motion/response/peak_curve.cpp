@@ -80,7 +80,7 @@ std::optional<ResponsePoint> peak_near(const ResponseField& field, const PeakReq
   };
   const NewtonResult found = newton(
       with_differences([&](const VectorXd& u) { return peaks.equations(whole(u)); }, n + 1), start.head(n + 1));
-  if (!found.converged || (found.unknowns - start.head(n + 1)).norm() > 0.3) return {};
+  if (!found.converged() || (found.unknowns - start.head(n + 1)).norm() > 0.3) return {};
   const VectorXd y = whole(found.unknowns);
   ResponsePoint point = near;
   point.parameter = peaks.first(y);

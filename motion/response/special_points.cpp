@@ -47,7 +47,8 @@ bool changes_sign(const BranchTests& from, const BranchTests& to, std::size_t te
 std::optional<VectorXd> near_solution(const EquationSystem& system, const VectorXd& start,
                                       const VectorXd& bracketed, double reach) {
   const NewtonResult result = newton(system, start);
-  if (!result.converged || (result.unknowns.head(bracketed.size()) - bracketed).norm() > reach) return std::nullopt;
+  if (!result.converged() || (result.unknowns.head(bracketed.size()) - bracketed).norm() > reach)
+    return std::nullopt;
   return result.unknowns;
 }
 

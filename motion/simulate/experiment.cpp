@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "estimator/model/by_name.hpp"
 #include "motion/simulate/experiment_parts.hpp"
 
 namespace secular {
@@ -41,8 +42,7 @@ Eigen::VectorXd read_parameters(const TomlTable& table, const Target& target) {
     if (at == known.end())
       throw InputError(effect.file, "line " + std::to_string(effect.line) + ", key symbol",
                        "'" + effect.symbol + "' is no symbol of the model", "its symbols are " + listed(known));
-    for (std::size_t p = 0; p < model.symbols.size(); ++p)
-      if (model.symbols[p].name == effect.symbol) values(static_cast<Eigen::Index>(p)) *= 1 + effect.strength;
+    values(static_cast<Eigen::Index>(symbol_named(model, effect.symbol))) *= 1 + effect.strength;
   }
   return values;
 }

@@ -1,13 +1,13 @@
 #include "motion/simulate/experiment_parts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace secular {
 
 std::string listed(std::span<const std::string_view> names) {
-  std::string text;
-  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
-  return text;
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 Target target_of(const TomlTable& root, const CompiledModel& model, std::span<const InstalledEffect> installed,

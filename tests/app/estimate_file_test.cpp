@@ -73,7 +73,7 @@ TEST_F(SlowEstimateFile, APredictionTakesThemAndSaysSo) {
                 "--vary Omega 24.3 25.1 --hz -o with"),
             0)
       << printed();
-  EXPECT_NE(printed().find("does not tell alpha2, alpha3, delta2, delta3"), std::string::npos);
+  EXPECT_NE(printed().find("does not identify alpha2, alpha3, delta2, delta3"), std::string::npos);
   // Another set with the same alpha_e and eta_e has the same saddle-node.
   json estimate = read("result/estimate.json");
   json& values = estimate["representative"]["values"];

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -14,15 +13,16 @@
 
 #include "app/shared/identification.hpp"
 #include "app/simulate/experiment_loading.hpp"
-#include "motion/simulate/noise.hpp"
 #include "motion/simulate/virtual_test.hpp"
 #include "numerics/confidence.hpp"
 #include "tests/process_folder.hpp"
+#include "tests/sensor_noise.hpp"
 
 namespace secular::app {
 namespace {
 
 namespace fs = std::filesystem;
+using testing_support::number_from;
 
 constexpr const char* quadratic = "D2(x) + omega0^2*x = -2*mu*D(x) - a2*x^2 + e*F*cos(Omega*t)";
 constexpr const char* cubic = "D2(x) + omega0^2*x = -2*mu*D(x) - a2*x^2 - a3*x^3 + e*F*cos(Omega*t)";
@@ -58,10 +58,7 @@ class HardCampaign {
     experiment_ = loaded.experiment;
     for (std::size_t p = 0; p < loaded.model->symbols.size(); ++p)
       truth_[std::string(loaded.model->symbols[p].name)] = experiment_.parameters(static_cast<Eigen::Index>(p));
-    Experiment quiet = experiment_;
-    quiet.excitation->noise_sd = 0;
-    for (SimulatedChannel& channel : quiet.responses) channel.noise_sd = 0;
-    exact_ = run_virtual_test(quiet, *loaded.model, 1, 2);
+    exact_ = run_virtual_test(testing_support::without_noise(experiment_), *loaded.model, 1, 2);
   }
 
   Estimate identified(int draw) const {
@@ -70,13 +67,8 @@ class HardCampaign {
     request.model = (folder_ / "model.toml").string();
     request.threads = 2;
     const RecordReader read = [&](std::size_t r) {
-      Record record = exact_.samples[r];
-      for (std::size_t c = 0; c < record.channels.size(); ++c) {
-        const double sd = c == 0 ? experiment_.excitation->noise_sd : experiment_.responses[c - 1].noise_sd;
-        NoiseStream noise(static_cast<std::uint64_t>(draw) + 1, r, c);
-        for (double& x : record.channels[c]) x += sd * noise.gaussian();
-      }
-      return record;
+      return testing_support::with_sensor_noise(exact_.samples[r], experiment_,
+                                                static_cast<std::uint64_t>(draw) + 1, r);
     };
     return identify(request, exact_.campaign, read).estimate;
   }
@@ -88,11 +80,6 @@ class HardCampaign {
   std::map<std::string, double> truth_;
   SimulatedCampaign exact_;
 };
-
-int count_from(const char* variable, int otherwise) {
-  const char* text = std::getenv(variable);
-  return text ? std::atoi(text) : otherwise;
-}
 
 struct HardCoverage {
   int inside = 0, count = 0, doubtful = 0;
@@ -116,7 +103,7 @@ struct HardCoverage {
 // every second parameter shows whose intervals are half as long as they should be).
 void expect_hard_intervals_to_hold(const HardExcitation& test) {
   const HardCampaign campaign(test);
-  const int draws = count_from("SECULAR_COVERAGE_DRAWS", 8), first = count_from("SECULAR_COVERAGE_FIRST", 0);
+  const int draws = number_from("SECULAR_COVERAGE_DRAWS", 8), first = number_from("SECULAR_COVERAGE_FIRST", 0);
   std::map<std::string, HardCoverage> table;
   int contradictions = 0;
   for (int draw = first; draw < first + draws; ++draw) {

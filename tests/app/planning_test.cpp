@@ -17,6 +17,7 @@
 #include "numerics/hertz.hpp"
 #include "tests/procedures/noisy_campaign.hpp"
 #include "tests/process_folder.hpp"
+#include "tests/sensor_noise.hpp"
 
 namespace secular::app {
 namespace {
@@ -115,8 +116,7 @@ TEST(Plan, SaysWhatItCannotDo) {
 
 // Scatter of the estimates over noise draws of both campaigns on the full equations of motion.
 TEST(SlowPlan, ThePlannedCampaignIsAsSharpAsTheThesisCampaign) {
-  const char* text = std::getenv("SECULAR_SEEDS");
-  const int seeds = text ? std::atoi(text) : 16;
+  const int seeds = testing_support::number_from("SECULAR_SEEDS", 16);
   const PlanRequest request = chapter_5();
   const PlanResult& plan = plan_of_chapter_5();
   const fs::path file = testing_support::process_folder() / "secular_planned_chapter5.toml";

@@ -20,15 +20,18 @@
 #include "app/procedure/thesis_procedures.hpp"
 #include "app/shared/identification.hpp"
 #include "app/shared/model_loading.hpp"
+#include "estimator/model/by_name.hpp"
 #include "motion/correction/observation_noise.hpp"
 #include "motion/correction/steady_set.hpp"
-#include "motion/simulate/noise.hpp"
 #include "numerics/confidence.hpp"
 #include "tests/identification/continuity.hpp"
 #include "tests/identification/virtual_campaign.hpp"
+#include "tests/sensor_noise.hpp"
 
 namespace secular::app {
 namespace {
+
+using testing_support::number_from;
 
 // One of them as it would be measured without noise.
 class ThesisCampaign {
@@ -103,9 +106,7 @@ class ThesisCampaign {
   ThesisCampaign(const std::string& name, const std::string& resonance)
       : experiment_(testing_support::shipped_experiment(name)),
         model_(ModelSource(experiment_.model, false).load({resonance})) {
-    Experiment quiet = experiment_;
-    quiet.excitation->noise_sd = 0;
-    for (SimulatedChannel& channel : quiet.responses) channel.noise_sd = 0;
+    Experiment quiet = testing_support::without_noise(experiment_);
     // Twenty minutes of settling take half as many steps so, and samples move by 3e-9 of the largest, less than a
     // millionth of the noise.
     quiet.motion.relative_tolerance *= 100;
@@ -115,13 +116,8 @@ class ThesisCampaign {
 
   RecordReader reader(int draw) const {
     return [this, draw](std::size_t r) {
-      Record record = exact_.samples[r];
-      for (std::size_t c = 0; c < record.channels.size(); ++c) {
-        const double sd = c == 0 ? experiment_.excitation->noise_sd : experiment_.responses[c - 1].noise_sd;
-        NoiseStream noise(static_cast<std::uint64_t>(draw) + 1, r, c);
-        for (double& x : record.channels[c]) x += sd * noise.gaussian();
-      }
-      return record;
+      return testing_support::with_sensor_noise(exact_.samples[r], experiment_,
+                                                static_cast<std::uint64_t>(draw) + 1, r);
     };
   }
 
@@ -148,11 +144,6 @@ struct Coverage {
     return holds;
   }
 };
-
-int number_from(const char* variable, int otherwise) {
-  const char* text = std::getenv(variable);
-  return text ? std::atoi(text) : otherwise;
-}
 
 void print(const std::map<std::string, Coverage>& table) {
   for (const auto& [name, c] : table)
@@ -257,11 +248,8 @@ void expect_intervals_to_hold_for_drawn_structures(const ThesisCampaign& campaig
     for (const EstimatedValue& v : id.estimate.parameters) {
       if (!v.value || v.fixed) continue;
       doubtful += v.doubtful;
-      for (std::size_t p = 0; p < id.model->symbols.size(); ++p)
-        if (id.model->symbols[p].name == v.name) {
-          inside += table[v.name].add(v, truth(static_cast<Eigen::Index>(p)));
-          ++count;
-        }
+      inside += table[v.name].add(v, truth(static_cast<Eigen::Index>(symbol_named(*id.model, v.name))));
+      ++count;
     }
   }
   print(table);
@@ -294,7 +282,7 @@ TEST(SlowChapterFive, NullSpaceCoordinatesAreReadOffTheRows) {
   for (const LackOfFit& test : estimate.lack_of_fit.front().equations) {
     EXPECT_FALSE(test.significant) << test.name;
     // The root of a mean square has the standard deviation 1/sqrt(2 degrees of freedom).
-    EXPECT_GT(test.misfit, 1 - 4 / std::sqrt(2 * test.numerator_df)) << test.name;
+    EXPECT_GT(test.misfit_ratio, 1 - 4 / std::sqrt(2 * test.numerator_df)) << test.name;
   }
 }
 

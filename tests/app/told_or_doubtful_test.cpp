@@ -117,9 +117,9 @@ TEST_F(SlowToldOrDoubtful, ShortDecaysOfAModelThatLacksFriction) {
     EXPECT_EQ(outcome.errors.find("the model does not fit") != std::string::npos, lacks) << outcome.errors;
     EXPECT_EQ(damping.value("doubtful", false), lacks) << damping;
     if (is_short && lacks) {
-      EXPECT_GT(test.at("misfit").get<double>(), 2 * told_from);
+      EXPECT_GT(test.at("misfit_ratio").get<double>(), 2 * told_from);
     } else if (is_short) {
-      EXPECT_LT(test.at("misfit").get<double>(), 0.5 * told_from);
+      EXPECT_LT(test.at("misfit_ratio").get<double>(), 0.5 * told_from);
     }
     if (!lacks) {
       EXPECT_NEAR(damping.at("value").get<double>(), 0.6, 5 * damping.at("sd").get<double>());

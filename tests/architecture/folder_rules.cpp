@@ -38,7 +38,7 @@ const FolderTable& folder_table() {
        {"input", "numerics", "estimator", "estimator/model", "measure/signal", "estimator/regression",
         "measure/observe"}},
       {"motion", {"numerics"}},
-      {"motion/response", {"estimator/model"}},
+      {"motion/response", {"numerics", "estimator/model"}},
       {"estimator/planning", {"numerics", "estimator/model", "motion/response"}},
       {"motion/balance", {"effects", "numerics", "estimator/model"}},
       {"motion/simulate", {"effects", "input", "numerics", "estimator/model", "measure/data"}},
@@ -120,6 +120,14 @@ std::vector<fs::path> sources_of(const fs::path& root, const std::string& folder
       files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
+}
+
+std::vector<std::string> folders_of_sources(const fs::path& root) {
+  std::vector<std::string> all;
+  for (const auto& [folder, allowed] : folder_table()) all.push_back(folder);
+  for (const fs::directory_entry& entry : fs::directory_iterator(root / "tests"))
+    if (entry.is_directory()) all.push_back("tests/" + entry.path().filename().string());
+  return all;
 }
 
 std::vector<Include> includes_in(const std::string& text) {

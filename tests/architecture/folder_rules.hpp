@@ -28,6 +28,9 @@ std::string read(const std::filesystem::path& file);
 /// Sources of the folder itself, not of folders in it; `folder` from `root` on.
 std::vector<std::filesystem::path> sources_of(const std::filesystem::path& root, const std::string& folder);
 
+/// Folders of the table, and those of tests.
+std::vector<std::string> folders_of_sources(const std::filesystem::path& root);
+
 struct Include {
   std::string target;
   std::size_t line = 0;

@@ -46,17 +46,9 @@ std::set<std::string> unnamed_names(const std::string& text) {
   return names;
 }
 
-std::vector<std::string> folders() {
-  std::vector<std::string> all;
-  for (const auto& [folder, allowed] : folder_table()) all.push_back(folder);
-  for (const fs::directory_entry& entry : fs::directory_iterator(testing_support::source_folder() / "tests"))
-    if (entry.is_directory()) all.push_back("tests/" + entry.path().filename().string());
-  return all;
-}
-
 TEST(Names, OfUnnamedNamespacesDifferWithinAFolder) {
   std::size_t seen = 0;
-  for (const std::string& folder : folders()) {
+  for (const std::string& folder : folders_of_sources(testing_support::source_folder())) {
     std::map<std::string, std::string> file_of;
     for (const fs::path& file : sources_of(testing_support::source_folder(), folder)) {
       if (file.extension() != ".cpp") continue;

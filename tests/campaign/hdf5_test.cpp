@@ -23,6 +23,14 @@ class Mat73 : public TemporaryFolder {
   fs::path path() const { return folder_ / "a.mat"; }
 };
 
+// An array of structures, arr(1).x and arr(2).x, and cells c{1} and c{2}.
+void add_structures_and_cells(MatWriter& writer) {
+  writer.add(MatWriter::structure("arr", 2, {"x"}, {MatWriter::row("", {6, 7}), MatWriter::column("", {8, 9})}));
+  std::size_t shape[2] = {1, 2};
+  matvar_t* cells[2] = {MatWriter::row("", {1, 2}), MatWriter::row("", {3, 4, 5})};
+  writer.add(Mat_VarCreate("c", MAT_C_CELL, MAT_T_CELL, 2, shape, cells, 0));
+}
+
 TEST_F(Mat73, ListsAndReadsNumericClasses) {
   for (const bool compressed : {false, true}) {
     {
@@ -62,10 +70,7 @@ TEST_F(Mat73, NestedStructsAndCellsHavePaths) {
     writer.add(MatWriter::structure(
         "run", 1, {"deep", "x"},
         {MatWriter::structure("", 1, {"y"}, {MatWriter::row("", {1, 2, 3})}), MatWriter::column("", {4, 5, 6})}));
-    writer.add(MatWriter::structure("arr", 2, {"x"}, {MatWriter::row("", {6, 7}), MatWriter::column("", {8, 9})}));
-    std::size_t shape[2] = {1, 2};
-    matvar_t* cells[2] = {MatWriter::row("", {1, 2}), MatWriter::row("", {3, 4, 5})};
-    writer.add(Mat_VarCreate("c", MAT_C_CELL, MAT_T_CELL, 2, shape, cells, 0));
+    add_structures_and_cells(writer);
   }
   EXPECT_EQ(data_variable_names(path()),
             (std::vector<std::string>{"arr(1).x", "arr(2).x", "c{1}", "c{2}", "run.deep.y", "run.x"}));
@@ -242,10 +247,7 @@ TEST_F(DamagedHdf5, Mat73) {
     MatWriter writer(folder_ / "a.mat", MAT_FT_MAT73);
     writer.add(MatWriter::column("t", sine(50)), true);
     writer.add(MatWriter::structure("run", 1, {"a"}, {MatWriter::row("", {1, 2, 3})}));
-    writer.add(MatWriter::structure("arr", 2, {"x"}, {MatWriter::row("", {6, 7}), MatWriter::column("", {8, 9})}));
-    std::size_t shape[2] = {1, 2};
-    matvar_t* cells[2] = {MatWriter::row("", {1, 2}), MatWriter::row("", {3, 4, 5})};
-    writer.add(Mat_VarCreate("c", MAT_C_CELL, MAT_T_CELL, 2, shape, cells, 0));
+    add_structures_and_cells(writer);
   }
   refuse_every_shorter("a.mat");
   {

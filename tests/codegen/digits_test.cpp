@@ -10,8 +10,8 @@
 #include "codegen/runtime/derived_code.hpp"
 #include "codegen/runtime/interpreted_model.hpp"
 #include "generated/registry.hpp"
+#include "perturb/lump_equations.hpp"
 #include "perturb/model.hpp"
-#include "perturb/observation.hpp"
 #include "tests/codegen/fifty_digits.hpp"
 #include "tests/places.hpp"
 #include "tests/runtime/model_residual.hpp"
@@ -367,8 +367,8 @@ TEST(CanonicalForm, HasTheValuesOfGinacsFormulasInSixtyDigits) {
     const CanonicalModel canonical = canonical_model(model);
     const Reference reference(canonical);
     for (std::size_t c = 0; c < model.cases.size(); ++c) {
-      const Observations seen = observations(derive(model, model.cases[c], OmegaPolicy::nominal),
-                                             derive(model, model.cases[c], OmegaPolicy::kept));
+      const LumpEquations seen = lump_equations(derive(model, model.cases[c], OmegaPolicy::nominal),
+                                                derive(model, model.cases[c], OmegaPolicy::kept));
       std::vector<Bounded> symbols;
       GiNaC::exmap map;
       for (const std::string& symbol : canonical.order) {
@@ -388,7 +388,7 @@ TEST(CanonicalForm, HasTheValuesOfGinacsFormulasInSixtyDigits) {
         expect_equal(seen.lumps[l].definition, canonical.cases[c].lumps[l].definition);
       ASSERT_EQ(seen.blocks.size(), canonical.cases[c].blocks.size());
       for (std::size_t b = 0; b < seen.blocks.size(); ++b)
-        for (const ObservationBlock::Column& column : seen.blocks[b].columns)
+        for (const LumpEquation::Column& column : seen.blocks[b].columns)
           for (const CanonicalBlock::Column& flat : canonical.cases[c].blocks[b].columns) {
             if (flat.lump != column.lump) continue;
             ASSERT_EQ(flat.terms.size(), column.terms.size());

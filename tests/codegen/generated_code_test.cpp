@@ -13,8 +13,8 @@
 #include "codegen/canonical/evaluation.hpp"
 #include "codegen/cpp/emit_cpp.hpp"
 #include "generated/registry.hpp"
+#include "perturb/lump_equations.hpp"
 #include "perturb/model.hpp"
-#include "perturb/observation.hpp"
 #include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 
@@ -148,7 +148,7 @@ TEST_P(GeneratedModel, LumpsEqualGinacAtFiftyDigits) {
   for (std::size_t c = 0; c < compiled.cases.size(); ++c) {
     const CompiledCase& resonance = compiled.cases[c];
     const Derivation nominal = derive(model, model.cases[c], OmegaPolicy::nominal);
-    const Observations seen = observations(nominal, derive(model, model.cases[c], OmegaPolicy::kept));
+    const LumpEquations seen = lump_equations(nominal, derive(model, model.cases[c], OmegaPolicy::kept));
     ASSERT_EQ(seen.lumps.size(), resonance.lumps.size());
     for (int draw = 0; draw < 20; ++draw) {
       const std::vector<double> values = random_parameters(compiled, random);

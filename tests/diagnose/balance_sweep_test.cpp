@@ -7,8 +7,8 @@
 #include <numeric>
 #include <ostream>
 
+#include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
-#include "tests/diagnose/symbol_of.hpp"
 
 namespace secular {
 
@@ -27,7 +27,7 @@ using Eigen::MatrixXcd;
 // by a force that a law of the motion supplies in place of the excitation.
 class SweepWithForce : public testing::TestWithParam<ForceLaw> {
  protected:
-  std::size_t symbol(const std::string& name) const { return testing_support::symbol_of(model, name); }
+  std::size_t symbol(const std::string& name) const { return symbol_named(model, name); }
 
   StateForce force() const {
     StateForce force;

@@ -22,7 +22,7 @@ std::vector<Candidate> some_laws() {
   return laws;
 }
 
-Explanation made_up(std::vector<std::size_t> members, double odds, FitEnding ending = FitEnding::converged) {
+Explanation made_up(std::vector<std::size_t> members, double odds, SolverEnding ending = SolverEnding::converged) {
   Explanation e;
   e.unknowns = members.size();
   e.members = std::move(members);
@@ -59,7 +59,7 @@ TEST(Contest, MovedNumbersTakePartWhereSomeWereGiven) {
 TEST(Contest, AStalledFitLetsOthersWinWhereTheyComeNear) {
   for (const auto& [odds, stalled] : {std::pair{0.5, false}, {1e-6, true}}) {
     Inference inference;
-    inference.explanations = {made_up({0}, 1, FitEnding::stalled), made_up({1}, odds)};
+    inference.explanations = {made_up({0}, 1, SolverEnding::stalled), made_up({1}, odds)};
     const Contest contest = contest_of(inference, some_laws(), false);
     EXPECT_EQ(contest.stalled, stalled);
     EXPECT_EQ(contest.all.size(), stalled ? 2U : 1U);

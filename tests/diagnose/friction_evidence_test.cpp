@@ -20,7 +20,7 @@ constexpr double swing = 5.77, friction = 0.4, sample_s = 0.04;
 
 class FrictionEvidence : public testing::TestWithParam<int> {
  protected:
-  std::size_t symbol(const std::string& name) const { return testing_support::symbol_of(model, name); }
+  std::size_t symbol(const std::string& name) const { return symbol_named(model, name); }
   VectorXd unknowns(double strength) const {
     return testing_support::unknowns_of(model, FaultTable(model, sensors),
                                         {{"omega0", swing}, {"mu1", 0.01}, {"fc", strength}});
@@ -87,7 +87,7 @@ TEST_P(FrictionEvidence, ItsFitConvergesToTheTruth) {
     fit = refit(discrepancy, at, {symbol("omega0"), symbol("mu1"), symbol("fc")});
     at = fit.unknowns;
   }
-  EXPECT_EQ(fit.ending, FitEnding::converged);
+  EXPECT_EQ(fit.ending, SolverEnding::converged);
   EXPECT_NEAR(at(static_cast<Index>(symbol("fc"))), friction, 4 * std::sqrt(fit.covariance(2, 2)));
   // Four standard deviations of chi-squared.
   const auto freedom = static_cast<double>(discrepancy.freedom());

@@ -138,12 +138,12 @@ TEST(Refit, AStepThatDoesNotBringWhatItPromisesHasNotConverged) {
   discrepancy.add(std::make_unique<Stairs>());
   const Refit stairs = refit(discrepancy, VectorXd::Constant(1, 0.4), {0});
   EXPECT_GT(stairs.chi_squared, 1);
-  EXPECT_EQ(stairs.ending, FitEnding::stalled);
+  EXPECT_EQ(stairs.ending, SolverEnding::stalled);
   VectorXd truth = VectorXd::Zero(std::size(tones) + 1);
   truth(0) = 1;
   Discrepancy smooth;
   smooth.add(std::make_unique<Signal>(truth));
-  EXPECT_EQ(refit(smooth, truth, {0, 1}).ending, FitEnding::converged);
+  EXPECT_EQ(refit(smooth, truth, {0, 1}).ending, SolverEnding::converged);
 }
 
 TEST(Inference, WhatTheModelExplainsNeedsNoSecondEffect) {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "diagnose/evidence/condition_rows.hpp"
+#include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
-#include "tests/diagnose/symbol_of.hpp"
 
 namespace secular::testing_support {
 
@@ -38,7 +38,7 @@ inline Eigen::VectorXd unknowns_of(const CompiledModel& model, const FaultTable&
                                    const std::vector<std::pair<const char*, double>>& symbols) {
   const auto first = static_cast<Eigen::Index>(model.symbols.size());
   Eigen::VectorXd values = Eigen::VectorXd::Zero(first + static_cast<Eigen::Index>(faults.size()));
-  for (const auto& [name, value] : symbols) values(static_cast<Eigen::Index>(symbol_of(model, name))) = value;
+  for (const auto& [name, value] : symbols) values(static_cast<Eigen::Index>(symbol_named(model, name))) = value;
   values(first + static_cast<Eigen::Index>(faults.extra_frequency())) = values(0);
   values(first + static_cast<Eigen::Index>(faults.extra_damping())) = 0.01;
   return values;
@@ -51,7 +51,7 @@ struct Laboratory {
   FaultTable faults{compiled, sensors};
   ConditionModel model{MotionBalance(compiled, {}), sensors, faults};
 
-  std::size_t symbol(const std::string& name) const { return testing_support::symbol_of(compiled, name); }
+  std::size_t symbol(const std::string& name) const { return symbol_named(compiled, name); }
   Eigen::VectorXd unknowns(std::initializer_list<std::pair<const char*, double>> more) const {
     std::vector<std::pair<const char*, double>> symbols{{"omega0", natural}, {"mu1", damping}, {"eta1", direct}};
     symbols.insert(symbols.end(), more.begin(), more.end());

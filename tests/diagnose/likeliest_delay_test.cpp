@@ -17,7 +17,7 @@ double turn(double seconds) {
   return 2 * std::numbers::pi * seconds / period;
 }
 
-TEST(LikeliestDelay, IsWhereTheMisfitIsLeastWhereverItBegins) {
+TEST(LikeliestDelay, IsWhereTheResidualIsLeastWhereverItBegins) {
   const double late = 0.0123;
   const auto misfit = [&](double seconds) {
     return 1e4 * std::norm(std::polar(1.0, turn(seconds)) - std::polar(1.0, turn(late)));

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "diagnose/evidence/segment_motion.hpp"
+#include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
 
 namespace secular {
@@ -18,9 +19,7 @@ using Complex = std::complex<double>;
 Eigen::VectorXd parameters_of(const CompiledModel& model,
                               std::initializer_list<std::pair<const char*, double>> values) {
   Eigen::VectorXd parameters = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.symbols.size()));
-  for (const auto& [name, value] : values)
-    for (std::size_t s = 0; s < model.symbols.size(); ++s)
-      if (model.symbols[s].name == name) parameters(static_cast<Eigen::Index>(s)) = value;
+  for (const auto& [name, value] : values) parameters(static_cast<Eigen::Index>(symbol_named(model, name))) = value;
   return parameters;
 }
 
@@ -44,7 +43,7 @@ TEST(MotionBalance, LinearOscillatorHasItsTransferFunction) {
     const Complex amplitude = eta * force / 2 / Complex(w0 * w0 - w * w, 2 * mu * w);
     const Motion motion =
         MotionBalance(model, {}).solve(setting, Eigen::VectorXcd::Constant(1, amplitude), {p.data(), 10});
-    EXPECT_TRUE(motion.converged);
+    EXPECT_TRUE(motion.converged());
     EXPECT_LT(std::abs(motion.balance(0)), 1e-12 * w0 * w0 * std::abs(amplitude));
   }
 }
@@ -67,7 +66,7 @@ TEST(MotionBalance, AMotionThatRunsAwayIsNoNumber) {
   const Motion motion =
       MotionBalance(model, {}).solve(steady(model, 5, 9), Eigen::VectorXcd::Constant(1, Complex(1)),
                                      {p.data(), static_cast<std::size_t>(p.size())});
-  EXPECT_FALSE(motion.converged);
+  EXPECT_FALSE(motion.converged());
   EXPECT_FALSE(motion.displacement.allFinite());
 }
 
@@ -91,7 +90,7 @@ TEST(MotionBalance, DuffingBackboneIsTheEllipticOneAtAnyAmplitude) {
       const double reached = 2 * motion.displacement.row(0).tail(11).real().sum();
       half *= peak / reached;
     }
-    EXPECT_TRUE(motion.converged);
+    EXPECT_TRUE(motion.converged());
     EXPECT_LT(std::abs(motion.balance(0)), 1e-6 * exact * exact * half) << peak;
   }
 }

@@ -5,8 +5,8 @@
 
 #include "diagnose/evidence/segment_motion.hpp"
 #include "effects/force_law.hpp"
+#include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
-#include "tests/diagnose/symbol_of.hpp"
 
 namespace secular {
 namespace {
@@ -21,7 +21,7 @@ class SideBySide : public testing::Test {
  protected:
   const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
 
-  std::size_t symbol(const std::string& name) const { return testing_support::symbol_of(model, name); }
+  std::size_t symbol(const std::string& name) const { return symbol_named(model, name); }
   // As many as fill two groups and a part of one, each with numbers of its own.
   std::vector<MotionStart> starts(const std::shared_ptr<const DrivingSignal>& signal = silent()) const {
     std::vector<MotionStart> all;

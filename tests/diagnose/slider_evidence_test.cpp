@@ -29,7 +29,7 @@ const ForceLaw only_friction{
 // The model's excitation carries the force.
 class SliderEvidence : public testing::TestWithParam<ForceLaw> {
  protected:
-  std::size_t symbol(const std::string& name) const { return testing_support::symbol_of(model, name); }
+  std::size_t symbol(const std::string& name) const { return symbol_named(model, name); }
   Index at(const std::string& name) const { return static_cast<Index>(symbol(name)); }
 
   VectorXd unknowns(double slips_at) const {
@@ -104,7 +104,7 @@ TEST_P(SliderEvidence, ItsFitEndsInOnePlace) {
       fit = refit(discrepancy, here, {symbol("omega0"), symbol("mu1"), symbol("eta1"), symbol("mu3")});
       here = fit.unknowns;
     }
-    EXPECT_EQ(fit.ending, FitEnding::converged) << draw;
+    EXPECT_EQ(fit.ending, SolverEnding::converged) << draw;
     EXPECT_NEAR(std::abs(here(at("mu3"))), true_slip, 4 * std::sqrt(fit.covariance(3, 3))) << draw;
     if (draw == 0) {
       first = here;

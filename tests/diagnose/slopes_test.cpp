@@ -32,7 +32,7 @@ TEST(ConditionSlopes, AreThoseOfTheSolvedRows) {
   const VectorXd unknowns = strong_forces(lab);
   const Condition dwell = swinging(lab);
   const ConditionRows rows = lab.model.rows(dwell, unknowns, nullptr);
-  ASSERT_TRUE(rows.motion.converged);
+  ASSERT_TRUE(rows.motion.converged());
   ASSERT_GT(rows.motion.displacement.col(2).cwiseAbs()(0), 0.04 * std::abs(rows.amplitudes(0)));
   std::vector<std::size_t> which(lab.compiled.symbols.size());
   std::iota(which.begin(), which.end(), std::size_t{0});
@@ -95,7 +95,7 @@ TEST(ConditionSlopes, DoNotVanishAtRest) {
   Condition dwell = lab.dwell(160, 3, Complex(2e-3, -1.5e-3));
   dwell.masters.clear();
   const ConditionRows rows = lab.model.rows(dwell, unknowns, nullptr);
-  ASSERT_TRUE(rows.motion.converged);
+  ASSERT_TRUE(rows.motion.converged());
   ASSERT_EQ(rows.motion.displacement.cwiseAbs().maxCoeff(), 0);
   const std::vector<std::size_t> which{lab.symbol("eta1")};
   const double size = 1e-5;
@@ -122,7 +122,7 @@ TEST(ConditionRows, ACutChannelGivesBackTheAmplitudeOfItsMotion) {
       Eigen::VectorXcd amplitudes(1);
       amplitudes(0) = amplitude;
       const ConditionForecast shown = lab.model.forecast(dwell, amplitudes, unknowns, nullptr);
-      ASSERT_TRUE(shown.motion.converged);
+      ASSERT_TRUE(shown.motion.converged());
       ASSERT_GT(9 * std::abs(shown.motion.displacement(0, 3)), 0.05 * std::abs(amplitude));
       dwell.response = shown.response;
       const ConditionRows rows = lab.model.rows(dwell, unknowns, nullptr);

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
 #include "motion/balance/balance_sweep.hpp"
-#include "tests/diagnose/symbol_of.hpp"
 
 namespace secular {
 namespace {
@@ -78,7 +78,7 @@ class FrictionOverATurn : public testing::Test {
  protected:
   const CompiledModel& model = *generated::find_compiled_model("pendulum");
 
-  std::size_t symbol(const std::string& name) const { return testing_support::symbol_of(model, name); }
+  std::size_t symbol(const std::string& name) const { return symbol_named(model, name); }
   std::vector<double> parameters() const {
     std::vector<double> values(model.symbols.size(), 0.0);
     values[symbol("omega0")] = 5.77;
@@ -98,7 +98,7 @@ class FrictionOverATurn : public testing::Test {
   Complex balance(int highest, Index points) const {
     const Motion motion = MotionBalance(model, {}).solve(
         setting(highest, points), Eigen::VectorXcd::Constant(1, Complex(0.1, 0.06)), parameters());
-    EXPECT_TRUE(motion.converged) << highest << " lines, " << points << " points";
+    EXPECT_TRUE(motion.converged()) << highest << " lines, " << points << " points";
     return motion.balance(0);
   }
 };

@@ -21,8 +21,7 @@ namespace {
 using namespace testing_support;
 
 int draws_wanted(int fallback) {
-  const char* text = std::getenv("SECULAR_COVERAGE_DRAWS");
-  return text ? std::atoi(text) : fallback;
+  return number_from("SECULAR_COVERAGE_DRAWS", fallback);
 }
 
 struct Coverage {
@@ -84,13 +83,7 @@ std::vector<Coverage> coverage(const Experiment& experiment, const std::string& 
   options.refine = std::getenv("SECULAR_COVERAGE_REFINE") != nullptr;
   const auto add_noise = [&](SimulatedCampaign& noisy, std::uint64_t seed) {
     for (std::size_t r = 0; r < noisy.samples.size(); ++r)
-      for (std::size_t c = 0; c < noisy.samples[r].channels.size(); ++c) {
-        const bool excitation = experiment.excitation && c == 0;
-        const double sd = excitation ? experiment.excitation->noise_sd
-                                     : experiment.responses[c - (experiment.excitation ? 1 : 0)].noise_sd;
-        NoiseStream noise(seed, r, c);
-        for (double& x : noisy.samples[r].channels[c]) x += sd * noise.gaussian();
-      }
+      noisy.samples[r] = with_sensor_noise(std::move(noisy.samples[r]), experiment, seed, r);
   };
   std::vector<Coverage> result;
   const ObservationSet clean = observed(exact, model, resonance);

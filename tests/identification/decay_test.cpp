@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "estimator/model/by_name.hpp"
 #include "recovered_campaign.hpp"
 
 namespace secular {
@@ -119,8 +120,7 @@ TEST(SlowDecay, NearWhereTheSpringGivesWayNothingIsGivenWithoutDoubtThatIsWrong)
     Experiment e = decay_of(0, 12, 0.1);
     const double reach = 5e-3;
     const auto set = [&](const char* name, double value) {
-      for (std::size_t p = 0; p < two_mass().symbols.size(); ++p)
-        if (two_mass().symbols[p].name == name) e.parameters(static_cast<Eigen::Index>(p)) = value;
+      e.parameters(static_cast<Eigen::Index>(symbol_named(two_mass(), name))) = value;
     };
     for (const char* none : {"alpha3", "delta2", "delta3", "mu2", "mu3"}) set(none, 0);
     set("alpha2", e.parameters(0) * e.parameters(0) / reach);  // no force is left at -reach

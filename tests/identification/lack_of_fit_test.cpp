@@ -42,7 +42,7 @@ TEST(LackOfFit, FollowsItsLawWhereTheModelHolds) {
       below_a_tenth += tests[i].p_value < 0.1;
       ++count;
       EXPECT_FALSE(tests[i].significant);
-      EXPECT_NEAR(tests[i].repeatability, 1, 5 / std::sqrt(2.0 * tests[i].denominator_df));
+      EXPECT_NEAR(tests[i].scatter_ratio, 1, 5 / std::sqrt(2.0 * tests[i].denominator_df));
     }
     EXPECT_FALSE(value_of(result, "mu3").doubtful);
     EXPECT_EQ(value_of(result, "mu3").misfit, 0);
@@ -108,7 +108,7 @@ TEST(LackOfFit, WhatMayHideIsWhatIsBeyondNoiseAndUnknownTruncation) {
     const auto means = [](const LackOfFit& test) { return test.beyond * test.f / (test.f - 1); };
     EXPECT_NEAR(means(open[i]) / means(sure[i]), 1, 1e-12);
     EXPECT_NEAR(sure[i].beyond,
-                (sure[i].f - 1) * sure[i].numerator_df * sure[i].repeatability * sure[i].repeatability,
+                (sure[i].f - 1) * sure[i].numerator_df * sure[i].scatter_ratio * sure[i].scatter_ratio,
                 1e-9 * sure[i].beyond);
   }
   ASSERT_TRUE(any);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
 #include "measure/observe/observation_set.hpp"
 #include "motion/simulate/noise.hpp"
@@ -18,8 +19,7 @@ inline constexpr double w0 = 77.84866595595507;
 // Principal parametric dwells of the two-mass structure's first mode.
 struct OneMode {
   const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
-  const CompiledCase& resonance = *std::find_if(model.cases.begin(), model.cases.end(),
-                                                [](const auto& c) { return c.name == "principal_parametric"; });
+  const CompiledCase& resonance = case_named(model, "principal_parametric");
   int conditions = 16, ensembles = 8;
   double mu1 = 0.222, mu2 = 0, mu3 = 36.87, alpha_e = -10.62e6, eta_e = 1.922;
   double amplitude_sd = 3e-6, growth_sd = 2e-4, growth_spread = 0, forcing_sd = 0.003, peak_spread = 1.6e-3;

@@ -98,7 +98,8 @@ TEST_P(Lateness, IsFoundAndIntervalsHold) {
       EXPECT_LT(std::abs(*v.value - value), 6 * v.sd) << name << ", draw " << draw;
     }
     for (const CaseLackOfFit& tests : result.lack_of_fit)
-      for (const LackOfFit& test : tests.equations) EXPECT_FALSE(test.significant) << test.name << test.misfit;
+      for (const LackOfFit& test : tests.equations)
+        EXPECT_FALSE(test.significant) << test.name << test.misfit_ratio;
   }
   EXPECT_GE(held, 0.95 * intervals - 3 * std::sqrt(0.05 * 0.95 * intervals * static_cast<double>(values.size())));
 }

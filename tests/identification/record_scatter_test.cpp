@@ -154,7 +154,7 @@ TEST(SlowRecordScatter, IsInTheErrorBars) {
       EXPECT_FALSE(estimate.lack_of_fit.empty());
       for (const CaseLackOfFit& tests : estimate.lack_of_fit)  // how records differ is no law that the model lacks
         for (const LackOfFit& test : tests.equations)
-          EXPECT_FALSE(test.significant) << test.name << ", " << scatter << ": " << test.misfit;
+          EXPECT_FALSE(test.significant) << test.name << ", " << scatter << ": " << test.misfit_ratio;
     }
     const double sd = std::sqrt(square / count);
     if (scatter == 0)

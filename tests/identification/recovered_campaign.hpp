@@ -9,7 +9,7 @@
 
 #include "motion/correction/replay.hpp"
 #include "motion/correction/truncation_correction.hpp"
-#include "motion/simulate/noise.hpp"
+#include "tests/sensor_noise.hpp"
 #include "virtual_campaign.hpp"
 
 // Shipped experiments, simulated and identified as `secular identify` does it.
@@ -49,19 +49,9 @@ class DrawnCampaign {
   MadeCampaign drawn(std::uint64_t seed) const {
     MadeCampaign made = quiet_;
     made.experiment = experiment_;
-    for (std::size_t r = 0; r < made.simulated.samples.size(); ++r) {
-      std::vector<std::vector<double>>& channels = made.simulated.samples[r].channels;
-      for (std::size_t c = 0; c < channels.size(); ++c) {
-        NoiseStream noise(seed, r, c);
-        const std::size_t excitations = experiment_.excitation ? 1 : 0;
-        const SimulatedChannel& sensor =
-            c < excitations ? *experiment_.excitation : experiment_.responses[c - excitations];
-        for (double& x : channels[c]) {
-          if (sensor.noise_sd > 0) x += sensor.noise_sd * noise.gaussian();
-          if (sensor.quantisation > 0) x = sensor.quantisation * std::round(x / sensor.quantisation);
-        }
-      }
-    }
+    std::vector<Record>& records = made.simulated.samples;
+    for (std::size_t r = 0; r < records.size(); ++r)
+      records[r] = with_sensor_noise(std::move(records[r]), experiment_, seed, r);
     return made;
   }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "estimator/identification/identified_lumps.hpp"
+#include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
 
 namespace secular {
@@ -101,11 +102,7 @@ class Entangled : public testing::Test {
     given[0] = true;
     shared_ = shared_parameters(std::vector{part_}, parameters_, given);
   }
-  Index symbol(const std::string& name) const {
-    for (std::size_t p = 0; p < model_.symbols.size(); ++p)
-      if (model_.symbols[p].name == name) return static_cast<Index>(p);
-    throw std::out_of_range(name);
-  }
+  Index symbol(const std::string& name) const { return static_cast<Index>(symbol_named(model_, name)); }
   double lump(const std::string& name) const {
     for (std::size_t l = 0; l < resonance_.lumps.size(); ++l)
       if (resonance_.lumps[l].name == name) return lumps_(static_cast<Index>(l));

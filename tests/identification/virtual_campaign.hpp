@@ -7,19 +7,15 @@
 #include <vector>
 
 #include "estimator/identification/estimate.hpp"
+#include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "motion/simulate/virtual_test.hpp"
 #include "tests/places.hpp"
+#include "tests/sensor_noise.hpp"
 
 // Virtual tests in memory and what is identified from them.
 namespace secular::testing_support {
-
-inline const CompiledCase& case_named(const CompiledModel& model, const std::string& name) {
-  for (const CompiledCase& resonance : model.cases)
-    if (resonance.name == name) return resonance;
-  throw std::out_of_range(name);
-}
 
 inline const EstimatedValue& value_of(const Estimate& estimate, const std::string& name) {
   for (const auto* list : {&estimate.parameters, &estimate.lumps})
@@ -32,24 +28,16 @@ inline const EstimatedValue& value_of(const Estimate& estimate, const std::strin
 
 inline double truth_of(const CompiledModel& model, const CompiledCase& resonance, const Eigen::VectorXd& parameters,
                        const std::string& name) {
-  for (std::size_t p = 0; p < model.symbols.size(); ++p)
-    if (model.symbols[p].name == name) return parameters(static_cast<Eigen::Index>(p));
+  if (const auto place = place_of(model.symbols, name)) return parameters(static_cast<Eigen::Index>(*place));
   std::vector<double> lumps(resonance.lumps.size());
   resonance.evaluate_lumps(parameters.data(), lumps.data());
-  for (std::size_t l = 0; l < lumps.size(); ++l)
-    if (resonance.lumps[l].name == name) return lumps[l];
+  if (const auto place = place_of(resonance.lumps, name)) return lumps[*place];
   throw std::out_of_range(name);
 }
 
 inline Experiment shipped_experiment(const std::string& name) {
   const auto path = source_folder() / "models/experiments" / (name + ".toml");
   return read_experiment(path, *generated::find_compiled_model(experiment_model(path)));
-}
-
-inline Experiment without_noise(Experiment e) {
-  if (e.excitation) e.excitation->noise_sd = e.excitation->quantisation = 0;
-  for (SimulatedChannel& channel : e.responses) channel.noise_sd = channel.quantisation = 0;
-  return e;
 }
 
 /// Observations of the records of a simulated campaign that belong to a case: all dwells, or all decays.

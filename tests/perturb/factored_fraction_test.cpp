@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "perturb/lump_equations.hpp"
 #include "perturb/model.hpp"
-#include "perturb/observation.hpp"
 
 namespace secular {
 namespace {
@@ -81,7 +81,7 @@ TEST_F(FactoredFractions, LumpsOfThreeModesWithALocalSpringAreFound) {
     const Model model = read_model_text(local_spring(3, degree), "model.toml");
     const Derivation nominal = derive(model, model.find_case("c")),
                      kept = derive(model, model.find_case("c"), OmegaPolicy::kept);
-    const Observations seen = observations(nominal, kept);
+    const LumpEquations seen = lump_equations(nominal, kept);
     EXPECT_FALSE(seen.lumps.empty());
   }
 }

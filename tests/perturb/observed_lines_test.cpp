@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "perturb/lump_equations.hpp"
 #include "perturb/model.hpp"
-#include "perturb/observation.hpp"
 #include "tests/perturb/textbook_models.hpp"
 
 namespace secular {
@@ -20,21 +20,22 @@ Row negative(Row row) {
 
 // Under hard excitation near three times the natural frequency the response has the odd and, by the quadratic term,
 // the even multiples of a third of the excitation's.
-Observations of_subharmonic(const std::string& nominal) {
+LumpEquations of_subharmonic(const std::string& nominal) {
   const Model model =
       read_model_text(textbook::one_mode("D2(x) + w^2*x = -2*mu*D(x) - a2*x^2 - a3*x^3 + e*F*cos(Omega*t)",
                                          "relations = [\"Omega = 3*w + eps*sigma\"]\norder = { mu = 1, a2 = 1, a3 "
                                          "= 1, e = 0 }\nexpand_to = 1\n" +
                                              nominal),
                       "model.toml");
-  return observations(derive(model, model.find_case("c")), derive(model, model.find_case("c"), OmegaPolicy::kept));
+  return lump_equations(derive(model, model.find_case("c")),
+                        derive(model, model.find_case("c"), OmegaPolicy::kept));
 }
 
 TEST(ObservedLines, AConjugateIsNoLineOfItsOwn) {
   for (const std::string nominal : {"", "[nominal]\nw = 10.0\n"}) {
-    const Observations seen = of_subharmonic(nominal);
+    const LumpEquations seen = of_subharmonic(nominal);
     std::vector<Row> lines;
-    for (const ObservationBlock& block : seen.blocks) {
+    for (const LumpEquation& block : seen.blocks) {
       if (block.modulation) continue;
       lines.push_back(seen.frequencies.of_phase(block.phase));
       for (std::size_t i = 0; i + 1 < lines.size(); ++i) {

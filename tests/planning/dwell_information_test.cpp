@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "estimator/planning/response_candidates.hpp"
-#include "generated/registry.hpp"
 #include "motion/response/response_field.hpp"
+#include "tests/table_5_4.hpp"
 
 namespace secular {
 namespace {
@@ -20,36 +20,15 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-const CompiledModel& model() {
-  return *generated::find_compiled_model("two_mass_mode1");
-}
-const CompiledCase& resonance() {
-  for (const CompiledCase& c : model().cases)
-    if (c.name == "principal_parametric") return c;
-  throw std::logic_error("case");
-}
-
-Index symbol(std::string_view name) {
-  for (std::size_t s = 0; s < model().symbols.size(); ++s)
-    if (model().symbols[s].name == name) return static_cast<Index>(s);
-  throw std::out_of_range(std::string(name));
-}
-
-VectorXd table_5_4() {
-  VectorXd p = VectorXd::Zero(static_cast<Index>(model().symbols.size()));
-  p(symbol("omega0")) = 2 * std::numbers::pi * 12.39;
-  p(symbol("mu1")) = 0.222;
-  p(symbol("mu3")) = 36.87;
-  p(symbol("alpha3")) = -28.32e6;
-  p(symbol("eta2")) = 7.688;
-  return p;
-}
+using testing_support::table_5_4::model;
+using testing_support::table_5_4::parameters;
+using testing_support::table_5_4::resonance;
+using testing_support::table_5_4::symbol;
 
 CandidateRequest request() {
   CandidateRequest r;
-  r.parameters.resize(table_5_4().size() + 2);
-  r.parameters << table_5_4(), 0, 0;
+  r.parameters.resize(parameters().size() + 2);
+  r.parameters << parameters(), 0, 0;
   for (int i = 0; i < 9; ++i) r.frequencies.push_back(2 * std::numbers::pi * (24.58 + 0.04 * i));
   r.forcings = {22.5};
   return r;
@@ -78,7 +57,7 @@ Complex steady(const VectorXd& p, double frequency, double force, Complex b) {
 TEST(ResponseCandidates, AreStableSteadyAndReached) {
   ASSERT_GE(candidates().size(), 6u);
   for (const DwellCandidate& c : candidates()) {
-    const Complex b = steady(table_5_4(), c.state.frequency, c.state.forcing, c.state.amplitude[0]);
+    const Complex b = steady(parameters(), c.state.frequency, c.state.forcing, c.state.amplitude[0]);
     EXPECT_LT(std::abs(b - c.state.amplitude[0]), 1e-9 * std::abs(b));
     EXPECT_LT(c.slowest, 0);
     EXPECT_GE(c.settle_s, -std::log(1e3) / c.slowest * (1 - 1e-9));
@@ -87,7 +66,7 @@ TEST(ResponseCandidates, AreStableSteadyAndReached) {
 }
 
 TEST(DwellInformation, IsThatOfTheSteadyResponse) {
-  const VectorXd p = table_5_4();
+  const VectorXd p = parameters();
   const DwellCandidate& c = candidates()[candidates().size() / 2];
   // Without the harmonics' own lumps: mu1, mu3 and omega0 are symbols whose effect the response shows by itself.
   const PlanUnknowns unknowns =
@@ -120,7 +99,7 @@ TEST(DwellInformation, IsThatOfTheSteadyResponse) {
 }
 
 TEST(DwellInformation, RepeatabilityLimitsWhatEnsemblesBring) {
-  const VectorXd p = table_5_4();
+  const VectorXd p = parameters();
   const PlanUnknowns unknowns = plan_unknowns(model(), resonance(), p, {"mu2"});
   PlanningNoise noise;
   noise.response_sd = {0.05};
@@ -131,7 +110,7 @@ TEST(DwellInformation, RepeatabilityLimitsWhatEnsemblesBring) {
                              ensembles)(mu3, mu3);
   };
   EXPECT_NEAR(at(40), 4 * at(10), 1e-6 * at(40));
-  noise.repeatability = 0.02;
+  noise.dwell_scatter = 0.02;
   EXPECT_LT(at(4000), 1.9 * 4000.0 / 10 * at(10));
   EXPECT_GT(at(40), at(10));
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "combination_case.hpp"
+#include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
 
 namespace secular {
@@ -19,11 +20,6 @@ using Eigen::VectorXd;
 
 const CompiledModel& two_mass() {
   return *generated::find_compiled_model("two_mass_mode1");
-}
-
-const CompiledCase& case_named(const CompiledModel& model, std::string_view name) {
-  return *std::find_if(model.cases.begin(), model.cases.end(),
-                       [&](const CompiledCase& c) { return c.name == name; });
 }
 
 Index place(const CompiledModel& model, std::string_view name) {

@@ -4,7 +4,9 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "estimator/model/by_name.hpp"
 #include "tests/procedures/noisy_campaign.hpp"
+#include "tests/sensor_noise.hpp"
 #include "thesis/procedures/competing_terms.hpp"
 
 namespace secular {
@@ -17,8 +19,7 @@ constexpr int default_seeds = 12, least_right = 10;
 
 // Longer runs of the same test: SECULAR_SEEDS=100.
 int seeds() {
-  const char* text = std::getenv("SECULAR_SEEDS");
-  return text ? std::atoi(text) : default_seeds;
+  return testing_support::number_from("SECULAR_SEEDS", default_seeds);
 }
 
 int right_decisions(Experiment experiment, const std::string& truth) {
@@ -46,12 +47,9 @@ TEST(DampingDecisionStatistical, DragIsTold) {
   const CompiledModel& model = *generated::find_compiled_model(experiment.model);
   // The same dissipation at 1.6e-3: (4 w0^2/(3 pi)) mu2 a = (3/8) w0^3 mu3 a^2.
   constexpr double typical = 1.6e-3;
-  for (std::size_t s = 0; s < model.symbols.size(); ++s) {
-    const auto at = static_cast<Eigen::Index>(s);
-    if (model.symbols[s].name == "mu2")
-      experiment.parameters(at) = 9 * std::numbers::pi / 32 * experiment.parameters(0) * 36.87 * typical;
-    if (model.symbols[s].name == "mu3") experiment.parameters(at) = 0;
-  }
+  experiment.parameters(static_cast<Eigen::Index>(symbol_named(model, "mu2"))) =
+      9 * std::numbers::pi / 32 * experiment.parameters(0) * 36.87 * typical;
+  experiment.parameters(static_cast<Eigen::Index>(symbol_named(model, "mu3"))) = 0;
   const int right = right_decisions(std::move(experiment), "mu2");
   EXPECT_GE(right, seeds() - (default_seeds - least_right)) << "of " << seeds();
 }

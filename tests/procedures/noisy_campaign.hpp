@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "measure/observe/observation_set.hpp"
-#include "motion/simulate/noise.hpp"
 #include "motion/simulate/virtual_test.hpp"
 #include "tests/places.hpp"
+#include "tests/sensor_noise.hpp"
 
 namespace secular::testing_support {
 
@@ -18,12 +19,8 @@ class NoisyCampaign {
  public:
   explicit NoisyCampaign(Experiment experiment)
       : model_(*generated::find_compiled_model(experiment.model)), experiment_(std::move(experiment)) {
-    Experiment quiet = experiment_;
-    quiet.excitation->noise_sd = 0;
-    for (SimulatedChannel& response : quiet.responses) response.noise_sd = 0;
-    simulated_ = run_virtual_test(quiet, model_, 1, 2);
-    for (const CompiledCase& c : model_.cases)
-      if (c.name == "principal_parametric") resonance_ = &c;
+    simulated_ = run_virtual_test(without_noise(experiment_), model_, 1, 2);
+    resonance_ = &case_named(model_, "principal_parametric");
   }
 
   static Experiment shipped(const std::string& name) {
@@ -33,13 +30,7 @@ class NoisyCampaign {
 
   ObservationSet observe(std::uint64_t seed) const {
     const RecordReader read = [&](std::size_t r) {
-      Record record = simulated_.samples[r];
-      for (std::size_t c = 0; c < record.channels.size(); ++c) {
-        NoiseStream noise(seed, r, c);
-        const double sd = c == 0 ? experiment_.excitation->noise_sd : experiment_.responses[c - 1].noise_sd;
-        for (double& x : record.channels[c]) x += sd * noise.gaussian();
-      }
-      return record;
+      return with_sensor_noise(simulated_.samples[r], experiment_, seed, r);
     };
     return observe_dwells(simulated_.campaign, read, model_, *resonance_, {});
   }

@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-#include "generated/registry.hpp"
+#include "tests/table_5_4.hpp"
 #include "thesis/procedures/frequency_response_regression.hpp"
 #include "thesis/procedures/harmonic_regression.hpp"
 #include "thesis/procedures/jump_frequencies.hpp"
@@ -21,8 +21,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-const double omega0 = 2 * std::numbers::pi * 12.39;
-constexpr double mu1 = 0.222, mu2 = 4.06, mu3 = 36.87, alpha_e = -10.62e6, eta_e = 1.922;
+using namespace testing_support::table_5_4;
 
 double damping(NonlinearDamping law, double a) {
   return omega0 * mu1 + (law == NonlinearDamping::quadratic ? 4 * omega0 * omega0 / (3 * std::numbers::pi) * mu2 * a
@@ -107,31 +106,6 @@ struct Steady {
   double excitation_frequency = 0;
 };
 
-const CompiledModel& model() {
-  return *generated::find_compiled_model("two_mass_mode1");
-}
-const CompiledCase& resonance() {
-  for (const CompiledCase& c : model().cases)
-    if (c.name == "principal_parametric") return c;
-  throw std::logic_error("case");
-}
-
-Index symbol(std::string_view name) {
-  for (std::size_t s = 0; s < model().symbols.size(); ++s)
-    if (model().symbols[s].name == name) return static_cast<Index>(s);
-  throw std::out_of_range(std::string(name));
-}
-
-VectorXd table_5_4() {
-  VectorXd p = VectorXd::Zero(static_cast<Index>(model().symbols.size()));
-  p(symbol("omega0")) = omega0;
-  p(symbol("mu1")) = mu1;
-  p(symbol("mu3")) = mu3;
-  p(symbol("alpha3")) = 8 * alpha_e / 3;
-  p(symbol("eta2")) = 4 * eta_e;
-  return p;
-}
-
 // Steady state of the generated modulation equation with this amplitude and force: phase and frequency from
 // (5.23), (5.24), confirmed by the generated code in the test.
 Steady steady(double a, double force, double side) {
@@ -165,7 +139,7 @@ FrequencyResponseData frequency_response() {
 
 TEST(FrequencyResponseRegression, ReturnsTheTruthOnFixedPointsOfTheGeneratedEquation) {
   const FrequencyResponseData data = frequency_response();
-  const VectorXd p = table_5_4();
+  const VectorXd p = parameters();
   for (Index i = 0; i < data.amplitude.size(); ++i) {
     const Steady s = steady(data.amplitude(i), 22.55, data.cos_gamma(i));
     const Complex forcing = 22.55;

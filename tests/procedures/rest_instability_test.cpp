@@ -5,13 +5,13 @@
 
 #include <stdexcept>
 
+#include "estimator/model/by_name.hpp"
 #include "tests/identification/virtual_campaign.hpp"
 #include "thesis/procedures/engine_lumps.hpp"
 
 namespace secular {
 namespace {
 
-using testing_support::case_named;
 using testing_support::shipped_experiment;
 
 // At rest (6.51) leaves w1 w2 sigma = (w2 Gamma_1 + w1 Gamma_7) + (w2 Gamma_4 + w1 Gamma_10) F^2 in the middle

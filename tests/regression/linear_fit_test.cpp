@@ -122,7 +122,7 @@ TEST(NonlinearFit, RosenbrocksValley) {
     j << -20 * x(0), 10, -1, 0;
   };
   const FitReport report = nonlinear_fit(function, 2, Eigen::Vector2d(-1.2, 1));
-  EXPECT_EQ(report.status, FitStatus::converged) << report.reason;
+  EXPECT_EQ(report.ending, SolverEnding::converged) << report.reason;
   EXPECT_LT((report.parameters - Eigen::Vector2d(1, 1)).norm(), 1e-8);
 }
 

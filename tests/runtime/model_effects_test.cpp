@@ -13,6 +13,7 @@
 #include "codegen/canonical/canonical_model.hpp"
 #include "codegen/runtime/interpreted_model.hpp"
 #include "codegen/runtime/runtime_model.hpp"
+#include "estimator/model/by_name.hpp"
 #include "perturb/with_effects.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/places.hpp"
@@ -130,13 +131,6 @@ std::map<std::pair<std::string, std::size_t>, Term> hand_written() {
   return terms;
 }
 
-std::size_t index_of(const CompiledModel& model, const std::string& symbol) {
-  for (std::size_t i = 0; i < model.symbols.size(); ++i)
-    if (model.symbols[i].name == symbol) return i;
-  ADD_FAILURE() << symbol << " is no symbol of the model";
-  return 0;
-}
-
 std::vector<double> accelerations(const CompiledModel& model, const test::Point& p) {
   std::vector<double> a(model.modes());
   model.acceleration(p.parameters.data(), p.excitation.data(), p.displacement.data(), p.velocity.data(), a.data());
@@ -147,7 +141,7 @@ std::vector<double> accelerations(const CompiledModel& model, const test::Point&
 test::Point without(const CompiledModel& base, const CompiledModel& augmented, test::Point p) {
   std::vector<double> parameters;
   for (const CompiledSymbol& symbol : base.symbols)
-    parameters.push_back(p.parameters[index_of(augmented, std::string(symbol.name))]);
+    parameters.push_back(p.parameters[symbol_named(augmented, symbol.name)]);
   p.parameters = std::move(parameters);
   return p;
 }
@@ -187,8 +181,8 @@ TEST_F(ModelEffects, AccelerationsAreThoseOfTheTermsByHand) {
         const auto [own, other] = by_hand(
             {p.displacement[term.mode], p.velocity[term.mode], a[term.mode], p.displacement[j], p.velocity[j], a[j],
              p.excitation[0].value, added.signal == EffectTerm::none ? 0 : p.excitation[added.signal].value,
-             p.parameters[term.mode], p.parameters[index_of(*code, added.parameters[0])],
-             added.parameters.size() > 1 ? p.parameters[index_of(*code, added.parameters[1])] : 0});
+             p.parameters[term.mode], p.parameters[symbol_named(*code, added.parameters[0])],
+             added.parameters.size() > 1 ? p.parameters[symbol_named(*code, added.parameters[1])] : 0});
         expected[term.mode] += own;
         expected[j] += other;
         for (std::size_t k = 0; k < expected.size(); ++k)
@@ -203,10 +197,10 @@ TEST_F(ModelEffects, FreeplayIsADeadBand) {
   const auto code = interpreted(augmented.model);
   std::mt19937_64 random(3);
   test::Point p = test::random_point(*code, random);
-  p.parameters[index_of(*code, "kf_v")] = 5;
-  p.parameters[index_of(*code, "gap_v")] = 0.1;
+  p.parameters[symbol_named(*code, "kf_v")] = 5;
+  p.parameters[symbol_named(*code, "gap_v")] = 0.1;
   test::Point none = p;
-  none.parameters[index_of(*code, "kf_v")] = 0;
+  none.parameters[symbol_named(*code, "kf_v")] = 0;
   for (const double v : {-0.3, -0.1, -0.07, 0.0, 0.02, 0.1, 0.25}) {
     p.displacement[0] = none.displacement[0] = v;
     const double lost = accelerations(*code, p)[0] - accelerations(*code, none)[0];
@@ -226,10 +220,10 @@ TEST_F(ModelEffects, AnExtraModeIsDrivenAndTouchesNothing) {
       const std::vector<double> a = accelerations(*code, p),
                                 before = accelerations(*base, without(*base, *code, p));
       for (std::size_t k = 0; k < before.size(); ++k) EXPECT_EQ(a[k], before[k]);
-      const double w = p.parameters[x], mu = p.parameters[index_of(*code, "mu1_extra")];
+      const double w = p.parameters[x], mu = p.parameters[symbol_named(*code, "mu1_extra")];
       EXPECT_NEAR(a[x],
                   -w * w * p.displacement[x] - 2 * mu * p.velocity[x] +
-                      p.parameters[index_of(*code, "eta1_extra")] * p.excitation[0].value,
+                      p.parameters[symbol_named(*code, "eta1_extra")] * p.excitation[0].value,
                   1e-13);
     }
   }
@@ -241,7 +235,7 @@ void expect_identity_at_zero(const CompiledModel& code, const CompiledModel& bas
   std::mt19937_64 random(5);
   for (int draw = 0; draw < 10; ++draw) {
     test::Point p = test::random_point(code, random);
-    for (const AddedEffect& added : effects) p.parameters[index_of(code, added.parameters[0])] = 0;
+    for (const AddedEffect& added : effects) p.parameters[symbol_named(code, added.parameters[0])] = 0;
     const std::vector<double> a = accelerations(code, p), b = accelerations(base, without(base, code, p));
     for (std::size_t k = 0; k < b.size(); ++k) EXPECT_EQ(a[k], b[k]) << base.name << " mode " << k;
   }
@@ -262,7 +256,7 @@ void expect_lanes_with_effects(const CompiledModel& code, const std::vector<Adde
   std::vector<test::Point> points = test::points_of_lanes(code, 6);
   for (std::size_t e = 0; e < effects.size(); ++e)
     for (std::size_t lane = 0; lane < points.size(); ++lane)
-      if (lane != e % points.size()) points[lane].parameters[index_of(code, effects[e].parameters[0])] = 0;
+      if (lane != e % points.size()) points[lane].parameters[symbol_named(code, effects[e].parameters[0])] = 0;
   test::expect_lanes_of_each(code, points);
 }
 

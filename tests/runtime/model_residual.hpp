@@ -113,8 +113,8 @@ class RightSideSlopes {
 }  // namespace residual_parts
 
 /// residual[observation] of one block; `parameters` in the order of CompiledModel::symbols (their first modes()
-/// entries are the natural frequencies; data.natural_frequency is not read), observed[observation]. Plain arrays,
-/// as generated code has them, and so many of them.
+/// entries are the natural frequencies; data.natural_frequency is not read), observed[observation]. Arguments are
+/// plain arrays, as generated code has them, and so many.
 inline void block_residual(const CompiledModel& model, const CompiledCase& resonance, const RegressorBlock& block,
                            const double* parameters, const ObservationBatch& data, const Complex* observed,
                            Complex* residual) {

@@ -64,7 +64,7 @@ TEST(FoldedWindow, RefinedPolesAreWhereAnotherRefinementStays) {
     std::vector<Pole> start = poles;
     for (Pole& pole : start) pole.frequency += 0.2 * normal(random);  // a bin is 3 rad/s wide
     const RefinedPoles once = refine_poles(y, rate, start), again = refine_poles(y, rate, once.poles);
-    ASSERT_EQ(once.status, ToneStatus::converged);
+    ASSERT_EQ(once.ending, SolverEnding::converged);
     const MatrixXd covariance = again.covariance.matrix();
     for (std::size_t i = 0; i < poles.size(); ++i) {
       const auto at = static_cast<Index>(i);

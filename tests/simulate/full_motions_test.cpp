@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "estimator/model/by_name.hpp"
 #include "motion/correction/replay.hpp"
 #include "tests/identification/virtual_campaign.hpp"
 
@@ -41,8 +42,7 @@ struct Tested {
 
   Eigen::VectorXd with(const std::string& symbol, double factor) const {
     Eigen::VectorXd parameters = experiment.parameters;
-    for (std::size_t p = 0; p < model->symbols.size(); ++p)
-      if (model->symbols[p].name == symbol) parameters(static_cast<Eigen::Index>(p)) *= factor;
+    parameters(static_cast<Eigen::Index>(symbol_named(*model, symbol))) *= factor;
     return parameters;
   }
 };

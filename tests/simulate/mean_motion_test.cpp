@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
 #include "measure/observe/mode_frequencies.hpp"
 #include "motion/simulate/noise.hpp"
@@ -25,9 +26,7 @@ struct Dwell {
   const CompiledCase& resonance;
 
   Dwell(std::string_view name, std::string_view case_name)
-      : model(*generated::find_compiled_model(name)),
-        resonance(*std::find_if(model.cases.begin(), model.cases.end(),
-                                [&](const CompiledCase& c) { return c.name == case_name; })) {}
+      : model(*generated::find_compiled_model(name)), resonance(secular::case_named(model, case_name)) {}
 
   // The same motion with the excitation's phase turned by `excitation` and every free frequency's by `free`.
   Observation at(double excitation, double free) const {

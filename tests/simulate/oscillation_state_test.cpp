@@ -7,6 +7,7 @@
 #include <complex>
 #include <string>
 
+#include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
 #include "motion/simulate/motion.hpp"
 #include "numerics/hertz.hpp"
@@ -28,15 +29,13 @@ Driven driven(const std::string& model_name, const std::string& resonance,
               const std::vector<std::pair<std::string, double>>& values) {
   const CompiledModel& model = *generated::find_compiled_model(model_name);
   Driven d{model,
-           *std::find_if(model.cases.begin(), model.cases.end(),
-                         [&](const CompiledCase& c) { return c.name == resonance; }),
+           case_named(model, resonance),
            Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.symbols.size())),
            0,
            0,
            {}};
   for (const auto& [name, value] : values)
-    for (std::size_t p = 0; p < model.symbols.size(); ++p)
-      if (model.symbols[p].name == name) d.parameters(static_cast<Eigen::Index>(p)) = value;
+    d.parameters(static_cast<Eigen::Index>(symbol_named(model, name))) = value;
   return d;
 }
 

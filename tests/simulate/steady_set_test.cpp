@@ -8,14 +8,15 @@
 #include <complex>
 #include <string>
 
+#include "estimator/model/by_name.hpp"
 #include "motion/correction/observation_noise.hpp"
 #include "motion/correction/replay.hpp"
 #include "tests/identification/virtual_campaign.hpp"
+#include "tests/sensor_noise.hpp"
 
 namespace secular {
 namespace {
 
-using testing_support::case_named;
 using testing_support::observed;
 using testing_support::shipped_experiment;
 
@@ -27,10 +28,7 @@ struct Dwells {
   ObservationSet set;
 
   Dwells(Experiment e, const std::string& case_name, bool noise) : experiment(std::move(e)) {
-    if (!noise) {
-      experiment.excitation->noise_sd = 0;
-      for (SimulatedChannel& channel : experiment.responses) channel.noise_sd = 0;
-    }
+    if (!noise) experiment = testing_support::without_noise(std::move(experiment));
     model = generated::find_compiled_model(experiment.model);
     resonance = &case_named(*model, case_name);
     simulated = run_virtual_test(experiment, *model, 1, 2);
@@ -111,8 +109,7 @@ TEST(SteadySet, MotionsOfACombinationResonanceStandStill) {
 TEST(SteadySet, NothingIsFoundBeyondTheRangeOfAResonance) {
   Dwells dwells(parametric(), "principal_parametric", false);
   Eigen::VectorXd damped = dwells.experiment.parameters;
-  for (std::size_t p = 0; p < dwells.model->symbols.size(); ++p)
-    if (dwells.model->symbols[p].name == "mu1") damped(static_cast<Eigen::Index>(p)) *= 50;
+  damped(static_cast<Eigen::Index>(symbol_named(*dwells.model, "mu1"))) *= 50;
   EXPECT_FALSE(SteadySet(dwells.set, 2).at(damped));
 }
 

@@ -37,7 +37,7 @@ struct ColumnTerm {
 /// An equation that is linear in lumps: target = sum over columns of lump * sum of its terms. For modulation the
 /// target is dB/dt + i(w_k - omega_k)B in the observed frame, for a harmonic its complex amplitude (full real value
 /// at zero frequency).
-struct ObservationBlock {
+struct LumpEquation {
   bool modulation = true;
   std::size_t mode = 0;
   int order = 0;  ///< lowest power of eps of its terms
@@ -49,17 +49,18 @@ struct ObservationBlock {
   std::vector<Column> columns;
 };
 
-struct Observations {
+/// What the frames and lumps of a case make of its modulation equations and harmonics.
+struct LumpEquations {
   ObservedFrequencies frequencies;
   std::vector<Lump> lumps;
-  std::vector<ObservationBlock> blocks;
+  std::vector<LumpEquation> blocks;
 };
 
 /// Modulation blocks have Omega at its resonant value, so that lumps are the same for all data; harmonic blocks
 /// keep the actual Omega wherever the lumps stay free of it. Lumps are named by single parameters or the model's
 /// shorthands where they are proportional to one, otherwise after the term they multiply. Throws InputError where
 /// no autonomous frame exists.
-Observations observations(const Derivation& nominal, const Derivation& kept);
+LumpEquations lump_equations(const Derivation& nominal, const Derivation& kept);
 
 /// Turns a phase and its conjugate into the one that is listed: positive frequency at the nominal values or,
 /// without them, a positive first exponent. Returns true if the phase was turned.

@@ -1,4 +1,4 @@
-#include "perturb/observation.hpp"
+#include "perturb/lump_equations.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -187,7 +187,7 @@ std::vector<DetunedPart> without_detunings(const Derivation& d, const ex& coeffi
 }
 
 // A term of a field with its key, in a fixed order (by key).
-bool append_terms(ObservationBlock& block, LumpFinder& finder, const Derivation& d,
+bool append_terms(LumpEquation& block, LumpFinder& finder, const Derivation& d,
                   const std::vector<std::pair<FieldKey, ex>>& terms) {
   for (const auto& [key, coefficient] : terms)
     for (const bool imaginary : {false, true}) {
@@ -201,7 +201,7 @@ bool append_terms(ObservationBlock& block, LumpFinder& finder, const Derivation&
         const auto split = finder.split(detuned.coefficient, name + detuned.suffix);
         if (!split) return false;
         auto column = std::find_if(block.columns.begin(), block.columns.end(),
-                                   [&](const ObservationBlock::Column& c) { return c.lump == split->lump; });
+                                   [&](const LumpEquation::Column& c) { return c.lump == split->lump; });
         if (column == block.columns.end()) column = block.columns.insert(block.columns.end(), {split->lump, {}});
         column->terms.push_back({split->factor * detuned.detunings, imaginary, key});
       }
@@ -255,11 +255,11 @@ struct PhaseRowLess {
 };
 
 // Harmonic terms of one mode by the frequency at which they are seen.
-std::vector<ObservationBlock> harmonic_blocks(const Derivation& d, const ObservedFrequencies& frequencies,
-                                              std::size_t mode,
-                                              std::vector<std::vector<std::pair<FieldKey, ex>>>& terms) {
+std::vector<LumpEquation> harmonic_blocks(const Derivation& d, const ObservedFrequencies& frequencies,
+                                          std::size_t mode,
+                                          std::vector<std::vector<std::pair<FieldKey, ex>>>& terms) {
   std::map<std::vector<numeric>, std::size_t, PhaseRowLess> groups;
-  std::vector<ObservationBlock> blocks;
+  std::vector<LumpEquation> blocks;
   for (std::size_t n = 0; n < d.response[mode].size(); ++n)
     for (const auto& [key, coefficient] : d.response[mode][n].terms()) {
       Phase phase = d.full_phase(key);
@@ -276,7 +276,7 @@ std::vector<ObservationBlock> harmonic_blocks(const Derivation& d, const Observe
       if (!zero && conjugate_is_listed(phase, seen, d)) continue;
       const auto [group, added] = groups.try_emplace(seen, blocks.size());
       if (added) {
-        ObservationBlock block;
+        LumpEquation block;
         block.modulation = false;
         block.mode = mode;
         block.order = static_cast<int>(n);
@@ -284,7 +284,7 @@ std::vector<ObservationBlock> harmonic_blocks(const Derivation& d, const Observe
         blocks.push_back(std::move(block));
         terms.emplace_back();
       }
-      ObservationBlock& block = blocks[group->second];
+      LumpEquation& block = blocks[group->second];
       const auto cost = [&](const Phase& p) {
         int total = 0, natural = 0;
         for (std::size_t i = 0; i < p.size(); ++i) {
@@ -361,19 +361,19 @@ bool orient(Phase& phase, const Derivation& d) {
   return turn;
 }
 
-Observations observations(const Derivation& nominal, const Derivation& kept) {
+LumpEquations lump_equations(const Derivation& nominal, const Derivation& kept) {
   const Model& model = *nominal.model;
   const auto frequencies = observed_frequencies(nominal);
   if (!frequencies)
     throw InputError(model.file, "case " + nominal.resonance->name,
                      "no rotating frame makes its modulation equations autonomous",
                      "its relations are incommensurate: estimation needs one steady state per excitation");
-  Observations result;
+  LumpEquations result;
   result.frequencies = *frequencies;
   LumpFinder finder(model);
   for (std::size_t k = 0; k < nominal.layout.modes; ++k) {
     if (nominal.resonance->mode_at_rest[k]) continue;
-    ObservationBlock block;
+    LumpEquation block;
     block.mode = k;
     if (!append_terms(block, finder, nominal, terms_of(nominal.modulation(k))))
       throw InputError(model.file, "case " + nominal.resonance->name,
@@ -383,17 +383,17 @@ Observations observations(const Derivation& nominal, const Derivation& kept) {
   }
   for (std::size_t k = 0; k < nominal.layout.modes; ++k) {
     std::vector<std::vector<std::pair<FieldKey, ex>>> kept_terms, nominal_terms;
-    std::vector<ObservationBlock> kept_blocks = harmonic_blocks(kept, *frequencies, k, kept_terms);
-    std::vector<ObservationBlock> nominal_blocks = harmonic_blocks(nominal, *frequencies, k, nominal_terms);
+    std::vector<LumpEquation> kept_blocks = harmonic_blocks(kept, *frequencies, k, kept_terms);
+    std::vector<LumpEquation> nominal_blocks = harmonic_blocks(nominal, *frequencies, k, nominal_terms);
     for (std::size_t b = 0; b < nominal_blocks.size(); ++b) {
       // The same observed frequency in both derivations.
       const auto seen = frequencies->of_phase(nominal_blocks[b].phase);
-      const auto same = std::find_if(kept_blocks.begin(), kept_blocks.end(), [&](const ObservationBlock& block) {
+      const auto same = std::find_if(kept_blocks.begin(), kept_blocks.end(), [&](const LumpEquation& block) {
         return frequencies->of_phase(block.phase) == seen;
       });
       const std::size_t lumps_before = finder.size();
       if (same != kept_blocks.end()) {
-        ObservationBlock attempt = *same;
+        LumpEquation attempt = *same;
         if (append_terms(attempt, finder, kept, kept_terms[static_cast<std::size_t>(same - kept_blocks.begin())])) {
           result.blocks.push_back(std::move(attempt));
           continue;
