@@ -222,6 +222,13 @@ class Dwell {
 
 }  // namespace
 
+bool is_lump_or_frequency(const CompiledModel& model, const CompiledCase& resonance, const std::string& name) {
+  const auto frequencies = model.symbols.begin() + static_cast<std::ptrdiff_t>(model.modes());
+  return std::any_of(resonance.lumps.begin(), resonance.lumps.end(),
+                     [&](const CompiledLump& l) { return l.name == name; }) ||
+         std::any_of(model.symbols.begin(), frequencies, [&](const CompiledSymbol& s) { return s.name == name; });
+}
+
 PlanUnknowns plan_unknowns(const CompiledModel& model, const CompiledCase& resonance,
                            const Eigen::Ref<const VectorXd>& parameters, const std::vector<std::string>& fixed) {
   std::vector<double> lumps(resonance.lumps.size());
@@ -249,14 +256,9 @@ PlanUnknowns plan_unknowns(const CompiledModel& model, const CompiledCase& reson
   for (std::size_t k = 0; k < model.modes(); ++k)
     if (!resonance.mode_at_rest[k])
       add(model.symbols[k].name, -1, static_cast<int>(k), parameters(static_cast<Index>(k)));
-  for (const std::string& name : fixed) {
-    const bool lump = std::any_of(resonance.lumps.begin(), resonance.lumps.end(),
-                                  [&](const CompiledLump& l) { return l.name == name; });
-    const bool frequency =
-        std::any_of(model.symbols.begin(), model.symbols.begin() + static_cast<std::ptrdiff_t>(model.modes()),
-                    [&](const CompiledSymbol& s) { return s.name == name; });
-    if (!lump && !frequency) throw std::invalid_argument("'" + name + "' is no lump and no natural frequency");
-  }
+  for (const std::string& name : fixed)
+    if (!is_lump_or_frequency(model, resonance, name))
+      throw std::invalid_argument("'" + name + "' is no lump and no natural frequency");
   unknowns.values = Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
   return unknowns;
 }
