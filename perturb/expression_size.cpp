@@ -133,10 +133,13 @@ class Measure {
     return {terms_of_power(base.terms, exponent), exponent * base.degree, exponent * base.digits};
   }
 
-  // A derivative with respect to time: each factor of a term in turn.
+  // A derivative with respect to a time: each factor of a term in turn. Of a printed source also the complex
+  // conjugate beside what it is of.
   Size call(const Expression& e) const {
     Size size = sum(e);
-    if (e.text == "D" || e.text == "D2") size.terms *= std::pow(std::max(1.0, size.degree), e.text == "D" ? 1 : 2);
+    if (e.text == "D" || e.text == "D0" || e.text == "D1") size.terms *= std::max(1.0, size.degree);
+    if (e.text == "D2") size.terms *= std::pow(std::max(1.0, size.degree), 2);
+    if (e.text == "cc") size.terms *= 2;
     return size;
   }
 

@@ -10,9 +10,16 @@ int integer_exponent(const Expression& power, const FormulaSource& source) {
     fail_at(source, symbol.place, "symbol '" + symbol.text + "' in an exponent", "exponents are integers");
   });
   if (!GiNaC::is_a<GiNaC::numeric>(value) || !GiNaC::ex_to<GiNaC::numeric>(value).is_integer() ||
-      GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(value)) > 64)
+      GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(value)) > largest_exponent)
     fail_at(source, exponent.place, "the exponent is not an integer between -64 and 64", "write an integer power");
   return GiNaC::ex_to<GiNaC::numeric>(value).to_int();
+}
+
+void refuse_power_of_zero(const GiNaC::ex& base, int exponent, const Expression& power,
+                          const FormulaSource& source) {
+  if (base.normal().is_zero())
+    fail_at(source, power.place, exponent < 0 ? "division by zero" : "zero to the power of zero",
+            "correct the power");
 }
 
 GiNaC::ex formula_value(const Expression& expression, const FormulaSource& source,
@@ -44,8 +51,7 @@ GiNaC::ex formula_value(const Expression& expression, const FormulaSource& sourc
     case Expression::Kind::power: {
       const int exponent = integer_exponent(expression, source);
       const GiNaC::ex base = value(0);
-      if (exponent < 0 && base.normal().is_zero())
-        fail_at(source, expression.place, "division by zero", "correct the power");
+      if (exponent <= 0) refuse_power_of_zero(base, exponent, expression, source);
       return GiNaC::pow(base, exponent);
     }
     case Expression::Kind::negation:

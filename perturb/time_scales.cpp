@@ -52,7 +52,9 @@ Field fast_derivative(const Field& field, const PhaseRates& rates) {
 Field slow_derivative(const Field& field, int n, const PhaseRates& rates, const AmplitudeRates& amplitude_rates) {
   const FieldLayout& layout = rates.layout;
   Field result;
-  for (const auto& [key, coefficient] : field.terms()) {
+  for (const auto& term : field.terms()) {
+    const auto& key = term.first;  // no structured binding: clang captures none
+    const auto& coefficient = term.second;
     const GiNaC::ex rate = rates.on_slow_scale(key, n);
     if (!rate.is_zero()) result.add(key, (coefficient * GiNaC::I * rate).expand());
     for (std::size_t k = 0; k < layout.modes; ++k) {

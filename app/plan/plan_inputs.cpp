@@ -7,7 +7,6 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 #include "app/shared/model_loading.hpp"
@@ -97,14 +96,13 @@ void read_sensors(const PlanRequest& request, PlanResult& plan) {
 }
 
 void find_unknowns(const PlanRequest& request, PlanResult& plan) {
-  try {
-    plan.unknowns = plan_unknowns(*plan.model, *plan.resonance, plan.parameters, request.fixed);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(
-        "--fix", "", error.what(),
-        fmt::format("the case's unknowns are {}",
-                    fmt::join(plan_unknowns(*plan.model, *plan.resonance, plan.parameters, {}).names, ", ")));
-  }
+  for (const std::string& name : request.fixed)
+    if (!is_lump_or_frequency(*plan.model, *plan.resonance, name))
+      throw InputError(
+          "--fix", "", "'" + name + "' is no lump and no natural frequency",
+          fmt::format("the case's unknowns are {}",
+                      fmt::join(plan_unknowns(*plan.model, *plan.resonance, plan.parameters, {}).names, ", ")));
+  plan.unknowns = plan_unknowns(*plan.model, *plan.resonance, plan.parameters, request.fixed);
   const std::vector<std::string>& names = plan.unknowns.names;
   for (const std::string& name : request.wanted) {
     const auto found = std::find(names.begin(), names.end(), name);

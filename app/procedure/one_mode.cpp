@@ -10,6 +10,7 @@
 
 #include "app/procedure/harmonics.hpp"
 #include "app/procedure/one_mode_figures.hpp"
+#include "input/numerical_failure.hpp"
 #include "thesis/procedures/competing_terms.hpp"
 #include "thesis/procedures/frequency_response_regression.hpp"
 #include "thesis/procedures/saddle_node_regression.hpp"
@@ -74,8 +75,13 @@ void decide_damping(const ProcedureData& test) {
     for (const CompiledLump& lump : test.run.resonance->lumps)
       if (lump.name == name) laws.emplace_back(name);
   if (laws.size() < 2 || !test.wants("saddle_node")) return;
-  const std::vector<CompetingTerm> order =
-      compare_terms(test.run.measured, test.unit, {test.run.campaign.channels.front().unit}, laws);
+  std::vector<CompetingTerm> order;
+  try {
+    order = compare_terms(test.run.measured, test.unit, {test.run.campaign.channels.front().unit}, laws);
+  } catch (const NumericalFailure& failure) {
+    test.run.warnings.push_back(std::string("drag and cubic damping are not compared: ") + failure.what());
+    return;
+  }
   ProcedureSection section;
   section.method = "damping_law";
   section.title = "Drag or cubic damping";
@@ -118,7 +124,7 @@ LawFit fit_law(const ProcedureData& test, NonlinearDamping law, const std::vecto
   return fit;
 }
 
-ProcedureSection saddle_node_section(const ProcedureData& test, const LawFit& fit, bool chosen,
+ProcedureSection saddle_node_section(const ProcedureData& test, const LawFit& fit, const std::string& comparison,
                                      const std::vector<const DwellMean*>& points) {
   const bool cubic = fit.cubic();
   const std::string equation = cubic ? "5.37" : "5.35", nonlinear = fit.nonlinear();
@@ -131,13 +137,12 @@ ProcedureSection saddle_node_section(const ProcedureData& test, const LawFit& fi
   section.method = "saddle_node";
   section.title = fmt::format("Saddle-node regression, linear and {} damping", cubic ? "cubic" : "quadratic");
   section.text = fmt::format(
-      "Eqs. {} on {} points; residual {:.3g} m/s^2 ({} law fits better). As printed the line is the peak of the "
+      "Eqs. {} on {} points; residual {:.3g} m/s^2 ({}). As printed the line is the peak of the "
       "response (vanishing radicand of (5.25)); recovered with the saddle-node's own force, where d(sigma)/d(a) "
       "= 0. The linear damping is lowered by {:.3g} (as printed: {:.3g}) so that every point lies on the right "
       "side of the line.",
-      cubic ? "(5.36), (5.37)" : "(5.34), (5.35)", points.size(), fit.right.residual_sd,
-      chosen ? "this" : "the other", fit.right.linear - fit.right.shifted_linear,
-      fit.printed.linear - fit.printed.shifted_linear);
+      cubic ? "(5.36), (5.37)" : "(5.34), (5.35)", points.size(), fit.right.residual_sd, comparison,
+      fit.right.linear - fit.right.shifted_linear, fit.printed.linear - fit.printed.shifted_linear);
   section.rows.push_back(procedure_row("mu1/|eta_e|", "m/s", equation,
                                        {fit.right.shifted_linear, std::sqrt(fit.right.covariance(0, 0)),
                                         fit.printed.shifted_linear, truth_over("mu1")}));
@@ -192,15 +197,28 @@ ProcedureSection response_section(const ProcedureData& test, const LawFit& law_f
 }
 
 void saddle_node_and_response(const ProcedureData& test, const std::vector<const DwellMean*>& points) {
-  const LawFit laws[] = {fit_law(test, NonlinearDamping::quadratic, points),
-                         fit_law(test, NonlinearDamping::cubic, points)};
+  std::vector<LawFit> laws;
+  for (const NonlinearDamping law : {NonlinearDamping::quadratic, NonlinearDamping::cubic}) {
+    try {
+      laws.push_back(fit_law(test, law, points));
+    } catch (const NumericalFailure& failure) {
+      test.run.warnings.push_back(fmt::format(
+          "saddle-node and frequency-response regressions with {} damping, each of which needs the other, are left "
+          "out: {}",
+          law == NonlinearDamping::cubic ? "cubic" : "quadratic", failure.what()));
+    }
+  }
   if (!test.values_only) decide_damping(test);
-  const LawFit& chosen = laws[0].right.residual_sd < laws[1].right.residual_sd ? laws[0] : laws[1];
-  for (const LawFit& law : laws) {
-    if (test.wants("saddle_node"))
-      test.run.sections.push_back(saddle_node_section(test, law, &law == &chosen, points));
-    if (test.wants("frequency_response") && &law == &chosen)
-      test.run.sections.push_back(response_section(test, law));
+  auto chosen = laws.begin();
+  for (auto law = laws.begin(); law != laws.end(); ++law)
+    if (!(chosen->right.residual_sd < law->right.residual_sd)) chosen = law;
+  for (auto law = laws.begin(); law != laws.end(); ++law) {
+    const char* comparison = laws.size() < 2 ? "the other law has no fit"
+                             : law == chosen ? "this law fits better"
+                                             : "the other law fits better";
+    if (test.wants("saddle_node")) test.run.sections.push_back(saddle_node_section(test, *law, comparison, points));
+    if (test.wants("frequency_response") && law == chosen)
+      test.run.sections.push_back(response_section(test, *law));
   }
 }
 

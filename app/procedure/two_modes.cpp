@@ -6,11 +6,11 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "app/procedure/harmonics.hpp"
 #include "app/procedure/variance.hpp"
+#include "input/numerical_failure.hpp"
 #include "measure/signal/bispectral_phase.hpp"
 #include "numerics/hertz.hpp"
 #include "thesis/procedures/block_rows.hpp"
@@ -166,8 +166,8 @@ void two_mode_procedures(const ProcedureData& test) {
   try {
     right = two_mode_regression(data, false);
     printed = two_mode_regression(data, true);
-  } catch (const std::invalid_argument& error) {
-    test.run.warnings.push_back(std::string("modulation equations of two modes: ") + error.what());
+  } catch (const NumericalFailure& failure) {
+    test.run.warnings.push_back(std::string("the regression of two modes is left out: ") + failure.what());
     return;
   }
   add_lumps(test, right, printed);

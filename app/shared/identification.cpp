@@ -66,6 +66,8 @@ std::size_t count_of_conditions(const std::vector<ObservationSet>& sets) {
 Estimate first_estimate(const Identification& id, const MeasuredUnits& units, const EstimateOptions& options) {
   try {
     return estimate(id.measured, units, options, pass_between());
+  } catch (const NothingObserved&) {
+    throw;  // no conditions to speak of
   } catch (const NumericalFailure& failure) {
     const std::size_t conditions = count_of_conditions(id.measured);
     throw NumericalFailure(
@@ -187,8 +189,6 @@ std::string failure_of(const std::function<void()>& estimate) {
     estimate();
   } catch (const NumericalFailure& failure) {
     return failure.what();
-  } catch (const InputError& error) {
-    return error.what();
   }
   return "";
 }
@@ -268,7 +268,11 @@ void estimate_observed(const IdentificationRequest& request, Identification& id)
     for (const std::size_t channel : excitation_channels(id.campaign, *id.model))
       id.excitation_units.push_back(id.campaign.channels[channel].unit);
   const std::vector<ObservationSet> observed = id.measured;
-  estimate_corrected(request, id);
+  try {
+    estimate_corrected(request, id);
+  } catch (const NothingObserved& nothing) {  // here it is the campaign itself
+    throw InputError(id.campaign.folder.string(), "", nothing.what());
+  }
   const std::string failure = failure_of([&] { free_phases(request, observed, id); });
   if (!failure.empty())  // the numbers with phases as measured stay
     id.estimate.warnings.push_back(fmt::format("whether records are late was not found out: {}", failure));

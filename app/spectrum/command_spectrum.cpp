@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -91,6 +90,9 @@ Columns columns_of_campaign(const SpectrumArguments& options) {
     for (Index r = 0; r < columns.shapes.rows(); ++r)
       for (Index m = 0; m < columns.shapes.cols(); ++m)
         columns.shapes(r, m) = shapes[static_cast<std::size_t>(r)][static_cast<std::size_t>(m)];
+    if (columns.shapes.rows() >= columns.shapes.cols() && !tells_modes_apart(columns.shapes))
+      throw InputError((campaign.folder / "campaign.toml").string(), "[modal_basis]",
+                       "its mode shapes are not independent", "use channels that tell the modes apart");
   }
   return columns;
 }
@@ -145,6 +147,46 @@ std::string joined(const std::vector<std::string>& names) {
   return text.empty() ? "none" : text;
 }
 
+// Says what stands in the way of a survey, and what would help.
+void require_no_obstacle(const SpectrumArguments& options, const RecordSpectrum& record) {
+  const Index samples = record.channels.rows(), channels = record.channels.cols();
+  const double seconds = static_cast<double>(samples) / record.sample_rate_hz;
+  const auto length = [&] {
+    const double asked = options.spectral.ensemble_s;
+    return asked > 0 ? static_cast<Index>(std::lround(asked * record.sample_rate_hz)) : samples;
+  };
+  const auto refuse = [&](const std::string& wrong, const std::string& right) {
+    throw InputError(options.source, (channels == 1 ? "channel " : "channels ") + joined(record.names), wrong,
+                     right);
+  };
+  switch (obstacle_to_survey(record.channels, record.sample_rate_hz, options.spectral)) {
+    case SurveyObstacle::none:
+      return;
+    case SurveyObstacle::few_samples:
+      refuse(fmt::format("{} samples are left", samples), "a spectrum needs 16 or more");
+      break;
+    case SurveyObstacle::not_finite:
+      refuse("a sample is no finite number", "leave it out with --from and --to");
+      break;
+    case SurveyObstacle::silence:
+      refuse("every sample is zero", "choose another --channel, --from or --to");
+      break;
+    case SurveyObstacle::ensemble:
+      refuse(fmt::format("an ensemble of {:g} s does not fit into {:.6g} s", options.spectral.ensemble_s, seconds),
+             "one of at least a sample, and no longer than that");
+      break;
+    case SurveyObstacle::order:
+      refuse(fmt::format("{} samples determine {} terms at most", length(),
+                         std::max(0, most_terms(length(), options.spectral.offset))),
+             "a lower --order or a longer --ensemble");
+      break;
+    case SurveyObstacle::ensemble_for_delays:
+      refuse(fmt::format("an ensemble of {} samples is too short for delay coordinates", length()),
+             fmt::format("give a longer --ensemble or fewer channels: {} samples are needed", 8 * channels));
+      break;
+  }
+}
+
 RecordSpectrum analysed(const SpectrumArguments& options, const Columns& columns) {
   std::vector<std::size_t> chosen;
   if (options.channels.empty()) {
@@ -188,25 +230,29 @@ RecordSpectrum analysed(const SpectrumArguments& options, const Columns& columns
     record.units.push_back(columns.units[chosen[c]]);
     record.channels.col(static_cast<Index>(c)) = part(chosen[c]);
   }
-  try {
-    record.survey = spectral_survey(record.channels, record.sample_rate_hz, options.spectral);
-    record.spectrum = amplitude_spectrum(record.channels, record.sample_rate_hz, record.survey.layout.length);
-    const auto drive = std::find(columns.excitation.begin(), columns.excitation.end(), true);
-    const auto driver = static_cast<std::size_t>(drive - columns.excitation.begin());
-    if (drive != columns.excitation.end() && std::find(chosen.begin(), chosen.end(), driver) == chosen.end() &&
-        part(driver).cwiseAbs().maxCoeff() > 0) {
-      record.excitation_name = columns.names[driver];
-      record.excitation_unit = columns.units[driver];
-      record.excitation = part(driver);
-      record.excitation_spectrum =
-          amplitude_spectrum(record.excitation, record.sample_rate_hz, record.survey.layout.length);
+  require_no_obstacle(options, record);
+  record.survey = spectral_survey(record.channels, record.sample_rate_hz, options.spectral);
+  if (!record.survey.decomposition.determined)
+    throw InputError(options.source, (record.names.size() == 1 ? "channel " : "channels ") + joined(record.names),
+                     fmt::format("no finite sum of {} terms describes the first ensemble", record.survey.order),
+                     "choose another --order, --ensemble, --from or --to");
+  record.spectrum = amplitude_spectrum(record.channels, record.sample_rate_hz, record.survey.layout.length);
+  const auto drive = std::find(columns.excitation.begin(), columns.excitation.end(), true);
+  const auto driver = static_cast<std::size_t>(drive - columns.excitation.begin());
+  if (drive != columns.excitation.end() && std::find(chosen.begin(), chosen.end(), driver) == chosen.end() &&
+      part(driver).cwiseAbs().maxCoeff() > 0) {
+    record.excitation_name = columns.names[driver];
+    record.excitation_unit = columns.units[driver];
+    record.excitation = part(driver);
+    record.excitation_spectrum =
+        amplitude_spectrum(record.excitation, record.sample_rate_hz, record.survey.layout.length);
+    if (count < fewest_for_relation(options.spectral.arma_order))
+      print_warning(fmt::format("the linear relation to {} is left out: it needs {} samples, there are {}",
+                                record.excitation_name, fewest_for_relation(options.spectral.arma_order), count));
+    else
       for (Index c = 0; c < record.channels.cols(); ++c)
         record.relations.push_back(
             linear_relation(record.excitation, record.channels.col(c), options.spectral.arma_order));
-    }
-  } catch (const std::invalid_argument& error) {
-    throw InputError(options.source, "", error.what(),
-                     "a longer record, a longer or shorter --ensemble, a lower --order or fewer --delays");
   }
   if (!columns.modes.empty() && columns.modal_channels.size() >= columns.modes.size()) {
     MatrixXd basis(count, static_cast<Index>(columns.modal_channels.size()));

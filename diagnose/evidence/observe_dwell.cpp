@@ -143,7 +143,7 @@ std::optional<double> excitation_frequency(const RecordPart& part, double rate, 
                            : spectral_peak(part.samples.col(channel), rate, 4, 1).frequency;
   ToneOptions options;
   const ToneFit fit = fit_harmonic_tone(part.samples.col(channel), rate, guess, options);
-  if (fit.status == SolverEnding::ran_away || std::abs(fit.frequency / guess - 1) > 0.1) return std::nullopt;
+  if (fit.ending == SolverEnding::ran_away || std::abs(fit.frequency / guess - 1) > 0.1) return std::nullopt;
   if (!(std::abs(fit.amplitude(0, 0)) > present * fit.amplitude_sd(0, 0))) return std::nullopt;
   return fit.frequency;
 }

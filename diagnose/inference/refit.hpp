@@ -12,8 +12,6 @@ namespace secular {
 /// one may still promise at most: explanations are compared in these variances, and none by so little.
 inline constexpr double promise_kept = 0.1;
 
-using FitEnding = SolverEnding;  ///< its former name
-
 /// Least squares over some of the unknowns.
 struct Refit {
   Eigen::VectorXd unknowns;

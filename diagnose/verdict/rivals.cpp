@@ -67,7 +67,7 @@ Contest contest_of(const Inference& inference, const std::vector<Candidate>& can
   if (contest.all.empty()) return contest;
   rank(contest.all);
   // A stalled fit names nothing; and one that is likelier than all that have converged lets none of these be named.
-  const auto has_converged = [](const Rival& r) { return r.explanation->fit.ending == FitEnding::converged; };
+  const auto has_converged = [](const Rival& r) { return r.explanation->fit.ending == SolverEnding::converged; };
   const auto first = std::find_if(contest.all.begin(), contest.all.end(), has_converged);
   contest.stalled = first == contest.all.end() || !is_credible(*first, contest.all.front());
   if (!contest.stalled) {

@@ -30,9 +30,9 @@ std::string what_else_it_is(const CompiledModel& model, const std::string& name)
   return (count == 1 ? ", but a lump: " : ", but a lump of each of several cases: ") + lumps;
 }
 
-// A lump of a case that is looked at, given as CASE:NAME.
-bool is_lump_in_use(const Estimation& e, const std::string& name) {
-  return std::any_of(e.sets.begin(), e.sets.end(), [&](const ObservationSet* set) {
+// A lump of one of the sets' cases, given as CASE:NAME.
+bool is_lump_of(const std::vector<const ObservationSet*>& sets, const std::string& name) {
+  return std::any_of(sets.begin(), sets.end(), [&](const ObservationSet* set) {
     for (std::size_t l = 0; l < set->resonance->lumps.size(); ++l)
       if (text_of(key_of(*set->resonance, l)) == name) return true;
     return false;
@@ -53,7 +53,10 @@ void check_fixed(Estimation& e) {
       known += (known.empty() ? "" : ", ") + std::string(symbol.name);
       found = found || symbol.name == name;
     }
-    if (found || is_lump_in_use(e, name)) continue;
+    if (found || is_lump_of(e.sets, name)) continue;
+    if (is_lump_of(e.all, name))
+      throw NothingObserved("--fix " + name + ": no observations are left of that case; those in use are " +
+                            cases_in_use(e));
     if (name.find(':') != std::string::npos)
       throw InputError("--fix " + name, "", "is no lump of a case that records of this campaign are of",
                        "CASE:NAME of one of the cases " + cases_in_use(e) + ", named as estimate.json lists them");
@@ -92,9 +95,9 @@ void start_frequencies(Estimation& e) {
       e.knowledge.fixed_frequency.insert(k);
     }
     if (!std::isfinite(value))
-      throw InputError("model " + std::string(e.model.name), "natural frequency " + name,
-                       "is not seen in this campaign and has no nominal value",
-                       "give it with --fix " + name + "=VALUE (rad/s) or in the model's [nominal]");
+      throw NothingObserved("model " + std::string(e.model.name) + ", natural frequency " + name +
+                            ": is not seen in this campaign and has no nominal value; give it with --fix " + name +
+                            "=VALUE (rad/s) or in the model's [nominal]");
     e.knowledge.natural_frequency.push_back(value);
   }
 }

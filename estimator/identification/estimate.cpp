@@ -4,7 +4,6 @@
 
 #include "estimator/identification/estimation.hpp"
 #include "estimator/identification/unsupported_values.hpp"
-#include "input/input_error.hpp"
 
 namespace secular {
 
@@ -23,7 +22,7 @@ Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& uni
       names = std::string(set->resonance->name) + (names.empty() ? "" : ", ") + names;
       if (!set->warnings.empty()) why = set->warnings.front();
     }
-    throw InputError("case " + names, "", "no observations are left to identify it from", why);
+    throw NothingObserved("case " + names + ": no observations are left to identify it from; " + why);
   }
   Estimation e(sets, units, options, pass);
   const Precision so_far = fit_rounds(e);

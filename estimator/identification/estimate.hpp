@@ -14,6 +14,7 @@
 #include "estimator/identification/lack_of_fit.hpp"
 #include "estimator/identification/scatter_between_records.hpp"
 #include "estimator/identification/shared_parameters.hpp"
+#include "input/numerical_failure.hpp"
 #include "measure/observe/observation_set.hpp"
 
 namespace secular {
@@ -112,14 +113,21 @@ struct MeasuredUnits {
   std::vector<std::string> excitation;
 };
 
+/// Of what was measured nothing is left to estimate from, or to begin at. Of a campaign as it was measured that is for
+/// its user to mend; of what equations make of it, a way that does not lead further.
+class NothingObserved : public NumericalFailure {
+ public:
+  explicit NothingObserved(const std::string& message) : NumericalFailure(Ending::out_of_range, message) {}
+};
+
 /// One-step regression of all observations of all cases of one model on the generated rows. In each case the
 /// modulation equations, natural frequencies with them, together with those first-order harmonics (the component at
 /// zero frequency too, where displacements are measured) that see something which the modulation equations of all
 /// cases leave open. Every equation is whitened by the joint noise of everything measured in it. Physical
 /// parameters, shared by all cases, follow from the lumps of all cases by nonlinear least squares weighted with
 /// their full covariance, as far as the lumps determine them; error bars come from the scatter between conditions
-/// (jackknife) carried through that map. Throws InputError where no observations are left, a fixed name is unknown
-/// or a natural frequency is neither observed nor known.
+/// (jackknife) carried through that map. Throws NothingObserved where no observations are left or a natural
+/// frequency is neither observed nor known, InputError where a fixed name is unknown.
 Estimate estimate(std::span<const ObservationSet> sets, const MeasuredUnits& units, const EstimateOptions& options,
                   const EstimatePass& pass = {});
 

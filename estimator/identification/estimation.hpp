@@ -24,7 +24,8 @@ struct EstimationState {
 
 /// An estimate on its way: what each stage has found for the next ones.
 struct Estimation {
-  /// Throws InputError for a fixed name that is no symbol and a natural frequency that nothing tells.
+  /// Throws InputError for a fixed name that is no symbol, NothingObserved for one of a case that is no longer seen
+  /// and for a natural frequency that nothing tells.
   Estimation(std::span<const ObservationSet> measured, const MeasuredUnits& measured_units,
              const EstimateOptions& asked, const EstimatePass& asked_pass = {});
 

@@ -223,6 +223,10 @@ class Dwell {
 
 }  // namespace
 
+bool is_lump_or_frequency(const CompiledModel& model, const CompiledCase& resonance, const std::string& name) {
+  return place_of(resonance.lumps, name) || place_of(model.symbols.first(model.modes()), name);
+}
+
 PlanUnknowns plan_unknowns(const CompiledModel& model, const CompiledCase& resonance,
                            const Eigen::Ref<const VectorXd>& parameters, const std::vector<std::string>& fixed) {
   std::vector<double> lumps(resonance.lumps.size());
@@ -250,11 +254,9 @@ PlanUnknowns plan_unknowns(const CompiledModel& model, const CompiledCase& reson
   for (std::size_t k = 0; k < model.modes(); ++k)
     if (!resonance.mode_at_rest[k])
       add(model.symbols[k].name, -1, static_cast<int>(k), parameters(static_cast<Index>(k)));
-  for (const std::string& name : fixed) {
-    const bool frequency = place_of(model.symbols.first(model.modes()), name).has_value();
-    if (!place_of(resonance.lumps, name) && !frequency)
+  for (const std::string& name : fixed)
+    if (!is_lump_or_frequency(model, resonance, name))
       throw std::invalid_argument("'" + name + "' is no lump and no natural frequency");
-  }
   unknowns.values = Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
   return unknowns;
 }

@@ -36,7 +36,10 @@ struct PlanUnknowns {
   Eigen::VectorXd values;  ///< at the rough parameters
 };
 
-/// `fixed`: names taken as known. Throws std::invalid_argument for a name that is none.
+/// Whether dwells of the case could be planned for it, or with it known.
+bool is_lump_or_frequency(const CompiledModel& model, const CompiledCase& resonance, const std::string& name);
+
+/// `fixed`: names taken as known. Throws std::invalid_argument for one that is_lump_or_frequency refuses.
 PlanUnknowns plan_unknowns(const CompiledModel& model, const CompiledCase& resonance,
                            const Eigen::Ref<const Eigen::VectorXd>& parameters,
                            const std::vector<std::string>& fixed);

@@ -15,14 +15,28 @@ Index decimation_factor(double sample_rate_hz, double highest_hz) {
   return highest_hz > 0 ? std::max<Index>(1, static_cast<Index>(0.4 * sample_rate_hz / highest_hz)) : 1;
 }
 
+namespace {
+
+/// Kaiser: 80 dB; the transition takes 20 % of the new half rate, centred at 90 % of it.
+constexpr double decimation_attenuation = 80;
+
+Index half_length_of(Index factor) {
+  const double transition = 0.2 * std::numbers::pi / static_cast<double>(factor);
+  return static_cast<Index>(std::ceil((decimation_attenuation - 8) / (2.285 * transition) / 2));
+}
+
+}  // namespace
+
+Index fewest_to_decimate(Index factor) {
+  return factor > 1 ? 2 * half_length_of(factor) + 1 : 0;
+}
+
 Decimated decimate(const Eigen::Ref<const Eigen::MatrixXd>& samples, double sample_rate_hz, Index factor) {
   if (factor < 1) throw std::invalid_argument("decimate: the factor is less than one");
   Decimated result{samples, sample_rate_hz, factor, 0, 0};
   if (factor == 1) return result;
-  // Kaiser: 80 dB; the transition takes 20 % of the new half rate, centred at 90 % of it.
-  constexpr double attenuation = 80, beta = 0.1102 * (attenuation - 8.7);
-  const double transition = 0.2 * std::numbers::pi / static_cast<double>(factor);
-  const auto half = static_cast<Index>(std::ceil((attenuation - 8) / (2.285 * transition) / 2));
+  constexpr double beta = 0.1102 * (decimation_attenuation - 8.7);
+  const Index half = half_length_of(factor);
   const double cutoff = 0.9 * std::numbers::pi / static_cast<double>(factor);
   if (samples.rows() < 2 * half + 1) throw std::invalid_argument("decimate: the record is shorter than the filter");
   VectorXd filter(2 * half + 1);

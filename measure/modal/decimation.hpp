@@ -17,6 +17,9 @@ struct Decimated {
 /// allows no more.
 Eigen::Index decimation_factor(double sample_rate_hz, double highest_hz);
 
+/// The fewest samples that the filter fits into.
+Eigen::Index fewest_to_decimate(Eigen::Index factor);
+
 /// Linear-phase low-pass filter (Kaiser window, 80 dB beyond the new half rate, flat to 1e-4 up to 80 % of it) and
 /// every factor-th sample, where the filter lies inside the record. A sum of exponentials stays one with the same
 /// poles as long as the filter sees nothing else. Throws std::invalid_argument for a record shorter than the

@@ -543,16 +543,13 @@ void survey_decays(ModalSurvey& survey, SurveyRecords& records) {
     const SurveyDecay& decay = records.decay(i);
     const std::size_t record = records.decays()[i].record;
     if (alone) spectrum.add(decay.samples);
-    std::vector<ModeWindow> windows;
-    try {
-      windows = mode_windows(decay.samples, decay.sample_rate_hz, poles, options);
-    } catch (const std::invalid_argument&) {
+    if (!window_fits(decay.samples.rows(), decay.sample_rate_hz, static_cast<Index>(poles.size()),
+                     options.length_s))
       throw InputError(
           (survey.campaign.folder / survey.campaign.records[record].file).string(), "",
           fmt::format("a window of {:.4g} s does not fit {} modes and the record", options.length_s, poles.size()),
           "choose another --window, or fewer --modes");
-    }
-    for (ModeWindow& window : windows) {
+    for (ModeWindow& window : mode_windows(decay.samples, decay.sample_rate_hz, poles, options)) {
       if (window.mode >= static_cast<Index>(survey.modes.size())) continue;
       window.record = record;
       window.centre_s += decay.start_s;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -33,20 +34,30 @@ bool within_reach(Complex pole, Complex expected, double search) {
   return has_peak(pole) && std::abs(pole.imag() - expected.imag()) <= reach;
 }
 
-// The modes' poles in this window: the realization's nearest ones, or where it has none the expected one.
+// Whether samples at this rate over a time show a mode of the pole at all.
+bool can_be_fitted(Complex pole, double rate, double duration_s) {
+  return pole.imag() > 0 && pole.imag() <= std::numbers::pi * rate && representable(pole, duration_s);
+}
+
+// The modes' poles in this window: the realization's nearest ones, or where it has none the expected one. None of a
+// window without any motion.
 VectorXcd starting_poles(const Eigen::Ref<const MatrixXd>& samples, double rate, const VectorXcd& expected,
                          double search) {
   const int order = static_cast<int>(2 * expected.size() + 4);
   const HankelSize size = hankel_size(samples.rows(), samples.cols(), 1, order, false, 1200);
   const EigensystemRealization era(single_reference(samples), rate, false, size);
+  if (era.rank() < 1) return {};
   const Realization realization = era.realize(std::min<Index>(order, era.rank()));
+  const double duration_s = static_cast<double>(samples.rows()) / rate;
   VectorXcd start = expected;
   std::vector<bool> taken(static_cast<std::size_t>(realization.poles.size()), false);
   for (Index r = 0; r < expected.size(); ++r) {
     Index best = -1;
     for (Index i = 0; i < realization.poles.size(); ++i) {
       const Complex pole = realization.poles(i);
-      if (taken[static_cast<std::size_t>(i)] || !within_reach(pole, expected(r), search)) continue;
+      if (taken[static_cast<std::size_t>(i)] || !within_reach(pole, expected(r), search) ||
+          !can_be_fitted(pole, rate, duration_s))
+        continue;
       if (best < 0 || std::abs(pole - expected(r)) < std::abs(realization.poles(best) - expected(r))) best = i;
     }
     if (best < 0) continue;
@@ -58,7 +69,8 @@ VectorXcd starting_poles(const Eigen::Ref<const MatrixXd>& samples, double rate,
 
 bool audible(const PoleFit& fit, Index mode, double level) {
   for (Index c = 0; c < fit.noise_sd.size(); ++c)
-    if (2 * std::abs(fit.residues(mode, c)) >= level * fit.noise_sd(c)) return true;
+    if (std::abs(fit.residues(mode, c)) > 0 && 2 * std::abs(fit.residues(mode, c)) >= level * fit.noise_sd(c))
+      return true;
   return false;
 }
 
@@ -99,12 +111,17 @@ class Overlaps {
 
 }  // namespace
 
+bool window_fits(Index rows, double sample_rate_hz, Index modes, double length_s) {
+  const double length = std::round(length_s * sample_rate_hz);
+  return length >= static_cast<double>(8 + 4 * modes) && length <= static_cast<double>(rows);
+}
+
 std::vector<ModeWindow> mode_windows(const Eigen::Ref<const MatrixXd>& samples, double sample_rate_hz,
                                      const std::vector<Complex>& poles, const ModeWindowOptions& options) {
-  const auto length = static_cast<Index>(std::lround(options.length_s * sample_rate_hz));
   const auto modes = static_cast<Index>(poles.size());
-  if (length < 8 + 4 * modes || length > samples.rows())
+  if (!window_fits(samples.rows(), sample_rate_hz, modes, options.length_s))
     throw std::invalid_argument("mode_windows: the window does not fit");
+  const auto length = static_cast<Index>(std::lround(options.length_s * sample_rate_hz));
   const auto step = std::max<Index>(
       1, static_cast<Index>(std::lround((1 - options.overlap) * options.length_s * sample_rate_hz)));
   std::vector<Index> followed;
@@ -119,11 +136,20 @@ std::vector<ModeWindow> mode_windows(const Eigen::Ref<const MatrixXd>& samples, 
   Overlaps overlaps(modes, static_cast<std::size_t>((length - 1) / step));
   for (Index first = 0; first + length <= samples.rows() && !followed.empty(); first += step) {
     const auto place = static_cast<std::size_t>(first / step);
+    std::erase_if(followed, [&](Index mode) {
+      return !can_be_fitted(expected[static_cast<std::size_t>(mode)], sample_rate_hz,
+                            static_cast<double>(length) / sample_rate_hz);
+    });
+    if (followed.empty()) break;
     VectorXcd near(static_cast<Index>(followed.size()));
     for (Index i = 0; i < near.size(); ++i)
       near(i) = expected[static_cast<std::size_t>(followed[static_cast<std::size_t>(i)])];
     const MatrixXd window = samples.middleRows(first, length);
     VectorXcd start = starting_poles(window, sample_rate_hz, near, options.search);
+    if (start.size() == 0) {
+      std::erase_if(followed, [&](Index mode) { return !awaited(mode); });
+      continue;
+    }
     // Poles that are not refined yet leave more than noise: only what is lost for good is left out here.
     const PoleFit first_fit = fit_residues(window, sample_rate_hz, start);
     std::vector<Index> heard, left, still;

@@ -36,10 +36,13 @@ struct ModeWindowOptions {
                             ///< its bandwidth where that is more
 };
 
+/// Whether a window is 8 + 4 modes samples long, or longer, and no longer than the record.
+bool window_fits(Eigen::Index rows, double sample_rate_hz, Eigen::Index modes, double length_s);
+
 /// Sliding-window analysis of a free decay (section 2.2), samples N x p: in every window an eigensystem realization
 /// whose poles next to the modes looked for are refined to maximum likelihood together. A mode that sinks into the
-/// noise is no longer followed. Throws std::invalid_argument for a window of fewer than 8 + 4 modes samples or
-/// longer than the record.
+/// noise is no longer followed, and none is that the sample rate does not show. Throws std::invalid_argument where
+/// the window does not fit.
 std::vector<ModeWindow> mode_windows(const Eigen::Ref<const Eigen::MatrixXd>& samples, double sample_rate_hz,
                                      const std::vector<std::complex<double>>& poles,
                                      const ModeWindowOptions& options);

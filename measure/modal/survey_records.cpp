@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "input/input_error.hpp"
 #include "measure/data/file_pattern.hpp"
@@ -177,15 +176,11 @@ SurveyDecay SurveyRecords::cut_decay(std::size_t r) {
                                   whole.start_s + static_cast<double>(free.end) / whole.rate),
                       "give a longer record, an earlier --from or a higher --band");
   };
-  if (free.end - free.begin < 64 * factor) throw too_short();
-  try {
-    Decimated slow = decimate(whole.responses.middleRows(free.begin, free.end - free.begin), whole.rate, factor);
-    if (slow.samples.rows() < least_rows) throw too_short();
-    return {whole.start_s + static_cast<double>(free.begin + slow.first) / whole.rate, free.to_the_end,
-            std::move(slow.samples), slow.sample_rate_hz};
-  } catch (const std::invalid_argument&) {
-    throw too_short();
-  }
+  if (free.end - free.begin < std::max(64 * factor, fewest_to_decimate(factor))) throw too_short();
+  Decimated slow = decimate(whole.responses.middleRows(free.begin, free.end - free.begin), whole.rate, factor);
+  if (slow.samples.rows() < least_rows) throw too_short();
+  return {whole.start_s + static_cast<double>(free.begin + slow.first) / whole.rate, free.to_the_end,
+          std::move(slow.samples), slow.sample_rate_hz};
 }
 
 const SurveyDecay& SurveyRecords::decay(std::size_t i) {

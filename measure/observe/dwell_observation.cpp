@@ -220,7 +220,7 @@ class DwellObserver {
     ToneOptions tone;
     tone.harmonics = {1};
     const ToneFit fit = fit_harmonic_tone(samples, rate, start, tone);
-    if (fit.status == SolverEnding::ran_away ||
+    if (fit.ending == SolverEnding::ran_away ||
         std::abs(fit.frequency / guess - 1) > measure_thresholds().tone_reach)
       throw InputError((campaign_.folder / entry.file).string(), "channel " + campaign_.channels[channel].name,
                        "no steady excitation tone is found in it",

@@ -157,6 +157,13 @@ Decomposition decompose(const Eigen::Ref<const MatrixXd>& channels, double sampl
   for (const double frequency : options.imposed) imposed.push_back(frequency / sample_rate_hz);
   const SymmetricPolynomial polynomial =
       estimate_symmetric_polynomial(channels, options.order, imposed, options.method);
+  if (!polynomial.determined) {
+    Decomposition none;
+    none.determined = false;
+    none.sample_rate_hz = sample_rate_hz;
+    none.samples = channels.rows();
+    return none;
+  }
   std::vector<Pole> poles = poles_of(polynomial.free);
   for (Pole& pole : poles) {
     pole.frequency *= sample_rate_hz;

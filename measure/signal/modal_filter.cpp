@@ -7,12 +7,16 @@ namespace secular {
 
 using Eigen::MatrixXd;
 
+bool tells_modes_apart(const Eigen::Ref<const MatrixXd>& shapes) {
+  if (shapes.cols() < 1 || shapes.cols() > shapes.rows()) return false;
+  const Eigen::JacobiSVD<MatrixXd> svd(shapes);
+  return svd.singularValues().tail(1)(0) > 1e-12 * svd.singularValues()(0);
+}
+
 MatrixXd modal_filter(const Eigen::Ref<const MatrixXd>& shapes) {
-  if (shapes.cols() < 1 || shapes.cols() > shapes.rows())
-    throw std::invalid_argument("a modal filter needs a channel for every mode");
-  const Eigen::JacobiSVD<MatrixXd> svd(shapes, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  if (!(svd.singularValues().tail(1)(0) > 1e-12 * svd.singularValues()(0)))
+  if (!tells_modes_apart(shapes))
     throw std::invalid_argument("the channels of a modal filter cannot tell the modes apart");
+  const Eigen::JacobiSVD<MatrixXd> svd(shapes, Eigen::ComputeThinU | Eigen::ComputeThinV);
   return svd.solve(MatrixXd::Identity(shapes.rows(), shapes.rows()));
 }
 

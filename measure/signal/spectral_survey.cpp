@@ -148,17 +148,15 @@ MethodStatistics method_statistics(const Eigen::Ref<const VectorXd>& channel, co
   options.offset = offset;
   std::vector<std::vector<Term>> ensembles;
   std::vector<double> correlation, ratio;
+  if (survey.layout.length < fewest_for_polynomial(survey.order + (offset ? 1 : 0), way.method)) return statistics;
   for (Index k = 0; k < survey.layout.count; ++k) {
-    try {
-      const Decomposition d =
-          decompose(channel.segment(k * survey.layout.step, survey.layout.length), survey.sample_rate_hz, options);
-      if (!d.amplitudes.allFinite() || !std::isfinite(d.correlation(0))) continue;  // a rate beyond all numbers
-      ensembles.push_back(terms_of(d, 0));
-      correlation.push_back(d.correlation(0));
-      ratio.push_back(d.signal_to_noise_db(0));
-    } catch (const std::invalid_argument&) {
-      continue;  // this way needs more samples than there are
-    }
+    const Decomposition d =
+        decompose(channel.segment(k * survey.layout.step, survey.layout.length), survey.sample_rate_hz, options);
+    if (!d.determined || !d.amplitudes.allFinite() || !std::isfinite(d.correlation(0)))
+      continue;  // a rate beyond all numbers
+    ensembles.push_back(terms_of(d, 0));
+    correlation.push_back(d.correlation(0));
+    ratio.push_back(d.signal_to_noise_db(0));
   }
   statistics.ensembles = static_cast<int>(ensembles.size());
   if (ensembles.empty()) return statistics;
@@ -207,6 +205,10 @@ OrderStep largest_step(const Eigen::Ref<const VectorXd>& values) {
   return step;
 }
 
+Index fewest_for_relation(int delays) {
+  return 3 * static_cast<Index>(delays) + 2;
+}
+
 LinearRelation linear_relation(const Eigen::Ref<const VectorXd>& excitation,
                                const Eigen::Ref<const VectorXd>& response, int delays) {
   LinearRelation relation;
@@ -223,11 +225,32 @@ LinearRelation linear_relation(const Eigen::Ref<const VectorXd>& excitation,
   return relation;
 }
 
+int most_terms(Index samples, bool offset) {
+  // A polynomial needs three samples for every pair, a constant being one. Refinement needs, of every term, two
+  // amplitudes and a frequency, and two samples more.
+  return static_cast<int>((samples - (offset ? 3 : 2)) / 3);
+}
+
+SurveyObstacle obstacle_to_survey(const Eigen::Ref<const MatrixXd>& channels, double sample_rate_hz,
+                                  const SpectralOptions& options) {
+  if (channels.cols() < 1 || channels.rows() < 16) return SurveyObstacle::few_samples;
+  if (!channels.allFinite()) return SurveyObstacle::not_finite;
+  if (!(channels.cwiseAbs().maxCoeff() > 0)) return SurveyObstacle::silence;
+  const auto rows = static_cast<double>(channels.rows());
+  const double length = options.ensemble_s > 0 ? std::round(options.ensemble_s * sample_rate_hz) : rows;
+  if (!(length >= 1 && length <= rows && options.overlap >= 0 && options.overlap < 1))
+    return SurveyObstacle::ensemble;
+  if (std::max(options.order, 1) > most_terms(static_cast<Index>(length), options.offset))
+    return SurveyObstacle::order;
+  if (length < 8 * static_cast<double>(channels.cols()) || options.delays < 2)
+    return SurveyObstacle::ensemble_for_delays;
+  return SurveyObstacle::none;
+}
+
 SpectralSurvey spectral_survey(const Eigen::Ref<const MatrixXd>& channels, double sample_rate_hz,
                                const SpectralOptions& options) {
-  if (channels.cols() < 1 || channels.rows() < 16 || !channels.allFinite())
-    throw std::invalid_argument("a spectrum needs 16 finite samples or more");
-  if (!(channels.cwiseAbs().maxCoeff() > 0)) throw std::invalid_argument("the channels hold no signal");
+  if (obstacle_to_survey(channels, sample_rate_hz, options) != SurveyObstacle::none)
+    throw std::invalid_argument("a survey that its record or its options do not allow");
   SpectralSurvey survey;
   survey.sample_rate_hz = sample_rate_hz;
   const Index length = options.ensemble_s > 0 ? static_cast<Index>(std::lround(options.ensemble_s * sample_rate_hz))
@@ -247,6 +270,7 @@ SpectralSurvey spectral_survey(const Eigen::Ref<const MatrixXd>& channels, doubl
   refined.refine = true;
   refined.offset = options.offset;
   survey.decomposition = decompose(first, sample_rate_hz, refined);
+  if (!survey.decomposition.determined) return survey;
   for (Index c = 0; c < channels.cols(); ++c) {
     survey.tables.emplace_back();
     survey.peaks.emplace_back();
@@ -259,7 +283,6 @@ SpectralSurvey spectral_survey(const Eigen::Ref<const MatrixXd>& channels, doubl
   }
   check_settled(survey, channels);
   const auto delays = static_cast<int>(std::min<Index>(options.delays, length / 4 / channels.cols()));
-  if (delays < 2) throw std::invalid_argument("too few samples for singular values of delays");
   survey.temporal = temporal_singular_values(first, delays);
   survey.step = largest_step(survey.temporal);
   const OrderSingularValues orders = order_singular_values(first, std::min(delays, static_cast<int>(length / 3)));

@@ -58,8 +58,10 @@ struct LinearRelation {
   double block_correlation = 0;                 ///< RV coefficient of the two blocks of Eq. (C.4)
   double explained = 0;  ///< share of the response's variance that delayed excitation explains by least squares
 };
-/// `delays`: of both, in samples. Throws std::invalid_argument for signals of different lengths, and for one that
-/// is shorter than three times the delays and two samples more.
+/// The fewest samples for it: three times the delays and two more.
+Eigen::Index fewest_for_relation(int delays);
+/// `delays`: of both, in samples. Throws std::invalid_argument for signals of different lengths, and for one of
+/// fewer samples than fewest_for_relation.
 LinearRelation linear_relation(const Eigen::Ref<const Eigen::VectorXd>& excitation,
                                const Eigen::Ref<const Eigen::VectorXd>& response, int delays);
 
@@ -81,8 +83,23 @@ struct SpectralSurvey {
   SpatialCount spatial_count;                         ///< by the test, with two channels or more
 };
 
-/// Analyses samples x channels. Throws std::invalid_argument for a record that is too short for the ensembles, the
-/// delays or the order, for samples that are not finite, and for channels without any signal.
+/// What of a record or of the options stands in the way of a survey.
+enum class SurveyObstacle {
+  none,
+  few_samples,         ///< fewer than 16
+  not_finite,          ///< a sample is no number
+  silence,             ///< every sample is zero
+  ensemble,            ///< longer than the record, or shorter than a sample; or the overlap is not in [0, 1)
+  order,               ///< more terms than an ensemble determines: see most_terms
+  ensemble_for_delays  ///< shorter than eight samples for every channel; or fewer than two delays
+};
+SurveyObstacle obstacle_to_survey(const Eigen::Ref<const Eigen::MatrixXd>& channels, double sample_rate_hz,
+                                  const SpectralOptions& options);
+/// The most terms of a decomposition of so many samples.
+int most_terms(Eigen::Index samples, bool offset);
+
+/// Analyses samples x channels. Throws std::invalid_argument where an obstacle stands in the way. Where the
+/// decomposition is not determined, what follows from it is left out.
 SpectralSurvey spectral_survey(const Eigen::Ref<const Eigen::MatrixXd>& channels, double sample_rate_hz,
                                const SpectralOptions& options);
 

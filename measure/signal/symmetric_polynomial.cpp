@@ -147,11 +147,14 @@ VectorXd monic_solution(const MatrixXd& equations) {
 
 }  // namespace
 
+Index fewest_for_polynomial(Index pairs, PolynomialMethod method) {
+  return (method == PolynomialMethod::lagged_covariance ? 5 : 3) * pairs;
+}
+
 SymmetricPolynomial estimate_symmetric_polynomial(const Eigen::Ref<const MatrixXd>& channels, int order,
                                                   std::span<const double> imposed, PolynomialMethod method) {
   const Index n = order + static_cast<Index>(imposed.size()), samples = channels.rows(), count = channels.cols();
-  const Index least = (method == PolynomialMethod::lagged_covariance ? 5 : 3) * n;
-  if (order < 1 || samples < least || count < 1)
+  if (order < 1 || samples < fewest_for_polynomial(n, method) || count < 1)
     throw std::invalid_argument("circular-hyperbolic decomposition needs at least " +
                                 std::to_string(method == PolynomialMethod::lagged_covariance ? 5 : 3) +
                                 " samples for every order");
@@ -204,8 +207,7 @@ SymmetricPolynomial estimate_symmetric_polynomial(const Eigen::Ref<const MatrixX
       result.noise_variance = found.eigenvalue / static_cast<double>(rows * count);
     }
   }
-  if (!result.free.allFinite())
-    throw std::invalid_argument("circular-hyperbolic decomposition of samples that are not finite");
+  result.determined = result.free.allFinite();
   result.coefficients = map * result.free;
   return result;
 }

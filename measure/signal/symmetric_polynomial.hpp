@@ -20,14 +20,18 @@ struct SymmetricPolynomial {
   Eigen::VectorXd coefficients;    ///< alpha_n ... alpha_2n, imposed factors included
   Eigen::VectorXd free;            ///< the same without the imposed factors, from which the poles are taken
   Eigen::VectorXd channel_weight;  ///< weight of each channel's rows, unit 1/(unit of the channel)
+  bool determined = true;          ///< false: the rows give no finite coefficients
   double noise_variance = 0;       ///< weighted; smallest eigenvalue of Eq. (4.47) by rows, noise_eigenvector only
 };
+
+/// The fewest samples for so many pairs, imposed ones among them.
+Eigen::Index fewest_for_polynomial(Eigen::Index pairs, PolynomialMethod method);
 
 /// Estimates the polynomial with `order` free pairs from samples x channels that share their poles: the rows of
 /// Eq. (4.27) of all channels are stacked, each channel divided by the noise level that its own smallest eigenvalue
 /// of (4.47) shows. `imposed` are known frequencies (rad per sample, 0 for a constant): the polynomial is their
 /// product (z + 1/z - 2 cos imposed) times the free part, and the noise metric of (4.47) follows that product.
-/// Needs at least 3*(order + imposed) samples, 5*(order + imposed) for lagged_covariance: std::invalid_argument.
+/// Throws std::invalid_argument for less than fewest_for_polynomial samples.
 SymmetricPolynomial estimate_symmetric_polynomial(const Eigen::Ref<const Eigen::MatrixXd>& channels, int order,
                                                   std::span<const double> imposed, PolynomialMethod method);
 

@@ -41,7 +41,7 @@ class HarmonicTone {
     Projection now = project(poles);
     ToneFit result;
     result.samples = y_.rows();
-    result.status = SolverEnding::stalled;
+    result.ending = SolverEnding::stalled;
     double damping = 1e-3;
     for (int iteration = 0; iteration < 60; ++iteration) {
       const auto [gradient, hessian] = normal_equations(now);
@@ -49,7 +49,7 @@ class HarmonicTone {
       damped.diagonal() *= 1 + damping;
       const VectorXd step = damped.ldlt().solve(-gradient);
       if (!step.allFinite()) {
-        result.status = SolverEnding::ran_away;
+        result.ending = SolverEnding::ran_away;
         break;
       }
       const Poles next = moved(poles, step);
@@ -60,14 +60,14 @@ class HarmonicTone {
         now = std::move(candidate);
         damping = std::max(damping / 10, 1e-12);
         if (step.norm() < 1e-11 || gain <= 1e-13 * now.cost) {
-          result.status = SolverEnding::converged;
+          result.ending = SolverEnding::converged;
           break;
         }
       } else {
         damping *= 10;
         if (damping > 1e8) {
           // No descent is left: at the minimum to rounding.
-          result.status = SolverEnding::converged;
+          result.ending = SolverEnding::converged;
           break;
         }
       }

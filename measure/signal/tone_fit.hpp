@@ -17,14 +17,9 @@ struct ToneOptions {
   bool fit_sweep = false;   ///< frequency and growth change linearly in time
 };
 
-/// The former name of an ending without a result.
-struct ToneStatus {
-  static constexpr SolverEnding ill_conditioned = SolverEnding::ran_away;
-};
-
 struct ToneFit {
   /// Ran away: the normal equations had no finite solution. What a stalled fit gives is used.
-  SolverEnding status = SolverEnding::ran_away;
+  SolverEnding ending = SolverEnding::ran_away;
   double frequency = 0, growth = 0;   ///< rad/s, 1/s, at the centre
   double sweep = 0, growth_rate = 0;  ///< rad/s^2, 1/s^2
   double frequency_sd = 0, growth_sd = 0;

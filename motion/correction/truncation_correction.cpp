@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "estimator/identification/identified_lumps.hpp"
-#include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
 #include "measure/observe/common_observations.hpp"
 #include "motion/thresholds.hpp"
@@ -144,22 +143,6 @@ Eigen::MatrixXd axes_beside(const Eigen::MatrixXd& null_space, const Eigen::Vect
   return axes;
 }
 
-// Of what the full equations make, and of the observations that this leaves, that nothing can be seen in them is no
-// fault of the campaign.
-template <typename Work>
-auto of_what_is_left(const Work& work) {
-  try {
-    return work();
-  } catch (const InputError& nothing) {
-    throw NumericalFailure(Ending::out_of_range, nothing.what());
-  }
-}
-
-Estimate estimate_left(std::span<const ObservationSet> sets, const MeasuredUnits& units,
-                       const EstimateOptions& options, const EstimatePass& pass) {
-  return of_what_is_left([&] { return estimate(sets, units, options, pass); });
-}
-
 // Whether replays differ from what was measured by less than that is, over all observations and modes of each set:
 // what is taken out of the equations at another motion is no correction for this one.
 bool stay_with(std::span<const ObservationSet> measured, const std::vector<ObservationSet>& replayed) {
@@ -223,7 +206,7 @@ class Correction {
                              "motions that begin as measured go elsewhere within the time of an observation");
     full_.start = estimate_.state;
     const Eigen::VectorXd further = values(found(estimate_));  // not next_: a step may have been cut
-    estimate_ = estimate_left(at_.corrected, units_, options_, full_);
+    estimate_ = estimate(at_.corrected, units_, options_, full_);
     estimate_ = with_correction_shown(std::move(estimate_), raw_);
     estimate_ = with_unsettled_correction(std::move(estimate_), values(place_), further);
     if (unknown_in_null_space_ + unknown_axes_ > 0)
@@ -329,7 +312,7 @@ class Correction {
       }
       done_(full_equations);
       quick_.start = estimate_.state;
-      estimate_ = estimate_left(at_.corrected, units_, options_, quick_);
+      estimate_ = estimate(at_.corrected, units_, options_, quick_);
       next_ << acceleration.next(values(place_), estimate_.parameter_values, inverse_sd(estimate_)),
           null_coordinate(place_);
       done_(regression);
@@ -476,7 +459,7 @@ class Correction {
 
   Estimate estimate_corrected(const std::vector<ObservationSet>& corrected, const Eigen::VectorXd& at) {
     take_place(at, quick_);
-    Estimate result = estimate_left(corrected, units_, options_, quick_);
+    Estimate result = estimate(corrected, units_, options_, quick_);
     done_(regression);
     if (!(growth(result, sd_) < motion_thresholds().most_growth))
       throw NumericalFailure(
@@ -529,10 +512,7 @@ std::size_t count_of_observations(std::span<const ObservationSet> sets) {
 
 TruncationCorrection correct_truncation(std::span<const ObservationSet> measured, const Estimate& raw,
                                         const MeasuredUnits& units, const EstimateOptions& options,
-                                        const ReplaySet& measured_replay, const StageDone& done) {
-  const ReplaySet replay = [&](const ObservationSet& set, const Eigen::VectorXd& parameters) {
-    return of_what_is_left([&] { return measured_replay(set, parameters); });
-  };
+                                        const ReplaySet& replay, const StageDone& done) {
   const Means means{units, options, replay, done};
   try {
     return Correction(measured, raw, raw, means).run();
@@ -545,7 +525,7 @@ TruncationCorrection correct_truncation(std::span<const ObservationSet> measured
       if (2 * left_out > all) break;  // it is the model that does not hold
       std::optional<TruncationCorrection> of_small;
       try {
-        const Estimate first = estimate_left(small, units, options, pass_between());
+        const Estimate first = estimate(small, units, options, pass_between());
         of_small = Correction(small, first, first, means).run();
         return Correction(measured, raw, of_small->estimate, means).run();
       } catch (const NumericalFailure&) {

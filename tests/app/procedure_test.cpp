@@ -1,9 +1,12 @@
 // `secular procedure` on the virtual chapter 5 campaign: recovered beside true beside printed.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -128,6 +131,47 @@ TEST(Procedure, AnyCaseOfDwellsHasAnAnalysisOfVariance) {
     EXPECT_NE(std::find(terms.begin(), terms.end(), term), terms.end()) << term;
   request.resonance = "nowhere";
   EXPECT_THROW(run_procedures(request), InputError);
+  fs::remove_all(folder);
+}
+
+// Six dwells of which quadratic damping explains none: what cannot be fitted is left out and said, the rest stands.
+TEST(Procedure, LeavesOutWhatFewDwellsCannotTell) {
+  std::ifstream shipped(testing_support::source_folder() / "models/experiments/principal_parametric.toml");
+  std::string text(std::istreambuf_iterator<char>(shipped), {});
+  text.resize(text.find("[[dwell]]"));
+  const struct {
+    double frequency_hz, level, ensemble_s, settle_s, displacement;
+    int ensembles;
+  } dwells[] = {{24.64925565007103, 19.12604403664527, 1, 1, 0.003, 1},
+                {24.74922956682069, 14.274335188380507, 1, 5, 0.0001, 1},
+                {24.862679180998832, 6.53976064453172, 1, 1, 0.01, 1},
+                {24.68196612895178, 5.564599531521013, 4, 1, 0.0001, 1},
+                {24.88120001301066, 16.674244582896037, 4, 30, 0.01, 2},
+                {24.793715821577358, 27.77416328598115, 1, 1, 0.0001, 1}};
+  for (const auto& d : dwells)
+    text += fmt::format(
+        "[[dwell]]\nfrequencies_hz = [{}]\namplitudes = [{}]\nensembles = {}\nensemble_s = {:.1f}\nsettle_s = "
+        "{:.1f}\n"
+        "initial_displacement = [{}]\ngroup = \"level\"\n",
+        d.frequency_hz, d.level, d.ensembles, d.ensemble_s, d.settle_s, d.displacement);
+  const fs::path folder = testing_support::process_folder() / "secular_procedure_few";
+  fs::create_directories(folder);
+  std::ofstream(folder / "few.toml") << text;
+  const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
+  const SimulatedCampaign simulated = run_virtual_test(read_experiment(folder / "few.toml", model), model, 1, 2);
+  write_campaign(simulated.campaign, simulated.samples, folder / "campaign");
+  ProcedureRequest request;
+  request.campaign = (folder / "campaign").string();
+  request.model = "two_mass_mode1";
+  request.bias = false;
+  const ProcedureRun run = run_procedures(request);
+  EXPECT_TRUE(std::any_of(run.warnings.begin(), run.warnings.end(), [](const std::string& warning) {
+    return warning.find("quadratic damping") != std::string::npos &&
+           warning.find("in 0 of 7 ensembles") != std::string::npos;
+  }));
+  EXPECT_THROW(row(run, "saddle_node", "mu2/|eta_e|"), std::out_of_range);
+  EXPECT_NO_THROW(row(run, "saddle_node", "mu3/|eta_e|"));
+  EXPECT_NO_THROW(row(run, "harmonic", "eta1"));
   fs::remove_all(folder);
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <random>
 #include <string>
+#include <utility>
 
+#include "tests/campaign/damage.hpp"
 #include "tests/campaign/largest_allocation.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 
@@ -15,34 +16,7 @@ class Mutation : public TemporaryFolder {
  protected:
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
 
-  // One to three changes: a byte replaced, removed or repeated, the end cut off, a stretch overwritten.
-  std::string damaged(std::string text) {
-    static const std::string telling = "0123456789.,;:-+eE=[]{}\"'\n\r\t #_naif\\";
-    for (std::size_t change = below(3) + 1; change > 0 && !text.empty(); --change) {
-      const std::size_t at = below(text.size());
-      switch (below(6)) {
-        case 0:
-          text[at] = static_cast<char>(below(256));
-          break;
-        case 1:
-          text[at] = telling[below(telling.size())];
-          break;
-        case 2:
-          text.erase(at, below(8) + 1);
-          break;
-        case 3:
-          text.insert(at, text.substr(at, below(40) + 1));
-          break;
-        case 4:
-          text.resize(at);
-          break;
-        default:
-          for (std::size_t i = at; i < std::min(at + 4, text.size()); ++i)
-            text[i] = static_cast<char>(below(2) * 255);
-      }
-    }
-    return text;
-  }
+  std::string damaged(std::string text) { return secular::damaged(std::move(text), random_); }
 
   // Damages `valid` `rounds` times, stores it as `name` and hands it to `use`; counts what came out.
   template <class Use>

@@ -155,5 +155,25 @@ TEST_F(HardExcitation, AGivenSymbolIsGivenInEveryCaseAndALumpIsNoSymbol) {
   EXPECT_THROW(estimate(sets, {"m", {"N"}}, options), InputError) << "no record is of that case";
 }
 
+// A correction may take the last observations of a case: a computation that leads no further, and no bad input.
+TEST_F(HardExcitation, WithoutObservationsThereIsNothingToEstimateFrom) {
+  std::vector<ObservationSet> sets = {set_of("superharmonic_3"), set_of("subharmonic_3")};
+  EstimateOptions options = known_force();
+  options.fixed["superharmonic_3:conservative_x_A_x_F2"] = 1;
+  sets[0].observations.clear();
+  EXPECT_THROW(estimate(sets, {"m", {"N"}}, options), NothingObserved) << "a lump of a case without observations";
+  sets[1].observations.clear();
+  sets[1].warnings = {"a dwell is left out"};
+  try {
+    estimate(sets, {"m", {"N"}}, known_force());
+    FAIL() << "nothing is left";
+  } catch (const NumericalFailure& failure) {
+    EXPECT_STREQ(
+        failure.what(),
+        "case superharmonic_3, subharmonic_3: no observations are left to identify it from; a dwell is left "
+        "out");
+  }
+}
+
 }  // namespace
 }  // namespace secular

@@ -112,8 +112,8 @@ class Folder {
       for (const EstimatedValue& value : found.parameters)
         if (value.value) result.numbers.emplace(value.name, value);
       result.disturbances = seen.disturbances;
-    } catch (const InputError&) {
-      result = {};  // nothing is left to estimate from
+    } catch (const NothingObserved&) {
+      result = {};
     }
     return result;
   }

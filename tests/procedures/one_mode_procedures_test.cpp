@@ -7,6 +7,7 @@
 #include <complex>
 #include <numbers>
 
+#include "input/numerical_failure.hpp"
 #include "tests/table_5_4.hpp"
 #include "thesis/procedures/frequency_response_regression.hpp"
 #include "thesis/procedures/harmonic_regression.hpp"
@@ -160,6 +161,15 @@ TEST(FrequencyResponseRegression, AsPrintedTheExcitationTurnsItsSignOnTheUpperBr
   const FrequencyResponseFit fit = frequency_response_regression(data);
   EXPECT_NEAR(fit.stiffness, alpha_e, 1e-8 * std::abs(alpha_e));
   EXPECT_NEAR(fit.excitation, -eta_e, 1e-8);
+}
+
+// Which ensembles are usable hangs on what was measured: without three of them there is no result.
+TEST(FrequencyResponseRegression, HasNoResultWhereTheDampingNeedsMoreForceThanThereWas) {
+  FrequencyResponseData data = frequency_response();
+  data.linear = 1e3;
+  EXPECT_THROW(frequency_response_regression(data), NumericalFailure);
+  data.condition.pop_back();
+  EXPECT_THROW(frequency_response_regression(data), std::invalid_argument);
 }
 
 TEST(JumpFrequencies, CentreOfTheBand) {

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "generated/registry.hpp"
+#include "input/numerical_failure.hpp"
 #include "motion/response/response_curve.hpp"
 #include "thesis/procedures/added_last_anova.hpp"
 #include "thesis/procedures/engine_lumps.hpp"
@@ -120,6 +121,17 @@ TEST(SlowTwoModeRegression, AsPrintedEveryLumpTurnsItsSign) {
 
 // The thesis's own arithmetic: sums of squares of Table D.1 give the F of Table D.3 with 310 - 3 degrees of
 // freedom.
+// How many dwells respond hangs on what was measured; lengths that differ do not.
+TEST(TwoModeRegression, HasNoResultForFewDwells) {
+  TwoModeData data;
+  for (VectorXd* v : {&data.first, &data.second, &data.forcing, &data.gamma, &data.excitation_frequency})
+    *v = VectorXd::LinSpaced(8, 1, 2);
+  data.condition = {0, 0, 0, 0, 1, 1, 1, 1};
+  EXPECT_THROW(two_mode_regression(data, false), NumericalFailure);
+  data.condition.pop_back();
+  EXPECT_THROW(two_mode_regression(data, false), std::invalid_argument);
+}
+
 TEST(AddedLastAnova, PartialFOfATextbookCase) {
   // y = 2 x1 + noise; x2 orthogonal to x1 by construction, so that its sum of squares is (x2.y)^2/|x2|^2.
   constexpr int n = 12;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "numerics/hertz.hpp"
@@ -118,6 +119,67 @@ TEST(SpectralSurvey, RefusesWhatCannotBeAnalysed) {
   SpectralOptions options;
   options.ensemble_s = 100;
   EXPECT_THROW(spectral_survey(VectorXd::Random(100), 10, options), std::invalid_argument);
+}
+
+TEST(SpectralSurvey, SaysWhatStandsInItsWay) {
+  const auto obstacle = [](const Eigen::MatrixXd& channels, const SpectralOptions& options) {
+    return obstacle_to_survey(channels, 10, options);
+  };
+  const VectorXd noise = VectorXd::Random(100);
+  VectorXd broken = noise;
+  broken(7) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(obstacle(noise, {}), SurveyObstacle::none);
+  EXPECT_EQ(obstacle(noise.head(15), {}), SurveyObstacle::few_samples);
+  EXPECT_EQ(obstacle(broken, {}), SurveyObstacle::not_finite);
+  EXPECT_EQ(obstacle(VectorXd::Zero(100), {}), SurveyObstacle::silence);
+  EXPECT_EQ(obstacle(noise, {.ensemble_s = 11}), SurveyObstacle::ensemble);
+  EXPECT_EQ(obstacle(noise, {.ensemble_s = 1e300}), SurveyObstacle::ensemble);
+  EXPECT_EQ(obstacle(noise, {.ensemble_s = 0.01}), SurveyObstacle::ensemble);
+  EXPECT_EQ(obstacle(noise, {.order = 33}), SurveyObstacle::order);
+  EXPECT_EQ(obstacle(noise, {.order = 32}), SurveyObstacle::none);
+  EXPECT_EQ(obstacle(noise, {.ensemble_s = 0.7}), SurveyObstacle::ensemble_for_delays);
+}
+
+// A pulse: where the rows of a way give no finite polynomial, that way has no terms.
+TEST(SpectralSurvey, OfAPulseNotEveryWayHasTerms) {
+  VectorXd pulse = VectorXd::Zero(512);
+  pulse(0) = 1;
+  EXPECT_NO_THROW(spectral_survey(pulse, 256, {}));
+  Eigen::MatrixXd beside(512, 2);
+  beside << pulse, VectorXd::Zero(512);
+  const SpectralSurvey survey = spectral_survey(beside, 256, {});
+  ASSERT_TRUE(survey.decomposition.determined);
+  EXPECT_EQ(survey.tables.front().front().ensembles, 0);
+}
+
+// Where nothing stands in its way a survey comes to an end, whatever the samples are.
+TEST(SpectralSurvey, ComesToAnEndWhereNothingStandsInItsWay) {
+  std::mt19937 random(1);
+  const auto draw = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
+  int surveyed = 0;
+  for (int trial = 0; trial < 150; ++trial) {
+    const Index samples = draw(16, 80), channels = draw(1, 3);
+    Eigen::MatrixXd record = Eigen::MatrixXd::Zero(samples, channels);
+    for (Index c = 0; c < channels; ++c) {
+      const int kind = draw(0, 5);
+      if (kind == 1) record.col(c).setConstant(3);
+      if (kind == 2) record.col(c) = survey_tone(samples, 10, 0.1 * draw(0, 50), 1, 0.3);
+      if (kind == 3) record.col(c) = VectorXd::Random(samples);
+      if (kind == 4) record.col(c).tail(samples / 2).setLinSpaced(0, 1e20);
+      if (kind == 5) record(draw(0, static_cast<int>(samples) - 1), c) = 1;
+    }
+    SpectralOptions options;
+    options.order = draw(0, 1) * draw(1, 27);
+    options.ensemble_s = draw(0, 1) * 0.1 * draw(1, 80);
+    options.overlap = 0.1 * draw(0, 9);
+    options.offset = draw(0, 1) == 1;
+    options.delays = draw(2, 60);
+    if (obstacle_to_survey(record, 10, options) != SurveyObstacle::none) continue;
+    ++surveyed;
+    EXPECT_NO_THROW(spectral_survey(record, 10, options))
+        << samples << " x " << channels << ", order " << options.order << ", ensembles of " << options.ensemble_s;
+  }
+  EXPECT_GT(surveyed, 50);
 }
 
 TEST(SpectralSurvey, TheAmplitudeSpectrumShowsPeakAmplitudes) {

@@ -36,7 +36,7 @@ TEST(ToneFit, RecoversFrequencyGrowthAndHarmonicsWithoutNoise) {
   options.harmonics = {1, 3};
   options.fit_growth = true;
   const ToneFit fit = fit_harmonic_tone(y, 256, 40.3, options);
-  EXPECT_EQ(fit.status, SolverEnding::converged);
+  EXPECT_EQ(fit.ending, SolverEnding::converged);
   EXPECT_NEAR(fit.frequency, 40, 1e-8);
   EXPECT_NEAR(fit.growth, -0.2, 1e-8);
   EXPECT_LT(std::abs(fit.amplitude(0, 0) - b), 1e-9);

@@ -75,7 +75,7 @@ struct Reader {
     const double guess =
         entry.excitation_frequency_hz ? two_pi * *entry.excitation_frequency_hz : nominal[0] + nominal[1];
     const ToneFit tone = fit_harmonic_tone(base, rate, guess, ToneOptions{});
-    if (tone.status == ToneStatus::ill_conditioned || std::abs(tone.frequency / guess - 1) > 0.2)
+    if (tone.ending == SolverEnding::ran_away || std::abs(tone.frequency / guess - 1) > 0.2)
       throw InputError((campaign.folder / entry.file).string(), "channel " + campaign.channels[excitation].name,
                        "no steady excitation tone is found in it",
                        "check excitation_frequency_hz and the channel's role");

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
+
+#include "input/numerical_failure.hpp"
 
 namespace secular {
 
@@ -30,7 +33,11 @@ FrequencyResponseFit frequency_response_regression(const FrequencyResponseData& 
     cluster.push_back(data.condition[static_cast<std::size_t>(i)]);
     ++row;
   }
-  if (row < 3) throw std::invalid_argument("fewer than three points of the frequency response are usable");
+  if (row < 3)
+    throw NumericalFailure(Ending::out_of_range,
+                           "the damping needs less force than there was in " + std::to_string(row) + " of " +
+                               std::to_string(count) +
+                               " ensembles: a frequency response needs three or more of them");
   FrequencyResponseFit result;
   result.left_out = static_cast<std::size_t>(count - row);
   result.fit = linear_fit(design.topRows(row), response.head(row), cluster);

@@ -30,7 +30,7 @@ struct FrequencyResponseFit {
 ///   a^2 alpha_e - s Ft eta_e = w0 sigma/2,   sigma = Omega - 2 w0.
 /// As printed s = 1 for every point; by (5.24) s = sign(cos gamma), which is -1 on the upper branch of a softening
 /// mode down to its peak and +1 from there to the saddle-node. ((5.39) also prints mu3 without its /|eta_e|.)
-/// Throws std::invalid_argument for sizes that differ or fewer than three usable points.
+/// Throws std::invalid_argument for sizes that differ, NumericalFailure for fewer than three usable points.
 FrequencyResponseFit frequency_response_regression(const FrequencyResponseData& data);
 
 }  // namespace secular

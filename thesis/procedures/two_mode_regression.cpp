@@ -4,6 +4,9 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <string>
+
+#include "input/numerical_failure.hpp"
 
 namespace secular {
 namespace {
@@ -93,7 +96,9 @@ TwoModeFit two_mode_regression(const TwoModeData& data, bool printed) {
       data.excitation_frequency.size() != count || data.condition.size() != static_cast<std::size_t>(count))
     throw std::invalid_argument("the data of two modes have different lengths");
   if (conditions.size() < 3 || count < 8)
-    throw std::invalid_argument("a regression of two modes needs eight rows from three or more conditions");
+    throw NumericalFailure(Ending::out_of_range, "it needs eight ensembles of three or more dwells; there are " +
+                                                     std::to_string(count) + " of " +
+                                                     std::to_string(conditions.size()));
   std::vector<Index> rows(static_cast<std::size_t>(count));
   for (Index i = 0; i < count; ++i) rows[static_cast<std::size_t>(i)] = i;
   const Systems whole = assemble(data, rows, printed);

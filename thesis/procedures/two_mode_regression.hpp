@@ -54,7 +54,7 @@ struct TwoModeFit {
 ///   w1 w2 a1 a2 sigma = a1 a2 S1 + a1^3 a2 S2 + a1 a2^3 S3 + a1 a2 F^2 S4 + Ft Gamma_5
 /// with Ft of (6.52) and Gamma_11 = Gamma_5. `printed`: the right-hand side of the last one with a minus sign, as
 /// (6.40) and (6.51) print it, which turns the sign of every lump and makes both dampings negative. Throws
-/// std::invalid_argument for sizes that differ or fewer than three conditions.
+/// std::invalid_argument for sizes that differ, NumericalFailure for fewer than eight rows or three conditions.
 TwoModeFit two_mode_regression(const TwoModeData& data, bool printed);
 
 }  // namespace secular

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "perturb/prime_field.hpp"
+#include "thesis/verify/evaluation.hpp"
 
 namespace secular::verify {
 namespace {
@@ -16,9 +17,11 @@ namespace {
 using GiNaC::ex;
 using Complex = std::complex<double>;
 
-Complex number(const ex& e) {
+Complex number(const ex& e, const FormulaSource& text) {
   const ex value = e.evalf();
-  if (!GiNaC::is_a<GiNaC::numeric>(value)) throw std::logic_error("a symbol without a measured value");
+  if (!GiNaC::is_a<GiNaC::numeric>(value))
+    fail_at(text, {text.first_line, 1}, "holds something that has no value in a measured motion",
+            "leave the proof out with --without-proofs");
   const auto& n = GiNaC::ex_to<GiNaC::numeric>(value);
   return {n.real().to_double(), n.imag().to_double()};
 }
@@ -69,7 +72,10 @@ std::string ConvergenceProof::text() const {
       corrected_error.back(), corrected_slope);
 }
 
-ConvergenceProof prove(Laboratory& laboratory, const PrintedStatement& statement, const PrintedStatement* inside) {
+namespace {
+
+ConvergenceProof proof_of(Laboratory& laboratory, const PrintedStatement& statement,
+                          const PrintedStatement* inside) {
   const PrintedFormula& formula = laboratory.formula();
   const Model& model = *laboratory.derivation().model;
   const std::size_t modes = model.modes.size();
@@ -85,7 +91,7 @@ ConvergenceProof prove(Laboratory& laboratory, const PrintedStatement& statement
 
   // What must vanish at the measured values.
   const auto error = [&](const FormulaSource& text, const Measurement& m) {
-    const auto at = [&](const ex& e) { return number(e.subs(m.values, GiNaC::subs_options::no_pattern)); };
+    const auto at = [&](const ex& e) { return number(e.subs(m.values, GiNaC::subs_options::no_pattern), text); };
     if (statement.kind == "modulation") return std::abs(at(formula.difference(text)));
     if (statement.kind == "polar") {
       const ex equals = statement.equals ? formula.read(*statement.equals) : ex(0);
@@ -100,7 +106,11 @@ ConvergenceProof prove(Laboratory& laboratory, const PrintedStatement& statement
     double largest = 0;
     for (const auto& [n, coefficient] : harmonics(formula.read(text), formula, modes)) {
       if (!contested.count(n)) continue;
-      Complex claimed = at(coefficient), seen = m.mode[k].harmonic.at(n);
+      const auto measured = m.mode[k].harmonic.find(n);
+      if (measured == m.mode[k].harmonic.end())
+        fail_at(text, {text.first_line, 1}, "has a harmonic that is not measured in the integrated motion",
+                "leave the proof out with --without-proofs");
+      Complex claimed = at(coefficient), seen = measured->second;
       if (statement.kind == "forcing") {
         if (n == own) {
           seen = 0;  // solvability
@@ -129,6 +139,12 @@ ConvergenceProof prove(Laboratory& laboratory, const PrintedStatement& statement
   proof.decides_for_correction = proof.corrected_slope > proof.printed_slope + 0.5 &&
                                  proof.corrected_error.back() < 0.5 * proof.printed_error.back();
   return proof;
+}
+
+}  // namespace
+
+ConvergenceProof prove(Laboratory& laboratory, const PrintedStatement& statement, const PrintedStatement* inside) {
+  return evaluated(statement.printed, [&] { return proof_of(laboratory, statement, inside); });
 }
 
 }  // namespace secular::verify

@@ -1,8 +1,10 @@
 #include "thesis/verify/printed_formula.hpp"
 
 #include <array>
+#include <set>
 
 #include "perturb/formula_value.hpp"
+#include "thesis/verify/evaluation.hpp"
 
 namespace secular::verify {
 namespace {
@@ -37,8 +39,9 @@ PrintedFormula::PrintedFormula(const PrintedChapter& chapter, const Derivation& 
     : chapter_(chapter), derivation_(derivation) {
   const Model& model = *derivation.model;
   if (chapter.suffixes.size() != model.modes.size() || chapter.unknowns.size() != model.modes.size())
-    fail_at(chapter.gamma, {chapter.gamma.first_line, 1}, "the chapter does not name every mode of " + model.name,
-            "one entry of `suffixes` and of `unknowns` for each mode");
+    chapter.place.fail(chapter.suffixes.size() != model.modes.size() ? "suffixes" : "unknowns",
+                       "does not name every mode of model " + model.name,
+                       std::to_string(model.modes.size()) + " entries, one for each mode");
   for (const std::string& name : model.symbols.names()) names_[name] = model.symbols.at(name);
   names_["i"] = GiNaC::I;
   names_["Pi"] = GiNaC::Pi;
@@ -72,8 +75,25 @@ PrintedFormula::PrintedFormula(const PrintedChapter& chapter, const Derivation& 
     slow_.push_back(real_symbol("slow_wave" + std::to_string(r)));
     detuning_.push_back(model.symbols.at(derivation.resonance->relations[r].detuning));
   }
-  // gamma as integers over slow phases and beta.
-  GiNaC::exmap zero;
+  evaluated(chapter.gamma, [&] { return read_gamma(), 0; });
+  names_["dgamma"] = real_symbol("dgamma");
+  std::set<std::string> unknowns;
+  for (const std::vector<std::string>& names : chapter.unknowns) unknowns.insert(names.begin(), names.end());
+  for (const std::string& name : unknowns)
+    if (names_.contains(name))
+      chapter.place.fail("unknowns", "'" + name + "' has a meaning already", "choose another name");
+  for (const auto& [name, source] : chapter.definitions) {
+    if (names_.contains(name) || unknowns.contains(name))
+      fail_at(source, {source.first_line, 1}, "'" + name + "' has a meaning already", "choose another name");
+    const ex right = read(source);
+    names_[name] = right;
+  }
+}
+
+// gamma as integers over slow phases and beta.
+void PrintedFormula::read_gamma() {
+  const PrintedChapter& chapter = chapter_;
+  const Model& model = *derivation_.model;
   std::map<std::string, ex> betas;
   for (const std::string& s : chapter.suffixes) betas["beta" + s] = real_symbol("beta" + s);
   const Expression parsed = parse_expression(chapter.gamma, printed_functions);
@@ -83,33 +103,44 @@ PrintedFormula::PrintedFormula(const PrintedChapter& chapter, const Derivation& 
                      if (model.symbols.contains(e.text)) return model.symbols.at(e.text);
                      fail_at(chapter.gamma, e.place, "unknown symbol '" + e.text + "'", "detunings and phases");
                    }).expand();
-  const auto integer = [&](const ex& coefficient) {
-    if (!GiNaC::is_a<GiNaC::numeric>(coefficient) || !GiNaC::ex_to<GiNaC::numeric>(coefficient).is_integer())
-      fail_at(chapter.gamma, parsed.place, "is not an integer combination of detunings and phases");
+  const auto refuse = [&] {
+    fail_at(chapter.gamma, parsed.place, "is not an integer combination of detunings and phases",
+            "for example sigma - 2*beta");
+  };
+  ex rest = gamma;
+  const auto integer = [&](const ex& symbol) {
+    const ex coefficient = gamma.coeff(symbol, 1);
+    if (!GiNaC::is_a<GiNaC::numeric>(coefficient) || !GiNaC::ex_to<GiNaC::numeric>(coefficient).is_integer() ||
+        GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(coefficient)) > largest_exponent)
+      refuse();
+    rest -= coefficient * symbol;
     return GiNaC::ex_to<GiNaC::numeric>(coefficient).to_int();
   };
   gamma_rate_ = 0;
   for (std::size_t r = 0; r < detuning_.size(); ++r) {
-    gamma_slow_.push_back(integer(gamma.coeff(detuning_[r], 1)));
+    gamma_slow_.push_back(integer(detuning_[r]));
     gamma_rate_ += gamma_slow_.back() * detuning_[r];
   }
   for (std::size_t k = 0; k < model.modes.size(); ++k) {
-    gamma_phases_.push_back(integer(gamma.coeff(betas["beta" + chapter.suffixes[k]], 1)));
+    gamma_phases_.push_back(integer(betas["beta" + chapter.suffixes[k]]));
     gamma_rate_ += gamma_phases_.back() * phase_rate_[k];
   }
-  names_["dgamma"] = real_symbol("dgamma");
-  for (const auto& [name, source] : chapter.definitions) names_[name] = read(source);
+  if (!rest.expand().is_zero()) refuse();
 }
 
 ex PrintedFormula::read(const FormulaSource& source) const {
-  return value(parse_expression(source, printed_functions), source);
+  return evaluated(source, [&] { return value(parse_expression(source, printed_functions), source); });
 }
 
 ex PrintedFormula::difference(const FormulaSource& source) const {
   const std::size_t at = source.text.find('=');
   if (at == std::string::npos) return read(source);
+  // Blanks stand for what is left of it, so that places stay those of the file.
+  std::string right = source.text;
+  for (std::size_t i = 0; i <= at; ++i)
+    if (right[i] != '\n') right[i] = ' ';
   return read({source.text.substr(0, at), source.file, source.first_line}) -
-         read({source.text.substr(at + 1), source.file, source.first_line});
+         read({right, source.file, source.first_line});
 }
 
 ex PrintedFormula::value(const Expression& e, const FormulaSource& source) const {
@@ -135,10 +166,17 @@ ex PrintedFormula::value(const Expression& e, const FormulaSource& source) const
       for (const Expression& operand : e.operands) product *= value(operand, source);
       return product;
     }
-    case Expression::Kind::quotient:
-      return value(e.operands[0], source) / value(e.operands[1], source);
-    case Expression::Kind::power:
-      return GiNaC::pow(value(e.operands[0], source), integer_exponent(e, source));
+    case Expression::Kind::quotient: {
+      const ex divisor = value(e.operands[1], source);
+      if (divisor.normal().is_zero()) fail_at(source, e.place, "division by zero", "correct the denominator");
+      return value(e.operands[0], source) / divisor;
+    }
+    case Expression::Kind::power: {
+      const int exponent = integer_exponent(e, source);
+      const ex base = value(e.operands[0], source);
+      if (exponent <= 0) refuse_power_of_zero(base, exponent, e, source);
+      return GiNaC::pow(base, exponent);
+    }
     case Expression::Kind::negation:
       return -value(e.operands[0], source);
     case Expression::Kind::call:
@@ -179,18 +217,27 @@ ex PrintedFormula::exponential(const Expression& angle, const FormulaSource& sou
   const ex moving = timed ? form.coeff(names_.at("t"), 1).expand() : form;
   const ex resting = timed ? form.coeff(names_.at("t"), 0).expand() : ex(0);
   std::vector<GiNaC::numeric> waves(wave_.size(), 0), slow(slow_.size(), 0), phases(wave_.size(), 0);
+  const auto refuse = [&] {
+    fail_at(source, angle.place, "is not a linear combination of frequencies and phases",
+            timed ? "for example Omega*t + beta" : "for example 2*omega0");
+  };
   const auto number = [&](const ex& coefficient) {
-    if (!GiNaC::is_a<GiNaC::numeric>(coefficient))
-      fail_at(source, angle.place, "is not a linear combination of frequencies and phases");
+    if (!GiNaC::is_a<GiNaC::numeric>(coefficient)) refuse();
     return GiNaC::ex_to<GiNaC::numeric>(coefficient);
   };
+  ex rest = form;
+  const auto taken = [&](const ex& part, const ex& symbol) {
+    const GiNaC::numeric coefficient = number(part.coeff(symbol, 1));
+    rest -= timed && &part == &moving ? coefficient * symbol * names_.at("t") : coefficient * symbol;
+    return coefficient;
+  };
   for (std::size_t k = 0; k < waves.size(); ++k) {
-    waves[k] = waves[k] + number(moving.coeff(model.frequency(k), 1));
-    phases[k] = phases[k] + number(resting.coeff(betas["beta" + chapter_.suffixes[k]], 1));
+    waves[k] = waves[k] + taken(moving, model.frequency(k));
+    phases[k] = phases[k] + taken(resting, betas["beta" + chapter_.suffixes[k]]);
   }
-  for (std::size_t r = 0; r < slow.size(); ++r) slow[r] = slow[r] + number(moving.coeff(detuning_[r], 1));
+  for (std::size_t r = 0; r < slow.size(); ++r) slow[r] = slow[r] + taken(moving, detuning_[r]);
   for (std::size_t j = 0; j < model.excitations.size(); ++j) {
-    const GiNaC::numeric multiple = number(moving.coeff(model.frequency(waves.size() + j), 1));
+    const GiNaC::numeric multiple = taken(moving, model.frequency(waves.size() + j));
     if (multiple.is_zero()) continue;
     const ex resonant = derivation_.lattice.resonant_frequency(j);
     for (std::size_t k = 0; k < waves.size(); ++k)
@@ -198,12 +245,15 @@ ex PrintedFormula::exponential(const Expression& angle, const FormulaSource& sou
     for (std::size_t r = 0; r < slow.size(); ++r)
       slow[r] = slow[r] + multiple * derivation_.lattice.resonant_offset(j)[r];
   }
-  const GiNaC::numeric turns = number(resting.coeff(gamma, 1));
+  const GiNaC::numeric turns = taken(resting, gamma);
+  if (!rest.expand().is_zero()) refuse();
   for (std::size_t r = 0; r < slow.size(); ++r) slow[r] = slow[r] + turns * gamma_slow_[r];
   for (std::size_t k = 0; k < phases.size(); ++k) phases[k] = phases[k] + turns * gamma_phases_[k];
   ex product = 1;
   const auto multiply = [&](const ex& base, const GiNaC::numeric& exponent) {
-    if (!exponent.is_integer()) fail_at(source, angle.place, "is a fraction of the frequencies that occur");
+    if (!exponent.is_integer() || GiNaC::abs(exponent) > largest_exponent)
+      fail_at(source, angle.place, "is a fraction of the frequencies that occur, or a large multiple",
+              "integer multiples up to " + std::to_string(largest_exponent));
     product *= GiNaC::pow(base, exponent);
   };
   for (std::size_t k = 0; k < waves.size(); ++k) {

@@ -51,6 +51,11 @@ class PrintedFormula {
   const GiNaC::ex& slow_derivative_conjugate(std::size_t mode, int n) const {
     return slow_derivative_conjugate_[mode][static_cast<std::size_t>(n)];
   }
+  /// A name of the model or of the language that stands for itself: no definition.
+  bool is_symbol(const std::string& name) const {
+    const auto found = names_.find(name);
+    return found != names_.end() && GiNaC::is_a<GiNaC::symbol>(found->second);
+  }
   const GiNaC::ex& symbol(const std::string& name) const { return names_.at(name); }
   /// gamma = sum_r slow_r * (slow phase r) + sum_k beta_k * multiple.
   const std::vector<int>& gamma_slow() const { return gamma_slow_; }
@@ -64,6 +69,7 @@ class PrintedFormula {
   GiNaC::ex clock(std::size_t index, int multiple, bool cosine) const;
 
  private:
+  void read_gamma();
   GiNaC::ex value(const Expression& e, const FormulaSource& source) const;
   GiNaC::ex call(const Expression& e, const FormulaSource& source) const;
   GiNaC::ex slow_scale_derivative(const GiNaC::ex& expression, std::size_t scale) const;

@@ -1,18 +1,31 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "perturb/expression.hpp"
 
 namespace secular::verify {
 
+/// Where a table of the file stands, for messages.
+struct PrintedPlace {
+  std::string file;
+  std::uint32_t line = 0;
+  std::map<std::string, std::uint32_t> lines;  ///< by key
+
+  /// Throws InputError at the line of `key`.
+  [[noreturn]] void fail(const std::string& key, const std::string& wrong, const std::string& right) const;
+};
+
 /// What a source prints at one place, as data, with the verdict that is recorded for it. The file that holds it
 /// (models/printed/) explains every kind.
 struct PrintedStatement {
+  PrintedPlace place;
   int chapter = 0;
   std::string equation;  ///< "5.17"
   std::string part;      ///< which piece of it
@@ -26,16 +39,16 @@ struct PrintedStatement {
   std::string name, inside, mean_of;
   std::optional<FormulaSource> scale, term, times;
   std::vector<std::string> without;    ///< parameters that are zero here
-  std::vector<std::string> solve_for;  ///< two unknowns of the fixed points
+  std::vector<std::string> solve_for;  ///< unknowns of the fixed points: two, three of saddle_node
   std::map<std::string, FormulaSource> where;
   bool only_secular = false, at_peak = false;
   std::string verdict;  ///< confirmed, convention or misprint
   std::string reason, remark;
-  std::uint32_t line = 0;
 };
 
 /// The symbols a chapter writes for one model and resonance case.
 struct PrintedChapter {
+  PrintedPlace place;
   int number = 0;
   std::string model, resonance;
   std::vector<std::vector<std::string>> unknowns;  ///< [mode][order]
@@ -55,6 +68,7 @@ struct PrintedArithmetic {
 
 /// Equations that have to follow from a Lagrangian.
 struct PrintedSymmetry {
+  PrintedPlace place;
   std::string equations, model;
   std::vector<std::string> without;  ///< damping and excitation
   std::string verdict;
@@ -68,7 +82,9 @@ struct PrintedSource {
   std::vector<PrintedSymmetry> symmetries;
 };
 
-/// Throws InputError with file and line.
+/// Throws InputError with file and line. What hangs on the model is checked where it is used.
 PrintedSource read_printed_source(const std::filesystem::path& path);
+/// `name` stands for the file in messages.
+PrintedSource read_printed_source_text(std::string_view text, std::string name);
 
 }  // namespace secular::verify

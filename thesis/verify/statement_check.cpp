@@ -1,11 +1,13 @@
 #include "thesis/verify/statement_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <stdexcept>
 
 #include "perturb/prime_field.hpp"
+#include "thesis/verify/evaluation.hpp"
 #include "thesis/verify/order_equation.hpp"
 
 namespace secular::verify {
@@ -35,10 +37,39 @@ StatementCheck::StatementCheck(const PrintedChapter& chapter, const Derivation& 
   polar_rates_[formula_.symbol("dgamma")] = substituted(formula_.gamma_rate(), polar_rates_);
 }
 
+const ex& StatementCheck::named(const PrintedStatement& statement, const char* key, const std::string& name) const {
+  if (!formula_.is_symbol(name))
+    statement.place.fail(key, "'" + name + "' is no symbol",
+                         "a symbol of model " + derivation_.model->name + ", no definition");
+  return formula_.symbol(name);
+}
+
+// What hangs on the model and its case; what does not is checked where the file is read.
+void StatementCheck::require_possible(const PrintedStatement& statement) const {
+  const int modes = static_cast<int>(rate_.size()), expanded = derivation_.resonance->expand_to;
+  if (statement.mode < 0 || statement.mode >= modes)
+    statement.place.fail("mode", "is " + std::to_string(statement.mode + 1),
+                         "model " + derivation_.model->name + " has " + std::to_string(modes));
+  // Equations of an order are written with D0, D1 and D2.
+  const int highest = statement.kind == "order_equation" ? std::min(expanded, 2) : expanded;
+  const int lowest = statement.kind == "forcing" ? 1 : 0;
+  if (statement.order < lowest || statement.order > highest)
+    statement.place.fail("order", "is " + std::to_string(statement.order),
+                         "case " + derivation_.resonance->name + " has orders " + std::to_string(lowest) + " to " +
+                             std::to_string(highest) + " of it");
+  if (statement.kind == "real_response" && expanded < 1)
+    statement.place.fail("kind", "is real_response", "case " + derivation_.resonance->name + " has no first order");
+  const bool in_a_frame =
+      statement.kind == "threshold" || statement.kind == "saddle_node" || statement.kind == "fixed_points";
+  if (in_a_frame && (derivation_.layout.relations == 0 || formula_.gamma_phases()[0] == 0))
+    statement.place.fail("kind", "is " + statement.kind,
+                         "that needs an excited case, and a gamma that holds the phase of the first mode");
+}
+
 bool StatementCheck::vanishes_at_resonance(const ex& difference, const PrintedStatement& statement) const {
   GiNaC::exmap values;
-  for (const std::string& name : statement.without) values[formula_.symbol(name)] = 0;
-  for (const auto& [name, value] : statement.where) values[formula_.symbol(name)] = formula_.read(value);
+  for (const std::string& name : statement.without) values[named(statement, "without", name)] = 0;
+  for (const auto& [name, value] : statement.where) values[named(statement, "where", name)] = formula_.read(value);
   const ex at_resonance = formula_.at_resonance(substituted(difference, values));
   return value_at_random_point(at_resonance).is_zero();
 }
@@ -94,6 +125,11 @@ ex StatementCheck::definition(const PrintedStatement& statement) const {
 }
 
 bool StatementCheck::holds(const PrintedStatement& statement, const FormulaSource& text) const {
+  require_possible(statement);
+  return evaluated(text, [&] { return compared(statement, text); });
+}
+
+bool StatementCheck::compared(const PrintedStatement& statement, const FormulaSource& text) const {
   const auto k = static_cast<std::size_t>(statement.mode);
   const auto equals = [&] { return statement.equals ? formula_.read(*statement.equals) : ex(0); };
   if (statement.kind == "order_equation")
@@ -129,10 +165,17 @@ bool StatementCheck::holds(const PrintedStatement& statement, const FormulaSourc
   if (statement.kind == "special_case")
     return vanishes_at_resonance(formula_.read(text) - formula_.read(*statement.of), statement);
   if (statement.kind == "identity") return vanishes_at_resonance(formula_.difference(text), statement);
-  fail_at(
-      text, {statement.line, 1}, "unknown kind '" + statement.kind + "'",
-      "order_equation, forcing, response, velocity, modulation, definition, polar, real_response, fixed_points, "
-      "saddle_node, threshold, fourier_mean, special_case or identity");
+  throw std::logic_error("no check for statements of kind " + statement.kind);
+}
+
+// Of a condition by what it is solved for, in which it has to be linear.
+ex StatementCheck::slope_by(const PrintedStatement& statement, const ex& condition, const ex& unknown) const {
+  const auto& symbol = GiNaC::ex_to<GiNaC::symbol>(unknown);
+  const ex slope = condition.diff(symbol);
+  if (vanishes(slope) || !vanishes(slope.diff(symbol)))
+    statement.place.fail("solve_for", "'" + symbol.get_name() + "' is nothing that its condition is linear in",
+                         "da = 0 is solved for the first name, dgamma = 0 for the second");
+  return slope;
 }
 
 // With beta = 0 the slow wave is exp(i gamma); a' = gamma' = 0 gives two parameters, and the relation must follow.
@@ -142,10 +185,11 @@ bool StatementCheck::holds_on_fixed_points(const PrintedStatement& statement, co
   if (statement.at_peak) gauge[formula_.slow_wave(0)] = GiNaC::I;  // cos(gamma) = 0
   const ex amplitude_rate = substituted(polar_rates_.at(formula_.amplitude_rate(0)), gauge);
   const ex gamma_rate = substituted(polar_rates_.at(formula_.symbol("dgamma")), gauge);
-  const ex first = formula_.symbol(statement.solve_for.at(0)), second = formula_.symbol(statement.solve_for.at(1));
+  const ex first = named(statement, "solve_for", statement.solve_for.at(0)),
+           second = named(statement, "solve_for", statement.solve_for.at(1));
   GiNaC::exmap solved;
-  solved[first] = -amplitude_rate.subs(first == 0) / amplitude_rate.diff(GiNaC::ex_to<GiNaC::symbol>(first));
-  solved[second] = -gamma_rate.subs(second == 0) / gamma_rate.diff(GiNaC::ex_to<GiNaC::symbol>(second));
+  solved[first] = -amplitude_rate.subs(first == 0) / slope_by(statement, amplitude_rate, first);
+  solved[second] = -gamma_rate.subs(second == 0) / slope_by(statement, gamma_rate, second);
   return vanishes_at_resonance(substituted(substituted(formula_.difference(text), gauge), solved), statement);
 }
 
@@ -160,10 +204,10 @@ bool StatementCheck::holds_at_saddle_node(const PrintedStatement& statement, con
   const ex determinant = by(rate[0], a) * by(rate[1], wave) - by(rate[0], wave) * by(rate[1], a);
   GiNaC::exmap solved;
   for (std::size_t n = 0; n < 2; ++n) {
-    const ex unknown = formula_.symbol(statement.solve_for.at(n));
-    solved[unknown] = -rate[n].subs(unknown == 0) / by(rate[n], unknown);
+    const ex unknown = named(statement, "solve_for", statement.solve_for.at(n));
+    solved[unknown] = -rate[n].subs(unknown == 0) / slope_by(statement, rate[n], unknown);
   }
-  const ex third = formula_.symbol(statement.solve_for.at(2));
+  const ex third = named(statement, "solve_for", statement.solve_for.at(2));
   const ex singular = substituted(determinant, solved);
   const GiNaC::exmap last{{third, -singular.subs(third == 0) / by(singular, third).subs(third == 0)}};
   const ex difference = substituted(formula_.difference(text), gauge);
@@ -193,12 +237,15 @@ bool StatementCheck::fourier_mean_holds(const PrintedStatement& statement, const
   const auto k = static_cast<std::size_t>(statement.mode);
   const double omega = 1.7;
   const std::complex<double> a = std::polar(0.8, 0.6);
-  const auto number = [](const ex& e) {
+  const auto number = [&text](const ex& e) {
     const ex value = e.evalf();
-    if (!GiNaC::is_a<GiNaC::numeric>(value)) throw std::logic_error("the mean holds a symbol without a value");
+    if (!GiNaC::is_a<GiNaC::numeric>(value))
+      fail_at(text, {text.first_line, 1}, "holds a symbol without a value",
+              "the mean is that of a velocity in A, its conjugate, E and the mode's frequency");
     const auto& n = GiNaC::ex_to<GiNaC::numeric>(value);
     return std::complex<double>(n.real().to_double(), n.imag().to_double());
   };
+  const ex& damping = named(statement, "of", statement.mean_of);
   GiNaC::exmap values;
   for (const std::string& name : derivation_.model->symbols.names())
     values[derivation_.model->symbols.at(name)] = name == statement.mean_of ? 1 : 0;
@@ -206,8 +253,8 @@ bool StatementCheck::fourier_mean_holds(const PrintedStatement& statement, const
   values[formula_.amplitude(k)] = a.real() + GiNaC::I * a.imag();
   values[formula_.conjugate_amplitude(k)] = a.real() - GiNaC::I * a.imag();
   values[formula_.modulus(k)] = std::abs(a);
-  const ex closed = -2 * GiNaC::I * derivation_.model->frequency(k) *
-                    rate_[k].back().diff(GiNaC::ex_to<GiNaC::symbol>(formula_.symbol(statement.mean_of)));
+  const ex closed =
+      -2 * GiNaC::I * derivation_.model->frequency(k) * rate_[k].back().diff(GiNaC::ex_to<GiNaC::symbol>(damping));
   const ex printed = formula_.read(text);
   const std::complex<double> expected = number(substituted(closed, values));
   const int points = 4096;

@@ -12,13 +12,18 @@ class StatementCheck {
  public:
   StatementCheck(const PrintedChapter& chapter, const Derivation& derivation);
 
-  /// Whether `text` (the statement as printed, or corrected) is right. Throws InputError for an unknown kind or
-  /// symbol.
+  /// Whether `text` (the statement as printed, or corrected) is right. Throws InputError for a mode, an order or a
+  /// name that model and case do not have, and for a formula without a value.
   bool holds(const PrintedStatement& statement, const FormulaSource& text) const;
 
   const PrintedFormula& formula() const { return formula_; }
 
  private:
+  bool compared(const PrintedStatement& statement, const FormulaSource& text) const;
+  void require_possible(const PrintedStatement& statement) const;
+  /// The symbol that `key` names.
+  const GiNaC::ex& named(const PrintedStatement& statement, const char* key, const std::string& name) const;
+  GiNaC::ex slope_by(const PrintedStatement& statement, const GiNaC::ex& condition, const GiNaC::ex& unknown) const;
   bool vanishes_at_resonance(const GiNaC::ex& difference, const PrintedStatement& statement) const;
   GiNaC::ex forcing(const PrintedStatement& statement) const;
   GiNaC::ex definition(const PrintedStatement& statement) const;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "perturb/formula_value.hpp"
+#include "thesis/verify/evaluation.hpp"
 
 namespace secular::verify {
 
@@ -21,7 +22,9 @@ RoundedNumber rounded_number(const std::string& digits) {
   return {value - half_unit, value + half_unit};
 }
 
-ArithmeticCheck check_arithmetic(const PrintedArithmetic& arithmetic) {
+namespace {
+
+ArithmeticCheck checked(const PrintedArithmetic& arithmetic) {
   const Expression formula = parse_expression(arithmetic.formula);
   ArithmeticCheck check;
   check.printed = rounded_number(arithmetic.printed);
@@ -43,6 +46,12 @@ ArithmeticCheck check_arithmetic(const PrintedArithmetic& arithmetic) {
   }
   check.agrees = check.expected.low <= check.printed.high && check.printed.low <= check.expected.high;
   return check;
+}
+
+}  // namespace
+
+ArithmeticCheck check_arithmetic(const PrintedArithmetic& arithmetic) {
+  return evaluated(arithmetic.formula, [&] { return checked(arithmetic); });
 }
 
 }  // namespace secular::verify

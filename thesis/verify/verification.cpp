@@ -6,7 +6,6 @@
 #include <list>
 #include <memory>
 
-#include "input/input_error.hpp"
 #include "thesis/verify/convergence_proof.hpp"
 #include "thesis/verify/lagrangian_symmetry.hpp"
 #include "thesis/verify/statement_check.hpp"
@@ -58,8 +57,8 @@ Verdict judged(const PrintedStatement& statement, const OpenChapter& open, const
       source.statements.begin(), source.statements.end(),
       [&](const PrintedStatement& s) { return s.equation == statement.inside && s.kind == "modulation"; });
   if (statement.kind == "definition" && inside == source.statements.end())
-    throw InputError(source.file, "line " + std::to_string(statement.line), "`inside` names no modulation equation",
-                     "give the equation that the definition stands in");
+    statement.place.fail("inside", "names no modulation equation",
+                         "give the equation that the definition stands in");
   const ConvergenceProof proof =
       prove(*open.laboratory, statement, inside == source.statements.end() ? nullptr : &*inside);
   verdict.proof = proof.text();
@@ -88,6 +87,9 @@ Verdict judged(const PrintedSymmetry& symmetry, const Model& model) {
   verdict.part = "follow from a Lagrangian (Helmholtz's conditions)";
   verdict.kind = "symmetry";
   verdict.recorded = symmetry.verdict;
+  for (const std::string& name : symmetry.without)
+    if (!model.symbols.contains(name))
+      symmetry.place.fail("without", "'" + name + "' is no symbol", "a symbol of model " + symmetry.model);
   const std::vector<std::string> broken = broken_lagrangian_symmetries(model, symmetry.without);
   verdict.verdict = broken.empty() ? "confirmed" : "misprint";
   for (const std::string& one : broken) verdict.reason += (verdict.reason.empty() ? "" : "; ") + one;
@@ -104,6 +106,11 @@ std::vector<Verdict> verify_source(const PrintedSource& source,
     OpenChapter open;
     open.chapter = &chapter;
     open.model = std::make_unique<Model>(find_model(chapter.model));
+    const auto& cases = open.model->cases;
+    if (std::none_of(cases.begin(), cases.end(),
+                     [&](const ResonanceCase& resonance) { return resonance.name == chapter.resonance; }))
+      chapter.place.fail("case", "'" + chapter.resonance + "' is no case of model " + chapter.model,
+                         "one of those that `secular derive " + chapter.model + "` lists");
     open.derivation = std::make_unique<Derivation>(derive(*open.model, open.model->find_case(chapter.resonance)));
     open.check = std::make_unique<StatementCheck>(chapter, *open.derivation);
     open.laboratory = std::make_unique<Laboratory>(*open.derivation, open.check->formula());
