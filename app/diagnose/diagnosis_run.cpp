@@ -341,12 +341,12 @@ class StepByStep {
 
   OpenDiagnosis diagnosed(const Allowance& allowance) {
     allow(allowance);
-    return OpenDiagnosis(campaign_, read_, *tried_.model, tried_.own, tried_.effects, options_);
+    return OpenDiagnosis({campaign_, read_, *tried_.model, tried_.own}, tried_.effects, options_);
   }
 
   ModelAlone alone(const Allowance& allowance, std::optional<double> common_late_s = {}) {
     allow(allowance);
-    return fit_alone(campaign_, read_, *tried_.model, tried_.own, options_, common_late_s);
+    return fit_alone({campaign_, read_, *tried_.model, tried_.own}, options_, common_late_s);
   }
 
   // What is in the readings and no term of the equations makes is allowed for before anything is tried. What is
@@ -468,7 +468,8 @@ class StepByStep {
     OpenDiagnosis fresh = diagnosed(allowance);
     doubt_what_may_be_of_records(fresh, true, true);
     if (how_told(fresh.so_far()) != all_told) return false;
-    blows_ = fit_blows_alone(campaign_, read_, *tried_.model, tried_.own, options_, fresh.forces(), fresh.fit());
+    blows_ =
+        fit_blows_alone({campaign_, read_, *tried_.model, tried_.own}, options_, {fresh.fit(), fresh.forces()});
     if (blows_->do_not_fit())
       best_ = std::move(fresh);
     else

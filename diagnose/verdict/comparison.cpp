@@ -201,12 +201,13 @@ std::vector<std::string> Comparison::unknown_names(const CompiledModel& model) c
   return names;
 }
 
-Comparison compare(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-                   const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+Comparison compare(const CampaignAndModel& sides, const std::vector<EquationEffect>& effects,
                    const DiagnosisOptions& options) {
+  const Campaign& campaign = sides.campaign;
+  const CompiledModel& model = sides.model;
   const SensorModel sensors = sensor_model(campaign, model, model.excitations.size() - options.forces.size());
   const FaultTable faults(model, sensors);
-  check_given(options.given, model, own);
+  check_given(options.given, model, sides.own);
   Comparison result{.forces = options.forces,
                     .sensors = sensors,
                     .faults = faults,
@@ -221,7 +222,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
                     .spans = {},
                     .warnings = {}};
   const std::vector<double> natural = natural_frequencies(model, options, result.start);
-  CountingReader counting(read, options.window);
+  CountingReader counting(sides.read, options.window);
   const RecordReader counted = [&](std::size_t r) { return counting(r); };
   ObservedConditions observed =
       observe_conditions({campaign, model, sensors, natural, options.window, options.wandering}, counted);

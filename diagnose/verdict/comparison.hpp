@@ -11,9 +11,9 @@
 #include "diagnose/evidence/discrepancy.hpp"
 #include "diagnose/evidence/segment_evidence.hpp"
 #include "diagnose/evidence/steadiness.hpp"
+#include "diagnose/verdict/campaign_and_model.hpp"
 #include "diagnose/verdict/diagnosis_options.hpp"
 #include "measure/data/time_span.hpp"
-#include "measure/observe/observation_set.hpp"
 
 namespace secular {
 
@@ -47,8 +47,7 @@ struct Comparison {
 
 /// Throws InputError where options name what is not there, where the model has no rough natural frequency, and
 /// where the campaign holds nothing that the model can be compared with. See diagnose() for the arguments.
-Comparison compare(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-                   const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+Comparison compare(const CampaignAndModel& sides, const std::vector<EquationEffect>& effects,
                    const DiagnosisOptions& options);
 
 /// Records whose segments depart from every law of the amplitude, a warning each.
