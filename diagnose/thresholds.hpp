@@ -27,6 +27,8 @@ struct DiagnoseThresholds {
   double first_scatter = 0.003;
   double fewest_freedom = 6;
   double same_size = 0.2;
+  double least_at_random = 0.1;
+  std::size_t foreign_searches = 3;
   double worth_a_test = 0.5;
   double most_doubt = 0.5;
   double least_rival = 0.05;

@@ -59,6 +59,13 @@ inline constexpr std::array diagnose_threshold_list = {
     Threshold<DiagnoseThresholds>{
         "same_size", &DiagnoseThresholds::same_size, ThresholdKind::tuned, "relative", "a scatter that stays",
         "a standard deviation of as few values as there are records", "verdict/frequency_scatter.cpp"},
+    Threshold<DiagnoseThresholds>{
+        "least_at_random", &DiagnoseThresholds::least_at_random, ThresholdKind::tuned, "share of the variance",
+        "of frequencies that differ, following no setting: allowed for before laws are tried",
+        "no draws: with less, nine tenths follow the settings", "verdict/allowances.cpp"},
+    Threshold<DiagnoseThresholds>{"foreign_searches", &DiagnoseThresholds::foreign_searches, ThresholdKind::tuned,
+                                  "searches", "for foreign content, each beside what the one before found",
+                                  "no record of the draws", "verdict/step_by_step.cpp"},
     Threshold<DiagnoseThresholds>{"worth_a_test", &DiagnoseThresholds::worth_a_test, ThresholdKind::tuned,
                                   "probability", "a proposed dwell leaves one explanation",
                                   "no draws: more likely than not", "verdict/proposal.cpp"},

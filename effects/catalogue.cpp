@@ -227,7 +227,8 @@ std::vector<Effect> rows() {
                   .term = "-{0}*{s}",
                   .order = Order::outside,
                   .law = force_law::displacement_power,
-                  .shapes = {any_exponent}}}},
+                  .shapes = {any_exponent}}},
+       .in_words = "a force of {mode} that grows as |displacement|^{exponent}"},
       {.name = "open_damping",
        .component = Component::dissipative,
        .kind = Kind::open_law,
@@ -235,7 +236,8 @@ std::vector<Effect> rows() {
                   .term = "-{0}*{s}",
                   .order = Order::outside,
                   .law = force_law::velocity_power,
-                  .shapes = {any_exponent}}}},
+                  .shapes = {any_exponent}}},
+       .in_words = "a force of {mode} that grows as |velocity|^{exponent}"},
       {.name = "open_loss",
        .component = Component::dissipative,
        .kind = Kind::open_law,
@@ -243,7 +245,8 @@ std::vector<Effect> rows() {
                   .term = "-{0}*{s}",
                   .order = Order::outside,
                   .law = force_law::loss_power,
-                  .shapes = {any_exponent}}}},
+                  .shapes = {any_exponent}}},
+       .in_words = "a viscous damping of {mode} that grows as |displacement|^{exponent}"},
       {.name = "open_one_sided_damping",
        .component = Component::dissipative,
        .kind = Kind::open_law,
@@ -251,7 +254,9 @@ std::vector<Effect> rows() {
                   .term = "-{0}*{s}",
                   .order = Order::outside,
                   .law = force_law::speed_power,
-                  .shapes = {any_exponent}}}},
+                  .shapes = {any_exponent}}},
+       .in_words = "a force of {mode} that grows as |velocity|^{exponent} in either direction of motion with the "
+                   "same sign (a damping of one direction, beside a viscous one)"},
   };
 }
 

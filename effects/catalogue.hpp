@@ -103,6 +103,9 @@ struct Effect {
   /// Simpler effects that it becomes at an end, or a value, of its shape: where it explains no better than they do,
   /// they are named.
   std::vector<std::string> contains = {};
+  /// Of an open law, as what the structure acts like: {mode} stands for the mode's name and {exponent} for the
+  /// exponent with its error bar.
+  std::string in_words = {};
 
   /// Whether it changes with time, so that no line of a steady motion shows it.
   bool is_of_time() const;

@@ -19,7 +19,8 @@ inline constexpr std::array measure_threshold_list = {
     Threshold<MeasureThresholds>{
         "disturbance_false_alarm", &MeasureThresholds::disturbance_false_alarm, ThresholdKind::alarm, "probability",
         "a record that holds nothing of a kind is said to hold it", "per campaign and row of the catalogue",
-        "app/diagnose/diagnosis_run.cpp, app/diagnose/decay_scatter.cpp, app/shared/scatter_output.cpp, "
+        "app/shared/scatter_output.cpp, diagnose/verdict/decay_scatter.cpp, "
+        "diagnose/verdict/told_disturbances.cpp, "
         "data/false_alarm.cpp"},
     Threshold<MeasureThresholds>{"weak_partner", &MeasureThresholds::weak_partner, ThresholdKind::alarm,
                                  "probability", "noise is taken for the partner that a motion would have",

@@ -346,14 +346,8 @@ report::Figure gap_figure(const Diagnosis& d) {
 }
 
 std::string open_law_sentence(const OpenLaw& law) {
-  const bool one_sided = law.law == "open_one_sided_damping";
-  const std::string grows = " of " + law.mode + " that grows as |" +
-                            (law.law == "open_damping" || one_sided ? "velocity" : "displacement") + "|^" +
-                            report::format_uncertain(law.exponent, law.sd);
-  return "acts like a " + std::string(law.law == "open_loss" ? "viscous damping" : "force") + grows +
-         (one_sided ? " in either direction of motion with the same sign (a damping of one direction, beside a "
-                      "viscous one)"
-                    : "");
+  return "acts like " + fmt::format(fmt::runtime(law.in_words), fmt::arg("mode", law.mode),
+                                    fmt::arg("exponent", report::format_uncertain(law.exponent, law.sd)));
 }
 
 std::string misjudged_noise_sentence() {

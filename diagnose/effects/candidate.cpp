@@ -256,6 +256,7 @@ class CandidateList {
     c.component = effect.component;
     c.passive = effect.sign_known;
     c.open_law = effect.kind == Effect::Kind::open_law;
+    c.in_words = effect.in_words;
     c.contains = effect.contains;
     all_.push_back(std::move(c));
   }

@@ -36,6 +36,7 @@ struct Candidate {
   /// Whether unknowns make sense as this explanation; empty: always.
   std::function<bool(const Eigen::VectorXd& unknowns)> plausible;
   bool open_law = false;              ///< stands for a law outside of the catalogue: no cause by itself
+  std::string in_words;               ///< Effect::in_words
   std::vector<std::string> contains;  ///< Effect::contains
   /// Of a law that is the power of displacement/scale or velocity/scale, times scale, with the first shape as its
   /// exponent; 0: it is none.

@@ -71,29 +71,28 @@ std::vector<bool> chosen_impacts(const Campaign& campaign, const Window& window)
   return chosen;
 }
 
-BlowsAlone fit_blows_alone(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-                           const std::vector<std::size_t>& own, DiagnosisOptions options,
-                           const std::vector<StateForce>& forces, const Refit& fit) {
-  const std::vector<std::size_t> open = of_excitations(fit, own);
+BlowsAlone fit_blows_alone(const CampaignAndModel& sides, DiagnosisOptions options, const KnownStructure& known) {
+  const Campaign& campaign = sides.campaign;
+  const std::vector<std::size_t> open = of_excitations(known.fit, sides.own);
   options.blows_as_decays = false;
   options.late = false;
   options.frequency_scatter = {};
   options.given = {};
   options.check = {};
-  options.forces = forces;
+  options.forces = known.forces;
   options.keeps_scales = true;
   BlowsAlone blows;
   options.window.chosen = chosen_impacts(campaign, options.window);
-  const std::set<std::size_t> usable = records_of(compare(campaign, read, model, own, {}, options).discrepancy);
+  const std::set<std::size_t> usable = records_of(compare(sides, {}, options).discrepancy);
   std::map<std::size_t, std::vector<BlowStrength>> of_symbols;
   for (const std::size_t r : usable) {
     options.window.chosen.assign(campaign.records.size(), false);
     options.window.chosen[r] = true;
-    Comparison comparison = compare(campaign, read, model, own, {}, options);
+    Comparison comparison = compare(sides, {}, options);
     InferenceOptions inference_options;
     inference_options.threads = options.threads;
     const Inference alone =
-        infer(comparison.discrepancy, {}, fit.unknowns, comparison.fitted_beside(open), inference_options);
+        infer(comparison.discrepancy, {}, known.fit.unknowns, comparison.fitted_beside(open), inference_options);
     const Refit& told = alone.null.fit;
     blows.records.push_back(r);
     blows.left.chi_squared += told.chi_squared;

@@ -4,11 +4,9 @@
 #include <vector>
 
 #include "diagnose/inference/refit.hpp"
+#include "diagnose/verdict/campaign_and_model.hpp"
 #include "diagnose/verdict/diagnosis_options.hpp"
 #include "diagnose/verdict/gap_detection.hpp"
-#include "estimator/model/compiled_model.hpp"
-#include "measure/data/campaign.hpp"
-#include "measure/observe/observation_set.hpp"
 
 namespace secular {
 
@@ -45,11 +43,14 @@ struct BlowsAlone {
 /// By record: impacts that the window takes.
 std::vector<bool> chosen_impacts(const Campaign& campaign, const Window& window);
 
-/// `fit`: of what follows the blows, its strengths those of `forces`. Its numbers are held as if they were exact,
-/// and the symbols of `own` that move none of its rows are fitted to every impact that its excitation drives. Other
-/// arguments as of diagnose(). The window holds an impact.
-BlowsAlone fit_blows_alone(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-                           const std::vector<std::size_t>& own, DiagnosisOptions options,
-                           const std::vector<StateForce>& forces, const Refit& fit);
+/// A structure that is known by what follows the blows.
+struct KnownStructure {
+  const Refit& fit;
+  const std::vector<StateForce>& forces;  ///< with the scales that its strengths are of
+};
+
+/// The numbers of `known` are held as if they were exact, and of the model's own symbols those that move none of
+/// its rows are fitted to every impact that its excitation drives. The window holds an impact.
+BlowsAlone fit_blows_alone(const CampaignAndModel& sides, DiagnosisOptions options, const KnownStructure& known);
 
 }  // namespace secular

@@ -83,7 +83,11 @@ OpenLaw CauseReporter::open_law(const Rival& rival) const {
   const Candidate& law = candidates[rival.explanation->members.front()];
   const Refit& fit = rival.explanation->fit;
   const std::size_t exponent = law.shapes.front();
-  return {law.subject, law.effect, fit.unknowns(static_cast<Index>(exponent)), sd_of(fit, exponent, dispersion),
+  return {law.subject,
+          law.effect,
+          law.in_words,
+          fit.unknowns(static_cast<Index>(exponent)),
+          sd_of(fit, exponent, dispersion),
           rival.probability};
 }
 

@@ -27,7 +27,8 @@ struct CauseReport {
 /// A force outside of the catalogue that explains the gap.
 struct OpenLaw {
   std::string mode;
-  std::string law;  ///< see secular::is_open_law
+  std::string law;       ///< the name of its row in the catalogue
+  std::string in_words;  ///< Effect::in_words
   double exponent = 0, sd = 0;
   double probability = 0;
 };

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -205,12 +205,13 @@ std::vector<std::string> Comparison::unknown_names(const CompiledModel& model) c
   return names;
 }
 
-Comparison compare(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-                   const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+Comparison compare(const CampaignAndModel& sides, const std::vector<EquationEffect>& effects,
                    const DiagnosisOptions& options) {
+  const Campaign& campaign = sides.campaign;
+  const CompiledModel& model = sides.model;
   const SensorModel sensors = sensor_model(campaign, model, model.excitations.size() - options.forces.size());
   const FaultTable faults(model, sensors);
-  check_given(options.given, model, own);
+  check_given(options.given, model, sides.own);
   Comparison result{.forces = options.forces,
                     .sensors = sensors,
                     .faults = faults,
@@ -225,7 +226,7 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
                     .spans = {},
                     .warnings = {}};
   const std::vector<double> natural = natural_frequencies(model, options, result.start);
-  CountingReader counting(read, options.window);
+  CountingReader counting(sides.read, options.window);
   const RecordReader counted = [&](std::size_t r) { return counting(r); };
   ObservedConditions observed =
       observe_conditions({campaign, model, sensors, natural, options.window, options.wandering}, counted);
@@ -283,22 +284,23 @@ Comparison compare(const Campaign& campaign, const RecordReader& read, const Com
   return result;
 }
 
-std::vector<SegmentEvidence::Left> left_of_records(const Campaign& campaign, const RecordReader& read,
-                                                   const CompiledModel& model, const Comparison& comparison,
+std::vector<SegmentEvidence::Left> left_of_records(const CampaignAndModel& sides, const Comparison& comparison,
                                                    const DiagnosisOptions& options, const VectorXd& unknowns) {
   std::vector<std::string> said_before;
-  std::vector<Segment> segments =
-      cut_segments(campaign, read, comparison.sensors, natural_frequencies(model, options, comparison.start),
-                   {options.window, SegmentLength::turns, std::numeric_limits<Index>::max(), options.wandering,
-                    options.tones, options.coloured, options.blows_as_decays},
-                   said_before);
-  // From the begin of each record.
-  std::map<std::size_t, Index> samples;
+  std::vector<Segment> segments = cut_segments(
+      sides.campaign, sides.read, comparison.sensors, natural_frequencies(sides.model, options, comparison.start),
+      {options.window, SegmentLength::turns, std::numeric_limits<Index>::max(), options.wandering, options.tones,
+       options.coloured, options.blows_as_decays},
+      said_before);
+  std::map<std::size_t, Index> samples;  // so far, by record
   std::erase_if(segments, [&](const Segment& s) {
-    return (samples[s.record] += s.response.cols()) > most_searched_samples;
+    Index& before = samples[s.record];
+    const bool is_first = before == 0;
+    before += s.response.cols();
+    return !is_first && before > most_searched_samples;
   });
-  SegmentEvidence evidence(model, comparison.forces, comparison.sensors, comparison.faults, std::move(segments),
-                           options.threads);
+  SegmentEvidence evidence(sides.model, comparison.forces, comparison.sensors, comparison.faults,
+                           std::move(segments), options.threads);
   evidence.freeze(unknowns, 0);
   return evidence.left(unknowns);
 }

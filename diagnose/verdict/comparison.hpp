@@ -11,9 +11,9 @@
 #include "diagnose/evidence/discrepancy.hpp"
 #include "diagnose/evidence/segment_evidence.hpp"
 #include "diagnose/evidence/steadiness.hpp"
+#include "diagnose/verdict/campaign_and_model.hpp"
 #include "diagnose/verdict/diagnosis_options.hpp"
 #include "measure/data/time_span.hpp"
-#include "measure/observe/observation_set.hpp"
 
 namespace secular {
 
@@ -47,14 +47,12 @@ struct Comparison {
 
 /// Throws InputError where options name what is not there, where the model has no rough natural frequency, and
 /// where the campaign holds nothing that the model can be compared with. See diagnose() for the arguments.
-Comparison compare(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-                   const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+Comparison compare(const CampaignAndModel& sides, const std::vector<EquationEffect>& effects,
                    const DiagnosisOptions& options);
 
-/// What the unknowns leave of records that are compared sample by sample, all samples of them one behind the other,
-/// or so many from the begin of each as evidence of lines needs.
-std::vector<SegmentEvidence::Left> left_of_records(const Campaign& campaign, const RecordReader& read,
-                                                   const CompiledModel& model, const Comparison& comparison,
+/// What the unknowns leave of the records that are compared sample by sample: of their samples one behind the
+/// other, from the begin of each, as many as evidence of lines needs.
+std::vector<SegmentEvidence::Left> left_of_records(const CampaignAndModel& sides, const Comparison& comparison,
                                                    const DiagnosisOptions& options,
                                                    const Eigen::VectorXd& unknowns);
 

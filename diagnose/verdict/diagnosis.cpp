@@ -38,13 +38,12 @@ void take_share(const ClosedShare& share, GapReport& gap) {
 /// Hands what one stage finds to the next, and all of it to the diagnosis.
 class OpenDiagnosis::Stages {
  public:
-  Stages(const Campaign& campaign, const CompiledModel& model, const std::vector<std::size_t>& own,
-         Comparison comparison, const DiagnosisOptions& options)
-      : campaign_(campaign),
-        model_(model),
+  Stages(const CampaignAndModel& sides, Comparison comparison, const DiagnosisOptions& options)
+      : campaign_(sides.campaign),
+        model_(sides.model),
         options_(options),
         comparison_(std::move(comparison)),
-        free_(comparison_.fitted_beside(own)) {}
+        free_(comparison_.fitted_beside(sides.own)) {}
 
   void run() {
     take_comparison();
@@ -111,9 +110,9 @@ class OpenDiagnosis::Stages {
     inference_options.progress = options_.progress;
     for (const std::size_t s : free_)
       if (s < model_.modes()) inference_options.anchors.push_back(s);  // natural frequencies
-    ScatteredInference found =
-        infer_beside_scatter(comparison_.discrepancy, comparison_.of_records, comparison_.candidates,
-                             comparison_.start, free_, inference_options, options_.knows_without_scatter);
+    ScatteredInference found = infer_beside_scatter(
+        comparison_.discrepancy, comparison_.of_records,
+        {comparison_.candidates, comparison_.start, free_, inference_options}, options_.knows_without_scatter);
     inference_ = std::move(found.inference);
     result_.frequency_scatter = std::move(found.scatter);
   }
@@ -333,11 +332,9 @@ class OpenDiagnosis::Stages {
   Diagnosis result_;
 };
 
-OpenDiagnosis::OpenDiagnosis(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-                             const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+OpenDiagnosis::OpenDiagnosis(const CampaignAndModel& sides, const std::vector<EquationEffect>& effects,
                              const DiagnosisOptions& options)
-    : stages_(std::make_unique<Stages>(campaign, model, own, compare(campaign, read, model, own, effects, options),
-                                       options)) {
+    : stages_(std::make_unique<Stages>(sides, compare(sides, effects, options), options)) {
   stages_->run();
 }
 
@@ -377,10 +374,9 @@ Diagnosis OpenDiagnosis::finish() && {
   return stages_->finish();
 }
 
-Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-                   const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+Diagnosis diagnose(const CampaignAndModel& sides, const std::vector<EquationEffect>& effects,
                    const DiagnosisOptions& options) {
-  return OpenDiagnosis(campaign, read, model, own, effects, options).finish();
+  return OpenDiagnosis(sides, effects, options).finish();
 }
 
 bool is_told(const Diagnosis& d) {

@@ -9,6 +9,7 @@
 
 #include "diagnose/evidence/steadiness.hpp"
 #include "diagnose/inference/residual_structure.hpp"
+#include "diagnose/verdict/campaign_and_model.hpp"
 #include "diagnose/verdict/cause_report.hpp"
 #include "diagnose/verdict/diagnosis_options.hpp"
 #include "diagnose/verdict/fitted_numbers.hpp"
@@ -19,7 +20,6 @@
 #include "diagnose/verdict/proposal.hpp"
 #include "diagnose/verdict/simulated_check.hpp"
 #include "measure/data/time_span.hpp"
-#include "measure/observe/observation_set.hpp"
 
 namespace secular {
 
@@ -67,12 +67,11 @@ struct Diagnosis {
 /// Whether nothing beyond repeatability is left: there is no gap, or it is explained.
 bool is_told(const Diagnosis& diagnosis);
 
-/// A diagnosis up to its verdict, for those who compare several before they ask one for all that it has to say. The
-/// campaign and the model outlive it. Arguments and errors as of diagnose().
+/// A diagnosis up to its verdict, for those who compare several before they ask one for all that it has to say.
+/// Arguments and errors as of diagnose().
 class OpenDiagnosis {
  public:
-  OpenDiagnosis(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-                const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+  OpenDiagnosis(const CampaignAndModel& sides, const std::vector<EquationEffect>& effects,
                 const DiagnosisOptions& options);
   OpenDiagnosis(OpenDiagnosis&&) noexcept;
   OpenDiagnosis& operator=(OpenDiagnosis&&) noexcept;
@@ -101,10 +100,9 @@ class OpenDiagnosis {
   std::unique_ptr<Stages> stages_;
 };
 
-/// Diagnoses the gap between a model and a campaign. `model` is the augmented model, `own` lists the symbols of the
-/// model as it was. Throws InputError where the campaign holds nothing that the model can be compared with.
-Diagnosis diagnose(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-                   const std::vector<std::size_t>& own, const std::vector<EquationEffect>& effects,
+/// Diagnoses the gap between a model and a campaign; `effects`: of the model, those that it is tried with. Throws
+/// InputError where the campaign holds nothing that the model can be compared with.
+Diagnosis diagnose(const CampaignAndModel& sides, const std::vector<EquationEffect>& effects,
                    const DiagnosisOptions& options);
 
 }  // namespace secular

@@ -83,6 +83,19 @@ void check_given(const GivenNumbers& given, const CompiledModel& model, const st
   }
 }
 
+bool are_rough_frequencies(const GivenNumbers& given, const CompiledModel& model,
+                           const std::vector<std::size_t>& own) {
+  const auto frequencies = model.symbols.first(model.modes());
+  const auto is_frequency = [&](const auto& value) {
+    return std::any_of(frequencies.begin(), frequencies.end(),
+                       [&](const CompiledSymbol& symbol) { return symbol.name == value.first; });
+  };
+  if (!given || !std::all_of(given.values.begin(), given.values.end(), is_frequency)) return false;
+  return std::any_of(own.begin(), own.end(), [&](std::size_t s) {
+    return !given.values.contains(std::string(model.symbols[s].name)) && !std::isfinite(model.nominal[s]);
+  });
+}
+
 JudgedNumbers judge_given(const GivenNumbers& given, const CompiledModel& model,
                           const std::vector<std::size_t>& fitted, const Discrepancy& discrepancy,
                           const VectorXd& start, unsigned threads) {

@@ -36,6 +36,11 @@ std::string to_string(Judged judged);
 /// has neither one nor a nominal value. `own`: indices of the model's own symbols.
 void check_given(const GivenNumbers& given, const CompiledModel& model, const std::vector<std::size_t>& own);
 
+/// Whether they say where the modes are and nothing else, of a model with further parameters that it has no number
+/// for: no numbers whose gap could be judged, but a start.
+bool are_rough_frequencies(const GivenNumbers& given, const CompiledModel& model,
+                           const std::vector<std::size_t>& own);
+
 /// The given numbers against a campaign.
 struct JudgedNumbers {
   Eigen::VectorXd unknowns;  ///< of the discrepancy, what was left open fitted

@@ -17,13 +17,13 @@ constexpr auto& first_scatter = diagnose_thresholds().first_scatter;
 
 }  // namespace
 
-ModelAlone fit_alone(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-                     const std::vector<std::size_t>& own, const DiagnosisOptions& options,
+ModelAlone fit_alone(const CampaignAndModel& sides, const DiagnosisOptions& options,
                      std::optional<double> common_late_s) {
-  Comparison comparison = compare(campaign, read, model, own, {}, options);
-  std::vector<std::size_t> fitted = comparison.fitted_beside(own);
+  Comparison comparison = compare(sides, {}, options);
+  std::vector<std::size_t> fitted = comparison.fitted_beside(sides.own);
   if (common_late_s) {
-    const std::size_t delay = model.symbols.size() + comparison.faults.delay(comparison.sensors.responses.size());
+    const std::size_t delay =
+        sides.model.symbols.size() + comparison.faults.delay(comparison.sensors.responses.size());
     comparison.start(static_cast<Index>(delay)) = -*common_late_s;
     fitted.push_back(delay);
   }
@@ -38,12 +38,13 @@ ModelAlone fit_alone(const Campaign& campaign, const RecordReader& read, const C
       log_width += 0.5 * std::log1p(sd * sd / frequency.variance);
     }
   }
-  const SegmentEvidence* segments =
-      comparison.discrepancy.admits_own() || common_late_s ? nullptr : comparison.segment_evidence;
+  std::vector<SegmentEvidence::Left> left;
+  if (comparison.segment_evidence && !comparison.discrepancy.admits_own() && !common_late_s)
+    left = left_of_records(sides, comparison, options, alone.null.fit.unknowns);
   return {{alone.null.fit.chi_squared, alone.degrees_of_freedom},
-          scatter_about(comparison.discrepancy, alone.null.fit.unknowns, model.modes()),
+          scatter_about(comparison.discrepancy, alone.null.fit.unknowns, sides.model.modes()),
           lateness_about(comparison.discrepancy),
-          segments ? left_of_records(campaign, read, model, comparison, options, alone.null.fit.unknowns) : std::vector<SegmentEvidence::Left>(),
+          std::move(left),
           scattering_modes,
           log_width};
 }

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "diagnose/evidence/segment_evidence.hpp"
+#include "diagnose/verdict/campaign_and_model.hpp"
 #include "diagnose/verdict/diagnosis_options.hpp"
 #include "diagnose/verdict/frequency_scatter.hpp"
 #include "diagnose/verdict/gap_detection.hpp"
 #include "diagnose/verdict/late_records.hpp"
-#include "measure/data/campaign.hpp"
 
 namespace secular {
 
@@ -32,10 +32,9 @@ struct ModelAlone {
   }
 };
 
-/// Takes a small part of the time of a diagnosis. `model`, `own`: as of diagnose(). `common_late_s`: with all
-/// responses late by one unknown time, from this one on.
-ModelAlone fit_alone(const Campaign& campaign, const RecordReader& read, const CompiledModel& model,
-                     const std::vector<std::size_t>& own, const DiagnosisOptions& options,
+/// Takes a small part of the time of a diagnosis. `common_late_s`: with all responses late by one unknown time,
+/// from this one on.
+ModelAlone fit_alone(const CampaignAndModel& sides, const DiagnosisOptions& options,
                      std::optional<double> common_late_s = {});
 
 /// Whether lateness of each record's own takes more than chance does of what is left without it.

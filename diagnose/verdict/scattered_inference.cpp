@@ -27,12 +27,10 @@ bool leaves_little(const RowsLeft& best, const RowsLeft& null) {
 }  // namespace
 
 ScatteredInference infer_beside_scatter(Discrepancy& discrepancy, RecordNuisances& of_records,
-                                        const std::vector<Candidate>& candidates, const VectorXd& start,
-                                        const std::vector<std::size_t>& own, const InferenceOptions& options,
-                                        bool knows_without) {
+                                        const InferenceTask& task, bool knows_without) {
   ScatteredInference found;
   for (int round = 1;; ++round) {
-    found.inference = infer(discrepancy, candidates, start, own, options);
+    found.inference = infer(discrepancy, task.candidates, task.start, task.own, task.options);
     const auto modes = static_cast<std::size_t>(of_records.frequency_sd.size());
     if (modes == 0) return found;
     const Explanation& null = found.inference.null;

@@ -14,15 +14,21 @@ struct ScatteredInference {
   FrequencyScatter scatter;  ///< none where `of_records` admits none
 };
 
-/// As infer(), whose arguments the others are. Natural frequencies scatter about the model where it leaves no more
+/// What infer() is asked, of whatever discrepancy.
+struct InferenceTask {
+  const std::vector<Candidate>& candidates;
+  const Eigen::VectorXd& start;
+  const std::vector<std::size_t>& own;
+  const InferenceOptions& options;
+};
+
+/// As infer(). Natural frequencies scatter about the model where it leaves no more
 /// than noise, else about the best explanation. What a model that lacks something leaves of them is larger: with
 /// what is left about its best explanation the search is made again, and `of_records`, what `discrepancy` admits
 /// of each record, changes with it. A smaller scatter allows for less: where the larger one leaves more than
 /// noise already, it is not what is there, or not all. `knows_without`: what is found without any scatter is known;
 /// the search is not made, and the scatter does not suffice.
 ScatteredInference infer_beside_scatter(Discrepancy& discrepancy, RecordNuisances& of_records,
-                                        const std::vector<Candidate>& candidates, const Eigen::VectorXd& start,
-                                        const std::vector<std::size_t>& own, const InferenceOptions& options,
-                                        bool knows_without);
+                                        const InferenceTask& task, bool knows_without);
 
 }  // namespace secular

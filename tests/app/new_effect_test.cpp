@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/diagnose/diagnosis_report.hpp"
 #include "app/diagnose/diagnosis_run.hpp"
 #include "app/simulate/experiment_loading.hpp"
 #include "codegen/canonical/canonical_model.hpp"
@@ -204,6 +205,18 @@ TEST(Catalogue, HoldsOnlyRowsThatTheProgramCanFollow) {
       EXPECT_EQ(std::count(like->mistaken_for.begin(), like->mistaken_for.end(), effect.name), 0)
           << other << " says so of " << effect.name << ", too";
     }
+  }
+}
+
+TEST(Catalogue, OpenLawsAloneAreSaidInWords) {
+  for (const Effect& effect : effect_catalogue().effects) {
+    if (effect.kind != Effect::Kind::open_law) {
+      EXPECT_TRUE(effect.in_words.empty()) << effect.name;
+      continue;
+    }
+    const std::string said = open_law_sentence({"tip", effect.name, effect.in_words, 2, 0.1});
+    for (const char* part : {"acts like a ", " of tip that grows as |", "|^2"})
+      EXPECT_NE(said.find(part), std::string::npos) << said;
   }
 }
 

@@ -48,7 +48,7 @@ Diagnosis diagnosed(const CompiledModel& model, const SimulatedCampaign& data,
       effects.push_back({found->effect, 0, "v", s, {}});
   }
   const RecordReader read = [&](std::size_t r) { return data.samples[r]; };
-  return diagnose(data.campaign, read, model, own, effects, options);
+  return diagnose({data.campaign, read, model, own}, effects, options);
 }
 
 std::string pendulum_swing(double mu2, double fc) {

@@ -97,7 +97,7 @@ ScatteredSearch searched(double strength, double scatter, bool admitted, bool kn
   discrepancy.add(std::move(evidence));
   if (admitted) found.of_records.frequency_sd = VectorXd::Constant(1, 0.01);
   discrepancy.admit(found.of_records);
-  found.search = infer_beside_scatter(discrepancy, found.of_records, one_law(), start, {0}, {}, knows_without);
+  found.search = infer_beside_scatter(discrepancy, found.of_records, {one_law(), start, {0}, {}}, knows_without);
   return found;
 }
 

@@ -1,22 +1,21 @@
-#include "app/diagnose/decay_scatter.hpp"
+#include "diagnose/verdict/decay_scatter.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <exception>
 
-#include "app/shared/identification.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
 #include "measure/thresholds.hpp"
 
-namespace secular::app {
+namespace secular {
 namespace {
 
 // Of natural frequencies that differ more than their decays leave open, at the level of all disturbances.
-Eigen::VectorXd scatter_of_decays(const Identification& id) {
+Eigen::VectorXd scatter_of_decays(const std::vector<EstimatedValue>& parameters) {
   Eigen::VectorXd sd;
-  for (const EstimatedValue& value : id.estimate.parameters) {
+  for (const EstimatedValue& value : parameters) {
     if (!value.value || !value.between_records) continue;
     const ScatterBetweenRecords& scatter = *value.between_records;
     const auto mode = static_cast<Eigen::Index>(scatter.mode);
@@ -29,18 +28,12 @@ Eigen::VectorXd scatter_of_decays(const Identification& id) {
 
 }  // namespace
 
-DecayScatter find_decay_scatter(const DiagnosisRequest& request) {
-  IdentificationRequest wanted;
-  wanted.campaign = request.campaign;
-  wanted.model = request.model;
-  wanted.interpret = request.interpret;
-  wanted.window = request.window;
-  wanted.threads = request.threads;
+DecayScatter find_decay_scatter(const EstimatedParameters& identified) {
   const auto not_found_out = [](const std::exception& error) -> DecayScatter {
     return {{}, fmt::format("whether frequencies of decays differ was not found out: {}", error.what())};
   };
   try {
-    return {scatter_of_decays(identify(wanted)), ""};
+    return {scatter_of_decays(identified()), ""};
   } catch (const InputError& error) {
     return not_found_out(error);
   } catch (const NumericalFailure& failure) {
@@ -48,4 +41,4 @@ DecayScatter find_decay_scatter(const DiagnosisRequest& request) {
   }
 }
 
-}  // namespace secular::app
+}  // namespace secular

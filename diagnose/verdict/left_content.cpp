@@ -1,4 +1,4 @@
-#include "app/diagnose/left_content.hpp"
+#include "diagnose/verdict/left_content.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@
 #include "numerics/distribution.hpp"
 #include "numerics/hertz.hpp"
 
-namespace secular::app {
+namespace secular {
 namespace {
 
 // Lines are told apart by the window's main lobe.
@@ -115,7 +115,7 @@ std::optional<NoiseColour> colour_of(const SegmentEvidence::Left& left, const Fo
 
 }  // namespace
 
-void admit(const ForeignContent& content, const Campaign& campaign, DiagnosisOptions& options) {
+void allow_for(const ForeignContent& content, const Campaign& campaign, DiagnosisOptions& options) {
   options.wandering = wandering_zeros(content.found, campaign, options.window);
   options.tones = foreign_tones(content.found, campaign, options.window);
   options.coloured = content.coloured;
@@ -133,8 +133,8 @@ void admit(const ForeignContent& content, const Campaign& campaign, DiagnosisOpt
   }
 }
 
-std::size_t search(const std::vector<SegmentEvidence::Left>& left, const Campaign& campaign,
-                   ForeignContent& content) {
+std::size_t find_left_content(const std::vector<SegmentEvidence::Left>& left, const Campaign& campaign,
+                              ForeignContent& content) {
   const double level = false_alarm_of_channel(campaign);
   std::vector<Disturbance> fresh;
   ForeignTones rings;
@@ -185,4 +185,4 @@ std::size_t search(const std::vector<SegmentEvidence::Left>& left, const Campaig
   return fresh.size();
 }
 
-}  // namespace secular::app
+}  // namespace secular

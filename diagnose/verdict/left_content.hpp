@@ -1,14 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
-#include "diagnose/verdict/diagnosis.hpp"
+#include "diagnose/evidence/segment_evidence.hpp"
 #include "diagnose/verdict/diagnosis_options.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/disturbances/disturbance.hpp"
 
-namespace secular::app {
+namespace secular {
 
 /// Kinds of disturbances that it may be.
 inline constexpr std::string_view wander_kind = "offset_wander", tone_kind = "foreign_tone",
@@ -22,11 +23,11 @@ struct ForeignContent {
 };
 
 /// What the fit allows for from now on: zeros that wander, tones, rings and coloured noise.
-void admit(const ForeignContent& content, const Campaign& campaign, DiagnosisOptions& options);
+void allow_for(const ForeignContent& content, const Campaign& campaign, DiagnosisOptions& options);
 
 /// Adds what no missing term of the equations makes of what the model leaves (docs/inference.md (36)); how much was
 /// found.
-std::size_t search(const std::vector<SegmentEvidence::Left>& left, const Campaign& campaign,
-                   ForeignContent& content);
+std::size_t find_left_content(const std::vector<SegmentEvidence::Left>& left, const Campaign& campaign,
+                              ForeignContent& content);
 
-}  // namespace secular::app
+}  // namespace secular
