@@ -152,15 +152,17 @@ void improve_states(const SegmentModel& model, const VectorXd& unknowns, std::ve
 }
 
 // A long stretch has many minima: a new state is found from its beginning on, and the better one stays.
-void find_states(const SegmentModel& model, std::span<const Segment> segments, const std::vector<Index>& counted,
-                 const VectorXd& unknowns, std::vector<VectorXd>& states) {
-  std::vector<StateSearch> fresh, known;
-  for (const Segment& s : segments)
-    fresh.push_back({s, guessed_state(model.sensors(), s, unknowns, static_cast<Index>(model.modes())), 0, {}});
+void find_states(const SegmentModel& model, const VectorXd& unknowns, std::vector<StateSearch>& searches) {
+  std::vector<StateSearch> fresh;
+  for (const StateSearch& search : searches) {
+    const Segment& s = search.segment;
+    fresh.push_back(
+        {s, guessed_state(model.sensors(), s, unknowns, static_cast<Index>(model.modes())), 0, search.without});
+  }
   for (const Index parts : {8, 3}) {
     std::vector<StateSearch> begun;
-    for (std::size_t i = 0; i < fresh.size(); ++i) {
-      fresh[i].samples = counted[i] / parts;
+    for (std::size_t i = 0; i < searches.size(); ++i) {
+      fresh[i].samples = searches[i].samples / parts;
       if (fresh[i].samples > 8) begun.push_back(fresh[i]);
     }
     improve_states(model, unknowns, begun);
@@ -168,18 +170,18 @@ void find_states(const SegmentModel& model, std::span<const Segment> segments, c
     for (StateSearch& search : fresh)
       if (search.samples > 8) search.state = (next++)->state;
   }
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    fresh[i].samples = counted[i];
-    if (states[i].size() > 0) fresh.push_back({segments[i], states[i], fresh[i].samples, {}});
+  for (std::size_t i = 0; i < searches.size(); ++i) {
+    fresh[i].samples = searches[i].samples;
+    if (searches[i].state.size() > 0) fresh.push_back(searches[i]);
   }
   improve_states(model, unknowns, fresh);
-  auto known_one = fresh.begin() + static_cast<std::ptrdiff_t>(segments.size());
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const bool was_known = states[i].size() > 0;
-    const StateSearch& best =
-        was_known && known_one->squared_error <= fresh[i].squared_error ? *known_one : fresh[i];
-    states[i] = best.state;
-    if (was_known) ++known_one;
+  auto known = fresh.begin() + static_cast<std::ptrdiff_t>(searches.size());
+  for (std::size_t i = 0; i < searches.size(); ++i) {
+    const bool was_known = searches[i].state.size() > 0;
+    const StateSearch& best = was_known && known->squared_error <= fresh[i].squared_error ? *known : fresh[i];
+    searches[i].state = best.state;
+    searches[i].squared_error = best.squared_error;
+    if (was_known) ++known;
   }
 }
 

@@ -4,22 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/effects/candidate.hpp"
-#include "diagnose/inference/refit.hpp"
+#include "diagnose/inference/explanation.hpp"
 
 namespace secular {
-
-/// One or more candidates together, with everything of the model's own fitted beside them.
-struct Explanation {
-  std::vector<std::size_t> members;  ///< indices of candidates; empty: the model as it is
-  Refit fit;
-  std::size_t unknowns = 0;  ///< that it has beyond the model's own
-  double log_evidence = 0;
-};
-
-/// An explanation's unknowns with these candidates switched off.
-Eigen::VectorXd switched_off(Eigen::VectorXd unknowns, const std::vector<std::size_t>& members,
-                             const std::vector<Candidate>& candidates);
 
 /// What the candidates explain.
 struct Inference {
@@ -52,10 +39,5 @@ struct InferenceOptions {
 /// catalogue lacks looks like two that it holds.
 Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidates, const Eigen::VectorXd& start,
                 const std::vector<std::size_t>& own, const InferenceOptions& options);
-
-/// Expected fall of chi-squared if `truth` (a fitted explanation) is right and `rival` is fitted in its place, to
-/// first order: |(1 - P) C theta|^2 with P on the columns of rival and own unknowns. Below about six, data like
-/// these cannot tell the two apart.
-double expected_separation(const Explanation& truth, const Explanation& rival, const Explanation& null);
 
 }  // namespace secular

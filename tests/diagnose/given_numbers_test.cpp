@@ -13,7 +13,7 @@ namespace {
 
 TEST(GivenNumbers, FrequenciesAloneAreAStartWhereOtherParametersHaveNoNumber) {
   const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
-  const std::size_t damping = testing_support::symbol_named(model, "mu1");
+  const std::size_t damping = symbol_named(model, "mu1");
   ASSERT_FALSE(std::isfinite(model.nominal[damping]));
   GivenNumbers given;
   EXPECT_FALSE(are_rough_frequencies(given, model, {0, damping}));

@@ -5,66 +5,19 @@
 
 #include <cmath>
 #include <memory>
-#include <random>
+
+#include "tests/diagnose/tone_signal.hpp"
 
 namespace secular {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-constexpr Index readings = 120;
-constexpr double sd = 0.02;
-
-constexpr double tones[] = {1.4, 0.7, 0.85, 1.15, 1.25, 1.55, 1.7, 1.85};  // rad/s
-
-double time_of(Index i) {
-  return 0.1 * static_cast<double>(i + 1);
-}
-
-/// A signal cos(u_0 t) + sum of u_k cos(tones_k t), compared with one that was measured.
-class Signal : public Evidence {
- public:
-  explicit Signal(const VectorXd& truth) : measured_(signal(truth)), labels_(readings) {
-    std::mt19937 random(4);
-    std::normal_distribution<double> noise(0, sd);
-    for (double& y : measured_) y += noise(random);
-  }
-
-  Index size() const override { return readings; }
-  const std::vector<RowLabel>& labels() const override { return labels_; }
-  // Coarse errors are a multiple of the noise that is far beyond what any tone leaves.
-  void freeze(const VectorXd& /*unknowns*/, double coarse) override { widening_ = 1 + 1e6 * coarse; }
-  void evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const override {
-    rows = (measured_ - signal(unknowns)) / (widening_ * sd);
-  }
-
- private:
-  static VectorXd signal(const VectorXd& unknowns) {
-    VectorXd y(readings);
-    for (Index i = 0; i < readings; ++i) {
-      const double t = time_of(i);
-      y(i) = std::cos(unknowns(0) * t);
-      for (std::size_t k = 0; k < std::size(tones); ++k)
-        y(i) += unknowns(static_cast<Index>(k + 1)) * std::cos(tones[k] * t);
-    }
-    return y;
-  }
-
-  double widening_ = 1;
-  VectorXd measured_;
-  std::vector<RowLabel> labels_;
-};
-
-std::vector<Candidate> candidates() {
-  std::vector<Candidate> all(std::size(tones));
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    all[k].effect = "tone " + std::to_string(k);
-    all[k].strengths = {k + 1};
-    all[k].shape_starts = {VectorXd()};
-  }
-  return all;
-}
+using testing_support::readings;
+using testing_support::sd;
+using testing_support::Signal;
+using testing_support::tone_candidates;
+using testing_support::tones;
 
 // The tone that the model lacks is stronger than its own: alone, the model's frequency goes there from 1.1 on.
 TEST(Inference, FindsWhatIsMissingThoughTheModelsOwnNumbersRunAwayFromIt) {
@@ -75,7 +28,7 @@ TEST(Inference, FindsWhatIsMissingThoughTheModelsOwnNumbersRunAwayFromIt) {
     start(0) = 1.1;
     Discrepancy discrepancy;
     discrepancy.add(std::make_unique<Signal>(truth));
-    const Inference found = infer(discrepancy, candidates(), start, {0}, {});
+    const Inference found = infer(discrepancy, tone_candidates(), start, {0}, {});
     EXPECT_GT(found.null.fit.unknowns(0), 1.3);
     ASSERT_FALSE(found.explanations.empty());
     const Explanation& best = found.explanations.front();
@@ -96,7 +49,7 @@ TEST(Inference, NoGainIsTooSmallAmongErrorsThatAreCoarse) {
     truth(3) = strength;
     Discrepancy discrepancy;
     discrepancy.add(std::make_unique<Signal>(truth));
-    const Inference found = infer(discrepancy, candidates(), start, {}, {});
+    const Inference found = infer(discrepancy, tone_candidates(), start, {}, {});
     ASSERT_FALSE(found.explanations.empty());
     EXPECT_EQ(found.explanations.front().members, std::vector<std::size_t>{2});
     EXPECT_NEAR(found.explanations.front().fit.unknowns(3), strength, 0.02);
@@ -151,7 +104,7 @@ TEST(Inference, WhatTheModelExplainsNeedsNoSecondEffect) {
   truth(0) = 1;
   Discrepancy discrepancy;
   discrepancy.add(std::make_unique<Signal>(truth));
-  const Inference found = infer(discrepancy, candidates(), truth, {0}, {});
+  const Inference found = infer(discrepancy, tone_candidates(), truth, {0}, {});
   EXPECT_LT(found.null.fit.chi_squared, 181);
   for (const Explanation& e : found.explanations) EXPECT_EQ(e.members.size(), 1u);
 }

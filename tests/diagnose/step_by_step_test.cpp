@@ -56,7 +56,7 @@ duration_s = 60.0
   }
 
   void withhold_drag() {
-    const std::size_t drag = testing_support::symbol_named(model, "mu2");
+    const std::size_t drag = symbol_named(model, "mu2");
     std::erase(own, drag);
     effects.push_back({"quadratic_damping", 0, "v", drag, {}});
   }

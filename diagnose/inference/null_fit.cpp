@@ -1,0 +1,70 @@
+#include "diagnose/inference/null_fit.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "diagnose/thresholds.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::VectorXd;
+
+/// Of fits with numbers that may be far off, relative to the squared length of a column.
+constexpr auto& first_damping = diagnose_thresholds().first_damping;
+
+// A model that misses even coarse equations fits best with natural frequencies that nobody would believe, and
+// nothing that is added there leads back: it stays near its start, and the rest of its numbers, which enter the
+// equations linearly, are all that moves.
+Refit anchored_null(ExplanationSearch& search, const VectorXd& start) {
+  std::erase_if(search.own, [&](std::size_t u) {
+    const std::vector<std::size_t>& anchors = search.options.anchors;
+    return std::find(anchors.begin(), anchors.end(), u) != anchors.end();
+  });
+  search.freeze_at_level(start);
+  const Refit first = search.fitter.fit_own(start, search.own, first_damping);
+  search.freeze_at_level(first.unknowns);
+  return search.fitter.fit_own(first.unknowns, search.own, first_damping);
+}
+
+}  // namespace
+
+void fit_null(ExplanationSearch& search, const VectorXd& start) {
+  Fitter& fitter = search.fitter;
+  std::vector<LevelFit> nulls = fitter.from_coarse_to_fine(start, search.own);
+  std::size_t& level = search.level;
+  level = nulls.size() - 1;
+  // Coarse equations help where they bring what the model leaves down. What the equations of motion have no part in
+  // (a harmonic of the excitation that the model leaves out) is missed at every level alike.
+  const bool in_equations =
+      nulls.front().fit.chi_squared < diagnose_thresholds().least_relief * nulls.back().fit.chi_squared;
+  if (nulls[level].misses() && in_equations) {
+    while (level > 0 && nulls[level].misses()) --level;
+    Refit& fit = nulls[level].fit;
+    if (nulls[level].misses()) {
+      fit = anchored_null(search, start);
+    } else {
+      search.freeze_at_level(fit.unknowns);
+      fit = fitter.fit_own(fit.unknowns, search.own);
+    }
+  }
+  search.result.null.fit = std::move(nulls[level].fit);
+  search.result.degrees_of_freedom = search.freedom_about_null();
+  search.null_holds =
+      level == finest_level && !fitter.admits_own() && !search.leaves_more_than_noise(search.result.null);
+}
+
+void settle_null(ExplanationSearch& search, const Explanation& best) {
+  Fitter& fitter = search.fitter;
+  search.own = search.all_own;
+  search.level = finest_level;
+  const VectorXd without = switched_off(best.fit.unknowns, best.members, search.candidates);
+  fitter.freeze(best.fit.unknowns);
+  Refit& null = search.result.null.fit;
+  null = fitter.fit_own(null.unknowns, search.own);
+  Refit from_best = fitter.fit_own(without, search.own);
+  if (from_best.chi_squared < null.chi_squared) null = std::move(from_best);
+  search.result.degrees_of_freedom = search.freedom_about_null();
+}
+
+}  // namespace secular
