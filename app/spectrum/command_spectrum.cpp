@@ -187,7 +187,8 @@ void require_no_obstacle(const SpectrumArguments& options, const RecordSpectrum&
   }
 }
 
-RecordSpectrum analysed(const SpectrumArguments& options, const Columns& columns) {
+// Indices of the channels that are analysed, which are of one length.
+std::vector<std::size_t> chosen_channels(const SpectrumArguments& options, const Columns& columns) {
   std::vector<std::size_t> chosen;
   if (options.channels.empty()) {
     for (std::size_t c = 0; c < columns.names.size(); ++c)
@@ -208,6 +209,12 @@ RecordSpectrum analysed(const SpectrumArguments& options, const Columns& columns
                        fmt::format("has {} samples, {} has {}", columns.values[c].size(),
                                    columns.names[chosen.front()], samples),
                        "choose channels of one length with --channel");
+  return chosen;
+}
+
+RecordSpectrum analysed(const SpectrumArguments& options, const Columns& columns) {
+  const std::vector<std::size_t> chosen = chosen_channels(options, columns);
+  const std::size_t samples = columns.values[chosen.front()].size();
   for (const std::size_t c : chosen)
     require_number_range(columns.values[c], options.source, "channel " + columns.names[c]);
   const auto [first, count] = range_of(columns.start_s, columns.sample_rate_hz, samples, options.window);
